@@ -1,0 +1,15 @@
+# Every library that the project uses, all from Debian 12.
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(Curses REQUIRED)
+pkg_check_modules(lcm REQUIRED IMPORTED_TARGET lcm)
+# Bullet in double precision; the CMake package of Debian is the single-precision build.
+pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)
+pkg_check_modules(urdfdom REQUIRED IMPORTED_TARGET urdfdom)
+pkg_check_modules(kdl REQUIRED IMPORTED_TARGET orocos-kdl)
+pkg_check_modules(pugixml REQUIRED IMPORTED_TARGET pugixml)
+pkg_check_modules(2geom REQUIRED IMPORTED_TARGET 2geom)
+pkg_check_modules(json REQUIRED IMPORTED_TARGET nlohmann_json)
