@@ -34,12 +34,18 @@ struct TaskFrameCommand {
 
   constexpr const AxisCommand& operator[](Axis a) const {
     switch (a) {
-      case Axis::x: return x;
-      case Axis::y: return y;
-      case Axis::z: return z;
-      case Axis::ax: return ax;
-      case Axis::ay: return ay;
-      case Axis::az: break;
+      case Axis::x:
+        return x;
+      case Axis::y:
+        return y;
+      case Axis::z:
+        return z;
+      case Axis::ax:
+        return ax;
+      case Axis::ay:
+        return ay;
+      case Axis::az:
+        break;
     }
     return az;
   }

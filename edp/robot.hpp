@@ -1,0 +1,60 @@
+// What the kernel of a robot gives to the effector driver's shell.
+#pragma once
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "base/axes.hpp"
+#include "base/pose.hpp"
+#include "edp/regulator.hpp"
+
+namespace mrroc::edp {
+
+/// Interval of legal values of one axis.
+struct Range {
+  double lower{};
+  double upper{};
+  [[nodiscard]] constexpr bool contains(double x) const { return x >= lower && x <= upper; }
+};
+
+/// Constant properties of one axis.
+struct AxisProperties {
+  std::string_view name;      ///< for messages: "column", "lower arm", ...
+  Range joint;                ///< legal joint position [rad], track: [m]
+  Range motor;                ///< legal motor position [rad]
+  double increments_per_rad;  ///< encoder increments per radian of the motor shaft
+  double max_motor_speed;     ///< [rad/s] of the motor shaft
+  RegulatorCoefficients regulator;
+};
+
+/// Result of the inverse kinematics problem.
+struct InverseSolution {
+  AxisVector joints;  ///< [rad], track: [m]; meaningful when reached
+  bool reached{};     ///< the pose lies within reach and the joint limits are not considered
+  double missing{};   ///< distance by which the wrist is out of reach [m], 0 when reached
+  bool singular{};    ///< the wrist is singular; the previous branch is kept
+};
+
+/// A robot: its kinematics, transmissions and limits. Every function is real-time safe: no allocation, no
+/// exception.
+class Robot {
+ public:
+  virtual ~Robot() = default;
+
+  /// @return name, as in the configuration
+  [[nodiscard]] virtual std::string_view name() const noexcept = 0;
+  /// @return number of axes, 1..kMaxAxes
+  [[nodiscard]] virtual int axes() const noexcept = 0;
+  /// @param axis 0..axes()-1
+  [[nodiscard]] virtual const AxisProperties& axis(int axis) const noexcept = 0;
+  /// Direct kinematics. @param joints [rad], track [m] @return T_0W, wrist in the base
+  [[nodiscard]] virtual Pose forward(const AxisVector& joints) const noexcept = 0;
+  /// Inverse kinematics. @param T_0W wrist in the base @param near joints that choose the branch
+  [[nodiscard]] virtual InverseSolution inverse(const Pose& T_0W, const AxisVector& near) const noexcept = 0;
+  /// Transmission. @param joints [rad], track [m] @return motor positions [rad]
+  [[nodiscard]] virtual AxisVector motors_from_joints(const AxisVector& joints) const noexcept = 0;
+  /// Transmission, inverse. @param motors [rad] @return joints [rad], track [m]
+  [[nodiscard]] virtual AxisVector joints_from_motors(const AxisVector& motors) const noexcept = 0;
+};
+
+}  // namespace mrroc::edp
