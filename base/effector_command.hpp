@@ -1,0 +1,127 @@
+// What a control subsystem and its effector driver say to each other: y_ce and x_ce (MG 7, fig. 7-10).
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "base/axes.hpp"
+#include "base/axis_command.hpp"
+#include "base/fault.hpp"
+
+namespace mrroc {
+
+/// Instructions of the effector driver. SET, GET, SET_GET, SYNCHRO and QUERY are the papers'; reset
+/// acknowledges a fault; keep and release are what a control subsystem says in a macrostep in which it
+/// commands nothing.
+enum class Instruction : std::uint8_t { keep, set, get, set_get, synchro, query, reset, release };
+
+/// What SET sets and GET gets; a bit mask.
+enum class Part : std::uint8_t { arm = 1, robot_model = 2, io = 4, force_bias = 8 };
+constexpr std::uint8_t operator|(Part a, Part b) {
+  return static_cast<std::uint8_t>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+constexpr bool has(std::uint8_t mask, Part p) { return (mask & static_cast<std::uint8_t>(p)) != 0; }
+
+/// Interpolation mu of the macrostep (MG fig. 8).
+enum class Interpolation : std::uint8_t { mim, tcim_pose, tcim_velocity };
+
+/// Representation of a pose (MG tab. 1): how EffectorCommand::arm.pose is to be read.
+/// motors [rad] and joints [rad, m]: one number per axis; frame: 4x4 homogeneous matrix, row by row;
+/// xyz_euler_zyz and xyz_angle_axis: x, y, z [m] and three angles [rad].
+enum class Representation : std::uint8_t { motors, joints, frame, xyz_euler_zyz, xyz_angle_axis };
+
+/// Whether a pose is given from the base or from the present set pose (MG tab. 1).
+enum class Reference : std::uint8_t { absolute, relative };
+
+/// Which value a reply carries: measured by the encoders, or set for step n_Q (edp.md, feedback variants 1
+/// and 2).
+enum class Feedback : std::uint8_t { measured, set_value };
+
+/// Sixteen numbers that hold a pose in any representation.
+using PoseNumbers = std::array<double, 16>;
+
+/// SET ARM: one macrostep of motion.
+struct ArmCommand {
+  Interpolation mu{Interpolation::tcim_velocity};
+  Representation representation{Representation::frame};  ///< of pose; ignored in TCIM-VELOCITY
+  Reference reference{Reference::absolute};              ///< of pose; ignored in TCIM-VELOCITY
+  PoseNumbers pose{};                                    ///< desired pose, ignored in TCIM-VELOCITY
+  TaskFrameCommand
+      frame{};  ///< behaviour, F_d, r'_d, I, B per axis of E; ignored in MIM; r'_d is ignored in TCIM-POSE
+  std::uint16_t n_s{10};  ///< number_of_steps of the macrostep, 1..kMaxSteps
+  std::uint16_t n_Q{9};   ///< value_in_step_no: the step of the reply, 1..n_s + 1
+  double gripper{};       ///< g_gd, distance between the jaws [m]; robots without a gripper ignore it
+};
+/// Largest n_s.
+inline constexpr std::uint16_t kMaxSteps = 1000;
+
+/// SET ROBOT_MODEL: tool and force tool; the other parts of the model have their places here.
+struct RobotModel {
+  bool set_tool{};                                            ///< use the tool below
+  Representation tool_representation{Representation::frame};  ///< frame, xyz_euler_zyz or xyz_angle_axis
+  PoseNumbers tool{};                                         ///< T_WE, the tool in the wrist
+  bool set_force_tool{};                ///< use weight and centre below; biases anew at once
+  double weight{};                      ///< w [N], >= 0, of everything beyond the sensor
+  std::array<double, 3> mass_centre{};  ///< P = W_G P [m], in W
+};
+
+/// y_ce: one message of a control subsystem to its effector driver. Trivially copyable.
+struct EffectorCommand {
+  std::int64_t session{};  ///< of the sender; a driver obeys one session at a time
+  std::int64_t
+      number{};  ///< sequence number 1, 2, 3...; keep and release have the number of the last command
+  std::int64_t macrostep{};  ///< stamp: the macrostep in which the command is to be executed
+  Instruction instruction{Instruction::keep};
+  std::uint8_t set{};                                        ///< Part mask for SET and SET_GET
+  std::uint8_t get{};                                        ///< Part mask for GET and SET_GET
+  Representation get_representation{Representation::frame};  ///< of EffectorReply::pose
+  Feedback feedback{Feedback::measured};
+  std::int64_t queried{};  ///< QUERY: number of the command whose reply is wanted
+  ArmCommand arm{};
+  RobotModel robot_model{};
+  std::uint16_t outputs{};  ///< binary output lines of the robot controller
+};
+
+/// State of an effector driver.
+enum class DriverState : std::uint8_t {
+  not_synchronised,
+  homing,
+  ready,
+  executing,
+  decelerating,
+  holding,
+  faulted
+};
+std::string_view to_string(DriverState s);
+
+/// What became of a command.
+enum class Verdict : std::uint8_t { none, executed, refused, failed };
+
+/// x_ce: the answer, sent in step n_Q. Trivially copyable. "Measured" values are of that step.
+struct EffectorReply {
+  std::int64_t session{};
+  std::int64_t number{};     ///< of the command that it answers; 0: no command was there in this macrostep
+  std::int64_t macrostep{};  ///< stamp: x_ce of that macrostep (the command's stamp + 1)
+  std::int64_t step{};       ///< step of the reading
+  std::int64_t expected{};   ///< next number that the driver will execute
+  Verdict verdict{Verdict::none};
+  Fault fault{};  ///< why it was refused or failed
+  DriverState state{DriverState::not_synchronised};
+  Representation representation{Representation::frame};  ///< of pose
+  PoseNumbers pose{};  ///< E in the base, measured or set value as asked, in the representation asked for
+  std::array<double, 6> T_0E{};           ///< measured pose of E in the base, x y z [m], angle-axis [rad]
+  Wrench F_a{};                           ///< adjusted force in E (MG 45)
+  std::array<double, kMaxAxes> joints{};  ///< measured [rad], track [m]
+  std::array<double, kMaxAxes> motors{};  ///< measured [rad]
+  double gripper{};                       ///< g_gm, measured distance between the jaws [m]
+  bool blocked{};                         ///< g_b, the jaws hold something
+  std::uint16_t inputs{};                 ///< binary input lines of the robot controller
+};
+
+/// One step's proprioceptive reading, for virtual sensors that aggregate them (MS 27).
+struct StepSample {
+  std::array<double, 6> T_0E{};  ///< measured pose of E in the base, x y z [m], angle-axis [rad]
+  Wrench F_a{};                  ///< adjusted force in E
+};
+
+}  // namespace mrroc
