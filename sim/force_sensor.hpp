@@ -1,0 +1,43 @@
+// The wrist force/torque sensor: what its electronics make of the true load.
+#pragma once
+#include <cstdint>
+#include <random>
+
+#include "base/spatial.hpp"
+
+namespace mrroc::sim {
+
+/// Constants of the sensor; the order of magnitude is an ATI Gamma's.
+struct ForceSensorParameters {
+  double force_noise{0.05};          ///< standard deviation of one reading at 500 Hz [N]
+  double torque_noise{0.003};        ///< standard deviation of one reading at 500 Hz [N m]
+  double force_resolution{0.0125};   ///< [N], 0: none
+  double torque_resolution{0.0006};  ///< [N m], 0: none
+  double force_bias{3};              ///< largest constant offset, drawn once per seed [N]
+  double torque_bias{0.1};           ///< largest constant offset, drawn once per seed [N m]
+  double range_xy{65};               ///< readings saturate at +- this [N]
+  double range_z{200};               ///< [N]
+  double range_torque{5};            ///< [N m]
+};
+
+/// Bias, noise, range and quantisation. The same seed gives the same sequence of readings.
+class ForceSensor {
+ public:
+  ForceSensor(const ForceSensorParameters& parameters, std::uint64_t seed);
+
+  /// @param true_load  S_F: external load on the tool side of the sensor in S, gravity and the tool's
+  /// inertial
+  ///                   forces included, mean over the step [N, N m]
+  /// @return raw reading S_F_m
+  Wrench measure(const Wrench& true_load);
+
+  /// @return the constant offset of this sensor [N, N m]; for tests
+  [[nodiscard]] const Wrench& bias() const { return bias_; }
+
+ private:
+  ForceSensorParameters parameters_;
+  std::mt19937_64 random_;
+  Wrench bias_;
+};
+
+}  // namespace mrroc::sim

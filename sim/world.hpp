@@ -1,0 +1,124 @@
+// The simulated work cell: arms with drives, wrist sensors and pens, their sheets, and the operators' hands.
+// One step of the world is one step of the effector drivers. The only code that knows Bullet is behind it.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/axes.hpp"
+#include "base/hardware.hpp"
+#include "base/pose.hpp"
+#include "sim/force_sensor.hpp"
+#include "sim/hand.hpp"
+#include "sim/motor.hpp"
+#include "sim/paper.hpp"
+
+namespace mrroc::sim {
+
+/// Duration of a step of the world and of an effector driver [s].
+inline constexpr double kStep = 0.002;
+
+/// Which robot an arm of the world is.
+enum class ArmModel : std::uint8_t { irb6_postument, irb6_track };
+
+/// The pen in its holder: everything beyond the force/torque sensor.
+struct ToolParameters {
+  Pose T_WS;                       ///< sensor in the wrist W
+  Pose T_WE;                       ///< lowest point of the pen in the wrist W; z out of the tool
+  double mass{};                   ///< [kg]
+  Vector3 mass_centre_W{0, 0, 0};  ///< G in W [m]
+  double pen_radius{0.002};        ///< of the ball that touches the paper [m]
+};
+
+/// One arm of the world.
+struct ArmParameters {
+  ArmModel model{};
+  Pose T_UB;                            ///< the arm's base (its frame 0) in the world U
+  ToolParameters tool;                  ///< beyond the sensor
+  std::vector<MotorParameters> motors;  ///< one per axis
+  ForceSensorParameters sensor;
+  PaperParameters paper;
+  HandParameters hand;
+  double start_height{0.02};  ///< of the pen above the sheet's centre after reset() [m]
+};
+
+/// The parameters of an arm as documented in docs/plant.md.
+/// @param model  which robot; decides motors, tool, sensor and place
+ArmParameters arm_parameters(ArmModel model);
+
+/// The whole work cell.
+struct WorldParameters {
+  /// Arm 1 (index 0) on its pedestal, arm 2 on its track, 2.1 m apart.
+  std::vector<ArmParameters> arms{arm_parameters(ArmModel::irb6_postument),
+                                  arm_parameters(ArmModel::irb6_track)};
+  int substeps{2};             ///< integration steps per step, at least 1
+  int solver_iterations{100};  ///< of the contact and friction solver
+};
+
+/// What a test or a figure may know and a driver may not.
+struct ArmTruth {
+  AxisVector joints;                      ///< [rad], track [m]
+  Pose T_0E;                              ///< pen tip in the arm's base
+  Vector3 tip_velocity{Vector3::Zero()};  ///< in the arm's base [m/s]
+  Wrench S_F{};  ///< load on the sensor before its electronics, mean over the step, in S
+  Vector3 hand_force{Vector3::Zero()};  ///< of the operator on the tip, mean over the step, in the base [N]
+  double paper_force{};                 ///< normal force of the pen on the paper, mean over the step [N]
+  double pen_height{};  ///< of the pen's lowest point above the paper [m], negative: pressed in
+};
+
+/// The simulation. Single-threaded and deterministic: the same parameters, seed and calls give the same bits.
+/// step() does not throw; after construction it allocates only for ink.
+class World {
+ public:
+  /// @throws std::invalid_argument  a parameter is out of range; the text says which
+  explicit World(const WorldParameters& parameters = {}, std::uint64_t seed = 1);
+  ~World();
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+
+  /// Starts anew: pens above the centres of clean sheets, arms at rest with their brakes closed, encoders
+  /// zero, hands idle, step 0.
+  void reset(std::uint64_t seed);
+
+  /// @return number of arms
+  [[nodiscard]] int arms() const;
+
+  /// Advances by kStep.
+  /// @param commands  one per arm, in order. An arm whose command is absent (the span is shorter) or not
+  ///                  enabled brakes by itself: motors short-circuited, brakes closed.
+  void step(std::span<const HardwareCommand> commands);
+
+  /// @param arm  0..arms()-1
+  /// @return what the drives and the sensor of the arm measured in the last step; after reset that of the arm
+  ///         at rest, step 0
+  [[nodiscard]] const HardwareReading& reading(int arm) const;
+
+  /// @return steps since reset
+  [[nodiscard]] std::int64_t steps() const;
+
+  /// @return the operator's hand at the arm
+  Hand& hand(int arm);
+
+  /// @return joints of the arm after reset() [rad], track [m]: the known pose of a synchronisation without
+  ///         motion
+  [[nodiscard]] const AxisVector& start_joints(int arm) const;
+
+  /// @return the true state, for tests and figures only
+  [[nodiscard]] const ArmTruth& truth(int arm) const;
+
+  /// @return the ink on the arm's sheet, for figures and run folders
+  [[nodiscard]] const std::vector<InkPoint>& ink(int arm) const;
+
+  /// Puts a clean sheet before the arm.
+  void new_sheet(int arm);
+
+  /// @return hash over the complete mechanical state of all arms, to compare runs
+  [[nodiscard]] std::uint64_t state_hash() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace mrroc::sim
