@@ -1,0 +1,145 @@
+// Errors in three classes (MG 5, error handling): every error has a code, a class, a text and a remedy, and
+// reaches the operator with them. The table itself is base/fault_table.hpp; docs/faults.md is made from it.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "base/fixed_text.hpp"
+
+namespace mrroc {
+
+/// What an error means for the effector and for the task.
+enum class FaultClass : std::uint8_t {
+  non_fatal,  ///< a wrong argument or a failed computation: refused with a reason, the effector goes on
+  fatal,      ///< the effector malfunctions: it stops safely and waits for a reset
+  system      ///< communication or a process failed: the task ends
+};
+
+/// Every error that the framework can raise. The numbers travel in messages: add at the end of a group only
+/// together with a new protocol version.
+enum class FaultCode : std::uint16_t {
+  none,
+  // commands refused by an EDP
+  lost_command,
+  not_owner,
+  start_guard,
+  not_finite,
+  out_of_limits,
+  unknown_enum,
+  illegal_in_state,
+  unknown_number,
+  not_synchronised,
+  reset_required,
+  not_at_rest,
+  in_contact,
+  too_fast,
+  period_mismatch,
+  // kinematics
+  not_a_rotation,
+  unreachable_pose,
+  joint_limit,
+  wrist_singular,
+  arm_singular,
+  // servo and drives
+  excessive_torque,
+  over_current,
+  over_speed,
+  following_error,
+  limit_switch,
+  // sensors
+  force_saturated,
+  sensor_silent,
+  reading_too_old,
+  // processes and messages
+  start_failed,
+  not_ready,
+  process_died,
+  process_hung,
+  peer_silent,
+  hardware_silent,
+  no_multicast,
+  session_in_use,
+  malformed_message,
+  command_repeated_refused,
+  cannot_write,
+  internal_error,
+  // input
+  bad_usage,
+  bad_configuration,
+  bad_drawing,
+  bad_recording,
+  bad_script,
+  no_such_session,
+  // the operator
+  operator_stop,
+  emergency_stop,
+};
+
+/// One row of the table of errors.
+struct FaultEntry {
+  FaultCode code;
+  std::string_view name;  ///< the code in text, as it appears in logs, summaries and error lines
+  FaultClass fault_class;
+  std::string_view text;    ///< what happened
+  std::string_view remedy;  ///< what the operator can do
+};
+
+/// One error as it happened. Trivially copyable, travels in messages; made without allocation in the servo
+/// step.
+struct Fault {
+  FaultCode code{FaultCode::none};
+  FixedText<32> process;  ///< who found it, e.g. "edp arm1"; empty when the process itself is speaking
+  std::int16_t axis{-1};  ///< axis or motor, counted from 0; -1: none
+  double value{};         ///< the offending value, in the unit that text or the code implies
+  double limit{};         ///< the limit it broke; value == limit == 0: there are no figures
+  FixedText<160> text;    ///< what the figures are, or any detail; may be empty
+
+  /// @return whether there is an error at all; real-time safe
+  [[nodiscard]] constexpr explicit operator bool() const { return code != FaultCode::none; }
+  friend constexpr bool operator==(const Fault&, const Fault&) = default;
+};
+
+/// @return the row of the table; of internal_error for a number that is no code. Real-time safe
+[[nodiscard]] const FaultEntry& fault_entry(FaultCode code) noexcept;
+/// @return the code in text, e.g. "lost_command". Real-time safe
+[[nodiscard]] std::string_view to_string(FaultCode code) noexcept;
+/// @return "non-fatal", "fatal" or "system". Real-time safe
+[[nodiscard]] std::string_view to_string(FaultClass fault_class) noexcept;
+/// @return the class of the code. Real-time safe
+[[nodiscard]] FaultClass class_of(FaultCode code) noexcept;
+/// @return the code that a message carries as a number, or nothing when there is none with it. Real-time safe
+[[nodiscard]] std::optional<FaultCode> fault_code(std::int64_t number) noexcept;
+/// @return the code with this name, or nothing
+[[nodiscard]] std::optional<FaultCode> fault_code(std::string_view name) noexcept;
+
+/// @return what happened, in one line without the remedy: the table's text, axis, figures, detail and
+/// process.
+///         Characters that are not printable are shown as '?', so that a message cannot speak to the
+///         terminal.
+[[nodiscard]] std::string what_happened(const Fault& fault);
+/// @return the full sentence: class, code, what happened and the remedy
+[[nodiscard]] std::string describe(const Fault& fault);
+/// @return the last line on standard error: `error: CODE: what happened; what to do`
+[[nodiscard]] std::string error_line(const Fault& fault);
+/// @return exit status of a program that ends with this code: 0 none, 2 bad input, 3 system, otherwise 1
+[[nodiscard]] int exit_status(FaultCode code) noexcept;
+
+/// An error on its way up through a shell. Never thrown in the servo step.
+class FaultError : public std::runtime_error {
+ public:
+  explicit FaultError(const Fault& fault);
+  /// @param what what happened, when that needs more room than a Fault has
+  FaultError(FaultCode code, const std::string& what);
+
+  [[nodiscard]] const Fault& fault() const noexcept { return fault_; }
+  /// @return as error_line(fault()), with the whole text of what()
+  [[nodiscard]] std::string error_line() const;
+
+ private:
+  Fault fault_;
+};
+
+}  // namespace mrroc

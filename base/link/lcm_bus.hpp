@@ -1,0 +1,33 @@
+// Transport over LCM (udpm), between processes of one or several hosts.
+#pragma once
+#include <memory>
+#include <stdexcept>
+
+#include "base/link/bus.hpp"
+
+namespace mrroc::link {
+
+/// Where a system talks: one multicast address, a port per Group beginning with the given one.
+struct LcmAddress {
+  std::string host{"239.255.76.67"};
+  int port{7667};
+  int ttl{0};  ///< 0: nothing leaves this host
+
+  /// @param url udpm://HOST:PORT?ttl=N
+  /// @throws std::invalid_argument that says what is wrong with the url
+  static LcmAddress parse(const std::string& url);
+  [[nodiscard]] std::string url() const;
+};
+
+/// The host lets nobody talk over multicast.
+struct NoMulticast : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// @throws NoMulticast when there is no route for multicast
+std::unique_ptr<Bus> open_lcm(const LcmAddress& address);
+
+/// @return whether open_lcm would succeed and a message arrives
+bool multicast_works(const LcmAddress& address);
+
+}  // namespace mrroc::link

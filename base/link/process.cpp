@@ -1,0 +1,151 @@
+#include "base/link/process.hpp"
+
+#include <algorithm>
+
+#include "base/link/text.hpp"
+
+namespace mrroc::link {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kPatience = 100ms;      // without news before own messages are repeated
+constexpr auto kStatusPeriod = 500ms;  // between signs of life
+constexpr auto kReadyPeriod = 20ms;    // the same while assembling
+
+}  // namespace
+
+std::string_view to_string(ProcessState s) {
+  switch (s) {
+    case ProcessState::starting:
+      return "starting";
+    case ProcessState::ready:
+      return "ready";
+    case ProcessState::running:
+      return "running";
+    case ProcessState::done:
+      return "done";
+    case ProcessState::faulted:
+      return "faulted";
+    case ProcessState::dead:
+      return "dead";
+  }
+  return "?";
+}
+
+Process::Process(Bus& bus, Membership membership)
+    : bus_(bus),
+      membership_(std::move(membership)),
+      status_out_(bus, route(membership_.name + ".status"), membership_.session_id),
+      console_out_(bus, route(membership_.name + ".console"), membership_.session_id),
+      supervisor_in_(bus, route("supervisor"), membership_.session_id) {
+  put_text(status_.name, membership_.name);
+}
+
+Process::~Process() = default;
+
+Route Process::route(const std::string& name, Group group) const {
+  return {group, membership_.session + "." + name};
+}
+
+bool Process::assemble() {
+  status_.state = static_cast<int>(ProcessState::ready);
+  send_status();
+  await([this] { return phase() != Phase::assembling; });
+  status_.state = static_cast<int>(ProcessState::running);
+  send_status();
+  return phase() == Phase::running;
+}
+
+void Process::service(Clock::time_point deadline) {
+  const auto now = Clock::now();
+  auto patience = std::chrono::duration_cast<std::chrono::milliseconds>(kReadyPeriod);
+  if (deadline != Clock::time_point::max())
+    patience = std::clamp(std::chrono::ceil<std::chrono::milliseconds>(deadline - now), 0ms, patience);
+  if (bus_.wait(patience)) {
+    last_news_ = now;
+  } else if (now - last_news_ > kPatience) {
+    last_news_ = now;
+    for (OutboxBase* box : outboxes_) box->repeat();
+  }
+  const bool assembling = status_.state == static_cast<int>(ProcessState::ready);
+  if (now - last_status_ > (assembling ? std::chrono::milliseconds(kReadyPeriod) : kStatusPeriod))
+    send_status();
+  if (on_service) on_service();
+}
+
+void Process::poll() {
+  const auto now = Clock::now();
+  while (bus_.wait(0ms)) {
+  }
+  if (now - last_status_ > kStatusPeriod) send_status();
+  if (on_service) on_service();
+}
+
+Phase Process::phase() const {
+  const supervisor_t* const s = supervisor_in_.newest();
+  return s ? static_cast<Phase>(s->phase) : Phase::assembling;
+}
+
+std::int64_t Process::stop_as_of() const {
+  const supervisor_t* const s = supervisor_in_.newest();
+  return s ? s->as_of : 0;
+}
+
+bool Process::dead(const std::string& name) const {
+  const supervisor_t* const s = supervisor_in_.newest();
+  if (!s || s->dead == 0) return false;
+  const auto it = std::ranges::find(membership_.roster, name);
+  return it != membership_.roster.end() && (s->dead >> (it - membership_.roster.begin()) & 1) != 0;
+}
+
+void Process::report_progress(std::int64_t macrostep, std::int64_t step) {
+  status_.macrostep = macrostep;
+  status_.step = step;
+}
+
+void Process::report_rest(bool at_rest, const std::array<int, 4>& stop_steps) {
+  status_.at_rest = at_rest;
+  std::ranges::copy(stop_steps, status_.stop_steps);
+  send_status();
+}
+
+void Process::say(const std::string& text, FaultCode code) {
+  console_t line{};
+  put_text(line.process, membership_.name);
+  line.code = static_cast<int>(code);
+  put_text(line.text, text);
+  console_out_.publish(line, status_.macrostep);
+}
+
+void Process::report_done() {
+  status_.state = static_cast<int>(ProcessState::done);
+  status_.n_hashes = 0;
+  for (const OutboxBase* box : outboxes_) {
+    channel_hash_t& h = status_.hash[status_.n_hashes++];
+    // The name of the session differs from run to run.
+    put_text(h.channel, std::string_view(box->channel()).substr(membership_.session.size()));
+    h.hash = static_cast<std::int64_t>(box->hash());
+    h.count = box->count();
+  }
+  send_status();
+}
+
+void Process::report_fault(const Fault& fault) {
+  status_.state = static_cast<int>(ProcessState::faulted);
+  status_.fault.code = static_cast<int>(fault.code);
+  status_.fault.axis = fault.axis;
+  status_.fault.value = fault.value;
+  status_.fault.limit = fault.limit;
+  put_text(status_.fault.process,
+           fault.process.empty() ? std::string_view(membership_.name) : fault.process.view());
+  put_text(status_.fault.text, fault.text.view());
+  send_status();
+}
+
+void Process::send_status() {
+  last_status_ = Clock::now();
+  status_out_.publish(status_, status_.macrostep);
+}
+
+}  // namespace mrroc::link

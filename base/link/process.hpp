@@ -1,0 +1,136 @@
+// One process of a running system: its links, its life from assembling to the end, and the one function in
+// which it waits.
+#pragma once
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/fault.hpp"
+#include "base/link/bus.hpp"
+#include "base/link/channel.hpp"
+#include "mrroc/console_t.hpp"
+#include "mrroc/process_status_t.hpp"
+#include "mrroc/supervisor_t.hpp"
+
+namespace mrroc::link {
+
+/// State of a process, as it tells the supervisor.
+enum class ProcessState : std::uint8_t { starting, ready, running, done, faulted, dead };
+std::string_view to_string(ProcessState s);
+
+/// What the supervisor tells everybody.
+enum class Phase : std::uint8_t {
+  assembling,  ///< wait until everybody is there
+  running,
+  stopping,  ///< no more commands: effectors come to rest and hold
+  finished,  ///< end now
+};
+
+/// Who drives time.
+enum class ClockKind : std::uint8_t {
+  step,  ///< lock-step: everybody waits for the messages that it needs
+  wall,  ///< the monotonic clock: what is not there in time is late
+};
+
+/// How a process belongs to its system.
+struct Membership {
+  std::string session{"mrroc"};     ///< name of the system; prefix of every channel
+  std::int64_t session_id{1};       ///< distinguishes runs with the same name
+  std::string name;                 ///< of this process, as in the roster
+  std::vector<std::string> roster;  ///< all processes, the supervisor's own name first
+  ClockKind clock{ClockKind::step};
+};
+
+/// A process's connection with its system. Used by one thread.
+class Process {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// @param bus must outlive the process
+  Process(Bus& bus, Membership membership);
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+  ~Process();
+
+  [[nodiscard]] const Membership& membership() const { return membership_; }
+  [[nodiscard]] Bus& bus() { return bus_; }
+  [[nodiscard]] bool lock_step() const { return membership_.clock == ClockKind::step; }
+
+  /// @param name without the session, e.g. "arm1.command"
+  [[nodiscard]] Route route(const std::string& name, Group group = Group::agents) const;
+
+  template <FixedMessage M>
+  std::unique_ptr<Inbox<M>> inbox(const std::string& name, Group group = Group::agents) {
+    return std::make_unique<Inbox<M>>(bus_, route(name, group), membership_.session_id);
+  }
+  /// A link on which the run is fingerprinted and repaired.
+  template <FixedMessage M>
+  std::unique_ptr<Outbox<M>> outbox(const std::string& name, Group group = Group::agents) {
+    auto box = std::make_unique<Outbox<M>>(bus_, route(name, group), membership_.session_id);
+    outboxes_.push_back(box.get());
+    return box;
+  }
+
+  /// Tells the supervisor that this process is ready and waits until all are (rule R2). Make all inboxes
+  /// before.
+  /// @return false when the system ends before it has begun
+  bool assemble();
+
+  /// Waits until ready() holds. Everything else that has to be done goes on in here: messages arrive, own
+  /// messages are repeated when nothing moves, the supervisor hears that this process lives.
+  /// @param deadline gives up then
+  /// @return the last value of ready()
+  template <class Ready>
+  bool await(Ready ready, Clock::time_point deadline = Clock::time_point::max()) {
+    while (!ready()) {
+      if (deadline != Clock::time_point::max() && Clock::now() >= deadline) return false;
+      service(deadline);
+    }
+    return true;
+  }
+
+  /// Handles what has arrived, without waiting for more than a moment.
+  void poll();
+
+  /// @return what the supervisor said last
+  [[nodiscard]] Phase phase() const;
+  /// @return whether the system stops or has ended
+  [[nodiscard]] bool over() const { return phase() >= Phase::stopping; }
+  /// @return first macrostep in which nothing is commanded any more; only meaningful when over()
+  [[nodiscard]] std::int64_t stop_as_of() const;
+  /// @return whether the supervisor has declared that process dead
+  [[nodiscard]] bool dead(const std::string& name) const;
+
+  /// How far this process is, for the supervisor.
+  void report_progress(std::int64_t macrostep, std::int64_t step);
+  /// What the world reports about arms at rest.
+  void report_rest(bool at_rest, const std::array<int, 4>& stop_steps);
+  /// A line for the operator and the log.
+  void say(const std::string& text, FaultCode code = FaultCode::none);
+  /// Says that this process has ended, with the fingerprints of what it sent.
+  void report_done();
+  /// Says that this process has ended because of a fault.
+  void report_fault(const Fault& fault);
+
+  /// Called in every service, for the supervisor's own duties.
+  std::function<void()> on_service;
+
+ private:
+  void service(Clock::time_point deadline);
+  void send_status();
+
+  Bus& bus_;
+  Membership membership_;
+  std::vector<OutboxBase*> outboxes_;
+  Outbox<process_status_t> status_out_;
+  Outbox<console_t> console_out_;
+  Inbox<supervisor_t> supervisor_in_;
+  process_status_t status_{};
+  Clock::time_point last_status_{};
+  Clock::time_point last_news_{};
+};
+
+}  // namespace mrroc::link
