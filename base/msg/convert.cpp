@@ -1,0 +1,218 @@
+#include "base/msg/convert.hpp"
+
+#include <algorithm>
+
+namespace mrroc {
+namespace {
+
+template <class From, class To>
+void copy(const From& from, To& to) {
+  std::copy(std::begin(from), std::end(from), std::begin(to));
+}
+
+template <std::size_t N>
+void put(std::int8_t (&field)[N], const FixedText<N>& text) {
+  std::ranges::transform(text.data, field, [](char ch) { return static_cast<std::int8_t>(ch); });
+}
+
+template <std::size_t N>
+FixedText<N> get(const std::int8_t (&field)[N]) {
+  FixedText<N> text;
+  std::ranges::transform(field, text.data.begin(), [](std::int8_t ch) { return static_cast<char>(ch); });
+  return text;
+}
+
+}  // namespace
+
+fault_t to_message(const Fault& f) {
+  fault_t m{};
+  m.code = static_cast<int>(f.code);
+  m.axis = f.axis;
+  m.value = f.value;
+  m.limit = f.limit;
+  put(m.process, f.process);
+  put(m.text, f.text);
+  return m;
+}
+
+Fault from_message(const fault_t& m) {
+  Fault f;
+  f.code = fault_code(m.code).value_or(FaultCode::internal_error);
+  f.axis = static_cast<std::int16_t>(m.axis);
+  f.value = m.value;
+  f.limit = m.limit;
+  f.process = get(m.process);
+  f.text = get(m.text);
+  return f;
+}
+
+arm_command_t to_message(const ArmCommand& c) {
+  arm_command_t m{};
+  m.mu = static_cast<std::int8_t>(c.mu);
+  m.representation = static_cast<std::int8_t>(c.representation);
+  m.reference = static_cast<std::int8_t>(c.reference);
+  copy(c.pose, m.pose);
+  for (const Axis a : kAxes) {
+    const AxisCommand& from = c.frame[a];
+    m.axis[static_cast<std::size_t>(a)] = {static_cast<std::int8_t>(from.b), from.force, from.velocity,
+                                           from.inertia, from.mobility};
+  }
+  m.n_s = static_cast<std::int16_t>(c.n_s);
+  m.n_Q = static_cast<std::int16_t>(c.n_Q);
+  m.gripper = c.gripper;
+  return m;
+}
+
+ArmCommand from_message(const arm_command_t& m) {
+  ArmCommand c;
+  c.mu = static_cast<Interpolation>(m.mu);
+  c.representation = static_cast<Representation>(m.representation);
+  c.reference = static_cast<Reference>(m.reference);
+  copy(m.pose, c.pose);
+  for (const Axis a : kAxes) {
+    const axis_command_t& from = m.axis[static_cast<std::size_t>(a)];
+    c.frame[a] = {static_cast<Behaviour>(from.b), from.force, from.velocity, from.inertia, from.mobility};
+  }
+  c.n_s = static_cast<std::uint16_t>(m.n_s);
+  c.n_Q = static_cast<std::uint16_t>(m.n_Q);
+  c.gripper = m.gripper;
+  return c;
+}
+
+effector_command_t to_message(const EffectorCommand& c) {
+  effector_command_t m{};
+  m.session = c.session;
+  m.number = c.number;
+  m.instruction = static_cast<std::int8_t>(c.instruction);
+  m.set = c.set;
+  m.get = c.get;
+  m.get_representation = static_cast<std::int8_t>(c.get_representation);
+  m.feedback = static_cast<std::int8_t>(c.feedback);
+  m.queried = c.queried;
+  m.arm = to_message(c.arm);
+  m.set_tool = c.robot_model.set_tool;
+  m.tool_representation = static_cast<std::int8_t>(c.robot_model.tool_representation);
+  copy(c.robot_model.tool, m.tool);
+  m.set_force_tool = c.robot_model.set_force_tool;
+  m.weight = c.robot_model.weight;
+  copy(c.robot_model.mass_centre, m.mass_centre);
+  m.outputs = static_cast<std::int16_t>(c.outputs);
+  return m;
+}
+
+EffectorCommand from_message(const effector_command_t& m) {
+  EffectorCommand c;
+  c.session = m.session;
+  c.number = m.number;
+  c.macrostep = m.header.stamp;
+  c.instruction = static_cast<Instruction>(m.instruction);
+  c.set = m.set;
+  c.get = m.get;
+  c.get_representation = static_cast<Representation>(m.get_representation);
+  c.feedback = static_cast<Feedback>(m.feedback);
+  c.queried = m.queried;
+  c.arm = from_message(m.arm);
+  c.robot_model.set_tool = m.set_tool != 0;
+  c.robot_model.tool_representation = static_cast<Representation>(m.tool_representation);
+  copy(m.tool, c.robot_model.tool);
+  c.robot_model.set_force_tool = m.set_force_tool != 0;
+  c.robot_model.weight = m.weight;
+  copy(m.mass_centre, c.robot_model.mass_centre);
+  c.outputs = static_cast<std::uint16_t>(m.outputs);
+  return c;
+}
+
+effector_reply_t to_message(const EffectorReply& r) {
+  effector_reply_t m{};
+  m.session = r.session;
+  m.number = r.number;
+  m.step = r.step;
+  m.expected = r.expected;
+  m.verdict = static_cast<std::int8_t>(r.verdict);
+  m.fault = to_message(r.fault);
+  m.state = static_cast<std::int8_t>(r.state);
+  m.representation = static_cast<std::int8_t>(r.representation);
+  copy(r.pose, m.pose);
+  copy(r.T_0E, m.T_0E);
+  copy(r.F_a.v, m.F_a);
+  copy(r.joints, m.joints);
+  copy(r.motors, m.motors);
+  m.gripper = r.gripper;
+  m.blocked = r.blocked;
+  m.inputs = static_cast<std::int16_t>(r.inputs);
+  return m;
+}
+
+EffectorReply from_message(const effector_reply_t& m) {
+  EffectorReply r;
+  r.session = m.session;
+  r.number = m.number;
+  r.macrostep = m.header.stamp;
+  r.step = m.step;
+  r.expected = m.expected;
+  r.verdict = static_cast<Verdict>(m.verdict);
+  r.fault = from_message(m.fault);
+  r.state = static_cast<DriverState>(m.state);
+  r.representation = static_cast<Representation>(m.representation);
+  copy(m.pose, r.pose);
+  copy(m.T_0E, r.T_0E);
+  copy(m.F_a, r.F_a.v);
+  copy(m.joints, r.joints);
+  copy(m.motors, r.motors);
+  r.gripper = m.gripper;
+  r.blocked = m.blocked != 0;
+  r.inputs = static_cast<std::uint16_t>(m.inputs);
+  return r;
+}
+
+step_sample_t to_message(const StepSample& s) {
+  step_sample_t m{};
+  copy(s.T_0E, m.T_0E);
+  copy(s.F_a.v, m.F_a);
+  return m;
+}
+
+StepSample from_message(const step_sample_t& m) {
+  StepSample s;
+  copy(m.T_0E, s.T_0E);
+  copy(m.F_a, s.F_a.v);
+  return s;
+}
+
+drive_command_t to_message(const HardwareCommand& c) {
+  drive_command_t m{};
+  copy(c.pwm, m.pwm);
+  m.enabled = c.enabled;
+  m.commanded_until = c.commanded_until;
+  return m;
+}
+
+HardwareCommand from_message(const drive_command_t& m) {
+  HardwareCommand c;
+  c.step = m.header.stamp;
+  copy(m.pwm, c.pwm);
+  c.enabled = m.enabled != 0;
+  c.commanded_until = m.commanded_until;
+  return c;
+}
+
+drive_reading_t to_message(const HardwareReading& r) {
+  drive_reading_t m{};
+  copy(r.encoder, m.encoder);
+  copy(r.current, m.current);
+  copy(r.S_F_m.v, m.S_F_m);
+  copy(r.switches, m.switches);
+  return m;
+}
+
+HardwareReading from_message(const drive_reading_t& m, std::int64_t step) {
+  HardwareReading r;
+  r.step = step;
+  copy(m.encoder, r.encoder);
+  copy(m.current, r.current);
+  copy(m.S_F_m, r.S_F_m.v);
+  copy(m.switches, r.switches);
+  return r;
+}
+
+}  // namespace mrroc

@@ -1,0 +1,37 @@
+// Between messages and the values that they carry. Numbers that stand for enumerators are passed on as they
+// are: who acts on a value checks it first.
+#pragma once
+#include "base/effector_command.hpp"
+#include "base/hardware.hpp"
+#include "mrroc/drive_command_t.hpp"
+#include "mrroc/drive_reading_t.hpp"
+#include "mrroc/effector_command_t.hpp"
+#include "mrroc/effector_reply_t.hpp"
+#include "mrroc/step_sample_t.hpp"
+
+namespace mrroc {
+
+fault_t to_message(const Fault& f);
+Fault from_message(const fault_t& m);
+
+arm_command_t to_message(const ArmCommand& c);
+ArmCommand from_message(const arm_command_t& m);
+
+effector_command_t to_message(const EffectorCommand& c);
+/// The stamp of the message's header becomes EffectorCommand::macrostep.
+EffectorCommand from_message(const effector_command_t& m);
+
+effector_reply_t to_message(const EffectorReply& r);
+EffectorReply from_message(const effector_reply_t& m);
+
+step_sample_t to_message(const StepSample& s);
+StepSample from_message(const step_sample_t& m);
+
+drive_command_t to_message(const HardwareCommand& c);
+HardwareCommand from_message(const drive_command_t& m);
+
+drive_reading_t to_message(const HardwareReading& r);
+/// @param step of the world state that holds the reading
+HardwareReading from_message(const drive_reading_t& m, std::int64_t step);
+
+}  // namespace mrroc
