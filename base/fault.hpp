@@ -91,11 +91,11 @@ struct FaultEntry {
 /// step.
 struct Fault {
   FaultCode code{FaultCode::none};
-  FixedText<32> process;  ///< who found it, e.g. "edp arm1"; empty when the process itself is speaking
-  std::int16_t axis{-1};  ///< axis or motor, counted from 0; -1: none
-  double value{};         ///< the offending value, in the unit that text or the code implies
-  double limit{};         ///< the limit it broke; value == limit == 0: there are no figures
-  FixedText<160> text;    ///< what the figures are, or any detail; may be empty
+  FixedText<32> process{};  ///< who found it, e.g. "edp arm1"; empty when the process itself is speaking
+  std::int16_t axis{-1};    ///< axis or motor, counted from 0; -1: none
+  double value{};           ///< the offending value, in the unit that text or the code implies
+  double limit{};           ///< the limit it broke; value == limit == 0: there are no figures
+  FixedText<160> text{};    ///< what the figures are, or any detail; may be empty
 
   /// @return whether there is an error at all; real-time safe
   [[nodiscard]] constexpr explicit operator bool() const { return code != FaultCode::none; }

@@ -179,6 +179,72 @@ StepSample from_message(const step_sample_t& m) {
   return s;
 }
 
+agent_order_t to_message(const Order& o) {
+  agent_order_t m{};
+  m.m = o.m;
+  copy(o.go_on, m.go_on);
+  m.finished = o.finished;
+  m.arm = to_message(o.arm);
+  return m;
+}
+
+Order from_message(const agent_order_t& m) {
+  Order o;
+  o.m = m.m;
+  o.go_on = {m.go_on[0] != 0, m.go_on[1] != 0};
+  o.finished = m.finished != 0;
+  o.arm = from_message(m.arm);
+  return o;
+}
+
+agent_report_t to_message(const Report& r) {
+  agent_report_t m{};
+  m.m = r.m;
+  m.event = r.event;
+  m.ready = r.ready;
+  m.sensor = r.sensor;
+  m.driver_state = static_cast<std::int8_t>(r.driver_state);
+  m.verdict = static_cast<std::int8_t>(r.verdict);
+  m.fault = to_message(r.fault);
+  copy(r.T_0E, m.T_0E);
+  copy(r.F_a.v, m.F_a);
+  m.gripper = r.gripper;
+  m.blocked = r.blocked;
+  return m;
+}
+
+Report from_message(const agent_report_t& m) {
+  Report r;
+  r.m = m.m;
+  r.event = m.event;
+  r.ready = m.ready != 0;
+  r.sensor = m.sensor;
+  r.driver_state = static_cast<DriverState>(m.driver_state);
+  r.verdict = static_cast<Verdict>(m.verdict);
+  r.fault = from_message(m.fault);
+  copy(m.T_0E, r.T_0E);
+  copy(m.F_a, r.F_a.v);
+  r.gripper = m.gripper;
+  r.blocked = m.blocked != 0;
+  return r;
+}
+
+sensor_reading_t to_message(const SensorReading& r) {
+  sensor_reading_t m{};
+  m.state = r.state;
+  m.valid = r.valid;
+  copy(r.value, m.value);
+  return m;
+}
+
+SensorReading from_message(const sensor_reading_t& m) {
+  SensorReading r;
+  r.state = m.state;
+  r.valid = m.valid != 0;
+  copy(m.value, r.value);
+  return r;
+}
+
 drive_command_t to_message(const HardwareCommand& c) {
   drive_command_t m{};
   copy(c.pwm, m.pwm);

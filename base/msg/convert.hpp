@@ -3,10 +3,14 @@
 #pragma once
 #include "base/effector_command.hpp"
 #include "base/hardware.hpp"
+#include "base/transmission.hpp"
+#include "mrroc/agent_order_t.hpp"
+#include "mrroc/agent_report_t.hpp"
 #include "mrroc/drive_command_t.hpp"
 #include "mrroc/drive_reading_t.hpp"
 #include "mrroc/effector_command_t.hpp"
 #include "mrroc/effector_reply_t.hpp"
+#include "mrroc/sensor_reading_t.hpp"
 #include "mrroc/step_sample_t.hpp"
 
 namespace mrroc {
@@ -26,6 +30,15 @@ EffectorReply from_message(const effector_reply_t& m);
 
 step_sample_t to_message(const StepSample& s);
 StepSample from_message(const step_sample_t& m);
+
+agent_order_t to_message(const Order& o);
+Order from_message(const agent_order_t& m);
+
+agent_report_t to_message(const Report& r);
+Report from_message(const agent_report_t& m);
+
+sensor_reading_t to_message(const SensorReading& r);
+SensorReading from_message(const sensor_reading_t& m);
 
 drive_command_t to_message(const HardwareCommand& c);
 HardwareCommand from_message(const drive_command_t& m);

@@ -1,0 +1,14 @@
+// What the simulated operator's hand is asked to do.
+#pragma once
+#include <cstdint>
+
+namespace mrroc {
+
+/// What the hand at one arm does.
+enum class HandAction : std::uint8_t {
+  release,     ///< lets the pen go
+  lead_along,  ///< leads the pen along the drawing of the configuration
+  lead_to,     ///< leads the pen to a point above the sheet and holds it there
+};
+
+}  // namespace mrroc

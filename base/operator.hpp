@@ -1,0 +1,59 @@
+// What the operator can ask of a running task, and the states in which the task answers.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace mrroc {
+
+/// Orders of the operator to a task (UI -> MP). trigger is the papers' signal that ends a behaviour which
+/// waits for it.
+enum class OperatorOrder : std::uint8_t { start, pause, resume, trigger, stop };
+inline constexpr std::array kOperatorOrders{OperatorOrder::start, OperatorOrder::pause, OperatorOrder::resume,
+                                            OperatorOrder::trigger, OperatorOrder::stop};
+
+constexpr std::string_view to_string(OperatorOrder o) {
+  switch (o) {
+    case OperatorOrder::start:
+      return "start";
+    case OperatorOrder::pause:
+      return "pause";
+    case OperatorOrder::resume:
+      return "resume";
+    case OperatorOrder::trigger:
+      return "trigger";
+    case OperatorOrder::stop:
+      return "stop";
+  }
+  return "?";
+}
+
+/// State of a task as the operator sees it.
+enum class TaskState : std::uint8_t { starting, waiting_for_start, running, paused, stopping, ended };
+
+constexpr std::string_view to_string(TaskState s) {
+  switch (s) {
+    case TaskState::starting:
+      return "starting";
+    case TaskState::waiting_for_start:
+      return "waiting for start";
+    case TaskState::running:
+      return "running";
+    case TaskState::paused:
+      return "paused";
+    case TaskState::stopping:
+      return "stopping";
+    case TaskState::ended:
+      return "ended";
+  }
+  return "?";
+}
+
+/// x_cT_0h: the operator as the coordinator sees him (MS 23).
+struct OperatorImage {
+  std::int64_t trigger{};  ///< number of triggers given so far; an edge is a larger number
+  bool started{};          ///< start has been given
+  bool paused{};           ///< task time is to stand still
+};
+
+}  // namespace mrroc

@@ -1,0 +1,40 @@
+// What embodied agents and the coordinator say to each other: the transmission images x_cT and y_cT.
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "base/effector_command.hpp"
+
+namespace mrroc {
+
+/// y_cT_0j = x_cT_j0: coordinator -> embodied agent. Trivially copyable.
+struct Order {
+  int m{};                      ///< behaviour of the coordinator
+  std::array<bool, 2> go_on{};  ///< told<1>, told<2>: end your behaviour (MG 60)
+  bool finished{};              ///< the task is over: release the effector
+  ArmCommand arm{};  ///< continuous coordination: the effector's command, copied by the agent (MS 33)
+};
+
+/// y_cT_j0 = x_cT_0j: embodied agent -> coordinator. Trivially copyable.
+struct Report {
+  int m{};       ///< behaviour of the agent
+  int event{};   ///< m of the event that it has seen, 0 if none
+  bool ready{};  ///< initialised, executes commands
+  int sensor{};  ///< discrete reading of its virtual sensor
+  DriverState driver_state{DriverState::not_synchronised};
+  Verdict verdict{Verdict::none};  ///< on its last command
+  Fault fault{};                   ///< why that was refused or failed
+  std::array<double, 6> T_0E{};    ///< measured pose of E in the base: x y z [m], angle-axis [rad]
+  Wrench F_a{};                    ///< adjusted force in E
+  double gripper{};                ///< distance of the jaws [m]
+  bool blocked{};                  ///< the jaws hold something
+};
+
+/// x_cV: reading of a virtual sensor. Trivially copyable.
+struct SensorReading {
+  int state{};                     ///< discrete reading
+  bool valid{};                    ///< something was seen
+  std::array<double, 16> value{};  ///< continuous reading, meaning set by the sensor
+};
+
+}  // namespace mrroc
