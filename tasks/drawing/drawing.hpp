@@ -1,0 +1,63 @@
+// What is drawn: strokes on a sheet of paper.
+#pragma once
+#include <Eigen/Core>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace mrroc::drawing {
+
+/// A point in sheet coordinates [mm]: origin at the sheet's centre, x right, y up, seen from above.
+using Point = Eigen::Vector2d;
+/// What the pen draws between a touch-down and the next lift-off: a polyline [mm]. One point alone is a dot.
+using Stroke = std::vector<Point>;
+/// Strokes in the order in which they are drawn.
+using Drawing = std::vector<Stroke>;
+
+inline constexpr double kDefaultSize = 120;        ///< larger side of a drawing's bounding box [mm]
+inline constexpr double kSheetSize = 200;          ///< side of the sheet, all of which an arm reaches [mm]
+inline constexpr double kFlatness = 0.05;          ///< a curve's distance from its polyline, at most [mm]
+inline constexpr std::size_t kMaxPoints = 10'000;  ///< points of a drawing after flattening, at most
+
+/// A drawing, recording or table of a run that cannot be used. what() is "FILE:LINE: what is wrong; what to
+/// do", without the line where none is known.
+class DrawingError : public std::runtime_error {
+ public:
+  /// @param file  the name under which the user knows the file
+  /// @param line  the line at fault, counted from 1; 0 if unknown
+  /// @param wrong  what is wrong
+  /// @param remedy  what the user can do about it; may be empty
+  DrawingError(const std::string& file, int line, const std::string& wrong, const std::string& remedy);
+
+  [[nodiscard]] const std::string& file() const { return file_; }
+  [[nodiscard]] int line() const { return line_; }  ///< counted from 1; 0 if unknown
+
+ private:
+  std::string file_;
+  int line_;
+};
+
+/// The drawing of MS fig. 7: six feathers of an arrow, three on each side of a shaft that is not drawn. Each
+/// is a straight stroke of 39.6 mm; together they take 56 x 68 mm, centred on the sheet.
+[[nodiscard]] Drawing arrow();
+
+/// @param size_mm  larger side of the new bounding box [mm]
+/// @return the drawing scaled uniformly to that size and centred on the sheet. A drawing without extent (dots
+/// at one place) is only centred.
+[[nodiscard]] Drawing fitted(Drawing drawing, double size_mm);
+
+/// @return the drawing without points that repeat their predecessor. Strokes never become empty.
+[[nodiscard]] Drawing without_repeats(Drawing drawing);
+
+/// Refuses a size that is not in (0, kSheetSize].
+/// @param name  the file that the size is for, named in the error
+/// @throws DrawingError
+void check_size(double size_mm, const std::string& name);
+
+/// Refuses a drawing that cannot be drawn: no stroke, an empty stroke, a number that is not finite, more than
+/// kMaxPoints points, a point off the sheet.
+/// @param name  the file that it came from, named in the error
+/// @throws DrawingError
+void check(const Drawing& drawing, const std::string& name);
+
+}  // namespace mrroc::drawing

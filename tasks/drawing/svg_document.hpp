@@ -1,0 +1,22 @@
+// Walks an SVG document and collects what it draws. Internal to the SVG reader.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tasks/drawing/svg_outline.hpp"
+
+namespace mrroc::drawing::svg {
+
+/// What a document draws, in the user units of its outermost element; y points down.
+struct Document {
+  std::vector<SubPath> paths;
+  std::string ignored;  ///< visible elements that have no outline, such as "image (1), text (3)"
+};
+
+/// @param text  the document
+/// @param name  its file's name, for errors
+/// @throws DrawingError  not well-formed, not SVG, a bad value in an element that is drawn, too much of it
+[[nodiscard]] Document read_document(std::string_view text, const std::string& name);
+
+}  // namespace mrroc::drawing::svg

@@ -1,0 +1,81 @@
+#include "tasks/drawing/text_file.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <system_error>
+
+namespace mrroc::drawing {
+namespace fs = std::filesystem;
+
+std::string read_text_file(const fs::path& file, std::size_t limit) {
+  const std::string name = file.string();
+  std::error_code error;
+  if (!fs::exists(file, error)) throw DrawingError(name, 0, "there is no such file", "check the name");
+  if (!fs::is_regular_file(file, error)) throw DrawingError(name, 0, "this is not a file", "check the name");
+  const std::uintmax_t size = fs::file_size(file, error);
+  std::ifstream in(file, std::ios::binary);
+  if (error || !in) throw DrawingError(name, 0, "the file cannot be read", "check its permissions");
+  if (size == 0) throw DrawingError(name, 0, "the file is empty", "give one with content");
+  if (size > limit)
+    throw DrawingError(name, 0, fmt::format("{} bytes are over the limit of {}", size, limit),
+                       "give a smaller file");
+  std::string text(size, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(size));
+  if (in.gcount() != static_cast<std::streamsize>(size))
+    throw DrawingError(name, 0, "the file could not be read to its end", "try again");
+  return text;
+}
+
+void write_text_file(const fs::path& file, std::string_view content) {
+  const fs::path unfinished = file.string() + ".part";
+  std::ofstream out(unfinished, std::ios::binary | std::ios::trunc);
+  out.write(content.data(), static_cast<std::streamsize>(content.size()));
+  out.close();
+  std::error_code error;
+  if (out) fs::rename(unfinished, file, error);
+  if (!out || error) {
+    std::error_code ignored;
+    fs::remove(unfinished, ignored);
+    throw DrawingError(file.string(), 0, "the file cannot be written", "check the folder and the space left");
+  }
+}
+
+std::string_view Lines::next() {
+  ++line_;
+  const std::size_t end = rest_.find('\n');
+  if (end == std::string_view::npos) fail("the file ends too early", "it is truncated: make it again");
+  const std::string_view line = rest_.substr(0, end);
+  rest_.remove_prefix(end + 1);
+  return line;
+}
+
+void Lines::fail(const std::string& wrong, const std::string& remedy) const {
+  throw DrawingError(name_, line_, wrong, remedy);
+}
+
+std::string_view Lines::numbers(std::string_view line, char separator, std::span<double> values) const {
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const std::string_view field = line.substr(0, line.find(separator));
+    const auto [stop, error] = std::from_chars(field.data(), field.data() + field.size(), values[k]);
+    if (error != std::errc() || stop != field.data() + field.size() || !std::isfinite(values[k]))
+      fail(fmt::format("field {}, '{:.40}', is not a finite number", k + 1, field));
+    line.remove_prefix(field.size());
+    if (k + 1 < values.size() && line.empty())
+      fail(fmt::format("{} fields instead of at least {}", k + 1, values.size()));
+    if (!line.empty()) line.remove_prefix(1);
+  }
+  return line;
+}
+
+std::size_t Lines::count(std::string_view text, std::size_t limit) const {
+  std::size_t value = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || stop != text.data() + text.size() || value > limit)
+    fail(fmt::format("'{:.40}' is not a whole number from 0 to {}", text, limit));
+  return value;
+}
+
+}  // namespace mrroc::drawing

@@ -1,0 +1,50 @@
+// Text files that people may have edited: read whole, taken apart line by line, blamed by line.
+#pragma once
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "tasks/drawing/drawing.hpp"
+
+namespace mrroc::drawing {
+
+/// @param limit  largest size accepted [bytes]
+/// @return the file's content
+/// @throws DrawingError  missing, a folder, unreadable, empty or too large
+[[nodiscard]] std::string read_text_file(const std::filesystem::path& file, std::size_t limit);
+
+/// Writes a file as a whole: it appears under its name only when it is complete.
+/// @throws DrawingError  if it cannot be written
+void write_text_file(const std::filesystem::path& file, std::string_view content);
+
+/// The lines of a text, each of which has to end with a newline, so that a truncated file is noticed.
+class Lines {
+ public:
+  /// @param text  outlives this object
+  /// @param name  the file's name, for errors
+  Lines(std::string_view text, std::string name) : rest_(text), name_(std::move(name)) {}
+
+  /// @return whether all lines are read
+  [[nodiscard]] bool done() const { return rest_.empty(); }
+  /// @return the next line without its end @throws DrawingError at the end of the file or on an unended line
+  std::string_view next();
+  /// @throws DrawingError  naming the line that next() returned last
+  [[noreturn]] void fail(const std::string& wrong, const std::string& remedy = "") const;
+
+  /// Reads the fields of a line, which are numbers separated by one character each.
+  /// @param line  what next() returned
+  /// @param values  receives as many finite numbers as it has room for
+  /// @return what stands behind the last number's separator, empty if the line ends with that number
+  /// @throws DrawingError  not a finite number, or too few of them
+  std::string_view numbers(std::string_view line, char separator, std::span<double> values) const;
+  /// @return the whole number, which has to lie between 0 and limit @throws DrawingError
+  [[nodiscard]] std::size_t count(std::string_view text, std::size_t limit) const;
+
+ private:
+  std::string_view rest_;
+  std::string name_;
+  int line_{};
+};
+
+}  // namespace mrroc::drawing
