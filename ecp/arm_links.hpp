@@ -1,0 +1,66 @@
+// The links of an embodied agent: to its effector driver, its virtual sensor and the coordinator.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "base/link/process.hpp"
+#include "base/motion.hpp"
+#include "base/transmission.hpp"
+#include "ecp/effector_client.hpp"
+#include "mrroc/agent_order_t.hpp"
+#include "mrroc/agent_report_t.hpp"
+#include "mrroc/effector_command_t.hpp"
+#include "mrroc/effector_reply_t.hpp"
+#include "mrroc/sensor_reading_t.hpp"
+
+namespace mrroc::ecp {
+
+/// Names of an agent's links.
+struct ArmLinkNames {
+  std::string robot;   ///< channels ROBOT.command, .reply, .order, .report
+  std::string sensor;  ///< channel of the virtual sensor's readings; empty: the agent has none
+};
+
+/// Sends y and receives x once per macrostep. In lock-step every message of macrostep i is waited for (rule
+/// R1); with the wall clock the driver's reply sets the pace and everything else is taken as it is.
+class ArmLinks {
+ public:
+  ArmLinks(link::Process& process, const ArmLinkNames& names);
+
+  /// Assembles with the others, publishes the defined messages of macrostep 1 and receives the first images.
+  /// @return aborted when the system ends before
+  Outcome begin();
+
+  /// Sends what is for macrostep i + 1.
+  void send(const EffectorCommand& command, const Report& report);
+
+  /// i := i + 1, receives the images of the new macrostep.
+  /// @return aborted when the system stops, faulted when the driver does not take commands any more
+  Outcome wait();
+
+  [[nodiscard]] std::int64_t i() const { return i_; }
+  [[nodiscard]] const EffectorReply& reply() const { return reply_; }
+  [[nodiscard]] const SensorReading& reading() const { return reading_; }
+  [[nodiscard]] const Order& order() const { return order_; }
+  /// @return why wait() gave faulted
+  [[nodiscard]] const EffectorClient& client() const { return client_; }
+
+ private:
+  Outcome receive();
+
+  link::Process& process_;
+  bool has_sensor_;
+  std::unique_ptr<link::Outbox<effector_command_t>> command_out_;
+  std::unique_ptr<link::Outbox<agent_report_t>> report_out_;
+  std::unique_ptr<link::Inbox<effector_reply_t>> reply_in_;
+  std::unique_ptr<link::Inbox<sensor_reading_t>> reading_in_;
+  std::unique_ptr<link::Inbox<agent_order_t>> order_in_;
+  EffectorClient client_;
+  std::int64_t i_{};
+  EffectorReply reply_;
+  SensorReading reading_;
+  Order order_;
+};
+
+}  // namespace mrroc::ecp

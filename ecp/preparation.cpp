@@ -1,0 +1,56 @@
+#include "ecp/preparation.hpp"
+
+namespace mrroc::ecp {
+namespace {
+
+Report not_ready_yet(const ArmLinks& links) {
+  Report r;
+  r.driver_state = links.reply().state;
+  r.verdict = links.reply().verdict;
+  r.fault = links.reply().fault;
+  r.T_0E = links.reply().T_0E;
+  r.F_a = links.reply().F_a;
+  return r;
+}
+
+/// Lets macrosteps pass without a command.
+Outcome rest(ArmLinks& links, int macrosteps) {
+  for (int k = 0; k < macrosteps; ++k) {
+    links.send({}, not_ready_yet(links));
+    if (const Outcome o = links.wait(); o != Outcome::terminated) return o;
+  }
+  return Outcome::terminated;
+}
+
+/// Sends one command and waits for what becomes of it.
+Outcome execute(ArmLinks& links, const EffectorCommand& command) {
+  links.send(command, not_ready_yet(links));
+  const std::int64_t answered = links.i() + 2;  // stamp of the reply to a command sent in macrostep i
+  while (true) {
+    if (const Outcome o = links.wait(); o != Outcome::terminated) return o;
+    if (links.i() >= answered && links.reply().verdict == Verdict::executed) return Outcome::terminated;
+    if (links.i() >= answered && links.reply().verdict != Verdict::none &&
+        links.reply().fault.code != FaultCode::lost_command)
+      return Outcome::faulted;
+    links.send({}, not_ready_yet(links));
+  }
+}
+
+}  // namespace
+
+Outcome prepare_effector(ArmLinks& links, const Preparation& prepare) {
+  if (const Outcome o = execute(links, {.instruction = Instruction::synchro}); o != Outcome::terminated)
+    return o;
+  if (const Outcome o = rest(links, prepare.settling_macrosteps); o != Outcome::terminated) return o;
+  EffectorCommand set{.instruction = Instruction::set};
+  set.set = static_cast<std::uint8_t>(Part::robot_model);
+  set.robot_model = prepare.model;
+  return execute(links, set);
+}
+
+Fault fault_of(const ArmLinks& links) {
+  if (links.client().fault()) return *links.client().fault();
+  return links.reply().fault;
+}
+
+}  // namespace mrroc::ecp

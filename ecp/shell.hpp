@@ -1,0 +1,57 @@
+// Shell of an embodied agent's control subsystem: prepares the effector, runs the task's program, releases
+// the effector.
+#pragma once
+#include <string>
+
+#include "base/motion.hpp"
+#include "ecp/arm_links.hpp"
+#include "ecp/preparation.hpp"
+
+namespace mrroc::ecp {
+
+/// Port of an agent whose images are
+///     X { c; EffectorReply e; SensorReading V; Order T; int64 i, i_0 }   Y { c; EffectorCommand e; V; Report
+///     T }
+template <Images A>
+class ArmPort {
+ public:
+  explicit ArmPort(ArmLinks& links) : links_(links) {}
+
+  void dispatch(const Motion<A>&, const typename A::Y& y) { links_.send(y.e, y.T); }
+  Outcome wait() { return links_.wait(); }
+  void read(typename A::X& x) const {
+    x.e = links_.reply();
+    x.V = links_.reading();
+    x.T = links_.order();
+    x.i = links_.i();
+  }
+
+ private:
+  ArmLinks& links_;
+};
+
+/// Runs an ECP to its end.
+/// @param process   this process's connection
+/// @param links     names of the agent's links
+/// @param prepare   what is set in the driver before the task begins
+/// @param program   Outcome program(X& x, ArmPort<A>& port): the task's sequence of Move instructions
+template <Images A, class Program>
+void run_ecp(link::Process& process, const ArmLinkNames& names, const Preparation& prepare, Program program) {
+  ArmLinks links(process, names);
+  ArmPort<A> port(links);
+  typename A::X x{};
+  Outcome outcome = links.begin();
+  if (outcome == Outcome::terminated) outcome = prepare_effector(links, prepare);
+  if (outcome == Outcome::terminated) {
+    port.read(x);
+    outcome = program(x, port);
+  }
+  if (outcome == Outcome::faulted) {
+    process.report_fault(fault_of(links));
+    return;
+  }
+  if (outcome == Outcome::terminated) links.send({.instruction = Instruction::release}, {.ready = true});
+  process.report_done();
+}
+
+}  // namespace mrroc::ecp

@@ -1,0 +1,82 @@
+#include "vsp/pen_state/pen_state_sensor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/pose.hpp"
+
+namespace mrroc::vsp {
+
+PenStateSensor::PenStateSensor(const PenStateParameters& parameters) : k_(parameters) {}
+
+void PenStateSensor::filter(const StepSample& sample) {
+  const Pose T_0E = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(sample.T_0E.data()));
+  if (first_) {
+    first_ = false;
+    p_ = T_0E.p;
+    F_ = sample.F_a[Axis::z];
+    past_F_.fill(F_);
+  }
+  const double way = T_0E.R.col(2).dot(T_0E.p - p_);
+  p_ = T_0E.p;
+  depth_ += way;
+  v_ += (way / k_.dt - v_) * std::min(1.0, k_.dt / k_.v_filter);
+  F_ += (sample.F_a[Axis::z] - F_) * std::min(1.0, k_.dt / k_.F_filter);
+}
+
+PenState PenStateSensor::next() {
+  const auto lag = std::clamp<int>(static_cast<int>(std::lround(k_.impact_time / k_.dt)), 1,
+                                   static_cast<int>(past_F_.size()) - 1);
+  auto& slot = past_F_[static_cast<std::size_t>(n_F_ % lag)];
+  const double rise = F_ - slot;
+  slot = F_;
+  ++n_F_;
+
+  timer_ += k_.dt;
+  switch (state_) {
+    case PenState::above_paper:
+      if (v_ <= k_.lowering_speed) return PenState::above_paper;
+      timer_ = 0;
+      return PenState::lowering;
+    case PenState::lowering:
+      if (v_ < -k_.braked_speed) return PenState::above_paper;
+      if (rise > k_.impact_force) {
+        timer_ = 0;
+        paper_ = depth_;
+        return PenState::paper_surface;
+      }
+      if (std::abs(v_) > k_.rest_speed) timer_ = 0;
+      return timer_ > k_.rest_time ? PenState::above_paper : PenState::lowering;
+    case PenState::paper_surface: {
+      if (timer_ < k_.settling_time) {
+        paper_ = depth_;
+        return PenState::paper_surface;
+      }
+      if (v_ > -k_.braked_speed) paper_ += (depth_ - paper_) * k_.dt / k_.paper_filter;
+      const bool rises = paper_ - depth_ > k_.lift_height && v_ < -k_.lift_speed;
+      return rises || F_ > k_.pull_force ? PenState::lift_off : PenState::paper_surface;
+    }
+    case PenState::lift_off:
+      break;
+  }
+  return PenState::above_paper;
+}
+
+void PenStateSensor::step(const StepSample& sample) {
+  filter(sample);
+  state_ = next();
+  lifted_ = lifted_ || state_ == PenState::lift_off;
+}
+
+SensorReading PenStateSensor::reading() {
+  SensorReading r;
+  r.state = static_cast<int>(lifted_ ? PenState::lift_off : state_);
+  r.valid = !first_;
+  r.value[0] = paper_ - depth_;
+  r.value[1] = v_;
+  r.value[2] = F_;
+  lifted_ = false;
+  return r;
+}
+
+}  // namespace mrroc::vsp
