@@ -1,0 +1,65 @@
+// An IRb-6 as the effector driver sees it.
+#pragma once
+#include <memory>
+#include <string_view>
+
+#include "edp/robot.hpp"
+#include "robots/irb6/kinematics.hpp"
+#include "robots/irb6/parameters.hpp"
+#include "robots/irb6/transmission.hpp"
+
+namespace mrroc::irb6 {
+
+/// One of the two arms; all that differs between them is the table. Every function but the factory is
+/// real-time safe.
+class Arm final : public edp::Robot {
+ public:
+  /// @param parameters one of the tables, or a table changed on purpose; it is copied
+  explicit Arm(const ArmParameters& parameters);
+
+  [[nodiscard]] std::string_view name() const noexcept override { return parameters_.name; }
+  [[nodiscard]] int axes() const noexcept override { return parameters_.axis_count(); }
+  [[nodiscard]] const edp::AxisProperties& axis(int axis) const noexcept override {
+    return parameters_.axes[static_cast<std::size_t>(axis)].properties;
+  }
+  [[nodiscard]] Pose forward(const AxisVector& joints) const noexcept override {
+    return kinematics_.forward(joints);
+  }
+  [[nodiscard]] edp::InverseSolution inverse(const Pose& T_0W,
+                                             const AxisVector& near) const noexcept override {
+    return kinematics_.inverse(T_0W, near);
+  }
+  /// Outside the domain of the linkages: the motors at the dead centre.
+  [[nodiscard]] AxisVector motors_from_joints(const AxisVector& joints) const noexcept override {
+    return transmission_.motors(joints).value;
+  }
+  /// Outside the domain of the linkages: the joints at the dead centre.
+  [[nodiscard]] AxisVector joints_from_motors(const AxisVector& motors) const noexcept override {
+    return transmission_.joints(motors).value;
+  }
+
+  /// @return the table behind the arm
+  [[nodiscard]] const ArmParameters& parameters() const noexcept { return parameters_; }
+  /// @return motors to joints and back, with the report of clamping and the Jacobian
+  [[nodiscard]] const Transmission& transmission() const noexcept { return transmission_; }
+  /// @return T_WS, the force/torque sensor in the wrist
+  [[nodiscard]] const Pose& sensor_in_wrist() const noexcept { return T_WS_; }
+  /// @return T_WE of the default tool
+  [[nodiscard]] const Pose& tool_in_wrist() const noexcept { return T_WE_; }
+  /// @return joints of the usual initial pose [rad, track m]
+  [[nodiscard]] AxisVector front() const noexcept;
+  /// @return joints at which all motors read 0 after synchronisation [rad, track m]
+  [[nodiscard]] AxisVector synchronised() const noexcept;
+
+ private:
+  ArmParameters parameters_;
+  Transmission transmission_;
+  Kinematics kinematics_;
+  Pose T_WS_;
+  Pose T_WE_;
+};
+
+/// @param name "irb6_postument" or "irb6_track" @return the arm, or null for another name
+[[nodiscard]] std::unique_ptr<Arm> make_arm(std::string_view name, ParameterSet set = ParameterSet::nominal);
+
+}  // namespace mrroc::irb6

@@ -1,0 +1,199 @@
+#include "robots/irb6/kinematics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "robots/irb6/transmission.hpp"
+
+namespace mrroc::irb6 {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kTurn = 2 * pi;
+// A representation this close to the given angle is kept even beyond the limits: the limit is what stops a
+// path there, not a jump by a whole turn.
+constexpr double kNoJump = 0.05;
+// Costs a choice outside the limits so much that any other within them is taken, but for kNoJump.
+constexpr double kIllegal = kTurn - 2 * kNoJump;
+// Costs a choice out of reach more than every other consideration.
+constexpr double kUnreached = 1e3 * kTurn;
+// Below this sine the direction of a singular axis is rounding noise.
+constexpr double kSingular = 1e-10;
+// A position beyond the reach by less than this is reached.
+constexpr double kReachTolerance = 1e-9;
+// Beyond this nothing is a joint position, nor a position.
+constexpr double kHuge = 1e6;
+
+edp::Range sorted(double a, double b) { return {std::min(a, b), std::max(a, b)}; }
+
+// The representation angle + k * 2 pi to take when the axis is near the given angle.
+double nearest_turn(double angle, double near, edp::Range legal) {
+  const double nearest = angle + kTurn * std::round((near - angle) / kTurn);
+  if (legal.contains(nearest) || std::abs(nearest - near) < kNoJump) return nearest;
+  const double inside = nearest < legal.lower ? nearest + kTurn * std::ceil((legal.lower - nearest) / kTurn)
+                                              : nearest - kTurn * std::ceil((nearest - legal.upper) / kTurn);
+  return legal.contains(inside) ? inside : nearest;
+}
+
+double distance(double angle, double near, edp::Range legal) {
+  return std::abs(angle - near) + (legal.contains(angle) ? 0 : kIllegal);
+}
+
+bool usable(const double* x, Eigen::Index n) {
+  return std::all_of(x, x + n, [](double v) { return std::abs(v) < kHuge; });  // false for NaN
+}
+
+AxisVector motor_limits(const ArmParameters& arm, double edp::Range::*end) {
+  AxisVector m(arm.axis_count());
+  for (int k = 0; k < arm.axis_count(); ++k)
+    m[k] = arm.axes[static_cast<std::size_t>(k)].properties.motor.*end;
+  return m;
+}
+
+}  // namespace
+
+Kinematics::Kinematics(const ArmParameters& arm) noexcept
+    : k_(arm.lengths), first_(arm.first()), count_(arm.axis_count()), legal_{} {
+  const Transmission transmission(arm);
+  const Angles a = angles(transmission.joints(motor_limits(arm, &edp::Range::lower)).value);
+  const Angles b = angles(transmission.joints(motor_limits(arm, &edp::Range::upper)).value);
+  const std::size_t T = static_cast<std::size_t>(first_) + 3;
+  const double per_theta4 = -arm.axes[T].drive.gear / arm.axes[T + 1].drive.gear;
+  legal_ = {.theta1 = sorted(a.theta1, b.theta1),
+            .theta2 = sorted(a.theta2, b.theta2),
+            .theta3 = sorted(a.theta3, b.theta3),
+            .theta4 = sorted(a.theta4, b.theta4),
+            .q6 = sorted(a.q6, b.q6),
+            .q5_at_zero = sorted(a.q5 - per_theta4 * a.theta4, b.q5 - per_theta4 * b.theta4),
+            .q5_per_theta4 = per_theta4};
+}
+
+Kinematics::Angles Kinematics::angles(const AxisVector& joints) const noexcept {
+  const double* q = joints.data() + first_;
+  const double theta3 = q[1] + q[2] + pi / 2;
+  return {q[0], q[1], theta3, theta3 + q[3], q[4], q[5]};
+}
+
+Pose Kinematics::forward(const AxisVector& joints) const noexcept {
+  const Angles a = angles(joints);
+  const double s1 = std::sin(a.theta1), c1 = std::cos(a.theta1);
+  const double s2 = std::sin(a.theta2), c2 = std::cos(a.theta2);
+  const double s3 = std::sin(a.theta3), c3 = std::cos(a.theta3);
+  const double s4 = std::sin(a.theta4), c4 = std::cos(a.theta4);
+  const double s5 = std::sin(a.q5), c5 = std::cos(a.q5);
+  const double s6 = std::sin(a.q6), c6 = std::cos(a.q6);
+
+  Pose T;
+  T.R << (c1 * s4 * c5 + s1 * s5) * c6 + c1 * c4 * s6, -(c1 * s4 * c5 + s1 * s5) * s6 + c1 * c4 * c6,
+      c1 * s4 * s5 - s1 * c5,  //
+      (s1 * s4 * c5 - c1 * s5) * c6 + s1 * c4 * s6, -(s1 * s4 * c5 - c1 * s5) * s6 + s1 * c4 * c6,
+      s1 * s4 * s5 + c1 * c5,  //
+      c4 * c5 * c6 - s4 * s6, -c4 * c5 * s6 - s4 * c6, c4 * s5;
+  const double radius = k_.a2 * c2 + k_.a3 * c3 + k_.d5 * c4;
+  const double y_track = first_ == 1 ? joints[0] : 0;
+  T.p << c1 * radius, s1 * radius + y_track, k_.z_offset - k_.a2 * s2 - k_.a3 * s3 - k_.d5 * s4;
+  return T;
+}
+
+Kinematics::Plane Kinematics::plane(double x, double y, const Angles& near) const noexcept {
+  const double radius = std::sqrt(x * x + y * y);
+  if (radius < kSingular) {
+    const double c1 = std::cos(near.theta1), s1 = std::sin(near.theta1);
+    return {near.theta1, c1, s1, c1 * x + s1 * y, true};
+  }
+  const double theta1 = std::atan2(y, x);
+  const double turn = theta1 - near.theta1;
+  const bool opposite = std::abs(turn - kTurn * std::round(turn / kTurn)) > pi / 2;
+  if (opposite &&
+      k_.a2 * std::cos(near.theta2) + k_.a3 * std::cos(near.theta3) + k_.d5 * std::cos(near.theta4) < 0)
+    return {theta1 + pi, -x / radius, -y / radius, -radius, false};
+  return {theta1, x / radius, y / radius, radius, false};
+}
+
+Kinematics::Branch Kinematics::wrist(double theta4, double c4, double s4, double q5, double q6,
+                                     const Angles& near) const noexcept {
+  Branch b{.c4 = c4, .s4 = s4};
+  b.theta4 = nearest_turn(theta4, near.theta4, legal_.theta4);
+  const double shift = legal_.q5_per_theta4 * b.theta4;
+  const edp::Range roll{legal_.q5_at_zero.lower + shift, legal_.q5_at_zero.upper + shift};
+  b.q5 = nearest_turn(q5, near.q5, roll);
+  b.q6 = nearest_turn(q6, near.q6, legal_.q6);
+  b.cost = distance(b.theta4, near.theta4, legal_.theta4) + distance(b.q5, near.q5, roll) +
+           distance(b.q6, near.q6, legal_.q6);
+  return b;
+}
+
+void Kinematics::elbow(Branch& b, double radius, double height, const Angles& near) const noexcept {
+  // The triangle shoulder, elbow, wrist pitch axis in the plane of the arm: E forward, F down.
+  const double E = radius - k_.d5 * b.c4;
+  const double F = -height - k_.d5 * b.s4;
+  const double reach2 = E * E + F * F;
+  const double reach = std::sqrt(reach2);
+  b.missing = std::max({0.0, reach - (k_.a2 + k_.a3), std::abs(k_.a2 - k_.a3) - reach});
+  if (b.missing < kReachTolerance) b.missing = 0;
+
+  const double c = std::clamp((reach2 - k_.a2 * k_.a2 - k_.a3 * k_.a3) / (2 * k_.a2 * k_.a3), -1.0, 1.0);
+  const double bend = near.theta3 - near.theta2;
+  const bool usual = (bend > 0 && bend < pi) || std::sin(bend) >= 0;
+  const double s = std::sqrt(1 - c * c) * (usual ? 1 : -1);
+  const double theta2 = std::atan2(F, E) - std::atan2(k_.a3 * s, k_.a2 + k_.a3 * c);
+  b.theta2 = nearest_turn(theta2, near.theta2, legal_.theta2);
+  b.theta3 = nearest_turn(theta2 + std::atan2(s, c), near.theta3, legal_.theta3);
+  b.cost += distance(b.theta2, near.theta2, legal_.theta2) + distance(b.theta3, near.theta3, legal_.theta3) +
+            (b.missing > 0 ? kUnreached : 0);
+}
+
+edp::InverseSolution Kinematics::inverse(const Pose& T_0W, const AxisVector& near) const noexcept {
+  edp::InverseSolution solution{AxisVector::Zero(count_)};
+  if (near.size() != count_ || !usable(near.data(), count_) || !usable(T_0W.p.data(), 3) ||
+      !usable(T_0W.R.data(), 9)) {
+    solution.missing = std::numeric_limits<double>::infinity();
+    return solution;
+  }
+  const Angles n = angles(near);
+  const double y_track = first_ == 1 ? near[0] : 0;
+  const double height = T_0W.p.z() - k_.z_offset;
+  const Plane plane = this->plane(T_0W.p.x(), T_0W.p.y() - y_track, n);
+
+  // Columns of R in the plane of the arm: along it (h), along z, and along its normal (n).
+  const auto N = T_0W.R.col(0), O = T_0W.R.col(1), A = T_0W.R.col(2);
+  const double N_h = plane.c1 * N.x() + plane.s1 * N.y();
+  const double O_h = plane.c1 * O.x() + plane.s1 * O.y();
+  const double A_h = plane.c1 * A.x() + plane.s1 * A.y();
+  const double A_n = plane.c1 * A.y() - plane.s1 * A.x();
+  const double s5 = std::sqrt(A_h * A_h + A.z() * A.z());
+
+  const bool wrist_singular = s5 < kSingular;
+  const double theta4 = wrist_singular ? n.theta4 : std::atan2(A_h, A.z());
+  const double c4 = wrist_singular ? std::cos(theta4) : A.z() / s5;
+  const double s4 = wrist_singular ? std::sin(theta4) : A_h / s5;
+  const double q5 = std::atan2(A_h * s4 + A.z() * c4, A_n);
+  const double q6 = std::atan2(N_h * c4 - N.z() * s4, O_h * c4 - O.z() * s4);
+
+  Branch best = wrist(theta4, c4, s4, q5, q6, n);
+  elbow(best, plane.radius, height, n);
+  // The other choice turns T and N by half a turn and mirrors V: at least pi / 2 away if this one is nearer.
+  if (!wrist_singular && best.cost > pi / 2) {
+    Branch other = wrist(theta4 + pi, -c4, -s4, -q5, q6 + pi, n);
+    elbow(other, plane.radius, height, n);
+    if (other.cost < best.cost) best = other;
+  }
+
+  solution.reached = best.missing == 0;
+  solution.missing = best.missing;
+  solution.singular = plane.singular || wrist_singular;
+  double* q = solution.joints.data() + first_;
+  if (first_ == 1) solution.joints[0] = near[0];
+  q[0] = nearest_turn(plane.theta1, n.theta1, legal_.theta1);
+  q[1] = best.theta2;
+  q[2] = best.theta3 - best.theta2 - pi / 2;
+  q[3] = best.theta4 - best.theta3;
+  q[4] = best.q5;
+  q[5] = best.q6;
+  return solution;
+}
+
+}  // namespace mrroc::irb6

@@ -1,0 +1,79 @@
+// Direct and inverse kinematics of the IRb-6, both analytic.
+#pragma once
+#include "base/axes.hpp"
+#include "base/pose.hpp"
+#include "edp/robot.hpp"
+#include "robots/irb6/parameters.hpp"
+
+namespace mrroc::irb6 {
+
+/// The kinematics of one arm. With the absolute angles theta3 = q2 + q3 + pi/2 and theta4 = theta3 + q4 (the
+/// linkages hold the links by them), and the arm's plane spanned by h = (cos q1, sin q1, 0) and z:
+///
+///     p = h (a2 cos q2 + a3 cos theta3 + d5 cos theta4) + z (z_offset - a2 sin q2 - a3 sin theta3 - d5 sin
+///     theta4) R = Rot(z, q1) Rot(y, theta4) Rot(x, q5) B Rot(z, q6),   B = [e_z e_x e_y]
+///
+/// The z axis of W points out of the tool; it points down for theta4 = 0, q5 = 3/2 pi. The track moves the
+/// base of the arm along y. Every function is real-time safe.
+class Kinematics {
+ public:
+  explicit Kinematics(const ArmParameters& arm) noexcept;
+
+  /// @param joints [rad, track m], as many as the arm has axes; what is not finite gives a pose that is not
+  /// @return T_0W, the wrist in the base; z = 0 is the floor
+  [[nodiscard]] Pose forward(const AxisVector& joints) const noexcept;
+
+  /// All branches (arm turned to the front or leaning over its back, elbow, both signs of sin q5) and all
+  /// turns of each angle are considered. Of them the one nearest to `near` is taken, unless it lies outside
+  /// the motor limits and another does not; within 0.05 rad of `near` no other one is considered, so that a
+  /// path never jumps. The arm leans back, and the elbow bends the other way, only where `near` does so.
+  /// The track stays where `near` has it. Singular: q4 (hand along the arm's normal) or q1 (wrist above the
+  /// column) stays where `near` has it.
+  ///
+  /// @param T_0W wrist in the base, a rotation and a position
+  /// @param near joints [rad, track m], as many as the arm has axes
+  /// @return joints, finite whatever the arguments are. Out of reach: the arm stretched (or folded) towards
+  ///         the position. Arguments that are not finite, larger than 1e6, or of another size: not reached,
+  ///         missing is infinite and the joints are 0.
+  [[nodiscard]] edp::InverseSolution inverse(const Pose& T_0W, const AxisVector& near) const noexcept;
+
+ private:
+  // The six angles that the analytic solution works with.
+  struct Angles {
+    double theta1, theta2, theta3, theta4, q5, q6;
+  };
+  // Intervals of the angles in which the motors are within their limits.
+  struct Legal {
+    edp::Range theta1, theta2, theta3, theta4, q6;
+    edp::Range q5_at_zero;   // for theta4 = 0
+    double q5_per_theta4{};  // the interval moves with T
+  };
+  // The plane in which the arm stands, and the wrist's signed distance from the column in it.
+  struct Plane {
+    double theta1, c1, s1, radius;
+    bool singular;
+  };
+  // One choice of all angles but the column's, with its distance from the given ones.
+  struct Branch {
+    double theta2{}, theta3{}, theta4{}, q5{}, q6{};
+    double c4{}, s4{};
+    double missing{};
+    double cost{};
+  };
+
+  [[nodiscard]] Angles angles(const AxisVector& joints) const noexcept;
+  // x, y: wrist in the base of the column.
+  [[nodiscard]] Plane plane(double x, double y, const Angles& near) const noexcept;
+  // The wrist's part of a branch.
+  [[nodiscard]] Branch wrist(double theta4, double c4, double s4, double q5, double q6,
+                             const Angles& near) const noexcept;
+  // Adds shoulder and elbow to it. height: of the wrist above the shoulder.
+  void elbow(Branch& b, double radius, double height, const Angles& near) const noexcept;
+
+  Lengths k_;
+  int first_;
+  int count_;
+  Legal legal_;
+};
+
+}  // namespace mrroc::irb6

@@ -1,0 +1,106 @@
+#include "robots/irb6/transmission.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace mrroc::irb6 {
+namespace {
+
+using std::numbers::pi;
+
+double motor_at(const Drive& d, double output) { return d.gear * (output - d.theta0) + d.synchro; }
+double output_at(const Drive& d, double motor) { return (motor - d.synchro) / d.gear + d.theta0; }
+
+// Not finite stays not finite, so that it cannot pass for a position.
+double clamp(double x, double low, double high, bool& inside) {
+  if (!(x >= low && x <= high)) inside = false;
+  return std::clamp(x, low, high);
+}
+
+}  // namespace
+
+Transmission::Screw::Screw(const Linkage& k) noexcept
+    : sl(k.sl),
+      r(std::hypot(k.mi, k.ni)),
+      phi(std::atan2(k.ni, k.mi)),
+      l_min(std::sqrt(k.sl - r)),
+      l_max(std::sqrt(k.sl + r)) {}
+
+double Transmission::Screw::length(double theta, bool& inside) const noexcept {
+  return std::sqrt(sl + r * std::cos(clamp(theta + phi, -pi, 0, inside)));
+}
+
+double Transmission::Screw::angle(double l, bool& inside) const noexcept {
+  const double side = clamp(l, l_min, l_max, inside);
+  const double c = side * side - sl;
+  return std::atan2(-std::sqrt(std::max(0.0, r * r - c * c)), c) - phi;
+}
+
+double Transmission::Screw::slope(double theta) const noexcept {
+  bool inside = true;
+  const double angle = clamp(theta + phi, -pi, 0, inside);
+  return -r * std::sin(angle) / (2 * std::sqrt(sl + r * std::cos(angle)));
+}
+
+Transmission::Transmission(const ArmParameters& arm) noexcept
+    : first_(arm.first()), count_(arm.axis_count()), lower_(arm.lower_arm), upper_(arm.upper_arm) {
+  for (std::size_t k = 0; k < drive_.size(); ++k) drive_[k] = arm.axes[k].drive;
+}
+
+Converted Transmission::motors(const AxisVector& joints) const noexcept {
+  Converted m{AxisVector(count_), joints.allFinite()};
+  const Drive* d = &drive_[static_cast<std::size_t>(first_)];
+  const double* q = joints.data() + first_;
+  double* out = m.value.data() + first_;
+
+  const double theta3 = q[1] + q[2] + pi / 2;
+  const double theta4 = theta3 + q[3];
+  if (first_ == 1) m.value[0] = motor_at(drive_[0], joints[0]);
+  out[0] = motor_at(d[0], q[0]);
+  out[1] = motor_at(d[1], lower_.length(q[1], m.inside));
+  out[2] = motor_at(d[2], upper_.length(theta3, m.inside));
+  out[3] = motor_at(d[3], theta4);
+  out[4] = motor_at(d[4], q[4]) + (out[3] - d[3].synchro);
+  out[5] = motor_at(d[5], q[5]);
+  return m;
+}
+
+Converted Transmission::joints(const AxisVector& motors) const noexcept {
+  Converted q{AxisVector(count_), motors.allFinite()};
+  const Drive* d = &drive_[static_cast<std::size_t>(first_)];
+  const double* m = motors.data() + first_;
+  double* out = q.value.data() + first_;
+
+  const double theta2 = lower_.angle(output_at(d[1], m[1]), q.inside);
+  const double theta3 = upper_.angle(output_at(d[2], m[2]), q.inside);
+  const double theta4 = output_at(d[3], m[3]);
+  if (first_ == 1) q.value[0] = output_at(drive_[0], motors[0]);
+  out[0] = output_at(d[0], m[0]);
+  out[1] = theta2;
+  out[2] = theta3 - theta2 - pi / 2;
+  out[3] = theta4 - theta3;
+  out[4] = output_at(d[4], m[4] - (m[3] - d[3].synchro));
+  out[5] = output_at(d[5], m[5]);
+  return q;
+}
+
+AxisMatrix Transmission::jacobian(const AxisVector& joints) const noexcept {
+  AxisMatrix J = AxisMatrix::Zero(count_, count_);
+  const Drive* d = &drive_[static_cast<std::size_t>(first_)];
+  const double* q = joints.data() + first_;
+  const int k = first_;
+
+  const double upper = d[2].gear * upper_.slope(q[1] + q[2] + pi / 2);
+  if (first_ == 1) J(0, 0) = drive_[0].gear;
+  J(k, k) = d[0].gear;
+  J(k + 1, k + 1) = d[1].gear * lower_.slope(q[1]);
+  J(k + 2, k + 1) = J(k + 2, k + 2) = upper;
+  J(k + 3, k + 1) = J(k + 3, k + 2) = J(k + 3, k + 3) = d[3].gear;
+  J.row(k + 4) = J.row(k + 3);
+  J(k + 4, k + 4) = d[4].gear;
+  J(k + 5, k + 5) = d[5].gear;
+  return J;
+}
+
+}  // namespace mrroc::irb6
