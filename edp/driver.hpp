@@ -1,0 +1,156 @@
+// The whole effector driver of one robot, without any input or output: EDP_MASTER, EDP_TRANS, EDP_FORCE and
+// EDP_SERVO of MG fig. 11 in one object that is called once per step.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "base/effector_command.hpp"
+#include "base/hardware.hpp"
+#include "edp/driver_parameters.hpp"
+#include "edp/encoders.hpp"
+#include "edp/force_sensor.hpp"
+#include "edp/protocol.hpp"
+#include "edp/robot.hpp"
+#include "edp/servo.hpp"
+#include "edp/step_generator.hpp"
+
+namespace mrroc::edp {
+
+/// Effector driver of one robot.
+///
+/// Macrosteps follow one another without a gap. Each begins at a boundary; there the command for it is taken,
+/// if there is one, and it then lasts n_s steps of that command, and one passive step more, in which the set
+/// point stands, when n_Q = n_s + 1. Without a SET ARM command it lasts DriverParameters::n_s steps, and the
+/// arm comes to rest and holds.
+///
+/// The shell's loop:
+///
+///     if (driver.at_boundary() && there is a command for this macrostep) driver.take(command);
+///     send(driver.step(reading));
+///     if (driver.reply_due()) publish(driver.reply(), driver.samples());
+///
+/// | state            | legal                                        | the drives | | ---              | ---
+/// | ---                                    | | not_synchronised | GET, QUERY, SYNCHRO | brake | | ready,
+/// holding   | all but SYNCHRO                              | hold the set pose                      | |
+/// executing        | all but SYNCHRO, FORCE_TOOL and force_bias   | follow the command                     |
+/// | decelerating     | the same                                     | come to rest | | faulted          |
+/// QUERY, reset                                 | brake                                  |
+///
+/// A refused command changes nothing: the macrostep goes on as if it had not come. A macrostep that cannot be
+/// executed to its end (a limit, a singularity, too fast) brings the arm to rest and ends in the verdict
+/// failed with a non-fatal fault; SET ARM is refused with that fault until the arm holds and the fault has
+/// been told in a reply. A malfunction (over-current, over-speed, following error, limit switch, force
+/// sensor) is a fatal fault: the drives brake, and only reset leads on, from the measured pose.
+///
+/// take() and step() are real-time safe: no allocation, no lock, no exception.
+class Driver {
+ public:
+  /// Most samples that samples() gives: the newest.
+  static constexpr std::size_t kMaxSamples = 32;
+
+  /// @param robot must live longer than the driver
+  /// @throw FaultError bad_configuration when a parameter makes no sense, with its name
+  Driver(const Robot& robot, const DriverParameters& parameters);
+
+  /// Takes the command of the macrostep that begins with the next step; call it at a boundary, at most once.
+  /// Not called at all, it is silence; keep and release are silence too, as far as motion is concerned. A
+  /// call that is not at a boundary, or a second one, is ignored.
+  void take(const EffectorCommand& command) noexcept;
+
+  /// One step: measures, supervises, moves the set point, computes the duty cycles.
+  /// @param reading of this step
+  HardwareCommand step(const HardwareReading& reading) noexcept;
+
+  /// @return whether the next step begins a macrostep
+  [[nodiscard]] bool at_boundary() const noexcept { return iota_ == 0; }
+  /// @return whether the step just done was n_Q: reply() is new. So once in every macrostep
+  [[nodiscard]] bool reply_due() const noexcept { return reply_due_; }
+  /// @return the last reply. Its number is 0 and its verdict none when there was no command; measured pose,
+  ///         force and state are always there, and the fault that stands, if any. To a repeated command and
+  ///         to QUERY it is the reply stored then. Its macrostep is 0: the shell stamps it.
+  [[nodiscard]] const EffectorReply& reply() const noexcept { return reply_; }
+  /// @return readings of all steps since the reply before, the last one at the end; valid until the next step
+  [[nodiscard]] std::span<const StepSample> samples() const noexcept {
+    return {samples_.data(), sample_count_};
+  }
+  [[nodiscard]] DriverState state() const noexcept { return state_; }
+  /// @return the fault that stands: fatal, or non-fatal and not yet told; code none when there is none
+  [[nodiscard]] const Fault& fault() const noexcept { return fault_; }
+  /// @return the set point: pose T_c, joints, motors. Meaningful when synchronised
+  [[nodiscard]] const SetPoint& set_point() const noexcept { return generator_.set_point(); }
+  /// @return who holds the driver and which number comes next
+  [[nodiscard]] const Protocol& protocol() const noexcept { return protocol_; }
+  /// The owner of the session is dead: the driver is free for another one. From here on he is silent.
+  void drop_owner() noexcept { protocol_.drop_owner(); }
+
+ private:
+  /// What is measured in a step.
+  struct Measured {
+    AxisVector motors;     // [rad]
+    AxisVector joints;     // [rad, m]
+    AxisVector increment;  // since the step before [encoder increments]
+    Pose T_0W;
+    Pose T_0E;
+    Wrench F_a;  // in E
+  };
+  /// What the command of the present macrostep has come to.
+  struct Answer {
+    std::int64_t session{};
+    std::int64_t number{};
+    Verdict verdict{Verdict::none};
+    Fault fault{};
+    Representation representation{Representation::frame};
+    Feedback feedback{Feedback::measured};
+    bool replay{};  // the stored reply is the answer
+    bool store{};   // the reply is to be stored
+  };
+
+  [[nodiscard]] std::optional<Fault> execute(const EffectorCommand& command) noexcept;
+  [[nodiscard]] std::optional<Fault> check(const EffectorCommand& command) const noexcept;
+  void begin_macrostep(const HardwareReading& reading) noexcept;
+  void measure(const HardwareReading& reading) noexcept;
+  void do_what_needs_a_reading(const HardwareReading& reading) noexcept;
+  void supervise(const HardwareReading& reading, std::int64_t steps) noexcept;
+  void move() noexcept;
+  void fail(const Fault& fault) noexcept;
+  void add_sample() noexcept;
+  void answer(const HardwareReading& reading) noexcept;
+  [[nodiscard]] bool synchronised() const noexcept;
+  [[nodiscard]] bool at_rest() const noexcept;
+
+  const Robot* robot_;
+  DriverParameters p_;
+  Encoders encoders_;
+  ForceSensor force_;
+  StepGenerator generator_;
+  Servo servo_;
+  Protocol protocol_;
+
+  DriverState state_{DriverState::not_synchronised};
+  Fault fault_{};
+  Measured measured_;
+  std::array<std::int32_t, kMaxAxes> last_encoder_{};
+  std::int64_t last_step_{};
+  bool started_{};
+
+  int iota_{};  // step of the macrostep, 1..n_; 0 at a boundary
+  int n_{};     // steps of the macrostep with the passive one
+  int n_Q_{};
+  std::int64_t commanded_until_{};
+  std::int64_t steps_since_start_{};
+
+  bool taken_{};
+  bool arm_commanded_{};
+  bool synchro_pending_{};
+  bool reset_pending_{};
+  bool bias_pending_{};
+  Answer answer_;
+
+  EffectorReply reply_{};
+  bool reply_due_{};
+  std::array<StepSample, kMaxSamples> samples_{};
+  std::size_t sample_count_{};
+};
+
+}  // namespace mrroc::edp

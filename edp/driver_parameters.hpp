@@ -1,0 +1,45 @@
+// Constants of one effector driver, from the configuration.
+#pragma once
+#include "base/axes.hpp"
+#include "base/pose.hpp"
+#include "base/spatial.hpp"
+#include "edp/deceleration.hpp"
+#include "edp/limits.hpp"
+
+namespace mrroc::edp {
+
+/// Force/torque sensor in the wrist.
+struct ForceSensorParameters {
+  Pose T_WS;                              ///< sensor in the wrist, constant
+  double weight{};                        ///< w, of everything beyond the sensor [N], >= 0
+  Vector3 mass_centre = Vector3::Zero();  ///< P = W_G P [m], in W
+  Wrench range{{65, 65, 200, 5, 5, 5}};   ///< |reading| from which the sensor is saturated [N], [N m]
+  int average{1};   ///< readings in the moving average, 1..4. The original took 2; a reading here is already
+                    ///< the mean over its step, and every further one delays the force and costs stable
+                    ///< stiffness of contact
+  int patience{3};  ///< bad readings (not finite, saturated) in succession that are a fault; until then the
+                    ///< last good one stands, so that one shock does not stop a task
+};
+
+/// When the supervision of the drives calls a fault.
+struct SupervisionParameters {
+  double over_speed{1.25};      ///< measured motor speed, as a multiple of AxisProperties::max_motor_speed
+  double following_error{1.5};  ///< set minus measured motor position [rad] of the shaft
+};
+
+/// Everything that a Driver must know beyond its robot.
+struct DriverParameters {
+  double dt{0.002};               ///< duration of a step [s]
+  int n_s{10};                    ///< steps of a macrostep without a motion command; it replies in step
+                                  ///< n_s - 1 (in step 1 when n_s is 1)
+  int stop_steps{kMaxStopSteps};  ///< steps of the stop when commands end, 1..kMaxStopSteps
+  int start_guard_steps{0};   ///< steps after the start in which every command is refused; 0.25 s / dt when
+                              ///< nothing else keeps a left-over sender's commands away
+  AxisVector synchro_joints;  ///< joints at which SYNCHRO finds the arm [rad], track [m]; one per axis
+  Pose T_WE;                  ///< tool in the wrist until SET ROBOT_MODEL says otherwise
+  ForceSensorParameters force;
+  Limits limits;
+  SupervisionParameters supervision;
+};
+
+}  // namespace mrroc::edp

@@ -1,0 +1,46 @@
+// From encoder counts to motor positions.
+#pragma once
+#include "base/hardware.hpp"
+#include "edp/robot.hpp"
+
+namespace mrroc::edp {
+
+/// Incremental encoders of all motors: motor = (count - count_0) / increments_per_rad + motor_0. They mean
+/// nothing before synchronise(). Real-time safe.
+class Encoders {
+ public:
+  explicit Encoders(const Robot& robot) noexcept
+      : robot_(&robot), motors_at_zero_(AxisVector::Zero(robot.axes())) {}
+
+  /// Says that the motors stand at these positions now.
+  /// @param reading counts of now  @param motors positions [rad]
+  void synchronise(const HardwareReading& reading, const AxisVector& motors) noexcept {
+    zero_ = reading.encoder;
+    motors_at_zero_ = motors;
+  }
+
+  /// @return motor positions [rad]
+  [[nodiscard]] AxisVector motors(const HardwareReading& reading) const noexcept {
+    AxisVector m = motors_at_zero_;
+    for (int k = 0; k < m.size(); ++k)
+      m[k] += difference(reading, zero_, k) / robot_->axis(k).increments_per_rad;
+    return m;
+  }
+
+  /// Counts of one motor since others were read; right even when the counter of 32 bits has wrapped around.
+  /// @return [encoder increments]
+  [[nodiscard]] static double difference(const HardwareReading& now,
+                                         const std::array<std::int32_t, kMaxAxes>& before,
+                                         int motor) noexcept {
+    const auto k = static_cast<std::size_t>(motor);
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(now.encoder[k]) -
+                                     static_cast<std::uint32_t>(before[k]));
+  }
+
+ private:
+  const Robot* robot_;
+  std::array<std::int32_t, kMaxAxes> zero_{};
+  AxisVector motors_at_zero_;
+};
+
+}  // namespace mrroc::edp

@@ -1,0 +1,72 @@
+// Adjusted force: what the end effector exerts on its surroundings, freed from the tool's weight.
+// MG 8.2, eq. (44), (45).
+#pragma once
+#include <array>
+
+#include "base/pose.hpp"
+#include "edp/driver_parameters.hpp"
+
+namespace mrroc::edp {
+
+/// Force/torque sensor in the wrist. Frames: W wrist, S sensor, G mass centre of the tool (orientation of W).
+/// The raw reading is the external load on the tool side of the sensor, gravity and surroundings, in S.
+/// Real-time safe.
+class ForceSensor {
+ public:
+  /// State of the readings.
+  enum class Health : std::uint8_t {
+    good,       ///< the reading is used
+    skipped,    ///< a bad reading was left out, the last good one stands
+    silent,     ///< not finite for longer than the patience: a fault
+    saturated,  ///< at the end of its range for longer than the patience: a fault
+  };
+  /// Readings at rest of which the bias is the mean; when the arm has stood for a shorter time, of those that
+  /// there are, at least the last one.
+  static constexpr int kBiasWindow = 50;
+
+  explicit ForceSensor(const ForceSensorParameters& parameters) noexcept;
+
+  /// Takes the reading of one step.
+  /// @param S_F_m  raw reading [N, N m]
+  /// @param at_rest the arm stands still; readings of a moving arm do not count for the bias
+  Health take(const Wrench& S_F_m, bool at_rest) noexcept;
+
+  /// @param axis  which component of the reading is the worst, 0..5
+  /// @return that component of the last bad reading [N], [N m], and its limit
+  struct Complaint {
+    int component{};
+    double value{};
+    double limit{};
+  };
+  [[nodiscard]] const Complaint& complaint() const noexcept { return complaint_; }
+
+  /// Weight and mass centre of everything beyond the sensor; bias() must follow, the old one is void.
+  /// @param w [N], >= 0  @param P W_G P [m], in W
+  void set_tool(double w, const Vector3& P) noexcept;
+
+  /// Memorises the present reading and orientation, eq. (44): from now on F_a is zero without contact. Only
+  /// at standstill and without contact.
+  /// @param R_0W orientation of the wrist in the base
+  void bias(const Matrix3& R_0W) noexcept;
+
+  /// Eq. (45). @param R_0W orientation of the wrist in the base
+  /// @return W_F_a: force exerted on the surroundings, at W, expressed in W [N, N m]
+  [[nodiscard]] Wrench adjusted(const Matrix3& R_0W) const noexcept;
+
+ private:
+  [[nodiscard]] Wrench gravity(const Matrix3& R_0W) const noexcept;
+  [[nodiscard]] Health judge(const Wrench& S_F_m) noexcept;
+
+  ForceSensorParameters p_;
+  Wrench S_F_m_;  // moving average
+  Wrench S_F_0_;  // raw reading at the bias
+  Wrench W_F_r_;  // compensation force
+  std::array<Wrench, 4> recent_{};
+  int recent_count_{};
+  int bad_in_succession_{};
+  Complaint complaint_{};
+  std::array<Wrench, kBiasWindow> at_rest_{};
+  int at_rest_count_{};
+};
+
+}  // namespace mrroc::edp

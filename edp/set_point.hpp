@@ -1,0 +1,25 @@
+// Where an arm is told to be: the set pose T_c and what belongs to it.
+#pragma once
+#include "base/axes.hpp"
+#include "base/pose.hpp"
+#include "base/spatial.hpp"
+
+namespace mrroc::edp {
+
+/// Positions of all axes. Trivial storage, no allocation.
+struct AxisPositions {
+  AxisVector joints;  ///< [rad], track: [m]
+  AxisVector motors;  ///< [rad] of the shafts
+};
+
+/// The set point of one step. It is what the next motion begins from, never the measured pose: following
+/// error and sag would accumulate otherwise (edp.md 3).
+struct SetPoint {
+  Pose T_0E;                   ///< T_c, end effector in the base
+  AxisPositions axes;          ///< set positions that realise T_c
+  AxisVector motor_increment;  ///< motion of the set motor positions in the last step [rad]
+  Twist v_0W;                  ///< 0_W v_c: velocity of the wrist computed last, in the orientation of the
+                               ///< base, at W because the tool E may change [m/s], [rad/s]
+};
+
+}  // namespace mrroc::edp

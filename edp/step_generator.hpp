@@ -1,0 +1,73 @@
+// StGen of MG fig. 11: cuts a macrostep into steps of the set point.
+#pragma once
+#include <optional>
+
+#include "base/effector_command.hpp"
+#include "edp/macrostep.hpp"
+#include "edp/robot.hpp"
+#include "edp/set_point.hpp"
+
+namespace mrroc::edp {
+
+/// Moves the set point step by step: by the law (28) in the task frame (TCIM), by interpolation of the motors
+/// (MIM), or to rest. The set point never leaves the limits. Real-time safe.
+class StepGenerator {
+ public:
+  /// What the set point does.
+  enum class Motion : std::uint8_t { standing, executing, stopping };
+
+  StepGenerator(const MotionRules& rules, const Pose& T_WE) noexcept;
+
+  /// Stands at these motor positions from now on. @param motors [rad]
+  void stand_at(const AxisVector& motors) noexcept;
+
+  /// Begins a macrostep, with the tool that it is meant for.
+  /// @return why it is refused; then nothing has changed
+  [[nodiscard]] std::optional<Fault> start(const ArmCommand& command, const Pose& T_WE) noexcept;
+
+  /// The tool is another one from now on; the wrist stays where it is. @param T_WE tool in the wrist
+  void set_tool(const Pose& T_WE) noexcept;
+
+  /// No command follows: the speed falls smoothly to zero in stop_steps, then the set point stands. In TCIM
+  /// the wrist's velocity falls, in MIM the motors'.
+  void stop() noexcept;
+
+  /// One step of the set point.
+  /// @param F_a adjusted force in E [N, N m]
+  /// @return why the macrostep cannot go on: the next set point would be out of reach, too fast, or so near a
+  ///         limit that the stop would not fit any more. The motors are then on their way to rest, each from
+  ///         the speed it has.
+  std::optional<Fault> step(const Wrench& F_a) noexcept;
+
+  [[nodiscard]] Motion motion() const noexcept { return motion_; }
+  [[nodiscard]] const SetPoint& set_point() const noexcept { return set_; }
+  /// @return T_WE
+  [[nodiscard]] const Pose& tool() const noexcept { return T_WE_; }
+
+ private:
+  /// A set point that has not been checked.
+  struct Candidate {
+    Pose T_0E;
+    AxisPositions axes;
+    Twist v_0W;
+  };
+  [[nodiscard]] Twist previous_velocity() const noexcept;
+  [[nodiscard]] std::optional<Fault> follow(const Twist& v_E, Candidate& next) const noexcept;
+  void place(const AxisVector& motors, Candidate& next) const noexcept;
+  [[nodiscard]] std::optional<Fault> execute(const Wrench& F_a, Candidate& next) const noexcept;
+  [[nodiscard]] std::optional<Fault> check(const Candidate& next, double stop_way) const noexcept;
+  void accept(const Candidate& next) noexcept;
+  void stop_step() noexcept;
+  void stand() noexcept;
+
+  MotionRules rules_;
+  Pose T_WE_;
+  Pose T_EW_;
+  SetPoint set_;
+  Macrostep macrostep_;
+  Motion motion_{Motion::standing};
+  bool stop_in_motors_{};
+  int k_{};  // step of the macrostep, or of the stop
+};
+
+}  // namespace mrroc::edp
