@@ -1,0 +1,42 @@
+#include "test/base/fault_document.hpp"
+
+#include <fmt/format.h>
+
+#include "base/fault_table.hpp"
+
+namespace mrroc::test {
+namespace {
+
+constexpr const char* kHead = R"(# Errors
+
+Made from the table in `base/fault_table.hpp`. After a change there:
+`MRROC_UPDATE_DOCS=1 ./run test -R FaultTable`
+
+Every error has one of three classes (MG 5):
+
+- **non-fatal**: a wrong argument or a failed computation. It is refused with a reason; the effector goes on
+  with what it did, and the task goes on or ends.
+- **fatal**: the effector malfunctions. It stops safely and accepts nothing but a reset.
+- **system**: communication or a process failed. The task ends, the drives brake, nothing is left running.
+
+A program that ends with an error prints `error: CODE: what happened; what to do` as its last line on standard
+error. Its exit status is 1 after a fault or a stop, 2 for a wrong input (nothing was started), 3 for a system
+error.
+
+| code | number | class | exit | what happened | what to do |
+| --- | --- | --- | --- | --- | --- |
+)";
+
+}  // namespace
+
+std::string fault_document() {
+  std::string document = kHead;
+  for (const FaultEntry& entry : kFaultTable) {
+    if (entry.code == FaultCode::none) continue;
+    document += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", entry.name, static_cast<int>(entry.code),
+                            to_string(entry.fault_class), exit_status(entry.code), entry.text, entry.remedy);
+  }
+  return document;
+}
+
+}  // namespace mrroc::test

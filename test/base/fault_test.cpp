@@ -1,0 +1,145 @@
+#include "base/fault.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+#include <set>
+#include <sstream>
+
+#include "base/fault_table.hpp"
+#include "test/base/fault_document.hpp"
+
+namespace mrroc::test {
+namespace {
+
+const std::string kDocument = std::string(MRROC_SOURCE_DIR) + "/docs/faults.md";
+
+Fault example() {
+  return {.code = FaultCode::out_of_limits,
+          .process = "edp arm1",
+          .axis = 4,
+          .value = 6.25,
+          .limit = 4.712,
+          .text = "joint position, rad"};
+}
+
+bool is_lower_case_name(std::string_view name) {
+  for (const char c : name)
+    if (c != '_' && std::islower(static_cast<unsigned char>(c)) == 0) return false;
+  return !name.empty();
+}
+
+TEST(FaultTable, HasAUniqueNameATextAndARemedyForEveryCode) {
+  std::set<std::string_view> names;
+  std::set<std::string_view> texts;
+  for (const FaultEntry& entry : kFaultTable) {
+    EXPECT_TRUE(is_lower_case_name(entry.name)) << entry.name;
+    EXPECT_TRUE(names.insert(entry.name).second) << entry.name;
+    EXPECT_TRUE(texts.insert(entry.text).second) << entry.name;
+    EXPECT_FALSE(entry.remedy.empty()) << entry.name;
+    for (const std::string_view part : {entry.text, entry.remedy})
+      EXPECT_EQ(part.find_first_of("|\n"), std::string_view::npos) << entry.name;
+  }
+}
+
+TEST(FaultTable, FindsEveryCodeByNumberAndByName) {
+  for (const FaultEntry& entry : kFaultTable) {
+    EXPECT_EQ(fault_code(static_cast<std::int64_t>(entry.code)), entry.code);
+    EXPECT_EQ(fault_code(entry.name), entry.code);
+    EXPECT_EQ(to_string(entry.code), entry.name);
+  }
+}
+
+TEST(FaultTable, RefusesNumbersAndNamesThatAreNotThere) {
+  const auto size = static_cast<std::int64_t>(kFaultTable.size());
+  for (const std::int64_t number :
+       {std::int64_t{-1}, size, size + 65536, std::numeric_limits<std::int64_t>::min(),
+        std::numeric_limits<std::int64_t>::max()})
+    EXPECT_EQ(fault_code(number), std::nullopt) << number;
+  EXPECT_EQ(fault_code("lost_comand"), std::nullopt);
+  EXPECT_EQ(fault_entry(static_cast<FaultCode>(9999)).code, FaultCode::internal_error);
+}
+
+TEST(FaultTable, IsWhatTheDocumentSays) {
+  if (std::getenv("MRROC_UPDATE_DOCS") != nullptr) std::ofstream(kDocument) << fault_document();
+  std::stringstream text;
+  text << std::ifstream(kDocument).rdbuf();
+  EXPECT_EQ(text.str(), fault_document()) << "run: MRROC_UPDATE_DOCS=1 ./run test -R FaultTable";
+}
+
+TEST(FaultTable, GivesTheExitStatusThatScriptsRelyOn) {
+  EXPECT_EQ(exit_status(FaultCode::none), 0);
+  EXPECT_EQ(exit_status(FaultCode::operator_stop), 1);
+  EXPECT_EQ(exit_status(FaultCode::following_error), 1);
+  EXPECT_EQ(exit_status(FaultCode::unreachable_pose), 1);
+  EXPECT_EQ(exit_status(FaultCode::bad_usage), 2);
+  EXPECT_EQ(exit_status(FaultCode::bad_drawing), 2);
+  EXPECT_EQ(exit_status(FaultCode::process_died), 3);
+  EXPECT_EQ(exit_status(FaultCode::no_multicast), 3);
+}
+
+TEST(Fault, IsFalseOnlyWithoutACode) {
+  EXPECT_FALSE(Fault{});
+  EXPECT_TRUE(example());
+}
+
+TEST(Fault, IsDescribedWithClassCodeProcessAxisFiguresAndRemedy) {
+  EXPECT_EQ(describe(example()),
+            "non-fatal out_of_limits: edp arm1: a value of the command is outside its limits "
+            "(axis 4, value 6.25, limit 4.712, joint position, rad); "
+            "keep the command within the limits of the robot's configuration");
+}
+
+TEST(Fault, MakesTheLastLineOnStandardError) {
+  EXPECT_EQ(error_line({.code = FaultCode::operator_stop}),
+            "error: operator_stop: the operator stopped the task; start it again when ready");
+}
+
+TEST(Fault, SaysNothingAboutFiguresThatItDoesNotHave) {
+  EXPECT_EQ(what_happened({.code = FaultCode::lost_command}), "a command is missing before this one");
+  EXPECT_EQ(what_happened({.code = FaultCode::out_of_limits, .value = -0.5}),
+            "a value of the command is outside its limits (value -0.5, limit 0)");
+  EXPECT_EQ(what_happened({.code = FaultCode::not_finite, .axis = 0, .value = std::nan("")}),
+            "a value of the command is not a finite number (axis 0, value nan)");
+}
+
+TEST(Fault, CannotSpeakToTheTerminal) {
+  Fault fault = example();
+  fault.process = "\x1b[2J";
+  fault.text = "a\nerror: \x07\x9b";
+  for (const std::string& line : {describe(fault), error_line(fault)})
+    for (const char c : line) EXPECT_TRUE(c >= ' ' && c <= '~') << line;
+}
+
+TEST(Fault, CutsTextsThatAreTooLong) {
+  const std::string long_text(500, 't');
+  const Fault fault{.code = FaultCode::bad_usage, .process = long_text.c_str(), .text = long_text.c_str()};
+  EXPECT_EQ(fault.process.view(), std::string(32, 't'));
+  EXPECT_EQ(fault.text.view(), std::string(160, 't'));
+}
+
+TEST(FaultError, CarriesTheFaultAndItsWholeText) {
+  const std::string long_text(300, 'x');
+  const FaultError with_text(FaultCode::bad_configuration, long_text);
+  EXPECT_EQ(with_text.what(), long_text);
+  EXPECT_EQ(with_text.fault().code, FaultCode::bad_configuration);
+  EXPECT_EQ(with_text.error_line(),
+            "error: bad_configuration: " + long_text + "; correct the file or the --set option named");
+  EXPECT_EQ(FaultError(example()).error_line(), error_line(example()));
+}
+
+TEST(FixedText, ComparesByItsCharactersOnly) {
+  FixedText<8> text = "abcdef";
+  text = "ab";
+  EXPECT_EQ(text, FixedText<8>("ab"));
+  EXPECT_EQ(text.view(), "ab");
+  EXPECT_TRUE(FixedText<8>{}.empty());
+  EXPECT_EQ(FixedText<2>("abc").view(), "ab");
+}
+
+}  // namespace
+}  // namespace mrroc::test
