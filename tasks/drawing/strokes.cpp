@@ -1,13 +1,13 @@
 #include "tasks/drawing/strokes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 
 namespace mrroc::drawing {
 namespace {
 
-constexpr std::size_t kRun = 32;  // segments per box: near the square root of a long stroke's number
+constexpr std::size_t kLeaf = 4;  // segments that are not worth a box of their own
 
 Point nearest_on_segment(const Point& p, const Point& a, const Point& b) {
   const Point along = b - a;
@@ -63,41 +63,45 @@ Stroke resampled(const Stroke& stroke, double spacing_mm) {
   return resampled_to(stroke, static_cast<std::size_t>(pieces) + 1);
 }
 
-NearestPoint::NearestPoint(Stroke stroke) : points_(std::move(stroke)) {
-  for (std::size_t first = 0; first == 0 || first + 1 < points_.size(); first += kRun) {
-    Box& box = runs_.emplace_back();
-    for (std::size_t k = first; k <= std::min(first + kRun, points_.size() - 1); ++k) box.extend(points_[k]);
-  }
+bool NearestPoint::Range::leaf() const { return last - first <= kLeaf; }
+
+NearestPoint::Range NearestPoint::Range::half(std::size_t which) const {
+  const std::size_t middle = (first + last) / 2;
+  return which == 0 ? Range{2 * node + 1, first, middle} : Range{2 * node + 2, middle, last};
+}
+
+NearestPoint::NearestPoint(Stroke stroke) : points_(std::move(stroke)) { build({0, 0, points_.size() - 1}); }
+
+void NearestPoint::build(const Range& range) {
+  if (range.node >= boxes_.size()) boxes_.resize(range.node + 1);
+  Box box;
+  for (std::size_t k = range.first; k <= range.last; ++k) box.extend(points_[k]);
+  boxes_[range.node] = box;
+  if (range.leaf()) return;
+  build(range.half(0));
+  build(range.half(1));
 }
 
 Point NearestPoint::operator()(const Point& p) const {
-  Point best = points_.front();
-  double best_square = (best - p).squaredNorm();
-  const auto try_run = [&](std::size_t run) {
-    const std::size_t last = std::min((run + 1) * kRun, points_.size() - 1);
-    for (std::size_t k = run * kRun + 1; k <= last; ++k) {
-      const Point q = nearest_on_segment(p, points_[k - 1], points_[k]);
+  Best best{points_.front(), (points_.front() - p).squaredNorm()};
+  search({0, 0, points_.size() - 1}, p, best);
+  return best.point;
+}
+
+void NearestPoint::search(const Range& range, const Point& p, Best& best) const {
+  if (range.leaf()) {
+    for (std::size_t k = range.first; k < range.last; ++k) {
+      const Point q = nearest_on_segment(p, points_[k], points_[k + 1]);
       const double square = (q - p).squaredNorm();
-      if (square < best_square) {
-        best_square = square;
-        best = q;
-      }
+      if (square < best.square) best = {q, square};
     }
-  };
-  // The run whose box is nearest first: it nearly always holds the answer, and the others fall to one test.
-  std::size_t likely = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t run = 0; run < runs_.size(); ++run) {
-    const double square = runs_[run].squaredExteriorDistance(p);
-    if (square < least) {
-      least = square;
-      likely = run;
-    }
+    return;
   }
-  try_run(likely);
-  for (std::size_t run = 0; run < runs_.size(); ++run)
-    if (run != likely && runs_[run].squaredExteriorDistance(p) < best_square) try_run(run);
-  return best;
+  std::array halves{range.half(0), range.half(1)};
+  const auto away = [&](const Range& r) { return boxes_[r.node].squaredExteriorDistance(p); };
+  if (away(halves[1]) < away(halves[0])) std::swap(halves[0], halves[1]);
+  for (const Range& half : halves)
+    if (away(half) < best.square) search(half, p, best);
 }
 
 }  // namespace mrroc::drawing

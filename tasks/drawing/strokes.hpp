@@ -25,8 +25,8 @@ using Box = Eigen::AlignedBox2d;
 /// empty.
 [[nodiscard]] Stroke resampled_to(const Stroke& stroke, std::size_t count);
 
-/// Answers which point of one polyline is nearest. Keeps boxes around runs of segments, so that a question
-/// costs far less than a pass over the polyline.
+/// Answers which point of one polyline is nearest. Keeps a tree of boxes around its segments, so that a
+/// question costs about the logarithm of their number.
 class NearestPoint {
  public:
   /// @param stroke  at least one point
@@ -38,8 +38,21 @@ class NearestPoint {
   [[nodiscard]] double distance(const Point& p) const { return ((*this)(p)-p).norm(); }
 
  private:
+  // Segments first to last - 1; segment k joins points k and k + 1.
+  struct Range {
+    std::size_t node, first, last;
+    [[nodiscard]] bool leaf() const;
+    [[nodiscard]] Range half(std::size_t which) const;
+  };
+  struct Best {
+    Point point;
+    double square;
+  };
+  void build(const Range& range);
+  void search(const Range& range, const Point& p, Best& best) const;
+
   Stroke points_;
-  std::vector<Box> runs_;  // around each kRun segments
+  std::vector<Box> boxes_;  // a binary tree: the halves of node k are nodes 2 k + 1 and 2 k + 2
 };
 
 }  // namespace mrroc::drawing

@@ -58,14 +58,16 @@ void Lines::fail(const std::string& wrong, const std::string& remedy) const {
 
 std::string_view Lines::numbers(std::string_view line, char separator, std::span<double> values) const {
   for (std::size_t k = 0; k < values.size(); ++k) {
+    if (k > 0) {
+      if (line.empty()) fail(fmt::format("{} numbers instead of {}", k, values.size()));
+      line.remove_prefix(1);
+    }
     const std::string_view field = line.substr(0, line.find(separator));
-    const auto [stop, error] = std::from_chars(field.data(), field.data() + field.size(), values[k]);
-    if (error != std::errc() || stop != field.data() + field.size() || !std::isfinite(values[k]))
-      fail(fmt::format("field {}, '{:.40}', is not a finite number", k + 1, field));
+    const char* const end = field.data() + field.size();
+    const auto [stop, error] = std::from_chars(field.data(), end, values[k]);
+    if (error != std::errc() || stop != end || !std::isfinite(values[k]))
+      fail(fmt::format("'{:.40}' is not a finite number", field));
     line.remove_prefix(field.size());
-    if (k + 1 < values.size() && line.empty())
-      fail(fmt::format("{} fields instead of at least {}", k + 1, values.size()));
-    if (!line.empty()) line.remove_prefix(1);
   }
   return line;
 }

@@ -32,10 +32,10 @@ class Lines {
   /// @throws DrawingError  naming the line that next() returned last
   [[noreturn]] void fail(const std::string& wrong, const std::string& remedy = "") const;
 
-  /// Reads the fields of a line, which are numbers separated by one character each.
+  /// Reads the numbers at the beginning of a line, separated by one character each.
   /// @param line  what next() returned
   /// @param values  receives as many finite numbers as it has room for
-  /// @return what stands behind the last number's separator, empty if the line ends with that number
+  /// @return what stands behind the last number: nothing, or a separator and more fields
   /// @throws DrawingError  not a finite number, or too few of them
   std::string_view numbers(std::string_view line, char separator, std::span<double> values) const;
   /// @return the whole number, which has to lie between 0 and limit @throws DrawingError

@@ -1,10 +1,9 @@
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <random>
 
 #include "tasks/drawing/svg.hpp"
+#include "test/tasks/drawing/folder.hpp"
 
 namespace mrroc::drawing {
 namespace {
@@ -97,8 +96,7 @@ TEST(SvgErrors, EndUsesThatRepeatThemselves) {
 }
 
 TEST(SvgErrors, FilesThatCannotBeReadAreNamed) {
-  const auto folder = std::filesystem::temp_directory_path() / ("mrroc_svg_" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder);
+  const Folder folder;
   const auto error = [](const std::filesystem::path& file) -> std::string {
     try {
       (void)read_svg(file);
@@ -108,7 +106,7 @@ TEST(SvgErrors, FilesThatCannotBeReadAreNamed) {
     return "";
   };
   EXPECT_NE(error(folder / "no.svg").find("no.svg: there is no such file"), std::string::npos);
-  EXPECT_NE(error(folder).find("not a file"), std::string::npos);
+  EXPECT_NE(error(folder.path()).find("not a file"), std::string::npos);
   std::ofstream(folder / "empty.svg").close();
   EXPECT_NE(error(folder / "empty.svg").find("empty.svg: the file is empty"), std::string::npos);
   std::ofstream(folder / "huge.svg").close();
@@ -116,7 +114,6 @@ TEST(SvgErrors, FilesThatCannotBeReadAreNamed) {
   EXPECT_NE(error(folder / "huge.svg").find("over the limit"), std::string::npos);
   std::ofstream(folder / "good.svg") << svg("<line x2='9'/>");
   EXPECT_EQ(read_svg(folder / "good.svg").size(), 1u);
-  std::filesystem::remove_all(folder);
 }
 
 // Whatever the bytes, the reader returns a drawing that can be drawn or throws DrawingError.

@@ -1,0 +1,84 @@
+// What teach-in memorises and reproduction executes (MS (39)(40), a_0's memory [1][2][4]).
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "base/pen_state.hpp"
+#include "base/spatial.hpp"
+#include "tasks/drawing/ink.hpp"
+
+namespace mrroc::drawing {
+
+/// One macrostep of the teach-in.
+struct Node {
+  Twist velocity{};  ///< of E during the macrostep, along the axes of E as it was at its beginning
+  PenState pen{};    ///< what the pen-state sensor reported in it
+
+  friend bool operator==(const Node&, const Node&) = default;
+};
+
+/// The nodes of a taught drawing, a value to which nodes can only be appended. Being part of the
+/// coordinator's memory c_c, it is copied with every image; versions therefore share one buffer, of which
+/// each sees its first size() nodes.
+///
+/// Not real-time safe. Versions of one recording must not be used by two threads at once.
+class Recording {
+ public:
+  Recording() = default;
+  /// @param macrostep_s  duration of the macrostep in which one node was taken, dt n_s [s]
+  explicit Recording(double macrostep_s) : macrostep_s_(macrostep_s) {}
+
+  /// @return this recording with one node more; this one stays as it is. O(1) amortised for the newest
+  /// version, a copy for an older one.
+  [[nodiscard]] Recording appended(const Node& node) const;
+
+  /// @return the number n of nodes
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+  /// @param p  from 0 to size() - 1; the papers count from 1
+  [[nodiscard]] Node operator[](std::size_t p) const { return (*nodes_)[p]; }
+  /// @return the duration of the macrostep [s]
+  [[nodiscard]] double macrostep_s() const { return macrostep_s_; }
+
+  /// Two recordings are equal when their durations and all nodes are.
+  friend bool operator==(const Recording& a, const Recording& b);
+
+ private:
+  std::shared_ptr<std::vector<Node>> nodes_;
+  std::size_t size_{};
+  double macrostep_s_{};
+};
+
+/// A recording and the ink that was left while it was taught, which later copies are compared with.
+struct Taught {
+  Recording recording;
+  Ink ink;
+
+  friend bool operator==(const Taught&, const Taught&) = default;
+};
+
+/// The version of the file format that save writes and load reads.
+inline constexpr int kRecordingVersion = 1;
+
+/// Writes a taught drawing as text. Lines, fields separated by one space:
+///
+///     mrroc-drawing-recording 1         format and its version
+///     macrostep_s 0.02                  duration of a macrostep [s]
+///     nodes N
+///     x y z ax ay az pen                N rows: velocity [m/s, rad/s], name of the pen state
+///     ink M
+///     stroke t x y                      M rows: number from 0, time [s], place on the sheet [mm]
+///     end
+///
+/// Numbers have 17 significant digits, so that load gives back every bit. The two column lines are part of
+/// the file.
+/// @throws DrawingError  if it cannot be written or a number is not finite
+void save(const std::filesystem::path& file, const Taught& taught);
+
+/// Reads what save writes.
+/// @throws DrawingError  naming file and line: another format or version, a wrong count, a number that is not
+/// finite, an unknown pen state, no node on the paper, a truncated file or text behind its end
+[[nodiscard]] Taught load(const std::filesystem::path& file);
+
+}  // namespace mrroc::drawing
