@@ -1,0 +1,141 @@
+// Typed access to a Config: defaults, types and ranges.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/config_store.hpp"
+
+namespace mrroc {
+namespace {
+
+/// The bounds and the unit in words; an open side is left out.
+template <class B>
+std::string range_text(const B& bounds, std::string_view unit) {
+  const B all;
+  std::string range;
+  if (bounds.min > all.min && bounds.max < all.max)
+    range = fmt::format("{} to {}", bounds.min, bounds.max);
+  else if (bounds.min > all.min)
+    range = fmt::format("at least {}", bounds.min);
+  else if (bounds.max < all.max)
+    range = fmt::format("at most {}", bounds.max);
+  return range + (range.empty() || unit.empty() ? "" : " ") + std::string(unit);
+}
+
+/// Numbers given without a fraction, and empty lists, are of the type that is asked for.
+template <class T>
+void adapt(ConfigValue& value) {
+  if constexpr (std::is_same_v<T, double>)
+    if (const auto* whole = std::get_if<std::int64_t>(&value)) value = static_cast<double>(*whole);
+  if constexpr (std::is_same_v<T, std::vector<std::string>>)
+    if (const auto* list = std::get_if<std::vector<double>>(&value); list != nullptr && list->empty())
+      value = std::vector<std::string>();
+}
+
+bool finite(std::int64_t) { return true; }
+bool finite(double value) { return std::isfinite(value); }
+
+}  // namespace
+
+/// What a getter expects of a value.
+struct Config::Asked {
+  std::string type;   ///< in words, for messages
+  std::string range;  ///< range and unit in words, may be empty
+
+  [[nodiscard]] std::string words() const { return range.empty() ? type : type + ", " + range; }
+};
+
+template <class T>
+T Config::take(std::string_view key, const std::optional<T>& fallback, const Asked& asked) const {
+  const std::string path = fmt::format("{}{}", prefix_, key);
+  store_->asked.insert(path);
+  if (!store_->entries.contains(path)) {
+    if (!fallback)
+      throw ConfigError({store_->main_file.empty() ? "configuration" : store_->main_file}, path,
+                        fmt::format("the key '{}' is missing, it must be {}", path, asked.words()));
+    store_->put(path, {*fallback, {"default"}, {}, true});
+  }
+  ConfigEntry& entry = store_->entries.find(path)->second;
+  adapt<T>(entry.value);
+  const T* value = std::get_if<T>(&entry.value);
+  if (value == nullptr)
+    throw ConfigError(
+        entry.place, path,
+        fmt::format("'{}' must be {}, and it is {}", path, asked.words(), to_toml(entry.value)));
+  if (entry.from_default && fallback && *value != *fallback)
+    throw FaultError(FaultCode::internal_error, fmt::format("the key '{}' has two defaults", path));
+  entry.note = asked.range;
+  return *value;
+}
+
+template <class T, class B>
+void Config::check(std::string_view key, T value, B bounds, const Asked& asked) const {
+  if (finite(value) && value >= bounds.min && value <= bounds.max) return;
+  const std::string path = fmt::format("{}{}", prefix_, key);
+  const ConfigPlace& place = store_->entries.find(path)->second.place;
+  if (!finite(value)) throw ConfigError(place, path, fmt::format("'{}' is not a finite number", path));
+  throw ConfigError(place, path,
+                    fmt::format("'{}' is {}, out of its range: {}", path, to_toml(value), asked.range));
+}
+
+double Config::number(std::string_view key, std::optional<double> fallback, Bounds bounds,
+                      std::string_view unit) const {
+  const Asked asked{"a number", range_text(bounds, unit)};
+  const auto value = take<double>(key, fallback, asked);
+  check(key, value, bounds, asked);
+  return value;
+}
+
+std::vector<double> Config::list(std::string_view key, const std::optional<std::vector<double>>& fallback,
+                                 Bounds bounds, std::string_view unit,
+                                 std::optional<std::size_t> size) const {
+  const Asked asked{size ? fmt::format("a list of {} numbers", *size) : "a list of numbers",
+                    range_text(bounds, unit)};
+  auto value = take<std::vector<double>>(key, fallback, asked);
+  for (const double element : value) check(key, element, bounds, asked);
+  if (size && *size != value.size()) {
+    const std::string path = fmt::format("{}{}", prefix_, key);
+    throw ConfigError(store_->entries.find(path)->second.place, path,
+                      fmt::format("'{}' must be {}, and it has {}", path, asked.type, value.size()));
+  }
+  return value;
+}
+
+std::int64_t Config::whole(std::string_view key, std::optional<std::int64_t> fallback, IntegerBounds bounds,
+                           IntegerBounds in_type, std::string_view unit) const {
+  const Asked asked{"a whole number", range_text(bounds, unit)};
+  const auto value = take<std::int64_t>(key, fallback, asked);
+  check(key, value, bounds, asked);
+  check(key, value, in_type, {asked.type, range_text(in_type, unit)});
+  return value;
+}
+
+bool Config::flag(std::string_view key, std::optional<bool> fallback) const {
+  return take<bool>(key, fallback, {"true or false", ""});
+}
+
+std::string Config::text(std::string_view key, const std::optional<std::string>& fallback) const {
+  return take<std::string>(key, fallback, {"a text in quotation marks", ""});
+}
+
+std::vector<std::string> Config::texts(std::string_view key,
+                                       const std::optional<std::vector<std::string>>& fallback) const {
+  return take<std::vector<std::string>>(key, fallback, {"a list of texts", ""});
+}
+
+std::size_t Config::one_of(std::string_view key, const std::string& fallback,
+                           const std::vector<std::string>& legal) const {
+  const Asked asked{"a text", fmt::format("{}", fmt::join(legal, " or "))};
+  const auto value = take<std::string>(key, fallback, asked);
+  const auto found = std::find(legal.begin(), legal.end(), value);
+  if (found != legal.end()) return static_cast<std::size_t>(found - legal.begin());
+  const std::string path = fmt::format("{}{}", prefix_, key);
+  const std::string near = nearest(value, WordSet(legal.begin(), legal.end()));
+  throw ConfigError(store_->entries.find(path)->second.place, path,
+                    fmt::format("'{}' is {}, it must be {}{}", path, to_toml(value), asked.range,
+                                near.empty() ? "" : fmt::format("; did you mean \"{}\"?", near)));
+}
+
+}  // namespace mrroc
