@@ -20,13 +20,14 @@ struct HandParameters {
   double speed{0.02};            ///< largest along a stroke [m/s]
   double travel_speed{0.03};     ///< largest above the paper [m/s]
   double acceleration{0.1};      ///< along and across the path [m/s^2]; slows curves down
-  double corner{25};             ///< stops at corners sharper than this [deg]
+  double corner{25};             ///< rests at corners sharper than this [deg]
   double lowering_speed{0.015};  ///< [m/s]
   double lifting_speed{0.03};    ///< [m/s]
   double lift{0.010};            ///< height of travel above the paper [m]
   double uneven{0.004};          ///< amplitude of the uneven height of travel [m]
   double dwell{0.35};            ///< rests so long after touching the paper [s]
   double press{1.5};             ///< force on the paper that the operator aims at [N]
+  double arm_press{1.0};         ///< part of it that the arm gives by itself (F_d of the teach-in) [N]
   double press_wander{0.25};     ///< relative standard deviation of that force
   double tremor{1e-4};           ///< per axis, rms [m]
   double tremor_frequency{8};    ///< [Hz]
@@ -83,8 +84,8 @@ class Hand {
   Vector3 step(double dt, const Vector3& tip, const Vector3& velocity, bool on_paper);
 
  private:
-  struct Script;
-  std::unique_ptr<Script> script_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace mrroc::sim

@@ -1,6 +1,8 @@
 // Voltage-driven DC motor behind a gear: what a PWM drive and its brake do to the shaft.
 #pragma once
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 
 #include "base/hardware.hpp"
 
@@ -9,8 +11,9 @@ namespace mrroc::sim {
 /// Constants of one motor, all at the motor's shaft. docs/plant.md tells how the values were chosen.
 struct MotorParameters {
   double resistance{};            ///< of the winding and the drive's bridge [ohm], positive
-  double rotor_inertia{};         ///< [kg m^2]
-  double friction{};              ///< Coulomb friction of motor, gear and bearings [N m]
+  double rotor_inertia{};         ///< [kg m^2], positive
+  double friction{};              ///< of motor, gear and bearings in motion [N m]
+  double presliding{0.02};        ///< turn within which friction builds up after a reversal [rad], positive
   double brake_torque{};          ///< torque at which the closed brake slips [N m]
   double torque_constant{0.105};  ///< K_t [N m/A], equal to K_e [V s/rad]
   double supply{48};              ///< voltage at full duty cycle [V]
@@ -37,5 +40,42 @@ constexpr double motor_torque(const MotorParameters& m, double current) {
 constexpr double mechanical_time_constant(const MotorParameters& m, double inertia) {
   return m.resistance * inertia / (m.torque_constant * m.torque_constant);
 }
+
+/// Friction of a shaft by Dahl's model: a spring that yields at the Coulomb torque. Over the first fraction
+/// of a degree gears, screws and bearings are elastic; a model that sticks rigidly instead makes any servo
+/// with integral action hunt. P. Dahl, "A solid friction model", 1968.
+class ShaftFriction {
+ public:
+  /// @param m      gives friction and presliding
+  /// @param speed  of the shaft [rad/s]
+  /// @param h      duration [s]
+  /// @return torque on the shaft during the next h, against the motion [N m]
+  double step(const MotorParameters& m, double speed, double h) {
+    deflection_ = (deflection_ + h * speed) / (1 + h * std::abs(speed) / m.presliding);
+    return -m.friction * deflection_ / m.presliding;
+  }
+  /// @return elastic deflection [rad], within +-presliding
+  [[nodiscard]] double deflection() const { return deflection_; }
+
+ private:
+  double deflection_{};
+};
+
+/// Incremental encoder: whole increments since power-up.
+class Encoder {
+ public:
+  /// @param increments_per_rad  of the motor shaft
+  /// @param phase               place of the shaft within an increment at power-up, [0, 1)
+  Encoder(double increments_per_rad, double phase) : increments_per_rad_(increments_per_rad), phase_(phase) {}
+
+  /// @param turned  by how much the shaft turned since power-up [rad]
+  [[nodiscard]] std::int32_t count(double turned) const {
+    return static_cast<std::int32_t>(std::floor(turned * increments_per_rad_ + phase_));
+  }
+
+ private:
+  double increments_per_rad_;
+  double phase_;
+};
 
 }  // namespace mrroc::sim

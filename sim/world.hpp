@@ -22,29 +22,20 @@ inline constexpr double kStep = 0.002;
 /// Which robot an arm of the world is.
 enum class ArmModel : std::uint8_t { irb6_postument, irb6_track };
 
-/// The pen in its holder: everything beyond the force/torque sensor.
-struct ToolParameters {
-  Pose T_WS;                       ///< sensor in the wrist W
-  Pose T_WE;                       ///< lowest point of the pen in the wrist W; z out of the tool
-  double mass{};                   ///< [kg]
-  Vector3 mass_centre_W{0, 0, 0};  ///< G in W [m]
-  double pen_radius{0.002};        ///< of the ball that touches the paper [m]
-};
-
 /// One arm of the world.
 struct ArmParameters {
   ArmModel model{};
   Pose T_UB;                            ///< the arm's base (its frame 0) in the world U
-  ToolParameters tool;                  ///< beyond the sensor
   std::vector<MotorParameters> motors;  ///< one per axis
   ForceSensorParameters sensor;
   PaperParameters paper;
   HandParameters hand;
+  double pen_radius{0.002};   ///< of the ball that touches the paper [m]
   double start_height{0.02};  ///< of the pen above the sheet's centre after reset() [m]
 };
 
 /// The parameters of an arm as documented in docs/plant.md.
-/// @param model  which robot; decides motors, tool, sensor and place
+/// @param model  which robot; decides motors and place; its links and its tool are in robots/irb6/*.urdf
 ArmParameters arm_parameters(ArmModel model);
 
 /// The whole work cell.

@@ -1,0 +1,214 @@
+#include "sim/bullet/arm.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "sim/bullet/convert.hpp"
+#include "sim/robot_description.hpp"
+
+namespace mrroc::sim {
+namespace {
+
+using std::numbers::pi;
+
+// Motor T, counted from the column; motor V, the next one, turns along with it.
+constexpr int kAxisT = 3;
+
+std::unique_ptr<irb6::Arm> checked_robot(const ArmParameters& p) {
+  auto robot = irb6::make_arm(robot_name(p.model));
+  const auto refuse = [&](const std::string& what) {
+    throw std::invalid_argument("world: " + std::string(robot_name(p.model)) + ": " + what);
+  };
+  if (static_cast<int>(p.motors.size()) != robot->axes()) refuse("one motor per axis is needed");
+  for (const MotorParameters& m : p.motors)
+    if (!(m.resistance > 0 && m.rotor_inertia > 0 && m.friction >= 0 && m.presliding > 0 &&
+          m.brake_torque > 0))
+      refuse("a motor has a resistance, inertia, presliding or brake torque that is not positive");
+  if (!(p.paper.stiffness > 0 && p.paper.size > 0 && p.pen_radius > 0))
+    refuse("the paper's stiffness and size and the pen's radius must be positive");
+  return robot;
+}
+
+// Rotors behind their gears, as felt at the joints. The pitch links are driven by absolute angles, so a rotor
+// belongs to the link alone; the product term between T and V is neglected (docs/plant.md).
+AxisVector reflected_inertia(const irb6::Arm& robot, const ArmParameters& p, const AxisVector& joints) {
+  const AxisMatrix J = robot.transmission().jacobian(joints);
+  AxisVector inertia(robot.axes());
+  for (int k = 0; k < robot.axes(); ++k)
+    inertia[k] = p.motors[static_cast<std::size_t>(k)].rotor_inertia * J(k, k) * J(k, k);
+  const int T = robot.parameters().first() + kAxisT;
+  inertia[T] += p.motors[static_cast<std::size_t>(T + 1)].rotor_inertia * J(T + 1, T) * J(T + 1, T);
+  return inertia;
+}
+
+AxisVector brake_torques(const ArmParameters& p) {
+  AxisVector torque(static_cast<int>(p.motors.size()));
+  for (int k = 0; k < torque.size(); ++k) torque[k] = p.motors[static_cast<std::size_t>(k)].brake_torque;
+  return torque;
+}
+
+bool usable(const HardwareCommand& command) {
+  for (const double pwm : command.pwm)
+    if (!std::isfinite(pwm)) return false;
+  return command.enabled;
+}
+
+}  // namespace
+
+AxisVector start_joints(const irb6::Arm& robot, const ArmParameters& p) {
+  const Vector3 tip = p.paper.T_0P * Vector3(0, 0, p.start_height);
+  const Pose T_0E{Eigen::DiagonalMatrix<double, 3>(1, -1, -1), tip};
+  AxisVector near = AxisVector::Zero(robot.axes());
+  near.tail<irb6::kArmAxes>() << 0, -pi / 2, 0, 0, 3 * pi / 2, pi / 2;
+  const auto solution = robot.inverse(T_0E * robot.tool_in_wrist().inverse(), near);
+  if (!solution.reached)
+    throw std::invalid_argument("world: " + std::string(robot.name()) + " does not reach the sheet");
+  return solution.joints;
+}
+
+SimulatedArm::SimulatedArm(const ArmParameters& p, Scene& scene, double h, int substeps, std::uint64_t seed)
+    : p_(p),
+      scene_(scene),
+      h_(h),
+      share_(1.0 / substeps),
+      robot_(checked_robot(p)),
+      T_BU_(p.T_UB.inverse()),
+      T_PU_((p.T_UB * p.paper.T_0P).inverse()),
+      paper_normal_(T_PU_.R.row(2).transpose()),
+      start_joints_(sim::start_joints(*robot_, p)),
+      start_motors_(robot_->motors_from_joints(start_joints_)),
+      arm_(build_arm(robot_description(p.model), p.T_UB, reflected_inertia(*robot_, p, start_joints_))),
+      brakes_(std::make_unique<Brakes>(*arm_.body, brake_torques(p), h)),
+      load_(arm_, scene.gravity(), h),
+      sensor_(p.sensor, seed),
+      hand_(p.hand, p.paper, seed + 1),
+      ink_(p.paper),
+      ball_(p.pen_radius),
+      pen_(false) {
+  std::mt19937_64 random(seed + 2);
+  std::uniform_real_distribution<double> phase(0, 1);
+  for (int k = 0; k < arm_.joints; ++k)
+    encoders_.emplace_back(robot_->axis(k).increments_per_rad, phase(random));
+
+  scene_.dynamics().addMultiBody(arm_.body.get());
+  add_pen();
+  set_joints(*arm_.body, start_joints_);
+  load_.reset();
+  scene_.dynamics().addMultiBodyConstraint(brakes_.get());
+  brakes_->finalizeMultiDof();
+  begin_step(nullptr);
+
+  // At rest the sensor feels the weight of the tool.
+  const Pose& T_UG = load_.motion().T_UG;
+  const Vector3 weight = arm_.body->getLink(arm_.tool).m_mass * scene.gravity();
+  truth_.S_F = xi_F(arm_.T_GS.inverse(), Wrench::from(T_UG.R.transpose() * weight, Vector3::Zero()));
+  measure(0);
+  observe();
+}
+
+SimulatedArm::~SimulatedArm() {
+  scene_.dynamics().removeMultiBodyConstraint(brakes_.get());
+  scene_.dynamics().removeCollisionObject(collider_.get());
+  scene_.dynamics().removeMultiBody(arm_.body.get());
+}
+
+void SimulatedArm::add_pen() {
+  // The lowest point of the ball is the tip of the tool.
+  const Pose T_G_ball = arm_.T_GE * Pose{Matrix3::Identity(), {0, 0, -p_.pen_radius}};
+  pen_.addChildShape(to_bullet(T_G_ball), &ball_);
+  collider_ = std::make_unique<btMultiBodyLinkCollider>(arm_.body.get(), arm_.tool);
+  collider_->setCollisionShape(&pen_);
+  collider_->setFriction(p_.paper.friction);
+  collider_->setContactStiffnessAndDamping(p_.paper.stiffness, p_.paper.stiffness * p_.paper.damping_ratio);
+  collider_->setActivationState(DISABLE_DEACTIVATION);
+  arm_.body->getLink(arm_.tool).m_collider = collider_.get();
+  scene_.dynamics().addCollisionObject(collider_.get(), CollisionGroup::pen, CollisionGroup::paper);
+}
+
+AxisVector SimulatedArm::joint_speeds() const {
+  AxisVector speeds(arm_.joints);
+  for (int k = 0; k < arm_.joints; ++k) speeds[k] = arm_.body->getJointVel(k);
+  return speeds;
+}
+
+void SimulatedArm::read_joints() {
+  truth_.joints.resize(arm_.joints);
+  for (int k = 0; k < arm_.joints; ++k) truth_.joints[k] = arm_.body->getJointPos(k);
+}
+
+void SimulatedArm::begin_step(const HardwareCommand* command) {
+  read_joints();
+  motors_per_joints_ = robot_->transmission().jacobian(truth_.joints);
+  if (command && usable(*command)) {
+    command_ = *command;
+    brakes_->open();
+  } else {
+    command_ = {};
+    brakes_->close(motors_per_joints_);
+  }
+  reading_.current.fill(0);
+  truth_.S_F = {};
+  truth_.hand_force.setZero();
+  truth_.paper_force = 0;
+}
+
+void SimulatedArm::push() {
+  const AxisVector speeds = motors_per_joints_ * joint_speeds();
+  AxisVector torques(arm_.joints);
+  for (int k = 0; k < arm_.joints; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const double current = motor_current(p_.motors[i], command_.pwm[i], speeds[k]);
+    torques[k] = motor_torque(p_.motors[i], current) + friction_[i].step(p_.motors[i], speeds[k], h_);
+    reading_.current[i] += share_ * current;
+  }
+  const AxisVector joint_torques = motors_per_joints_.transpose() * torques;
+  for (int k = 0; k < arm_.joints; ++k) arm_.body->addJointTorque(k, joint_torques[k]);
+
+  const ToolMotion& tool = load_.motion();
+  const Vector3 tip_B = T_BU_ * (tool.T_UG * arm_.T_GE.p);
+  const Vector3 tip_velocity_B = T_BU_.R * tool.velocity_of(arm_.T_GE.p);
+  const bool on_paper = load_.contact_force().dot(paper_normal_) > 0;
+  const Vector3 force_B = hand_.step(h_, tip_B, tip_velocity_B, on_paper);
+  hand_force_ = p_.T_UB.R * force_B;
+  truth_.hand_force += share_ * force_B;
+  if (hand_force_.isZero(0)) return;
+  arm_.body->addLinkForce(arm_.tool, to_bullet(hand_force_));
+  arm_.body->addLinkTorque(arm_.tool, to_bullet((tool.T_UG.R * arm_.T_GE.p).cross(hand_force_)));
+}
+
+void SimulatedArm::follow() {
+  truth_.S_F += share_ * load_.step(hand_force_);
+  truth_.paper_force += share_ * load_.contact_force().dot(paper_normal_);
+}
+
+void SimulatedArm::end_step(std::int64_t step) {
+  measure(step);
+  observe();
+  ink_.step(truth_.T_0E.p, truth_.paper_force, static_cast<double>(step) * kStep);
+}
+
+void SimulatedArm::measure(std::int64_t step) {
+  read_joints();
+  const AxisVector motors = robot_->motors_from_joints(truth_.joints);
+  reading_.step = step;
+  reading_.S_F_m = sensor_.measure(truth_.S_F);
+  for (int k = 0; k < arm_.joints; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const edp::Range& legal = robot_->axis(k).motor;
+    reading_.encoder[i] = encoders_[i].count(motors[k] - start_motors_[k]);
+    reading_.switches[i] = 0;
+    if (motors[k] < legal.lower) reading_.switches[i] = static_cast<std::uint8_t>(AxisSwitch::lower_limit);
+    if (motors[k] > legal.upper) reading_.switches[i] = static_cast<std::uint8_t>(AxisSwitch::upper_limit);
+  }
+}
+
+void SimulatedArm::observe() {
+  const ToolMotion& tool = load_.motion();
+  truth_.T_0E = T_BU_ * tool.T_UG * arm_.T_GE;
+  truth_.tip_velocity = T_BU_.R * tool.velocity_of(arm_.T_GE.p);
+  truth_.pen_height = (T_PU_ * (tool.T_UG * arm_.T_GE.p)).z();
+}
+
+}  // namespace mrroc::sim

@@ -1,0 +1,94 @@
+// One arm of the world: its body, drives, brakes, encoders, sensor and pen, and the hand that leads it.
+#pragma once
+#include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "robots/irb6/arm.hpp"
+#include "sim/bullet/brakes.hpp"
+#include "sim/bullet/multibody.hpp"
+#include "sim/bullet/scene.hpp"
+#include "sim/bullet/tool_load.hpp"
+#include "sim/world.hpp"
+
+namespace mrroc::sim {
+
+/// An arm in the scene. In every step: begin_step, then for each substep push, (integrate the scene), follow,
+/// then end_step.
+class SimulatedArm {
+ public:
+  /// @param scene  outlives the arm @param h  integration step [s] @param substeps  of a step
+  /// @throws std::invalid_argument  a parameter is out of range
+  SimulatedArm(const ArmParameters& parameters, Scene& scene, double h, int substeps, std::uint64_t seed);
+  ~SimulatedArm();
+  SimulatedArm(const SimulatedArm&) = delete;
+  SimulatedArm& operator=(const SimulatedArm&) = delete;
+
+  /// @param command  null: there is none, the drives brake
+  void begin_step(const HardwareCommand* command);
+  /// Applies torques of the motors and the force of the hand to the body.
+  void push();
+  /// Takes over what the integration made of them.
+  void follow();
+  /// @param step  number of the steps done
+  void end_step(std::int64_t step);
+
+  [[nodiscard]] const HardwareReading& reading() const { return reading_; }
+  [[nodiscard]] const ArmTruth& truth() const { return truth_; }
+  [[nodiscard]] const AxisVector& start_joints() const { return start_joints_; }
+  Hand& hand() { return hand_; }
+  Ink& ink() { return ink_; }
+
+  /// Calls take(double) with every number of the mechanical state.
+  template <class Take>
+  void visit_state(Take take) const {
+    for (int k = 0; k < arm_.joints; ++k) {
+      take(arm_.body->getJointPos(k));
+      take(arm_.body->getJointVel(k));
+      take(friction_[static_cast<std::size_t>(k)].deflection());
+    }
+  }
+
+ private:
+  [[nodiscard]] AxisVector joint_speeds() const;
+  void read_joints();
+  void add_pen();
+  void measure(std::int64_t step);
+  void observe();
+
+  ArmParameters p_;
+  Scene& scene_;
+  double h_;
+  double share_;  // of a substep in the means over a step
+  std::unique_ptr<irb6::Arm> robot_;
+  Pose T_BU_;
+  Pose T_PU_;
+  Vector3 paper_normal_;  // in the world
+
+  AxisVector start_joints_, start_motors_;
+  ArmBody arm_;
+  std::unique_ptr<Brakes> brakes_;
+  ToolLoad load_;
+  std::array<ShaftFriction, kMaxAxes> friction_{};
+  std::vector<Encoder> encoders_;
+  ForceSensor sensor_;
+  Hand hand_;
+  Ink ink_;
+  btSphereShape ball_;
+  btCompoundShape pen_;
+  std::unique_ptr<btMultiBodyLinkCollider> collider_;
+
+  HardwareCommand command_{};
+  AxisMatrix motors_per_joints_;
+  Vector3 hand_force_{Vector3::Zero()};  // in the world
+  HardwareReading reading_;
+  ArmTruth truth_;
+};
+
+/// @return joints at which the pen stands upright above the middle of the sheet [rad, track m]
+/// @throws std::invalid_argument  the arm does not reach so far
+AxisVector start_joints(const irb6::Arm& robot, const ArmParameters& parameters);
+
+}  // namespace mrroc::sim

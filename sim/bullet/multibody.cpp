@@ -1,0 +1,145 @@
+#include "sim/bullet/multibody.hpp"
+
+#include <BulletDynamics/Featherstone/btMultiBodyLink.h>
+#include <urdf_model/model.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include <Eigen/Geometry>
+#include <stdexcept>
+#include <string>
+
+#include "sim/bullet/convert.hpp"
+
+namespace mrroc::sim {
+namespace {
+
+struct LinkPlan {
+  bool fixed{}, prismatic{};
+  Pose T_parent;  // link frame in that of the parent's link, joint at zero
+  Vector3 axis{Vector3::Zero()};
+  double mass{};
+  Vector3 mass_centre{Vector3::Zero()}, inertia{Vector3::Zero()};
+};
+
+struct Plan {
+  std::vector<LinkPlan> links;
+  Pose T_wrist_S, T_wrist_tool, T_tool_E;
+  int joints{};
+};
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw std::invalid_argument("robot description: " + what);
+}
+
+Pose pose_of(const urdf::Pose& p) {
+  const Eigen::Quaterniond q(p.rotation.w, p.rotation.x, p.rotation.y, p.rotation.z);
+  return {q.toRotationMatrix(), {p.position.x, p.position.y, p.position.z}};
+}
+
+LinkPlan plan_link(const urdf::Joint& joint, const urdf::Link& link, const Pose& T_parent) {
+  LinkPlan plan;
+  plan.fixed = joint.type == urdf::Joint::FIXED;
+  plan.prismatic = joint.type == urdf::Joint::PRISMATIC;
+  plan.T_parent = T_parent;
+  plan.axis = {joint.axis.x, joint.axis.y, joint.axis.z};
+  const auto& inertial = link.inertial;
+  if (!inertial || inertial->mass <= 0) refuse("link " + link.name + " has no mass");
+  if (inertial->ixy != 0 || inertial->ixz != 0 || inertial->iyz != 0)
+    refuse("link " + link.name + " has products of inertia");
+  plan.mass = inertial->mass;
+  plan.mass_centre = pose_of(inertial->origin).p;
+  plan.inertia = {inertial->ixx, inertial->iyy, inertial->izz};
+  return plan;
+}
+
+Plan plan_chain(const urdf::ModelInterface& model) {
+  Plan plan;
+  Pose T;  // of the present link in the last link that moves by itself
+  bool at_tool = false;
+  for (auto link = model.getRoot(); !link->child_joints.empty(); link = link->child_links.front()) {
+    if (link->child_joints.size() != 1) refuse("link " + link->name + " has several children");
+    const urdf::Joint& joint = *link->child_joints.front();
+    const urdf::Link& child = *link->child_links.front();
+    T = T * pose_of(joint.parent_to_joint_origin_transform);
+    if (joint.name == "sensor") plan.T_wrist_S = T;
+    if (child.name == "tool") plan.T_wrist_tool = T;
+    if (child.name == "pen_tip" && at_tool) plan.T_tool_E = T;
+    if (joint.type == urdf::Joint::FIXED && child.name != "tool") continue;
+    if (at_tool) refuse("joint " + joint.name + " is beyond the tool");
+    at_tool = child.name == "tool";
+    plan.links.push_back(plan_link(joint, child, T));
+    plan.joints += !at_tool;
+    T = Pose();
+  }
+  if (!at_tool) refuse("there is no link named tool");
+  return plan;
+}
+
+Vector3 mass_centre(const Plan& plan, std::size_t link) { return plan.links[link].mass_centre; }
+
+void set_up_link(btMultiBody& body, const Plan& plan, std::size_t k, double rotor_inertia) {
+  const LinkPlan& link = plan.links[k];
+  const int index = static_cast<int>(k);
+  const btQuaternion to_link = quaternion(link.T_parent.R.transpose());
+  const Vector3 from_parent = k == 0 ? link.T_parent.p : link.T_parent.p - mass_centre(plan, k - 1);
+  const btVector3 pivot = to_bullet(from_parent);
+  const btVector3 centre = to_bullet(link.mass_centre);
+  if (link.fixed) {
+    body.setupFixed(index, link.mass, to_bullet(link.inertia), index - 1, to_link, pivot, centre);
+  } else if (link.prismatic) {
+    body.setupPrismatic(index, link.mass + rotor_inertia, to_bullet(link.inertia), index - 1, to_link,
+                        to_bullet(link.axis), pivot, centre, true);
+  } else {
+    const Vector3 inertia = link.inertia + rotor_inertia * link.axis.cwiseAbs2();
+    body.setupRevolute(index, link.mass, to_bullet(inertia), index - 1, to_link, to_bullet(link.axis), pivot,
+                       centre, true);
+  }
+}
+
+}  // namespace
+
+ArmBody build_arm(std::string_view urdf, const Pose& T_UB, const AxisVector& rotor_inertia) {
+  const auto model = urdf::parseURDF(std::string(urdf));
+  if (!model) refuse("it is not URDF");
+  const Plan plan = plan_chain(*model);
+  if (plan.joints != rotor_inertia.size()) refuse("it has another number of joints than the robot");
+
+  ArmBody arm;
+  arm.joints = plan.joints;
+  arm.tool = plan.joints;
+  const int links = static_cast<int>(plan.links.size());
+  arm.body = std::make_unique<btMultiBody>(links, 0, btVector3(0, 0, 0), true, false);
+  arm.body->setBasePos(to_bullet(T_UB.p));
+  arm.body->setWorldToBaseRot(quaternion(T_UB.R.transpose()));
+  for (std::size_t k = 0; k < plan.links.size(); ++k)
+    set_up_link(*arm.body, plan, k,
+                k < static_cast<std::size_t>(plan.joints) ? rotor_inertia[static_cast<int>(k)] : 0);
+  arm.body->finalizeMultiDof();
+  arm.body->setCanSleep(false);
+  arm.body->setHasSelfCollision(false);
+  arm.body->setUseGyroTerm(true);
+  arm.body->setLinearDamping(0);
+  arm.body->setAngularDamping(0);
+
+  const Pose T_tool_G{Matrix3::Identity(), plan.links.back().mass_centre};
+  arm.T_GS = T_tool_G.inverse() * plan.T_wrist_tool.inverse() * plan.T_wrist_S;
+  arm.T_GE = T_tool_G.inverse() * plan.T_tool_E;
+  return arm;
+}
+
+void set_joints(btMultiBody& body, const AxisVector& joints) {
+  for (int k = 0; k < joints.size(); ++k) {
+    body.setJointPos(k, joints[k]);
+    body.setJointVel(k, 0);
+  }
+  btAlignedObjectArray<btQuaternion> rotations;
+  btAlignedObjectArray<btVector3> origins;
+  body.forwardKinematics(rotations, origins);
+  body.updateCollisionObjectWorldTransforms(rotations, origins);
+}
+
+Pose link_pose(const btMultiBody& body, int link) {
+  return from_bullet(body.getLink(link).m_cachedWorldTransform);
+}
+
+}  // namespace mrroc::sim

@@ -1,0 +1,40 @@
+// An arm's links and joints as one Bullet multibody, built from its URDF description.
+#pragma once
+#include <BulletDynamics/Featherstone/btMultiBody.h>
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "base/axes.hpp"
+#include "base/pose.hpp"
+
+namespace mrroc::sim {
+
+/// The multibody and the frames on it that matter. Links 0..joints-1 are moved by the joints in the order of
+/// the description, link `tool` is everything beyond the joint "sensor".
+struct ArmBody {
+  std::unique_ptr<btMultiBody> body;
+  int joints{};  ///< number of moving joints
+  int tool{};    ///< index of the tool's link
+  Pose T_GS;     ///< sensor in the frame of the tool's link; its origin G is the tool's mass centre
+  Pose T_GE;     ///< tip of the tool in the frame of the tool's link
+};
+
+/// @param urdf           serial chain: moving joints, a fixed joint "sensor", a link "tool" with mass, a link
+/// "pen_tip"
+/// @param T_UB           base of the arm in the world
+/// @param rotor_inertia  of each motor as felt at its joint [kg m^2], track: [kg]; added to the link about
+/// (along)
+///                       the joint's axis
+/// @throws std::invalid_argument  the description is not such a chain
+ArmBody build_arm(std::string_view urdf, const Pose& T_UB, const AxisVector& rotor_inertia);
+
+/// Moves the joints and everything that is computed from them; at rest.
+/// @param joints [rad, track m]
+void set_joints(btMultiBody& body, const AxisVector& joints);
+
+/// @return pose of a link's mass centre in the world, axes as in the description
+Pose link_pose(const btMultiBody& body, int link);
+
+}  // namespace mrroc::sim

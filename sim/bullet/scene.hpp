@@ -1,0 +1,50 @@
+// The Bullet world with everything it needs, owned in the right order.
+#pragma once
+#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
+#include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
+#include <btBulletDynamicsCommon.h>
+
+#include <memory>
+#include <vector>
+
+#include "base/pose.hpp"
+
+namespace mrroc::sim {
+
+/// Who may touch whom: pens touch paper, nothing else touches anything.
+struct CollisionGroup {
+  static constexpr int pen = 64;
+  static constexpr int paper = 128;
+};
+
+/// Gravity, contacts and the solver. Bodies of arms are added to dynamics() by their owners, who outlive no
+/// scene.
+class Scene {
+ public:
+  /// @param solver_iterations  at least 1
+  explicit Scene(int solver_iterations);
+  ~Scene();
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  /// Adds a table whose top is the xy plane of the pose.
+  /// @param T_UP  middle of the table's top in the world @param edge [m]
+  void add_table(const Pose& T_UP, double edge);
+
+  /// Integrates once. @param h [s]
+  void integrate(double h) { dynamics_.stepSimulation(h, 0, h); }
+
+  btMultiBodyDynamicsWorld& dynamics() { return dynamics_; }
+  [[nodiscard]] Vector3 gravity() const;
+
+ private:
+  btDefaultCollisionConfiguration configuration_;
+  btCollisionDispatcher dispatcher_;
+  btDbvtBroadphase broadphase_;
+  btMultiBodyConstraintSolver solver_;
+  btMultiBodyDynamicsWorld dynamics_;
+  std::vector<std::unique_ptr<btCollisionShape>> shapes_;
+  std::vector<std::unique_ptr<btCollisionObject>> tables_;
+};
+
+}  // namespace mrroc::sim

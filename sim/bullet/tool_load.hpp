@@ -1,0 +1,57 @@
+// What a force/torque sensor between flange and tool feels, from the momentum balance of the tool.
+#pragma once
+#include <BulletDynamics/Featherstone/btMultiBody.h>
+
+#include <Eigen/Geometry>
+
+#include "base/pose.hpp"
+#include "sim/bullet/multibody.hpp"
+
+namespace mrroc::sim {
+
+/// Motion of the tool in the world.
+struct ToolMotion {
+  Pose T_UG;                                  ///< frame of the tool's link, origin in the mass centre
+  Vector3 velocity{Vector3::Zero()};          ///< of the mass centre [m/s]
+  Vector3 angular_velocity{Vector3::Zero()};  ///< [rad/s]
+
+  /// @param point_G  fixed to the tool, in its link's frame @return its velocity in the world [m/s]
+  [[nodiscard]] Vector3 velocity_of(const Vector3& point_G) const {
+    return velocity + angular_velocity.cross(T_UG.R * point_G);
+  }
+};
+
+/// The balance: what the flange exerts on the tool is the change of the tool's momentum less all other forces
+/// on it. Bullet's own joint feedback counts joint torques twice and is not used. It contains the tool's
+/// inertial forces, as a real sensor's reading does.
+class ToolLoad {
+ public:
+  /// @param arm      kept by reference @param gravity [m/s^2] @param h integration step [s]
+  ToolLoad(const ArmBody& arm, const Vector3& gravity, double h);
+
+  /// Takes the present state without a force. Call after setting joints.
+  void reset();
+
+  /// Call after each integration.
+  /// @param tip_force  of whoever else pushes the tip, in the world, as applied in that integration [N]
+  /// @return S_F: load on the tool side of the sensor, gravity and inertial forces included, in S [N, N m]
+  Wrench step(const Vector3& tip_force);
+
+  /// @return motion after the last integration
+  [[nodiscard]] const ToolMotion& motion() const { return motion_; }
+  /// @return force of all contacts on the tool in the last integration, in the world [N]
+  [[nodiscard]] const Vector3& contact_force() const { return contact_force_; }
+
+ private:
+  void update_motion();
+  [[nodiscard]] Vector3 spin() const;
+
+  const ArmBody& arm_;
+  Vector3 gravity_;
+  double h_;
+  ToolMotion motion_;
+  Vector3 contact_force_{Vector3::Zero()};
+  btAlignedObjectArray<btVector3> turning_, moving_;  // of all links, in their frames
+};
+
+}  // namespace mrroc::sim

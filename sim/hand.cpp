@@ -1,0 +1,86 @@
+#include "sim/hand.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "sim/hand_script.hpp"
+
+namespace mrroc::sim {
+namespace {
+
+constexpr double kFade = 0.3;           // duration of taking the pen and of letting it go [s]
+constexpr double kWanderTime = 0.5;     // correlation time of the pressure [s]
+constexpr double kTremorDamping = 0.1;  // ratio: how narrow the band of the tremor is
+
+// Position of a trembling muscle along one axis: white noise through a narrow band, unit variance.
+struct Tremor {
+  double position{}, velocity{};
+
+  void step(double dt, double frequency, double noise) {
+    const double w = 2 * std::numbers::pi * frequency;
+    velocity += -dt * w * (w * position + 2 * kTremorDamping * velocity) +
+                std::sqrt(dt * 4 * kTremorDamping * w * w * w) * noise;
+    position += dt * velocity;
+  }
+};
+
+}  // namespace
+
+struct Hand::Impl {
+  Impl(const HandParameters& parameters, const PaperParameters& paper, std::uint64_t seed)
+      : p(parameters), R_0P(paper.T_0P.R), T_P0(paper.T_0P.inverse()), random(seed), script(parameters) {}
+
+  void tremble(double dt) {
+    for (Tremor& t : tremor) t.step(dt, p.tremor_frequency, normal(random));
+    wander += -dt / kWanderTime * wander + std::sqrt(2 * dt / kWanderTime) * normal(random);
+  }
+
+  HandParameters p;
+  Matrix3 R_0P;
+  Pose T_P0;
+  std::mt19937_64 random;
+  std::normal_distribution<double> normal{};
+  std::array<Tremor, 3> tremor{};
+  double wander{};  // of the pressure, unit variance
+  HandScript script;
+  double grip{};  // 0 the pen is free, 1 held
+};
+
+Hand::Hand(const HandParameters& parameters, const PaperParameters& paper, std::uint64_t seed)
+    : impl_(std::make_unique<Impl>(parameters, paper, seed)) {}
+Hand::~Hand() = default;
+Hand::Hand(Hand&&) noexcept = default;
+Hand& Hand::operator=(Hand&&) noexcept = default;
+
+void Hand::lead_along(const std::vector<Polyline>& strokes) { impl_->script.lead_along(strokes); }
+void Hand::lead_to(const Eigen::Vector2d& point, double height) { impl_->script.lead_to(point, height); }
+void Hand::release() { impl_->script.stop(); }
+void Hand::pause(bool paused) { impl_->script.pause(paused); }
+HandStatus Hand::status() const { return impl_->script.status(); }
+
+Vector3 Hand::step(double dt, const Vector3& tip, const Vector3& velocity, bool on_paper) {
+  Impl& h = *impl_;
+  const bool holds = h.script.status().phase != HandPhase::idle;
+  if (!holds && h.grip <= 0) return Vector3::Zero();
+
+  const Vector3 at = h.T_P0 * tip;
+  if (h.grip <= 0) h.script.grasp(at);
+  h.grip = std::clamp(h.grip + (holds ? dt : -dt) / kFade, 0.0, 1.0);
+  h.tremble(dt);
+  h.script.step(dt, at, on_paper, h.p.press_wander * h.wander);
+
+  Vector3 shake, shaking;
+  for (int k = 0; k < 3; ++k) {
+    shake[k] = h.p.tremor * h.tremor[static_cast<std::size_t>(k)].position;
+    shaking[k] = h.p.tremor * h.tremor[static_cast<std::size_t>(k)].velocity;
+  }
+  const Vector3 led = h.script.velocity();
+  const Vector3 moving = h.R_0P.transpose() * velocity;
+  return h.grip * (h.R_0P * (h.p.stiffness * (h.script.position() + shake - at) +
+                             h.p.damping * (led + shaking - moving) + h.p.drag * led));
+}
+
+}  // namespace mrroc::sim
