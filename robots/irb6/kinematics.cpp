@@ -13,13 +13,12 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kTurn = 2 * pi;
-// A representation this close to the given angle is kept even beyond the limits: the limit is what stops a
-// path there, not a jump by a whole turn.
-constexpr double kNoJump = 0.05;
-// Costs a choice outside the limits so much that any other within them is taken, but for kNoJump.
-constexpr double kIllegal = kTurn - 2 * kNoJump;
-// Costs a choice out of reach more than every other consideration.
-constexpr double kUnreached = 1e3 * kTurn;
+// Less change of all angles together than this is a step of a path: it never jumps to another branch, not
+// even beyond a limit or the reach, which is for the guards to see.
+constexpr double kPathStep = 0.05;
+// Cost of an angle outside the limits, above any distance within them; and of each metre out of reach.
+constexpr double kIllegal = 1e3;
+constexpr double kUnreached = 1e5;
 // Below this sine the direction of a singular axis is rounding noise.
 constexpr double kSingular = 1e-10;
 // A position beyond the reach by less than this is reached.
@@ -29,16 +28,24 @@ constexpr double kHuge = 1e6;
 
 edp::Range sorted(double a, double b) { return {std::min(a, b), std::max(a, b)}; }
 
-// The representation angle + k * 2 pi to take when the axis is near the given angle.
-double nearest_turn(double angle, double near, edp::Range legal) {
-  const double nearest = angle + kTurn * std::round((near - angle) / kTurn);
-  if (legal.contains(nearest) || std::abs(nearest - near) < kNoJump) return nearest;
+// The representation angle + k * 2 pi nearest to another angle.
+double nearest_turn(double angle, double near) { return angle + kTurn * std::round((near - angle) / kTurn); }
+
+// The nearest representation within the limits; without one, the nearest.
+double nearest_legal_turn(double angle, double near, edp::Range legal) {
+  const double nearest = nearest_turn(angle, near);
+  if (legal.contains(nearest)) return nearest;
   const double inside = nearest < legal.lower ? nearest + kTurn * std::ceil((legal.lower - nearest) / kTurn)
                                               : nearest - kTurn * std::ceil((nearest - legal.upper) / kTurn);
   return legal.contains(inside) ? inside : nearest;
 }
 
-double distance(double angle, double near, edp::Range legal) {
+// Whether the angle's opposite is nearer to the other angle than itself.
+bool half_turn_apart(double angle, double other) {
+  return std::abs(angle - nearest_turn(other, angle)) > pi / 2;
+}
+
+double cost(double angle, double near, edp::Range legal) {
   return std::abs(angle - near) + (legal.contains(angle) ? 0 : kIllegal);
 }
 
@@ -105,31 +112,17 @@ Kinematics::Plane Kinematics::plane(double x, double y, const Angles& near) cons
     return {near.theta1, c1, s1, c1 * x + s1 * y, true};
   }
   const double theta1 = std::atan2(y, x);
-  const double turn = theta1 - near.theta1;
-  const bool opposite = std::abs(turn - kTurn * std::round(turn / kTurn)) > pi / 2;
-  if (opposite &&
+  if (half_turn_apart(theta1, near.theta1) &&
       k_.a2 * std::cos(near.theta2) + k_.a3 * std::cos(near.theta3) + k_.d5 * std::cos(near.theta4) < 0)
     return {theta1 + pi, -x / radius, -y / radius, -radius, false};
   return {theta1, x / radius, y / radius, radius, false};
 }
 
-Kinematics::Branch Kinematics::wrist(double theta4, double c4, double s4, double q5, double q6,
-                                     const Angles& near) const noexcept {
-  Branch b{.c4 = c4, .s4 = s4};
-  b.theta4 = nearest_turn(theta4, near.theta4, legal_.theta4);
-  const double shift = legal_.q5_per_theta4 * b.theta4;
-  const edp::Range roll{legal_.q5_at_zero.lower + shift, legal_.q5_at_zero.upper + shift};
-  b.q5 = nearest_turn(q5, near.q5, roll);
-  b.q6 = nearest_turn(q6, near.q6, legal_.q6);
-  b.cost = distance(b.theta4, near.theta4, legal_.theta4) + distance(b.q5, near.q5, roll) +
-           distance(b.q6, near.q6, legal_.q6);
-  return b;
-}
-
-void Kinematics::elbow(Branch& b, double radius, double height, const Angles& near) const noexcept {
+void Kinematics::elbow(Branch& b, double c4, double s4, double radius, double height,
+                       const Angles& near) const noexcept {
   // The triangle shoulder, elbow, wrist pitch axis in the plane of the arm: E forward, F down.
-  const double E = radius - k_.d5 * b.c4;
-  const double F = -height - k_.d5 * b.s4;
+  const double E = radius - k_.d5 * c4;
+  const double F = -height - k_.d5 * s4;
   const double reach2 = E * E + F * F;
   const double reach = std::sqrt(reach2);
   b.missing = std::max({0.0, reach - (k_.a2 + k_.a3), std::abs(k_.a2 - k_.a3) - reach});
@@ -139,11 +132,35 @@ void Kinematics::elbow(Branch& b, double radius, double height, const Angles& ne
   const double bend = near.theta3 - near.theta2;
   const bool usual = (bend > 0 && bend < pi) || std::sin(bend) >= 0;
   const double s = std::sqrt(1 - c * c) * (usual ? 1 : -1);
-  const double theta2 = std::atan2(F, E) - std::atan2(k_.a3 * s, k_.a2 + k_.a3 * c);
-  b.theta2 = nearest_turn(theta2, near.theta2, legal_.theta2);
-  b.theta3 = nearest_turn(theta2 + std::atan2(s, c), near.theta3, legal_.theta3);
-  b.cost += distance(b.theta2, near.theta2, legal_.theta2) + distance(b.theta3, near.theta3, legal_.theta3) +
-            (b.missing > 0 ? kUnreached : 0);
+  b.angles.theta2 = std::atan2(F, E) - std::atan2(k_.a3 * s, k_.a2 + k_.a3 * c);
+  b.angles.theta3 = b.angles.theta2 + std::atan2(s, c);
+}
+
+bool Kinematics::take_path_step(Angles& a, const Angles& near) noexcept {
+  const Angles step{nearest_turn(a.theta1, near.theta1), nearest_turn(a.theta2, near.theta2),
+                    nearest_turn(a.theta3, near.theta3), nearest_turn(a.theta4, near.theta4),
+                    nearest_turn(a.q5, near.q5),         nearest_turn(a.q6, near.q6)};
+  const double change = std::abs(step.theta1 - near.theta1) + std::abs(step.theta2 - near.theta2) +
+                        std::abs(step.theta3 - near.theta3) + std::abs(step.theta4 - near.theta4) +
+                        std::abs(step.q5 - near.q5) + std::abs(step.q6 - near.q6);
+  if (!(change < kPathStep)) return false;
+  a = step;
+  return true;
+}
+
+void Kinematics::take_legal_turns(Branch& b, const Angles& near) const noexcept {
+  Angles& a = b.angles;
+  a.theta1 = nearest_legal_turn(a.theta1, near.theta1, legal_.theta1);
+  a.theta2 = nearest_legal_turn(a.theta2, near.theta2, legal_.theta2);
+  a.theta3 = nearest_legal_turn(a.theta3, near.theta3, legal_.theta3);
+  a.theta4 = nearest_legal_turn(a.theta4, near.theta4, legal_.theta4);
+  const double shift = legal_.q5_per_theta4 * a.theta4;
+  const edp::Range legal_q5{legal_.q5_at_zero.lower + shift, legal_.q5_at_zero.upper + shift};
+  a.q5 = nearest_legal_turn(a.q5, near.q5, legal_q5);
+  a.q6 = nearest_legal_turn(a.q6, near.q6, legal_.q6);
+  b.cost = cost(a.theta2, near.theta2, legal_.theta2) + cost(a.theta3, near.theta3, legal_.theta3) +
+           cost(a.theta4, near.theta4, legal_.theta4) + cost(a.q5, near.q5, legal_q5) +
+           cost(a.q6, near.q6, legal_.q6) + kUnreached * b.missing;
 }
 
 edp::InverseSolution Kinematics::inverse(const Pose& T_0W, const AxisVector& near) const noexcept {
@@ -166,33 +183,42 @@ edp::InverseSolution Kinematics::inverse(const Pose& T_0W, const AxisVector& nea
   const double A_n = plane.c1 * A.y() - plane.s1 * A.x();
   const double s5 = std::sqrt(A_h * A_h + A.z() * A.z());
 
+  // Two choices differ by half a turn of T and N and the sign of sin q5. First the one with T nearer.
   const bool wrist_singular = s5 < kSingular;
-  const double theta4 = wrist_singular ? n.theta4 : std::atan2(A_h, A.z());
-  const double c4 = wrist_singular ? std::cos(theta4) : A.z() / s5;
-  const double s4 = wrist_singular ? std::sin(theta4) : A_h / s5;
+  double theta4 = n.theta4;
+  double c4{}, s4{};
+  if (wrist_singular) {
+    c4 = std::cos(theta4);
+    s4 = std::sin(theta4);
+  } else {
+    theta4 = std::atan2(A_h, A.z());
+    const bool mirrored = half_turn_apart(theta4, n.theta4);
+    if (mirrored) theta4 += pi;
+    c4 = (mirrored ? -A.z() : A.z()) / s5;
+    s4 = (mirrored ? -A_h : A_h) / s5;
+  }
   const double q5 = std::atan2(A_h * s4 + A.z() * c4, A_n);
   const double q6 = std::atan2(N_h * c4 - N.z() * s4, O_h * c4 - O.z() * s4);
 
-  Branch best = wrist(theta4, c4, s4, q5, q6, n);
-  elbow(best, plane.radius, height, n);
-  // The other choice turns T and N by half a turn and mirrors V: at least pi / 2 away if this one is nearer.
-  if (!wrist_singular && best.cost > pi / 2) {
-    Branch other = wrist(theta4 + pi, -c4, -s4, -q5, q6 + pi, n);
-    elbow(other, plane.radius, height, n);
-    if (other.cost < best.cost) best = other;
+  Branch best{.angles = {plane.theta1, 0, 0, theta4, q5, q6}};
+  elbow(best, c4, s4, plane.radius, height, n);
+  if (!take_path_step(best.angles, n)) {
+    take_legal_turns(best, n);
+    if (!wrist_singular && best.cost > pi / 2) {  // the other one is at least pi / 2 away
+      Branch other{.angles = {plane.theta1, 0, 0, theta4 + pi, -q5, q6 + pi}};
+      elbow(other, -c4, -s4, plane.radius, height, n);
+      take_legal_turns(other, n);
+      if (other.cost < best.cost) best = other;
+    }
   }
 
+  const Angles& a = best.angles;
   solution.reached = best.missing == 0;
   solution.missing = best.missing;
   solution.singular = plane.singular || wrist_singular;
-  double* q = solution.joints.data() + first_;
   if (first_ == 1) solution.joints[0] = near[0];
-  q[0] = nearest_turn(plane.theta1, n.theta1, legal_.theta1);
-  q[1] = best.theta2;
-  q[2] = best.theta3 - best.theta2 - pi / 2;
-  q[3] = best.theta4 - best.theta3;
-  q[4] = best.q5;
-  q[5] = best.q6;
+  solution.joints.tail<kArmAxes>() << a.theta1, a.theta2, a.theta3 - a.theta2 - pi / 2, a.theta4 - a.theta3,
+      a.q5, a.q6;
   return solution;
 }
 

@@ -23,12 +23,12 @@ class Kinematics {
   /// @return T_0W, the wrist in the base; z = 0 is the floor
   [[nodiscard]] Pose forward(const AxisVector& joints) const noexcept;
 
-  /// All branches (arm turned to the front or leaning over its back, elbow, both signs of sin q5) and all
-  /// turns of each angle are considered. Of them the one nearest to `near` is taken, unless it lies outside
-  /// the motor limits and another does not; within 0.05 rad of `near` no other one is considered, so that a
-  /// path never jumps. The arm leans back, and the elbow bends the other way, only where `near` does so.
-  /// The track stays where `near` has it. Singular: q4 (hand along the arm's normal) or q1 (wrist above the
-  /// column) stays where `near` has it.
+  /// All branches (both signs of sin q5, both bends of the elbow, the arm turned to the front or leaning over
+  /// its back) and all turns of each angle are considered, and of those within the motor limits the one
+  /// nearest to `near` is taken. But where `near` is less than 0.05 rad away (all angles together), as along
+  /// a path, that solution is taken whatever the limits: a path never jumps. The arm leans back, and the
+  /// elbow bends the other way, only where `near` does so. The track stays where `near` has it. Singular: q4
+  /// (hand along the arm's normal) or q1 (wrist above the column) stays where `near` has it.
   ///
   /// @param T_0W wrist in the base, a rotation and a position
   /// @param near joints [rad, track m], as many as the arm has axes
@@ -53,22 +53,23 @@ class Kinematics {
     double theta1, c1, s1, radius;
     bool singular;
   };
-  // One choice of all angles but the column's, with its distance from the given ones.
+  // One choice of branches.
   struct Branch {
-    double theta2{}, theta3{}, theta4{}, q5{}, q6{};
-    double c4{}, s4{};
-    double missing{};
-    double cost{};
+    Angles angles;
+    double missing{};  // [m] out of reach
+    double cost{};     // distance from the given joints and penalties
   };
 
   [[nodiscard]] Angles angles(const AxisVector& joints) const noexcept;
   // x, y: wrist in the base of the column.
   [[nodiscard]] Plane plane(double x, double y, const Angles& near) const noexcept;
-  // The wrist's part of a branch.
-  [[nodiscard]] Branch wrist(double theta4, double c4, double s4, double q5, double q6,
-                             const Angles& near) const noexcept;
-  // Adds shoulder and elbow to it. height: of the wrist above the shoulder.
-  void elbow(Branch& b, double radius, double height, const Angles& near) const noexcept;
+  // Shoulder and elbow of a branch. height: of the wrist above the shoulder; c4, s4: of its theta4.
+  void elbow(Branch& b, double c4, double s4, double radius, double height,
+             const Angles& near) const noexcept;
+  // The turns of all angles nearest to the given ones, if together they are a step of a path.
+  [[nodiscard]] static bool take_path_step(Angles& a, const Angles& near) noexcept;
+  // The turns of all angles within the limits nearest to the given ones, and what that costs.
+  void take_legal_turns(Branch& b, const Angles& near) const noexcept;
 
   Lengths k_;
   int first_;

@@ -134,7 +134,7 @@ constexpr AxisTable wrist_T(double synchro) {
 }
 constexpr AxisTable wrist_V(double synchro) {
   return {{"V",
-           {-10, 10},
+           {-10.5, 10.5},
            {-80, 490},
            kIncrements,
            kMaxMotorSpeed,

@@ -1,0 +1,70 @@
+// The tables, and the arm as the effector driver sees it.
+#include "test/robots/irb6/arms.hpp"
+
+namespace mrroc::irb6::test {
+namespace {
+
+using ArmTable = Irb6;
+INSTANTIATE_TEST_SUITE_P(Arms, ArmTable, kAllArms, arm_case_name);
+
+TEST(MakeArm, KnowsTwoNames) {
+  EXPECT_EQ(make_arm("irb6_postument")->axes(), 6);
+  EXPECT_EQ(make_arm("irb6_track")->axes(), 7);
+  EXPECT_EQ(make_arm("irb6"), nullptr);
+  EXPECT_EQ(make_arm(""), nullptr);
+}
+
+TEST(MakeArm, SelectsTheParameterSet) {
+  const auto nominal = make_arm("irb6_postument"),
+             other = make_arm("irb6_postument", ParameterSet::calibrated);
+  const AxisVector q = nominal->front();
+  const double off = (nominal->forward(q).p - other->forward(q).p).norm();
+  EXPECT_GT(off, 0.003);
+  EXPECT_LT(off, 0.010);
+}
+
+TEST_P(ArmTable, NamesItsAxes) {
+  std::string names;
+  for (int k = 0; k < arm_.axes(); ++k) names += std::string(arm_.axis(k).name) + ", ";
+  EXPECT_EQ(names, std::string(first_ == 1 ? "track, " : "") + "column, lower arm, upper arm, T, V, N, ");
+}
+
+TEST_P(ArmTable, HasTheFrontPoseWithinItsLimits) { EXPECT_TRUE(legal(arm_, arm_.front())); }
+
+TEST_P(ArmTable, SynchronisesWithinItsLimits) {
+  EXPECT_TRUE(legal(arm_, arm_.synchronised())) << arm_.synchronised().transpose();
+  EXPECT_LE(arm_.motors_from_joints(arm_.synchronised()).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+// The motors are the legal range; joint limits cut it only where the linkages fold the arm.
+TEST_P(ArmTable, JointLimitsOnlyCutTheFoldOfTheArm) {
+  for (int k = 0; k < kCases / 10; ++k) {
+    const AxisVector q = random_joints();
+    for (const int joint : {0, 1, 4, 5})
+      ASSERT_TRUE(arm_.axis(first_ + joint).joint.contains(q[first_ + joint]))
+          << arm_.axis(first_ + joint).name;
+    if (first_ == 1) {
+      ASSERT_TRUE(arm_.axis(0).joint.contains(q[0]));
+    }
+  }
+}
+
+TEST_P(ArmTable, EncodersAndSpeedsAreTheDrives) {
+  for (int k = 0; k < arm_.axes(); ++k) {
+    const bool last = k == arm_.axes() - 1;
+    EXPECT_NEAR(arm_.axis(k).increments_per_rad * 2 * kPi, last ? 2000 : 4000, 1e-9);
+    EXPECT_DOUBLE_EQ(arm_.axis(k).max_motor_speed * 0.002, 0.5);
+    EXPECT_GT(arm_.axis(k).regulator.b0, arm_.axis(k).regulator.b1);
+  }
+}
+
+TEST_P(ArmTable, ForceSensorSitsOnTheAxisOfTheTool) {
+  EXPECT_EQ(arm_.sensor_in_wrist().p, Vector3(0, 0, 0.09));
+  EXPECT_NEAR(arm_.sensor_in_wrist().R(2, 2), 1, 1e-15);
+  EXPECT_NEAR(std::atan2(arm_.sensor_in_wrist().R(1, 0), arm_.sensor_in_wrist().R(0, 0)),
+              first_ == 1 ? -kPi / 2 : kPi, 1e-12);
+  EXPECT_EQ(arm_.tool_in_wrist().p, Vector3(0, 0, 0.25));
+}
+
+}  // namespace
+}  // namespace mrroc::irb6::test

@@ -1,0 +1,83 @@
+// What the suites of the IRb-6 share: both arms with both parameter sets, and random poses of them.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <numbers>
+#include <random>
+#include <string>
+#include <tuple>
+
+#include "robots/irb6/arm.hpp"
+
+namespace mrroc::irb6::test {
+
+#ifdef MRROC_SANITIZED
+inline constexpr int kCases = 5'000;
+#else
+inline constexpr int kCases = 200'000;
+#endif
+
+inline constexpr double kPi = std::numbers::pi;
+
+using ArmCase = std::tuple<const char*, ParameterSet>;
+
+/// A suite over both arms, nominal and calibrated. Seeded, so that every failure repeats.
+class Irb6 : public testing::TestWithParam<ArmCase> {
+ protected:
+  double uniform(double a, double b) { return std::uniform_real_distribution<>(a, b)(random_); }
+
+  /// @return motors anywhere within the limits [rad]
+  AxisVector random_motors() {
+    AxisVector m(arm_.axes());
+    for (int k = 0; k < m.size(); ++k) m[k] = uniform(arm_.axis(k).motor.lower, arm_.axis(k).motor.upper);
+    return m;
+  }
+  /// @return joints anywhere within the motor limits
+  AxisVector random_joints() { return arm_.joints_from_motors(random_motors()); }
+
+  const std::unique_ptr<Arm> owner_ = make_arm(std::get<0>(GetParam()), std::get<1>(GetParam()));
+  const Arm& arm_ = *owner_;
+  const int first_ = arm_.parameters().first();  ///< index of q1
+  std::mt19937_64 random_{20240601};
+};
+
+inline std::string arm_case_name(const testing::TestParamInfo<ArmCase>& info) {
+  return std::string(std::get<0>(info.param)).substr(5) +
+         (std::get<1>(info.param) == ParameterSet::nominal ? "_nominal" : "_calibrated");
+}
+
+inline const auto kAllArms =
+    testing::Combine(testing::Values("irb6_postument", "irb6_track"),
+                     testing::Values(ParameterSet::nominal, ParameterSet::calibrated));
+
+/// @return the largest difference of two poses over position [m] and elements of the matrix
+inline double difference(const Pose& a, const Pose& b) {
+  return std::max((a.p - b.p).cwiseAbs().maxCoeff(), (a.R - b.R).cwiseAbs().maxCoeff());
+}
+
+/// @return whether all motors are within their limits
+inline bool motors_legal(const Arm& arm, const AxisVector& joints, double tolerance = 1e-9) {
+  const AxisVector m = arm.motors_from_joints(joints);
+  for (int k = 0; k < m.size(); ++k)
+    if (!(m[k] >= arm.axis(k).motor.lower - tolerance && m[k] <= arm.axis(k).motor.upper + tolerance))
+      return false;
+  return true;
+}
+
+/// @return whether all joints and motors are within their limits
+inline bool legal(const Arm& arm, const AxisVector& joints) {
+  for (int k = 0; k < joints.size(); ++k)
+    if (!arm.axis(k).joint.contains(joints[k])) return false;
+  return motors_legal(arm, joints);
+}
+
+/// @return pose of E with the tool pointing straight down, x of E along x of the base
+inline Pose tool_down(double x, double y, double z) {
+  Pose T_0E;
+  T_0E.R = Vector3(1, -1, -1).asDiagonal();
+  T_0E.p << x, y, z;
+  return T_0E;
+}
+
+}  // namespace mrroc::irb6::test
