@@ -1,0 +1,132 @@
+#include "test/base/layers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <optional>
+#include <regex>
+
+namespace mrroc::test {
+namespace {
+
+struct Folder {
+  std::string_view name;
+  int level;
+};
+
+// The longest name that fits comes first. "mrroc" holds the headers generated from base/msg.
+constexpr std::array kFolders{
+    Folder{"base/link", 2}, Folder{"base/msg", 1}, Folder{"mrroc", 1}, Folder{"base", 0},
+    Folder{"edp", 3},       Folder{"ecp", 3},      Folder{"mp", 3},    Folder{"vsp", 3},
+    Folder{"ui_cli", 3},    Folder{"robots", 4},   Folder{"tasks", 4}, Folder{"sim", 5},
+    Folder{"test", 7},      Folder{"bench", 7},
+};
+constexpr int kMainLevel = 6;
+
+struct Forbidden {
+  std::string_view from;
+  std::string_view to;
+};
+
+// Beyond the levels: tasks are hardware independent, robots are task independent (MG 5).
+constexpr std::array kForbidden{Forbidden{"tasks", "edp"}, Forbidden{"tasks", "robots"},
+                                Forbidden{"robots", "tasks"}, Forbidden{"robots", "ecp"},
+                                Forbidden{"robots", "mp"}};
+
+struct Library {
+  std::string_view header;  ///< beginning of what is included
+  std::string_view owner;   ///< the folder that may include it
+};
+
+constexpr std::array kLibraries{
+    Library{"lcm/", "base/link"},      Library{"bullet/", "sim"},          Library{"btBullet", "sim"},
+    Library{"BulletDynamics/", "sim"}, Library{"BulletCollision/", "sim"}, Library{"LinearMath/", "sim"},
+};
+
+bool is_in(std::string_view path, std::string_view folder) {
+  return path.starts_with(folder) && path.size() > folder.size() && path[folder.size()] == '/';
+}
+
+std::optional<Folder> folder_of(std::string_view path) {
+  for (const Folder& folder : kFolders)
+    if (is_in(path, folder.name)) return folder;
+  return std::nullopt;
+}
+
+bool is_main(std::string_view path) {
+  const std::string_view name = path.substr(path.rfind('/') + 1);
+  return name.starts_with("main") && name.ends_with(".cpp");
+}
+
+std::string sentence(std::string_view path, std::string_view include, const std::string& reason) {
+  return std::string(path) + " includes " + std::string(include) + ": " + reason;
+}
+
+std::string library_violation(std::string_view path, std::string_view include) {
+  if (include == "opencv2/opencv.hpp") return "take the parts of OpenCV that are used, not the whole";
+  // A test has the rights of the folder that it mirrors.
+  const std::string_view owner = path.starts_with("test/") ? path.substr(5) : path;
+  for (const Library& library : kLibraries)
+    if (include.starts_with(library.header) && !is_in(owner, library.owner))
+      return "only " + std::string(library.owner) + " may use this library";
+  return {};
+}
+
+std::string level_violation(std::string_view path, std::string_view include) {
+  const std::optional<Folder> from = folder_of(path);
+  const std::optional<Folder> to = folder_of(include);
+  if (!from) return "the file is in none of the project's folders";
+  const int level = is_main(path) && from->level < kMainLevel ? kMainLevel : from->level;
+  if (to->level > level) return std::string(from->name) + " is below " + std::string(to->name);
+  if (level == kMainLevel || from->level > kMainLevel) return {};
+  if (to->level == level && to->name != from->name && level != 1)
+    return std::string(from->name) + " and " + std::string(to->name) + " are side by side";
+  for (const Forbidden& pair : kForbidden)
+    if (from->name == pair.from && to->name == pair.to)
+      return std::string(pair.from) + " must not know " + std::string(pair.to);
+  return {};
+}
+
+}  // namespace
+
+std::string layer_violation(std::string_view path, std::string_view include, bool quoted) {
+  std::string reason = library_violation(path, include);
+  if (reason.empty() && folder_of(include)) reason = level_violation(path, include);
+  if (reason.empty() && quoted && !folder_of(include))
+    reason = "paths in quotation marks begin with a folder of the project";
+  return reason.empty() ? "" : sentence(path, include, reason);
+}
+
+std::string included_by(const std::string& line, bool& quoted) {
+  static const std::regex pattern(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"].*)");
+  std::smatch match;
+  if (!std::regex_match(line, match, pattern)) return {};
+  quoted = match[1] == "\"";
+  return match[2];
+}
+
+std::vector<std::filesystem::path> project_files(const std::filesystem::path& root) {
+  static const std::array<std::string_view, 10> kinds{".hpp", ".cpp",   ".h",  ".in",   ".lcm",
+                                                      ".txt", ".cmake", ".md", ".toml", ".json"};
+  std::vector<std::filesystem::path> files{"run", ".ci/run"};
+  for (auto entry = std::filesystem::recursive_directory_iterator(root); entry != decltype(entry)();
+       ++entry) {
+    const std::filesystem::path path = entry->path().lexically_relative(root);
+    if (path == "build" || path == "runs" || path.filename().string().starts_with(".")) {
+      if (entry->is_directory()) entry.disable_recursion_pending();
+    } else if (std::count(kinds.begin(), kinds.end(), path.extension().string()) > 0) {
+      files.push_back(path);
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<std::string> lines_of(const std::filesystem::path& file) {
+  std::vector<std::string> lines;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace mrroc::test
