@@ -81,8 +81,11 @@ class Driver {
   [[nodiscard]] const SetPoint& set_point() const noexcept { return generator_.set_point(); }
   /// @return who holds the driver and which number comes next
   [[nodiscard]] const Protocol& protocol() const noexcept { return protocol_; }
-  /// The owner of the session is dead: the driver is free for another one. From here on he is silent.
+  /// The owner of the session is dead: the driver is free for another one.
   void drop_owner() noexcept { protocol_.drop_owner(); }
+  /// A malfunction that the shell has found, emergency_stop for instance: the drives brake from the next step
+  /// on, and the driver is faulted until it is reset. Call it between steps.
+  void trip(const Fault& fault) noexcept;
 
  private:
   /// What is measured in a step.
@@ -109,13 +112,14 @@ class Driver {
   [[nodiscard]] std::optional<Fault> execute(const EffectorCommand& command) noexcept;
   [[nodiscard]] std::optional<Fault> check(const EffectorCommand& command) const noexcept;
   void begin_macrostep(const HardwareReading& reading) noexcept;
+  void end_macrostep() noexcept;
   void measure(const HardwareReading& reading) noexcept;
-  void do_what_needs_a_reading(const HardwareReading& reading) noexcept;
-  void supervise(const HardwareReading& reading, std::int64_t steps) noexcept;
-  void move() noexcept;
-  void fail(const Fault& fault) noexcept;
+  void adjust_force(const HardwareReading& reading, bool stood) noexcept;
   void add_sample() noexcept;
   void answer(const HardwareReading& reading) noexcept;
+  void move() noexcept;
+  void hold_at(const AxisVector& motors) noexcept;
+  void fail(const Fault& fault) noexcept;
   [[nodiscard]] bool synchronised() const noexcept;
   [[nodiscard]] bool at_rest() const noexcept;
 
@@ -129,16 +133,16 @@ class Driver {
 
   DriverState state_{DriverState::not_synchronised};
   Fault fault_{};
+  bool fault_told_{};  // in a reply
   Measured measured_;
   std::array<std::int32_t, kMaxAxes> last_encoder_{};
   std::int64_t last_step_{};
-  bool started_{};
+  std::int64_t steps_done_{};
 
   int iota_{};  // step of the macrostep, 1..n_; 0 at a boundary
   int n_{};     // steps of the macrostep with the passive one
   int n_Q_{};
   std::int64_t commanded_until_{};
-  std::int64_t steps_since_start_{};
 
   bool taken_{};
   bool arm_commanded_{};

@@ -31,13 +31,13 @@ class ForceSensor {
   /// @param at_rest the arm stands still; readings of a moving arm do not count for the bias
   Health take(const Wrench& S_F_m, bool at_rest) noexcept;
 
-  /// @param axis  which component of the reading is the worst, 0..5
-  /// @return that component of the last bad reading [N], [N m], and its limit
+  /// What was wrong with a reading.
   struct Complaint {
-    int component{};
-    double value{};
-    double limit{};
+    int component{};  ///< 0..5, along and about the axes of S
+    double value{};   ///< [N], [N m]
+    double limit{};   ///< [N], [N m]
   };
+  /// @return what was wrong with the last bad reading
   [[nodiscard]] const Complaint& complaint() const noexcept { return complaint_; }
 
   /// Weight and mass centre of everything beyond the sensor; bias() must follow, the old one is void.
@@ -62,11 +62,11 @@ class ForceSensor {
   Wrench S_F_0_;  // raw reading at the bias
   Wrench W_F_r_;  // compensation force
   std::array<Wrench, 4> recent_{};
-  int recent_count_{};
+  std::size_t recent_count_{};
   int bad_in_succession_{};
   Complaint complaint_{};
   std::array<Wrench, kBiasWindow> at_rest_{};
-  int at_rest_count_{};
+  std::size_t at_rest_count_{};
 };
 
 }  // namespace mrroc::edp

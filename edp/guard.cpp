@@ -1,0 +1,179 @@
+#include "edp/guard.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/representation.hpp"
+#include "edp/control_law.hpp"
+
+namespace mrroc::edp {
+namespace {
+
+/// Rounding of positions and speeds that is no violation.
+constexpr double kRounding = 1e-9;
+
+template <class Enum>
+bool known(Enum value, Enum last) {
+  return static_cast<unsigned>(value) <= static_cast<unsigned>(last);
+}
+
+Fault unknown(std::string_view field, double value) {
+  return make_fault(FaultCode::unknown_enum, field, -1, value);
+}
+
+/// @return whether |value| <= limit; false for NaN
+bool within(double value, double limit) { return std::abs(value) <= limit; }
+/// @return whether 0 <= value <= limit; false for NaN
+bool between_0_and(double limit, double value) { return value >= 0 && value <= limit; }
+
+Objection check_row(const AxisCommand& row, Axis axis, double largest_force, const Limits& limits) {
+  const int k = static_cast<int>(axis);
+  if (!known(row.b, Behaviour::contact)) return unknown("behaviour", static_cast<double>(row.b));
+  for (const double number : {row.force, row.velocity, row.inertia, row.mobility})
+    if (!std::isfinite(number)) return make_fault(FaultCode::not_finite, "row of the task frame", k, number);
+  const AxisCommand a = behaving(row);
+  if (!within(a.force, largest_force))
+    return make_fault(FaultCode::out_of_limits, "F_d [N], [N m]", k, a.force, largest_force);
+  if (!between_0_and(limits.inertia, a.inertia))
+    return make_fault(FaultCode::out_of_limits, "I [kg], [kg m^2]", k, a.inertia, limits.inertia);
+  if (!between_0_and(limits.mobility, a.mobility))
+    return make_fault(FaultCode::out_of_limits, "B [s/kg], [s/(kg m^2)]", k, a.mobility, limits.mobility);
+  return {};
+}
+
+Objection check_rows(const ArmCommand& command, const Limits& limits) {
+  Twist free_motion;
+  for (const Axis axis : kAxes) {
+    const AxisCommand& row = command.frame[axis];
+    if (const Objection wrong = check_row(row, axis, limits.force[axis], limits)) return wrong;
+    const bool pose = command.mu == Interpolation::tcim_pose;  // its velocity is computed, not commanded
+    free_motion[axis] = row.b == Behaviour::contact ? row.mobility * row.force : pose ? 0 : row.velocity;
+  }
+  return check_velocity(free_motion, limits);
+}
+
+Objection check_pose(const ArmCommand& command, int axes) {
+  const Representation r = command.representation;
+  if (!known(r, Representation::xyz_angle_axis)) return unknown("representation", static_cast<double>(r));
+  if (!known(command.reference, Reference::relative))
+    return unknown("reference", static_cast<double>(command.reference));
+  if (command.mu == Interpolation::tcim_pose && per_axis(r))
+    return unknown("TCIM takes a frame, xyz_euler_zyz or xyz_angle_axis", static_cast<double>(r));
+  for (int k = 0; k < numbers_used(r, axes); ++k)
+    if (const double number = command.pose[static_cast<std::size_t>(k)]; !std::isfinite(number))
+      return make_fault(FaultCode::not_finite, "pose", k, number);
+  if (!per_axis(r) && !pose_from_numbers(r, command.pose))
+    return make_fault(FaultCode::not_a_rotation, "pose");
+  return {};
+}
+
+}  // namespace
+
+Fault make_fault(FaultCode code, std::string_view text, int axis, double value, double limit) noexcept {
+  Fault fault;
+  fault.code = code;
+  fault.axis = static_cast<std::int16_t>(axis);
+  fault.value = value;
+  fault.limit = limit;
+  fault.text = text;
+  return fault;
+}
+
+Objection check_form(const EffectorCommand& command) noexcept {
+  if (!known(command.instruction, Instruction::release))
+    return unknown("instruction", static_cast<double>(command.instruction));
+  const bool sets = command.instruction == Instruction::set || command.instruction == Instruction::set_get;
+  const bool gets = command.instruction == Instruction::get || command.instruction == Instruction::set_get;
+  if (sets) {
+    constexpr unsigned kSettable = (Part::arm | Part::robot_model) | static_cast<unsigned>(Part::force_bias);
+    if ((command.set & ~kSettable) != 0) return unknown("SET: ARM, ROBOT_MODEL, force_bias", command.set);
+  }
+  if (gets) {
+    if ((command.get & ~static_cast<unsigned>(Part::arm)) != 0) return unknown("GET: ARM", command.get);
+    if (!known(command.get_representation, Representation::xyz_angle_axis))
+      return unknown("representation of GET", static_cast<double>(command.get_representation));
+    if (!known(command.feedback, Feedback::set_value))
+      return unknown("feedback", static_cast<double>(command.feedback));
+  }
+  return {};
+}
+
+Objection check_arm(const ArmCommand& command, int axes, const Limits& limits) noexcept {
+  if (!known(command.mu, Interpolation::tcim_velocity))
+    return unknown("interpolation", static_cast<double>(command.mu));
+  if (command.n_s < 1 || command.n_s > kMaxSteps)
+    return make_fault(FaultCode::out_of_limits, "n_s, from 1", -1, command.n_s, kMaxSteps);
+  if (command.n_Q < 1 || command.n_Q > command.n_s + 1)
+    return make_fault(FaultCode::out_of_limits, "n_Q, from 1 to n_s + 1", -1, command.n_Q, command.n_s + 1);
+  if (!std::isfinite(command.gripper))
+    return make_fault(FaultCode::not_finite, "distance of the jaws [m]", -1, command.gripper);
+  if (command.mu != Interpolation::tcim_velocity)
+    if (const Objection wrong = check_pose(command, axes)) return wrong;
+  if (command.mu != Interpolation::mim) return check_rows(command, limits);
+  return {};
+}
+
+Objection check_model(const RobotModel& model, const Limits& limits) noexcept {
+  if (model.set_tool) {
+    const Representation r = model.tool_representation;
+    if (!known(r, Representation::xyz_angle_axis) || per_axis(r))
+      return unknown("representation of the tool", static_cast<double>(r));
+    const std::optional<Pose> T_WE = pose_from_numbers(r, model.tool);
+    if (!T_WE) return make_fault(FaultCode::not_a_rotation, "tool");
+    if (!within(T_WE->p.norm(), limits.lever))
+      return make_fault(FaultCode::out_of_limits, "length of the tool [m]", -1, T_WE->p.norm(), limits.lever);
+  }
+  if (model.set_force_tool) {
+    if (!between_0_and(limits.weight, model.weight))
+      return make_fault(FaultCode::out_of_limits, "weight of the tool [N]", -1, model.weight, limits.weight);
+    const double lever = Vector3(model.mass_centre[0], model.mass_centre[1], model.mass_centre[2]).norm();
+    if (!within(lever, limits.lever))
+      return make_fault(FaultCode::out_of_limits, "distance of the mass centre [m]", -1, lever, limits.lever);
+  }
+  return {};
+}
+
+Objection check_velocity(const Twist& v, const Limits& limits) noexcept {
+  const auto check = [](const Vector3& part, double limit, int first, std::string_view text) -> Objection {
+    const double length = part.norm();
+    if (length <= limit * (1 + kRounding)) return {};
+    int worst{};
+    part.cwiseAbs().maxCoeff(&worst);
+    return make_fault(FaultCode::too_fast, text, first + worst, length, limit);
+  };
+  if (const Objection wrong = check(v.linear(), limits.linear_velocity, 0, "speed [m/s]")) return wrong;
+  return check(v.angular(), limits.angular_velocity, 3, "speed [rad/s]");
+}
+
+Objection check_range(const Robot& robot, const AxisPositions& from, const AxisPositions& to,
+                      double stop_way) noexcept {
+  const auto check = [&](const Range& legal, double start, double end, int axis,
+                         std::string_view text) -> Objection {
+    const double lower = std::min(legal.lower, start) - kRounding;
+    const double upper = std::max(legal.upper, start) + kRounding;
+    const double last = end + (end - start) * stop_way;
+    if (last >= lower && last <= upper) return {};
+    return make_fault(FaultCode::joint_limit, text, axis, last, last < lower ? legal.lower : legal.upper);
+  };
+  for (int k = 0; k < robot.axes(); ++k) {
+    const AxisProperties& axis = robot.axis(k);
+    if (const Objection wrong = check(axis.motor, from.motors[k], to.motors[k], k, "motor [rad]"))
+      return wrong;
+    if (const Objection wrong = check(axis.joint, from.joints[k], to.joints[k], k, "joint [rad], [m]"))
+      return wrong;
+  }
+  return {};
+}
+
+Objection check_motor_speed(const Robot& robot, const AxisVector& from, const AxisVector& to,
+                            double time) noexcept {
+  for (int k = 0; k < robot.axes(); ++k) {
+    const double speed = std::abs(to[k] - from[k]) / time;
+    const double limit = robot.axis(k).max_motor_speed;
+    if (!(speed <= limit * (1 + kRounding)))
+      return make_fault(FaultCode::too_fast, "motor [rad/s]", k, speed, limit);
+  }
+  return {};
+}
+
+}  // namespace mrroc::edp

@@ -1,0 +1,150 @@
+#include "edp/step_generator.hpp"
+
+#include "edp/control_law.hpp"
+#include "edp/deceleration.hpp"
+#include "edp/guard.hpp"
+
+namespace mrroc::edp {
+
+StepGenerator::StepGenerator(const MotionRules& rules, const Pose& T_WE) noexcept
+    : rules_(rules), T_WE_(T_WE), T_EW_(T_WE.inverse()) {
+  stand_at(AxisVector::Zero(rules.robot->axes()));
+}
+
+void StepGenerator::stand_at(const AxisVector& motors) noexcept {
+  Candidate here;
+  place(motors, here);
+  set_.T_0E = here.T_0E;
+  set_.axes = here.axes;
+  stand();
+}
+
+void StepGenerator::stand() noexcept {
+  motion_ = Motion::standing;
+  set_.motor_increment = AxisVector::Zero(rules_.robot->axes());
+  set_.v_0W = {};
+}
+
+std::optional<Fault> StepGenerator::start(const ArmCommand& command, const Pose& T_WE) noexcept {
+  SetPoint from = set_;
+  from.T_0E = set_.T_0E * T_EW_ * T_WE;
+  if (const std::optional<Fault> wrong = plan_macrostep(command, from, T_WE, rules_, macrostep_))
+    return wrong;
+  set_tool(T_WE);
+  motion_ = Motion::executing;
+  k_ = 0;
+  return {};
+}
+
+void StepGenerator::set_tool(const Pose& T_WE) noexcept {
+  set_.T_0E = set_.T_0E * T_EW_ * T_WE;
+  T_WE_ = T_WE;
+  T_EW_ = T_WE.inverse();
+}
+
+void StepGenerator::stop() noexcept {
+  if (motion_ != Motion::executing) return;
+  if ((set_.motor_increment.array() == 0).all()) return stand();
+  motion_ = Motion::stopping;
+  stop_in_motors_ = macrostep_.mu == Interpolation::mim;
+  k_ = 0;
+}
+
+std::optional<Fault> StepGenerator::step(const Wrench& F_a) noexcept {
+  if (motion_ == Motion::standing) return {};
+  if (motion_ == Motion::stopping) {
+    stop_step();
+    return {};
+  }
+  if (k_ == macrostep_.n_s) {  // the passive step of n_Q = n_s + 1; the law keeps its memory over it
+    set_.motor_increment.setZero();
+    if (macrostep_.mu == Interpolation::mim) set_.v_0W = {};
+    return {};
+  }
+  ++k_;
+  Candidate next;
+  std::optional<Fault> wrong = execute(F_a, next);
+  if (!wrong) wrong = check(next, stopping_way(rules_.stop_steps));
+  if (!wrong) {
+    accept(next);
+    return {};
+  }
+  // The motors can be brought to rest wherever the arm is, which does not hold for the task frame: it may be
+  // the inverse kinematics that has no solution.
+  motion_ = Motion::stopping;
+  stop_in_motors_ = true;
+  k_ = 0;
+  stop_step();
+  return wrong;
+}
+
+std::optional<Fault> StepGenerator::execute(const Wrench& F_a, Candidate& next) const noexcept {
+  const double dt = rules_.dt;
+  if (macrostep_.mu == Interpolation::mim) {
+    const double part = static_cast<double>(k_) / macrostep_.n_s;
+    place(macrostep_.from + part * (macrostep_.to - macrostep_.from), next);
+    return {};
+  }
+  TaskFrameCommand frame = macrostep_.frame;
+  if (macrostep_.mu == Interpolation::tcim_pose) {
+    const Twist v_d = xi_star(set_.T_0E.R.transpose(), macrostep_.v_d);
+    for (const Axis a : kAxes) frame[a].velocity = v_d[a];
+  }
+  const Twist v_c = step_velocity(frame, F_a, previous_velocity(), dt);
+  if (std::optional<Fault> wrong = check_velocity(v_c, rules_.limits)) return wrong;
+  return follow(v_c, next);
+}
+
+Twist StepGenerator::previous_velocity() const noexcept {
+  const Matrix3 R_W0 = (set_.T_0E.R * T_EW_.R).transpose();
+  return xi_V(T_EW_, xi_star(R_W0, set_.v_0W));
+}
+
+std::optional<Fault> StepGenerator::follow(const Twist& v_E, Candidate& next) const noexcept {
+  next.T_0E = set_.T_0E * pose_from_angle_axis(v_E.vector() * rules_.dt);  // eq. (29), (30)
+  next.T_0E.R = orthonormal(next.T_0E.R);
+  next.v_0W = xi_star(set_.T_0E.R * T_EW_.R, xi_V(T_WE_, v_E));
+  const InverseSolution s = rules_.robot->inverse(next.T_0E * T_EW_, set_.axes.joints);
+  if (!s.reached) return make_fault(FaultCode::unreachable_pose, "missing [m]", -1, s.missing);
+  next.axes.joints = s.joints;
+  next.axes.motors = rules_.robot->motors_from_joints(s.joints);
+  return {};
+}
+
+void StepGenerator::place(const AxisVector& motors, Candidate& next) const noexcept {
+  next.axes.motors = motors;
+  next.axes.joints = rules_.robot->joints_from_motors(motors);
+  next.T_0E = rules_.robot->forward(next.axes.joints) * T_WE_;
+  const Vector6 r = angle_axis_from_pose(set_.T_0E.inverse() * next.T_0E) / rules_.dt;
+  const Twist v_E = Twist::from(r.head<3>(), r.tail<3>());
+  next.v_0W = xi_star(set_.T_0E.R * T_EW_.R, xi_V(T_WE_, v_E));
+}
+
+std::optional<Fault> StepGenerator::check(const Candidate& next, double stop_way) const noexcept {
+  const Robot& robot = *rules_.robot;
+  if (std::optional<Fault> wrong = check_range(robot, set_.axes, next.axes, stop_way)) return wrong;
+  return check_motor_speed(robot, set_.axes.motors, next.axes.motors, rules_.dt);
+}
+
+void StepGenerator::accept(const Candidate& next) noexcept {
+  set_.motor_increment = next.axes.motors - set_.axes.motors;
+  set_.axes = next.axes;
+  set_.T_0E = next.T_0E;
+  set_.v_0W = next.v_0W;
+}
+
+void StepGenerator::stop_step() noexcept {
+  ++k_;
+  if (k_ >= rules_.stop_steps) return stand();
+  const double ratio = speed_ratio(k_, rules_.stop_steps);
+  Candidate next;
+  if (!stop_in_motors_) {
+    if (!follow(ratio * previous_velocity(), next) && !check(next, 0)) return accept(next);
+    stop_in_motors_ = true;
+  }
+  place(set_.axes.motors + ratio * set_.motor_increment, next);
+  if (check(next, 0)) return stand();  // nowhere left to go: the last set point is legal
+  accept(next);
+}
+
+}  // namespace mrroc::edp
