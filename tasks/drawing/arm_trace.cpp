@@ -1,0 +1,54 @@
+#include "tasks/drawing/arm_trace.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include "tasks/drawing/text_file.hpp"
+
+namespace mrroc::drawing {
+namespace {
+
+constexpr std::string_view kHeader = "i,t,m,x,y,z,ax,ay,az,Fx,Fy,Fz,Nx,Ny,Nz,gap,blocked";
+constexpr std::size_t kMaxTraceBytes = 1'000'000'000;
+
+}  // namespace
+
+void write_arm_trace(const std::filesystem::path& file, const ArmTrace& trace) {
+  std::string text = fmt::format("{}\n", kHeader);
+  const auto out = std::back_inserter(text);
+  for (const ArmRow& row : trace) {
+    if (!std::isfinite(row.t) || !row.pose.allFinite() || !finite(row.F) || !std::isfinite(row.gap))
+      throw DrawingError(file.string(), 0, fmt::format("macrostep {} has a number that is not finite", row.i),
+                         "");
+    fmt::format_to(out, "{},{:.4f},{}", row.i, row.t, row.m);
+    for (const double v : row.pose) fmt::format_to(out, ",{:.7f}", v);
+    for (const double v : row.F.v) fmt::format_to(out, ",{:.4f}", v);
+    fmt::format_to(out, ",{:.5f},{}\n", row.gap, row.blocked ? 1 : 0);
+  }
+  write_text_file(file, text);
+}
+
+ArmTrace read_arm_trace(const std::filesystem::path& file) {
+  const std::string text = read_text_file(file, kMaxTraceBytes);
+  Lines lines(text, file.string());
+  if (lines.next() != kHeader) lines.fail(fmt::format("the header is not '{}'", kHeader));
+  ArmTrace trace;
+  while (!lines.done()) {
+    std::array<double, 17> v{};
+    if (!lines.numbers(lines.next(), ',', v).empty()) lines.fail("more than 17 fields");
+    ArmRow& row = trace.emplace_back();
+    row.i = static_cast<std::int64_t>(v[0]);
+    row.t = v[1];
+    row.m = static_cast<int>(v[2]);
+    row.pose = Eigen::Map<const Vector6>(&v[3]);
+    std::copy_n(&v[9], 6, row.F.v.begin());
+    row.gap = v[15];
+    row.blocked = v[16] != 0;
+  }
+  return trace;
+}
+
+}  // namespace mrroc::drawing

@@ -1,0 +1,264 @@
+// MS fig. 8, 9 and 10: what the arms did over time.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tasks/drawing/plots_scripts.hpp"
+
+namespace mrroc::drawing {
+namespace {
+
+constexpr std::array kArmNames{"arm 1 (postument)", "arm 2 (track)"};
+
+bool teaching(const ArmRow& row) { return row.m == 1 || row.m == 2; }
+bool reproducing(const ArmRow& row) { return row.m >= 3; }
+bool copying(const ArmRow& row) { return row.m >= 4; }
+// What the axes have to show whole; the ways to a start may be long and are cut.
+bool drawing(const ArmRow& row) { return row.m == 2 || row.m >= 4; }
+
+// Least and largest value over rows.
+struct Span {
+  double low{1e300}, high{-1e300};
+
+  void add(double v) {
+    low = std::min(low, v);
+    high = std::max(high, v);
+  }
+  [[nodiscard]] bool empty() const { return low > high; }
+  [[nodiscard]] double size() const { return high - low; }
+  // gnuplot's notation, with room at both ends
+  [[nodiscard]] std::string with_room(double below, double above) const {
+    if (empty()) return "[*:*]";
+    return fmt::format("[{:.4f}:{:.4f}]", low - below * size() - 1e-3, high + above * size() + 1e-3);
+  }
+};
+
+template <class Filter, class Value>
+Span span_of(const RunTables& run, Filter filter, Value value) {
+  Span span;
+  for (std::size_t arm = 0; arm < 2; ++arm)
+    if (run.arms[arm])
+      for (const ArmRow& row : *run.arms[arm])
+        if (filter(row)) span.add(value(arm, row));
+  return span;
+}
+
+bool has(const std::optional<ArmTrace>& trace, bool (*filter)(const ArmRow&)) {
+  return trace && std::any_of(trace->begin(), trace->end(), filter);
+}
+
+// The four segments of one stroke, MS 8.4: on the paper (m = 5), lift-off (6), travel (7), lowering (4).
+struct Segments {
+  std::array<double, 5> t{};  // beginnings of the four, end of the last [s]
+  double impact_t{};          // of the largest force while lowering [s]
+  double impact_force{};      // [N]
+};
+
+std::optional<Segments> segments_from(const ArmTrace& rows, std::size_t k) {
+  Segments found;
+  std::size_t part = 0;
+  for (const int m : {5, 6, 7, 4}) {
+    if (k >= rows.size() || rows[k].m != m) return std::nullopt;
+    found.t[part++] = rows[k].t;
+    for (; k < rows.size() && rows[k].m == m; ++k)
+      if (m == 4 && rows[k].F[Axis::z] > found.impact_force) {
+        found.impact_force = rows[k].F[Axis::z];
+        found.impact_t = rows[k].t;
+      }
+  }
+  found.t[part] = rows[k - 1].t;
+  return found;
+}
+
+// The second complete four, as the first may be short of what is usual; the only one if there is no other.
+std::optional<Segments> segments(const ArmTrace& rows) {
+  std::optional<Segments> first;
+  for (std::size_t k = 1; k < rows.size(); ++k)
+    if (rows[k].m == 5 && rows[k - 1].m != 5)
+      if (const std::optional<Segments> found = segments_from(rows, k)) {
+        if (first) return found;
+        first = found;
+      }
+  return first;
+}
+
+std::string preamble(const std::string& name, int width, int height) {
+  return fmt::format(R"(# Draws plots/{0}.png; run it in the run folder: gnuplot plots/{0}.gp
+set terminal pngcairo size {1},{2} enhanced font 'sans,12' background rgb 'white' rounded
+set output 'plots/{0}.png'
+set datafile separator ','
+set border 3 lw 1 lc rgb '#667080'
+set tics nomirror out scale 0.6 textcolor rgb '#333a45'
+set grid lw 1 lc rgb '#e4e8ee'
+set key at graph 1, graph 1.04 right bottom horizontal maxrows 1 reverse Left samplen 2 textcolor rgb '#333a45'
+taught(v) = column(3) == 1 || column(3) == 2 ? v : NaN
+led(v) = column(3) == 3 ? v : NaN
+copied(v) = column(3) >= 4 ? v : NaN
+)",
+                     name, width, height);
+}
+
+std::string heading(const std::string& text) {
+  return fmt::format("title \"{}\" font 'sans:Bold,16' textcolor rgb '#1b2a41'", text);
+}
+
+std::string panel_title(const std::string& text) {
+  return fmt::format("set title \"{}\" font 'sans,13' textcolor rgb '#333a45' offset 0,-0.4\n", text);
+}
+
+// At the left, which leaves room for the legend at the right.
+std::string left_title(const std::string& text) {
+  return fmt::format(
+      "set label 1 \"{}\" at graph 0, graph 1.075 left font 'sans,13' textcolor rgb '#333a45'\n", text);
+}
+
+// One curve over time in every panel of fig. 9 or 10.
+struct Curve {
+  std::string name, title, label;
+  std::array<std::string, 2> value;  // gnuplot expression, per arm
+  std::string range;
+  std::string extra;  // commands for both panels
+};
+
+std::string marks(const RunTables& run, bool impact) {
+  const std::optional<Segments> found = run.arms[0] ? segments(*run.arms[0]) : std::nullopt;
+  if (!found) return "";
+  std::string text;
+  for (const double t : found->t)
+    text += fmt::format(
+        "set arrow from {0:.3f}, graph 0 to {0:.3f}, graph 0.97 nohead dt 3 lw 1 lc rgb '#98a2b0'\n", t);
+  for (std::size_t k = 0; k < 4; ++k)
+    text += fmt::format(
+        "set label '{}' at {:.3f}, graph 0.92 center font 'sans:Bold,12' textcolor rgb '#1b2a41'\n", k + 1,
+        (found->t[k] + found->t[k + 1]) / 2);
+  if (impact)
+    text += fmt::format(
+        "set label '*' at {:.3f}, {:.3f} center offset 0,0.5 font 'sans:Bold,18' textcolor rgb '#b3261e'\n",
+        found->impact_t, found->impact_force);
+  return text;
+}
+
+std::string teach_panel(const RunTables& run, const Curve& curve) {
+  const Span t = span_of(run, teaching, [](std::size_t, const ArmRow& row) { return row.t; });
+  return left_title("teach-in: the operator leads arm 1") +
+         fmt::format(
+             "set xrange {}\nplot 'arm1.csv' skip 1 using 2:(taught({})) with lines lw 1.6 lc rgb '#1f5fa8' "
+             "title '{}'\n",
+             t.with_room(0, 0), curve.value[0], kArmNames[0]);
+}
+
+std::string copy_panel(const RunTables& run, const Curve& curve, bool impact) {
+  const Span t = span_of(run, reproducing, [](std::size_t, const ArmRow& row) { return row.t; });
+  std::string s = left_title("reproduction") +
+                  fmt::format("set xrange {}\n{}plot ", t.with_room(0, 0), marks(run, impact));
+  for (std::size_t arm = 0; arm < 2; ++arm)
+    if (has(run.arms[arm], copying))
+      s += fmt::format(
+          "'arm{0}.csv' skip 1 using 2:(led({1})) with lines lw 1.2 lc rgb '#b0b8c4' {2}, \\\n"
+          "  '' skip 1 using 2:(copied({1})) with lines {3} title '{4}', \\\n  ",
+          arm + 1, curve.value[arm], arm == 0 ? "title 'led to the start'" : "notitle",
+          arm == 0 ? "lw 3.6 lc rgb '#1f5fa8'" : "lw 1.3 lc rgb '#f5a85a'", kArmNames[arm]);
+  return s + "NaN notitle\n";
+}
+
+std::string time_script(const RunTables& run, const Curve& curve, bool impact) {
+  const bool taught = has(run.arms[0], teaching);
+  const bool copied = has(run.arms[0], copying) || has(run.arms[1], copying);
+  if (!taught && !copied) return "";
+  const bool two = taught && copied;
+  std::string s = preamble(curve.name, 1400, two ? 860 : 500);
+  s += fmt::format("set multiplot layout {},1 margins 0.06,0.985,{},{} spacing 0,0.13 {}\n", two ? 2 : 1,
+                   two ? 0.075 : 0.13, two ? 0.895 : 0.82, heading(curve.title));
+  s += fmt::format("set ylabel '{}'\nset yrange {}\nset xlabel 'simulated time t [s]' offset 0,0.4\n{}",
+                   curve.label, curve.range, curve.extra);
+  if (taught) s += teach_panel(run, curve);
+  if (copied) s += copy_panel(run, curve, impact);
+  return s + "unset multiplot\n";
+}
+
+std::string relative(const char* column, double origin) {
+  return fmt::format("({}-({:.6f}))*1000", column, origin);
+}
+
+std::string path_panel(const std::string& title, const std::string& filter, std::size_t arm,
+                       const Vector3& sheet) {
+  const std::string x = fmt::format("({}({}))", filter, relative("$4", sheet.x()));
+  const std::string y = fmt::format("({}({}))", filter, relative("$5", sheet.y()));
+  const std::string z = fmt::format("({}({}))", filter, relative("$6", sheet.z()));
+  const std::string on_paper = fmt::format("({0} < 0.3 ? {0} : NaN)", z);
+  return panel_title(title) +
+         fmt::format(
+             "splot 'arm{0}.csv' skip 1 using {1}:{2}:{3} with lines lw 1.2 lc rgb '#6f9fd8' title 'in the "
+             "air', \\\n"
+             "  '' skip 1 using {1}:{2}:{4} with lines lw 3 lc rgb '#1b2a41' title 'on the paper'\n",
+             arm + 1, x, y, z, on_paper);
+}
+
+}  // namespace
+
+std::string trajectory_script(const RunTables& run, const PlotSetup& setup) {
+  std::vector<std::string> panels;
+  if (has(run.arms[0], teaching)) panels.push_back(path_panel("teach-in", "taught", 0, setup.sheet[0]));
+  for (std::size_t arm = 0; arm < 2; ++arm)
+    if (has(run.arms[arm], copying))
+      panels.push_back(
+          path_panel(fmt::format("reproduction, {}", kArmNames[arm]), "copied", arm, setup.sheet[arm]));
+  if (panels.empty()) return "";
+  const auto along = [&](int axis) {
+    return span_of(run, drawing, [&](std::size_t arm, const ArmRow& row) {
+      return 1e3 * (row.pose[axis] - setup.sheet[arm][axis]);
+    });
+  };
+  const Span x = along(0);
+  const Span y = along(1);
+  std::string s = preamble("fig8_trajectory", 640 * static_cast<int>(panels.size()), 640);
+  s += fmt::format("set multiplot layout 1,{} {}\n", panels.size(),
+                   heading("MS fig. 8: trajectory of the pen"));
+  s += R"(set border 31
+set view 60,32,1.15,1.25
+set view equal xy
+set xyplane at 0
+set xlabel 'x [mm]' offset 0,-0.3
+set ylabel 'y [mm]' offset 1,-0.3
+set zlabel 'z [mm]' rotate by 90 offset 1,0
+set key at screen 0.01,0.97 left top vertical maxrows 2
+set tics scale 0.4 offset 0,-0.2
+set ztics 5 offset 0.5,0
+)";
+  s +=
+      fmt::format("set xtics {0}\nset ytics {0}\nset xrange {1}\nset yrange {2}\nset zrange [-0.5:{3:.3f}]\n",
+                  std::max(x.size(), y.size()) > 160 ? 50 : 20, x.with_room(0.08, 0.08),
+                  y.with_room(0.08, 0.08), std::max(5.0, 1.05 * along(2).high));
+  for (const std::string& panel : panels) s += panel + "unset key\n";
+  return s + "unset multiplot\n";
+}
+
+std::string height_script(const RunTables& run, const PlotSetup& setup) {
+  const Span z = span_of(run, drawing, [&](std::size_t arm, const ArmRow& row) {
+    return 1e3 * (row.pose[2] - setup.sheet[arm].z());
+  });
+  return time_script(run,
+                     {"fig9_height",
+                      "MS fig. 9: height of the pen above the paper",
+                      "z [mm]",
+                      {relative("$6", setup.sheet[0].z()), relative("$6", setup.sheet[1].z())},
+                      z.with_room(0.05, 0.2),
+                      ""},
+                     false);
+}
+
+std::string force_script(const RunTables& run) {
+  const Span force = span_of(run, drawing, [](std::size_t, const ArmRow& row) { return row.F[Axis::z]; });
+  return time_script(
+      run,
+      {"fig10_force",
+       "MS fig. 10: vertical force that the pen exerts",
+       "F_z [N]",
+       {"$12", "$12"},
+       force.with_room(0.05, 0.2),
+       "set arrow from graph 0, first 1 to graph 1, first 1 nohead dt 2 lw 1 lc rgb '#b3261e' back\n"
+       "set label '1 N' at graph 1, first 1 right offset -0.3,0.5 font 'sans,10' textcolor rgb '#b3261e'\n"},
+      true);
+}
+
+}  // namespace mrroc::drawing

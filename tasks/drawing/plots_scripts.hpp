@@ -1,0 +1,29 @@
+// gnuplot scripts of the pictures. Internal to the plots.
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+
+#include "tasks/drawing/plots.hpp"
+
+namespace mrroc::drawing {
+
+/// The tables of a run folder that there are.
+struct RunTables {
+  std::array<std::optional<ArmTrace>, 2> arms;
+  std::optional<Ink> input, taught;
+  std::array<std::optional<Ink>, 2> ink;
+};
+
+/// Scripts run in the run folder and read arm1.csv and arm2.csv themselves. A script is empty when there is
+/// nothing for it to draw.
+/// @return MS fig. 8: the pen's path in space, a panel for teach-in and one for reproduction
+[[nodiscard]] std::string trajectory_script(const RunTables& run, const PlotSetup& setup);
+/// @return MS fig. 9: the pen's height above the paper over time
+[[nodiscard]] std::string height_script(const RunTables& run, const PlotSetup& setup);
+/// @return MS fig. 10: the vertical force over time
+[[nodiscard]] std::string force_script(const RunTables& run);
+/// @return the input drawing, the taught ink and both copies, in panels of one scale
+[[nodiscard]] std::string drawing_script(const RunTables& run);
+
+}  // namespace mrroc::drawing
