@@ -30,9 +30,10 @@ struct AxisProperties {
 /// Result of the inverse kinematics problem.
 struct InverseSolution {
   AxisVector joints;  ///< [rad], track: [m]; meaningful when reached
-  bool reached{};     ///< the pose lies within reach and the joint limits are not considered
-  double missing{};   ///< distance by which the wrist is out of reach [m], 0 when reached
-  bool singular{};    ///< the wrist is singular; the previous branch is kept
+  bool reached{};     ///< the pose lies within reach; the caller compares the joints with their limits
+  double missing{};   ///< distance by which the wrist is out of reach [m], 0 when reached; infinite when the
+                      ///< arguments are no pose and joints of the robot
+  bool singular{};    ///< joints not determined by the pose (wrist or column) are those of the branch given
 };
 
 /// A robot: its kinematics, transmissions and limits. Every function is real-time safe: no allocation, no

@@ -29,7 +29,10 @@ constexpr double kHuge = 1e6;
 edp::Range sorted(double a, double b) { return {std::min(a, b), std::max(a, b)}; }
 
 // The representation angle + k * 2 pi nearest to another angle.
-double nearest_turn(double angle, double near) { return angle + kTurn * std::round((near - angle) / kTurn); }
+double nearest_turn(double angle, double near) {
+  const double away = near - angle;
+  return std::abs(away) <= pi ? angle : angle + kTurn * std::round(away / kTurn);
+}
 
 // The nearest representation within the limits; without one, the nearest.
 double nearest_legal_turn(double angle, double near, edp::Range legal) {
@@ -204,7 +207,9 @@ edp::InverseSolution Kinematics::inverse(const Pose& T_0W, const AxisVector& nea
   elbow(best, c4, s4, plane.radius, height, n);
   if (!take_path_step(best.angles, n)) {
     take_legal_turns(best, n);
-    if (!wrist_singular && best.cost > pi / 2) {  // the other one is at least pi / 2 away
+    // What the other one costs at least. Half a turn of T is seldom within the limits.
+    const double other_theta4 = nearest_legal_turn(theta4 + pi, n.theta4, legal_.theta4);
+    if (!wrist_singular && cost(other_theta4, n.theta4, legal_.theta4) < best.cost) {
       Branch other{.angles = {plane.theta1, 0, 0, theta4 + pi, -q5, q6 + pi}};
       elbow(other, -c4, -s4, plane.radius, height, n);
       take_legal_turns(other, n);

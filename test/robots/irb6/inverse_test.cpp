@@ -79,8 +79,9 @@ TEST_P(Inverse, IsNeverNotANumber) {
     ASSERT_TRUE(s.joints.allFinite()) << s.joints.transpose();
     ASSERT_FALSE(std::isnan(s.missing));
     ASSERT_EQ(s.reached, s.missing == 0);
-    if (!T.p.allFinite() || !T.R.allFinite() || !near.allFinite()) {
-      ASSERT_FALSE(s.reached);
+    const auto sensible = [](const auto& x) { return ((x.array().abs() < 1e6).all()); };
+    if (!sensible(T.p) || !sensible(T.R) || !sensible(near)) {
+      ASSERT_EQ(s.missing, kInf);
     }
   }
 }

@@ -1,0 +1,66 @@
+#include "robots/irb6/config.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace mrroc::irb6 {
+namespace {
+
+std::unique_ptr<Arm> read_arm(const Config& table, std::string_view model) {
+  const auto name = table.choice<std::string_view>(
+      "model", model, {{"irb6_postument", "irb6_postument"}, {"irb6_track", "irb6_track"}});
+  const auto set = table.choice("kinematics", ParameterSet::nominal,
+                                {{"nominal", ParameterSet::nominal}, {"calibrated", ParameterSet::calibrated}});
+  return make_arm(name, set);
+}
+
+std::array<double, 6> numbers_of(const Pose& T) {
+  const AngleAxisPose r = angle_axis_from_pose(T);
+  std::array<double, 6> numbers;
+  std::ranges::copy(r, numbers.begin());
+  return numbers;
+}
+
+Pose read_pose(const Config& table, std::string_view key, const Pose& fallback) {
+  const auto r = table.numbers<6>(key, numbers_of(fallback), {-10, 10}, "m, rad");
+  return pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(r.data()));
+}
+
+}  // namespace
+
+DriverSetup read_driver(const Config& config, const std::string& key, std::string_view model,
+                        const std::vector<double>& synchro_joints) {
+  const Config table = config.section("robots." + key);
+  DriverSetup s;
+  s.arm = read_arm(table, model);
+  edp::DriverParameters& d = s.driver;
+  d.dt = config.number("time.dt", d.dt, {0.002, 0.002}, "s");
+  d.n_s = config.integer("time.n_s", d.n_s, {2, 32}, "steps");
+  d.stop_steps = table.integer("stop_steps", d.stop_steps, {1, 40}, "steps");
+  d.limits.linear_velocity = table.number("limits.linear_velocity", d.limits.linear_velocity, {0.001, 2}, "m/s");
+  d.limits.angular_velocity = table.number("limits.angular_velocity", d.limits.angular_velocity, {0.001, 5}, "rad/s");
+  d.force.T_WS = read_pose(table, "sensor_in_wrist", s.arm->sensor_in_wrist());
+  d.force.average = table.integer("force_average", d.force.average, {1, 4}, "readings");
+  d.T_WE = read_pose(table, "tool.pose", s.arm->tool_in_wrist());
+  const auto axes = static_cast<std::size_t>(s.arm->axes());
+  const auto given = synchro_joints.empty() ? std::optional<std::vector<double>>{} : std::optional(synchro_joints);
+  const auto joints = table.list("synchro_joints", given, {-10, 10}, "rad, m", axes);
+  d.synchro_joints = Eigen::Map<const Eigen::VectorXd>(joints.data(), static_cast<Eigen::Index>(joints.size()));
+  return s;
+}
+
+RobotModel read_tool(const Config& config, const std::string& key, std::string_view model) {
+  const Config table = config.section("robots." + key);
+  const auto arm = read_arm(table, model);
+  RobotModel m;
+  m.set_tool = true;
+  m.tool_representation = Representation::xyz_angle_axis;
+  const auto tool = table.numbers<6>("tool.pose", numbers_of(arm->tool_in_wrist()), {-10, 10}, "m, rad");
+  std::ranges::copy(tool, m.tool.begin());
+  m.set_force_tool = true;
+  m.weight = table.number("tool.weight", arm->parameters().tool_weight, {0, 50}, "N");
+  m.mass_centre = table.numbers<3>("tool.mass_centre", arm->parameters().tool_mass_centre, {-1, 1}, "m");
+  return m;
+}
+
+}  // namespace mrroc::irb6
