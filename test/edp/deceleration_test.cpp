@@ -1,0 +1,47 @@
+#include "edp/deceleration.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace mrroc::edp {
+namespace {
+
+TEST(Deceleration, SpeedFallsFromAllToNothingAndNeverRises) {
+  for (int n = 1; n <= kMaxStopSteps; ++n) {
+    EXPECT_EQ(remaining_speed(0, n), 1);
+    EXPECT_EQ(remaining_speed(n, n), 0);
+    EXPECT_EQ(speed_ratio(n, n), 0);
+    for (int k = 1; k <= n; ++k) EXPECT_LT(remaining_speed(k, n), remaining_speed(k - 1, n));
+  }
+}
+
+TEST(Deceleration, AccelerationHasNoStep) {
+  const int n = kMaxStopSteps;
+  double before = 0;
+  for (int k = 1; k <= n + 1; ++k) {
+    const double acceleration = k <= n ? remaining_speed(k, n) - remaining_speed(k - 1, n) : 0;
+    EXPECT_LE(std::abs(acceleration), 1.5 / n + 1e-12);
+    EXPECT_LE(std::abs(acceleration - before), 6.0 / (n * n) + 1e-12);
+    before = acceleration;
+  }
+}
+
+TEST(Deceleration, RatiosMultiplyToTheRemainingSpeed) {
+  double speed = 1;
+  for (int k = 1; k <= 40; ++k) {
+    speed *= speed_ratio(k, 40);
+    EXPECT_NEAR(speed, remaining_speed(k, 40), 1e-15);
+  }
+}
+
+TEST(Deceleration, StoppingWayIsTheSumOfAllSteps) {
+  for (int n = 1; n <= kMaxStopSteps; ++n) {
+    double way = 0;
+    for (int k = 1; k <= n; ++k) way += remaining_speed(k, n);
+    EXPECT_NEAR(stopping_way(n), way, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace mrroc::edp
