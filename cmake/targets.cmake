@@ -3,6 +3,10 @@
 # mrroc_test(NAME sources...)     a gtest suite that mirrors one folder
 include(GoogleTest)
 
+# What ./run builds for a task, and what it builds for the tests.
+add_custom_target(programs)
+add_custom_target(tests)
+
 add_library(mrroc_options INTERFACE)
 target_include_directories(mrroc_options INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_options(mrroc_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
@@ -34,11 +38,13 @@ endfunction()
 
 function(mrroc_program name)
   add_executable(${name} ${ARGN})
+  add_dependencies(programs ${name})
   target_link_libraries(${name} PRIVATE mrroc_options)
 endfunction()
 
 function(mrroc_test name)
   add_executable(${name} ${ARGN})
+  add_dependencies(tests ${name})
   target_link_libraries(${name} PRIVATE mrroc_options GTest::gtest_main)
   target_precompile_headers(${name} PRIVATE <gtest/gtest.h> <Eigen/Dense>)
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 900)
