@@ -1,18 +1,18 @@
-// The best rigid alignment of ink with a reference, by closest-point iteration.
+// The best rigid alignment of ink with a reference, by iterated nearest points.
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
+#include "base/spatial.hpp"
 #include "tasks/drawing/figures.hpp"
 
 namespace mrroc::drawing {
 namespace {
 
 constexpr double kMostSamples = 2000;    // more would only cost time
-constexpr int kMostIterations = 150;     // a bound; a few dozen are usual
-constexpr double kConverged = 1e-7;      // [mm] motion of the sheet's rim in one iteration
-constexpr double kStrideGrowth = 1.5;    // from one successful step to the next
+constexpr int kMostIterations = 100;     // a bound; a dozen are usual
+constexpr double kConverged = 1e-6;      // relative gain of an iteration that is not worth another
+constexpr double kOnStroke = 1e-9;       // [mm]
+constexpr double kDamping = 1e-6;        // of directions that the ink does not tell, as the turn of a circle
 constexpr double kRim = kSheetSize / 2;  // [mm]
 
 // Two strokes with the same number.
@@ -58,15 +58,43 @@ Rigid fit_by_length(const std::vector<Pair>& pairs) {
   return fit(from, to);
 }
 
-// How well a motion fits, and the better one that follows from it.
+// How well a motion fits, and two better ones that may follow from it.
 struct Trial {
   Rigid motion;
-  double square{std::numeric_limits<double>::infinity()};  // sum of squared distances [mm^2]
-  Rigid next;
+  double square{};  // sum of squared distances [mm^2]
+  Rigid matched;    // best for the nearest points as they are now: never worse, but short where strokes slide
+                    // along each other
+  Rigid newton;     // best if each point's stroke were straight: far fewer steps, but may be worse
+};
+
+// Distances as linear functions of a further motion (Gauss-Newton). Turns are measured as arcs at the sheet's
+// rim.
+class Linear {
+ public:
+  void add(const Point& turned, const Point& error) {
+    const double distance = error.norm();
+    if (distance < kOnStroke) return;  // no direction
+    const Point n = error / distance;
+    const Vector3 a(n.dot(Point(-turned.y(), turned.x())) / kRim, n.x(), n.y());
+    H_ += a * a.transpose();
+    g_ += a * distance;
+  }
+
+  [[nodiscard]] Rigid from(const Rigid& motion) const {
+    const Matrix3 damped = H_ + (kDamping * H_.trace() + 1e-12) * Matrix3::Identity();
+    const Vector3 step = damped.ldlt().solve(-g_);
+    return {motion.turn + step[0] / kRim, motion.shift + step.tail<2>()};
+  }
+
+ private:
+  Matrix3 H_{Matrix3::Zero()};
+  Vector3 g_{Vector3::Zero()};
 };
 
 Trial attempt(const std::vector<Pair>& pairs, const Rigid& motion) {
-  Trial trial{motion, 0, {}};
+  Trial trial;
+  trial.motion = motion;
+  Linear linear;
   Stroke from;
   Stroke to;
   for (const Pair& pair : pairs)
@@ -74,31 +102,23 @@ Trial attempt(const std::vector<Pair>& pairs, const Rigid& motion) {
       const Point moved = motion(p);
       from.push_back(p);
       to.push_back(pair.nearest(moved));
-      trial.square += (to.back() - moved).squaredNorm();
+      trial.square += (moved - to.back()).squaredNorm();
+      linear.add(moved - motion.shift, moved - to.back());
     }
-  trial.next = fit(from, to);
+  trial.matched = fit(from, to);
+  trial.newton = linear.from(motion);
   return trial;
 }
 
-// Each step never makes the sum larger, but is short where strokes slide along each other. Going farther in
-// its direction saves most of the way; where that fails, the plain step is taken.
 Trial iterate(const std::vector<Pair>& pairs, const Rigid& start) {
   Trial best = attempt(pairs, start);
-  double stride = 1;
   for (int k = 0; k < kMostIterations; ++k) {
-    const double turn = std::remainder(best.next.turn - best.motion.turn, 2 * std::numbers::pi);
-    const Point shift = best.next.shift - best.motion.shift;
-    if (kRim * std::abs(turn) + shift.norm() < kConverged) break;
-    const Trial trial =
-        attempt(pairs, {best.motion.turn + stride * turn, best.motion.shift + stride * shift});
-    if (trial.square < best.square) {
-      best = trial;
-      stride *= kStrideGrowth;
-    } else if (stride > 1) {
-      stride = 1;
-    } else {
-      break;  // down to rounding
-    }
+    Trial trial = attempt(pairs, best.newton);
+    if (!(trial.square < best.square)) trial = attempt(pairs, best.matched);
+    if (!(trial.square < best.square)) break;
+    const bool converged = trial.square > (1 - kConverged) * best.square;
+    best = trial;
+    if (converged) break;
   }
   return best;
 }

@@ -109,7 +109,7 @@ std::string panel_title(const std::string& text) {
 // At the left, which leaves room for the legend at the right.
 std::string left_title(const std::string& text) {
   return fmt::format(
-      "set label 1 \"{}\" at graph 0, graph 1.075 left font 'sans,13' textcolor rgb '#333a45'\n", text);
+      "set label 99 \"{}\" at graph 0, graph 1.075 left font 'sans,13' textcolor rgb '#333a45'\n", text);
 }
 
 // One curve over time in every panel of fig. 9 or 10.

@@ -154,7 +154,7 @@ TEST(Figures, TenMetresOfInkAreJudgedInAMoment) {  // the test's time limit is t
     reference[0].emplace_back(90 * u * std::cos(200 * u), 90 * u * std::sin(200 * u));
   }
   const InkFigures f = compare(moved(reference, {0.02, Point(1, 0)}), reference, Align::rigid);
-  EXPECT_LE(f.max_mm, 0.05);
+  EXPECT_LE(f.max_mm, 0.005);
 }
 
 }  // namespace
