@@ -80,7 +80,8 @@ Vector3 Hand::step(double dt, const Vector3& tip, const Vector3& velocity, bool 
   const Vector3 led = h.script.velocity();
   const Vector3 moving = h.R_0P.transpose() * velocity;
   return h.grip * (h.R_0P * (h.p.stiffness * (h.script.position() + shake - at) +
-                             h.p.damping * (led + shaking - moving) + h.p.drag * led));
+                             h.p.damping * (led + shaking - moving) + h.p.drag * led +
+                             h.p.inertia * h.script.acceleration()));
 }
 
 }  // namespace mrroc::sim

@@ -21,17 +21,19 @@ struct HandParameters {
   double travel_speed{0.03};     ///< largest above the paper [m/s]
   double acceleration{0.1};      ///< along and across the path [m/s^2]; slows curves down
   double corner{25};             ///< rests at corners sharper than this [deg]
-  double lowering_speed{0.015};  ///< [m/s]
+  double lowering_speed{0.012};  ///< [m/s]
   double lifting_speed{0.03};    ///< [m/s]
   double lift{0.010};            ///< height of travel above the paper [m]
   double uneven{0.004};          ///< amplitude of the uneven height of travel [m]
-  double dwell{0.35};            ///< rests so long after touching the paper [s]
+  double dwell{0.45};            ///< rests so long after touching the paper [s]
   double press{1.5};             ///< force on the paper that the operator aims at [N]
   double arm_press{1.0};         ///< part of it that the arm gives by itself (F_d of the teach-in) [N]
   double press_wander{0.25};     ///< relative standard deviation of that force
   double tremor{1e-4};           ///< per axis, rms [m]
   double tremor_frequency{8};    ///< [Hz]
-  double drag{200};              ///< known resistance of the arm to being led, 1/B of the teach-in [N s/m]
+  /// Resistance of the arm to being led, which the operator has learnt: 1/B of the teach-in [N s/m] ...
+  double drag{200};
+  double inertia{20};  ///< ... and its I [kg]
 };
 
 /// What the hand is doing.

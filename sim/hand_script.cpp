@@ -19,6 +19,7 @@ constexpr double kCornerRest = 0.1;  // shortest rest at a corner [s]
 constexpr double kAboveRest = 0.3;   // shortest rest above the paper [s]
 constexpr double kPatience = 1.5;    // longest rest, and longest wait for a lifted pen [s]
 constexpr double kLifted = 0.7;      // share of the lift from which on the pen counts as lifted
+constexpr double kPressing = 0.003;  // fastest change of the depth to which the hand presses [m/s]
 constexpr double kLeastPress = 0.2;  // share of the pressure that remains however it wanders
 
 }  // namespace
@@ -151,7 +152,8 @@ double HandScript::height_goal(double wander) const {
       return level_;
     case Stage::lower:
       return kDown;
-    case Stage::dwell:
+    case Stage::dwell:  // the arm does not press yet
+      return -p_.press / p_.stiffness;
     case Stage::draw:
     case Stage::corner:
       return -(p_.press * std::max(kLeastPress, 1 + wander) - p_.arm_press) / p_.stiffness;
@@ -164,7 +166,9 @@ double HandScript::height_goal(double wander) const {
 }
 
 void HandScript::move_height(double dt, double goal) {
-  const double most = pace_ * dt * (stage_ == Stage::lower ? p_.lowering_speed : p_.lifting_speed);
+  const bool on_paper = stage_ == Stage::dwell || stage_ == Stage::draw || stage_ == Stage::corner;
+  const double fastest = stage_ == Stage::lower ? p_.lowering_speed : on_paper ? kPressing : p_.lifting_speed;
+  const double most = pace_ * dt * fastest;
   target_ += std::clamp(goal - target_, -most, most);
   climb_ += dt * kSmoothing * (kSmoothing * (target_ - height_) - 2 * climb_);
   height_ += dt * climb_;
@@ -173,7 +177,10 @@ void HandScript::move_height(double dt, double goal) {
 void HandScript::step(double dt, const Vector3& tip, bool on_paper, double wander) {
   pace_ = std::clamp(pace_ + (paused_ ? -dt : dt) / kStop, 0.0, 1.0);
   since_ += pace_ * dt;
+  const Eigen::Vector2d speed_before = speed_;
   advance(dt, tip, on_paper);
+  change_ = (speed_ - speed_before) / dt;
+  if (change_.norm() > p_.acceleration) change_ *= p_.acceleration / change_.norm();
   move_height(dt, height_goal(wander));
 }
 

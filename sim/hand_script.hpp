@@ -35,6 +35,8 @@ class HandScript {
   [[nodiscard]] Vector3 position() const { return {place_.x(), place_.y(), height_}; }
   /// @return how it should move [m/s]
   [[nodiscard]] Vector3 velocity() const { return {speed_.x(), speed_.y(), climb_}; }
+  /// @return how its motion over the sheet changes [m/s^2]
+  [[nodiscard]] Vector3 acceleration() const { return {change_.x(), change_.y(), 0}; }
 
  private:
   enum class Stage : std::uint8_t { travel, above, lower, dwell, draw, corner, lift, hold };
@@ -63,10 +65,11 @@ class HandScript {
   double drawn_{}, total_{};  // length of the finished pieces and of all [m]
 
   HandPath path_;
-  double s_{};                                 // done of the path [m]
-  Eigen::Vector2d place_{0, 0}, speed_{0, 0};  // [m], [m/s]
-  double from_{}, level_{};                    // height of travel at its beginning and end [m]
-  double target_{}, height_{}, climb_{};       // height: limited in speed, smoothed, its speed
+  double s_{};                                  // done of the path [m]
+  Eigen::Vector2d place_{0, 0};                 // [m]
+  Eigen::Vector2d speed_{0, 0}, change_{0, 0};  // [m/s], [m/s^2]
+  double from_{}, level_{};                     // height of travel at its beginning and end [m]
+  double target_{}, height_{}, climb_{};        // height: limited in speed, smoothed, its speed
 };
 
 }  // namespace mrroc::sim

@@ -17,6 +17,8 @@ void ToolLoad::reset() {
 }
 
 void ToolLoad::update_motion() {
+  // Bullet computes the poses of links at the beginning of a step; here they are wanted after it.
+  arm_.body->forwardKinematics(rotations_, origins_);
   arm_.body->compTreeLinkVelocities(&turning_[0], &moving_[0]);
   motion_.T_UG = link_pose(*arm_.body, arm_.tool);
   motion_.velocity = motion_.T_UG.R * from_bullet(moving_[arm_.tool + 1]);

@@ -52,6 +52,8 @@ class ToolLoad {
   ToolMotion motion_;
   Vector3 contact_force_{Vector3::Zero()};
   btAlignedObjectArray<btVector3> turning_, moving_;  // of all links, in their frames
+  btAlignedObjectArray<btQuaternion> rotations_;      // work space
+  btAlignedObjectArray<btVector3> origins_;
 };
 
 }  // namespace mrroc::sim

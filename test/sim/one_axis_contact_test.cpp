@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <ostream>
+
+#include "robots/irb6/parameters.hpp"
+#include "test/sim/one_axis.hpp"
+#include "test/sim/statistics.hpp"
+
+namespace mrroc::sim {
+namespace {
+
+struct Case {
+  int axis;      // of the postument arm
+  double lever;  // from the axis to the pen while drawing [m]
+  double gear;   // there [rad/rad]
+};
+
+void PrintTo(const Case& c, std::ostream* out) { *out << irb6::kPostument.axes[c.axis].properties.name; }
+
+// The axis with the inertia for which its regulator was designed.
+OneAxis one_axis(const Case& c) {
+  const auto k = static_cast<std::size_t>(c.axis);
+  OneAxis a{irb6::kPostument.axes[k].properties, arm_parameters(ArmModel::irb6_postument).motors[k], 0,
+            c.lever / c.gear, 0.05};
+  const double time_constant = kStep / std::log(a.axis.regulator.b0 / a.axis.regulator.b1);
+  a.inertia = time_constant / mechanical_time_constant(a.motor, 1);
+  return a;
+}
+
+// Amplitude of the tip over that of a sinusoidal set position of 1 mm.
+double gain(const OneAxis& axis, double frequency) {
+  constexpr double kAmplitude = 1e-3;
+  constexpr int kSteps = 4000;
+  const double w = 2 * std::numbers::pi * frequency * kStep;
+  OneAxisRig rig(axis);
+  double set = 0, sine = 0, cosine = 0;
+  for (int k = 1; k <= kSteps; ++k) {
+    const double next = kAmplitude * std::sin(w * k);
+    rig.step(next - set);
+    set = next;
+    if (k <= kSteps / 2) continue;
+    sine += rig.tip() * std::sin(w * k);
+    cosine += rig.tip() * std::cos(w * k);
+  }
+  return std::hypot(sine, cosine) / (kSteps / 4.0) / kAmplitude;
+}
+
+class OneAxisContact : public testing::TestWithParam<Case> {};
+
+TEST_P(OneAxisContact, MotorsLetTheRegulatorHaveTheBandwidthItWasDesignedFor) {
+  const OneAxis axis = one_axis(GetParam());
+  EXPECT_NEAR(gain(axis, 2), 1, 0.15);
+  EXPECT_GT(gain(axis, 15), std::numbers::sqrt2 / 2);
+  EXPECT_LT(gain(axis, 40), std::numbers::sqrt2 / 2);
+}
+
+TEST_P(OneAxisContact, GuardedApproachSettlesAtVelocityOverB) {
+  OneAxisRig rig(one_axis(GetParam()));
+  rig.wall = 0.002;
+  double peak = 0;
+  for (int k = 0; k < 1500; ++k) {
+    rig.step(g(0.01, 20, 0.005));
+    peak = std::max(peak, rig.force());
+  }
+  Statistics force;
+  for (int k = 0; k < 1000; ++k) {
+    rig.step(g(0.01, 20, 0.005));
+    force.add(rig.force());
+  }
+  EXPECT_NEAR(force.mean(), 2, 0.03);
+  EXPECT_LT(peak, 6);
+}
+
+TEST_P(OneAxisContact, ForceOnPaperIsQuietDespiteFriction) {
+  OneAxisRig rig(one_axis(GetParam()));
+  rig.wall = 0.0005;
+  for (int k = 0; k < 1000; ++k) rig.step(g(0.01, 20, 0.005));
+  for (int k = 0; k < 1000; ++k) rig.step(c(1, 20, 0.005));
+  Statistics force;
+  for (int k = 0; k < 5000; ++k) {
+    rig.step(c(1, 20, 0.005));
+    force.add(rig.force());
+  }
+  EXPECT_NEAR(force.mean(), 1, 0.01);
+  EXPECT_LT(force.deviation(), 0.06);
+}
+
+INSTANTIATE_TEST_SUITE_P(AxesThatPressOrLead, OneAxisContact,
+                         testing::Values(Case{0, 0.90, 158}, Case{1, 0.455, 168}, Case{2, 0.67, 172},
+                                         Case{3, 0.31, 128}));
+
+}  // namespace
+}  // namespace mrroc::sim

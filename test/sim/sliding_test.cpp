@@ -1,0 +1,85 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "test/sim/driver.hpp"
+#include "test/sim/statistics.hpp"
+
+namespace mrroc::sim {
+namespace {
+
+constexpr int kLeftOut = 100;  // the first 0.2 s of a stroke
+
+// Both pens on the paper under 1 N, at rest.
+class Sliding : public testing::Test {
+ protected:
+  void SetUp() override {
+    cell_.prepare();
+    press(g(0.01, 20, 0.005), 1800);
+    press(c(1, 20, 0.005), 500);
+  }
+  void press(const AxisCommand& z, int steps) {
+    for (Driver& driver : cell_.drivers) driver.command.z = z;
+    cell_.run(steps);
+  }
+  void slide(double x, double y) {
+    for (Driver& driver : cell_.drivers) {
+      driver.command.x = u(x);
+      driver.command.y = u(y);
+    }
+  }
+
+  Cell cell_;
+};
+
+TEST_F(Sliding, KeepsOneNewtonInEveryDirection) {
+  constexpr double kSpeed = 0.02;
+  std::array<Statistics, 2> force;
+  for (int direction = 0; direction < 8; ++direction) {
+    const double angle = direction * std::numbers::pi / 4;
+    const double x = kSpeed * std::cos(angle), y = kSpeed * std::sin(angle);
+    slide(x, y);
+    cell_.run(kLeftOut);
+    cell_.run(600, [&] {
+      for (int arm = 0; arm < 2; ++arm)
+        force[static_cast<std::size_t>(arm)].add(cell_.world.truth(arm).paper_force);
+    });
+    slide(-x, -y);
+    cell_.run(700);
+  }
+  for (const Statistics& f : force) {
+    EXPECT_NEAR(f.mean(), 1, 0.02);
+    EXPECT_LT(f.deviation(), 0.12);
+    EXPECT_GT(f.least(), 0) << "the pen left the paper";
+  }
+}
+
+TEST_F(Sliding, FollowsACircle) {
+  constexpr double kSpeed = 0.02, kRadius = 0.02;
+  std::array<Statistics, 2> force, error;
+  int k = 0;
+  const auto circle = [&](bool record) {
+    return [&, record] {
+      const double angle = kSpeed / kRadius * kStep * ++k;
+      slide(kSpeed * std::cos(angle), kSpeed * std::sin(angle));
+      for (int arm = 0; arm < 2 && record; ++arm) {
+        const auto i = static_cast<std::size_t>(arm);
+        const Vector3 set = cell_.drivers[i].set_pose().p;
+        force[i].add(cell_.world.truth(arm).paper_force);
+        error[i].add((cell_.world.truth(arm).T_0E.p - set).head<2>().norm());
+      }
+    };
+  };
+  cell_.run(kLeftOut, circle(false));
+  cell_.run(3200, circle(true));
+  for (const Statistics& f : force) {
+    EXPECT_NEAR(f.mean(), 1, 0.02);
+    EXPECT_LT(f.deviation(), 0.12);
+  }
+  for (const Statistics& e : error) EXPECT_LT(e.most(), 3e-4);
+}
+
+}  // namespace
+}  // namespace mrroc::sim
