@@ -1,0 +1,248 @@
+// What a driver accepts, and that a refusal changes nothing.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "edp/automaton.hpp"
+#include "random_command.hpp"
+
+namespace mrroc::edp::test {
+namespace {
+
+EffectorCommand force_bias(Rig& rig) {
+  EffectorCommand c = rig.command(Instruction::set);
+  c.set = static_cast<std::uint8_t>(Part::force_bias);
+  return c;
+}
+
+EffectorCommand force_tool(Rig& rig, double weight, const std::array<double, 3>& centre) {
+  EffectorCommand c = rig.command(Instruction::set);
+  c.set = static_cast<std::uint8_t>(Part::robot_model);
+  c.robot_model.set_force_tool = true;
+  c.robot_model.weight = weight;
+  c.robot_model.mass_centre = centre;
+  return c;
+}
+
+EffectorCommand tool(Rig& rig) {
+  EffectorCommand c = rig.command(Instruction::set);
+  c.set = static_cast<std::uint8_t>(Part::robot_model);
+  c.robot_model.set_tool = true;
+  c.robot_model.tool = numbers_from_pose(Representation::frame, {Matrix3::Identity(), Vector3(0, 0, 0.2)});
+  return c;
+}
+
+/// Leads a new rig into a state. @return false when there is no way into it yet
+bool lead_into(Rig& rig, DriverState state) {
+  if (state == DriverState::homing) return false;
+  if (state != DriverState::not_synchronised) rig.synchronise();
+  if (state == DriverState::executing || state == DriverState::decelerating || state == DriverState::holding)
+    rig.macrostep(rig.velocity({u(0.05), u(), u(), u(), u(), u()}));
+  if (state == DriverState::decelerating) rig.silence(1);
+  if (state == DriverState::holding) rig.silence(5);
+  if (state == DriverState::faulted) {
+    rig.world.switches[2] = static_cast<std::uint8_t>(AxisSwitch::over_current);
+    rig.macrostep();
+    rig.world.switches[2] = 0;
+  }
+  EXPECT_EQ(rig.driver.state(), state);
+  return true;
+}
+
+TEST(DriverCommand, EveryRequestInEveryStateGetsTheAnswerOfTheTable) {
+  for (const StateRow& row : kStateTable)
+    for (std::size_t k = 0; k < kRequests; ++k) {
+      Rig rig;
+      if (!lead_into(rig, row.state)) continue;
+      EffectorCommand c;
+      switch (static_cast<Request>(k)) {
+        case Request::get:
+          c = rig.command(Instruction::get);
+          c.get = static_cast<std::uint8_t>(Part::arm);
+          break;
+        case Request::arm:
+          c = rig.velocity({});
+          break;
+        case Request::tool:
+          c = tool(rig);
+          break;
+        case Request::force_tool:
+          c = force_tool(rig, 1, {});
+          break;
+        case Request::synchro:
+          c = rig.command(Instruction::synchro);
+          break;
+      }
+      const EffectorReply reply = rig.macrostep(c);
+      const bool legal = row.answer[k] == FaultCode::none;
+      EXPECT_EQ(reply.verdict, legal ? Verdict::executed : Verdict::refused) << to_string(row.state) << k;
+      EXPECT_EQ(reply.fault.code, row.answer[k]) << to_string(row.state) << " " << k;
+    }
+}
+
+TEST(DriverCommand, BeforeSynchroTheDrivesBrakeAndAfterItTheyHoldTheKnownPose) {
+  DriverParameters p = Rig::parameters();
+  p.synchro_joints << 0.1, -0.2, 0.3, 0.4, -0.5, 0.6;
+  Rig rig(p);
+  rig.silence(3);
+  EXPECT_FALSE(rig.last.enabled);
+  EXPECT_EQ(rig.driver.state(), DriverState::not_synchronised);
+  const EffectorReply reply = rig.synchronise();
+  EXPECT_EQ(reply.verdict, Verdict::executed);
+  EXPECT_EQ(reply.state, DriverState::ready);
+  EXPECT_TRUE(rig.last.enabled);
+  for (int k = 0; k < FakeArm::kAxes; ++k) {
+    EXPECT_NEAR(reply.joints[static_cast<std::size_t>(k)], p.synchro_joints[k], 1e-12);
+    EXPECT_EQ(rig.last.pwm[static_cast<std::size_t>(k)], 0);
+  }
+  rig.silence(20);
+  EXPECT_LT((rig.driver.set_point().axes.joints - p.synchro_joints).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(DriverCommand, RelativeCommandRepeatedByItsNumberIsExecutedOnce) {
+  Rig rig;
+  rig.synchronise();
+  ArmCommand a;
+  a.mu = Interpolation::mim;
+  a.reference = Reference::relative;
+  a.representation = Representation::motors;
+  a.pose = {4};
+  const EffectorCommand c = rig.set_arm(a);
+  const EffectorReply first = rig.macrostep(c);
+  rig.silence(10);
+  const double motor = rig.driver.set_point().axes.motors[0];
+  for (int k = 0; k < 3; ++k) {
+    EffectorReply again = rig.macrostep(c);
+    EXPECT_EQ(again.number, first.number);
+    EXPECT_EQ(again.step, first.step) << "the reply stored then";
+    EXPECT_EQ(again.T_0E, first.T_0E);
+  }
+  EXPECT_EQ(rig.driver.set_point().axes.motors[0], motor);
+}
+
+TEST(DriverCommand, LostCommandNamesTheExpectedNumberAndTheSenderCanGoOn) {
+  Rig rig;
+  rig.synchronise();
+  EffectorCommand c = rig.velocity({u(0.01), u(), u(), u(), u(), u()});
+  c.number += 3;
+  const EffectorReply reply = rig.macrostep(c);
+  EXPECT_EQ(reply.verdict, Verdict::refused);
+  EXPECT_EQ(reply.fault.code, FaultCode::lost_command);
+  EXPECT_EQ(reply.expected, 2);
+  c.number = reply.expected;
+  EXPECT_EQ(rig.macrostep(c).verdict, Verdict::executed);
+}
+
+TEST(DriverCommand, QueryGivesTheReplyOfTheLastCommandAndMovesNothing) {
+  Rig rig;
+  rig.synchronise();
+  const EffectorReply moved = rig.macrostep(rig.velocity({u(0.05), u(), u(), u(), u(), u()}));
+  EffectorCommand q;
+  q.session = 7;
+  q.instruction = Instruction::query;
+  q.queried = moved.number;
+  const EffectorReply reply = rig.macrostep(q);
+  EXPECT_EQ(reply.number, moved.number);
+  EXPECT_EQ(reply.step, moved.step);
+  EXPECT_EQ(rig.driver.state(), DriverState::decelerating) << "a query is silence for the motion";
+  q.queried = 99;
+  EXPECT_EQ(rig.macrostep(q).fault.code, FaultCode::unknown_number);
+}
+
+TEST(DriverCommand, StartGuardRefusesLeftOversForItsSteps) {
+  DriverParameters p = Rig::parameters();
+  p.start_guard_steps = 125;
+  Rig rig(p);
+  EffectorCommand c = rig.command(Instruction::synchro);
+  for (int k = 0; k < 13; ++k) {
+    const EffectorReply reply = rig.macrostep(c);
+    EXPECT_EQ(reply.verdict, Verdict::refused) << k;
+    EXPECT_EQ(reply.fault.code, FaultCode::start_guard);
+  }
+  EXPECT_EQ(rig.macrostep(c).verdict, Verdict::executed);
+}
+
+TEST(DriverCommand, KeepAndReleaseAreSilence) {
+  Rig rig;
+  rig.synchronise();
+  rig.macrostep(rig.velocity({u(0.05), u(), u(), u(), u(), u()}));
+  EffectorCommand keep;
+  keep.session = 7;
+  keep.number = rig.number;
+  const EffectorReply reply = rig.macrostep(keep);
+  EXPECT_EQ(reply.verdict, Verdict::none);
+  EXPECT_EQ(reply.number, 0);
+  EXPECT_EQ(reply.state, DriverState::decelerating);
+  keep.instruction = Instruction::release;
+  rig.macrostep(keep);
+  EXPECT_FALSE(rig.driver.protocol().owner());
+  EffectorCommand other;
+  other.session = 8;
+  other.number = 1;
+  other.instruction = Instruction::get;
+  other.get = static_cast<std::uint8_t>(Part::arm);
+  EXPECT_EQ(rig.macrostep(other).verdict, Verdict::executed);
+}
+
+TEST(DriverCommand, ForceIsZeroAfterTheBiasWhateverTheToolAndTheOrientation) {
+  Rig rig;
+  rig.world.weight = 8;
+  rig.world.mass_centre = Vector3(0.01, -0.02, 0.1);
+  rig.world.sensor_offset = Wrench{{1, -2, 3, 0.1, 0.2, -0.3}};
+  rig.synchronise();
+  EXPECT_EQ(rig.macrostep(force_tool(rig, 8, {0.01, -0.02, 0.1})).verdict, Verdict::executed);
+  const TaskFrameCommand turn{u(), u(), u(), u(0.4), u(-0.3), u(0.5)};
+  for (int k = 0; k < 40; ++k) {
+    const EffectorReply reply = rig.macrostep(rig.velocity(turn));
+    ASSERT_LT(reply.F_a.vector().cwiseAbs().maxCoeff(), 1e-3) << "the encoders' resolution and no more";
+  }
+}
+
+TEST(DriverCommand, BiasZeroesTheForceAndIsRefusedInMotion) {
+  Rig rig;
+  rig.world.sensor_offset = Wrench{{1, -2, 3, 0.1, 0.2, -0.3}};
+  rig.synchronise();
+  EXPECT_NEAR(rig.silence(1).F_a[Axis::z], -3, 1e-9);
+  EXPECT_LT(rig.macrostep(force_bias(rig)).F_a.vector().cwiseAbs().maxCoeff(), 1e-9);
+  rig.macrostep(rig.velocity({u(0.05), u(), u(), u(), u(), u()}));
+  const EffectorReply reply = rig.macrostep(force_bias(rig));
+  EXPECT_EQ(reply.fault.code, FaultCode::not_at_rest);
+}
+
+TEST(DriverCommand, ReplyOfEveryMacrostepCarriesTheMeasurements) {
+  Rig rig;
+  rig.synchronise();
+  rig.world.stiffness[0] = 1000;
+  rig.world.T_0E_free.p.x() += 0.001;
+  const EffectorReply reply = rig.silence(2);
+  EXPECT_EQ(reply.verdict, Verdict::none);
+  EXPECT_NEAR(reply.F_a[Axis::x], -1, 1e-2);
+  EXPECT_NEAR(reply.T_0E[2], 0.1, 1e-9);
+  EXPECT_EQ(reply.expected, 2);
+}
+
+TEST(DriverCommand, SenselessParametersAreRefusedByName) {
+  const FakeArm arm;
+  const auto error = [&](auto change) -> std::string {
+    DriverParameters p = Rig::parameters();
+    change(p);
+    try {
+      Driver driver(arm, p);
+    } catch (const FaultError& e) {
+      EXPECT_EQ(e.fault().code, FaultCode::bad_configuration);
+      return e.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(error([](DriverParameters&) {}), "accepted");
+  EXPECT_NE(error([](DriverParameters& p) { p.dt = 0; }).find("dt"), std::string::npos);
+  EXPECT_NE(error([](DriverParameters& p) { p.n_s = 0; }).find("n_s"), std::string::npos);
+  EXPECT_NE(error([](DriverParameters& p) { p.stop_steps = 41; }).find("stop_steps"), std::string::npos);
+  EXPECT_NE(error([](DriverParameters& p) { p.synchro_joints.resize(3); }).find("synchro"),
+            std::string::npos);
+  EXPECT_NE(error([](DriverParameters& p) { p.T_WE.R *= 2; }).find("tool"), std::string::npos);
+  EXPECT_NE(error([](DriverParameters& p) { p.force.average = 5; }).find("average"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mrroc::edp::test
