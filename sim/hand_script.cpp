@@ -79,7 +79,7 @@ void HandScript::travel_to(const Eigen::Vector2d& point, double level) {
   enter(Stage::travel);
   path_ = HandPath({place_, point}, {p_.travel_speed, p_.acceleration});
   s_ = 0;
-  from_ = target_;
+  from_ = std::max(target_, level);
   level_ = level;
 }
 
@@ -113,7 +113,8 @@ void HandScript::advance(double dt, const Vector3& tip, bool on_paper) {
   const bool near = (tip.head<2>() - place_).norm() < kNear;
   const auto rested = [&](double least) { return (near && since_ > least) || since_ > kPatience; };
   switch (stage_) {
-    case Stage::travel:
+    case Stage::travel:  // a pen that is on the paper is lifted first
+      if (tip.z() < kLifted * level_ && since_ < kPatience) break;
       if (along_path(dt)) enter(Stage::above);
       break;
     case Stage::above:

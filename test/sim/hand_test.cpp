@@ -121,6 +121,14 @@ TEST_F(LedArm, BothArmsAreLedToAPointAboveThePaperAndStay) {
   EXPECT_LT(height.most(), 0.0115);
 }
 
+TEST_F(LedArm, IsLiftedBeforeItIsLedAwayFromThePaper) {
+  hand_.lead_along({{{-40, 0}, {40, 0}}});
+  while (hand_.status().fraction < 0.5) cell_.run(1, [&] { teach(); });
+  hand_.lead_to({0, 40}, 0.010);
+  ASSERT_LT(lead_to_the_end(5000), 5000);
+  for (const InkPoint& p : cell_.world.ink(0)) EXPECT_LT(std::abs(p.y), 2);
+}
+
 TEST_F(LedArm, IsLeftAloneAfterRelease) {
   hand_.lead_to({10, 10}, 0.01);
   cell_.run(1500);
