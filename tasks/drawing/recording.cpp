@@ -57,8 +57,8 @@ Recording read_nodes(Lines& lines, double macrostep_s) {
 
 Recording Recording::appended(const Node& node) const {
   Recording next = *this;
-  if (!nodes_ ||
-      nodes_->size() != size_) {  // none yet, or a later version owns the place behind the last node
+  const bool newest = nodes_ && nodes_->size() == size_;
+  if (!newest) {  // a later version owns the place behind the last node, or there is no buffer yet
     next.nodes_ = std::make_shared<std::vector<Node>>();
     if (nodes_) next.nodes_->assign(nodes_->begin(), nodes_->begin() + static_cast<std::ptrdiff_t>(size_));
   }

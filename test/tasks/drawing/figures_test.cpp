@@ -68,6 +68,17 @@ TEST(Figures, AlignmentFindsEveryRigidMotion) {
     }
 }
 
+TEST(Figures, AlignmentIsNotCaughtByNearSymmetry) {
+  Drawing gear(1);  // twelve teeth, one of them longer: every twelfth of a turn nearly fits
+  for (int k = 0; k <= 720; ++k) {
+    const double angle = 2 * M_PI * k / 720;
+    const double tooth = 8 * std::max(0.0, std::sin(12 * angle));
+    gear[0].push_back(Point(std::cos(angle), std::sin(angle)) * (40 + tooth * (k < 60 ? 1.3 : 1)));
+  }
+  for (const double turn : {M_PI / 6, M_PI / 2, -M_PI / 3})
+    EXPECT_LE(compare(moved(gear, {turn, Point(5, 5)}), gear, Align::rigid).max_mm, 0.001) << turn;
+}
+
 TEST(Figures, AlignmentNeverMirrorsAndNeverScales) {
   Drawing mirrored = mixture();
   for (Stroke& stroke : mirrored)
