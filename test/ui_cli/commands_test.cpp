@@ -1,0 +1,252 @@
+#include "ui_cli/commands.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "base/link/memory_bus.hpp"
+#include "base/link/session.hpp"
+#include "test/ui_cli/fake_task.hpp"
+#include "ui_cli/attach.hpp"
+
+namespace mrroc::test {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+/// The program, with tasks that live in this process.
+class Commands : public ::testing::Test {
+ protected:
+  Commands() {
+    std::string pattern = (fs::temp_directory_path() / "commands_test.XXXXXX").string();
+    home_ = ::mkdtemp(pattern.data());
+  }
+  ~Commands() override { fs::remove_all(home_); }
+
+  /// A task that answers and tells its status as long as it lives.
+  struct RunningTask {
+    RunningTask(Commands& test, const std::string& name)
+        : file({name, 7, link::address_for(name), "drawing", "/runs/" + name, 0}, test.home_ / "mrroc"),
+          bus(test.hub_.open()),
+          task(*bus, name, 7) {}
+    void start() {
+      thread = std::jthread([this](const std::stop_token& stop) {
+        while (!stop.stop_requested()) {
+          task.publish(drawing_status());
+          task.poll(2ms);
+        }
+      });
+    }
+    /// @return what it was told to do; ends it
+    std::vector<OperatorOrder> end() {
+      thread.request_stop();
+      thread.join();
+      return task.obeyed;
+    }
+    link::SessionFile file;
+    std::unique_ptr<link::Bus> bus;
+    FakeTask task;
+    std::jthread thread;
+  };
+
+  int run(std::vector<const char*> arguments) {
+    arguments.insert(arguments.begin(), "ui_cli");
+    out_.str("");
+    err_.str("");
+    return ui::run(static_cast<int>(arguments.size()), arguments.data(),
+                   {out_,
+                    err_,
+                    home_ / "mrroc",
+                    [this](const link::LcmAddress& address) {
+                      if (!multicast_) throw link::NoMulticast("no multicast route for " + address.url());
+                      opened_ = address.port;
+                      return hub_.open();
+                    },
+                    {.repeat = 5ms, .give_up = patience_}});
+  }
+  /// @return the last line on standard error
+  std::string error() {
+    std::string line, last;
+    for (std::istringstream in(err_.str()); std::getline(in, line);) last = line;
+    return last;
+  }
+
+  fs::path home_;
+  link::MemoryHub hub_;
+  std::ostringstream out_, err_;
+  bool multicast_{true};
+  int opened_{};
+  std::chrono::milliseconds patience_{10s};
+};
+
+TEST_F(Commands, OrdersReachTheOnlyTaskThatRuns) {
+  RunningTask task(*this, "one");
+  task.start();
+  EXPECT_EQ(run({"pause"}), 0) << error();
+  EXPECT_EQ(out_.str(), "pause accepted\n");
+  EXPECT_EQ(opened_, link::address_for("one").port);
+  for (const char* order : {"start", "resume", "trigger", "stop"}) EXPECT_EQ(run({order}), 0) << error();
+  EXPECT_EQ(task.end(), (std::vector{OperatorOrder::pause, OperatorOrder::start, OperatorOrder::resume,
+                                     OperatorOrder::trigger, OperatorOrder::stop}));
+}
+
+TEST_F(Commands, ARefusedOrderEndsWithOneAndTheReason) {
+  RunningTask task(*this, "one");
+  task.task.objection = [](OperatorOrder) { return "the task is running, only a paused one can be resumed"; };
+  task.start();
+  EXPECT_EQ(run({"resume"}), 1);
+  EXPECT_EQ(error(),
+            "error: illegal_in_state: resume refused: the task is running, only a paused one can be resumed; "
+            "look at the state with `ui_cli status`");
+  EXPECT_EQ(out_.str(), "");
+  EXPECT_EQ(run({"resume", "--json"}), 1);
+  EXPECT_EQ(nlohmann::json::parse(out_.str()).at("accepted"), false);
+}
+
+TEST_F(Commands, StatusShowsTheTask) {
+  RunningTask task(*this, "one");
+  task.start();
+  EXPECT_EQ(run({"status"}), 0) << error();
+  for (const char* part :
+       {"drawing: running", "m = 5, draw on the paper", "63 %, stroke 3 of 6", "12.34 s simulated", "arm1",
+        "F_z 1.02 N; paper_surface", "edp arm1", "/runs/drawing-1"})
+    EXPECT_NE(out_.str().find(part), std::string::npos) << part << " is not in\n" << out_.str();
+}
+
+TEST_F(Commands, StatusInJsonHasTheDocumentedKeys) {
+  RunningTask task(*this, "one");
+  task.start();
+  EXPECT_EQ(run({"status", "--json"}), 0) << error();
+  const auto j = nlohmann::json::parse(out_.str());
+  EXPECT_EQ(j.at("session"), "one");
+  EXPECT_EQ(j.at("task"), "drawing");
+  EXPECT_EQ(j.at("state"), "running");
+  EXPECT_EQ(j.at("m"), 5);
+  EXPECT_EQ(j.at("behaviour"), "draw on the paper");
+  EXPECT_EQ(j.at("waits_for_trigger"), false);
+  EXPECT_EQ(j.at("macrostep"), 617);
+  EXPECT_EQ(j.at("sim_s"), 12.34);
+  EXPECT_EQ(j.at("progress"), 0.63);
+  EXPECT_EQ(j.at("agents").at(0).at("T_0E").size(), 6U);
+  EXPECT_EQ(j.at("agents").at(1).at("F_a").at(2), 0.92);
+  EXPECT_EQ(j.at("processes").at(7).at("state"), "running");
+  EXPECT_EQ(j.at("last_message").at("code"), "none");
+}
+
+TEST_F(Commands, OptionsMayStandBeforeAndAfterTheCommand) {
+  RunningTask a(*this, "a"), b(*this, "b");
+  b.start();
+  EXPECT_EQ(run({"--session", "b", "pause"}), 0) << error();
+  EXPECT_EQ(run({"resume", "--session", "b"}), 0) << error();
+  EXPECT_EQ(b.end().size(), 2U);
+}
+
+TEST_F(Commands, NameTheCandidatesWhenSeveralTasksRun) {
+  RunningTask a(*this, "a"), b(*this, "b");
+  EXPECT_EQ(run({"pause"}), 2);
+  EXPECT_EQ(error(), "error: no_such_session: 2 tasks run: a, b; name one with --session NAME");
+  EXPECT_EQ(run({"pause", "--session", "c"}), 2);
+  EXPECT_NE(error().find("no task runs under the name c; these run: a, b; "), std::string::npos) << error();
+}
+
+TEST_F(Commands, SayHowToStartATaskWhenNoneRuns) {
+  for (const char* command : {"pause", "status", "watch"}) {
+    EXPECT_EQ(run({command}), 2);
+    EXPECT_EQ(error().find("error: no_such_session: no task runs; start one, for example with `./run "), 0U)
+        << error();
+  }
+  EXPECT_EQ(run({}), 2) << "without a command it is the full-screen view";
+}
+
+TEST_F(Commands, ReachATaskOfAnotherHostByItsUrl) {
+  RunningTask task(*this, "here");
+  const auto bus = hub_.open();
+  FakeTask far(*bus, "far", 99);
+  std::jthread thread([&](const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      far.publish(drawing_status());
+      far.poll(2ms);
+    }
+  });
+  EXPECT_EQ(run({"pause", "--session", "far", "--url", "udpm://239.255.76.67:7800?ttl=1"}), 0) << error();
+  EXPECT_EQ(opened_, 7800);
+  EXPECT_EQ(run({"pause", "--session", "far", "--url", "http://nowhere"}), 2);
+  EXPECT_EQ(run({"pause", "--url", "udpm://239.255.76.67:7800"}), 2) << "a url alone names no task";
+}
+
+TEST_F(Commands, AreThreeWhenTheTaskIsSilent) {
+  RunningTask task(*this, "hung");
+  patience_ = 30ms;
+  EXPECT_EQ(run({"pause"}), 3);
+  EXPECT_EQ(error().find("error: peer_silent: the task of session hung has not answered pause"), 0U)
+      << error();
+  EXPECT_EQ(run({"status"}), 3);
+}
+
+TEST_F(Commands, AreThreeWithoutMulticast) {
+  RunningTask task(*this, "one");
+  multicast_ = false;
+  EXPECT_EQ(run({"pause"}), 3);
+  EXPECT_EQ(error().find("error: no_multicast: "), 0U) << error();
+}
+
+TEST_F(Commands, ListWhatRuns) {
+  EXPECT_EQ(run({"list"}), 0);
+  EXPECT_EQ(out_.str(), "no task runs\n");
+  EXPECT_EQ(run({"list", "--json"}), 0);
+  EXPECT_EQ(nlohmann::json::parse(out_.str()), nlohmann::json::array());
+  RunningTask a(*this, "a"), b(*this, "b");
+  EXPECT_EQ(run({"list"}), 0);
+  EXPECT_NE(out_.str().find("/runs/b"), std::string::npos);
+  EXPECT_EQ(run({"list", "--json"}), 0);
+  const auto j = nlohmann::json::parse(out_.str());
+  ASSERT_EQ(j.size(), 2U);
+  EXPECT_EQ(j.at(0).at("session"), "a");
+  EXPECT_EQ(j.at(0).at("pid"), ::getpid());
+  EXPECT_EQ(link::LcmAddress::parse(j.at(0).at("url")).port, link::address_for("a").port);
+}
+
+TEST_F(Commands, RefuseABadCommandLineWithTwo) {
+  for (const std::vector<const char*>& line :
+       std::vector<std::vector<const char*>>{{"paws"},
+                                             {"pause", "resume"},
+                                             {"--speed", "3"},
+                                             {"pause", "--session"},
+                                             {"pause", "--session", "a b"}}) {
+    EXPECT_EQ(run(line), 2);
+    EXPECT_EQ(error().find("error: bad_usage: "), 0U) << error();
+  }
+}
+
+TEST_F(Commands, HelpNamesEveryCommandAndExitStatus) {
+  EXPECT_EQ(run({"--help"}), 0);
+  for (const char* part : {"status", "start", "pause", "resume", "trigger", "stop", "list", "watch",
+                           "--session", "--url", "--json", "Examples", "Exit status"})
+    EXPECT_NE(out_.str().find(part), std::string::npos) << part;
+  EXPECT_EQ(run({"pause", "--help"}), 0);
+}
+
+TEST_F(Commands, RefuseTheFullScreenWithoutATerminal) {
+  if (::isatty(STDIN_FILENO) != 0 && ::isatty(STDOUT_FILENO) != 0) GTEST_SKIP() << "this is a terminal";
+  RunningTask task(*this, "one");
+  EXPECT_EQ(run({"watch"}), 2);
+  EXPECT_EQ(error().find("error: bad_usage: the full-screen view needs a terminal"), 0U) << error();
+}
+
+TEST(ChooseSession, RefusesATaskThatNobodyOutsideCanReach) {
+  const std::vector<link::SessionInfo> running{{"quiet", 1, std::nullopt, "drawing", "/runs/1", 4711}};
+  try {
+    ui::choose_session({}, running);
+    FAIL();
+  } catch (const FaultError& e) {
+    EXPECT_EQ(e.fault().code, FaultCode::no_such_session);
+  }
+}
+
+}  // namespace
+}  // namespace mrroc::test

@@ -1,0 +1,247 @@
+#include "ui_cli/layout.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/link/text.hpp"
+#include "test/ui_cli/fake_task.hpp"
+
+namespace mrroc::test {
+namespace {
+
+using ui::Canvas;
+using ui::lay_out;
+using ui::Size;
+using ui::Style;
+using ui::View;
+
+constexpr Size kSmallTerminal{24, 80};
+
+View drawing() {
+  View v;
+  v.session = "drawing-1a2b";
+  v.snapshot = ui::snapshot(drawing_status(), v.session);
+  for (int k = 0; k < 100; ++k) v.forces.add(*v.snapshot);
+  v.messages = {{"mp", FaultCode::none, "all processes are ready"},
+                {"edp arm1", FaultCode::lost_command, "number 7 expected"}};
+  return v;
+}
+
+View largest() {
+  task_status_t m = drawing_status();
+  m.n_agents = 4;
+  m.n_processes = 16;
+  for (int k = 0; k < 16; ++k) link::put_text(m.process[k], "process " + std::to_string(k));
+  View v = drawing();
+  v.snapshot = ui::snapshot(m, v.session);
+  return v;
+}
+
+int row_of(const Canvas& c, const std::string& text) {
+  for (int row = 0; row < c.size().rows; ++row)
+    if (c.text(row).find(text) != std::string::npos) return row;
+  return -1;
+}
+
+/// @return the style of the first character of the text, wherever it stands
+Style style_of(const Canvas& c, const std::string& text) {
+  const int row = row_of(c, text);
+  EXPECT_GE(row, 0) << text << " is not to be seen in\n" << c.text();
+  return row < 0 ? Style::plain : c.cell(row, static_cast<int>(c.text(row).find(text))).style;
+}
+
+void expect_seen(const Canvas& c, const std::vector<std::string>& texts) {
+  for (const std::string& t : texts) EXPECT_GE(row_of(c, t), 0) << t << " is not to be seen in\n" << c.text();
+}
+
+std::string bars(const std::string& bar, int count) {
+  std::string text;
+  for (int k = 0; k < count; ++k) text += bar;
+  return text;
+}
+
+TEST(Layout, ShowsTheWholeTaskOnASmallTerminal) {
+  const Canvas c = lay_out(drawing(), kSmallTerminal);
+  expect_seen(c, {"drawing   session drawing-1a2b",
+                  "running",
+                  "m 5  draw on the paper",
+                  "i 617",
+                  "12.34 s simulated",
+                  "8.1 x",
+                  "after: both pens on the paper for 25 macrosteps",
+                  "63 %",
+                  "stroke 3 of 6",
+                  "812.3",
+                  "-250.0",
+                  "3.142",
+                  "1.02",
+                  "0.92",
+                  "paper_surface",
+                  "0 N",
+                  "world",
+                  "edp arm1",
+                  "vsp arm2",
+                  "all processes are ready",
+                  "edp arm1: lost_command: number 7 expected",
+                  "s start",
+                  "p pause",
+                  "r resume",
+                  "t trigger",
+                  "x stop",
+                  "q leave (the task goes on)"});
+}
+
+TEST(Layout, ShowsEveryAgentAndProcessOfTheLargestTaskOnASmallTerminal) {
+  const Canvas c = lay_out(largest(), kSmallTerminal);
+  for (int k = 0; k < 16; ++k) expect_seen(c, {"process " + std::to_string(k)});
+  EXPECT_EQ(row_of(c, "more"), -1) << c.text();
+  expect_seen(c, {"lost_command", "q leave"});
+}
+
+TEST(Layout, GivesALargeTerminalsRoomToChartsAndMessages) {
+  View v = drawing();
+  for (int k = 0; k < 30; ++k) v.messages.push_back({"mp", FaultCode::none, "line " + std::to_string(k)});
+  const Canvas small = lay_out(v, kSmallTerminal);
+  const Canvas large = lay_out(v, {50, 160});
+  const auto lines = [](const Canvas& c) {
+    int count = 0;
+    for (int row = 0; row < c.size().rows; ++row) count += c.text(row).find("mp: line") != std::string::npos;
+    return count;
+  };
+  EXPECT_GE(lines(small), 1);
+  EXPECT_GT(lines(large), lines(small) + 5);
+  EXPECT_GT(row_of(large, "PROCESS"), row_of(small, "PROCESS"));
+  expect_seen(large, {"F_x [N]", "line 29"});
+}
+
+TEST(Layout, KeepsStateNoticeAndKeysOnAnySize) {
+  View v = largest();
+  v.notice = {"stop the task for good? y/n", Style::warning};
+  for (int rows = 0; rows <= 60; ++rows)
+    for (const int columns : {0, 1, 20, 39, 40, 79, 80, 81, 200}) {
+      const Canvas c = lay_out(v, {rows, columns});
+      EXPECT_EQ(c.size(), (Size{rows, columns}));
+      if (columns < 40 || rows < 3) continue;
+      EXPECT_NE(c.text(0).find("running"), std::string::npos);
+      EXPECT_EQ(row_of(c, "stop the task for good? y/n"), rows - 2);
+      EXPECT_EQ(row_of(c, "s start"), rows - 1);
+    }
+}
+
+TEST(Layout, SaysWhenProcessesAreHiddenAndShowsTheTroubledOnes) {
+  View v = largest();
+  v.snapshot->processes[13].state = link::ProcessState::dead;
+  const Canvas c = lay_out(v, {18, 80});
+  expect_seen(c, {"process 13", "more"});
+  EXPECT_EQ(style_of(c, "dead"), Style::bad);
+}
+
+TEST(Layout, MarksAProcessThatHasNotBeenHeard) {
+  View v = drawing();
+  v.snapshot->processes[2].age = 7.5;
+  v.snapshot->processes[2].state = link::ProcessState::running;
+  const Canvas c = lay_out(v, kSmallTerminal);
+  const int row = row_of(c, "edp arm1 ");
+  EXPECT_NE(c.text(row).find("7.5 s"), std::string::npos);
+  EXPECT_EQ(c.cell(row, 1 + 22).style, Style::bad);
+}
+
+TEST(Layout, ShowsWhatCanBeDoneNow) {
+  View v = drawing();
+  v.snapshot->waits_for_trigger = true;
+  Canvas c = lay_out(v, kSmallTerminal);
+  EXPECT_EQ(style_of(c, "p pause"), Style::heading);
+  EXPECT_EQ(style_of(c, "t trigger"), Style::heading);
+  EXPECT_EQ(style_of(c, "r resume"), Style::dim);
+  EXPECT_EQ(style_of(c, "waits for your trigger"), Style::warning);
+  v.snapshot->state = TaskState::paused;
+  c = lay_out(v, kSmallTerminal);
+  EXPECT_EQ(style_of(c, "p pause"), Style::dim);
+  EXPECT_EQ(style_of(c, "t trigger"), Style::dim);
+  EXPECT_EQ(style_of(c, "r resume"), Style::heading);
+  v.snapshot->state = TaskState::ended;
+  EXPECT_EQ(style_of(lay_out(v, kSmallTerminal), "x stop"), Style::dim);
+}
+
+TEST(Layout, SaysThatTheTaskIsSilentInsteadOfItsLastState) {
+  View v = drawing();
+  v.silence = 3.4;
+  const Canvas c = lay_out(v, kSmallTerminal);
+  EXPECT_EQ(style_of(c, "NO NEWS FOR 3 s"), Style::bad);
+  v.snapshot->state = TaskState::ended;
+  EXPECT_EQ(row_of(lay_out(v, kSmallTerminal), "NO NEWS"), -1) << "a task that has ended may be silent";
+}
+
+TEST(Layout, SaysThatNoStatusHasComeYet) {
+  View v;
+  v.session = "s";
+  expect_seen(lay_out(v, kSmallTerminal), {"session s", "NO STATUS YET", "q leave"});
+}
+
+TEST(Layout, ColoursMessagesByTheirClass) {
+  View v = drawing();
+  v.messages = {{"mp", FaultCode::none, "information"},
+                {"edp arm1", FaultCode::lost_command, ""},
+                {"edp arm2", FaultCode::over_current, ""},
+                {"mp", FaultCode::process_died, ""}};
+  const Canvas c = lay_out(v, {30, 80});
+  EXPECT_EQ(style_of(c, "mp: information"), Style::plain);
+  EXPECT_EQ(style_of(c, "edp arm1: lost"), Style::warning);
+  EXPECT_EQ(style_of(c, "edp arm2: over"), Style::bad);
+  EXPECT_EQ(style_of(c, "mp: process_died"), Style::bad);
+}
+
+TEST(Layout, KeepsItsColumnsWhateverTheNumbersAre) {
+  View v = drawing();
+  const Canvas before = lay_out(v, kSmallTerminal);
+  for (const double value : {std::nan(""), HUGE_VAL, -1e300, 123456789.0, -0.0}) {
+    v.snapshot->agents[0].T_0E.fill(value);
+    v.snapshot->agents[0].F_a.fill(value);
+    v.snapshot->sim_time = value;
+    v.snapshot->speed = value;
+    v.forces.add(*v.snapshot);
+    const Canvas c = lay_out(v, kSmallTerminal);
+    EXPECT_EQ(c.text(row_of(c, "arm1")).find("paper_surface"),
+              before.text(row_of(before, "arm1")).find("paper_surface"))
+        << c.text();
+  }
+}
+
+TEST(Layout, CannotBeMadeToSpeakToTheTerminal) {
+  View v = drawing();
+  v.messages.push_back({"mp", FaultCode::none, "\x1b[2J\x07\n"});
+  const std::string text = lay_out(v, kSmallTerminal).text();
+  EXPECT_EQ(text.find('\x1b'), std::string::npos);
+  EXPECT_EQ(text.find('\x07'), std::string::npos);
+}
+
+TEST(Layout, DrawsTheForceOfEveryAgent) {
+  View v = drawing();
+  v.glyphs = ui::Glyphs::unicode;
+  const Canvas c = lay_out(v, kSmallTerminal);
+  // 1.02 N and 0.92 N of 2 N: the ninth and the eighth of the sixteen levels of two rows.
+  const int first = row_of(c, "arm1"), second = row_of(c, "arm2");
+  EXPECT_EQ(c.text(first + 1), " F_z      " + bars("▁", 59) + " 2");
+  EXPECT_EQ(c.text(first + 2), "          " + bars("█", 59) + " 0 N");
+  EXPECT_EQ(c.text(second + 1), " F_z" + std::string(66, ' ') + "2");
+  EXPECT_EQ(c.text(second + 2), "          " + bars("█", 59) + " 0 N");
+}
+
+TEST(Canvas, CutsOffWhatIsOutside) {
+  Canvas c({2, 5});
+  EXPECT_EQ(c.put(0, 3, "abc"), 6);
+  c.put(1, -2, "abc");
+  c.put(7, 0, "abc");
+  c.put_right(1, 5, "de");
+  EXPECT_EQ(c.text(), "   ab\nc  de\n");
+}
+
+TEST(Canvas, WritesUtf8) {
+  Canvas c({1, 4});
+  c.put(0, 0, U"aé█😀");
+  EXPECT_EQ(c.text(0), "aé█😀");
+}
+
+}  // namespace
+}  // namespace mrroc::test

@@ -1,0 +1,160 @@
+#include "ui_cli/panel.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/link/memory_bus.hpp"
+#include "base/link/text.hpp"
+#include "test/ui_cli/fake_task.hpp"
+
+namespace mrroc::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+class Panel : public ::testing::Test {
+ protected:
+  void press(int key) {
+    panel.key(key, now);
+    pass(10ms);
+  }
+  /// Lets both sides work for that time.
+  void pass(std::chrono::milliseconds time) {
+    for (const auto end = now + time; now < end; now += 10ms) {
+      task.poll();
+      client.receive(0ms);
+      panel.update(now);
+    }
+  }
+  void publish(TaskState state) {
+    task_status_t m = drawing_status();
+    m.state = static_cast<std::int32_t>(state);
+    task.publish(m);
+    pass(10ms);
+  }
+  /// @return the line above the keys
+  std::string notice() { return panel.picture({24, 160}, now).text(22); }
+  std::string screen() { return panel.picture({24, 160}, now).text(); }
+
+  link::MemoryHub hub;
+  std::unique_ptr<link::Bus> task_bus = hub.open();
+  std::unique_ptr<link::Bus> bus = hub.open();
+  FakeTask task{*task_bus, "s", 7};
+  ui::Client client{*bus, {"s", 7, {}, "drawing", "/runs/1", 4711}};
+  ui::Clock::time_point now{};
+  ui::Panel panel{*bus, client, ui::Glyphs::ascii, now};
+};
+
+TEST_F(Panel, GivesTheOrderOfEachKeyAndShowsTheAnswer) {
+  for (const auto& [key, order] : {std::pair{'s', OperatorOrder::start},
+                                   {'p', OperatorOrder::pause},
+                                   {'r', OperatorOrder::resume},
+                                   {'t', OperatorOrder::trigger}}) {
+    press(key);
+    ASSERT_FALSE(task.obeyed.empty()) << key;
+    EXPECT_EQ(task.obeyed.back(), order);
+    EXPECT_EQ(notice(), std::string(" ").append(to_string(order)).append(" accepted"));
+  }
+  EXPECT_EQ(task.obeyed.size(), 4U);
+}
+
+TEST_F(Panel, StopsOnlyAfterAYes) {
+  press('x');
+  EXPECT_NE(notice().find("y/n"), std::string::npos);
+  press('n');
+  EXPECT_EQ(notice(), " not stopped");
+  press('x');
+  press('q');
+  EXPECT_FALSE(panel.leaving()) << "any key but y means no";
+  EXPECT_TRUE(task.obeyed.empty());
+  press('y');
+  EXPECT_TRUE(task.obeyed.empty()) << "a y without the question means nothing";
+  press('x');
+  press('y');
+  EXPECT_EQ(task.obeyed, std::vector{OperatorOrder::stop});
+}
+
+TEST_F(Panel, ShowsTheReasonOfARefusal) {
+  task.objection = [](OperatorOrder) { return "the task is paused already"; };
+  press('p');
+  EXPECT_EQ(notice(), " pause refused: the task is paused already");
+}
+
+TEST_F(Panel, LeavesWithoutAnOrder) {
+  press('q');
+  EXPECT_TRUE(panel.leaving());
+  EXPECT_TRUE(task.heard.empty());
+}
+
+TEST_F(Panel, TakesControlCAsLeaving) {
+  press(3);
+  EXPECT_TRUE(panel.leaving());
+}
+
+TEST_F(Panel, IgnoresOtherKeys) {
+  for (const int key : std::initializer_list<int>{0, 27, 'z', 'Q', 410, 1000}) press(key);
+  EXPECT_FALSE(panel.leaving());
+  EXPECT_TRUE(task.heard.empty());
+}
+
+TEST_F(Panel, DoesNotGiveASecondOrderBeforeTheAnswer) {
+  task.deaf = 2;
+  press('p');
+  press('r');
+  EXPECT_NE(notice().find("not been answered"), std::string::npos);
+  pass(500ms);
+  EXPECT_EQ(task.obeyed, std::vector{OperatorOrder::pause});
+}
+
+TEST_F(Panel, StaysAndSaysSoWhenTheTaskDoesNotAnswer) {
+  task.deaf = 1000;
+  press('p');
+  pass(5100ms);
+  EXPECT_NE(notice().find("has not answered pause in 5 s; look whether its process 4711"), std::string::npos)
+      << notice();
+  EXPECT_FALSE(panel.leaving());
+}
+
+TEST_F(Panel, FollowsTheTask) {
+  publish(TaskState::running);
+  EXPECT_NE(screen().find(" running"), std::string::npos);
+  publish(TaskState::paused);
+  EXPECT_NE(screen().find(" paused"), std::string::npos);
+  pass(3s);
+  EXPECT_NE(screen().find("NO NEWS FOR 3 s"), std::string::npos);
+  publish(TaskState::ended);
+  pass(3s);
+  EXPECT_EQ(notice(), " the task has ended; q leaves");
+}
+
+TEST_F(Panel, ShowsWhatTheProcessesSay) {
+  publish(TaskState::running);
+  task.say("edp arm1", "motor 2 follows badly", static_cast<std::int32_t>(FaultCode::following_error));
+  task.say("nobody", "not of this system");
+  pass(10ms);
+  EXPECT_NE(screen().find("edp arm1: following_error: motor 2 follows badly"), std::string::npos);
+  EXPECT_EQ(screen().find("not of this system"), std::string::npos);
+}
+
+TEST_F(Panel, ShowsALineThatCameOverBothWaysOnce) {
+  publish(TaskState::running);
+  EXPECT_NE(screen().find("the pens are on the paper"), std::string::npos);
+  task.say("mp", "the second stroke begins");
+  pass(10ms);
+  task_status_t m = drawing_status();
+  link::put_text(m.last_message, "mp: the second stroke begins");
+  task.publish(m);
+  pass(10ms);
+  const std::string text = screen();
+  const auto first = text.find("the second stroke begins");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_EQ(text.find("the second stroke begins", first + 1), std::string::npos) << text;
+}
+
+TEST_F(Panel, DropsANoticeAfterAWhile) {
+  press('p');
+  pass(9s);
+  EXPECT_EQ(notice(), "");
+}
+
+}  // namespace
+}  // namespace mrroc::test

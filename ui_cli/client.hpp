@@ -1,0 +1,105 @@
+// A terminal's connection with a running task: its status, and orders to it.
+#pragma once
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/link/bus.hpp"
+#include "base/link/session.hpp"
+#include "base/operator.hpp"
+#include "mrroc/operator_answer_t.hpp"
+#include "mrroc/task_status_t.hpp"
+#include "ui_cli/snapshot.hpp"
+
+namespace mrroc::ui {
+
+using Clock = std::chrono::steady_clock;
+
+/// How long a terminal waits.
+struct Patience {
+  std::chrono::milliseconds repeat{100};    ///< between the sendings of an order that is not answered
+  std::chrono::milliseconds give_up{5000};  ///< until a task that says nothing is given up
+};
+
+/// What the task said to an order.
+struct Answer {
+  OperatorOrder order{};
+  bool accepted{};
+  std::string text;  ///< reason of a refusal, or what was done; printable ASCII
+};
+
+/// Sends orders to a task and hears its status. An order has a random number and is sent again and again
+/// until the task answers that number; the task answers every sending and obeys once. All of it goes through
+/// Group::agents, on the channels SESSION.operator, SESSION.answer and SESSION.task_status. Used by one
+/// thread; nothing in here looks at a clock but order() and await_status().
+class Client {
+ public:
+  /// @param bus must outlive the client
+  /// @param session of the task; id 0: unknown, it is taken from the first status that comes
+  Client(link::Bus& bus, link::SessionInfo session, Patience patience = {});
+  Client(const Client&) = delete;
+  Client& operator=(const Client&) = delete;
+
+  [[nodiscard]] const link::SessionInfo& session() const { return session_; }
+
+  /// Takes in what has come, waits for the first message if there is none.
+  void receive(std::chrono::milliseconds timeout) { bus_.wait(timeout); }
+
+  /// @return how many status messages have come; it grows with each
+  [[nodiscard]] std::int64_t news() const { return status_.count; }
+  /// @return the newest status, or nothing before the first
+  [[nodiscard]] std::optional<Snapshot> status() const;
+
+  /// Begins with an order. One at a time: not while pending().
+  void begin(OperatorOrder order, Clock::time_point now);
+  /// @return whether an order waits for its answer
+  [[nodiscard]] bool pending() const { return pending_.has_value(); }
+  /// Sends the order when it is time, and looks for the answer. Call it often.
+  /// @return the answer, once
+  /// @throws Failure peer_silent, once, when no answer has come for Patience::give_up
+  std::optional<Answer> poll(Clock::time_point now);
+
+  /// Gives an order and waits for its answer.
+  /// @throws Failure peer_silent
+  Answer order(OperatorOrder order);
+  /// Waits for the first status.
+  /// @throws Failure peer_silent
+  Snapshot await_status();
+
+ private:
+  struct StatusSink final : link::Sink {
+    void receive(std::string_view channel, std::span<const std::uint8_t> bytes) noexcept override;
+    std::int64_t session{};  ///< 0: of the first that comes
+    std::int64_t count{};
+    task_status_t newest{};
+  };
+  struct AnswerSink final : link::Sink {
+    void receive(std::string_view channel, std::span<const std::uint8_t> bytes) noexcept override;
+    std::int64_t session{};
+    std::int64_t wanted{};  ///< number of the order, 0: none
+    std::optional<operator_answer_t> found;
+  };
+  struct Pending {
+    OperatorOrder order{};
+    std::int64_t id{};
+    Clock::time_point since;
+    std::optional<Clock::time_point> sent;
+  };
+
+  void send();
+  [[noreturn]] void give_up(const std::string& waited_for) const;
+
+  link::Bus& bus_;
+  link::SessionInfo session_;
+  Patience patience_;
+  StatusSink status_;
+  AnswerSink answer_;
+  std::optional<Pending> pending_;
+  std::int64_t number_{};
+};
+
+}  // namespace mrroc::ui

@@ -1,0 +1,150 @@
+#include "ui_cli/commands.hpp"
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <ostream>
+#include <string>
+
+#include "ui_cli/attach.hpp"
+#include "ui_cli/failure.hpp"
+#include "ui_cli/report.hpp"
+#include "ui_cli/watch.hpp"
+
+namespace mrroc::ui {
+namespace {
+
+constexpr const char* kAbout =
+    "The operator's terminal: shows a running task and gives it orders.\n"
+    "Without a command: the full-screen view.";
+
+constexpr const char* kFooter =
+    "\nExamples:\n"
+    "  ./run drawing --attended        start a task that waits for its operator\n"
+    "  ui_cli                          look at it, in another terminal\n"
+    "  ui_cli start                    let it begin\n"
+    "  ui_cli pause && ui_cli resume   hold it for a moment\n"
+    "  ui_cli status --json            for scripts\n"
+    "  ui_cli list                     what runs here\n"
+    "  ui_cli stop --session NAME      when several tasks run\n"
+    "\nExit status:\n"
+    "  0  done\n"
+    "  1  the task refused the order\n"
+    "  2  bad usage, or no such session\n"
+    "  3  system error: the task is silent, or there is no multicast\n"
+    "On 1 to 3 the last line on standard error is  error: CODE: what happened; what to do";
+
+constexpr const char* kCommandFooter =
+    "\nEvery command takes --session NAME, --url URL and --json; see `ui_cli --help`.";
+
+struct OrderHelp {
+  OperatorOrder order;
+  const char* help;
+};
+constexpr std::array<OrderHelp, 5> kOrders{{
+    {OperatorOrder::start, "Let a task begin that waits for its operator"},
+    {OperatorOrder::pause, "Let the task's time stand still; its arms come to rest and keep their forces"},
+    {OperatorOrder::resume, "Go on after a pause"},
+    {OperatorOrder::trigger, "End a behaviour that waits for the operator"},
+    {OperatorOrder::stop, "Stop the task for good; its arms come to rest"},
+}};
+
+/// A connection with the session that the user meant.
+struct Connection {
+  Connection(const Wish& wish, const Surroundings& around)
+      : Connection(choose_session(wish, link::running_sessions(around.sessions)), around) {}
+
+  std::unique_ptr<link::Bus> bus;
+  Client client;
+
+ private:
+  Connection(const link::SessionInfo& session, const Surroundings& around)
+      : bus(around.open(*session.address)), client(*bus, session, around.patience) {}
+};
+
+struct CommandLine {
+  Wish wish;
+  bool json{};
+  std::function<void()> command;  ///< throws what goes wrong
+};
+
+void add_commands(CLI::App& app, CommandLine& line, const Surroundings& around) {
+  const auto look = [&line, &around] {
+    Connection c(line.wish, around);
+    watch(*c.bus, c.client);
+  };
+  line.command = look;
+  app.add_subcommand("watch", "Full-screen view (the default)")->callback([&line, look] {
+    line.command = look;
+  });
+  app.add_subcommand("status", "Show the task, its processes and its agents once")->callback([&] {
+    line.command = [&] {
+      const Snapshot s = Connection(line.wish, around).client.await_status();
+      around.out << (line.json ? status_json(s) : status_text(s));
+    };
+  });
+  app.add_subcommand("list", "List the tasks that run on this host")->callback([&] {
+    line.command = [&] {
+      const auto running = link::running_sessions(around.sessions);
+      around.out << (line.json ? sessions_json(running) : sessions_text(running));
+    };
+  });
+  for (const OrderHelp& o : kOrders)
+    app.add_subcommand(std::string(to_string(o.order)), o.help)->callback([&, order = o.order] {
+      line.command = [&, order] {
+        const Answer answer = Connection(line.wish, around).client.order(order);
+        if (line.json) around.out << answer_json(answer);
+        if (!answer.accepted)
+          throw FaultError(FaultCode::illegal_in_state,
+                           std::string(to_string(order)) + " refused: " + answer.text);
+        if (!line.json) around.out << answer_text(answer);
+      };
+    });
+}
+
+int fail(const Surroundings& around, FaultCode code, const std::string& error_line) {
+  around.out << std::flush;
+  around.err << error_line << std::endl;
+  return exit_status(code);
+}
+
+int fail(const Surroundings& around, FaultCode code, const std::exception& cause) {
+  return fail(around, code, FaultError(code, cause.what()).error_line());
+}
+
+}  // namespace
+
+int run(int argc, const char* const* argv, const Surroundings& around) {
+  CommandLine line;
+  CLI::App app(kAbout, "ui_cli");
+  app.require_subcommand(0, 1);
+  app.fallthrough();
+  app.add_option("--session", line.wish.session, "Name of the session; not needed when one task runs")
+      ->type_name("NAME");
+  app.add_option("--url", line.wish.url, "Where a task of another host talks: udpm://HOST:PORT?ttl=N")
+      ->type_name("URL");
+  app.add_flag("--json", line.json, "Print JSON (status, list and orders)");
+  app.footer(kCommandFooter);  // inherited by the commands
+  add_commands(app, line, around);
+  app.footer(kFooter);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& e) {
+    return app.exit(e, around.out, around.err);
+  } catch (const CLI::Error& e) {
+    return fail(around, FaultCode::bad_usage, e);
+  }
+  try {
+    line.command();
+    return 0;
+  } catch (const Failure& e) {
+    return fail(around, e.fault().code, e.error_line());
+  } catch (const FaultError& e) {
+    return fail(around, e.fault().code, e.error_line());
+  } catch (const link::NoMulticast& e) {
+    return fail(around, FaultCode::no_multicast, e);
+  } catch (const std::exception& e) {
+    return fail(around, FaultCode::internal_error, e);
+  }
+}
+
+}  // namespace mrroc::ui

@@ -1,0 +1,141 @@
+#include "ui_cli/layout_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mrroc::ui {
+namespace {
+
+// Columns after the last character of a table's entry, counted from 0.
+constexpr int kName = 10;
+constexpr int kNumber = 8;
+constexpr int kForce = kName + 3 * kNumber + 9;
+constexpr int kSensor = kForce + 2;  // first column
+constexpr int kRotation = kSensor + 14;
+constexpr int kAngle = 7;
+constexpr int kSideForce = kRotation + 3 * kAngle;
+
+constexpr double kLeastForce = 2;  // upper edge of a chart [N]; the pen's force is 1 N
+
+constexpr int kProcessWidth = 40;
+constexpr double kOldAge = 2;  // [s]; processes tell that they live twice a second
+
+bool usual(const ProcessView& p) {
+  const bool alive = p.state == link::ProcessState::running || p.state == link::ProcessState::ready ||
+                     p.state == link::ProcessState::starting;
+  return p.state == link::ProcessState::done || (alive && p.age <= kOldAge);
+}
+
+Style style_of(const ProcessView& p) {
+  if (p.state == link::ProcessState::done) return Style::dim;
+  if (!usual(p)) return Style::bad;
+  return p.state == link::ProcessState::running ? Style::good : Style::warning;
+}
+
+Style style_of(FaultCode code) {
+  if (code == FaultCode::none) return Style::plain;
+  return class_of(code) == FaultClass::non_fatal ? Style::warning : Style::bad;
+}
+
+void put_agent(Canvas& c, int row, const AgentView& a) {
+  c.put(row, 1, a.name.substr(0, kName - 1));
+  for (int k = 0; k < 3; ++k) {
+    const auto axis = static_cast<std::size_t>(k);
+    c.put_right(row, kName + (k + 1) * kNumber, fixed(1e3 * a.T_0E[axis], 1));
+    c.put_right(row, kRotation + (k + 1) * kAngle, fixed(a.T_0E[axis + 3], 3));
+  }
+  c.put_right(row, kForce, fixed(a.F_a[2], 2), Style::heading);
+  c.put(row, kSensor, a.sensor.substr(0, kRotation - kSensor));
+  for (int k = 0; k < 2; ++k)
+    c.put_right(row, kSideForce + (k + 1) * kNumber, fixed(a.F_a[static_cast<std::size_t>(k)], 2));
+}
+
+void put_chart(Rows& rows, const View& view, const AgentView& a, int height) {
+  constexpr int kScale = 11;  // such as " -0.5..20 N"
+  const int width = rows.canvas().size().columns - kName - kScale;
+  const StripChart chart = strip_chart(view.forces.F_z(a.name), width, height, view.glyphs, kLeastForce);
+  for (std::size_t k = 0; k < chart.rows.size(); ++k) {
+    const int row = rows.take();
+    if (k == 0) rows.canvas().put(row, 1, a.m != 0 ? fmt::format("F_z m {}", a.m) : "F_z", Style::dim);
+    const int end = rows.canvas().put(row, kName, chart.rows[k], Style::good);
+    std::string edge = k == 0 ? fmt::format("{:g}", chart.high) : "";
+    if (k + 1 == chart.rows.size())
+      edge = (height == 1 ? fmt::format("{:g}..", chart.low) + edge : fmt::format("{:g}", chart.low)) + " N";
+    rows.canvas().put(row, end + 1, edge, Style::dim);
+  }
+}
+
+}  // namespace
+
+std::string fixed(double value, int decimals) {
+  if (std::isfinite(value) && std::abs(value) >= 1e6) return fmt::format("{:.0e}", value);
+  const std::string text = fmt::format("{:.{}f}", value, decimals);
+  const bool zero = std::isfinite(value) && text.find_first_of("123456789") == std::string::npos;
+  return zero && text.front() == '-' ? text.substr(1) : text;
+}
+
+int process_rows(const Snapshot& s, int columns) {
+  const int beside = std::max(1, columns / kProcessWidth);
+  return (static_cast<int>(s.processes.size()) + beside - 1) / beside;
+}
+
+void put_agents(Rows& rows, const View& view, int chart_height) {
+  Canvas& c = rows.canvas();
+  const int title = rows.take();
+  c.put(title, 1, "AGENT", Style::heading);
+  constexpr std::array<std::string_view, 3> kAxes{"x [mm]", "y [mm]", "z [mm]"};
+  for (int k = 0; k < 3; ++k)
+    c.put_right(title, kName + (k + 1) * kNumber, kAxes[static_cast<std::size_t>(k)], Style::heading);
+  c.put_right(title, kForce, "F_z [N]", Style::heading);
+  c.put(title, kSensor, "SENSOR", Style::heading);
+  c.put_right(title, kRotation + 3 * kAngle, "rotation [rad]", Style::heading);
+  c.put_right(title, kSideForce + kNumber, "F_x [N]", Style::heading);
+  c.put_right(title, kSideForce + 2 * kNumber, "F_y [N]", Style::heading);
+  for (const AgentView& a : view.snapshot->agents) {
+    put_agent(c, rows.take(), a);
+    put_chart(rows, view, a, chart_height);
+  }
+}
+
+void put_processes(Rows& rows, const Snapshot& s) {
+  Canvas& c = rows.canvas();
+  const int columns = std::max(1, c.size().columns / kProcessWidth);
+  const int title = rows.take();
+  for (int k = 0; k < columns; ++k)
+    c.put(title, k * kProcessWidth + 1, "PROCESS               STATE      HEARD", Style::heading);
+  const int available = std::min(rows.left(), process_rows(s, c.size().columns));
+  const std::size_t places = static_cast<std::size_t>(available) * static_cast<std::size_t>(columns);
+  std::vector<ProcessView> shown = s.processes;
+  const std::size_t hidden = places < shown.size() ? shown.size() - places + 1 : 0;
+  if (hidden > 0) {
+    std::ranges::stable_partition(shown, [](const ProcessView& p) { return !usual(p); });
+    shown.resize(places > 0 ? places - 1 : 0);
+  }
+  int row = -1;
+  for (std::size_t k = 0; k < places; ++k) {
+    const auto place = static_cast<int>(k) % columns;
+    if (place == 0) row = rows.take();
+    const int left = place * kProcessWidth + 1;
+    if (k == shown.size() && hidden > 0) c.put(row, left, fmt::format("and {} more", hidden), Style::dim);
+    if (k >= shown.size()) continue;
+    const ProcessView& p = shown[k];
+    c.put(row, left, p.name.substr(0, 21));
+    c.put(row, left + 22, to_string(p.state), style_of(p));
+    c.put_right(row, left + kProcessWidth - 2, fixed(p.age, 1) + " s", Style::dim);
+  }
+}
+
+void put_messages(Rows& rows, const std::vector<Message>& messages) {
+  if (rows.left() > 1) rows.canvas().put(rows.take(), 1, "MESSAGES", Style::heading);
+  const std::size_t count = std::min(messages.size(), static_cast<std::size_t>(rows.left()));
+  for (std::size_t k = messages.size() - count; k < messages.size(); ++k) {
+    const Message& m = messages[k];
+    std::string text = m.process.empty() ? "" : m.process + ": ";
+    if (m.code != FaultCode::none) text += std::string(to_string(m.code)) + ": ";
+    rows.canvas().put(rows.take(), 1, text + m.text, style_of(m.code));
+  }
+}
+
+}  // namespace mrroc::ui

@@ -1,0 +1,43 @@
+// The tables of the full-screen view: agents, processes, messages.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ui_cli/canvas.hpp"
+#include "ui_cli/layout.hpp"
+
+namespace mrroc::ui {
+
+/// Rows of a canvas that are given out from the top; after the last one there are none that can be seen.
+class Rows {
+ public:
+  /// @param next first row; @param limit row after the last one
+  Rows(Canvas& canvas, int next, int limit) : canvas_(canvas), next_(next), limit_(limit) {}
+
+  [[nodiscard]] Canvas& canvas() { return canvas_; }
+  [[nodiscard]] int left() const { return next_ < limit_ ? limit_ - next_ : 0; }
+  /// @return the next row; one outside of the canvas when there is none
+  int take() { return next_ < limit_ ? next_++ : -1; }
+  void skip(int count) { next_ += count; }
+
+ private:
+  Canvas& canvas_;
+  int next_;
+  int limit_;
+};
+
+/// @return the number with that many decimals, a power of ten when it is too large to be read, or "nan",
+/// "inf"
+std::string fixed(double value, int decimals);
+
+/// @return rows that put_processes wants below its heading
+int process_rows(const Snapshot& s, int columns);
+
+/// Pose, force and sensor of every agent, and below each the chart of F_z.
+void put_agents(Rows& rows, const View& view, int chart_height);
+/// State and age of every process. When there is too little room, those that do not simply run come first.
+void put_processes(Rows& rows, const Snapshot& s);
+/// The newest messages that there is room for.
+void put_messages(Rows& rows, const std::vector<Message>& messages);
+
+}  // namespace mrroc::ui

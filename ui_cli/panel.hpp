@@ -1,0 +1,43 @@
+// The full-screen view without a screen: keys and status go in, a picture comes out.
+#pragma once
+#include <optional>
+
+#include "base/operator.hpp"
+#include "ui_cli/client.hpp"
+#include "ui_cli/layout.hpp"
+#include "ui_cli/message_log.hpp"
+
+namespace mrroc::ui {
+
+/// What the operator does at a full screen. Looks at no clock: every function is told the time, which must
+/// not decrease.
+class Panel {
+ public:
+  /// @param bus that of the client; both must outlive the panel
+  Panel(link::Bus& bus, Client& client, Glyphs glyphs, Clock::time_point now);
+
+  /// A key: s start, p pause, r resume, t trigger, x stop (asks for y), q leave. Others do nothing; while the
+  /// panel asks, any other than y means no.
+  void key(int key, Clock::time_point now);
+  /// Takes what the client has heard, and sends what has to be sent. Call it often.
+  void update(Clock::time_point now);
+
+  /// @return whether the operator wants to leave
+  [[nodiscard]] bool leaving() const { return leaving_; }
+  [[nodiscard]] Canvas picture(Size size, Clock::time_point now);
+
+ private:
+  void give(OperatorOrder order, Clock::time_point now);
+  void notice(std::string text, Style style, Clock::time_point now);
+
+  Client& client_;
+  MessageLog log_;
+  View view_;
+  std::int64_t news_{};
+  Clock::time_point heard_;
+  Clock::time_point noticed_;
+  bool asks_{};
+  bool leaving_{};
+};
+
+}  // namespace mrroc::ui

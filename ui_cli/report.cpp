@@ -1,0 +1,107 @@
+#include "ui_cli/report.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace mrroc::ui {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string dump(const Json& j) { return j.dump(2, ' ', true, Json::error_handler_t::replace) + "\n"; }
+
+std::string row(std::string_view name, const std::string& value) {
+  return value.empty() ? std::string() : fmt::format("{:<10} {}\n", name, value);
+}
+
+}  // namespace
+
+std::string status_text(const Snapshot& s) {
+  std::string text = row("session", s.session);
+  text += row("task", fmt::format("{}: {}{}", s.task, to_string(s.state),
+                                  s.waits_for_trigger ? ", waits for a trigger" : ""));
+  if (s.m != 0 || !s.behaviour.empty()) text += row("behaviour", fmt::format("m = {}, {}", s.m, s.behaviour));
+  text += row("after", s.ended_because);
+  if (s.progress)
+    text += row("progress", fmt::format("{:.0f} %{}{}", 100 * *s.progress,
+                                        s.progress_text.empty() ? "" : ", ", s.progress_text));
+  else
+    text += row("progress", s.progress_text);
+  text += row("time", fmt::format("{:.2f} s simulated, {:.1f} x real time", s.sim_time, s.speed));
+  for (const AgentView& a : s.agents) {
+    text += row(a.name, fmt::format("x, y, z {:.1f} {:.1f} {:.1f} mm; rotation {:.3f} {:.3f} {:.3f} rad; F_z "
+                                    "{:.2f} N{}{}",
+                                    1e3 * a.T_0E[0], 1e3 * a.T_0E[1], 1e3 * a.T_0E[2], a.T_0E[3], a.T_0E[4],
+                                    a.T_0E[5], a.F_a[2], a.sensor.empty() ? "" : "; ", a.sensor));
+  }
+  std::string heading = "processes";
+  for (const ProcessView& p : s.processes) {
+    text += row(heading, fmt::format("{:<20} {:<9} heard {:.1f} s ago", p.name, to_string(p.state), p.age));
+    heading.clear();
+  }
+  text += row("message", s.last_code == FaultCode::none
+                             ? s.last_message
+                             : fmt::format("{}: {}", to_string(s.last_code), s.last_message));
+  text += row("run folder", s.run_folder);
+  return text;
+}
+
+std::string status_json(const Snapshot& s) {
+  Json j{{"session", s.session},
+         {"task", s.task},
+         {"state", to_string(s.state)},
+         {"m", s.m},
+         {"behaviour", s.behaviour},
+         {"ended_because", s.ended_because},
+         {"waits_for_trigger", s.waits_for_trigger},
+         {"macrostep", s.macrostep},
+         {"sim_s", s.sim_time},
+         {"speed", s.speed},
+         {"progress", nullptr},
+         {"progress_text", s.progress_text},
+         {"agents", Json::array()},
+         {"processes", Json::array()},
+         {"last_message", {{"code", to_string(s.last_code)}, {"text", s.last_message}}},
+         {"run_folder", s.run_folder}};
+  if (s.progress) j["progress"] = *s.progress;
+  for (const AgentView& a : s.agents)
+    j["agents"].push_back(
+        {{"name", a.name}, {"m", a.m}, {"T_0E", a.T_0E}, {"F_a", a.F_a}, {"sensor", a.sensor}});
+  for (const ProcessView& p : s.processes)
+    j["processes"].push_back({{"name", p.name}, {"state", to_string(p.state)}, {"age_s", p.age}});
+  return dump(j);
+}
+
+std::string sessions_text(const std::vector<link::SessionInfo>& sessions) {
+  if (sessions.empty()) return "no task runs\n";
+  std::string text = fmt::format("{:<24} {:<14} {:>7}  {}\n", "SESSION", "TASK", "PROCESS", "RUN FOLDER");
+  for (const auto& s : sessions)
+    text += fmt::format("{:<24} {:<14} {:>7}  {}\n", s.name, s.task, s.pid, s.run_folder.string());
+  return text;
+}
+
+std::string sessions_json(const std::vector<link::SessionInfo>& sessions) {
+  Json j = Json::array();
+  for (const auto& s : sessions) {
+    j.push_back({{"session", s.name},
+                 {"task", s.task},
+                 {"pid", s.pid},
+                 {"id", s.id},
+                 {"url", nullptr},
+                 {"run_folder", s.run_folder.string()}});
+    if (s.address)
+      j.back()["url"] = fmt::format("udpm://{}:{}?ttl={}", s.address->host, s.address->port, s.address->ttl);
+  }
+  return dump(j);
+}
+
+std::string answer_text(const Answer& answer) {
+  return (answer.text.empty() ? fmt::format("{} accepted", to_string(answer.order)) : answer.text) + "\n";
+}
+
+std::string answer_json(const Answer& answer) {
+  return dump({{"order", to_string(answer.order)}, {"accepted", answer.accepted}, {"text", answer.text}});
+}
+
+}  // namespace mrroc::ui

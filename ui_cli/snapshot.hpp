@@ -1,0 +1,58 @@
+// What a task told about itself at one moment, as the terminal uses it.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/fault.hpp"
+#include "base/link/process.hpp"
+#include "base/operator.hpp"
+#include "mrroc/task_status_t.hpp"
+
+namespace mrroc::ui {
+
+/// One embodied agent.
+struct AgentView {
+  std::string name;
+  int m{};                       ///< its behaviour, 0: it has none of its own
+  std::array<double, 6> T_0E{};  ///< pose of E in the arm's base [m], angle-axis [rad]
+  std::array<double, 6> F_a{};   ///< adjusted force in E [N], [N m]
+  std::string sensor;            ///< reading of its virtual sensor, such as the pen's state; may be empty
+};
+
+/// One process.
+struct ProcessView {
+  std::string name;
+  link::ProcessState state{};  ///< a number without a name is shown as "?"
+  double age{};                ///< [s] since it was last heard
+};
+
+/// A task_status_t whose counts, numbers of enumerators and texts have been checked. Values can be anything,
+/// also not finite. Texts are printable ASCII.
+struct Snapshot {
+  std::string session;
+  std::int64_t session_id{};
+  std::string task;
+  TaskState state{};  ///< a number without a name is shown as "?"
+  bool waits_for_trigger{};
+  int m{};  ///< behaviour of the coordinator, 0: none yet
+  std::string behaviour;
+  std::string ended_because;  ///< why the behaviour before it ended
+  std::int64_t macrostep{};   ///< 0: not told
+  double sim_time{};          ///< [s]
+  double speed{};             ///< simulated time per time
+  std::optional<double> progress;
+  std::string progress_text;
+  std::vector<AgentView> agents;       ///< at most 4
+  std::vector<ProcessView> processes;  ///< at most 16
+  FaultCode last_code{};
+  std::string last_message;
+  std::string run_folder;
+};
+
+/// @param m any bytes that have the size of a message
+Snapshot snapshot(const task_status_t& m, const std::string& session);
+
+}  // namespace mrroc::ui

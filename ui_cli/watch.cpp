@@ -1,0 +1,35 @@
+#include "ui_cli/watch.hpp"
+
+#include "ui_cli/panel.hpp"
+#include "ui_cli/terminal.hpp"
+
+namespace mrroc::ui {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kRedraw = 100ms;
+constexpr auto kKeys = 20ms;  // a key waits no longer than this
+
+}  // namespace
+
+void watch(link::Bus& bus, Client& client) {
+  Terminal terminal;
+  Panel panel(bus, client, terminal.glyphs(), Clock::now());
+  Clock::time_point redraw = Clock::now();
+  while (!panel.leaving()) {
+    client.receive(kKeys);
+    Clock::time_point now = Clock::now();
+    bool pressed = false;
+    while (const auto key = terminal.key()) {
+      panel.key(*key, now);
+      pressed = true;
+    }
+    panel.update(now);
+    if (!pressed && now < redraw) continue;
+    redraw = now + kRedraw;
+    terminal.show(panel.picture(terminal.size(), now));
+  }
+}
+
+}  // namespace mrroc::ui

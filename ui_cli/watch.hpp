@@ -1,0 +1,12 @@
+// The full-screen view.
+#pragma once
+#include "base/link/bus.hpp"
+#include "ui_cli/client.hpp"
+
+namespace mrroc::ui {
+
+/// Shows the task ten times a second until the operator leaves. The task goes on.
+/// @throws Failure bad_usage when standard input or output is no terminal
+void watch(link::Bus& bus, Client& client);
+
+}  // namespace mrroc::ui
