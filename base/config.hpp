@@ -4,7 +4,7 @@
 //   cfg.set("sim.paper.stiffness=2e4");
 //   p.stiffness = cfg.number("sim.paper.stiffness", 1e4, {100, 1e6}, "N/m");
 //   p.clock = cfg.choice("clock", Clock::step, {{"step", Clock::step}, {"wall", Clock::wall}});
-//   p.weight = cfg.number("robots.arm1.tool.weight", Config::required, {0, 100}, "N");
+//   p.weight = cfg.number("robots.arm1.tool.weight", Config::kRequired, {0, 100}, "N");
 //   cfg.check_all_used();
 //   write("config.toml", cfg.dump());
 //
@@ -70,7 +70,7 @@ struct ConfigStore;
 class Config {
  public:
   /// Stands for "no default": the key must be in a file or a --set option.
-  static constexpr std::nullopt_t required = std::nullopt;
+  static constexpr std::nullopt_t kRequired = std::nullopt;
 
   /// An empty configuration: every parameter has its default.
   Config();

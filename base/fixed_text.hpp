@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <string_view>
 
@@ -14,10 +15,11 @@ struct FixedText {
 
   constexpr FixedText() = default;
   /// Copies the text; what does not fit is cut off.
-  constexpr FixedText(std::string_view text) {  // NOLINT(google-explicit-constructor): stands for a text
-    std::copy_n(text.begin(), std::min(text.size(), N), data.begin());
+  template <std::convertible_to<std::string_view> T>
+  constexpr FixedText(const T& text) {  // NOLINT(google-explicit-constructor): stands for a text
+    const std::string_view view = text;
+    std::copy_n(view.begin(), std::min(view.size(), N), data.begin());
   }
-  constexpr FixedText(const char* text) : FixedText(std::string_view(text)) {}
 
   /// @return the characters before the first zero; valid as long as this object
   [[nodiscard]] constexpr std::string_view view() const {

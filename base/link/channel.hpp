@@ -2,6 +2,8 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -99,6 +101,36 @@ class Inbox final : public Sink {
   std::int64_t newest_{};
   std::int64_t newest_stamp_{};
   Counters counters_;
+};
+
+/// Receives one channel and keeps every message until it is taken; for lines of text and for channels with
+/// several senders, whose numbers say nothing.
+template <FixedMessage M>
+class Queue final : public Sink {
+ public:
+  Queue(Bus& bus, const Route& route, std::int64_t session) : session_(session) {
+    bus.subscribe(route, *this);
+  }
+  Queue(const Queue&) = delete;
+  Queue& operator=(const Queue&) = delete;
+
+  /// @return the oldest message that has not been taken, or nothing
+  std::optional<M> take() {
+    if (messages_.empty()) return std::nullopt;
+    const M m = messages_.front();
+    messages_.pop_front();
+    return m;
+  }
+
+  void receive(std::string_view, std::span<const std::uint8_t> bytes) noexcept override {
+    const auto m = decode<M>(bytes);
+    if (m && m->header.session == session_ && messages_.size() < kMost) messages_.push_back(*m);
+  }
+
+ private:
+  static constexpr std::size_t kMost = 10000;
+  std::int64_t session_;
+  std::deque<M> messages_;
 };
 
 /// What a process can do with any of its outboxes.

@@ -9,8 +9,9 @@ namespace {
 std::unique_ptr<Arm> read_arm(const Config& table, std::string_view model) {
   const auto name = table.choice<std::string_view>(
       "model", model, {{"irb6_postument", "irb6_postument"}, {"irb6_track", "irb6_track"}});
-  const auto set = table.choice("kinematics", ParameterSet::nominal,
-                                {{"nominal", ParameterSet::nominal}, {"calibrated", ParameterSet::calibrated}});
+  const auto set =
+      table.choice("kinematics", ParameterSet::nominal,
+                   {{"nominal", ParameterSet::nominal}, {"calibrated", ParameterSet::calibrated}});
   return make_arm(name, set);
 }
 
@@ -37,15 +38,19 @@ DriverSetup read_driver(const Config& config, const std::string& key, std::strin
   d.dt = config.number("time.dt", d.dt, {0.002, 0.002}, "s");
   d.n_s = config.integer("time.n_s", d.n_s, {2, 32}, "steps");
   d.stop_steps = table.integer("stop_steps", d.stop_steps, {1, 40}, "steps");
-  d.limits.linear_velocity = table.number("limits.linear_velocity", d.limits.linear_velocity, {0.001, 2}, "m/s");
-  d.limits.angular_velocity = table.number("limits.angular_velocity", d.limits.angular_velocity, {0.001, 5}, "rad/s");
+  d.limits.linear_velocity =
+      table.number("limits.linear_velocity", d.limits.linear_velocity, {0.001, 2}, "m/s");
+  d.limits.angular_velocity =
+      table.number("limits.angular_velocity", d.limits.angular_velocity, {0.001, 5}, "rad/s");
   d.force.T_WS = read_pose(table, "sensor_in_wrist", s.arm->sensor_in_wrist());
   d.force.average = table.integer("force_average", d.force.average, {1, 4}, "readings");
   d.T_WE = read_pose(table, "tool.pose", s.arm->tool_in_wrist());
   const auto axes = static_cast<std::size_t>(s.arm->axes());
-  const auto given = synchro_joints.empty() ? std::optional<std::vector<double>>{} : std::optional(synchro_joints);
+  const auto given =
+      synchro_joints.empty() ? std::optional<std::vector<double>>{} : std::optional(synchro_joints);
   const auto joints = table.list("synchro_joints", given, {-10, 10}, "rad, m", axes);
-  d.synchro_joints = Eigen::Map<const Eigen::VectorXd>(joints.data(), static_cast<Eigen::Index>(joints.size()));
+  d.synchro_joints =
+      Eigen::Map<const Eigen::VectorXd>(joints.data(), static_cast<Eigen::Index>(joints.size()));
   return s;
 }
 
@@ -61,6 +66,17 @@ RobotModel read_tool(const Config& config, const std::string& key, std::string_v
   m.weight = table.number("tool.weight", arm->parameters().tool_weight, {0, 50}, "N");
   m.mass_centre = table.numbers<3>("tool.mass_centre", arm->parameters().tool_mass_centre, {-1, 1}, "m");
   return m;
+}
+
+link::Injection read_command_link(const Config& config, const std::string& key) {
+  const Config table = config.section("robots." + key + ".command_link");
+  link::Injection i;
+  i.loss = table.number("loss", i.loss, {0, 1});
+  i.duplication = table.number("duplication", i.duplication, {0, 1});
+  i.delay = table.number("delay", i.delay, {0, 1});
+  i.max_delay = table.integer("max_delay", i.max_delay, {1, link::Injection::kMaxDelay}, "macrosteps");
+  i.seed = static_cast<std::uint64_t>(config.integer<std::int64_t>("seed", 1));
+  return i;
 }
 
 }  // namespace mrroc::irb6

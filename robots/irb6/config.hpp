@@ -4,6 +4,7 @@
 
 #include "base/config.hpp"
 #include "base/effector_command.hpp"
+#include "base/link/injection.hpp"
 #include "edp/driver_parameters.hpp"
 #include "robots/irb6/arm.hpp"
 
@@ -17,12 +18,16 @@ struct DriverSetup {
 
 /// @param key             of the arm, e.g. "arm1"
 /// @param model           fallback for the robot's name
-/// @param synchro_joints  fallback for the joints at which SYNCHRO finds the arm [rad], track [m]; empty: must be given
+/// @param synchro_joints  fallback for the joints at which SYNCHRO finds the arm [rad], track [m]; empty:
+/// must be given
 /// @throws ConfigError
 DriverSetup read_driver(const Config& config, const std::string& key, std::string_view model,
                         const std::vector<double>& synchro_joints);
 
 /// @return tool and force tool that a control subsystem sets before the task, from [robots.ARM.tool]
 RobotModel read_tool(const Config& config, const std::string& key, std::string_view model);
+
+/// @return faults made on purpose on the link ARM.command, from [robots.ARM.command_link]
+link::Injection read_command_link(const Config& config, const std::string& key);
 
 }  // namespace mrroc::irb6

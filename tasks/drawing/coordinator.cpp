@@ -149,6 +149,7 @@ Orders replay(const X& x) {  // (46), tab. 4
 // --- terminal conditions
 // -------------------------------------------------------------------------------------------
 
+bool may_start(const X& x) { return x.T.h.started && x.T.agent[0].ready && x.T.agent[1].ready; }
 bool touched_paper(const X& x) { return on_paper(x, 0); }           // (38)
 bool triggered(const X& x) { return x.T.h.trigger > x.c.trigger; }  // (41), (43)
 bool settled(const X& x) {                                          // (45)
@@ -166,6 +167,9 @@ TaskFrameCommand at_pace(TaskFrameCommand frame, double pace) {
   for (const Axis a : kAxes) frame[a].velocity *= pace;
   return frame;
 }
+
+const Motion<Coordinator> kWaitForStart{0,       "wait for start",  retain,   in_time, nothing,
+                                        nothing, both<0, kBlocked>, may_start};
 
 // clang-format off
 const std::array<Motion<Coordinator>, 7> kCoordinator{{

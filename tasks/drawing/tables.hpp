@@ -27,6 +27,9 @@ inline constexpr TaskFrameCommand kAbovePaper{.x = u(), .y = u(), .z = u(), .ax 
 /// The coordinator's behaviours m = 1..7, index m - 1.
 extern const std::array<Motion<Coordinator>, 7> kCoordinator;
 
+/// m = 0: the arms stand still until both agents are ready and the operator has given start.
+extern const Motion<Coordinator> kWaitForStart;
+
 /// The agents' only behaviour: copying, until the task is over (MS 34-36).
 extern const Motion<Arm> kTransparent;
 

@@ -1,0 +1,78 @@
+#include "base/link/child_main.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+
+#include "base/link/lcm_bus.hpp"
+
+namespace mrroc::link {
+namespace {
+
+int complain(const FaultError& e) {
+  fmt::print(stderr, "{}\n", e.error_line());
+  return exit_status(e.fault().code);
+}
+
+int run(const Membership& membership, const std::string& url, const std::string& config_file,
+        const PartArguments& arguments, const PartBody& body) {
+  const Config config = Config::load(config_file);
+  const auto bus = open_lcm(LcmAddress::parse(url));
+  Process process(*bus, membership);
+  try {
+    body(process, config, arguments);
+    return 0;
+  } catch (const FaultError& e) {
+    process.report_fault(e.fault());
+    return complain(e);
+  } catch (const std::exception& e) {
+    process.report_fault({.code = FaultCode::internal_error, .text = e.what()});
+    return complain(FaultError(FaultCode::internal_error, e.what()));
+  }
+}
+
+}  // namespace
+
+int child_main(int argc, char** argv, const std::string& about, const PartBody& body) {
+  std::signal(SIGINT, SIG_IGN);  // the task's own program decides
+  Membership membership;
+  PartArguments arguments;
+  std::string url = LcmAddress{}.url();
+  std::string config_file;
+  std::string clock = "step";
+
+  CLI::App app{about + "\nA task starts it; by hand it joins a system that waits for it."};
+  app.add_option("--session", membership.session, "name of the system")->required();
+  app.add_option("--session-id", membership.session_id, "number of the run")->required();
+  app.add_option("--url", url, "where the system talks: udpm://HOST:PORT?ttl=N")->required();
+  app.add_option("--name", membership.name, "of this process in the roster")->required();
+  app.add_option("--roster", membership.roster, "all processes, the task's own first")
+      ->required()
+      ->delimiter(',');
+  app.add_option("--config", config_file, "the run's config.toml")->required();
+  app.add_option("--clock", clock, "step or wall")->check(CLI::IsMember({"step", "wall"}));
+  app.add_option("--arm", arguments.arm, "which arm it belongs to");
+  app.add_option("--robot", "the robot's model, for the reader of the process list");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp& e) {
+    return app.exit(e);
+  } catch (const CLI::ParseError& e) {
+    return complain(FaultError(FaultCode::bad_usage, e.what()));
+  }
+  membership.clock = clock == "wall" ? ClockKind::wall : ClockKind::step;
+  try {
+    return run(membership, url, config_file, arguments, body);
+  } catch (const FaultError& e) {
+    return complain(e);
+  } catch (const NoMulticast& e) {
+    return complain(FaultError(FaultCode::no_multicast, e.what()));
+  } catch (const std::exception& e) {
+    return complain(FaultError(FaultCode::bad_usage, e.what()));
+  }
+}
+
+}  // namespace mrroc::link

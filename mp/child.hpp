@@ -1,0 +1,40 @@
+// Child processes of a task.
+#pragma once
+#include <sys/types.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mrroc::mp {
+
+/// A started program. It ends when this process ends, however that happens.
+class Child {
+ public:
+  /// @param program    path of the executable
+  /// @throws FaultError start_failed
+  Child(const std::filesystem::path& program, const std::vector<std::string>& arguments);
+  ~Child();
+  Child(Child&& other) noexcept;
+  Child& operator=(Child&&) = delete;
+
+  /// @return how it ended ("exit status 3", "signal 9 (Killed)"), or nothing while it runs
+  [[nodiscard]] const std::optional<std::string>& ended() const { return ended_; }
+  /// @return whether it ended with exit status 0
+  [[nodiscard]] bool ended_well() const { return well_; }
+  /// Looks whether it has ended. @return whether it is news
+  bool reap();
+  /// Ends it at once.
+  void kill();
+
+ private:
+  pid_t pid_{};
+  std::optional<std::string> ended_;
+  bool well_{};
+};
+
+/// @return folder of the running program
+std::filesystem::path program_folder();
+
+}  // namespace mrroc::mp

@@ -1,0 +1,91 @@
+// The coordinator's links to the embodied agents, and to the operator as a fourth agent.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/link/process.hpp"
+#include "base/motion.hpp"
+#include "base/operator.hpp"
+#include "base/transmission.hpp"
+#include "mrroc/agent_order_t.hpp"
+#include "mrroc/agent_report_t.hpp"
+
+namespace mrroc::mp {
+
+/// The operator h as the coordinator's partner: gives his image once per macrostep, and learns what goes on.
+class OperatorAgent {
+ public:
+  virtual ~OperatorAgent() = default;
+  /// Says what macrostep i is about.
+  /// @param m         behaviour of the coordinator
+  /// @param finished  the task is over
+  virtual void inform(std::int64_t i, int m, bool finished) = 0;
+  /// @return whether everything that image(i) needs has come
+  [[nodiscard]] virtual bool here(std::int64_t i) const = 0;
+  /// @return x_cT_0h of macrostep i; called once per macrostep
+  virtual OperatorImage image(std::int64_t i) = 0;
+};
+
+/// Sends orders and receives reports once per macrostep; the same rules as ecp::ArmLinks.
+class CoordinatorLinks {
+ public:
+  /// @param arms      channels ARM.order and ARM.report
+  /// @param human   must outlive the links
+  CoordinatorLinks(link::Process& process, const std::vector<std::string>& arms, OperatorAgent& human);
+
+  /// Publishes the defined messages of macrostep 1 and receives the first images.
+  Outcome begin(const Order& order);
+  /// Sends what is for macrostep i + 1, one order per arm.
+  void send(std::span<const Order> orders);
+  /// i := i + 1, receives the images.
+  /// @return aborted when the system stops, faulted when an agent reports a fault
+  Outcome wait();
+
+  [[nodiscard]] std::int64_t i() const { return i_; }
+  [[nodiscard]] const Report& report(std::size_t arm) const { return reports_[arm]; }
+  [[nodiscard]] const OperatorImage& operator_image() const { return image_; }
+  /// @return why wait() gave faulted
+  [[nodiscard]] const Fault& fault() const { return fault_; }
+
+ private:
+  link::Process& process_;
+  OperatorAgent& operator_;
+  std::vector<std::unique_ptr<link::Outbox<agent_order_t>>> order_out_;
+  std::vector<std::unique_ptr<link::Inbox<agent_report_t>>> report_in_;
+  std::int64_t i_{};
+  std::vector<Report> reports_;
+  OperatorImage image_;
+  Fault fault_;
+};
+
+/// Port of a coordinator whose images are
+///     X { c; e; V; T { std::array<Report, N> agent; OperatorImage h }; i, i_0 }   Y { c; e; V;
+///     std::array<Order, N> T }
+/// @tparam Observer  void operator()(const Motion<A>&, const X&): called after every read
+template <Images A, class Observer>
+class CoordinatorPort {
+ public:
+  CoordinatorPort(CoordinatorLinks& links, Observer observer) : links_(links), observer_(observer) {}
+
+  void dispatch(const Motion<A>& motion, const typename A::Y& y) {
+    motion_ = &motion;
+    links_.send(y.T);
+  }
+  Outcome wait() { return links_.wait(); }
+  void read(typename A::X& x) {
+    for (std::size_t arm = 0; arm < x.T.agent.size(); ++arm) x.T.agent[arm] = links_.report(arm);
+    x.T.h = links_.operator_image();
+    x.i = links_.i();
+    if (motion_) observer_(*motion_, x);
+  }
+
+ private:
+  CoordinatorLinks& links_;
+  Observer observer_;
+  const Motion<A>* motion_{};
+};
+
+}  // namespace mrroc::mp

@@ -1,0 +1,71 @@
+// Where the operator's orders come in: from a terminal, from a script file, or from a scripted operator.
+#pragma once
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/link/process.hpp"
+#include "base/operator.hpp"
+#include "mrroc/operator_answer_t.hpp"
+#include "mrroc/operator_order_t.hpp"
+
+namespace mrroc::mp {
+
+/// An order and the macrostep in which it is taken: a line `MACROSTEP ORDER` of a script.
+struct ScriptedOrder {
+  std::int64_t i{};
+  OperatorOrder order{};
+};
+
+/// Reads a script: lines `MACROSTEP ORDER`, comments after '#'. Orders are sorted by macrostep.
+/// @throws FaultError bad_script that names file and line
+std::vector<ScriptedOrder> load_script(const std::filesystem::path& file);
+
+/// Accepts or refuses orders, and hands them over at a macrostep (rule R3). Every order that was taken is
+/// written to a script that replays the run.
+class OperatorDesk {
+ public:
+  /// @param record  where taken orders are written; empty: nowhere
+  OperatorDesk(link::Process& process, std::vector<ScriptedOrder> script,
+               const std::filesystem::path& record);
+
+  /// Answers what has come from terminals. Call it often.
+  void poll();
+
+  /// An order from a scripted operator; ignored when it is not allowed.
+  void give(OperatorOrder order);
+
+  /// Takes the orders for macrostep i.
+  /// @return the operator's image
+  OperatorImage take(std::int64_t i);
+
+  /// What the task is doing now, which decides on what is allowed.
+  void set_state(TaskState state, bool waits_for_trigger);
+
+  [[nodiscard]] TaskState state() const { return state_; }
+  /// @return whether stop has been ordered
+  [[nodiscard]] bool stop_ordered() const { return stop_; }
+
+ private:
+  void answer(const operator_order_t& order);
+  [[nodiscard]] std::optional<std::string> objection(OperatorOrder order) const;
+  void obey(OperatorOrder order, std::int64_t i);
+
+  link::Process& process_;
+  link::Queue<operator_order_t> order_in_;
+  link::Outbox<operator_answer_t> answer_out_;
+  std::deque<ScriptedOrder> script_;
+  std::ofstream record_;
+  std::vector<OperatorOrder> waiting_;
+  std::deque<operator_answer_t> answers_;  // the last ones, given again when an order is repeated
+  OperatorImage image_;
+  TaskState state_{TaskState::starting};
+  bool waits_for_trigger_{};
+  bool stop_{};
+};
+
+}  // namespace mrroc::mp

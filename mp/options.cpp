@@ -1,0 +1,81 @@
+#include "mp/options.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "base/fault.hpp"
+
+namespace mrroc::mp {
+namespace {
+
+double parse_speed(const std::string& text) {
+  if (text == "max") return 0;
+  std::size_t used = 0;
+  double speed = 0;
+  try {
+    speed = std::stod(text, &used);
+  } catch (const std::exception&) {
+    used = 0;
+  }
+  if (used != text.size() || !(speed > 0) || speed > 1e4)
+    throw CLI::ValidationError("--speed", fmt::format("'{}' is neither max nor a number above 0", text));
+  return speed;
+}
+
+}  // namespace
+
+void add_task_options(CLI::App& app, TaskOptions& o) {
+  app.option_defaults()->always_capture_default(false);
+  app.add_option("--seed", o.seed, "seed of everything random (default 1)")->type_name("N");
+  app.add_option_function<std::string>(
+         "--clock",
+         [&o](const std::string& c) {
+           o.clock = c == "wall" ? link::ClockKind::wall : link::ClockKind::step;
+         },
+         "step: lock-step, bit-identical (default); wall: 500 Hz of the monotonic clock")
+      ->check(CLI::IsMember({"step", "wall"}))
+      ->type_name("step|wall");
+  app.add_option_function<std::string>(
+         "--speed", [&o](const std::string& s) { o.speed = parse_speed(s); },
+         "simulated seconds per second in lock-step, or max (default)")
+      ->type_name("X|max");
+  app.add_option("--run-dir", o.run_dir, "the run folder (default runs/TASK-TIME)")->type_name("DIR");
+  app.add_option("--config", o.config_file, "configuration instead of the built-in one")->type_name("FILE");
+  app.add_option("--set", o.settings, "sets a value of the configuration; may be repeated")
+      ->type_name("KEY=VALUE");
+  app.add_option_function<std::string>(
+         "--processes",
+         [&o](const std::string& p) {
+           o.separate = p == "separate";
+           o.separate_asked = o.separate;
+         },
+         "separate processes over LCM (default), or all in one")
+      ->check(CLI::IsMember({"separate", "one"}))
+      ->type_name("separate|one");
+  auto* attended = app.add_flag("--attended", o.attended, "a person at ui_cli gives start and triggers");
+  app.add_flag_callback(
+         "--unattended", [] {}, "the scripted operator gives them (default)")
+      ->excludes(attended);
+  app.add_option("--script", o.script, "operator input to replay: lines MACROSTEP ORDER")
+      ->type_name("FILE")
+      ->excludes(attended);
+  app.add_option("--session", o.session, "name for ui_cli --session (default: unique)")->type_name("NAME");
+  app.add_option("--url", o.url, "where the system talks (default: from the session's name)")
+      ->type_name("udpm://HOST:PORT?ttl=N");
+}
+
+std::optional<int> parse_command_line(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp& e) {
+    return app.exit(e);
+  } catch (const CLI::ParseError& e) {
+    const FaultError error(FaultCode::bad_usage, fmt::format("{} (see --help)", e.what()));
+    fmt::print(stderr, "{}\n", error.error_line());
+    return 2;
+  }
+  return std::nullopt;
+}
+
+}  // namespace mrroc::mp

@@ -1,0 +1,37 @@
+// The options that every task's program has.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/link/process.hpp"
+
+namespace mrroc::mp {
+
+/// How a task is to be run.
+struct TaskOptions {
+  std::uint64_t seed{1};
+  link::ClockKind clock{link::ClockKind::step};
+  double speed{0};                    ///< simulated seconds per second; 0: as fast as possible
+  std::filesystem::path run_dir;      ///< empty: runs/TASK-TIME
+  std::filesystem::path config_file;  ///< empty: the task's own
+  std::vector<std::string> settings;  ///< key=value, over the configuration file
+  bool separate{true};                ///< separate processes, or all in one
+  bool separate_asked{};              ///< --processes was given
+  bool attended{};                    ///< a person at ui_cli instead of the scripted operator
+  std::filesystem::path script;       ///< operator input to replay
+  std::string session;                ///< empty: a unique name
+  std::string url;                    ///< empty: from the session's name
+};
+
+/// Adds the common options to a program's command line.
+/// @param options  filled in by app.parse(); must live as long as app
+void add_task_options(CLI::App& app, TaskOptions& options);
+
+/// Parses a command line.
+/// @return exit status when the program is to end (help, or bad usage with its error line), or nothing
+std::optional<int> parse_command_line(CLI::App& app, int argc, char** argv);
+
+}  // namespace mrroc::mp

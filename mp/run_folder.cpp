@@ -1,0 +1,74 @@
+#include "mp/run_folder.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <ctime>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace mrroc::mp {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path fresh_name(const std::string& task) {
+  const std::string stem = fmt::format("{}-{:%Y%m%d-%H%M%S}", task, fmt::localtime(std::time(nullptr)));
+  fs::path folder = fs::path("runs") / stem;
+  for (int k = 2; fs::exists(folder); ++k) folder = fs::path("runs") / fmt::format("{}-{}", stem, k);
+  return folder;
+}
+
+nlohmann::ordered_json number(double x) {
+  return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr);
+}
+
+nlohmann::ordered_json to_json(const Figure& figure) {
+  if (const double* x = std::get_if<double>(&figure)) return number(*x);
+  auto list = nlohmann::ordered_json::array();
+  for (const double x : std::get<std::vector<double>>(figure)) list.push_back(number(x));
+  return list;
+}
+
+}  // namespace
+
+fs::path make_run_folder(const fs::path& wanted, const std::string& task) {
+  const fs::path folder = wanted.empty() ? fresh_name(task) : wanted;
+  if (fs::exists(folder / "config.toml"))
+    throw FaultError(FaultCode::bad_usage, fmt::format("{} holds a run already", folder.string()));
+  std::error_code error;
+  fs::create_directories(folder / "plots", error);
+  if (error)
+    throw FaultError(FaultCode::cannot_write,
+                     fmt::format("cannot make {}: {}", folder.string(), error.message()));
+  return folder;
+}
+
+void write_summary(const fs::path& folder, const Summary& s) {
+  nlohmann::ordered_json json;
+  json["task"] = s.task;
+  json["outcome"] = s.stopped ? "stopped" : s.fault ? "fault" : "done";
+  json["fault"] = nullptr;
+  if (s.fault) {
+    json["fault"] = {{"class", to_string(class_of(s.fault->code))},
+                     {"code", to_string(s.fault->code)},
+                     {"process", s.fault->process.view()},
+                     {"text", what_happened(*s.fault)}};
+  }
+  json["sim_s"] = s.sim_s;
+  json["wall_s"] = s.wall_s;
+  json["real_time_factor"] = s.wall_s > 0 ? s.sim_s / s.wall_s : 0;
+  json["log_hash"] = fmt::format("{:016x}", s.log_hash);
+  json["figures"] = nlohmann::ordered_json::object();
+  for (const auto& [key, figure] : s.figures) json["figures"][key] = to_json(figure);
+  write_text(folder / "summary.json", json.dump(2) + "\n");
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  if (!out.flush()) throw FaultError(FaultCode::cannot_write, fmt::format("cannot write {}", file.string()));
+}
+
+}  // namespace mrroc::mp

@@ -1,0 +1,41 @@
+// The folder in which a run leaves everything that it knows.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/fault.hpp"
+
+namespace mrroc::mp {
+
+/// A figure of a run: one number, or one per arm.
+using Figure = std::variant<double, std::vector<double>>;
+
+/// What summary.json says.
+struct Summary {
+  std::string task;
+  std::optional<Fault> fault;  ///< none: the task is done
+  bool stopped{};              ///< the operator ended it
+  double sim_s{};              ///< simulated time [s]
+  double wall_s{};             ///< wall time of the same [s]
+  std::uint64_t log_hash{};    ///< 0: unknown
+  std::map<std::string, Figure> figures;
+};
+
+/// Makes the folder of a run.
+/// @param wanted  empty: runs/TASK-TIME below the working directory
+/// @throws FaultError bad_usage when it holds a run already, cannot_write
+std::filesystem::path make_run_folder(const std::filesystem::path& wanted, const std::string& task);
+
+/// Writes summary.json.
+void write_summary(const std::filesystem::path& folder, const Summary& summary);
+
+/// Writes a file.
+/// @throws FaultError cannot_write
+void write_text(const std::filesystem::path& file, const std::string& text);
+
+}  // namespace mrroc::mp

@@ -1,0 +1,62 @@
+#include "mp/status_board.hpp"
+
+#include <algorithm>
+
+#include "base/link/text.hpp"
+
+namespace mrroc::mp {
+namespace {
+constexpr std::chrono::milliseconds kPeriod{100};
+}
+
+StatusBoard::StatusBoard(link::Process& process, const Supervisor& supervisor, const std::string& task,
+                         const std::vector<std::string>& arms)
+    : supervisor_(supervisor),
+      out_(process.bus(), process.route("task_status"), process.membership().session_id) {
+  link::put_text(status_.task, task);
+  status_.n_agents = static_cast<int>(std::min(arms.size(), std::size(status_.agent)));
+  for (int k = 0; k < status_.n_agents; ++k)
+    link::put_text(status_.agent[k], arms[static_cast<std::size_t>(k)]);
+}
+
+void StatusBoard::set_behaviour(int m, std::string_view name) {
+  status_.m = m;
+  link::put_text(status_.behaviour, name);
+}
+void StatusBoard::set_state(TaskState state) { status_.state = static_cast<int>(state); }
+void StatusBoard::set_progress(double share, const std::string& text) {
+  status_.progress = share;
+  link::put_text(status_.progress_text, text);
+}
+void StatusBoard::set_time(double sim_s) { status_.sim_time = sim_s; }
+void StatusBoard::set_arm(std::size_t arm, const Report& report, std::string_view sensor_text) {
+  std::ranges::copy(report.T_0E, status_.T_0E[arm]);
+  std::ranges::copy(report.F_a.v, status_.F_a[arm]);
+  status_.sensor[arm] = report.sensor;
+  link::put_text(status_.sensor_text[arm], sensor_text);
+}
+
+void StatusBoard::poll() {
+  if (link::Process::Clock::now() - last_ > kPeriod) publish();
+}
+
+void StatusBoard::publish() {
+  const auto now = link::Process::Clock::now();
+  const double wall = std::chrono::duration<double>(now - last_).count();
+  const double speed = (status_.sim_time - last_sim_s_) / wall;
+  status_.speed += (speed - status_.speed) * std::min(1.0, wall);  // a mean over about a second
+  last_ = now;
+  last_sim_s_ = status_.sim_time;
+  const auto parts = supervisor_.parts();
+  status_.n_processes = static_cast<int>(std::min(parts.size(), std::size(status_.process)));
+  for (int k = 0; k < status_.n_processes; ++k) {
+    const PartStatus& p = parts[static_cast<std::size_t>(k)];
+    link::put_text(status_.process[k], p.name);
+    status_.process_state[k] = static_cast<int>(p.state);
+    status_.process_age[k] = p.age;
+  }
+  link::put_text(status_.last_message, supervisor_.last_message());
+  out_.publish(status_, 0);
+}
+
+}  // namespace mrroc::mp

@@ -1,0 +1,271 @@
+#include "mp/supervisor.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+
+#include "base/link/text.hpp"
+#include "base/msg/convert.hpp"
+
+namespace mrroc::mp {
+namespace {
+
+using link::Phase;
+using link::ProcessState;
+using namespace std::chrono_literals;
+
+constexpr auto kRepeat = 100ms;    // between the supervisor's own messages
+constexpr auto kLook = 20ms;       // between looks at the children
+constexpr auto kAssembling = 60s;  // until everybody must be there
+constexpr auto kHang = 10s;        // without a sign of life
+constexpr auto kComeToRest = 20s;  // for arms to come to rest after a stop
+constexpr auto kLeave = 5s;        // for processes to end by themselves
+
+#ifdef MRROC_SANITIZED
+constexpr bool kWatchHangs = false;  // sanitizers slow processes down without a bound
+#else
+constexpr bool kWatchHangs = true;
+#endif
+
+}  // namespace
+
+struct Supervisor::Watched {
+  Watched(link::Process& mp, Part p)
+      : part(std::move(p)),
+        status_in(mp.bus(), mp.route(part.name + ".status"), mp.membership().session_id),
+        console_in(mp.bus(), mp.route(part.name + ".console"), mp.membership().session_id) {}
+
+  Part part;
+  link::Queue<process_status_t> status_in;
+  link::Queue<console_t> console_in;
+  process_status_t status{};
+  ProcessState state{ProcessState::starting};
+  Clock::time_point heard{Clock::now()};
+  std::optional<Child> child;
+  std::atomic<bool> thread_ended{};
+  std::jthread thread;
+};
+
+Supervisor::Supervisor(link::Process& mp, std::vector<Part> parts, const std::filesystem::path& messages)
+    : mp_(mp),
+      out_(mp.bus(), mp.route("supervisor"), mp.membership().session_id),
+      begun_(Clock::now()),
+      messages_(messages) {
+  watched_.push_back(std::make_unique<Watched>(mp, Part{mp.membership().name, {}, {}, {}}));
+  for (Part& p : parts) watched_.push_back(std::make_unique<Watched>(mp, std::move(p)));
+  mp_.on_service = [this] { poll(); };
+}
+
+Supervisor::~Supervisor() {
+  mp_.on_service = nullptr;
+  if (said_.phase != static_cast<int>(Phase::finished)) {
+    said_.phase = static_cast<int>(Phase::finished);
+    publish();  // threads must end before their handles do
+  }
+}
+
+void Supervisor::start_processes(const std::vector<std::string>& common) {
+  for (auto& w : watched_) {
+    if (w->part.program.empty()) continue;
+    std::vector<std::string> arguments = common;
+    arguments.insert(arguments.end(), w->part.arguments.begin(), w->part.arguments.end());
+    w->child.emplace(program_folder() / w->part.program, arguments);
+    w->heard = Clock::now();
+  }
+}
+
+void Supervisor::start_threads(link::MemoryHub& hub) {
+  for (auto& w : watched_) {
+    if (!w->part.body) continue;
+    link::Membership membership = mp_.membership();
+    membership.name = w->part.name;
+    w->thread = std::jthread([&hub, membership, body = w->part.body, &ended = w->thread_ended] {
+      const auto bus = hub.open();
+      link::Process process(*bus, membership);
+      try {
+        body(process);
+      } catch (const FaultError& e) {
+        process.report_fault(e.fault());
+      } catch (const std::exception& e) {
+        process.report_fault({.code = FaultCode::internal_error, .text = e.what()});
+      }
+      ended = true;
+    });
+  }
+}
+
+void Supervisor::poll() {
+  hear();
+  const auto now = Clock::now();
+  if (now - last_look_ > kLook) {
+    last_look_ = now;
+    watch_children();
+    watch_hangs();
+  }
+  lead();
+  if (now - last_said_ > kRepeat) publish();
+}
+
+void Supervisor::hear() {
+  for (auto& w : watched_) {
+    while (const auto line = w->console_in.take())
+      log(w->part.name, link::get_text(line->text), fault_code(line->code).value_or(FaultCode::none));
+    while (const auto s = w->status_in.take()) {
+      w->heard = Clock::now();
+      if (w->state == ProcessState::dead) continue;
+      w->status = *s;
+      const auto state = static_cast<ProcessState>(s->state);
+      const bool news = state != w->state;
+      w->state = state;
+      if (s->at_rest) {
+        at_rest_ = true;
+        std::ranges::copy(s->stop_steps, stop_steps_.begin());
+      }
+      if (news && state == ProcessState::faulted) stop(from_message(s->fault), 0);
+    }
+  }
+}
+
+void Supervisor::watch_children() {
+  for (auto& w : watched_) {
+    if (!w->child || !w->child->reap()) continue;
+    if (w->child->ended_well() || ending_) {
+      if (w->state < ProcessState::done) w->state = ProcessState::done;
+      continue;
+    }
+    hear();
+    if (w->state == ProcessState::faulted) continue;  // it has told why
+    Fault fault{.code = FaultCode::process_died, .process = w->part.name};
+    fault.text = fmt::format("{} ended with {}", w->part.name, *w->child->ended());
+    declare_dead(*w, fault);
+  }
+}
+
+void Supervisor::watch_hangs() {
+  if (!kWatchHangs) return;
+  for (auto& w : watched_) {
+    if (!w->child || w->child->ended() || Clock::now() - w->heard < kHang) continue;
+    Fault fault{.code = FaultCode::process_hung, .process = w->part.name};
+    fault.text = fmt::format("{} has not been heard for {} s", w->part.name, kHang.count());
+    w->child->kill();
+    declare_dead(*w, fault);
+  }
+}
+
+void Supervisor::declare_dead(Watched& part, const Fault& fault) {
+  part.state = ProcessState::dead;
+  const auto index =
+      std::ranges::find_if(watched_, [&](const auto& w) { return w.get() == &part; }) - watched_.begin();
+  said_.dead |= std::int64_t{1} << index;
+  stop(fault, 0);
+  publish();
+}
+
+void Supervisor::lead() {
+  if (said_.phase != static_cast<int>(Phase::assembling)) return;
+  if (all(ProcessState::ready)) {
+    said_.phase = static_cast<int>(Phase::running);
+    publish();
+  } else if (Clock::now() - begun_ > kAssembling) {
+    std::string missing;
+    for (const auto& w : watched_)
+      if (w->state < ProcessState::ready) missing += (missing.empty() ? "" : ", ") + w->part.name;
+    stop({.code = FaultCode::not_ready,
+          .text = fmt::format("not there after {} s: {}", kAssembling.count(), missing)},
+         0);
+  }
+}
+
+void Supervisor::stop(const Fault& reason, std::int64_t as_of) {
+  if (!fault_) {
+    fault_ = reason;
+    log(reason.process.empty() ? mp_.membership().name : std::string(reason.process.view()), describe(reason),
+        reason.code);
+  }
+  if (said_.phase >= static_cast<int>(Phase::stopping)) {
+    // A death in a system that stops already must not wait for the agreed macrostep.
+    if (as_of == 0 && said_.as_of != 0) {
+      said_.as_of = 0;
+      publish();
+    }
+    return;
+  }
+  said_.phase = static_cast<int>(Phase::stopping);
+  said_.as_of = as_of;
+  publish();
+}
+
+void Supervisor::publish() {
+  last_said_ = Clock::now();
+  out_.publish(said_, 0);
+}
+
+bool Supervisor::all(ProcessState at_least) const {
+  return std::ranges::all_of(watched_, [&](const auto& w) { return w->state >= at_least; });
+}
+
+bool Supervisor::world_is_dead() const {
+  return std::ranges::any_of(
+      watched_, [](const auto& w) { return w->part.name == "world" && w->state >= ProcessState::done; });
+}
+
+void Supervisor::end() {
+  if (!fault_) {
+    mp_.await([this] { return all(ProcessState::done) || fault_; });
+  }
+  if (fault_) {
+    const bool was_running = std::ranges::any_of(watched_, [](const auto& w) { return w->status.step > 0; });
+    if (was_running) mp_.await([this] { return at_rest_ || world_is_dead(); }, Clock::now() + kComeToRest);
+  }
+  ending_ = true;
+  said_.phase = static_cast<int>(Phase::finished);
+  publish();
+  const auto gone = [this] {
+    return std::ranges::all_of(watched_, [](const auto& w) {
+      return (!w->child || w->child->ended()) && (!w->thread.joinable() || w->thread_ended);
+    });
+  };
+  mp_.await(gone, Clock::now() + kLeave);
+  for (auto& w : watched_)
+    if (w->child) w->child->kill();
+  mp_.await(gone, Clock::now() + kLeave);
+  for (auto& w : watched_)
+    if (w->thread.joinable()) w->thread.join();
+  hear();
+}
+
+std::vector<PartStatus> Supervisor::parts() const {
+  std::vector<PartStatus> all;
+  for (const auto& w : watched_)
+    all.push_back({w->part.name, w->state, std::chrono::duration<double>(Clock::now() - w->heard).count()});
+  return all;
+}
+
+std::uint64_t Supervisor::log_hash() const {
+  std::map<std::string, const channel_hash_t*> by_channel;
+  for (const auto& w : watched_) {
+    if (w->state != ProcessState::done) return 0;
+    for (int k = 0; k < w->status.n_hashes; ++k)
+      by_channel[link::get_text(w->status.hash[k].channel)] = &w->status.hash[k];
+  }
+  Hash hash;
+  for (const auto& [channel, h] : by_channel) {
+    hash.add(channel);
+    hash.add(static_cast<std::uint64_t>(h->count));
+    hash.add(static_cast<std::uint64_t>(h->hash));
+  }
+  return hash.value();
+}
+
+void Supervisor::log(const std::string& process, const std::string& text, FaultCode code) {
+  const double seconds = std::chrono::duration<double>(Clock::now() - begun_).count();
+  const std::string_view kind = code == FaultCode::none ? "info" : to_string(class_of(code));
+  messages_ << fmt::format("{:10.3f}  {:10}  {:9}  {:20}  {}\n", seconds, process, kind,
+                           code == FaultCode::none ? "-" : to_string(code), text)
+            << std::flush;
+  last_message_ = process + ": " + text;
+}
+
+}  // namespace mrroc::mp

@@ -1,0 +1,132 @@
+#include "mp/task_run.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+
+namespace mrroc::mp {
+namespace {
+
+/// Macrosteps between the order to stop and the first macrostep without a command: far enough ahead that
+/// nobody has passed it.
+constexpr std::int64_t kStopAhead = 3;
+
+std::atomic<bool> interrupted{false};
+void interrupt(int) { interrupted = true; }
+
+}  // namespace
+
+TaskRun::TaskRun(const std::string& task, const TaskOptions& options, const std::filesystem::path& folder,
+                 const std::vector<std::string>& arms, std::vector<Part> parts)
+    : task_(task),
+      folder_(folder),
+      session_(options.session.empty() ? link::unique_session_name(task) : options.session),
+      separate_(options.separate) {
+  open_bus(options);
+  link::Membership membership{
+      .session = session_, .session_id = link::random_id(), .name = "mp", .roster = {"mp"}, .clock = options.clock};
+  for (const Part& p : parts) membership.roster.push_back(p.name);
+  session_file_ =
+      std::make_unique<link::SessionFile>(link::SessionInfo{.name = session_,
+                                                            .id = membership.session_id,
+                                                            .address = address_,
+                                                            .task = task,
+                                                            .run_folder = std::filesystem::absolute(folder)});
+  log_ = std::make_unique<link::EventLog>(folder / "events.lcmlog");
+  bus_->subscribe_all(session_ + ".", *log_);
+  process_ = std::make_unique<link::Process>(*bus_, membership);
+  supervisor_ = std::make_unique<Supervisor>(*process_, std::move(parts), folder / "messages.log");
+  auto script = options.script.empty() ? std::vector<ScriptedOrder>{} : load_script(options.script);
+  desk_ = std::make_unique<OperatorDesk>(*process_, std::move(script), folder / "operator.script");
+  board_ = std::make_unique<StatusBoard>(*process_, *supervisor_, task, arms);
+  process_->on_service = [this] {
+    supervisor_->poll();
+    desk_->poll();
+    board_->poll();
+    if (interrupted.exchange(false)) desk_->give(OperatorOrder::stop);
+  };
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+}
+
+TaskRun::~TaskRun() {
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+  if (process_) process_->on_service = nullptr;
+}
+
+void TaskRun::open_bus(const TaskOptions& options) {
+  const link::LcmAddress address =
+      options.url.empty() ? link::address_for(session_) : link::LcmAddress::parse(options.url);
+  if (separate_ && !link::multicast_works(address)) {
+    if (options.separate_asked)
+      throw FaultError(FaultCode::no_multicast,
+                       fmt::format("separate processes need multicast, and {} reaches nobody", address.host));
+    fmt::print("no multicast on this host: all in one process; ui_cli cannot attach\n");
+    separate_ = false;
+  }
+  if (separate_) {
+    bus_ = link::open_lcm(address);
+    address_ = address;
+    return;
+  }
+  hub_ = std::make_unique<link::MemoryHub>();
+  bus_ = hub_->open();
+}
+
+void TaskRun::start() {
+  if (hub_) {
+    supervisor_->start_threads(*hub_);
+  } else {
+    const link::Membership& m = process_->membership();
+    supervisor_->start_processes(
+        {"--session", m.session, "--session-id", fmt::to_string(m.session_id), "--url", address_->url(),
+         "--roster", fmt::format("{}", fmt::join(m.roster, ",")), "--clock",
+         m.clock == link::ClockKind::wall ? "wall" : "step", "--config", (folder_ / "config.toml").string()});
+  }
+}
+
+void TaskRun::each_macrostep(std::int64_t i, double sim_s) {
+  if (!running_) {
+    running_ = true;
+    begun_ = link::Process::Clock::now();
+  }
+  sim_s_ = sim_s;
+  board_->set_time(sim_s);
+  if (desk_->stop_ordered() && !process_->over())
+    supervisor_->stop({.code = FaultCode::operator_stop}, i + kStopAhead);
+}
+
+void TaskRun::set_state(TaskState state, bool waits_for_trigger) {
+  desk_->set_state(state, waits_for_trigger);
+  board_->set_state(state);
+}
+
+Summary TaskRun::end(const std::optional<Fault>& fault) {
+  const double wall_s = std::chrono::duration<double>(link::Process::Clock::now() - begun_).count();
+  if (fault) supervisor_->stop(*fault, 0);
+  set_state(fault || supervisor_->fault() ? TaskState::stopping : TaskState::ended, false);
+  board_->publish();
+  process_->report_done();
+  supervisor_->end();
+  set_state(TaskState::ended, false);
+  board_->publish();
+
+  Summary summary;
+  summary.task = task_;
+  summary.fault = supervisor_->fault();
+  summary.stopped = summary.fault && (summary.fault->code == FaultCode::operator_stop ||
+                                      summary.fault->code == FaultCode::emergency_stop);
+  summary.sim_s = sim_s_;
+  summary.wall_s = running_ ? wall_s : 0;
+  summary.log_hash = supervisor_->log_hash();
+  if (const auto& steps = supervisor_->stop_steps(); summary.fault && steps[0] >= 0)
+    summary.figures["stop_steps_max"] = static_cast<double>(*std::ranges::max_element(steps));
+  if (log_->gaps() > 0) summary.figures["log_gaps"] = static_cast<double>(log_->gaps());
+  return summary;
+}
+
+}  // namespace mrroc::mp

@@ -1,0 +1,77 @@
+// One run of a task, from the assembled system to the summary: what every task's main does in the same way.
+#pragma once
+#include <csignal>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/link/event_log.hpp"
+#include "base/link/session.hpp"
+#include "mp/operator_desk.hpp"
+#include "mp/options.hpp"
+#include "mp/run_folder.hpp"
+#include "mp/status_board.hpp"
+#include "mp/supervisor.hpp"
+
+namespace mrroc::mp {
+
+/// The task's own side of a running system: links, operator, supervisor, log. Used by the main thread.
+class TaskRun {
+ public:
+  /// @param task     its name
+  /// @param folder   run folder, exists; holds config.toml
+  /// @param arms     keys of the arms, e.g. arm1, arm2
+  /// @param parts    every other process
+  /// @throws FaultError session_in_use, no_multicast, bad_script, cannot_write
+  TaskRun(const std::string& task, const TaskOptions& options, const std::filesystem::path& folder,
+          const std::vector<std::string>& arms, std::vector<Part> parts);
+  ~TaskRun();
+  TaskRun(const TaskRun&) = delete;
+  TaskRun& operator=(const TaskRun&) = delete;
+
+  [[nodiscard]] link::Process& process() { return *process_; }
+  [[nodiscard]] OperatorDesk& desk() { return *desk_; }
+  [[nodiscard]] StatusBoard& board() { return *board_; }
+  [[nodiscard]] Supervisor& supervisor() { return *supervisor_; }
+  [[nodiscard]] const std::string& session() const { return session_; }
+
+  /// Starts every part. Make all links of MP before.
+  /// @throws FaultError start_failed
+  void start();
+
+  /// To be called once per macrostep: passes the operator's stop on (rule R3).
+  /// @param sim_s  simulated time [s]
+  void each_macrostep(std::int64_t i, double sim_s);
+
+  /// Tells operator and desk what the task does.
+  void set_state(TaskState state, bool waits_for_trigger);
+
+  /// Brings the system to its end.
+  /// @param fault  why the task did not reach its own end; none: it did
+  /// @return summary without the task's own figures
+  Summary end(const std::optional<Fault>& fault);
+
+ private:
+  void open_bus(const TaskOptions& options);
+
+  std::string task_;
+  std::filesystem::path folder_;
+  std::string session_;
+  std::optional<link::LcmAddress> address_;  // none: all in one process
+  bool separate_{};
+  std::unique_ptr<link::SessionFile> session_file_;
+  std::unique_ptr<link::MemoryHub> hub_;
+  std::unique_ptr<link::Bus> bus_;
+  std::unique_ptr<link::EventLog> log_;
+  std::unique_ptr<link::Process> process_;
+  std::unique_ptr<Supervisor> supervisor_;
+  std::unique_ptr<OperatorDesk> desk_;
+  std::unique_ptr<StatusBoard> board_;
+  double sim_s_{};
+  link::Process::Clock::time_point begun_{};
+  bool running_{};
+};
+
+}  // namespace mrroc::mp

@@ -1,0 +1,84 @@
+#include "sim/config.hpp"
+
+#include <fstream>
+#include <string>
+
+#include "sim/shell.hpp"
+#include "sim/strokes_file.hpp"
+
+namespace mrroc::sim {
+namespace {
+
+PaperParameters read_paper(const Config& t, PaperParameters p) {
+  p.T_0P.p = Vector3(t.number("distance", p.T_0P.p.x(), {0.7, 1.1}, "m"), p.T_0P.p.y(),
+                     t.number("height", p.T_0P.p.z(), {0.7, 1.2}, "m"));
+  p.stiffness = t.number("stiffness", p.stiffness, {100, 1e6}, "N/m");
+  p.damping_ratio = t.number("damping_ratio", p.damping_ratio, {0, 0.1}, "s");
+  p.friction = t.number("friction", p.friction, {0, 2});
+  return p;
+}
+
+HandParameters read_hand(const Config& t, HandParameters h) {
+  h.stiffness = t.number("stiffness", h.stiffness, {50, 5000}, "N/m");
+  h.damping = t.number("damping", h.damping, {0, 500}, "N s/m");
+  h.speed = t.number("speed", h.speed, {0.001, 0.1}, "m/s");
+  h.travel_speed = t.number("travel_speed", h.travel_speed, {0.001, 0.2}, "m/s");
+  h.lowering_speed = t.number("lowering_speed", h.lowering_speed, {0.005, 0.05}, "m/s");
+  h.lifting_speed = t.number("lifting_speed", h.lifting_speed, {0.005, 0.1}, "m/s");
+  h.lift = t.number("lift", h.lift, {0.003, 0.03}, "m");
+  h.uneven = t.number("uneven", h.uneven, {0, 0.01}, "m");
+  h.dwell = t.number("dwell", h.dwell, {0, 5}, "s");
+  h.press = t.number("press", h.press, {0.2, 10}, "N");
+  h.press_wander = t.number("press_wander", h.press_wander, {0, 1});
+  h.tremor = t.number("tremor", h.tremor, {0, 0.002}, "m");
+  return h;
+}
+
+ForceSensorParameters read_sensor(const Config& t, ForceSensorParameters s) {
+  s.force_noise = t.number("force_noise", s.force_noise, {0, 1}, "N");
+  s.torque_noise = t.number("torque_noise", s.torque_noise, {0, 0.1}, "N m");
+  s.force_bias = t.number("force_bias", s.force_bias, {0, 20}, "N");
+  s.torque_bias = t.number("torque_bias", s.torque_bias, {0, 2}, "N m");
+  return s;
+}
+
+ArmParameters read_arm(const Config& config, const std::string& key, ArmModel fallback) {
+  const Config robot = config.section("robots." + key);
+  const Config sim = config.section("sim");
+  ArmParameters arm = arm_parameters(
+      robot.choice("model", fallback,
+                   {{"irb6_postument", ArmModel::irb6_postument}, {"irb6_track", ArmModel::irb6_track}}));
+  arm.paper = read_paper(sim.section("paper"), arm.paper);
+  arm.hand = read_hand(sim.section("hand"), arm.hand);
+  arm.sensor = read_sensor(sim.section("sensor"), arm.sensor);
+  arm.start_height = sim.number("start_height", arm.start_height, {0.005, 0.1}, "m");
+  const double scale = sim.number("motor_friction", 1, {0, 10}, "of the estimate");
+  for (MotorParameters& m : arm.motors) m.friction *= scale;
+  return arm;
+}
+
+}  // namespace
+
+WorldParameters read_world(const Config& config) {
+  WorldParameters w;
+  w.substeps = config.integer("sim.substeps", w.substeps, {1, 16}, "per step");
+  w.solver_iterations = config.integer("sim.solver_iterations", w.solver_iterations, {10, 1000});
+  w.arms.clear();
+  for (const std::string& key : config.texts("robots.order", std::vector<std::string>{"arm1", "arm2"}))
+    w.arms.push_back(read_arm(config, key, w.arms.empty() ? ArmModel::irb6_postument : ArmModel::irb6_track));
+  return w;
+}
+
+void run_world_process(link::Process& process, const Config& config, const link::PartArguments&) {
+  ShellParameters shell;
+  shell.robots = config.texts("robots.order", std::nullopt);
+  for (const std::string& robot : shell.robots) shell.drivers.push_back("edp-" + robot);
+  shell.n_s = config.integer("time.n_s", 10, {2, 32}, "steps");
+  shell.speed = config.number("sim.speed", std::nullopt, {0, 1e4}, "of real time, 0: as fast as possible");
+  shell.folder = config.text("run.folder", std::nullopt);
+  shell.strokes = read_strokes(config.text("run.strokes", std::nullopt));
+  World world(read_world(config), static_cast<std::uint64_t>(config.integer<std::int64_t>("seed", 1)));
+  run_world(process, world, shell);
+}
+
+}  // namespace mrroc::sim

@@ -1,0 +1,56 @@
+// Watches how arms come to rest after the last command.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace mrroc::sim {
+
+/// When each arm moved last. Real-time safe.
+class RestWatch {
+ public:
+  /// Slower than this is rest [m/s].
+  static constexpr double kRestSpeed = 0.0005;
+  /// An arm that has been at rest for so many steps stays at rest.
+  static constexpr std::int64_t kSettled = 100;
+
+  /// Takes one step of one arm.
+  /// @param speed            of the tool tip [m/s]
+  /// @param commanded_until  first step after the last commanded macrostep
+  void step(int arm, std::int64_t step, double speed, std::int64_t commanded_until) {
+    auto& a = arms_[static_cast<std::size_t>(arm)];
+    now_ = step;
+    a.commanded_until = std::max(a.commanded_until, commanded_until);
+    if (speed >= kRestSpeed) a.moved = step;
+    known_ = std::max(known_, arm + 1);
+  }
+
+  /// @return whether every arm has been at rest for kSettled steps
+  [[nodiscard]] bool at_rest() const {
+    return std::all_of(arms_.begin(), arms_.begin() + known_, [this](const Arm& a) {
+      return now_ >= a.commanded_until && now_ - a.moved > kSettled;
+    });
+  }
+  /// @return steps from the end of the last commanded macrostep to rest, per arm; -1 for arms that are not
+  /// there
+  [[nodiscard]] std::array<int, 4> stop_steps() const {
+    std::array<int, 4> steps{-1, -1, -1, -1};
+    for (int k = 0; k < known_; ++k) {
+      const Arm& a = arms_[static_cast<std::size_t>(k)];
+      steps[static_cast<std::size_t>(k)] =
+          static_cast<int>(std::max<std::int64_t>(0, a.moved + 1 - a.commanded_until));
+    }
+    return steps;
+  }
+
+ private:
+  struct Arm {
+    std::int64_t commanded_until{};
+    std::int64_t moved{-1};  // last step in which it moved
+  };
+  std::array<Arm, 4> arms_{};
+  std::int64_t now_{};
+  int known_{};
+};
+
+}  // namespace mrroc::sim

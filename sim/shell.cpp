@@ -1,0 +1,192 @@
+#include "sim/shell.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+
+#include "base/hand.hpp"
+#include "base/msg/convert.hpp"
+#include "mrroc/hand_order_t.hpp"
+#include "mrroc/hand_report_t.hpp"
+#include "mrroc/world_state_t.hpp"
+#include "sim/rest_watch.hpp"
+
+namespace mrroc::sim {
+namespace {
+
+using link::Group;
+using link::Phase;
+using Clock = link::Process::Clock;
+
+/// With the wall clock, a drive goes on with its last command so many steps before it brakes by itself.
+constexpr int kPatience = 10;
+
+class Shell {
+ public:
+  Shell(link::Process& process, World& world, const ShellParameters& parameters)
+      : process_(process),
+        world_(world),
+        k_(parameters),
+        state_out_(process.outbox<world_state_t>("world.state", Group::servo_state)),
+        report_out_(process.outbox<hand_report_t>("hand.report")),
+        order_in_(process.inbox<hand_order_t>("hand.order")),
+        commands_(static_cast<std::size_t>(world.arms())),
+        missed_(static_cast<std::size_t>(world.arms())),
+        sheets_(static_cast<std::size_t>(world.arms())) {
+    for (const std::string& robot : k_.robots)
+      drive_in_.push_back(process.inbox<drive_command_t>(robot + ".drive", Group::servo_command));
+  }
+
+  void run() {
+    if (!process_.assemble()) return;
+    due_ = Clock::now();
+    for (std::int64_t step = 0; process_.phase() != Phase::finished; ++step) {
+      if (step % k_.n_s == 0 && !begin_macrostep(step / k_.n_s)) break;
+      publish_state(step);
+      await_commands(step);
+      world_.step(commands_);
+      watch(step);
+      pace();
+    }
+    for (int arm = 0; arm < world_.arms(); ++arm) write_sheet(arm);
+    process_.report_done();
+  }
+
+ private:
+  /// @return false when the task is over: the drivers end in the same step
+  bool begin_macrostep(std::int64_t i) {
+    process_.report_progress(i, i * k_.n_s);
+    if (i == 0 || finished_in_ != 0) return finished_in_ == 0 || i < finished_in_ + 3;
+    report_hands(i);
+    const auto stopped = [&] { return process_.over() && i >= process_.stop_as_of(); };
+    if (process_.lock_step()) process_.await([&] { return order_in_->at(i) || stopped(); });
+    const hand_order_t* const order = process_.lock_step() ? order_in_->at(i) : order_in_->newest();
+    if (order && !stopped()) {
+      if (order->finished) finished_in_ = order->header.stamp;
+      obey(*order);
+    } else if (stopped()) {
+      for (int arm = 0; arm < world_.arms(); ++arm) world_.hand(arm).pause(true);
+    }
+    return true;
+  }
+
+  void obey(const hand_order_t& order) {
+    paused_ = order.paused != 0;
+    for (int arm = 0; arm < world_.arms(); ++arm) {
+      Hand& hand = world_.hand(arm);
+      if (order.new_sheet[arm]) {
+        write_sheet(arm);
+        world_.new_sheet(arm);
+      }
+      const auto action = static_cast<HandAction>(order.action[arm]);
+      auto& last = actions_[static_cast<std::size_t>(arm)];
+      if (action != last) {
+        last = action;
+        if (action == HandAction::release) hand.release();
+        if (action == HandAction::lead_along) hand.lead_along(k_.strokes);
+        if (action == HandAction::lead_to) hand.lead_to({order.x[arm], order.y[arm]}, order.height[arm]);
+      }
+      hand.pause(paused_);
+    }
+  }
+
+  void report_hands(std::int64_t i) {
+    hand_report_t report{};
+    for (int arm = 0; arm < world_.arms(); ++arm) {
+      const HandStatus s = world_.hand(arm).status();
+      report.done[arm] = s.phase == HandPhase::done;
+      report.progress[arm] = s.fraction;
+      const auto& ink = world_.ink(arm);
+      report.ink_strokes[arm] = ink.empty() ? 0 : ink.back().stroke + 1;
+    }
+    report_out_->publish(report, i);
+  }
+
+  void publish_state(std::int64_t step) {
+    world_state_t state{};
+    for (int arm = 0; arm < world_.arms(); ++arm) state.robot[arm] = to_message(world_.reading(arm));
+    state_out_->publish(state, step);
+  }
+
+  void await_commands(std::int64_t step) {
+    const auto here = [&](std::size_t arm) {
+      return drive_in_[arm]->at(step) || process_.dead(k_.drivers[arm]) ||
+             process_.phase() == Phase::finished;
+    };
+    const auto all = [&] {
+      for (std::size_t arm = 0; arm < commands_.size(); ++arm)
+        if (!here(arm)) return false;
+      return true;
+    };
+    process_.await(all, process_.lock_step() ? Clock::time_point::max() : due_);
+    for (std::size_t arm = 0; arm < commands_.size(); ++arm) take_command(arm, step);
+  }
+
+  void take_command(std::size_t arm, std::int64_t step) {
+    if (const drive_command_t* const m = drive_in_[arm]->at(step)) {
+      commands_[arm] = from_message(*m);
+      missed_[arm] = 0;
+    } else if (process_.lock_step() || ++missed_[arm] > kPatience) {
+      commands_[arm].enabled = false;  // silent driver: the drives brake by themselves
+    }
+  }
+
+  void watch(std::int64_t step) {
+    for (int arm = 0; arm < world_.arms(); ++arm)
+      rest_.step(arm, step, world_.truth(arm).tip_velocity.norm(),
+                 commands_[static_cast<std::size_t>(arm)].commanded_until);
+    if (!process_.over()) return;
+    const bool at_rest = rest_.at_rest();
+    if (at_rest && !rested_) process_.report_rest(true, rest_.stop_steps());
+    rested_ = at_rest;
+  }
+
+  void pace() {
+    const double speed = !process_.lock_step() || paused_ ? 1 : k_.speed;
+    if (speed <= 0) {
+      due_ = Clock::now();
+      return;
+    }
+    due_ += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(kStep / speed));
+    const auto now = Clock::now();
+    if (due_ < now - std::chrono::seconds(1))
+      due_ = now;  // a machine that cannot keep up does not race later
+    if (process_.lock_step()) process_.await([] { return false; }, due_);
+  }
+
+  void write_sheet(int arm) {
+    if (k_.folder.empty()) return;
+    const auto n = sheets_[static_cast<std::size_t>(arm)]++;
+    std::ofstream file(k_.folder /
+                       fmt::format("{}-sheet-{}.csv", k_.robots[static_cast<std::size_t>(arm)], n));
+    file << "stroke,t,x,y\n";
+    for (const InkPoint& p : world_.ink(arm))
+      file << fmt::format("{},{:.3f},{:.5f},{:.5f}\n", p.stroke, p.t, p.x, p.y);
+  }
+
+  link::Process& process_;
+  World& world_;
+  ShellParameters k_;
+  std::unique_ptr<link::Outbox<world_state_t>> state_out_;
+  std::unique_ptr<link::Outbox<hand_report_t>> report_out_;
+  std::unique_ptr<link::Inbox<hand_order_t>> order_in_;
+  std::vector<std::unique_ptr<link::Inbox<drive_command_t>>> drive_in_;
+  std::vector<HardwareCommand> commands_;
+  std::vector<int> missed_;
+  std::vector<int> sheets_;
+  std::array<HandAction, 4> actions_{};
+  RestWatch rest_;
+  bool rested_{};
+  bool paused_{};
+  std::int64_t finished_in_{};
+  Clock::time_point due_{};
+};
+
+}  // namespace
+
+void run_world(link::Process& process, World& world, const ShellParameters& parameters) {
+  Shell(process, world, parameters).run();
+}
+
+}  // namespace mrroc::sim

@@ -1,0 +1,25 @@
+#include "tasks/drawing/config.hpp"
+
+namespace mrroc::drawing {
+
+Parameters read_parameters(const Config& config) {
+  Parameters k;
+  k.dt = config.number("time.dt", k.dt, {0.002, 0.002}, "s");
+  k.n_s = config.integer("time.n_s", k.n_s, {2, 32}, "steps");
+  k.teach_force = config.number("task.teach_force", k.teach_force, {0, 5}, "N");
+  k.draw_force = config.number("task.draw_force", k.draw_force, {0.1, 5}, "N");
+  k.settle = config.integer("task.settle", k.settle, {0, 500}, "macrosteps");
+  k.lift_off = config.integer("task.lift_off", k.lift_off, {10, 250}, "macrosteps");
+  k.pace_change =
+      1.0 / config.integer("task.pause_macrosteps", 10, {1, 100}, "macrosteps from full pace to rest");
+  return k;
+}
+
+HandPlan read_hand_plan(const Config& config) {
+  HandPlan plan;
+  plan.height = config.number("operator.start_height", plan.height, {0.004, 0.03}, "m");
+  plan.steady = config.integer("operator.steady", plan.steady, {1, 500}, "macrosteps");
+  return plan;
+}
+
+}  // namespace mrroc::drawing

@@ -1,0 +1,17 @@
+// The drawing task's part of the configuration.
+#pragma once
+#include "base/config.hpp"
+#include "tasks/drawing/hand_operator.hpp"
+#include "tasks/drawing/images.hpp"
+
+namespace mrroc::drawing {
+
+/// @return the parameters in the tables [task] and [time]
+/// @throws ConfigError
+Parameters read_parameters(const Config& config);
+
+/// @return the scripted operator's parameters in the table [operator]; the start stays as it is
+/// @throws ConfigError
+HandPlan read_hand_plan(const Config& config);
+
+}  // namespace mrroc::drawing

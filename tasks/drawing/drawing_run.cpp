@@ -1,0 +1,143 @@
+#include "tasks/drawing/drawing_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tasks/drawing/playback.hpp"
+#include "tasks/drawing/tables.hpp"
+
+namespace mrroc::drawing {
+namespace {
+
+/// From an order of the coordinator to the report about its execution (MG 11-15).
+constexpr std::size_t kLoopDelay = 3;
+
+/// Strokes among the first p nodes.
+int strokes_until(const Recording& recording, std::size_t p) {
+  int strokes = 0;
+  bool on_paper = false;
+  for (std::size_t n = 0; n < std::min(p, recording.size()); ++n) {
+    const bool paper = recording[n].pen == PenState::paper_surface;
+    if (paper && !on_paper) ++strokes;
+    on_paper = paper;
+  }
+  return strokes;
+}
+
+}  // namespace
+
+DrawingRun::DrawingRun(mp::TaskRun& run, const std::vector<std::string>& arms, const Parameters& parameters,
+                       const HandPlan& plan, std::optional<Recording> taught,
+                       std::function<void(const std::string&)> announce)
+    : run_(run),
+      k_(parameters),
+      operator_(run.process(), run.desk(), plan),
+      links_(run.process(), arms, operator_),
+      taught_before_(taught.has_value()),
+      announce_(std::move(announce)) {
+  if (taught) record_.recording = *taught;
+}
+
+double DrawingRun::seconds(std::int64_t macrosteps) const {
+  return static_cast<double>(macrosteps) * k_.n_s * k_.dt;
+}
+
+Outcome DrawingRun::execute() {
+  mp::CoordinatorPort<Coordinator, std::function<void(const Motion<Coordinator>&, const X&)>> port(
+      links_, [this](const auto& motion, const X& x) { observe(motion, x); });
+  X x;
+  x.c.k = k_;
+  x.c.recording = record_.recording;
+  Order first;
+  first.arm.n_s = static_cast<std::uint16_t>(k_.n_s);
+  first.arm.n_Q = static_cast<std::uint16_t>(k_.n_s - 1);
+  if (const Outcome o = links_.begin(first); o != Outcome::terminated) return o;
+  port.read(x);
+  const Outcome outcome = program(x, port);
+  record_.recording = x.c.recording;
+  if (outcome != Outcome::terminated) return outcome;
+  first.finished = true;
+  links_.send(std::vector<Order>(kArms, first));
+  return outcome;
+}
+
+template <class P>
+Outcome DrawingRun::program(X& x, P& port) {
+  const auto behaviour = [&](int m) { return move(kCoordinator[static_cast<std::size_t>(m - 1)], x, port); };
+  const auto nodes_left = [&] { return x.c.p < static_cast<double>(x.c.recording.size()); };
+  Outcome o = move(kWaitForStart, x, port);
+  if (o == Outcome::terminated && !taught_before_) {
+    for (const int m : {1, 2})
+      if (o == Outcome::terminated) o = behaviour(m);
+    x.c.p = 0;  // reproduction begins with the first node
+  }
+  if (o == Outcome::terminated) o = behaviour(3);
+  while (o == Outcome::terminated) {
+    for (const int m : {4, 5, 6})
+      if (o == Outcome::terminated) o = behaviour(m);
+    if (o != Outcome::terminated || !nodes_left()) break;
+    o = behaviour(7);
+    if (!nodes_left()) break;
+  }
+  return o;
+}
+
+void DrawingRun::observe(const Motion<Coordinator>& motion, const X& x) {
+  const double now = seconds(x.i);
+  ordered_.push_front(motion.m);
+  if (ordered_.size() > kLoopDelay + 1) ordered_.pop_back();
+  note_rows(x);
+  show(motion, x);
+  run_.each_macrostep(x.i, now);
+}
+
+void DrawingRun::note_rows(const X& x) {
+  const int executed = ordered_.size() > kLoopDelay ? ordered_[kLoopDelay] : 0;
+  for (std::size_t arm = 0; arm < kArms; ++arm) {
+    const Report& r = x.T.agent[arm];
+    ArmRow row;
+    row.i = x.i;
+    row.t = seconds(x.i - 2) +
+            (k_.n_s - 1) * k_.dt;  // x_ce was measured in step n_Q of the macrostep before the last
+    row.m = executed;
+    row.pose = Eigen::Map<const Vector6>(r.T_0E.data());
+    row.F = r.F_a;
+    row.gap = r.gripper;
+    row.blocked = r.blocked;
+    if (r.ready) record_.traces[arm].push_back(row);
+    if (r.m == 5 && reported_m_[arm] != 5) record_.segment_starts[arm].push_back(x.i);
+    reported_m_[arm] = r.m;
+  }
+}
+
+void DrawingRun::show(const Motion<Coordinator>& motion, const X& x) {
+  const auto& c = x.c;
+  if (motion.m != m_) {
+    if (motion.m == 4) stroke_ = strokes_until(c.recording, static_cast<std::size_t>(c.p)) + 1;
+    const std::string stroke = motion.m >= 4 ? fmt::format("  (stroke {} of {})", stroke_,
+                                                           strokes_until(c.recording, c.recording.size()))
+                                             : "";
+    announce_(fmt::format("{:8.2f} s  m = {}  {}{}", seconds(x.i), motion.m, motion.name, stroke));
+    m_ = motion.m;
+  }
+  const bool waits = motion.m == 2 || motion.m == 3;
+  run_.set_state(motion.m == 0  ? TaskState::waiting_for_start
+                 : x.T.h.paused ? TaskState::paused
+                                : TaskState::running,
+                 waits);
+  auto& board = run_.board();
+  board.set_behaviour(motion.m, motion.name);
+  const double nodes = static_cast<double>(c.recording.size());
+  if (motion.m >= 4) {
+    board.set_progress(nodes > 0 ? 0.5 + 0.5 * c.p / nodes : 0.5,
+                       fmt::format("node {:.0f} of {:.0f}", c.p, nodes));
+  } else {
+    board.set_progress(motion.m <= 2 ? 0.5 * operator_.progress() : 0.5,
+                       fmt::format("{:.0f} nodes taught", nodes));
+  }
+  for (std::size_t arm = 0; arm < kArms; ++arm)
+    board.set_arm(arm, x.T.agent[arm], to_string(static_cast<PenState>(x.T.agent[arm].sensor)));
+}
+
+}  // namespace mrroc::drawing

@@ -1,0 +1,65 @@
+#include "tasks/drawing/hand_operator.hpp"
+
+#include <algorithm>
+
+#include "base/hand.hpp"
+#include "tasks/drawing/images.hpp"
+
+namespace mrroc::drawing {
+namespace {
+
+HandAction action(int m, std::size_t arm) {
+  if (m == 1 || m == 2) return arm == 0 ? HandAction::lead_along : HandAction::release;
+  return m == 3 ? HandAction::lead_to : HandAction::release;
+}
+
+}  // namespace
+
+HandOperator::HandOperator(link::Process& process, mp::OperatorDesk& desk, const HandPlan& plan)
+    : process_(process),
+      desk_(desk),
+      plan_(plan),
+      order_out_(process.outbox<hand_order_t>("hand.order")),
+      report_in_(process.inbox<hand_report_t>("hand.report")) {}
+
+void HandOperator::inform(std::int64_t i, int m, bool finished) {
+  hand_order_t order{};
+  for (std::size_t arm = 0; arm < kArms; ++arm) {
+    order.action[arm] = static_cast<int>(action(m, arm));
+    order.x[arm] = plan_.start.x();
+    order.y[arm] = plan_.start.y();
+    order.height[arm] = plan_.height;
+  }
+  order.new_sheet[0] = m == 3 && m_ == 2;  // the taught sheet is put away
+  order.paused = paused_;
+  order.finished = finished;
+  order_out_->publish(order, i);
+  if (m != m_) {
+    m_ = m;
+    steady_ = 0;
+    triggered_ = false;
+  }
+}
+
+bool HandOperator::here(std::int64_t i) const { return report_in_->at(i) != nullptr; }
+
+OperatorImage HandOperator::image(std::int64_t i) {
+  const hand_report_t* const report = process_.lock_step() ? report_in_->at(i) : report_in_->newest();
+  if (report) decide(*report);
+  const OperatorImage image = desk_.take(i);
+  paused_ = image.paused;
+  return image;
+}
+
+void HandOperator::decide(const hand_report_t& report) {
+  progress_ = report.progress[0];
+  if (!plan_.gives_orders) return;
+  if (desk_.state() == TaskState::waiting_for_start) desk_.give(OperatorOrder::start);
+  const bool done = m_ == 2 ? report.done[0] != 0 : m_ == 3 ? report.done[0] && report.done[1] : false;
+  steady_ = done ? steady_ + 1 : 0;
+  if (steady_ < plan_.steady || triggered_ || desk_.state() != TaskState::running) return;
+  triggered_ = true;
+  desk_.give(OperatorOrder::trigger);
+}
+
+}  // namespace mrroc::drawing

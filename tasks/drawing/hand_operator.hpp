@@ -1,0 +1,50 @@
+// The operator h of the drawing task in simulation: guides the simulated hands through the behaviours, and
+// gives start and triggers unless a person does.
+#pragma once
+#include <memory>
+
+#include "base/link/process.hpp"
+#include "mp/coordinator_links.hpp"
+#include "mp/operator_desk.hpp"
+#include "mrroc/hand_order_t.hpp"
+#include "mrroc/hand_report_t.hpp"
+#include "tasks/drawing/drawing.hpp"
+
+namespace mrroc::drawing {
+
+/// What the operator is to do.
+struct HandPlan {
+  Point start{0, 0};        ///< where both pens begin the reproduction [mm]
+  double height{0.010};     ///< of the pens above the paper there [m]
+  int steady{25};           ///< macrosteps that the hands hold still before the trigger
+  bool gives_orders{true};  ///< start and triggers; false: a person or a script gives them
+};
+
+/// Speaks with the world's hands on the channels hand.order and hand.report.
+class HandOperator final : public mp::OperatorAgent {
+ public:
+  HandOperator(link::Process& process, mp::OperatorDesk& desk, const HandPlan& plan);
+
+  void inform(std::int64_t i, int m, bool finished) override;
+  [[nodiscard]] bool here(std::int64_t i) const override;
+  OperatorImage image(std::int64_t i) override;
+
+  /// @return share of the present hand motion that is done, 0..1
+  [[nodiscard]] double progress() const { return progress_; }
+
+ private:
+  void decide(const hand_report_t& report);
+
+  link::Process& process_;
+  mp::OperatorDesk& desk_;
+  HandPlan plan_;
+  std::unique_ptr<link::Outbox<hand_order_t>> order_out_;
+  std::unique_ptr<link::Inbox<hand_report_t>> report_in_;
+  int m_{};           // behaviour of the last order
+  int steady_{};      // macrosteps since the hands are done in this behaviour
+  bool triggered_{};  // in this behaviour
+  bool paused_{};
+  double progress_{};
+};
+
+}  // namespace mrroc::drawing

@@ -1,0 +1,59 @@
+#include "tasks/drawing/input.hpp"
+
+#include <fmt/format.h>
+
+#include "base/fault.hpp"
+#include "tasks/drawing/strokes.hpp"
+#include "tasks/drawing/svg.hpp"
+
+namespace mrroc::drawing {
+
+void add_input_options(CLI::App& app, InputOptions& o) {
+  auto* drawing = app.add_option("--drawing", o.drawing,
+                                 "what is taught: an SVG file (default: an arrow with six feathers)")
+                      ->type_name("FILE.svg");
+  auto* size = app.add_option("--size", o.size,
+                              fmt::format("larger side of the drawing (default {:g}, at most {:g})",
+                                          kDefaultSize, kSheetSize))
+                   ->type_name("MM");
+  auto* save = app.add_option("--save", o.save, "keeps the taught recording")->type_name("FILE");
+  app.add_option("--load", o.load, "reproduces a recording without a new teach-in")
+      ->type_name("FILE")
+      ->excludes(drawing)
+      ->excludes(size)
+      ->excludes(save);
+}
+
+Input read_input(const InputOptions& o) {
+  Input input;
+  if (!o.save.empty() && o.save.has_parent_path() && !std::filesystem::is_directory(o.save.parent_path()))
+    throw FaultError(FaultCode::bad_usage,
+                     fmt::format("--save {}: there is no such folder", o.save.string()));
+  if (!o.load.empty()) {
+    input.taught = load(o.load);
+    input.drawing = strokes_of(input.taught->ink);
+    input.name = fmt::format("recording {}", o.load.string());
+    check(input.drawing, o.load.string());
+    return input;
+  }
+  std::string name = o.drawing.empty() ? "arrow (built in)" : o.drawing.string();
+  const double size = o.size == 0 ? kDefaultSize : o.size;
+  check_size(size, name);
+  std::string ignored;
+  input.drawing = o.drawing.empty() ? fitted(arrow(), size) : read_svg(o.drawing, size, &ignored);
+  check(input.drawing, name);
+  input.name = ignored.empty() ? name : fmt::format("{} (left out: {})", name, ignored);
+  return input;
+}
+
+std::string Input::about() const {
+  double sum = 0;
+  std::size_t points = 0;
+  for (const Stroke& s : drawing) {
+    sum += length(s);
+    points += s.size();
+  }
+  return fmt::format("{}: {} strokes, {} points, {:.0f} mm", name, drawing.size(), points, sum);
+}
+
+}  // namespace mrroc::drawing

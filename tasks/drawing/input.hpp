@@ -1,0 +1,43 @@
+// What a run draws: the built-in arrow, an SVG file, or a recording that was taught before.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "tasks/drawing/drawing.hpp"
+#include "tasks/drawing/recording.hpp"
+
+namespace mrroc::drawing {
+
+/// The options --drawing, --size, --save and --load.
+struct InputOptions {
+  std::filesystem::path drawing;  ///< SVG; empty: the arrow
+  double size{0};                 ///< larger side [mm]; 0: not given
+  std::filesystem::path save;     ///< where the recording goes
+  std::filesystem::path load;     ///< recording to reproduce without a teach-in
+};
+
+/// What is to be drawn.
+struct Input {
+  Drawing drawing;               ///< what the hand leads along; with a recording: its taught ink
+  std::optional<Taught> taught;  ///< the recording, when there is one
+  std::string name;              ///< for the operator
+
+  /// @return where the pens are to begin [mm]
+  [[nodiscard]] Point start() const { return drawing.front().front(); }
+  /// @return one line for the operator
+  [[nodiscard]] std::string about() const;
+};
+
+/// Adds the options to a program's command line.
+void add_input_options(CLI::App& app, InputOptions& options);
+
+/// Reads what the options name.
+/// @throws DrawingError, FaultError bad_usage
+Input read_input(const InputOptions& options);
+
+/// @return the task's built-in configuration, tasks/drawing/drawing.toml
+std::string_view default_config();
+
+}  // namespace mrroc::drawing

@@ -1,0 +1,197 @@
+// The drawing task: two arms copy a drawing that is taught to one of them.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <tuple>
+
+#include "base/config.hpp"
+#include "mp/task_run.hpp"
+#include "robots/irb6/config.hpp"
+#include "robots/irb6/edp_body.hpp"
+#include "sim/config.hpp"
+#include "sim/world.hpp"
+#include "tasks/drawing/config.hpp"
+#include "tasks/drawing/drawing_run.hpp"
+#include "tasks/drawing/ecp_body.hpp"
+#include "tasks/drawing/input.hpp"
+#include "tasks/drawing/plots.hpp"
+#include "tasks/drawing/results.hpp"
+#include "vsp/pen_state/config.hpp"
+
+namespace {
+
+using namespace mrroc;
+namespace fs = std::filesystem;
+
+const std::vector<std::string> kArmKeys{"arm1", "arm2"};
+const std::vector<std::string> kModels{"irb6_postument", "irb6_track"};
+
+struct Options {
+  mp::TaskOptions task;
+  drawing::InputOptions input;
+};
+
+/// Everything that is known before anything starts.
+struct Setup {
+  Config config;
+  drawing::Parameters k;
+  drawing::HandPlan plan;
+  drawing::Input input;
+  drawing::PlotSetup sheets;
+};
+
+Config load_config(const mp::TaskOptions& o) {
+  Config config = o.config_file.empty() ? Config::parse(drawing::default_config(), "drawing.toml (built in)")
+                                        : Config::load(o.config_file);
+  for (const std::string& s : o.settings) config.set(s);
+  return config;
+}
+
+/// Reads every parameter of every process, so that a wrong one is found before anything starts.
+void read_all(Setup& s, const mp::TaskOptions& o) {
+  const Config& c = s.config;
+  s.k = drawing::read_parameters(c);
+  s.plan = drawing::read_hand_plan(c);
+  s.plan.gives_orders = !o.attended && o.script.empty();
+  s.plan.start = s.input.start();
+  const sim::WorldParameters world = sim::read_world(c);
+  const sim::World still(world, o.seed);
+  for (std::size_t arm = 0; arm < kArmKeys.size(); ++arm) {
+    const AxisVector joints = still.start_joints(static_cast<int>(arm));
+    const auto setup = irb6::read_driver(c, kArmKeys[arm], kModels[arm], {joints.begin(), joints.end()});
+    irb6::read_tool(c, kArmKeys[arm], kModels[arm]);
+    irb6::read_command_link(c, kArmKeys[arm]);
+    s.sheets.sheet[arm] = world.arms[arm].paper.T_0P.p;
+  }
+  vsp::read_pen_state(c);
+}
+
+Setup prepare(const Options& o) {
+  Setup s;
+  s.input = drawing::read_input(o.input);
+  s.config = load_config(o.task);
+  s.config.set(fmt::format("seed={}", o.task.seed));
+  read_all(s, o.task);
+  return s;
+}
+
+/// Fixes what belongs to this run alone and writes the complete configuration.
+void write_config(Setup& s, const mp::TaskOptions& o, const fs::path& folder) {
+  const Config& c = s.config;
+  std::ignore = c.integer<std::int64_t>("seed", 1);
+  std::ignore = c.number("sim.speed", o.speed, {0, 1e4}, "of real time, 0: as fast as possible");
+  std::ignore = c.text("run.folder", fs::absolute(folder).string());
+  std::ignore = c.text("run.strokes", fs::absolute(folder / "input.csv").string());
+  c.check_all_used();
+  mp::write_text(folder / "config.toml", c.dump());
+}
+
+std::vector<mp::Part> parts_of(const Config& config) {
+  std::vector<mp::Part> parts;
+  const auto add = [&](const std::string& name, const std::string& program, const std::string& arm,
+                       const std::string& robot, const link::PartBody& body) {
+    mp::Part p{name, program, {"--name", name}, {}};
+    if (!arm.empty()) p.arguments.insert(p.arguments.end(), {"--arm", arm, "--robot", robot});
+    p.body = [config, arm, body](link::Process& process) { body(process, config, {arm}); };
+    parts.push_back(p);
+  };
+  add("world", "world", "", "", sim::run_world_process);
+  for (std::size_t k = 0; k < kArmKeys.size(); ++k) {
+    const std::string& arm = kArmKeys[k];
+    add("edp-" + arm, "edp_irb6", arm, kModels[k], irb6::run_edp_of_arm);
+    add("ecp-" + arm, "ecp_drawing", arm, kModels[k], drawing::run_drawing_ecp);
+    add("vsp-" + arm, "vsp_pen_state", arm, kModels[k], vsp::run_pen_state);
+  }
+  return parts;
+}
+
+void print_summary(const mp::Summary& s) {
+  fmt::print("\n{}: {:.1f} s simulated in {:.1f} s ({:.1f} x real time)\n",
+             s.stopped ? "stopped"
+             : s.fault ? "ended with a fault"
+                       : "done",
+             s.sim_s, s.wall_s, s.wall_s > 0 ? s.sim_s / s.wall_s : 0);
+  for (const auto& [key, figure] : s.figures) {
+    if (const double* x = std::get_if<double>(&figure)) {
+      fmt::print("  {:22} {:.4g}\n", key, *x);
+    } else {
+      fmt::print("  {:22}", key);
+      for (const double value : std::get<std::vector<double>>(figure)) fmt::print(" {:.4g}", value);
+      fmt::print("\n");
+    }
+  }
+}
+
+/// Files, figures and pictures of a run that has ended.
+void finish(const Options& o, const Setup& s, const fs::path& folder, const drawing::RunRecord& record,
+            mp::Summary& summary) {
+  const bool taught_here = !s.input.taught;
+  const auto ink =
+      drawing::collect_ink(folder, kArmKeys, taught_here ? std::nullopt : std::optional(s.input.taught->ink));
+  drawing::write_tables(folder, record, ink);
+  for (auto& [key, figure] : drawing::figures_of(s.input.drawing, taught_here, record, ink, s.k))
+    summary.figures[key] = figure;
+  mp::write_summary(folder, summary);
+  if (!o.input.save.empty() && !summary.fault && ink.taught)
+    drawing::save(o.input.save, {record.recording, *ink.taught});
+  const auto plots = drawing::plot_run(folder, s.sheets);
+  if (!plots.note.empty()) fmt::print("{}\n", plots.note);
+}
+
+int run(const Options& o) {
+  Setup s = prepare(o);
+  const fs::path folder = mp::make_run_folder(o.task.run_dir, "drawing");
+  drawing::write_ink(folder / "input.csv", drawing::ink_of(s.input.drawing));
+  write_config(s, o.task, folder);
+
+  mp::TaskRun run("drawing", o.task, folder, kArmKeys, parts_of(s.config));
+  fmt::print("drawing, {}, session {}, seed {}{}\n", s.input.about(), run.session(), o.task.seed,
+             s.plan.gives_orders ? ", unattended: the scripted operator gives start and triggers"
+                                 : ", waits for the operator: `ui_cli start`");
+  drawing::DrawingRun drawing(run, kArmKeys, s.k, s.plan,
+                              s.input.taught ? std::optional(s.input.taught->recording) : std::nullopt,
+                              [](const std::string& line) {
+                                fmt::print("{}\n", line);
+                                std::fflush(stdout);
+                              });
+  run.start();
+  std::optional<Fault> fault;
+  if (run.process().assemble() && drawing.execute() == Outcome::faulted) fault = drawing.fault();
+  mp::Summary summary = run.end(fault);
+  finish(o, s, folder, drawing.record(), summary);
+  print_summary(summary);
+  if (summary.fault) fmt::print(stderr, "{}\n", error_line(*summary.fault));
+  fmt::print("run folder: {}\n", folder.string());
+  return summary.fault ? exit_status(summary.fault->code) : 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options o;
+  CLI::App app{
+      "Two simulated IRb-6 arms copy a drawing that an operator teaches to one of them by leading its pen.\n"
+      "Without options the built-in arrow with six feathers is taught and copied."};
+  app.name("drawing");
+  drawing::add_input_options(app, o.input);
+  mp::add_task_options(app, o.task);
+  app.footer(
+      "Exit status: 0 done; 1 fault or stopped; 2 bad usage or input, nothing was started; 3 system error.");
+  if (const auto status = mp::parse_command_line(app, argc, argv)) return *status;
+  try {
+    return run(o);
+  } catch (const FaultError& e) {
+    fmt::print(stderr, "{}\n", e.error_line());
+    return exit_status(e.fault().code);
+  } catch (const drawing::DrawingError& e) {
+    const FaultError error(o.input.load.empty() ? FaultCode::bad_drawing : FaultCode::bad_recording,
+                           e.what());
+    fmt::print(stderr, "{}\n", error.error_line());
+    return exit_status(error.fault().code);
+  } catch (const std::exception& e) {
+    const FaultError error(FaultCode::internal_error, e.what());
+    fmt::print(stderr, "{}\n", error.error_line());
+    return exit_status(error.fault().code);
+  }
+}
