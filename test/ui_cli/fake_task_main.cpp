@@ -54,11 +54,12 @@ void run(const std::string& session) {
   task.objection = [&](OperatorOrder order) { return objection(order, state); };
   auto status = mrroc::test::drawing_status();
   for (int tick = 0; tick < 600 && state != TaskState::ended; ++tick) {
-    for (const auto end = std::chrono::steady_clock::now() + 100ms; std::chrono::steady_clock::now() < end;)
+    for (const auto end = std::chrono::steady_clock::now() + 100ms; std::chrono::steady_clock::now() < end;) {
       task.poll(10ms);
-    for (const OperatorOrder order : std::exchange(task.obeyed, {})) {
-      state = after(order, state);
-      task.say("mp", "operator: " + std::string(to_string(order)));
+      for (const OperatorOrder order : std::exchange(task.obeyed, {})) {
+        state = after(order, state);
+        task.say("mp", "operator: " + std::string(to_string(order)));
+      }
     }
     if (state == TaskState::running) {
       status.sim_time += 0.1;
