@@ -174,7 +174,7 @@ TEST(ConfigErrors, RefuseNumbersThatAreNotFinite) {
 
 TEST(ConfigErrors, NameTheMissingKey) {
   EXPECT_EQ(error_of([] {
-              (void)robots().number("robots.arm1.weight", Config::required, {0, 100}, "N");
+              (void)robots().number("robots.arm1.weight", Config::kRequired, {0, 100}, "N");
             }),
             "robots.toml: the key 'robots.arm1.weight' is missing, it must be a number, 0 to 100 N");
 }
@@ -224,7 +224,7 @@ TEST(ConfigErrors, AreLimitedToTheSectionThatIsChecked) {
   (void)arm.text("model", "");
   (void)arm.number("track", 0);
   EXPECT_THROW(arm.check_all_used(), ConfigError);
-  (void)arm.numbers<3>("gains", Config::required);
+  (void)arm.numbers<3>("gains", Config::kRequired);
   EXPECT_NO_THROW(arm.check_all_used());
   EXPECT_THROW(cfg.check_all_used(), ConfigError);
 }
