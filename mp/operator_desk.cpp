@@ -70,6 +70,7 @@ std::optional<std::string> OperatorDesk::objection(OperatorOrder order) const {
   if (waiting(order)) return fmt::format("{} has just been ordered", to_string(order));
   switch (order) {
     case OperatorOrder::start:
+      if (image_.started) return "the task has been started already";
       if (is(TaskState::waiting_for_start)) return std::nullopt;
       return fmt::format("the task is {}, it does not wait for a start", to_string(state_));
     case OperatorOrder::pause:

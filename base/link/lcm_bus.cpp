@@ -82,7 +82,7 @@ class LcmBus final : public Bus {
 }  // namespace
 
 LcmAddress LcmAddress::parse(const std::string& url) {
-  static const std::regex form(R"(udpm://(\d+\.\d+\.\d+\.\d+):(\d+)(?:\?ttl=(\d+))?)");
+  static const std::regex form(R"(udpm://(\d+\.\d+\.\d+\.\d+):(\d+)(?:\?ttl=(\d+))?(?:&recv_buf_size=\d+)?)");
   std::smatch part;
   if (!std::regex_match(url, part, form))
     throw std::invalid_argument(fmt::format("'{}' is not of the form udpm://HOST:PORT?ttl=N", url));

@@ -16,6 +16,8 @@ PenStateParameters read_pen_state(const Config& config) {
   p.rest_time = t.number("rest_time", p.rest_time, {0, 10}, "s");
   p.impact_force = t.number("impact_force", p.impact_force, {0.1, 20}, "N");
   p.impact_time = t.number("impact_time", p.impact_time, {0.002, 0.098}, "s");
+  p.rest_force = t.number("rest_force", p.rest_force, {0.1, 20}, "N");
+  p.rest_force_time = t.number("rest_force_time", p.rest_force_time, {0, 10}, "s");
   p.settling_time = t.number("settling_time", p.settling_time, {0, 5}, "s");
   p.paper_filter = t.number("paper_filter", p.paper_filter, {0.01, 10}, "s");
   p.lift_height = t.number("lift_height", p.lift_height, {0.0001, 0.01}, "m");

@@ -40,7 +40,8 @@ PenState PenStateSensor::next() {
       return PenState::lowering;
     case PenState::lowering:
       if (v_ < -k_.braked_speed) return PenState::above_paper;
-      if (rise > k_.impact_force) {
+      pressing_ = std::abs(v_) < k_.rest_speed && F_ > k_.rest_force ? pressing_ + k_.dt : 0;
+      if (rise > k_.impact_force || pressing_ > k_.rest_force_time) {
         timer_ = 0;
         paper_ = depth_;
         return PenState::paper_surface;

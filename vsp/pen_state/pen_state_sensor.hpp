@@ -18,8 +18,10 @@ struct PenStateParameters {
   double braked_speed{0.003};    ///< lowering ends without impact when the pen rises faster than this [m/s]
   double rest_speed{0.0015};     ///< or when it is slower than this for rest_time [m/s]
   double rest_time{0.5};         ///< [s]
-  double impact_force{1.0};      ///< B: the force rises by more than this ... [N]
+  double impact_force{1.5};      ///< B: the force rises by more than this ... [N]
   double impact_time{0.020};     ///< ... within this time [s], at most 0.1 s
+  double rest_force{1.2};        ///< or B, a soft landing: at rest with more than this ... [N]
+  double rest_force_time{0.2};   ///< ... for this time [s]; in the air F_a would have gone to zero
   double settling_time{0.3};     ///< no lift-off before this time after an impact: the pen bounces [s]
   double paper_filter{0.3};      ///< time constant with which the height of the paper is followed [s]
   double lift_height{0.0006};    ///< C: the pen is higher than this above the paper ... [m]
@@ -57,7 +59,8 @@ class PenStateSensor {
   double v_{};                  // filtered [m/s], positive into the paper
   double F_{};                  // filtered [N]
   double paper_{};              // depth at which the paper is [m]
-  double timer_{};              // [s] in the present state, or at rest
+  double timer_{};              // [s] in the present state, in lowering: at rest
+  double pressing_{};           // [s] at rest under rest_force
   std::array<double, 50> past_F_{};
   int n_F_{};  // samples taken
 };
