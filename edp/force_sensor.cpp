@@ -18,7 +18,8 @@ ForceSensor::Health ForceSensor::take(const Wrench& S_F_m, bool at_rest) noexcep
   for (std::size_t k = 0; k < n; ++k) S_F_m_ += recent_[k];
   S_F_m_ *= 1. / static_cast<double>(n);
 
-  if (!at_rest) at_rest_count_ = 0;
+  if (!at_rest || !was_at_rest_) at_rest_count_ = 0;
+  was_at_rest_ = at_rest;
   at_rest_[at_rest_count_ % at_rest_.size()] = S_F_m;
   ++at_rest_count_;
   return Health::good;

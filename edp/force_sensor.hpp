@@ -67,6 +67,7 @@ class ForceSensor {
   Complaint complaint_{};
   std::array<Wrench, kBiasWindow> at_rest_{};
   std::size_t at_rest_count_{};
+  bool was_at_rest_{};
 };
 
 }  // namespace mrroc::edp

@@ -209,6 +209,27 @@ TEST(DriverCommand, BiasZeroesTheForceAndIsRefusedInMotion) {
   EXPECT_EQ(reply.fault.code, FaultCode::not_at_rest);
 }
 
+TEST(DriverCommand, BiasGivenWithAMotionIsTheMeanOfTheStandstillBeforeIt) {
+  Rig rig;
+  rig.synchronise();
+  int k = 0;
+  rig.after_each_step = [&] { rig.world.sensor_offset[Axis::z] = ++k % 2 ? 1 : 3; };
+  rig.silence(6);
+  EffectorCommand c = rig.velocity({u(0.01), u(), u(), u(), u(), u()});
+  c.set = Part::arm | Part::force_bias;
+  EXPECT_NEAR(std::abs(rig.macrostep(c).F_a[Axis::z]), 1, 0.05);
+}
+
+TEST(DriverCommand, SecondCommandAtOneBoundaryIsIgnored) {
+  Rig rig;
+  rig.synchronise();
+  const EffectorCommand first = rig.velocity({u(0.01), u(), u(), u(), u(), u()});
+  rig.driver.take(first);
+  rig.driver.take(rig.velocity({u(), u(0.01), u(), u(), u(), u()}));
+  EXPECT_EQ(rig.macrostep().number, first.number);
+  EXPECT_EQ(rig.driver.set_point().T_0E.p.y(), 0);
+}
+
 TEST(DriverCommand, ReplyOfEveryMacrostepCarriesTheMeasurements) {
   Rig rig;
   rig.synchronise();

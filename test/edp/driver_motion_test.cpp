@@ -43,6 +43,10 @@ TEST(DriverMotion, ContactSettlesAtTheDesiredForceAlongAndAboutEveryAxis) {
       frame[axis] = rotational ? c(sign * 1.5, 0.5, 0.05) : c(sign * 6, 20, 0.005);
       const EffectorReply reply = rig.repeat(rig.velocity(frame), 300);
       EXPECT_NEAR(reply.F_a[axis], sign * (rotational ? 1.5 : 6), 0.02);
+      for (const Axis other : kAxes) {  // it acts at E: there it has no moment
+        if (other == axis) continue;
+        EXPECT_NEAR(reply.F_a[other], 0, 0.1) << static_cast<int>(other);
+      }
     }
 }
 
@@ -258,7 +262,10 @@ TEST(DriverMotion, SamplesAreTheReadingsOfAllStepsSinceTheReplyBefore) {
   do rig.step();
   while (!rig.driver.reply_due());
   EXPECT_EQ(rig.driver.samples().size(), Driver::kMaxSamples);
-  EXPECT_EQ(rig.driver.samples().back().T_0E, rig.driver.reply().T_0E) << "the newest are kept";
+  EXPECT_EQ(rig.driver.samples().back().T_0E, rig.driver.reply().T_0E);
+  for (std::size_t k = 1; k < Driver::kMaxSamples; ++k)
+    EXPECT_NEAR(rig.driver.samples()[k].T_0E[0] - rig.driver.samples()[k - 1].T_0E[0], 1e-4, 1e-5)
+        << "the newest are kept, none is left out";
 }
 
 TEST(DriverMotion, LawRemembersTheVelocityOfTheWristInTheBase) {
@@ -275,6 +282,51 @@ TEST(DriverMotion, LawRemembersTheVelocityOfTheWristInTheBase) {
   const Vector3 way = rig.driver.set_point().T_0E.p - start;
   EXPECT_LT(way.cross(direction.normalized()).norm(), 2e-4);
   EXPECT_NEAR(way.norm(), 0.04, 2e-4);
+}
+
+TEST(DriverMotion, LawBeginsAtRestAfterAMotorMotionThatEndedWithItsPassiveStep) {
+  Rig rig;
+  rig.synchronise();
+  ArmCommand a =
+      pose_command(Interpolation::mim, Representation::motors, {0, 0, 0, 2}, 20, Reference::relative);
+  a.n_Q = 21;
+  rig.macrostep(rig.set_arm(a));
+  const Pose before = rig.driver.set_point().T_0E;
+  TaskFrameCommand frame{};
+  for (const Axis axis : kAxes) frame[axis] = c(0, 20, 0.005);
+  rig.macrostep(rig.velocity(frame));
+  EXPECT_LT(distance(rig.driver.set_point().T_0E, before), 1e-12);
+}
+
+TEST(DriverMotion, MotionOfACommandWithANewToolIsThatOfTheNewTool) {
+  // Turn about the new E: its origin stays where it is.
+  for (const Interpolation mu : {Interpolation::tcim_pose, Interpolation::tcim_velocity}) {
+    Rig rig;
+    rig.synchronise();
+    EffectorCommand c = rig.set_arm(
+        pose_command(mu, Representation::xyz_angle_axis, {0, 0, 0, 0, 0.1}, 50, Reference::relative));
+    c.arm.frame.ay = u(1);
+    c.set = Part::arm | Part::robot_model;
+    c.robot_model.set_tool = true;
+    c.robot_model.tool_representation = Representation::xyz_angle_axis;
+    c.robot_model.tool = {0.05, 0.1, 0.3, 0, 0, 1};
+    const Pose T_WE = pose_from_angle_axis(Vector6(c.robot_model.tool.data()));
+    const Vector3 origin = (rig.world.T_0W() * T_WE).p;
+    ASSERT_EQ(rig.macrostep(c).verdict, Verdict::executed);
+    EXPECT_LT((rig.driver.set_point().T_0E.p - origin).norm(), 1e-9);
+    EXPECT_LT(((rig.arm.forward(rig.driver.set_point().axes.joints) * T_WE).p - origin).norm(), 1e-9);
+  }
+}
+
+TEST(DriverMotion, OrientationStaysARotationOverManySteps) {
+  Rig rig;
+  rig.synchronise();
+  for (int k = 0; k < 200; ++k) {
+    const double sign = k % 2 ? 1 : -1;
+    rig.macrostep(rig.velocity({u(), u(), u(), u(0.3 * sign), u(0.2 * sign), u(0.4 * sign)}, 1000));
+  }
+  const Matrix3& R = rig.driver.set_point().T_0E.R;
+  EXPECT_LT((R.transpose() * R - Matrix3::Identity()).cwiseAbs().maxCoeff(), 2e-15);
 }
 
 TEST(DriverMotion, NewToolLeavesTheWristsMotionAsItIs) {

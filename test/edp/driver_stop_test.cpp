@@ -86,6 +86,26 @@ TEST(DriverStop, SilenceBringsEveryMotionSmoothlyToRestAndHolds) {
   EXPECT_GT(moved, 990) << "the motions must not have been standing still already";
 }
 
+TEST(DriverStop, MotorsThatWereInterpolatedStopInStep) {
+  Rig rig;
+  rig.synchronise();
+  ArmCommand a;
+  a.mu = Interpolation::mim;
+  a.representation = Representation::motors;
+  a.reference = Reference::relative;
+  a.pose = {3, -4, 5, 6, -7, 8};
+  a.n_s = a.n_Q = 60;
+  rig.macrostep(rig.set_arm(a));
+  const AxisVector speed = rig.driver.set_point().motor_increment;
+  int k = 0;
+  rig.after_each_step = [&] {
+    ++k;
+    const AxisVector expected = k < 40 ? AxisVector(speed * remaining_speed(k, 40)) : AxisVector(0 * speed);
+    EXPECT_LT((rig.driver.set_point().motor_increment - expected).cwiseAbs().maxCoeff(), 1e-12) << k;
+  };
+  rig.silence(5);
+}
+
 TEST(DriverStop, CommandAfterAHoldContinuesFromTheHeldSetPose) {
   std::mt19937_64 random(2);
   for (int run = 0; run < 200; ++run) {
@@ -185,6 +205,21 @@ TEST(DriverStop, FailureAfterTheReplyIsToldBeforeAnythingMovesAgain) {
   rig.silence(4);
   EXPECT_EQ(rig.driver.state(), DriverState::holding);
   EXPECT_EQ(rig.macrostep(rig.set_arm(a)).verdict, Verdict::executed);
+}
+
+TEST(DriverStop, FailureThatIsOverBeforeItIsToldIsToldAllTheSame) {
+  Rig rig;
+  rig.synchronise();
+  ArmCommand a;
+  a.frame.z = c(5, 0, 0.1);  // 0.5 m/s in the air: the limit comes after the reply
+  a.n_s = 1000;
+  a.n_Q = 1;
+  EXPECT_EQ(rig.macrostep(rig.set_arm(a)).verdict, Verdict::executed);
+  EXPECT_EQ(rig.driver.state(), DriverState::holding);
+  const EffectorReply told = rig.macrostep();
+  EXPECT_EQ(told.verdict, Verdict::none);
+  EXPECT_EQ(told.fault.code, FaultCode::joint_limit);
+  EXPECT_EQ(rig.macrostep().fault.code, FaultCode::none) << "once is enough";
 }
 
 TEST(DriverStop, SingularWristStopsTheTaskFrameAndMimLeadsOut) {

@@ -121,6 +121,11 @@ TEST(Guard, AxisOutOfItsLimitsMayComeBackAndNotGoFarther) {
   EXPECT_FALSE(check_range(arm, from, to, 10));
   to.motors[1] += 2;
   EXPECT_TRUE(check_range(arm, from, to, 0));
+  from.motors = to.motors = -outside;
+  to.motors[1] += 1;
+  EXPECT_FALSE(check_range(arm, from, to, 10));
+  to.motors[1] -= 2;
+  EXPECT_TRUE(check_range(arm, from, to, 0));
 }
 
 TEST(Guard, MotorSpeedIsCheckedForEachMotor) {
@@ -166,6 +171,13 @@ TEST_F(Plan, PoseTooFarForItsStepsIsRefusedAsTooFast) {
                FaultCode::too_fast, 1, 1, 0.5);
   expect_fault(plan(Interpolation::mim, Representation::motors, {0, 0, 0, 60}, 100), FaultCode::too_fast, 3,
                300, 250);
+}
+
+TEST_F(Plan, MotorMotionThatCouldNotBeStoppedBeforeALimitIsRefused) {
+  // 199 of 200 rad in 2 s: the stop takes 19.5 more of the 1000 equal parts.
+  expect_fault(plan(Interpolation::mim, Representation::motors, {0, 0, 0, 199}, 1000), FaultCode::joint_limit,
+               3, 199 * 1.0195, 200);
+  EXPECT_FALSE(plan(Interpolation::mim, Representation::motors, {0, 0, 0, 150}, 1000));
 }
 
 TEST_F(Plan, VelocityThatLeadsOutOfALimitInItsMacrostepIsRefused) {
