@@ -1,8 +1,19 @@
 #include "ecp/arm_links.hpp"
 
+#include "base/hash.hpp"
 #include "base/msg/convert.hpp"
 
 namespace mrroc::ecp {
+namespace {
+
+/// The owner of an effector within its system; the same in every run, so that runs can be compared.
+std::int64_t session_of(const std::string& process) {
+  Hash hash;
+  hash.add(process);
+  return static_cast<std::int64_t>(hash.value() >> 1);
+}
+
+}  // namespace
 
 ArmLinks::ArmLinks(link::Process& process, const ArmLinkNames& names)
     : process_(process),
@@ -11,7 +22,7 @@ ArmLinks::ArmLinks(link::Process& process, const ArmLinkNames& names)
       report_out_(process.outbox<agent_report_t>(names.robot + ".report")),
       reply_in_(process.inbox<effector_reply_t>(names.robot + ".reply")),
       order_in_(process.inbox<agent_order_t>(names.robot + ".order")),
-      client_(process.membership().session_id) {
+      client_(session_of(process.membership().name)) {
   if (has_sensor_) reading_in_ = process.inbox<sensor_reading_t>(names.sensor);
 }
 

@@ -68,8 +68,13 @@ HardwareCommand Driver::step(const HardwareReading& reading) noexcept {
   HardwareCommand command{};
   command.step = reading.step;
   command.commanded_until = commanded_until_;
-  command.enabled = synchronised() && state_ != DriverState::faulted;
-  if (command.enabled) command.pwm = servo_.step(generator_.set_point().motor_increment, measured_.increment);
+  held_steps_ = state_ == DriverState::holding ? held_steps_ + 1 : 0;
+  command.enabled = synchronised() && state_ != DriverState::faulted && held_steps_ <= kBrakesCloseAfter;
+  if (command.enabled) {
+    command.pwm = servo_.step(generator_.set_point().motor_increment, measured_.increment);
+  } else {
+    servo_.braked(measured_.increment);
+  }
   if (iota_ == n_) end_macrostep();
   ++steps_done_;
   return command;

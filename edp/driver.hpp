@@ -30,12 +30,14 @@ namespace mrroc::edp {
 ///     send(driver.step(reading));
 ///     if (driver.reply_due()) publish(driver.reply(), driver.samples());
 ///
-/// | state            | legal                                        | the drives | | ---              | ---
-/// | ---                                    | | not_synchronised | GET, QUERY, SYNCHRO | brake | | ready,
-/// holding   | all but SYNCHRO                              | hold the set pose                      | |
-/// executing        | all but SYNCHRO, FORCE_TOOL and force_bias   | follow the command                     |
-/// | decelerating     | the same                                     | come to rest | | faulted          |
-/// QUERY, reset                                 | brake                                  |
+/// | state            | legal                                        | the drives              |
+/// | ---              | ---                                          | ---                     |
+/// | not_synchronised | GET, QUERY, SYNCHRO                          | brake                   |
+/// | ready            | all but SYNCHRO                              | hold the set pose       |
+/// | executing        | all but SYNCHRO, FORCE_TOOL and force_bias   | follow the command      |
+/// | decelerating     | the same                                     | come to rest            |
+/// | holding          | all but SYNCHRO                              | hold, then brake        |
+/// | faulted          | QUERY, reset                                 | brake                   |
 ///
 /// A refused command changes nothing: the macrostep goes on as if it had not come. A macrostep that cannot be
 /// executed to its end (a limit, a singularity, too fast) brings the arm to rest and ends in the verdict
@@ -48,6 +50,9 @@ class Driver {
  public:
   /// Most samples that samples() gives: the newest.
   static constexpr std::size_t kMaxSamples = 32;
+  /// Steps that a stopped arm is held by its regulators before the brakes close. They alone bring it to rest:
+  /// the regulators answer the edges of the encoders with jolts of a millimetre per second.
+  static constexpr int kBrakesCloseAfter = 15;
 
   /// @param robot must live longer than the driver
   /// @throw FaultError bad_configuration when a parameter makes no sense, with its name
@@ -139,8 +144,9 @@ class Driver {
   std::int64_t last_step_{};
   std::int64_t steps_done_{};
 
-  int iota_{};  // step of the macrostep, 1..n_; 0 at a boundary
-  int n_{};     // steps of the macrostep with the passive one
+  int held_steps_{};  // since the arm began to hold
+  int iota_{};        // step of the macrostep, 1..n_; 0 at a boundary
+  int n_{};           // steps of the macrostep with the passive one
   int n_Q_{};
   std::int64_t commanded_until_{};
 

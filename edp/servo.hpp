@@ -9,7 +9,8 @@
 namespace mrroc::edp {
 
 /// One regulator per motor, in encoder increments as real numbers: the fractions of a slow motion are not
-/// lost. Real-time safe.
+/// lost. While a set position stands, its regulator does not see the shaft move within kPlay: it would answer
+/// every edge of the encoder with a jolt, and the arm would never be at rest. Real-time safe.
 class Servo {
  public:
   explicit Servo(const Robot& robot) noexcept;
@@ -23,9 +24,19 @@ class Servo {
   [[nodiscard]] std::array<double, kMaxAxes> step(const AxisVector& set_increment,
                                                   const AxisVector& measured_increment) noexcept;
 
+  /// One step in which the brakes hold the shafts: the regulators wait, and hear later how far the shafts
+  /// moved.
+  void braked(const AxisVector& measured_increment) noexcept;
+
+  /// Motion of a shaft about its place that a standing regulator does not see, to either side [increments].
+  static constexpr double kPlay = 1;
+
  private:
+  [[nodiscard]] double seen(std::size_t motor, double set_increment, double measured_increment) noexcept;
+
   const Robot* robot_;
   std::array<IncrementalRegulator, kMaxAxes> regulators_;
+  std::array<double, kMaxAxes> unseen_{};  // motion that the regulators have not been told [increments]
 };
 
 }  // namespace mrroc::edp

@@ -66,7 +66,7 @@ class Shell {
       if (order->finished) finished_in_ = order->header.stamp;
       obey(*order);
     } else if (stopped()) {
-      for (int arm = 0; arm < world_.arms(); ++arm) world_.hand(arm).pause(true);
+      for (int arm = 0; arm < world_.arms(); ++arm) world_.hand(arm).release();  // a person lets go
     }
     return true;
   }
