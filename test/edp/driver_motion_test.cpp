@@ -311,10 +311,11 @@ TEST(DriverMotion, MotionOfACommandWithANewToolIsThatOfTheNewTool) {
     c.robot_model.tool_representation = Representation::xyz_angle_axis;
     c.robot_model.tool = {0.05, 0.1, 0.3, 0, 0, 1};
     const Pose T_WE = pose_from_angle_axis(Vector6(c.robot_model.tool.data()));
-    const Vector3 origin = (rig.world.T_0W() * T_WE).p;
+    const Pose start = rig.world.T_0W() * T_WE;
+    const Pose end = start * Pose{rotation_from_angle_axis({0, 0.1, 0}), Vector3::Zero()};
     ASSERT_EQ(rig.macrostep(c).verdict, Verdict::executed);
-    EXPECT_LT((rig.driver.set_point().T_0E.p - origin).norm(), 1e-9);
-    EXPECT_LT(((rig.arm.forward(rig.driver.set_point().axes.joints) * T_WE).p - origin).norm(), 1e-9);
+    EXPECT_LT(distance(rig.driver.set_point().T_0E, end), 1e-9);
+    EXPECT_LT(distance(rig.arm.forward(rig.driver.set_point().axes.joints) * T_WE, end), 1e-9);
   }
 }
 

@@ -118,12 +118,12 @@ TEST(Guard, AxisOutOfItsLimitsMayComeBackAndNotGoFarther) {
   AxisPositions from{AxisVector::Zero(FakeArm::kAxes), outside};
   AxisPositions to = from;
   to.motors[1] -= 1;
-  EXPECT_FALSE(check_range(arm, from, to, 10));
+  EXPECT_FALSE(check_range(arm, from, to, 0));
   to.motors[1] += 2;
   EXPECT_TRUE(check_range(arm, from, to, 0));
   from.motors = to.motors = -outside;
   to.motors[1] += 1;
-  EXPECT_FALSE(check_range(arm, from, to, 10));
+  EXPECT_FALSE(check_range(arm, from, to, 0));
   to.motors[1] -= 2;
   EXPECT_TRUE(check_range(arm, from, to, 0));
 }
