@@ -128,6 +128,25 @@ TEST(DriverStop, CommandAfterAHoldContinuesFromTheHeldSetPose) {
   }
 }
 
+TEST(DriverStop, HeldArmIsBrakedAndGoesOnWithoutAJump) {
+  Rig rig;
+  rig.synchronise();
+  const EffectorCommand move = rig.velocity({u(0.05), u(), u(), u(), u(), u(0.1)});
+  rig.macrostep(move);
+  rig.silence(4);
+  EXPECT_EQ(rig.driver.state(), DriverState::holding);
+  EXPECT_TRUE(rig.last.enabled) << "the regulators bring it to its place first";
+  rig.silence(3);
+  EXPECT_EQ(rig.driver.state(), DriverState::holding);
+  EXPECT_FALSE(rig.last.enabled);
+  rig.world.slip[0] = 3;  // what the brakes let through is made good
+  rig.silence(1);
+  EXPECT_EQ(rig.macrostep(rig.velocity({})).verdict, Verdict::executed);
+  EXPECT_TRUE(rig.last.enabled);
+  const AxisVector error = rig.driver.set_point().axes.motors - rig.world.motors();
+  EXPECT_LT(error.cwiseAbs().maxCoeff(), 2.5 / rig.arm.axis(0).increments_per_rad);
+}
+
 TEST(DriverStop, ArmAtRestIsNotMovedBySilence) {
   Rig rig;
   rig.synchronise();
