@@ -25,7 +25,7 @@ std::string candidates(const std::vector<link::SessionInfo>& running) {
 link::LcmAddress parse_url(const std::string& url) {
   try {
     return link::LcmAddress::parse(url);
-  } catch (const std::invalid_argument& e) {
+  } catch (const std::logic_error& e) {  // also a number that is too large for any port
     throw FaultError(FaultCode::bad_usage, fmt::format("--url: {}", e.what()));
   }
 }

@@ -34,8 +34,13 @@ bool Canvas::inside(int row, int column) const {
   return row >= 0 && row < size_.rows && column >= 0 && column < size_.columns;
 }
 
+std::size_t Canvas::index(int row, int column) const {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(size_.columns) +
+         static_cast<std::size_t>(column);
+}
+
 void Canvas::set(int row, int column, char32_t glyph, Style style) {
-  if (inside(row, column)) cells_[static_cast<std::size_t>(row * size_.columns + column)] = {glyph, style};
+  if (inside(row, column)) cells_[index(row, column)] = {glyph, style};
 }
 
 int Canvas::put(int row, int column, std::string_view text, Style style) {
@@ -57,7 +62,7 @@ void Canvas::paint(int row, Style style) {
 }
 
 Cell Canvas::cell(int row, int column) const {
-  return inside(row, column) ? cells_[static_cast<std::size_t>(row * size_.columns + column)] : Cell{};
+  return inside(row, column) ? cells_[index(row, column)] : Cell{};
 }
 
 std::string Canvas::text(int row) const {

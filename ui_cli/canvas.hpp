@@ -49,6 +49,7 @@ class Canvas {
 
  private:
   [[nodiscard]] bool inside(int row, int column) const;
+  [[nodiscard]] std::size_t index(int row, int column) const;
   void set(int row, int column, char32_t glyph, Style style);
 
   Size size_;

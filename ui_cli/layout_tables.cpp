@@ -110,7 +110,7 @@ void put_processes(Rows& rows, const Snapshot& s) {
   std::vector<ProcessView> shown = s.processes;
   const std::size_t hidden = places < shown.size() ? shown.size() - places + 1 : 0;
   if (hidden > 0) {
-    std::ranges::stable_partition(shown, [](const ProcessView& p) { return !usual(p); });
+    std::stable_partition(shown.begin(), shown.end(), [](const ProcessView& p) { return !usual(p); });
     shown.resize(places > 0 ? places - 1 : 0);
   }
   int row = -1;

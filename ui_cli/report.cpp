@@ -90,8 +90,7 @@ std::string sessions_json(const std::vector<link::SessionInfo>& sessions) {
                  {"id", s.id},
                  {"url", nullptr},
                  {"run_folder", s.run_folder.string()}});
-    if (s.address)
-      j.back()["url"] = fmt::format("udpm://{}:{}?ttl={}", s.address->host, s.address->port, s.address->ttl);
+    if (s.address) j.back()["url"] = s.address->url();
   }
   return dump(j);
 }

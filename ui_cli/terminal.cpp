@@ -18,7 +18,10 @@
 namespace mrroc::ui {
 namespace {
 
-enum Pair : short { kGood = 1, kWarning, kBad };
+// Colour pairs of curses.
+constexpr short kGood = 1;
+constexpr short kWarning = 2;
+constexpr short kBad = 3;
 
 attr_t looks(Style style, bool colours) {
   switch (style) {

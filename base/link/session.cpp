@@ -61,9 +61,7 @@ struct Entry {
 std::string to_json(const Entry& e) {
   const SessionInfo& s = e.info;
   nlohmann::ordered_json j{{"session", s.name}, {"id", s.id}, {"url", nullptr}, {"pid", s.pid}};
-  // The form that LcmAddress::parse reads.
-  if (s.address)
-    j["url"] = fmt::format("udpm://{}:{}?ttl={}", s.address->host, s.address->port, s.address->ttl);
+  if (s.address) j["url"] = s.address->url();
   j["start"] = e.start;
   j["task"] = s.task;
   j["run_folder"] = s.run_folder.string();
@@ -183,7 +181,7 @@ std::string unique_session_name(std::string_view task, const fs::path& directory
   if (base.empty()) base = "task";
   const std::vector<SessionInfo> running = running_sessions(directory);
   for (;;) {
-    const std::string name = fmt::format("{}-{:04x}", base, random_id() & 0xffff);
+    std::string name = fmt::format("{}-{:04x}", base, random_id() & 0xffff);
     if (std::ranges::find(running, name, &SessionInfo::name) == running.end()) return name;
   }
 }

@@ -176,6 +176,7 @@ TEST_F(Commands, ReachATaskOfAnotherHostByItsUrl) {
   EXPECT_EQ(run({"pause", "--session", "far", "--url", "udpm://239.255.76.67:7800?ttl=1"}), 0) << error();
   EXPECT_EQ(opened_, 7800);
   EXPECT_EQ(run({"pause", "--session", "far", "--url", "http://nowhere"}), 2);
+  EXPECT_EQ(run({"pause", "--session", "far", "--url", "udpm://1.2.3.4:99999999999"}), 2);
   EXPECT_EQ(run({"pause", "--url", "udpm://239.255.76.67:7800"}), 2) << "a url alone names no task";
 }
 

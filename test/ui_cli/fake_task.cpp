@@ -73,17 +73,17 @@ void FakeTask::poll(std::chrono::milliseconds timeout) {
       answer(order);
 }
 
-void FakeTask::answer(const operator_order_t& m) {
-  heard.push_back(m);
-  const auto order = static_cast<OperatorOrder>(m.order);
+void FakeTask::answer(const operator_order_t& message) {
+  heard.push_back(message);
+  const auto order = static_cast<OperatorOrder>(message.order);
   const auto reason = objection ? objection(order) : std::nullopt;
-  if (!reason && std::ranges::find(known_, m.id) == known_.end()) {
-    known_.push_back(m.id);
+  if (!reason && std::ranges::find(known_, message.id) == known_.end()) {
+    known_.push_back(message.id);
     obeyed.push_back(order);
   }
   operator_answer_t a{};
   a.header = {session_id_ + wrong_session, ++number_, 0};
-  a.id = m.id + wrong_id;
+  a.id = message.id + wrong_id;
   a.accepted = !reason;
   link::put_text(a.text, reason ? *reason : std::string(to_string(order)) + " accepted");
   send(bus_, session_ + ".answer", a);

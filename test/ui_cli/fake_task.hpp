@@ -42,7 +42,7 @@ class FakeTask final : public link::Sink {
   void receive(std::string_view channel, std::span<const std::uint8_t> bytes) noexcept override;
 
  private:
-  void answer(const operator_order_t& order);
+  void answer(const operator_order_t& message);
 
   link::Bus& bus_;
   std::string session_;
