@@ -72,6 +72,7 @@ enum class FaultCode : std::uint16_t {
   bad_drawing,
   bad_recording,
   bad_script,
+  bad_log,
   no_such_session,
   // the operator
   operator_stop,

@@ -108,6 +108,8 @@ inline constexpr std::array kFaultTable{
               "teach it again with --save"),
   MRROC_FAULT(bad_script, non_fatal, "the operator script cannot be used",
               "correct the line named"),
+  MRROC_FAULT(bad_log, non_fatal, "the log of a run cannot be used",
+              "name the events.lcmlog of a run folder"),
   MRROC_FAULT(no_such_session, non_fatal, "no task, or more than one, runs to attach to",
               "start a task, or name one with --session"),
 

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 
 #include "base/hand.hpp"
@@ -124,7 +126,8 @@ class Shell {
   }
 
   void take_command(std::size_t arm, std::int64_t step) {
-    if (const drive_command_t* const m = drive_in_[arm]->at(step)) {
+    const drive_command_t* const m = drive_in_[arm]->at(step);
+    if (m && std::ranges::all_of(m->pwm, [](double pwm) { return std::isfinite(pwm); })) {
       commands_[arm] = from_message(*m);
       missed_[arm] = 0;
     } else if (process_.lock_step() || ++missed_[arm] > kPatience) {

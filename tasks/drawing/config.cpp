@@ -1,5 +1,9 @@
 #include "tasks/drawing/config.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 namespace mrroc::drawing {
 
 Parameters read_parameters(const Config& config) {
@@ -13,6 +17,15 @@ Parameters read_parameters(const Config& config) {
   k.pace_change =
       1.0 / config.integer("task.pause_macrosteps", 10, {1, 100}, "macrosteps from full pace to rest");
   return k;
+}
+
+void check_macrostep(const Taught& taught, const Parameters& k, const std::string& file) {
+  const double macrostep_s = k.dt * k.n_s;
+  if (std::abs(taught.recording.macrostep_s() - macrostep_s) < 1e-9) return;
+  throw DrawingError(file, 0,
+                     fmt::format("taught with macrosteps of {:g} s, the task has {:g} s",
+                                 taught.recording.macrostep_s(), macrostep_s),
+                     "set time.n_s as it was, or teach anew");
 }
 
 HandPlan read_hand_plan(const Config& config) {

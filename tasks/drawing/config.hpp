@@ -10,6 +10,11 @@ namespace mrroc::drawing {
 /// @throws ConfigError
 Parameters read_parameters(const Config& config);
 
+/// Refuses a recording that was taught with another macrostep.
+/// @param file  for the error
+/// @throws DrawingError
+void check_macrostep(const Taught& taught, const Parameters& k, const std::string& file);
+
 /// @return the scripted operator's parameters in the table [operator]; the start stays as it is
 /// @throws ConfigError
 HandPlan read_hand_plan(const Config& config);

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "tasks/drawing/playback.hpp"
-#include "tasks/drawing/tables.hpp"
+#include "tasks/drawing/program.hpp"
 
 namespace mrroc::drawing {
 namespace {
@@ -34,7 +34,6 @@ DrawingRun::DrawingRun(mp::TaskRun& run, const std::vector<std::string>& arms, c
       k_(parameters),
       operator_(run.process(), run.desk(), plan),
       links_(run.process(), arms, operator_),
-      taught_before_(taught.has_value()),
       announce_(std::move(announce)) {
   if (taught) record_.recording = *taught;
 }
@@ -54,33 +53,12 @@ Outcome DrawingRun::execute() {
   first.arm.n_Q = static_cast<std::uint16_t>(k_.n_s - 1);
   if (const Outcome o = links_.begin(first); o != Outcome::terminated) return o;
   port.read(x);
-  const Outcome outcome = program(x, port);
+  const Outcome outcome = run_program(x, port);
   record_.recording = x.c.recording;
   if (outcome != Outcome::terminated) return outcome;
   first.finished = true;
   links_.send(std::vector<Order>(kArms, first));
   return outcome;
-}
-
-template <class P>
-Outcome DrawingRun::program(X& x, P& port) {
-  const auto behaviour = [&](int m) { return move(kCoordinator[static_cast<std::size_t>(m - 1)], x, port); };
-  const auto nodes_left = [&] { return x.c.p < static_cast<double>(x.c.recording.size()); };
-  Outcome o = move(kWaitForStart, x, port);
-  if (o == Outcome::terminated && !taught_before_) {
-    for (const int m : {1, 2})
-      if (o == Outcome::terminated) o = behaviour(m);
-    x.c.p = 0;  // reproduction begins with the first node
-  }
-  if (o == Outcome::terminated) o = behaviour(3);
-  while (o == Outcome::terminated) {
-    for (const int m : {4, 5, 6})
-      if (o == Outcome::terminated) o = behaviour(m);
-    if (o != Outcome::terminated || !nodes_left()) break;
-    o = behaviour(7);
-    if (!nodes_left()) break;
-  }
-  return o;
 }
 
 void DrawingRun::observe(const Motion<Coordinator>& motion, const X& x) {

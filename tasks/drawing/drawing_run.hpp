@@ -45,14 +45,11 @@ class DrawingRun {
   void note_rows(const X& x);
   void show(const Motion<Coordinator>& motion, const X& x);
   [[nodiscard]] double seconds(std::int64_t macrosteps) const;
-  template <class P>
-  Outcome program(X& x, P& port);
 
   mp::TaskRun& run_;
   Parameters k_;
   HandOperator operator_;
   mp::CoordinatorLinks links_;
-  bool taught_before_;
   std::function<void(const std::string&)> announce_;
   RunRecord record_;
   std::deque<int> ordered_;              // m of the last orders, newest first

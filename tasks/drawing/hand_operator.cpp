@@ -20,6 +20,7 @@ HandOperator::HandOperator(link::Process& process, mp::OperatorDesk& desk, const
       desk_(desk),
       plan_(plan),
       order_out_(process.outbox<hand_order_t>("hand.order")),
+      image_out_(process.outbox<operator_image_t>("operator.image")),
       report_in_(process.inbox<hand_report_t>("hand.report")) {}
 
 void HandOperator::inform(std::int64_t i, int m, bool finished) {
@@ -48,6 +49,8 @@ OperatorImage HandOperator::image(std::int64_t i) {
   if (report) decide(*report);
   const OperatorImage image = desk_.take(i);
   paused_ = image.paused;
+  image_out_->publish(
+      {.header = {}, .trigger = image.trigger, .started = image.started, .paused = image.paused}, i);
   return image;
 }
 

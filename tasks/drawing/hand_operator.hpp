@@ -8,6 +8,7 @@
 #include "mp/operator_desk.hpp"
 #include "mrroc/hand_order_t.hpp"
 #include "mrroc/hand_report_t.hpp"
+#include "mrroc/operator_image_t.hpp"
 #include "tasks/drawing/drawing.hpp"
 
 namespace mrroc::drawing {
@@ -39,6 +40,7 @@ class HandOperator final : public mp::OperatorAgent {
   mp::OperatorDesk& desk_;
   HandPlan plan_;
   std::unique_ptr<link::Outbox<hand_order_t>> order_out_;
+  std::unique_ptr<link::Outbox<operator_image_t>> image_out_;  // for the log
   std::unique_ptr<link::Inbox<hand_report_t>> report_in_;
   int m_{};           // behaviour of the last order
   int steady_{};      // macrosteps since the hands are done in this behaviour

@@ -1,12 +1,15 @@
 // What a run draws: the built-in arrow, an SVG file, or a recording that was taught before.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <optional>
 #include <string>
 
 #include "tasks/drawing/drawing.hpp"
 #include "tasks/drawing/recording.hpp"
+
+namespace CLI {
+class App;  // declared only: the whole header takes seconds to compile
+}  // namespace CLI
 
 namespace mrroc::drawing {
 

@@ -56,6 +56,9 @@ void read_all(Setup& s, const mp::TaskOptions& o) {
   s.plan.gives_orders = !o.attended && o.script.empty();
   s.plan.start = s.input.start();
   const sim::WorldParameters world = sim::read_world(c);
+  if (c.texts("robots.order", kArmKeys) != kArmKeys)
+    throw FaultError(FaultCode::bad_configuration,
+                     "robots.order: this task has the arms arm1 and arm2, in this order");
   const sim::World still(world, o.seed);
   for (std::size_t arm = 0; arm < kArmKeys.size(); ++arm) {
     const AxisVector joints = still.start_joints(static_cast<int>(arm));
@@ -73,6 +76,7 @@ Setup prepare(const Options& o) {
   s.config = load_config(o.task);
   s.config.set(fmt::format("seed={}", o.task.seed));
   read_all(s, o.task);
+  if (s.input.taught) drawing::check_macrostep(*s.input.taught, s.k, o.input.load.string());
   return s;
 }
 
