@@ -9,6 +9,12 @@
 namespace mrroc::edp::test {
 namespace {
 
+#ifdef MRROC_SANITIZED
+constexpr int kCommands = 3'000;
+#else
+constexpr int kCommands = 100'000;
+#endif
+
 TEST(DriverInvalid, RefusalGoesOnDoingWhatItDid) {
   std::mt19937_64 random(1);
   for (int run = 0; run < 200; ++run) {
@@ -135,7 +141,7 @@ TEST(DriverInvalid, InvalidCommandsOverEveryFieldAreNeverExecutedAndChangeNothin
   rig.macrostep(rig.velocity({}));
   rig.silence(1);
   Rig twin = rig;
-  for (int k = 0; k < 100'000; ++k) {
+  for (int k = 0; k < kCommands; ++k) {
     EffectorCommand c = rig.set_arm(random_motion(random));
     const int kind = pick(random, 10);
     if (kind == 0) {
@@ -166,7 +172,7 @@ TEST(DriverInvalid, ArbitraryBytesNeverMakeThePoseOrTheForceNotFinite) {
   std::mt19937_64 random(3);
   Rig rig;
   rig.synchronise();
-  for (int k = 0; k < 50'000; ++k) {
+  for (int k = 0; k < kCommands; ++k) {
     EffectorCommand c;
     std::array<std::uint64_t, sizeof(EffectorCommand) / 8> noise{};
     for (std::uint64_t& word : noise) word = random();

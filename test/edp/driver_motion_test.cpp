@@ -84,7 +84,7 @@ TEST(DriverMotion, TcimPoseReachesItsPoseInEachOfItsRepresentations) {
        {Representation::frame, Representation::xyz_euler_zyz, Representation::xyz_angle_axis}) {
     Rig rig;
     rig.synchronise();
-    for (int k = 0; k < 100; ++k) {
+    for (int k = 0; k < 30; ++k) {
       const bool relative = pick(random, 2) == 0;
       const Pose now = rig.driver.set_point().T_0E;
       const Pose target{rotation_from_angle_axis(random_vector(random, 0.5)), random_vector(random, 0.3)};
@@ -119,7 +119,7 @@ TEST(DriverMotion, MimReachesItsPoseInEachOfTheFiveRepresentations) {
     const auto r = static_cast<Representation>(kind);
     Rig rig;
     rig.synchronise();
-    for (int k = 0; k < 100; ++k) {
+    for (int k = 0; k < 30; ++k) {
       const bool relative = pick(random, 2) == 0;
       const SetPoint& now = rig.driver.set_point();
       AxisVector joints(FakeArm::kAxes);
@@ -322,7 +322,7 @@ TEST(DriverMotion, MotionOfACommandWithANewToolIsThatOfTheNewTool) {
 TEST(DriverMotion, OrientationStaysARotationOverManySteps) {
   Rig rig;
   rig.synchronise();
-  for (int k = 0; k < 200; ++k) {
+  for (int k = 0; k < 50; ++k) {
     const double sign = k % 2 ? 1 : -1;
     rig.macrostep(rig.velocity({u(), u(), u(), u(0.3 * sign), u(0.2 * sign), u(0.4 * sign)}, 1000));
   }
