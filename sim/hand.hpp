@@ -21,8 +21,8 @@ struct HandParameters {
   double travel_speed{0.03};     ///< largest above the paper [m/s]
   double acceleration{0.1};      ///< along and across the path [m/s^2]; slows curves down
   double corner{25};             ///< rests at corners sharper than this [deg]
-  double lowering_speed{0.012};  ///< [m/s]
-  double lifting_speed{0.03};    ///< [m/s]
+  double lowering_speed{0.012};  ///< down, in the air [m/s]
+  double lifting_speed{0.03};    ///< up [m/s]
   double lift{0.010};            ///< height of travel above the paper [m]
   double uneven{0.004};          ///< amplitude of the uneven height of travel [m]
   double dwell{0.45};            ///< rests so long after touching the paper [s]

@@ -168,7 +168,8 @@ double HandScript::height_goal(double wander) const {
 
 void HandScript::move_height(double dt, double goal) {
   const bool on_paper = stage_ == Stage::dwell || stage_ == Stage::draw || stage_ == Stage::corner;
-  const double fastest = stage_ == Stage::lower ? p_.lowering_speed : on_paper ? kPressing : p_.lifting_speed;
+  // Down in the air it goes gently: the arm feels a hand that brakes hard as it feels the paper.
+  const double fastest = on_paper ? kPressing : goal < target_ ? p_.lowering_speed : p_.lifting_speed;
   const double most = pace_ * dt * fastest;
   target_ += std::clamp(goal - target_, -most, most);
   climb_ += dt * kSmoothing * (kSmoothing * (target_ - height_) - 2 * climb_);

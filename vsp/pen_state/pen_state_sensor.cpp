@@ -6,12 +6,18 @@
 #include "base/pose.hpp"
 
 namespace mrroc::vsp {
+namespace {
+
+constexpr double kJump = 0.005;  // in one step [m]: no arm moves at 2.5 m/s
+
+}  // namespace
 
 PenStateSensor::PenStateSensor(const PenStateParameters& parameters) : k_(parameters) {}
 
 void PenStateSensor::filter(const StepSample& sample) {
   const Pose T_0E = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(sample.T_0E.data()));
-  if (first_) {
+  // A jump is another frame, not a motion: the arm has just been synchronised or got a new tool.
+  if (first_ || (T_0E.p - p_).norm() > kJump) {
     first_ = false;
     p_ = T_0E.p;
     F_ = sample.F_a[Axis::z];
@@ -24,6 +30,13 @@ void PenStateSensor::filter(const StepSample& sample) {
   F_ += (sample.F_a[Axis::z] - F_) * std::min(1.0, k_.dt / k_.F_filter);
 }
 
+bool PenStateSensor::settled() {
+  if (settled_) return true;
+  timer_ = std::abs(v_) < k_.rest_speed ? timer_ + k_.dt : 0;
+  settled_ = timer_ > k_.rest_time;
+  return settled_;
+}
+
 PenState PenStateSensor::next() {
   const auto lag = std::clamp<int>(static_cast<int>(std::lround(k_.impact_time / k_.dt)), 1,
                                    static_cast<int>(past_F_.size()) - 1);
@@ -32,18 +45,26 @@ PenState PenStateSensor::next() {
   slot = F_;
   ++n_F_;
 
+  // Arms sag when their brakes open, and the force is biased only after that.
+  if (!settled()) return PenState::above_paper;
+  pressing_ = std::abs(v_) < k_.rest_speed && F_ > k_.rest_force ? pressing_ + k_.dt : 0;
   timer_ += k_.dt;
   switch (state_) {
     case PenState::above_paper:
+      // A hard bounce can be taken for a lift-off: the pen has not left the paper.
+      if (touched_ && std::abs(paper_ - depth_) < k_.lift_height && pressing_ > k_.rest_force_time) {
+        timer_ = 0;
+        return PenState::paper_surface;
+      }
       if (v_ <= k_.lowering_speed) return PenState::above_paper;
       timer_ = 0;
       return PenState::lowering;
     case PenState::lowering:
       if (v_ < -k_.braked_speed) return PenState::above_paper;
-      pressing_ = std::abs(v_) < k_.rest_speed && F_ > k_.rest_force ? pressing_ + k_.dt : 0;
       if (rise > k_.impact_force || pressing_ > k_.rest_force_time) {
         timer_ = 0;
         paper_ = depth_;
+        touched_ = true;
         return PenState::paper_surface;
       }
       if (std::abs(v_) > k_.rest_speed) timer_ = 0;

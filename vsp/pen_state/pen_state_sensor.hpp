@@ -16,17 +16,18 @@ struct PenStateParameters {
   double F_filter{0.006};        ///< time constant for the force along it [s]
   double lowering_speed{0.005};  ///< A: the pen moves to the paper faster than this [m/s]
   double braked_speed{0.003};    ///< lowering ends without impact when the pen rises faster than this [m/s]
-  double rest_speed{0.0015};     ///< or when it is slower than this for rest_time [m/s]
-  double rest_time{0.5};         ///< [s]
-  double impact_force{1.5};      ///< B: the force rises by more than this ... [N]
-  double impact_time{0.020};     ///< ... within this time [s], at most 0.1 s
-  double rest_force{1.2};        ///< or B, a soft landing: at rest with more than this ... [N]
-  double rest_force_time{0.2};   ///< ... for this time [s]; in the air F_a would have gone to zero
-  double settling_time{0.3};     ///< no lift-off before this time after an impact: the pen bounces [s]
-  double paper_filter{0.3};      ///< time constant with which the height of the paper is followed [s]
-  double lift_height{0.0006};    ///< C: the pen is higher than this above the paper ... [m]
-  double lift_speed{0.004};      ///< ... and rises faster than this [m/s]
-  double pull_force{4.0};        ///< or C: the pen is pulled off with more than this [N]
+  double rest_speed{
+      0.0015};            ///< or when it is slower than this for rest_time, which must be once before A [m/s]
+  double rest_time{0.5};  ///< [s]
+  double impact_force{1.5};     ///< B: the force rises by more than this ... [N]
+  double impact_time{0.020};    ///< ... within this time [s], at most 0.1 s
+  double rest_force{1.2};       ///< or B, a soft landing: at rest with more than this ... [N]
+  double rest_force_time{0.2};  ///< ... for this time [s]; in the air F_a would have gone to zero
+  double settling_time{0.3};    ///< no lift-off before this time after an impact: the pen bounces [s]
+  double paper_filter{0.3};     ///< time constant with which the height of the paper is followed [s]
+  double lift_height{0.0006};   ///< C: the pen is higher than this above the paper ... [m]
+  double lift_speed{0.004};     ///< ... and rises faster than this [m/s]
+  double pull_force{4.0};       ///< or C: the pen is pulled off with more than this [N]
 };
 
 /// The automaton Above paper -A-> Lowering -B-> Paper surface -C-> Lift-off -D-> Above paper (MS 27, 28). The
@@ -49,10 +50,13 @@ class PenStateSensor {
  private:
   void filter(const StepSample& sample);
   [[nodiscard]] PenState next();
+  [[nodiscard]] bool settled();
 
   PenStateParameters k_;
   PenState state_{PenState::above_paper};
-  bool lifted_{};  // a Lift-off since the last reading
+  bool lifted_{};   // a Lift-off since the last reading
+  bool settled_{};  // the pen has been at rest once since the start
+  bool touched_{};  // paper_ is known
   bool first_{true};
   Vector3 p_{Vector3::Zero()};  // last position of the pen tip in the base [m]
   double depth_{};              // way along the pen's axis since the start [m], grows into the paper
