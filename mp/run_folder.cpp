@@ -33,16 +33,19 @@ nlohmann::ordered_json to_json(const Figure& figure) {
 
 }  // namespace
 
-fs::path make_run_folder(const fs::path& wanted, const std::string& task) {
+fs::path name_run_folder(const fs::path& wanted, const std::string& task) {
   const fs::path folder = wanted.empty() ? fresh_name(task) : wanted;
   if (fs::exists(folder / "config.toml"))
     throw FaultError(FaultCode::bad_usage, fmt::format("{} holds a run already", folder.string()));
+  return folder;
+}
+
+void make_run_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder / "plots", error);
   if (error)
     throw FaultError(FaultCode::cannot_write,
                      fmt::format("cannot make {}: {}", folder.string(), error.message()));
-  return folder;
 }
 
 void write_summary(const fs::path& folder, const Summary& s) {

@@ -26,10 +26,14 @@ struct Summary {
   std::map<std::string, Figure> figures;
 };
 
-/// Makes the folder of a run.
+/// Names the folder of a run; makes nothing.
 /// @param wanted  empty: runs/TASK-TIME below the working directory
-/// @throws FaultError bad_usage when it holds a run already, cannot_write
-std::filesystem::path make_run_folder(const std::filesystem::path& wanted, const std::string& task);
+/// @throws FaultError bad_usage when it holds a run already
+std::filesystem::path name_run_folder(const std::filesystem::path& wanted, const std::string& task);
+
+/// Makes the folder of a run.
+/// @throws FaultError cannot_write
+void make_run_folder(const std::filesystem::path& folder);
 
 /// Writes summary.json.
 void write_summary(const std::filesystem::path& folder, const Summary& summary);

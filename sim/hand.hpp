@@ -25,7 +25,7 @@ struct HandParameters {
   double lifting_speed{0.03};    ///< up [m/s]
   double lift{0.010};            ///< height of travel above the paper [m]
   double uneven{0.004};          ///< amplitude of the uneven height of travel [m]
-  double dwell{0.45};            ///< rests so long after touching the paper [s]
+  double dwell{0.6};             ///< rests so long after touching the paper [s]
   double press{1.5};             ///< force on the paper that the operator aims at [N]
   double arm_press{1.0};         ///< part of it that the arm gives by itself (F_d of the teach-in) [N]
   double press_wander{0.25};     ///< relative standard deviation of that force

@@ -70,6 +70,19 @@ void read_all(Setup& s, const mp::TaskOptions& o) {
   vsp::read_pen_state(c);
 }
 
+/// What would be refused only when the system is being started.
+void check_options(const mp::TaskOptions& o) {
+  if (!o.session.empty()) link::check_session_name(o.session);
+  if (!o.script.empty()) mp::load_script(o.script);
+  if (o.url.empty()) return;
+  try {
+    std::ignore = link::LcmAddress::parse(o.url);
+  } catch (const std::invalid_argument& e) {
+    throw FaultError(FaultCode::bad_usage, e.what());
+  }
+}
+
+/// @throws FaultError, DrawingError  what is wrong with the input; nothing has been made or started
 Setup prepare(const Options& o) {
   Setup s;
   s.input = drawing::read_input(o.input);
@@ -77,18 +90,17 @@ Setup prepare(const Options& o) {
   s.config.set(fmt::format("seed={}", o.task.seed));
   read_all(s, o.task);
   if (s.input.taught) drawing::check_macrostep(*s.input.taught, s.k, o.input.load.string());
+  check_options(o.task);
   return s;
 }
 
-/// Fixes what belongs to this run alone and writes the complete configuration.
-void write_config(Setup& s, const mp::TaskOptions& o, const fs::path& folder) {
-  const Config& c = s.config;
+/// Fixes what belongs to this run alone; all keys are known after that.
+void complete(const Config& c, const mp::TaskOptions& o, const fs::path& folder) {
   std::ignore = c.integer<std::int64_t>("seed", 1);
   std::ignore = c.number("sim.speed", o.speed, {0, 1e4}, "of real time, 0: as fast as possible");
   std::ignore = c.text("run.folder", fs::absolute(folder).string());
   std::ignore = c.text("run.strokes", fs::absolute(folder / "input.csv").string());
   c.check_all_used();
-  mp::write_text(folder / "config.toml", c.dump());
 }
 
 std::vector<mp::Part> parts_of(const Config& config) {
@@ -145,9 +157,11 @@ void finish(const Options& o, const Setup& s, const fs::path& folder, const draw
 
 int run(const Options& o) {
   Setup s = prepare(o);
-  const fs::path folder = mp::make_run_folder(o.task.run_dir, "drawing");
+  const fs::path folder = mp::name_run_folder(o.task.run_dir, "drawing");
+  complete(s.config, o.task, folder);
+  mp::make_run_folder(folder);
   drawing::write_ink(folder / "input.csv", drawing::ink_of(s.input.drawing));
-  write_config(s, o.task, folder);
+  mp::write_text(folder / "config.toml", s.config.dump());
 
   mp::TaskRun run("drawing", o.task, folder, kArmKeys, parts_of(s.config));
   fmt::print("drawing, {}, session {}, seed {}{}\n", s.input.about(), run.session(), o.task.seed,
