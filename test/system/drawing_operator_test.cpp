@@ -1,0 +1,134 @@
+// A person at ui_cli, while the task runs.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "test/system/started_task.hpp"
+#include "test/system/tables.hpp"
+
+namespace mrroc::test {
+namespace {
+
+class Operated : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (kSanitized) GTEST_SKIP() << "too long";
+    if (!multicast()) GTEST_SKIP() << "no multicast";
+  }
+
+  /// Three lines of 40 mm. @return arguments of the task
+  std::vector<std::string> task(const std::vector<std::string>& more) {
+    return words({{"--drawing", folder_.write("lines.svg", lines_svg(2)), "--size", "40", "--run-dir",
+                   (folder_ / "run").string()},
+                  more});
+  }
+  Ended order(const std::string& what) { return run(folder_, "ui_cli", {what}); }
+  std::string state() {
+    const auto end = run(folder_, "ui_cli", {"status", "--json"});
+    std::string text;
+    for (const auto& line : end.out) text += line + "\n";
+    return text;
+  }
+
+  Folder folder_;
+};
+
+/// How far the pen goes over the paper between two rows [mm].
+double way(const std::vector<Row>& arm, std::size_t from, std::size_t to) {
+  return 1e3 * std::hypot(arm[to][kX] - arm[from][kX], arm[to][kY] - arm[from][kY]);
+}
+
+TEST_F(Operated, PauseRestsOnThePaperAndResumeGoesOnWithoutAMark) {
+  Started drawing(folder_, "drawing", task({"--processes", "separate", "--speed", "3"}));
+  ASSERT_TRUE(drawing.await_line("m = 2  record")) << drawing.end().all();
+  for (const char* const behaviour : {"m = 2  record", "m = 5  draw on the paper"}) {
+    ASSERT_TRUE(drawing.await_line(behaviour)) << drawing.end().all();
+    std::this_thread::sleep_for(std::chrono::milliseconds(400));
+    EXPECT_EQ(order("pause").status, 0);
+    EXPECT_EQ(order("pause").status, 1) << "it is paused already";
+    EXPECT_EQ(order("trigger").status, 1);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    EXPECT_EQ(order("resume").status, 0);
+    EXPECT_EQ(order("resume").status, 1);
+  }
+  const Ended end = drawing.end();
+  ASSERT_EQ(end.status, 0) << end.all();
+  const auto figures = summary(folder_ / "run")["figures"];
+  EXPECT_LE(figures["teach_rms_mm"].get<double>(), 1.0);
+  EXPECT_EQ(figures["segment_skew"], 0);
+  for (std::size_t arm = 0; arm < 2; ++arm) {
+    EXPECT_LE(figures["copy_rms_mm"][arm].get<double>(), 0.5);
+    EXPECT_LE(figures["copy_max_mm"][arm].get<double>(), 1.5);
+    EXPECT_EQ(figures["stray_ink_mm"][arm], 0);
+    EXPECT_EQ(figures["uncovered_mm"][arm], 0);
+    EXPECT_NEAR(figures["paper_force_mean_N"][arm].get<double>(), 1.0, 0.05);
+    EXPECT_LE(figures["paper_force_std_N"][arm].get<double>(), 0.2);
+  }
+  // Both arms rest for more than a second in the middle of the first copied stroke, pressed on the paper.
+  for (const std::string arm : {"1", "2"}) {
+    const auto rows = read_table(folder_ / "run" / ("arm" + arm + ".csv"), kArmHeading);
+    const auto [first, last] = stretches(rows, 5).front();
+    std::size_t longest = 0, since = first;
+    for (std::size_t k = first; k <= last; ++k) {
+      if (way(rows, since, k) > 0.02) since = k;
+      longest = std::max(longest, k - since);
+    }
+    EXPECT_GT(longest, 50u) << "macrosteps at rest, arm " << arm;
+    EXPECT_EQ(strokes(read_table(folder_ / "run" / ("ink" + arm + ".csv"), kInkHeading)), 2);
+  }
+  // The recorded orders, pauses among them, give the same run again.
+  const auto again =
+      run(folder_, "drawing",
+          {"--processes", "one", "--drawing", (folder_ / "lines.svg").string(), "--size", "40", "--script",
+           (folder_ / "run" / "operator.script").string(), "--run-dir", (folder_ / "again").string()});
+  ASSERT_EQ(again.status, 0) << again.all();
+  EXPECT_EQ(summary(folder_ / "again")["log_hash"], summary(folder_ / "run")["log_hash"]);
+}
+
+TEST_F(Operated, AttendedTaskWaitsForStartAndTriggers) {
+  Started drawing(folder_, "drawing", task({"--processes", "separate", "--attended"}));
+  ASSERT_TRUE(drawing.await_line("m = 0  wait for start")) << drawing.end().all();
+  EXPECT_EQ(order("pause").status, 1) << "nothing to pause yet";
+  EXPECT_EQ(order("resume").status, 1);
+  EXPECT_EQ(order("trigger").status, 1);
+  EXPECT_EQ(order("start").status, 0);
+  EXPECT_EQ(order("start").status, 1);
+  ASSERT_TRUE(drawing.await_line("m = 1  lead to the paper")) << drawing.end().all();
+  ASSERT_TRUE(drawing.await_line("m = 2  record")) << drawing.end().all();
+  EXPECT_NE(state().find("\"running\""), std::string::npos);
+  const Ended refused = order("start");
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_TRUE(refused.last_err().starts_with("error: illegal_in_state: ")) << refused.last_err();
+  // Not before the drawing is done: its progress is in the status.
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  EXPECT_EQ(order("trigger").status, 0);
+  ASSERT_TRUE(drawing.await_line("m = 3  lead to the start")) << drawing.end().all();
+  EXPECT_EQ(order("stop").status, 0);
+  const Ended end = drawing.end();
+  EXPECT_EQ(end.status, 1) << end.all();
+  EXPECT_EQ(summary(folder_ / "run")["outcome"], "stopped");
+  EXPECT_TRUE(end.last_err().starts_with("error: operator_stop: ")) << end.last_err();
+  EXPECT_EQ(order("stop").status, 2) << "no task runs any more";
+}
+
+TEST_F(Operated, TheWallClockCarriesTheTaskUntilItIsStopped) {
+  Started drawing(folder_, "drawing", task({"--processes", "separate", "--clock", "wall"}));
+  ASSERT_TRUE(drawing.await_line("m = 1  lead to the paper")) << drawing.end().all();
+  const auto children = drawing.children();
+  EXPECT_EQ(children.size(), 7u);
+  std::this_thread::sleep_for(std::chrono::seconds(4));
+  EXPECT_EQ(order("stop").status, 0);
+  const Ended end = drawing.end();
+  EXPECT_EQ(end.status, 1) << end.all();
+  EXPECT_EQ(summary(folder_ / "run")["outcome"], "stopped");
+  EXPECT_TRUE(all_gone(children));
+  const auto rows = read_table(folder_ / "run" / "arm1.csv", kArmHeading);
+  double farthest = 0;
+  for (std::size_t k = 0; k < rows.size(); ++k) farthest = std::max(farthest, way(rows, 0, k));
+  EXPECT_GT(farthest, 1) << "the hand leads the arm";
+}
+
+}  // namespace
+}  // namespace mrroc::test
