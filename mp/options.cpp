@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 
 #include "base/fault.hpp"
@@ -31,7 +32,7 @@ void add_task_options(CLI::App& app, TaskOptions& o) {
   app.add_option_function<std::string>(
          "--clock",
          [&o](const std::string& c) {
-           o.clock = c == "wall" ? link::ClockKind::wall : link::ClockKind::step;
+           o.clock = c == "wall" ? ClockKind::wall : ClockKind::step;
          },
          "step: lock-step, bit-identical (default); wall: 500 Hz of the monotonic clock")
       ->check(CLI::IsMember({"step", "wall"}))

@@ -1,19 +1,23 @@
 // The options that every task's program has.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/link/process.hpp"
+
+namespace CLI {
+class App;  // declared only: the whole header takes seconds to compile
+}  // namespace CLI
 
 namespace mrroc::mp {
 
 /// How a task is to be run.
 struct TaskOptions {
   std::uint64_t seed{1};
-  link::ClockKind clock{link::ClockKind::step};
+  ClockKind clock{ClockKind::step};
   double speed{0};                    ///< simulated seconds per second; 0: as fast as possible
   std::filesystem::path run_dir;      ///< empty: runs/TASK-TIME
   std::filesystem::path config_file;  ///< empty: the task's own

@@ -10,10 +10,11 @@ constexpr std::chrono::milliseconds kPeriod{100};
 }
 
 StatusBoard::StatusBoard(link::Process& process, const Supervisor& supervisor, const std::string& task,
-                         const std::vector<std::string>& arms)
+                         const std::vector<std::string>& arms, const std::string& run_folder)
     : supervisor_(supervisor),
       out_(process.bus(), process.route("task_status"), process.membership().session_id) {
   link::put_text(status_.task, task);
+  link::put_text(status_.run_folder, run_folder);
   status_.n_agents = static_cast<int>(std::min(arms.size(), std::size(status_.agent)));
   for (int k = 0; k < status_.n_agents; ++k)
     link::put_text(status_.agent[k], arms[static_cast<std::size_t>(k)]);
@@ -23,15 +24,23 @@ void StatusBoard::set_behaviour(int m, std::string_view name) {
   status_.m = m;
   link::put_text(status_.behaviour, name);
 }
-void StatusBoard::set_state(TaskState state) { status_.state = static_cast<int>(state); }
+void StatusBoard::set_state(TaskState state, bool waits_for_trigger) {
+  status_.state = static_cast<int>(state);
+  status_.waits_for_trigger = waits_for_trigger;
+}
+void StatusBoard::set_ended_because(std::string_view why) { link::put_text(status_.ended_because, why); }
 void StatusBoard::set_progress(double share, const std::string& text) {
   status_.progress = share;
   link::put_text(status_.progress_text, text);
 }
-void StatusBoard::set_time(double sim_s) { status_.sim_time = sim_s; }
+void StatusBoard::set_time(std::int64_t macrostep, double sim_s) {
+  macrostep_ = macrostep;
+  status_.sim_time = sim_s;
+}
 void StatusBoard::set_arm(std::size_t arm, const Report& report, std::string_view sensor_text) {
   std::ranges::copy(report.T_0E, status_.T_0E[arm]);
   std::ranges::copy(report.F_a.v, status_.F_a[arm]);
+  status_.agent_m[arm] = report.m;
   status_.sensor[arm] = report.sensor;
   link::put_text(status_.sensor_text[arm], sensor_text);
 }
@@ -56,7 +65,8 @@ void StatusBoard::publish() {
     status_.process_age[k] = p.age;
   }
   link::put_text(status_.last_message, supervisor_.last_message());
-  out_.publish(status_, 0);
+  status_.last_code = static_cast<int>(supervisor_.last_code());
+  out_.publish(status_, macrostep_);
 }
 
 }  // namespace mrroc::mp

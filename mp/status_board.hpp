@@ -16,13 +16,16 @@ namespace mrroc::mp {
 class StatusBoard {
  public:
   StatusBoard(link::Process& process, const Supervisor& supervisor, const std::string& task,
-              const std::vector<std::string>& arms);
+              const std::vector<std::string>& arms, const std::string& run_folder);
 
   void set_behaviour(int m, std::string_view name);
-  void set_state(TaskState state);
+  /// @param waits_for_trigger  whether the present behaviour ends with the operator's trigger
+  void set_state(TaskState state, bool waits_for_trigger);
+  /// @param why  why the behaviour before the present one ended
+  void set_ended_because(std::string_view why);
   /// @param share  of the task that is done, 0..1
   void set_progress(double share, const std::string& text);
-  void set_time(double sim_s);
+  void set_time(std::int64_t macrostep, double sim_s);
   /// @param sensor_text  name of the sensor's reading
   void set_arm(std::size_t arm, const Report& report, std::string_view sensor_text);
 
@@ -36,6 +39,7 @@ class StatusBoard {
   link::Outbox<task_status_t> out_;
   task_status_t status_{};
   link::Process::Clock::time_point last_{};
+  std::int64_t macrostep_{};
   double last_sim_s_{};
 };
 

@@ -266,6 +266,7 @@ void Supervisor::log(const std::string& process, const std::string& text, FaultC
                            code == FaultCode::none ? "-" : to_string(code), text)
             << std::flush;
   last_message_ = process + ": " + text;
+  last_code_ = code;
 }
 
 }  // namespace mrroc::mp

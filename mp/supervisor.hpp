@@ -70,6 +70,8 @@ class Supervisor {
   [[nodiscard]] std::uint64_t log_hash() const;
   /// @return the last line that a process said
   [[nodiscard]] const std::string& last_message() const { return last_message_; }
+  /// @return its code; none: information
+  [[nodiscard]] FaultCode last_code() const { return last_code_; }
   /// Writes a line of MP itself.
   void log(const std::string& process, const std::string& text, FaultCode code);
 
@@ -95,6 +97,7 @@ class Supervisor {
   Clock::time_point begun_;
   std::ofstream messages_;
   std::string last_message_;
+  FaultCode last_code_{FaultCode::none};
   std::optional<Fault> fault_;
   std::array<int, 4> stop_steps_{-1, -1, -1, -1};
   bool at_rest_{};

@@ -26,8 +26,11 @@ TaskRun::TaskRun(const std::string& task, const TaskOptions& options, const std:
       session_(options.session.empty() ? link::unique_session_name(task) : options.session),
       separate_(options.separate) {
   open_bus(options);
-  link::Membership membership{
-      .session = session_, .session_id = link::random_id(), .name = "mp", .roster = {"mp"}, .clock = options.clock};
+  link::Membership membership{.session = session_,
+                              .session_id = link::random_id(),
+                              .name = "mp",
+                              .roster = {"mp"},
+                              .clock = options.clock};
   for (const Part& p : parts) membership.roster.push_back(p.name);
   session_file_ =
       std::make_unique<link::SessionFile>(link::SessionInfo{.name = session_,
@@ -41,7 +44,8 @@ TaskRun::TaskRun(const std::string& task, const TaskOptions& options, const std:
   supervisor_ = std::make_unique<Supervisor>(*process_, std::move(parts), folder / "messages.log");
   auto script = options.script.empty() ? std::vector<ScriptedOrder>{} : load_script(options.script);
   desk_ = std::make_unique<OperatorDesk>(*process_, std::move(script), folder / "operator.script");
-  board_ = std::make_unique<StatusBoard>(*process_, *supervisor_, task, arms);
+  board_ = std::make_unique<StatusBoard>(*process_, *supervisor_, task, arms,
+                                         std::filesystem::absolute(folder).string());
   process_->on_service = [this] {
     supervisor_->poll();
     desk_->poll();
@@ -85,7 +89,7 @@ void TaskRun::start() {
     supervisor_->start_processes(
         {"--session", m.session, "--session-id", fmt::to_string(m.session_id), "--url", address_->url(),
          "--roster", fmt::format("{}", fmt::join(m.roster, ",")), "--clock",
-         m.clock == link::ClockKind::wall ? "wall" : "step", "--config", (folder_ / "config.toml").string()});
+         m.clock == ClockKind::wall ? "wall" : "step", "--config", (folder_ / "config.toml").string()});
   }
 }
 
@@ -95,14 +99,14 @@ void TaskRun::each_macrostep(std::int64_t i, double sim_s) {
     begun_ = link::Process::Clock::now();
   }
   sim_s_ = sim_s;
-  board_->set_time(sim_s);
+  board_->set_time(i, sim_s);
   if (desk_->stop_ordered() && !process_->over())
     supervisor_->stop({.code = FaultCode::operator_stop}, i + kStopAhead);
 }
 
 void TaskRun::set_state(TaskState state, bool waits_for_trigger) {
   desk_->set_state(state, waits_for_trigger);
-  board_->set_state(state);
+  board_->set_state(state, waits_for_trigger);
 }
 
 Summary TaskRun::end(const std::optional<Fault>& fault) {

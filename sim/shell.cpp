@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "base/clock.hpp"
 #include "base/hand.hpp"
 #include "base/msg/convert.hpp"
 #include "mrroc/hand_order_t.hpp"
@@ -42,14 +43,16 @@ class Shell {
 
   void run() {
     if (!process_.assemble()) return;
-    due_ = Clock::now();
+    pacer_.begin(Clock::now());
     for (std::int64_t step = 0; process_.phase() != Phase::finished; ++step) {
       if (step % k_.n_s == 0 && !begin_macrostep(step / k_.n_s)) break;
+      const double speed = !process_.lock_step() || paused_ ? 1 : k_.speed;
+      const Clock::time_point due = pacer_.next(speed, Clock::now());
       publish_state(step);
-      await_commands(step);
+      await_commands(step, due);
       world_.step(commands_);
       watch(step);
-      pace();
+      if (speed > 0) process_.await([] { return false; }, due);
     }
     for (int arm = 0; arm < world_.arms(); ++arm) write_sheet(arm);
     process_.report_done();
@@ -111,7 +114,7 @@ class Shell {
     state_out_->publish(state, step);
   }
 
-  void await_commands(std::int64_t step) {
+  void await_commands(std::int64_t step, Clock::time_point due) {
     const auto here = [&](std::size_t arm) {
       return drive_in_[arm]->at(step) || process_.dead(k_.drivers[arm]) ||
              process_.phase() == Phase::finished;
@@ -121,7 +124,7 @@ class Shell {
         if (!here(arm)) return false;
       return true;
     };
-    process_.await(all, process_.lock_step() ? Clock::time_point::max() : due_);
+    process_.await(all, process_.lock_step() ? Clock::time_point::max() : due);
     for (std::size_t arm = 0; arm < commands_.size(); ++arm) take_command(arm, step);
   }
 
@@ -143,19 +146,6 @@ class Shell {
     const bool at_rest = rest_.at_rest();
     if (at_rest && !rested_) process_.report_rest(true, rest_.stop_steps());
     rested_ = at_rest;
-  }
-
-  void pace() {
-    const double speed = !process_.lock_step() || paused_ ? 1 : k_.speed;
-    if (speed <= 0) {
-      due_ = Clock::now();
-      return;
-    }
-    due_ += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(kStep / speed));
-    const auto now = Clock::now();
-    if (due_ < now - std::chrono::seconds(1))
-      due_ = now;  // a machine that cannot keep up does not race later
-    if (process_.lock_step()) process_.await([] { return false; }, due_);
   }
 
   void write_sheet(int arm) {
@@ -183,7 +173,7 @@ class Shell {
   bool rested_{};
   bool paused_{};
   std::int64_t finished_in_{};
-  Clock::time_point due_{};
+  Pacer pacer_{kStep};
 };
 
 }  // namespace

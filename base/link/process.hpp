@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/clock.hpp"
 #include "base/fault.hpp"
 #include "base/link/bus.hpp"
 #include "base/link/channel.hpp"
@@ -27,12 +28,6 @@ enum class Phase : std::uint8_t {
   running,
   stopping,  ///< no more commands: effectors come to rest and hold
   finished,  ///< end now
-};
-
-/// Who drives time.
-enum class ClockKind : std::uint8_t {
-  step,  ///< lock-step: everybody waits for the messages that it needs
-  wall,  ///< the monotonic clock: what is not there in time is late
 };
 
 /// How a process belongs to its system.
@@ -67,10 +62,11 @@ class Process {
     return std::make_unique<Inbox<M>>(bus_, route(name, group), membership_.session_id);
   }
   /// A link on which the run is fingerprinted and repaired.
+  /// @throws FaultError internal_error when the process has more links than its status can tell about
   template <FixedMessage M>
   std::unique_ptr<Outbox<M>> outbox(const std::string& name, Group group = Group::agents) {
     auto box = std::make_unique<Outbox<M>>(bus_, route(name, group), membership_.session_id);
-    outboxes_.push_back(box.get());
+    add(*box);
     return box;
   }
 
@@ -80,11 +76,13 @@ class Process {
   bool assemble();
 
   /// Waits until ready() holds. Everything else that has to be done goes on in here: messages arrive, own
-  /// messages are repeated when nothing moves, the supervisor hears that this process lives.
+  /// messages are repeated when the wait is long, the supervisor hears that this process lives.
   /// @param deadline gives up then
   /// @return the last value of ready()
   template <class Ready>
   bool await(Ready ready, Clock::time_point deadline = Clock::time_point::max()) {
+    if (ready()) return true;
+    waiting_since_ = Clock::now();
     while (!ready()) {
       if (deadline != Clock::time_point::max() && Clock::now() >= deadline) return false;
       service(deadline);
@@ -112,6 +110,8 @@ class Process {
   void say(const std::string& text, FaultCode code = FaultCode::none);
   /// Says that this process has ended, with the fingerprints of what it sent.
   void report_done();
+  /// Stays, with everything done, until the system has ended: a peer may still need a message repeated.
+  void stay();
   /// Says that this process has ended because of a fault.
   void report_fault(const Fault& fault);
 
@@ -119,6 +119,7 @@ class Process {
   std::function<void()> on_service;
 
  private:
+  void add(OutboxBase& box);
   void service(Clock::time_point deadline);
   void send_status();
 
@@ -130,7 +131,7 @@ class Process {
   Inbox<supervisor_t> supervisor_in_;
   process_status_t status_{};
   Clock::time_point last_status_{};
-  Clock::time_point last_news_{};
+  Clock::time_point waiting_since_{};  // or since own messages were repeated
 };
 
 }  // namespace mrroc::link

@@ -13,6 +13,13 @@ namespace {
 /// From an order of the coordinator to the report about its execution (MG 11-15).
 constexpr std::size_t kLoopDelay = 3;
 
+/// Why behaviours m = 0..7 end, for the operator.
+constexpr std::array<std::string_view, 8> kEnds{
+    "both arms ready and start given",  "the taught pen touched the paper",
+    "the operator's trigger",           "the operator's trigger",
+    "both pens settled on the paper",   "the stroke ended",
+    "the time of the lift-off elapsed", "the next stroke begins"};
+
 /// Strokes among the first p nodes.
 int strokes_until(const Recording& recording, std::size_t p) {
   int strokes = 0;
@@ -97,6 +104,7 @@ void DrawingRun::show(const Motion<Coordinator>& motion, const X& x) {
                                                            strokes_until(c.recording, c.recording.size()))
                                              : "";
     announce_(fmt::format("{:8.2f} s  m = {}  {}{}", seconds(x.i), motion.m, motion.name, stroke));
+    if (m_ >= 0) run_.board().set_ended_because(kEnds[static_cast<std::size_t>(m_)]);
     m_ = motion.m;
   }
   const bool waits = motion.m == 2 || motion.m == 3;
