@@ -10,6 +10,8 @@ thread_local bool counting = false;
 thread_local long allocations = 0;
 }  // namespace
 
+// The names are those of the C library.
+// NOLINTBEGIN(readability-identifier-naming,readability-inconsistent-declaration-parameter-name)
 extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
@@ -33,6 +35,7 @@ void* aligned_alloc(std::size_t alignment, std::size_t size) {
   return __libc_memalign(alignment, size);
 }
 }
+// NOLINTEND(readability-identifier-naming,readability-inconsistent-declaration-parameter-name)
 
 namespace mrroc::edp::test {
 namespace {

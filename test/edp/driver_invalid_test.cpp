@@ -27,7 +27,7 @@ TEST(DriverInvalid, RefusalGoesOnDoingWhatItDid) {
     EXPECT_EQ(rig.macrostep(wrong).verdict, Verdict::refused);
     twin.macrostep();
     for (int k = 0; k < 5; ++k) {
-      ASSERT_EQ(std::memcmp(&rig.last.pwm, &twin.last.pwm, sizeof rig.last.pwm), 0);
+      ASSERT_EQ(rig.last.pwm, twin.last.pwm);
       ASSERT_EQ(rig.driver.set_point().T_0E.p, twin.driver.set_point().T_0E.p);
       ASSERT_EQ(rig.driver.state(), twin.driver.state());
       rig.macrostep();
