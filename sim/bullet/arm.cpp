@@ -39,7 +39,8 @@ AxisVector reflected_inertia(const irb6::Arm& robot, const ArmParameters& p, con
   for (int k = 0; k < robot.axes(); ++k)
     inertia[k] = p.motors[static_cast<std::size_t>(k)].rotor_inertia * J(k, k) * J(k, k);
   const int T = robot.parameters().first() + kAxisT;
-  inertia[T] += p.motors[static_cast<std::size_t>(T + 1)].rotor_inertia * J(T + 1, T) * J(T + 1, T);
+  const int V = T + 1;
+  inertia[T] += p.motors[static_cast<std::size_t>(V)].rotor_inertia * J(V, T) * J(V, T);
   return inertia;
 }
 
@@ -124,7 +125,7 @@ void SimulatedArm::add_pen() {
   collider_->setContactStiffnessAndDamping(p_.paper.stiffness, p_.paper.stiffness * p_.paper.damping_ratio);
   collider_->setActivationState(DISABLE_DEACTIVATION);
   arm_.body->getLink(arm_.tool).m_collider = collider_.get();
-  scene_.dynamics().addCollisionObject(collider_.get(), CollisionGroup::pen, CollisionGroup::paper);
+  scene_.dynamics().addCollisionObject(collider_.get(), kPenGroup, kPaperGroup);
 }
 
 AxisVector SimulatedArm::joint_speeds() const {

@@ -15,7 +15,7 @@ namespace {
 
 struct LinkPlan {
   bool fixed{}, prismatic{};
-  Pose T_parent;  // link frame in that of the parent's link, joint at zero
+  Pose T_PL;  // link frame in that of the link before, joint at zero
   Vector3 axis{Vector3::Zero()};
   double mass{};
   Vector3 mass_centre{Vector3::Zero()}, inertia{Vector3::Zero()};
@@ -23,7 +23,7 @@ struct LinkPlan {
 
 struct Plan {
   std::vector<LinkPlan> links;
-  Pose T_wrist_S, T_wrist_tool, T_tool_E;
+  Pose T_WS, T_WT, T_TE;  // W wrist, S sensor, T tool, E its tip
   int joints{};
 };
 
@@ -36,11 +36,11 @@ Pose pose_of(const urdf::Pose& p) {
   return {q.toRotationMatrix(), {p.position.x, p.position.y, p.position.z}};
 }
 
-LinkPlan plan_link(const urdf::Joint& joint, const urdf::Link& link, const Pose& T_parent) {
+LinkPlan plan_link(const urdf::Joint& joint, const urdf::Link& link, const Pose& T_PL) {
   LinkPlan plan;
   plan.fixed = joint.type == urdf::Joint::FIXED;
   plan.prismatic = joint.type == urdf::Joint::PRISMATIC;
-  plan.T_parent = T_parent;
+  plan.T_PL = T_PL;
   plan.axis = {joint.axis.x, joint.axis.y, joint.axis.z};
   const auto& inertial = link.inertial;
   if (!inertial || inertial->mass <= 0) refuse("link " + link.name + " has no mass");
@@ -61,9 +61,9 @@ Plan plan_chain(const urdf::ModelInterface& model) {
     const urdf::Joint& joint = *link->child_joints.front();
     const urdf::Link& child = *link->child_links.front();
     T = T * pose_of(joint.parent_to_joint_origin_transform);
-    if (joint.name == "sensor") plan.T_wrist_S = T;
-    if (child.name == "tool") plan.T_wrist_tool = T;
-    if (child.name == "pen_tip" && at_tool) plan.T_tool_E = T;
+    if (joint.name == "sensor") plan.T_WS = T;
+    if (child.name == "tool") plan.T_WT = T;
+    if (child.name == "pen_tip" && at_tool) plan.T_TE = T;
     if (joint.type == urdf::Joint::FIXED && child.name != "tool") continue;
     if (at_tool) refuse("joint " + joint.name + " is beyond the tool");
     at_tool = child.name == "tool";
@@ -80,8 +80,8 @@ Vector3 mass_centre(const Plan& plan, std::size_t link) { return plan.links[link
 void set_up_link(btMultiBody& body, const Plan& plan, std::size_t k, double rotor_inertia) {
   const LinkPlan& link = plan.links[k];
   const int index = static_cast<int>(k);
-  const btQuaternion to_link = quaternion(link.T_parent.R.transpose());
-  const Vector3 from_parent = k == 0 ? link.T_parent.p : link.T_parent.p - mass_centre(plan, k - 1);
+  const btQuaternion to_link = quaternion(link.T_PL.R.transpose());
+  const Vector3 from_parent = k == 0 ? link.T_PL.p : link.T_PL.p - mass_centre(plan, k - 1);
   const btVector3 pivot = to_bullet(from_parent);
   const btVector3 centre = to_bullet(link.mass_centre);
   if (link.fixed) {
@@ -121,9 +121,9 @@ ArmBody build_arm(std::string_view urdf, const Pose& T_UB, const AxisVector& rot
   arm.body->setLinearDamping(0);
   arm.body->setAngularDamping(0);
 
-  const Pose T_tool_G{Matrix3::Identity(), plan.links.back().mass_centre};
-  arm.T_GS = T_tool_G.inverse() * plan.T_wrist_tool.inverse() * plan.T_wrist_S;
-  arm.T_GE = T_tool_G.inverse() * plan.T_tool_E;
+  const Pose T_TG{Matrix3::Identity(), plan.links.back().mass_centre};
+  arm.T_GS = T_TG.inverse() * plan.T_WT.inverse() * plan.T_WS;
+  arm.T_GE = T_TG.inverse() * plan.T_TE;
   return arm;
 }
 

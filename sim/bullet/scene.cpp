@@ -26,7 +26,7 @@ void Scene::add_table(const Pose& T_UP, double edge) {
   table->setCollisionShape(shapes_.back().get());
   table->setWorldTransform(to_bullet(T_UP * Pose{Matrix3::Identity(), {0, 0, -kTableThickness / 2}}));
   table->setFriction(1);
-  dynamics_.addCollisionObject(table.get(), CollisionGroup::paper, CollisionGroup::pen);
+  dynamics_.addCollisionObject(table.get(), kPaperGroup, kPenGroup);
   tables_.push_back(std::move(table));
 }
 

@@ -11,11 +11,9 @@
 
 namespace mrroc::sim {
 
-/// Who may touch whom: pens touch paper, nothing else touches anything.
-struct CollisionGroup {
-  static constexpr int pen = 64;
-  static constexpr int paper = 128;
-};
+// Who may touch whom: pens touch paper, nothing else touches anything.
+inline constexpr int kPenGroup = 64;
+inline constexpr int kPaperGroup = 128;
 
 /// Gravity, contacts and the solver. Bodies of arms are added to dynamics() by their owners, who outlive no
 /// scene.

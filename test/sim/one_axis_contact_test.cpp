@@ -1,8 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <ostream>
+#include <string>
 
 #include "robots/irb6/parameters.hpp"
 #include "test/sim/one_axis.hpp"
@@ -17,7 +18,11 @@ struct Case {
   double gear;   // there [rad/rad]
 };
 
-void PrintTo(const Case& c, std::ostream* out) { *out << irb6::kPostument.axes[c.axis].properties.name; }
+std::string name_of(const testing::TestParamInfo<Case>& info) {
+  std::string name(irb6::kPostument.axes[static_cast<std::size_t>(info.param.axis)].properties.name);
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
 
 // The axis with the inertia for which its regulator was designed.
 OneAxis one_axis(const Case& c) {
@@ -89,7 +94,8 @@ TEST_P(OneAxisContact, ForceOnPaperIsQuietDespiteFriction) {
 
 INSTANTIATE_TEST_SUITE_P(AxesThatPressOrLead, OneAxisContact,
                          testing::Values(Case{0, 0.90, 158}, Case{1, 0.455, 168}, Case{2, 0.67, 172},
-                                         Case{3, 0.31, 128}));
+                                         Case{3, 0.31, 128}),
+                         name_of);
 
 }  // namespace
 }  // namespace mrroc::sim
