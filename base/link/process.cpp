@@ -9,7 +9,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kPatience = 100ms;      // without news before own messages are repeated
+// A wait that lasts this long may be for a lost message: own ones are repeated. What else arrives says
+// nothing about that.
+constexpr auto kPatience = 100ms;
 constexpr auto kStatusPeriod = 500ms;  // between signs of life
 constexpr auto kReadyPeriod = 20ms;    // the same while assembling
 
@@ -48,6 +50,12 @@ Route Process::route(const std::string& name, Group group) const {
   return {group, membership_.session + "." + name};
 }
 
+void Process::add(OutboxBase& box) {
+  if (outboxes_.size() == std::size(status_.hash))
+    throw FaultError(FaultCode::internal_error, "too many links in process " + membership_.name);
+  outboxes_.push_back(&box);
+}
+
 bool Process::assemble() {
   status_.state = static_cast<int>(ProcessState::ready);
   send_status();
@@ -62,10 +70,9 @@ void Process::service(Clock::time_point deadline) {
   auto patience = std::chrono::duration_cast<std::chrono::milliseconds>(kReadyPeriod);
   if (deadline != Clock::time_point::max())
     patience = std::clamp(std::chrono::ceil<std::chrono::milliseconds>(deadline - now), 0ms, patience);
-  if (bus_.wait(patience)) {
-    last_news_ = now;
-  } else if (now - last_news_ > kPatience) {
-    last_news_ = now;
+  bus_.wait(patience);
+  if (now - waiting_since_ > kPatience) {
+    waiting_since_ = now;
     for (OutboxBase* box : outboxes_) box->repeat();
   }
   const bool assembling = status_.state == static_cast<int>(ProcessState::ready);
@@ -129,6 +136,10 @@ void Process::report_done() {
     h.count = box->count();
   }
   send_status();
+}
+
+void Process::stay() {
+  await([this] { return phase() == Phase::finished; });
 }
 
 void Process::report_fault(const Fault& fault) {
