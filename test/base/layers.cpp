@@ -4,7 +4,6 @@
 #include <array>
 #include <fstream>
 #include <optional>
-#include <regex>
 
 namespace mrroc::test {
 namespace {
@@ -98,11 +97,17 @@ std::string layer_violation(std::string_view path, std::string_view include, boo
 }
 
 std::string included_by(const std::string& line, bool& quoted) {
-  static const std::regex pattern(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"].*)");
-  std::smatch match;
-  if (!std::regex_match(line, match, pattern)) return {};
-  quoted = match[1] == "\"";
-  return match[2];
+  std::string_view rest = line;
+  const auto skip = [&rest](std::string_view word) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+    if (!rest.starts_with(word)) return false;
+    rest.remove_prefix(word.size());
+    return true;
+  };
+  if (!skip("#") || !skip("include")) return {};
+  quoted = skip("\"");
+  if (!quoted && !skip("<")) return {};
+  return std::string(rest.substr(0, rest.find(quoted ? '"' : '>')));
 }
 
 std::vector<std::filesystem::path> project_files(const std::filesystem::path& root) {
