@@ -29,6 +29,8 @@ elseif(MRROC_SANITIZE)
 endif()
 if(MRROC_SANITIZE)
   target_compile_definitions(mrroc_options INTERFACE MRROC_SANITIZED)
+  # The instrumentation hides from g++ that variables are initialised.
+  target_compile_options(mrroc_options INTERFACE -Wno-maybe-uninitialized)
 endif()
 
 function(mrroc_library name)
