@@ -20,6 +20,7 @@ constexpr double kAboveRest = 0.3;   // shortest rest above the paper [s]
 constexpr double kPatience = 1.5;    // longest rest, and longest wait for a lifted pen [s]
 constexpr double kLifted = 0.7;      // share of the lift from which on the pen counts as lifted
 constexpr double kPressing = 0.003;  // fastest change of the depth to which the hand presses [m/s]
+constexpr double kGentle = 0.6;      // share of the lowering speed when it goes down only to travel
 constexpr double kLeastPress = 0.2;  // share of the pressure that remains however it wanders
 
 }  // namespace
@@ -169,7 +170,8 @@ double HandScript::height_goal(double wander) const {
 void HandScript::move_height(double dt, double goal) {
   const bool on_paper = stage_ == Stage::dwell || stage_ == Stage::draw || stage_ == Stage::corner;
   // Down in the air it goes gently: the arm feels a hand that brakes hard as it feels the paper.
-  const double fastest = on_paper ? kPressing : goal < target_ ? p_.lowering_speed : p_.lifting_speed;
+  const double down = stage_ == Stage::lower ? p_.lowering_speed : kGentle * p_.lowering_speed;
+  const double fastest = on_paper ? kPressing : goal < target_ ? down : p_.lifting_speed;
   const double most = pace_ * dt * fastest;
   target_ += std::clamp(goal - target_, -most, most);
   climb_ += dt * kSmoothing * (kSmoothing * (target_ - height_) - 2 * climb_);

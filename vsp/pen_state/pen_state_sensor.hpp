@@ -19,7 +19,7 @@ struct PenStateParameters {
   double rest_speed{
       0.0015};            ///< or when it is slower than this for rest_time, which must be once before A [m/s]
   double rest_time{0.5};  ///< [s]
-  double impact_force{1.5};     ///< B: the force rises by more than this ... [N]
+  double impact_force{1.25};    ///< B: the force rises by more than this ... [N]
   double impact_time{0.020};    ///< ... within this time [s], at most 0.1 s
   double rest_force{1.2};       ///< or B, a soft landing: at rest with more than this ... [N]
   double rest_force_time{0.2};  ///< ... for this time [s]; in the air F_a would have gone to zero
