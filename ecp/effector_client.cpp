@@ -34,7 +34,7 @@ EffectorCommand EffectorClient::next(EffectorCommand wanted, std::int64_t macros
     pending_.push_back(wanted);
   }
   EffectorCommand out = wanted;
-  if (sent_of_pending_ < pending_.size()) {
+  if (sent_of_pending_ < pending_.size() && wanted.instruction != Instruction::release) {
     out = pending_[sent_of_pending_++];
     sent(macrostep) = {macrostep, out.number};
   } else {

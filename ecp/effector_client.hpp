@@ -23,13 +23,16 @@ class EffectorClient {
 
   /// @param wanted     what the control subsystem decided; session and number are filled in here
   /// @param macrostep  in which it is to be executed
-  /// @return what to send: the wanted command, or the oldest one that the driver has not executed
+  /// @return what to send: the wanted command, or the oldest one that the driver has not executed; release overtakes them; release
+  ///         always goes out at once
   EffectorCommand next(EffectorCommand wanted, std::int64_t macrostep);
 
   /// @return the system error after kAttempts failures in a row
   [[nodiscard]] const std::optional<Fault>& fault() const { return fault_; }
   /// @return commands that wait because earlier ones had to be repeated
   [[nodiscard]] std::size_t backlog() const { return pending_.size() - sent_of_pending_; }
+  /// @return whether every command is known to be executed or refused
+  [[nodiscard]] bool settled() const { return pending_.empty(); }
 
  private:
   static constexpr std::size_t kRemembered = 16;

@@ -55,13 +55,15 @@ class Shell {
   void begin_macrostep() {
     ++macrostep_;
     if (stopped(macrostep_)) return;
+    // That its owner leaves is the link's statement: faults made on purpose do not touch it.
+    const effector_command_t* const sent = command_in_->at(macrostep_);
+    if (sent && static_cast<Instruction>(sent->instruction) == Instruction::release) {
+      released_ = true;
+      released_in_ = macrostep_;
+    }
     bool taken = false;
     command_in_->due(macrostep_, k_.injection, [&](const effector_command_t& m) {
       const EffectorCommand command = from_message(m);
-      if (command.instruction == Instruction::release) {
-        released_ = true;
-        released_in_ = macrostep_;
-      }
       if (!taken) driver_.take(command);
       taken = true;
     });
