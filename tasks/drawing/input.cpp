@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+
 #include "base/fault.hpp"
 #include "tasks/drawing/strokes.hpp"
 #include "tasks/drawing/svg.hpp"
