@@ -23,7 +23,7 @@ class EffectorClient {
 
   /// @param wanted     what the control subsystem decided; session and number are filled in here
   /// @param macrostep  in which it is to be executed
-  /// @return what to send: the wanted command, or the oldest one that the driver has not executed; release overtakes them; release
+  /// @return what to send: the wanted command, or the oldest one that the driver has not executed; release
   ///         always goes out at once
   EffectorCommand next(EffectorCommand wanted, std::int64_t macrostep);
 

@@ -52,6 +52,7 @@ void run_ecp(link::Process& process, const ArmLinkNames& names, const Preparatio
   }
   if (outcome == Outcome::terminated) links.send({.instruction = Instruction::release}, {.ready = true});
   process.report_done();
+  process.stay();
 }
 
 }  // namespace mrroc::ecp

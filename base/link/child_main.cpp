@@ -24,7 +24,6 @@ int run(const Membership& membership, const std::string& url, const std::string&
   Process process(*bus, membership);
   try {
     body(process, config, arguments);
-    process.stay();
     return 0;
   } catch (const FaultError& e) {
     process.report_fault(e.fault());

@@ -62,7 +62,9 @@ bool Process::assemble() {
   await([this] { return phase() != Phase::assembling; });
   status_.state = static_cast<int>(ProcessState::running);
   send_status();
-  return phase() == Phase::running;
+  // Whoever hears of a stop in a later macrostep before he has heard of the beginning takes part until then:
+  // the others wait for him.
+  return phase() == Phase::running || (phase() == Phase::stopping && stop_as_of() > 0);
 }
 
 void Process::service(Clock::time_point deadline) {

@@ -110,7 +110,8 @@ class Process {
   void say(const std::string& text, FaultCode code = FaultCode::none);
   /// Says that this process has ended, with the fingerprints of what it sent.
   void report_done();
-  /// Stays, with everything done, until the system has ended: a peer may still need a message repeated.
+  /// Stays, with everything done, until the system has ended: a peer may still need a message repeated. Its
+  /// links must still be there.
   void stay();
   /// Says that this process has ended because of a fault.
   void report_fault(const Fault& fault);

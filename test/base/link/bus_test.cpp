@@ -1,0 +1,196 @@
+// What every transport promises, in memory and over the network; the record of a run.
+#include "base/link/bus.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "base/fault.hpp"
+#include "base/link/channel.hpp"
+#include "base/link/event_log.hpp"
+#include "base/link/lcm_bus.hpp"
+#include "base/link/log_reader.hpp"
+#include "base/link/memory_bus.hpp"
+#include "base/link/session.hpp"
+#include "buses.hpp"
+#include "mrroc/operator_order_t.hpp"
+#include "mrroc/sensor_reading_t.hpp"
+
+namespace mrroc::link {
+namespace {
+
+using namespace std::chrono_literals;
+using test::Bytes;
+
+struct Collector final : Sink {
+  std::vector<std::pair<std::string, Bytes>> got;
+  void receive(std::string_view channel, std::span<const std::uint8_t> bytes) noexcept override {
+    got.emplace_back(channel, Bytes(bytes.begin(), bytes.end()));
+  }
+};
+
+/// Opens the ends of one system.
+class Transport : public ::testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override {
+    if (GetParam() == "memory") return;
+    address_ = address_for("bus-test-" + std::to_string(random_id() % 100000));
+    if (!multicast_works(address_)) GTEST_SKIP() << "no multicast on this host";
+  }
+  std::unique_ptr<Bus> open() { return GetParam() == "memory" ? hub_.open() : open_lcm(address_); }
+  /// Waits until so many have come, at most for two seconds.
+  static void await(Bus& bus, const Collector& c, std::size_t n) {
+    for (int tries = 0; tries < 200 && c.got.size() < n; ++tries) bus.wait(10ms);
+  }
+
+ private:
+  MemoryHub hub_;
+  LcmAddress address_;
+};
+
+TEST_P(Transport, DeliversEveryMessageOfAChannelInOrderToEverybodyWhoListens) {
+  const auto sender = open(), one = open(), two = open();
+  Collector first, second, same_end;
+  const Route route{Group::agents, "s.a"};
+  one->subscribe(route, first);
+  one->subscribe(route, same_end);
+  two->subscribe(route, second);
+  for (std::uint8_t k = 0; k < 100; ++k) sender->publish(route, Bytes{k, 1, 2});
+  await(*one, first, 100);
+  await(*two, second, 100);
+  for (const Collector* c : {&first, &second, &same_end}) {
+    ASSERT_EQ(c->got.size(), 100U);
+    for (std::uint8_t k = 0; k < 100; ++k) EXPECT_EQ(c->got[k].second, (Bytes{k, 1, 2}));
+    EXPECT_EQ(c->got[0].first, "s.a");
+  }
+}
+
+TEST_P(Transport, ChannelsGroupsAndLookAlikesAreKeptApart) {
+  const auto sender = open(), receiver = open();
+  Collector got;
+  receiver->subscribe({Group::agents, "s.a"}, got);
+  for (const char* other : {"sxa", "s.ab", "xs.a", "s", ""})
+    sender->publish({Group::agents, other}, Bytes{1});
+  sender->publish({Group::agents, "s.a"}, Bytes{2});
+  await(*receiver, got, 1);
+  receiver->wait(20ms);
+  ASSERT_EQ(got.got.size(), 1U);
+  EXPECT_EQ(got.got[0].second, Bytes{2});
+}
+
+TEST_P(Transport, ListeningToAllGetsEverythingOfTheSessionThatAgentsSay) {
+  const auto sender = open(), receiver = open();
+  Collector all;
+  receiver->subscribe_all("s.", all);
+  sender->publish({Group::agents, "sx.a"}, Bytes{1});
+  sender->publish({Group::servo_state, "s.state"}, Bytes{2});
+  sender->publish({Group::servo_command, "s.command"}, Bytes{3});
+  sender->publish({Group::agents, "s.a"}, Bytes{4});
+  sender->publish({Group::agents, "s.b"}, Bytes{5});
+  await(*receiver, all, 2);
+  receiver->wait(20ms);
+  ASSERT_EQ(all.got.size(), 2U);
+  EXPECT_EQ(all.got[0], (std::pair<std::string, Bytes>("s.a", {4})));
+  EXPECT_EQ(all.got[1], (std::pair<std::string, Bytes>("s.b", {5})));
+}
+
+TEST_P(Transport, WaitEndsByItselfWhenNothingComes) {
+  const auto bus = open();
+  Collector got;
+  bus->subscribe({Group::agents, "s.a"}, got);
+  EXPECT_FALSE(bus->wait(1ms));
+}
+
+TEST_P(Transport, AnEndCanLeaveWhileOthersTalk) {
+  const auto sender = open();
+  const Route route{Group::agents, "s.a"};
+  for (int k = 0; k < 20; ++k) {
+    Collector got;
+    const auto receiver = open();
+    receiver->subscribe(route, got);
+    receiver->subscribe_all("s.", got);
+    sender->publish(route, Bytes{1});
+  }
+  sender->publish(route, Bytes{1});
+}
+
+INSTANTIATE_TEST_SUITE_P(Bus, Transport, ::testing::Values("memory", "lcm"),
+                         [](const auto& instance) { return instance.param; });
+
+TEST(LcmAddress, IsReadFromItsOwnUrl) {
+  const LcmAddress a{"239.1.2.3", 20004, 1};
+  const LcmAddress b = LcmAddress::parse(a.url());
+  EXPECT_EQ(b.host, a.host);
+  EXPECT_EQ(b.port, a.port);
+  EXPECT_EQ(b.ttl, a.ttl);
+  EXPECT_EQ(LcmAddress::parse("udpm://239.1.2.3:20004").ttl, 0);
+}
+
+TEST(LcmAddress, EverythingElseIsRefused) {
+  for (const char* url :
+       {"", "udpm://", "239.1.2.3:7667", "udpm://239.1.2.3", "udpm://239.1.2.3:80", "udpm://239.1.2.3:65534",
+        "udpm://239.1.2.3:99999999999999999999", "udpm://239.1.2.3:7667?ttl=", "udpm://239.1.2.3:7667?ttl=-1",
+        "udpm://239.1.2.3:7667?ttl=99999999999999999999", "udpm://999.1.2.3:7667", "udpm://10.0.0.1:7667",
+        "udpm://239.1.2.3:7667?ttl=256", "tcpq://239.1.2.3:7667", "udpm://239.1.2.3:7667?ttl=0;rm"})
+    EXPECT_THROW(LcmAddress::parse(url), std::invalid_argument) << url;
+}
+
+class EventLogTest : public ::testing::Test {
+ protected:
+  EventLogTest() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "event_log_test.XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+  }
+  ~EventLogTest() override { std::filesystem::remove_all(folder_); }
+  std::filesystem::path folder_;
+};
+
+TEST_F(EventLogTest, HoldsEveryMessageOnceAndCountsWhatIsMissing) {
+  const auto file = folder_ / "events.lcmlog";
+  {
+    test::DirectBus bus;
+    EventLog log(file);
+    bus.subscribe_all("s.", log);
+    Outbox<operator_order_t> a(bus, {Group::agents, "s.a"}, 1);
+    Outbox<sensor_reading_t> b(bus, {Group::agents, "s.b"}, 1);
+    for (std::int64_t stamp = 1; stamp <= 50; ++stamp) {
+      operator_order_t m{};
+      m.id = 7 * stamp;
+      a.publish(m, stamp);
+      b.publish({}, stamp);
+      a.repeat();
+    }
+    EXPECT_EQ(log.gaps(), 0);
+    operator_order_t late{};
+    late.header = {1, 53, 53};
+    Bytes bytes(static_cast<std::size_t>(encoded_size<operator_order_t>()));
+    late.encode(bytes.data(), 0, encoded_size<operator_order_t>());
+    bus.deliver("s.a", bytes);
+    EXPECT_EQ(log.gaps(), 2);
+    bus.deliver("s.c", Bytes(3));  // no message at all
+  }
+  const LogReader reader(file);
+  EXPECT_EQ(reader.channels(), (std::vector<std::string>{"a", "b"}));
+  const auto a = reader.messages<operator_order_t>("a");
+  ASSERT_EQ(a.size(), 51U);
+  for (std::int64_t stamp = 1; stamp <= 50; ++stamp) EXPECT_EQ(a.at(stamp).id, 7 * stamp);
+  EXPECT_EQ(reader.messages<sensor_reading_t>("b").size(), 50U);
+  EXPECT_TRUE(reader.messages<sensor_reading_t>("a").empty());
+  EXPECT_TRUE(reader.messages<sensor_reading_t>("nothing").empty());
+}
+
+TEST_F(EventLogTest, WhatCannotBeWrittenOrReadIsSaid) {
+  const auto code_of = [](const auto& f) {
+    try {
+      f();
+    } catch (const FaultError& e) {
+      return e.fault().code;
+    }
+    return FaultCode::none;
+  };
+  EXPECT_EQ(code_of([&] { EventLog(folder_ / "no" / "such" / "folder"); }), FaultCode::cannot_write);
+  EXPECT_EQ(code_of([&] { LogReader(folder_ / "missing"); }), FaultCode::bad_log);
+}
+
+}  // namespace
+}  // namespace mrroc::link

@@ -1,0 +1,58 @@
+// Transports for tests of one thread: one that delivers at once, and one that loses what it is told to.
+#pragma once
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/link/bus.hpp"
+
+namespace mrroc::link::test {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// Delivers within publish() to every sink, and keeps what was published.
+class DirectBus final : public Bus {
+ public:
+  void publish(const Route& route, std::span<const std::uint8_t> bytes) override {
+    published.emplace_back(route.channel, Bytes(bytes.begin(), bytes.end()));
+    deliver(route.channel, bytes);
+  }
+  void subscribe(const Route& route, Sink& sink) override { sinks_[route.channel].push_back(&sink); }
+  void subscribe_all(const std::string& prefix, Sink& sink) override { all_.emplace_back(prefix, &sink); }
+  bool wait(std::chrono::milliseconds) override { return false; }
+
+  /// Gives a channel's sinks any bytes, as a stranger on the network can.
+  void deliver(const std::string& channel, std::span<const std::uint8_t> bytes) {
+    for (Sink* s : sinks_[channel]) s->receive(channel, bytes);
+    for (const auto& [prefix, sink] : all_)
+      if (channel.starts_with(prefix)) sink->receive(channel, bytes);
+  }
+
+  std::vector<std::pair<std::string, Bytes>> published;
+
+ private:
+  std::map<std::string, std::vector<Sink*>> sinks_;
+  std::vector<std::pair<std::string, Sink*>> all_;
+};
+
+/// Passes on what is not lost.
+class LossyBus final : public Bus {
+ public:
+  /// @param lost  asked once per publication
+  LossyBus(Bus& under, std::function<bool()> lost) : under_(under), lost_(std::move(lost)) {}
+
+  void publish(const Route& route, std::span<const std::uint8_t> bytes) override {
+    if (!lost_()) under_.publish(route, bytes);
+  }
+  void subscribe(const Route& route, Sink& sink) override { under_.subscribe(route, sink); }
+  void subscribe_all(const std::string& prefix, Sink& sink) override { under_.subscribe_all(prefix, sink); }
+  bool wait(std::chrono::milliseconds timeout) override { return under_.wait(timeout); }
+
+ private:
+  Bus& under_;
+  std::function<bool()> lost_;
+};
+
+}  // namespace mrroc::link::test
