@@ -34,6 +34,7 @@ class Shell {
       do_step(step);
     }
     process_.report_done();
+    process_.stay();
   }
 
  private:

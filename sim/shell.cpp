@@ -56,6 +56,7 @@ class Shell {
     }
     for (int arm = 0; arm < world_.arms(); ++arm) write_sheet(arm);
     process_.report_done();
+    process_.stay();
   }
 
  private:

@@ -38,6 +38,7 @@ void run_step_sensor(link::Process& process, const std::string& robot, const std
     if (m->last) break;
   }
   process.report_done();
+  process.stay();
 }
 
 }  // namespace mrroc::vsp
