@@ -3,12 +3,17 @@
 #include <benchmark/benchmark.h>
 #include <urdf_parser/urdf_parser.h>
 
+#include <algorithm>
 #include <kdl/chain.hpp>
 #include <kdl/chainiksolverpos_lma.hpp>
+#include <map>
 #include <random>
+#include <string>
 #include <vector>
 
+#include "bench/kinematics_bench.hpp"
 #include "robots/irb6/arm.hpp"
+#include "sim/robot_description.hpp"
 
 namespace mrroc::irb6 {
 namespace {
@@ -77,7 +82,7 @@ void motors_from_joints(benchmark::State& state) {
 }
 
 KDL::Chain postument_chain() {
-  const auto model = urdf::parseURDFFile(std::string(MRROC_SOURCE_DIR) + "/robots/irb6/irb6_postument.urdf");
+  const auto model = urdf::parseURDF(std::string(sim::robot_description(sim::ArmModel::irb6_postument)));
   std::vector<KDL::Segment> reversed;
   for (auto link = model->getLink("wrist"); link->parent_joint;
        link = model->getLink(link->parent_joint->parent_link_name)) {
@@ -120,7 +125,41 @@ BENCHMARK(inverse_kinematics_from_afar)->Arg(0)->Arg(1);
 BENCHMARK(motors_from_joints)->Arg(0)->Arg(1);
 BENCHMARK(kdl_inverse_kinematics)->Arg(0);
 
+// Keeps the times instead of printing them.
+class Keeper : public benchmark::BenchmarkReporter {
+ public:
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs)
+      if (run.run_type == Run::RT_Iteration) times_[run.run_name.str()].push_back(run.GetAdjustedCPUTime());
+  }
+  [[nodiscard]] std::map<std::string, double> medians() const {
+    std::map<std::string, double> result;
+    for (auto [name, times] : times_) {
+      const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+      std::nth_element(times.begin(), middle, times.end());
+      result[name.substr(0, name.find("/repeats"))] = *middle;
+    }
+    return result;
+  }
+
+ private:
+  std::map<std::string, std::vector<double>> times_;
+};
+
 }  // namespace
 }  // namespace mrroc::irb6
 
-BENCHMARK_MAIN();
+namespace mrroc::bench {
+
+std::map<std::string, double> run_kinematics_benchmarks() {
+  std::string words[]{"bench", "--benchmark_min_time=0.05", "--benchmark_repetitions=9"};
+  char* arguments[]{words[0].data(), words[1].data(), words[2].data(), nullptr};
+  int count = 3;
+  benchmark::Initialize(&count, arguments);
+  irb6::Keeper keeper;
+  benchmark::RunSpecifiedBenchmarks(&keeper);
+  return keeper.medians();
+}
+
+}  // namespace mrroc::bench

@@ -33,21 +33,45 @@ if(MRROC_SANITIZE)
   target_compile_options(mrroc_options INTERFACE -Wno-maybe-uninitialized)
 endif()
 
+# Headers that most files need, compiled once for the libraries and programs, and once for the tests, which are
+# optimised less: they are compiled more often than run.
+# LCM asks for -pthread; a precompiled header serves only files with the same options.
+target_compile_options(mrroc_options INTERFACE -pthread)
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/empty.cpp CONTENT "")
+add_library(mrroc_headers STATIC ${CMAKE_BINARY_DIR}/empty.cpp)
+target_link_libraries(mrroc_headers PRIVATE mrroc_options Eigen3::Eigen)
+target_precompile_headers(mrroc_headers PRIVATE <Eigen/Dense> <algorithm> <array> <chrono> <filesystem> <fstream>
+                          <functional> <map> <memory> <optional> <random> <set> <sstream> <string> <variant> <vector>)
+if(MRROC_TESTS)
+  find_package(GTest REQUIRED)
+  add_library(mrroc_test_options INTERFACE)
+  if(CMAKE_BUILD_TYPE STREQUAL "Release")
+    target_compile_options(mrroc_test_options INTERFACE -O1)
+  endif()
+  target_link_libraries(mrroc_test_options INTERFACE mrroc_options)
+  add_library(mrroc_test_headers STATIC ${CMAKE_BINARY_DIR}/empty.cpp)
+  target_link_libraries(mrroc_test_headers PRIVATE mrroc_test_options GTest::gtest Eigen3::Eigen)
+  target_precompile_headers(mrroc_test_headers PRIVATE <gtest/gtest.h> <Eigen/Dense> <algorithm> <array> <filesystem>
+                            <fstream> <functional> <map> <optional> <random> <sstream> <string> <vector>)
+endif()
+
 function(mrroc_library name)
   add_library(${name} STATIC ${ARGN})
   target_link_libraries(${name} PUBLIC mrroc_options Eigen3::Eigen)
+  target_precompile_headers(${name} REUSE_FROM mrroc_headers)
 endfunction()
 
 function(mrroc_program name)
   add_executable(${name} ${ARGN})
   add_dependencies(programs ${name})
   target_link_libraries(${name} PRIVATE mrroc_options)
+  target_precompile_headers(${name} REUSE_FROM mrroc_headers)
 endfunction()
 
 function(mrroc_test name)
   add_executable(${name} ${ARGN})
   add_dependencies(tests ${name})
-  target_link_libraries(${name} PRIVATE mrroc_options GTest::gtest_main)
-  target_precompile_headers(${name} PRIVATE <gtest/gtest.h> <Eigen/Dense>)
+  target_link_libraries(${name} PRIVATE mrroc_test_options GTest::gtest_main)
+  target_precompile_headers(${name} REUSE_FROM mrroc_test_headers)
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 900)
 endfunction()

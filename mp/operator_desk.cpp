@@ -114,13 +114,21 @@ void OperatorDesk::answer(const operator_order_t& m) {
   answer_out_.publish(answer, 0);
 }
 
-void OperatorDesk::give(OperatorOrder order) {
-  if (!objection(order)) waiting_.push_back(order);
+bool OperatorDesk::give(OperatorOrder order) {
+  if (objection(order)) return false;
+  waiting_.push_back(order);
+  return true;
 }
 
 OperatorImage OperatorDesk::take(std::int64_t i) {
-  for (; !script_.empty() && script_.front().i <= i; script_.pop_front())
-    if (!objection(script_.front().order)) waiting_.push_back(script_.front().order);
+  for (; !script_.empty() && script_.front().i <= i; script_.pop_front()) {
+    const OperatorOrder order = script_.front().order;
+    const auto reason = objection(order);
+    if (!reason) waiting_.push_back(order);
+    if (reason)
+      process_.say(fmt::format("script: {} in macrostep {} is refused, {}", to_string(order), i, *reason),
+                   FaultCode::bad_script);
+  }
   for (const OperatorOrder order : waiting_) obey(order, i);
   waiting_.clear();
   return image_;

@@ -37,7 +37,8 @@ class OperatorDesk {
   void poll();
 
   /// An order from a scripted operator; ignored when it is not allowed.
-  void give(OperatorOrder order);
+  /// @return whether it is allowed
+  bool give(OperatorOrder order);
 
   /// Takes the orders for macrostep i.
   /// @return the operator's image

@@ -246,7 +246,7 @@ std::vector<PartStatus> Supervisor::parts() const {
 std::uint64_t Supervisor::log_hash() const {
   std::map<std::string, const channel_hash_t*> by_channel;
   for (const auto& w : watched_) {
-    if (w->state != ProcessState::done) return 0;
+    if (w->status.state != static_cast<int>(ProcessState::done)) return 0;
     for (int k = 0; k < w->status.n_hashes; ++k)
       by_channel[link::get_text(w->status.hash[k].channel)] = &w->status.hash[k];
   }

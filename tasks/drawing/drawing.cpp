@@ -60,7 +60,7 @@ void check_size(double size_mm, const std::string& name) {
                      fmt::format("give a size above 0 and up to {} mm, the side of the sheet", kSheetSize));
 }
 
-void check(const Drawing& drawing, const std::string& name) {
+void check(const Drawing& drawing, const std::string& name, std::size_t max_points) {
   if (drawing.empty())
     throw DrawingError(name, 0, "there is nothing to draw in it", "give at least one stroke");
   std::size_t points = 0;
@@ -80,9 +80,9 @@ void check(const Drawing& drawing, const std::string& name) {
             "make the drawing smaller or move it to the sheet's centre");
     }
   }
-  if (points > kMaxPoints)
+  if (points > max_points)
     throw DrawingError(name, 0,
-                       fmt::format("{} points after flattening, over the limit of {}", points, kMaxPoints),
+                       fmt::format("{} points after flattening, over the limit of {}", points, max_points),
                        "simplify the drawing or draw it smaller");
 }
 

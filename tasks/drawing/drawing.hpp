@@ -55,9 +55,10 @@ class DrawingError : public std::runtime_error {
 void check_size(double size_mm, const std::string& name);
 
 /// Refuses a drawing that cannot be drawn: no stroke, an empty stroke, a number that is not finite, more than
-/// kMaxPoints points, a point off the sheet.
-/// @param name  the file that it came from, named in the error
+/// max_points points, a point off the sheet.
+/// @param name        the file that it came from, named in the error
+/// @param max_points  recorded ink has a point per step, and may have any number
 /// @throws DrawingError
-void check(const Drawing& drawing, const std::string& name);
+void check(const Drawing& drawing, const std::string& name, std::size_t max_points = kMaxPoints);
 
 }  // namespace mrroc::drawing

@@ -61,8 +61,7 @@ void HandOperator::decide(const hand_report_t& report) {
   const bool done = m_ == 2 ? report.done[0] != 0 : m_ == 3 ? report.done[0] && report.done[1] : false;
   steady_ = done ? steady_ + 1 : 0;
   if (steady_ < plan_.steady || triggered_ || desk_.state() != TaskState::running) return;
-  triggered_ = true;
-  desk_.give(OperatorOrder::trigger);
+  triggered_ = desk_.give(OperatorOrder::trigger);
 }
 
 }  // namespace mrroc::drawing

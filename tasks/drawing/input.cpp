@@ -35,7 +35,7 @@ Input read_input(const InputOptions& o) {
     input.taught = load(o.load);
     input.drawing = strokes_of(input.taught->ink);
     input.name = fmt::format("recording {}", o.load.string());
-    check(input.drawing, o.load.string());
+    check(input.drawing, o.load.string(), input.taught->ink.size());
     return input;
   }
   std::string name = o.drawing.empty() ? "arrow (built in)" : o.drawing.string();

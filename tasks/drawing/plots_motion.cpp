@@ -149,8 +149,10 @@ std::string teach_panel(const RunTables& run, const Curve& curve) {
 
 std::string copy_panel(const RunTables& run, const Curve& curve, bool impact) {
   const Span t = span_of(run, reproducing, [](std::size_t, const ArmRow& row) { return row.t; });
-  std::string s = left_title("reproduction") +
-                  fmt::format("set xrange {}\n{}plot ", t.with_room(0, 0), marks(run, impact));
+  std::string s =
+      left_title(impact ? "reproduction: 1 on the paper, 2 lift-off, 3 travel, 4 lowering, * impact"
+                        : "reproduction: 1 on the paper, 2 lift-off, 3 travel, 4 lowering") +
+      fmt::format("set xrange {}\n{}plot ", t.with_room(0, 0), marks(run, impact));
   for (std::size_t arm = 0; arm < 2; ++arm)
     if (has(run.arms[arm], copying))
       s += fmt::format(
@@ -167,7 +169,7 @@ std::string time_script(const RunTables& run, const Curve& curve, bool impact) {
   if (!taught && !copied) return "";
   const bool two = taught && copied;
   std::string s = preamble(curve.name, 1400, two ? 860 : 500);
-  s += fmt::format("set multiplot layout {},1 margins 0.06,0.985,{},{} spacing 0,0.13 {}\n", two ? 2 : 1,
+  s += fmt::format("set multiplot layout {},1 margins 0.06,0.975,{},{} spacing 0,0.13 {}\n", two ? 2 : 1,
                    two ? 0.075 : 0.13, two ? 0.895 : 0.82, heading(curve.title));
   s += fmt::format("set ylabel '{}'\nset yrange {}\nset xlabel 'simulated time t [s]' offset 0,0.4\n{}",
                    curve.label, curve.range, curve.extra);
@@ -185,7 +187,7 @@ std::string path_panel(const std::string& title, const std::string& filter, std:
   const std::string x = fmt::format("({}({}))", filter, relative("$4", sheet.x()));
   const std::string y = fmt::format("({}({}))", filter, relative("$5", sheet.y()));
   const std::string z = fmt::format("({}({}))", filter, relative("$6", sheet.z()));
-  const std::string on_paper = fmt::format("({0} < 0.3 ? {0} : NaN)", z);
+  const std::string on_paper = fmt::format("({0} < 0.1 ? {0} : NaN)", z);
   return panel_title(title) +
          fmt::format(
              "splot 'arm{0}.csv' skip 1 using {1}:{2}:{3} with lines lw 1.2 lc rgb '#6f9fd8' title 'in the "
@@ -225,10 +227,10 @@ set key at screen 0.01,0.97 left top vertical maxrows 2
 set tics scale 0.4 offset 0,-0.2
 set ztics 5 offset 0.5,0
 )";
-  s +=
-      fmt::format("set xtics {0}\nset ytics {0}\nset xrange {1}\nset yrange {2}\nset zrange [-0.5:{3:.3f}]\n",
-                  std::max(x.size(), y.size()) > 160 ? 50 : 20, x.with_room(0.08, 0.08),
-                  y.with_room(0.08, 0.08), std::max(5.0, 1.05 * along(2).high));
+  s += fmt::format(
+      "set xtics {0}\nset ytics {0}\nset xrange {1}\nset yrange {2}\nset zrange [{4:.3f}:{3:.3f}]\n",
+      std::max(x.size(), y.size()) > 160 ? 50 : 20, x.with_room(0.08, 0.08), y.with_room(0.08, 0.08),
+      std::max(5.0, 1.05 * along(2).high), std::min(-0.5, 1.05 * along(2).low));
   for (const std::string& panel : panels) s += panel + "unset key\n";
   return s + "unset multiplot\n";
 }
@@ -257,7 +259,7 @@ std::string force_script(const RunTables& run) {
        {"$12", "$12"},
        force.with_room(0.05, 0.2),
        "set arrow from graph 0, first 1 to graph 1, first 1 nohead dt 2 lw 1 lc rgb '#b3261e' back\n"
-       "set label '1 N' at graph 1, first 1 right offset -0.3,0.5 font 'sans,10' textcolor rgb '#b3261e'\n"},
+       "set label '1 N' at graph 1, first 1 left offset 0.3,0 font 'sans,10' textcolor rgb '#b3261e'\n"},
       true);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <thread>
 
 #include "test/system/started_task.hpp"
@@ -18,7 +19,7 @@ class Operated : public ::testing::Test {
     if (!multicast()) GTEST_SKIP() << "no multicast";
   }
 
-  /// Three lines of 40 mm. @return arguments of the task
+  /// Two lines of 40 mm. @return arguments of the task
   std::vector<std::string> task(const std::vector<std::string>& more) {
     return words({{"--drawing", folder_.write("lines.svg", lines_svg(2)), "--size", "40", "--run-dir",
                    (folder_ / "run").string()},
@@ -38,6 +39,20 @@ class Operated : public ::testing::Test {
 /// How far the pen goes over the paper between two rows [mm].
 double way(const std::vector<Row>& arm, std::size_t from, std::size_t to) {
   return 1e3 * std::hypot(arm[to][kX] - arm[from][kX], arm[to][kY] - arm[from][kY]);
+}
+
+/// Macrosteps from the order to pause until arms stand still: half a second.
+constexpr double kComeToRest = 25;
+
+/// @return the macrosteps of the last pause and resume of a script
+std::pair<double, double> last_pause(const std::filesystem::path& script) {
+  std::ifstream in(script);
+  std::pair<double, double> last{};
+  for (std::string line; std::getline(in, line);) {
+    if (line.ends_with(" pause")) last.first = std::stod(line);
+    if (line.ends_with(" resume")) last.second = std::stod(line);
+  }
+  return last;
 }
 
 TEST_F(Operated, PauseRestsOnThePaperAndResumeGoesOnWithoutAMark) {
@@ -66,16 +81,19 @@ TEST_F(Operated, PauseRestsOnThePaperAndResumeGoesOnWithoutAMark) {
     EXPECT_NEAR(figures["paper_force_mean_N"][arm].get<double>(), 1.0, 0.05);
     EXPECT_LE(figures["paper_force_std_N"][arm].get<double>(), 0.2);
   }
-  // Both arms rest for more than a second in the middle of the first copied stroke, pressed on the paper.
+  const auto [paused, resumed] = last_pause(folder_ / "run" / "operator.script");
   for (const std::string arm : {"1", "2"}) {
+    SCOPED_TRACE("arm " + arm);
     const auto rows = read_table(folder_ / "run" / ("arm" + arm + ".csv"), kArmHeading);
-    const auto [first, last] = stretches(rows, 5).front();
-    std::size_t longest = 0, since = first;
-    for (std::size_t k = first; k <= last; ++k) {
-      if (way(rows, since, k) > 0.02) since = k;
-      longest = std::max(longest, k - since);
+    std::vector<Row> resting;
+    for (const Row& row : rows)
+      if (row[kI] >= paused + kComeToRest && row[kI] <= resumed) resting.push_back(row);
+    ASSERT_FALSE(resting.empty());
+    for (std::size_t k = 0; k < resting.size(); ++k) {
+      EXPECT_EQ(resting[k][kM], 5);
+      EXPECT_LT(way(resting, 0, k), 0.1) << "macrostep " << resting[k][kI];
+      EXPECT_NEAR(resting[k][kFz], 1.0, 0.7) << "pressed on the paper, macrostep " << resting[k][kI];
     }
-    EXPECT_GT(longest, 50u) << "macrosteps at rest, arm " << arm;
     EXPECT_EQ(strokes(read_table(folder_ / "run" / ("ink" + arm + ".csv"), kInkHeading)), 2);
   }
   // The recorded orders, pauses among them, give the same run again.

@@ -1,0 +1,115 @@
+// The drawing task as a user runs it: figures, repeatability, speed, and what happens when parts are killed.
+#include <fmt/format.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "base/fault.hpp"
+#include "bench/figures.hpp"
+#include "bench/task_process.hpp"
+
+namespace mrroc::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr int kSystemError = 3;  // exit status
+
+json summary_in(const fs::path& folder) {
+  std::ifstream file(folder / "summary.json");
+  json summary = json::parse(file, nullptr, false);
+  if (summary.is_discarded()) throw FaultError(FaultCode::internal_error, "a run has left no summary.json");
+  return summary;
+}
+
+void must(bool condition, const std::string& what) {
+  if (!condition) throw FaultError(FaultCode::internal_error, what);
+}
+
+/// One run to its end in separate processes, as fast as the machine can.
+json whole_run(const fs::path& folder, const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{"--seed", "1", "--processes", "separate", "--run-dir", folder.string()};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  TaskProcess task("drawing", arguments);
+  must(task.wait() == 0, "the drawing task did not end well");
+  json summary = summary_in(folder);
+  fs::remove_all(folder);
+  return summary;
+}
+
+/// Of a figure with one number per arm, the worse one: the larger, or of a mean force the farther from 1 N.
+double worst(const std::string& key, const json& figure) {
+  if (!figure.is_array()) return figure.get<double>();
+  const auto badness = [&](const json& x) {
+    return key == "paper_force_mean_N" ? std::abs(x.get<double>() - 1) : x.get<double>();
+  };
+  return std::ranges::max(figure, {}, badness).get<double>();
+}
+
+/// What killing parts of the task in the middle of a stroke has led to.
+struct Kills {
+  int stop_steps_max{};
+  int wrong_exits{};
+  int left_running{};
+};
+
+/// Kills one part, or the task itself when the name is empty, while both arms draw the first stroke.
+void kill_part(const std::string& name, const fs::path& recording, const fs::path& folder, Kills& kills) {
+  // Ten times real time: a stroke lasts half a second of the clock on the wall.
+  TaskProcess task("drawing", {"--processes", "separate", "--speed", "10", "--load", recording.string(),
+                               "--run-dir", folder.string()});
+  must(task.read_until("m = 5"), "the task did not come to its first stroke");
+  std::this_thread::sleep_for(std::chrono::milliseconds(150));
+  const std::vector<pid_t> children = task.children();
+  const pid_t victim = name.empty() ? task.pid() : task.child(name);
+  must(victim > 0, "there is no process " + name);
+  ::kill(victim, SIGKILL);
+  const int status = task.wait();
+  kills.left_running += still_running(children);
+  if (name.empty()) return;  // killed itself: it cannot say anything any more
+  kills.wrong_exits += status != kSystemError;
+  const json figures = summary_in(folder)["figures"];
+  if (name != "world") {
+    must(figures.contains("stop_steps_max"), "the arms did not come to rest after the death of " + name);
+    kills.stop_steps_max = std::max(kills.stop_steps_max, figures["stop_steps_max"].get<int>());
+  }
+  fs::remove_all(folder);
+}
+
+}  // namespace
+
+Figures run_drawing_group() {
+  const ScratchFolder scratch;
+  const fs::path recording = scratch.path() / "taught";
+  const json first = whole_run(scratch.path() / "first", {"--save", recording.string()});
+  const json second = whole_run(scratch.path() / "second", {});
+
+  Figures figures;
+  for (const auto& [key, figure] : first["figures"].items())
+    figures.push_back({key, worst(key, figure), "", "worse of both arms, where there is one per arm"});
+  const auto factor = [](const json& s) { return s["real_time_factor"].get<double>(); };
+  figures.push_back({"real_time_factor", std::max(factor(first), factor(second)), "",
+                     "simulated over wall time, separate processes, better of two runs"});
+  figures.push_back({"log_hash_equal", first["log_hash"] == second["log_hash"] ? 1.0 : 0.0, "",
+                     "1: two runs with one seed say the same in every message"});
+
+  Kills kills;
+  for (const char* name :
+       {"edp-arm1", "edp-arm2", "ecp-arm1", "ecp-arm2", "vsp-arm1", "vsp-arm2", "world", ""})
+    kill_part(name, recording, scratch.path() / "kill", kills);
+  figures.push_back({"stop_steps_max", static_cast<double>(kills.stop_steps_max), "steps",
+                     "to rest after any part but the world was killed in a stroke"});
+  figures.push_back({"kill_wrong_exits", static_cast<double>(kills.wrong_exits), "",
+                     "kills of parts after which the exit status was not 3"});
+  figures.push_back({"kill_left_running", static_cast<double>(kills.left_running), "",
+                     "processes still there after the kills, the parent's too"});
+  return figures;
+}
+
+}  // namespace mrroc::bench

@@ -1,0 +1,23 @@
+// What a benchmark has measured, and the groups of benchmarks.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace mrroc::bench {
+
+/// One figure: a key that scripts rely on (docs/interfaces.md) and what the table says about it.
+struct Figure {
+  std::string key;
+  double value{};
+  std::string unit;
+  std::string about;
+};
+using Figures = std::vector<Figure>;
+
+/// Step of the effector driver, kinematics. Takes about ten seconds.
+Figures run_edp_group();
+/// Runs the drawing task several times in separate processes, and kills its parts. Takes about a minute.
+/// @throws FaultError a run did not do what it should
+Figures run_drawing_group();
+
+}  // namespace mrroc::bench

@@ -1,0 +1,66 @@
+// The benchmarks: figures that can be compared from version to version.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/fault.hpp"
+#include "bench/figures.hpp"
+#include "bench/report.hpp"
+
+namespace {
+
+using namespace mrroc;
+
+const std::vector<std::pair<std::string, std::function<bench::Figures()>>> kGroups{
+    {"edp", bench::run_edp_group},
+    {"drawing", bench::run_drawing_group},
+};
+
+std::vector<std::string> group_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, run] : kGroups) names.push_back(name);
+  return names;
+}
+
+int run(const std::vector<std::string>& wanted, const std::string& file, bool resume) {
+  bench::Report report(file);
+  if (resume) report.resume();
+  for (const auto& [name, measure] : kGroups) {
+    if (!wanted.empty() && std::ranges::find(wanted, name) == wanted.end()) continue;
+    if (resume && report.has(name)) continue;
+    report.add(name, measure());
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Measures the framework and prints a table. The machine should have nothing else to do."};
+  app.name("bench");
+  std::vector<std::string> groups;
+  std::string file;
+  bool resume = false;
+  app.add_option("group", groups, "edp, drawing (default: all)")->check(CLI::IsMember(group_names()));
+  auto* json = app.add_option("--json", file, "writes {\"figures\": {KEY: number}, \"context\": {...}}");
+  json->type_name("FILE");
+  app.add_flag("--resume", resume, "leaves out groups whose figures are in the file already")->needs(json);
+  try {
+    app.parse(argc, argv);
+    return run(groups, file, resume);
+  } catch (const CLI::CallForHelp& e) {
+    return app.exit(e);
+  } catch (const CLI::ParseError& e) {
+    const FaultError error(FaultCode::bad_usage, e.what());
+    fmt::print(stderr, "{}\n", error.error_line());
+    return 2;
+  } catch (const FaultError& e) {
+    fmt::print(stderr, "{}\n", e.error_line());
+    return exit_status(e.fault().code);
+  }
+}

@@ -1,0 +1,35 @@
+// The table and the file that a run of the benchmarks leaves.
+#pragma once
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+
+#include "bench/figures.hpp"
+
+namespace mrroc::bench {
+
+/// Figures of all groups and what they were measured with.
+class Report {
+ public:
+  /// @param file where write() writes; empty: nowhere
+  explicit Report(std::filesystem::path file) : file_(std::move(file)) {}
+
+  /// Takes over what the file already holds, if anything.
+  /// @throws FaultError bad_usage the file is something else
+  void resume();
+  /// @return whether the figures of this group are there already
+  [[nodiscard]] bool has(const std::string& group) const { return groups_.count(group) > 0; }
+  /// Adds a group's figures, prints their table and writes the file.
+  /// @throws FaultError cannot_write
+  void add(const std::string& group, const Figures& figures);
+
+ private:
+  void write() const;
+
+  std::filesystem::path file_;
+  std::set<std::string> groups_;
+  std::map<std::string, double> figures_;
+};
+
+}  // namespace mrroc::bench
