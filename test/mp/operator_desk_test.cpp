@@ -58,15 +58,15 @@ struct Office {
         lines(bus, process.route("mp.console"), m.session_id) {}
 
   /// Gives an order from the terminal. @return the answer
-  operator_answer_t order(std::int64_t id, int number) {
+  operator_answer_t order(std::int64_t number_of_order, int number) {
     operator_order_t m{};
-    m.id = id;
+    m.id = number_of_order;
     m.order = number;
     orders.publish(m, 0);
     desk.poll();
     const auto a = answers.take();
     EXPECT_TRUE(a);
-    EXPECT_EQ(a->id, id);
+    EXPECT_EQ(a->id, number_of_order);
     return a.value_or(operator_answer_t{});
   }
   bool accepts(OperatorOrder o) {
