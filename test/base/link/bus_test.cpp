@@ -12,7 +12,7 @@
 #include "base/link/log_reader.hpp"
 #include "base/link/memory_bus.hpp"
 #include "base/link/session.hpp"
-#include "buses.hpp"
+#include "test/base/link/buses.hpp"
 #include "mrroc/operator_order_t.hpp"
 #include "mrroc/sensor_reading_t.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "buses.hpp"
+#include "test/base/link/buses.hpp"
 #include "mrroc/operator_order_t.hpp"
 #include "mrroc/sensor_reading_t.hpp"
 

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "base/link/channel.hpp"
-#include "buses.hpp"
+#include "test/base/link/buses.hpp"
 #include "mrroc/operator_order_t.hpp"
 
 namespace mrroc::link {

@@ -8,8 +8,8 @@
 #include "base/link/lcm_bus.hpp"
 #include "base/link/memory_bus.hpp"
 #include "base/link/session.hpp"
-#include "buses.hpp"
-#include "ring.hpp"
+#include "test/base/link/buses.hpp"
+#include "test/base/link/ring.hpp"
 
 namespace mrroc::link {
 namespace {
