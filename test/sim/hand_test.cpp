@@ -126,7 +126,7 @@ TEST_F(LedArm, IsLiftedBeforeItIsLedAwayFromThePaper) {
   while (hand_.status().fraction < 0.5) cell_.run(1, [&] { teach(); });
   hand_.lead_to({0, 40}, 0.010);
   ASSERT_LT(lead_to_the_end(5000), 5000);
-  for (const InkPoint& p : cell_.world.ink(0)) EXPECT_LT(std::abs(p.y), 0.7);
+  for (const InkPoint& p : cell_.world.ink(0)) EXPECT_LT(std::abs(p.y), 0.1);
 }
 
 TEST_F(LedArm, IsLeftAloneAfterRelease) {
