@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 
 #include "base/fault.hpp"
@@ -31,7 +32,7 @@ std::vector<ScriptedOrder> load_script(const std::filesystem::path& file) {
     std::istringstream words(line);
     ScriptedOrder s;
     std::string name, rest;
-    if (!(words >> s.i)) {
+    if (!(words >> s.i) || !std::isspace(words.peek())) {
       if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
       throw FaultError(FaultCode::bad_script,
                        fmt::format("{}:{}: a line is MACROSTEP ORDER", file.string(), number));
@@ -48,6 +49,7 @@ std::vector<ScriptedOrder> load_script(const std::filesystem::path& file) {
     s.order = *order;
     script.push_back(s);
   }
+  if (in.bad()) throw FaultError(FaultCode::bad_script, fmt::format("cannot read {}", file.string()));
   std::ranges::stable_sort(script, {}, &ScriptedOrder::i);
   return script;
 }

@@ -65,7 +65,9 @@ void write_summary(const fs::path& folder, const Summary& s) {
   json["log_hash"] = fmt::format("{:016x}", s.log_hash);
   json["figures"] = nlohmann::ordered_json::object();
   for (const auto& [key, figure] : s.figures) json["figures"][key] = to_json(figure);
-  write_text(folder / "summary.json", json.dump(2) + "\n");
+  // Texts of faults can come from anywhere: bytes that are no UTF-8 are replaced.
+  const std::string text = json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  write_text(folder / "summary.json", text + "\n");
 }
 
 void write_text(const fs::path& file, const std::string& text) {

@@ -29,13 +29,6 @@ class Desk : public ::testing::Test {
     std::ofstream(file) << text;
     return file;
   }
-  static link::Membership member() {
-    link::Membership m;
-    m.session = "s";
-    m.name = "mp";
-    m.roster = {"mp"};
-    return m;
-  }
   fs::path folder_;
 };
 
@@ -200,7 +193,7 @@ TEST_F(Desk, TheRecordOfARunReplaysIt) {
       if (random() % 3 == 0) first.accepts(static_cast<OperatorOrder>(random() % 4));
       if (random() % 9 == 0) first.desk.give(static_cast<OperatorOrder>(random() % 4));
     });
-    EXPECT_GT(std::get<0>(images.back()), 5);
+    EXPECT_GE(std::get<0>(images.back()), 3);
     Office second(load_script(folder_ / "record"), folder_ / "second");
     EXPECT_EQ(play(second, 400, [](std::int64_t) {}), images);
     std::ifstream a(folder_ / "record"), b(folder_ / "second");
