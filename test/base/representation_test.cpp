@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "random_pose.hpp"
+#include "test/base/random_pose.hpp"
 
 namespace mrroc {
 namespace {

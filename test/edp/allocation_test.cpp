@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "random_command.hpp"
+#include "test/edp/random_command.hpp"
 
 namespace {
 thread_local bool counting = false;

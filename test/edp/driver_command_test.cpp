@@ -4,7 +4,7 @@
 #include <string>
 
 #include "edp/automaton.hpp"
-#include "random_command.hpp"
+#include "test/edp/random_command.hpp"
 
 namespace mrroc::edp::test {
 namespace {

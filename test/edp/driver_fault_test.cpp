@@ -4,7 +4,7 @@
 #include <functional>
 #include <limits>
 
-#include "rig.hpp"
+#include "test/edp/rig.hpp"
 
 namespace mrroc::edp::test {
 namespace {

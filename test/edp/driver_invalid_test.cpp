@@ -4,7 +4,7 @@
 #include <cstring>
 #include <limits>
 
-#include "random_command.hpp"
+#include "test/edp/random_command.hpp"
 
 namespace mrroc::edp::test {
 namespace {

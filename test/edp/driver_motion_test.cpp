@@ -1,7 +1,7 @@
 // What a driver makes of motion commands.
 #include <gtest/gtest.h>
 
-#include "random_command.hpp"
+#include "test/edp/random_command.hpp"
 
 namespace mrroc::edp::test {
 namespace {

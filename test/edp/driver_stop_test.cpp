@@ -1,7 +1,7 @@
 // How a driver brings the arm to rest: when commands end, and before a limit.
 #include <gtest/gtest.h>
 
-#include "random_command.hpp"
+#include "test/edp/random_command.hpp"
 
 namespace mrroc::edp::test {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "base/representation.hpp"
 #include "edp/macrostep.hpp"
-#include "fake_arm.hpp"
+#include "test/edp/fake_arm.hpp"
 
 namespace mrroc::edp::test {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "base/representation.hpp"
 #include "edp/control_law.hpp"
-#include "rig.hpp"
 #include "test/base/random_pose.hpp"
+#include "test/edp/rig.hpp"
 
 namespace mrroc::edp::test {
 

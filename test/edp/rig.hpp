@@ -6,7 +6,7 @@
 
 #include "base/representation.hpp"
 #include "edp/driver.hpp"
-#include "fake_arm.hpp"
+#include "test/edp/fake_arm.hpp"
 
 namespace mrroc::edp::test {
 

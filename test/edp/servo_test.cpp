@@ -4,7 +4,7 @@
 
 #include "edp/encoders.hpp"
 #include "edp/supervision.hpp"
-#include "fake_arm.hpp"
+#include "test/edp/fake_arm.hpp"
 
 namespace mrroc::edp::test {
 namespace {
