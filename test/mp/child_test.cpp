@@ -1,0 +1,121 @@
+// Child processes: started, watched, and never left behind.
+#include "mp/child.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <thread>
+
+#include "base/fault.hpp"
+
+namespace mrroc::mp {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// @return whether it ended within ten seconds
+bool await_end(Child& child) {
+  for (int k = 0; k < 1000; ++k) {
+    if (child.reap()) return true;
+    std::this_thread::sleep_for(10ms);
+  }
+  return false;
+}
+
+bool exists(pid_t pid) { return ::kill(pid, 0) == 0; }
+
+bool await_gone(pid_t pid) {
+  for (int k = 0; k < 1000 && exists(pid); ++k) std::this_thread::sleep_for(10ms);
+  return !exists(pid);
+}
+
+TEST(Child, TellsHowItEnded) {
+  const std::vector<std::tuple<std::string, std::string, bool>> cases{
+      {"exit 0", "exit status 0", true},
+      {"exit 3", "exit status 3", false},
+      {"kill -9 $$", "signal 9 (Killed)", false}};
+  for (const auto& [script, how, well] : cases) {
+    Child child("/bin/sh", {"-c", script});
+    ASSERT_TRUE(await_end(child)) << script;
+    EXPECT_EQ(child.ended(), how);
+    EXPECT_EQ(child.ended_well(), well);
+    EXPECT_FALSE(child.reap());  // no news any more
+  }
+}
+
+TEST(Child, GetsItsArgumentsAsTheyAre) {
+  Child child("/bin/sh", {"-c", R"([ "$1" = "a b" ] && [ "$2" = '*' ] && [ $# = 2 ])", "name", "a b", "*"});
+  ASSERT_TRUE(await_end(child));
+  EXPECT_TRUE(child.ended_well());
+}
+
+TEST(Child, WhatCannotBeStartedIsSaidAtOnce) {
+  for (const char* program : {"/no/such/program", "/etc/passwd", "/tmp"}) {
+    try {
+      Child child(program, {});
+      ADD_FAILURE() << program;
+    } catch (const FaultError& e) {
+      EXPECT_EQ(e.fault().code, FaultCode::start_failed);
+      EXPECT_NE(std::string(e.what()).find(program), std::string::npos);
+    }
+  }
+}
+
+TEST(Child, EndsWithItsOwner) {
+  int pipe[2];
+  ASSERT_EQ(::pipe(pipe), 0);
+  pid_t pid = 0;
+  {
+    Child child("/bin/sh", {"-c", "echo $$ >&" + std::to_string(pipe[1]) + "; exec sleep 600"});
+    char text[32]{};
+    ASSERT_GT(::read(pipe[0], text, sizeof text - 1), 0);
+    pid = std::atoi(text);
+    EXPECT_TRUE(exists(pid));
+    EXPECT_FALSE(child.reap());
+    EXPECT_FALSE(child.ended());
+  }
+  EXPECT_FALSE(exists(pid));
+  ::close(pipe[0]);
+  ::close(pipe[1]);
+}
+
+TEST(Child, EndsWhenItsParentIsKilled) {
+  int pipe[2];
+  ASSERT_EQ(::pipe(pipe), 0);
+  const pid_t parent = ::fork();
+  if (parent == 0) {
+    const Child child("/bin/sh", {"-c", "echo $$ >&" + std::to_string(pipe[1]) + "; exec sleep 600"});
+    ::pause();
+    ::_exit(0);
+  }
+  char text[32]{};
+  ASSERT_GT(::read(pipe[0], text, sizeof text - 1), 0);
+  const pid_t pid = std::atoi(text);
+  EXPECT_TRUE(exists(pid));
+  ::kill(parent, SIGKILL);
+  ::waitpid(parent, nullptr, 0);
+  EXPECT_TRUE(await_gone(pid));
+  ::close(pipe[0]);
+  ::close(pipe[1]);
+}
+
+TEST(Child, KillingOneThatHasEndedHurtsNobody) {
+  Child child("/bin/sh", {"-c", "exit 0"});
+  ASSERT_TRUE(await_end(child));
+  child.kill();
+  EXPECT_TRUE(child.ended_well());
+}
+
+TEST(Child, CanBeMoved) {
+  std::vector<Child> children;
+  for (int k = 0; k < 4; ++k) children.emplace_back("/bin/sh", std::vector<std::string>{"-c", "exit 0"});
+  for (Child& child : children) {
+    ASSERT_TRUE(await_end(child));
+    EXPECT_TRUE(child.ended_well());
+  }
+}
+
+}  // namespace
+}  // namespace mrroc::mp
