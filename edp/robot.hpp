@@ -36,11 +36,23 @@ struct InverseSolution {
   bool singular{};    ///< joints not determined by the pose (wrist or column) are those of the branch given
 };
 
-/// A robot: its kinematics, transmissions and limits. Every function is real-time safe: no allocation, no
-/// exception.
+/// A robot with one of its kinematic models: kinematics, transmissions and limits. It never changes; another
+/// model of the same robot is another object. Every function is real-time safe: no allocation, no exception.
 class Robot {
  public:
   virtual ~Robot() = default;
+
+  /// @return number of this kinematic model, the parameter_set_no of SET ROBOT_MODEL KINEMATIC_MODEL
+  [[nodiscard]] virtual int model() const noexcept { return 0; }
+  /// @return how many kinematic models the robot has, at least 1
+  [[nodiscard]] virtual int models() const noexcept { return 1; }
+  /// @param number any number
+  /// @return the same robot with that kinematic model, or null if there is none of that number. It lives at
+  ///         least as long as this one and has the same name, axes and motor limits. A motor position is the
+  ///         same with all models, the joints and the pose that it stands for are not.
+  [[nodiscard]] virtual const Robot* with_model(int number) const noexcept {
+    return number == 0 ? this : nullptr;
+  }
 
   /// @return name, as in the configuration
   [[nodiscard]] virtual std::string_view name() const noexcept = 0;

@@ -1,5 +1,7 @@
 #include "robots/irb6/arm.hpp"
 
+#include <vector>
+
 namespace mrroc::irb6 {
 
 Arm::Arm(const ArmParameters& parameters)
@@ -9,16 +11,44 @@ Arm::Arm(const ArmParameters& parameters)
       T_WS_(pose_from_angle_axis(AngleAxisPose(parameters.sensor_in_wrist.data()))),
       T_WE_(pose_from_angle_axis(AngleAxisPose(parameters.tool_in_wrist.data()))) {}
 
+const edp::Robot* Arm::with_model(int number) const noexcept {
+  if (number < 0 || number >= models()) return nullptr;
+  return family_.empty() ? this : &family_[static_cast<std::size_t>(number)];
+}
+
 AxisVector Arm::front() const noexcept {
   return Eigen::Map<const AxisVector>(parameters_.front.data(), axes());
 }
 
 AxisVector Arm::synchronised() const noexcept { return joints_from_motors(AxisVector::Zero(axes())); }
 
-std::unique_ptr<Arm> make_arm(std::string_view name, ParameterSet set) {
-  const bool calibrated = set == ParameterSet::calibrated;
-  if (name == kPostument.name) return std::make_unique<Arm>(calibrated ? kPostumentCalibrated : kPostument);
-  if (name == kTrack.name) return std::make_unique<Arm>(calibrated ? kTrackCalibrated : kTrack);
+/// All models of one robot, by their numbers.
+class Family {
+ public:
+  explicit Family(std::initializer_list<ArmParameters> tables) {
+    arms_.reserve(tables.size());
+    for (const ArmParameters& table : tables) {
+      const auto number = static_cast<int>(arms_.size());
+      arms_.emplace_back(table).model_ = number;
+    }
+    for (Arm& arm : arms_) arm.family_ = arms_;
+  }
+  Family(const Family&) = delete;
+  Family& operator=(const Family&) = delete;
+  [[nodiscard]] std::unique_ptr<Arm> copy(int model) const {
+    if (model < 0 || model >= static_cast<int>(arms_.size())) return nullptr;
+    return std::make_unique<Arm>(arms_[static_cast<std::size_t>(model)]);
+  }
+
+ private:
+  std::vector<Arm> arms_;
+};
+
+std::unique_ptr<Arm> make_arm(std::string_view name, int model) {
+  static const Family kPostuments{kPostument, kPostumentCalibrated};
+  static const Family kTracks{kTrack, kTrackCalibrated};
+  if (name == kPostument.name) return kPostuments.copy(model);
+  if (name == kTrack.name) return kTracks.copy(model);
   return nullptr;
 }
 

@@ -1,6 +1,7 @@
 // An IRb-6 as the effector driver sees it.
 #pragma once
 #include <memory>
+#include <span>
 #include <string_view>
 
 #include "edp/robot.hpp"
@@ -16,6 +17,13 @@ class Arm final : public edp::Robot {
  public:
   /// @param parameters one of the tables, or a table changed on purpose; it is copied
   explicit Arm(const ArmParameters& parameters);
+
+  [[nodiscard]] int model() const noexcept override { return model_; }
+  [[nodiscard]] int models() const noexcept override {
+    return family_.empty() ? 1 : static_cast<int>(family_.size());
+  }
+  /// Arms that make_arm() has made know one another; an arm made of a table of its own knows only itself.
+  [[nodiscard]] const edp::Robot* with_model(int number) const noexcept override;
 
   [[nodiscard]] std::string_view name() const noexcept override { return parameters_.name; }
   [[nodiscard]] int axes() const noexcept override { return parameters_.axis_count(); }
@@ -57,9 +65,25 @@ class Arm final : public edp::Robot {
   Kinematics kinematics_;
   Pose T_WS_;
   Pose T_WE_;
+  int model_{};
+  std::span<const Arm> family_;  // all models of the robot; constant, they live to the end of the program
+
+  friend class Family;
 };
 
-/// @param name "irb6_postument" or "irb6_track" @return the arm, or null for another name
-[[nodiscard]] std::unique_ptr<Arm> make_arm(std::string_view name, ParameterSet set = ParameterSet::nominal);
+/// Makes an arm with one of its kinematic models.
+///
+/// | number | irb6_postument | irb6_track |
+/// | ---    | ---            | ---        |
+/// | 0      | nominal        | nominal    |
+/// | 1      | calibrated     | calibrated |
+///
+/// @param name  "irb6_postument" or "irb6_track"
+/// @param model its number
+/// @return the arm, or null for another name or number
+[[nodiscard]] std::unique_ptr<Arm> make_arm(std::string_view name, int model = 0);
+
+/// @return number of the model with that parameter set
+[[nodiscard]] constexpr int model_number(ParameterSet set) { return static_cast<int>(set); }
 
 }  // namespace mrroc::irb6

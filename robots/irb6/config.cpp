@@ -12,7 +12,7 @@ std::unique_ptr<Arm> read_arm(const Config& table, std::string_view model) {
   const auto set =
       table.choice("kinematics", ParameterSet::nominal,
                    {{"nominal", ParameterSet::nominal}, {"calibrated", ParameterSet::calibrated}});
-  return make_arm(name, set);
+  return make_arm(name, model_number(set));
 }
 
 std::array<double, 6> numbers_of(const Pose& T) {

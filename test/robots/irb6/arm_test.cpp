@@ -16,11 +16,43 @@ TEST(MakeArm, KnowsTwoNames) {
 
 TEST(MakeArm, SelectsTheParameterSet) {
   const auto nominal = make_arm("irb6_postument"),
-             other = make_arm("irb6_postument", ParameterSet::calibrated);
+             other = make_arm("irb6_postument", model_number(ParameterSet::calibrated));
   const AxisVector q = nominal->front();
   const double off = (nominal->forward(q).p - other->forward(q).p).norm();
   EXPECT_GT(off, 0.003);
   EXPECT_LT(off, 0.010);
+}
+
+TEST(MakeArm, RefusesAModelThatThereIsNot) {
+  EXPECT_EQ(make_arm("irb6_postument", -1), nullptr);
+  EXPECT_EQ(make_arm("irb6_postument", 99), nullptr);
+}
+
+// The pointers outlive the arm that gave them.
+TEST(MakeArm, LeadsFromEveryModelToEveryOther) {
+  for (const char* name : {"irb6_postument", "irb6_track"}) {
+    const int models = make_arm(name)->models();
+    EXPECT_GE(models, 2);
+    for (int from = 0; from < models; ++from)
+      for (int to = 0; to < models; ++to) {
+        const edp::Robot* other = make_arm(name, from)->with_model(to);
+        ASSERT_NE(other, nullptr);
+        EXPECT_EQ(other->model(), to);
+        EXPECT_EQ(other->models(), models);
+        EXPECT_EQ(other->name(), name);
+        const AxisVector q = make_arm(name)->front();
+        EXPECT_EQ(other->forward(q).p, make_arm(name, to)->forward(q).p);
+      }
+    EXPECT_EQ(make_arm(name)->with_model(models), nullptr);
+    EXPECT_EQ(make_arm(name)->with_model(-1), nullptr);
+  }
+}
+
+TEST(Arm, OfItsOwnTableHasOneModel) {
+  const Arm arm(kTrackCalibrated);
+  EXPECT_EQ(arm.models(), 1);
+  EXPECT_EQ(arm.with_model(0), &arm);
+  EXPECT_EQ(arm.with_model(1), nullptr);
 }
 
 TEST_P(ArmTable, NamesItsAxes) {

@@ -36,7 +36,8 @@ class Irb6 : public testing::TestWithParam<ArmCase> {
   /// @return joints anywhere within the motor limits
   AxisVector random_joints() { return arm_.joints_from_motors(random_motors()); }
 
-  const std::unique_ptr<Arm> owner_ = make_arm(std::get<0>(GetParam()), std::get<1>(GetParam()));
+  const std::unique_ptr<Arm> owner_ =
+      make_arm(std::get<0>(GetParam()), model_number(std::get<1>(GetParam())));
   const Arm& arm_ = *owner_;
   const int first_ = arm_.parameters().first();  ///< index of q1
   std::mt19937_64 random_{20240601};
