@@ -23,6 +23,8 @@ std::string_view to_string(DriverState s) {
       return "holding";
     case DriverState::faulted:
       return "faulted";
+    case DriverState::jogging:
+      return "jogging";
   }
   return "unknown";
 }

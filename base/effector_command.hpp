@@ -7,6 +7,7 @@
 #include "base/axes.hpp"
 #include "base/axis_command.hpp"
 #include "base/fault.hpp"
+#include "base/hardware.hpp"
 
 namespace mrroc {
 
@@ -55,12 +56,17 @@ struct ArmCommand {
 /// Largest n_s.
 inline constexpr std::uint16_t kMaxSteps = 1000;
 
-/// SET ROBOT_MODEL: tool and force tool; the other parts of the model have their places here.
+/// ROBOT_MODEL (MG fig. 8, 10): SET uses the parts that are marked; a reply to GET has all of them.
 struct RobotModel {
-  bool set_tool{};                                            ///< use the tool below
+  bool set_tool{};                                            ///< TOOL: use the tool below
   Representation tool_representation{Representation::frame};  ///< frame, xyz_euler_zyz or xyz_angle_axis
   PoseNumbers tool{};                                         ///< T_WE, the tool in the wrist
-  bool set_force_tool{};                ///< use weight and centre below; biases anew at once
+  bool set_kinematic_model{};          ///< KINEMATIC_MODEL: use the set below; only at standstill
+  std::uint16_t kinematic_model{};     ///< parameter_set_no, of those that the robot has; 0: nominal
+  std::uint8_t set_servo_algorithm{};  ///< SERVO_ALGORITHM: bit k: use the numbers of motor k below
+  std::array<std::uint8_t, kMaxAxes> servo_algorithm{};      ///< algorithm_no per motor
+  std::array<std::uint8_t, kMaxAxes> servo_parameter_set{};  ///< algorithm_parameter_set_no per motor
+  bool set_force_tool{};                ///< FORCE_TOOL: use the numbers below; biases anew at once
   double weight{};                      ///< w [N], >= 0, of everything beyond the sensor
   std::array<double, 3> mass_centre{};  ///< P = W_G P [m], in W
 };
@@ -72,27 +78,39 @@ struct EffectorCommand {
       number{};  ///< sequence number 1, 2, 3...; keep and release have the number of the last command
   std::int64_t macrostep{};  ///< stamp: the macrostep in which the command is to be executed
   Instruction instruction{Instruction::keep};
-  std::uint8_t set{};                                        ///< Part mask for SET and SET_GET
-  std::uint8_t get{};                                        ///< Part mask for GET and SET_GET
-  Representation get_representation{Representation::frame};  ///< of EffectorReply::pose
+  std::uint8_t set{};                                             ///< Part mask for SET and SET_GET
+  std::uint8_t get{};                                             ///< Part mask for GET and SET_GET
+  Representation get_representation{Representation::frame};       ///< of EffectorReply::pose
+  Representation get_tool_representation{Representation::frame};  ///< of EffectorReply::robot_model.tool
   Feedback feedback{Feedback::measured};
   std::int64_t queried{};  ///< QUERY: number of the command whose reply is wanted
   ArmCommand arm{};
   RobotModel robot_model{};
-  std::uint16_t outputs{};  ///< binary output lines of the robot controller
+  std::uint16_t outputs{};  ///< OUTPUTS: binary output lines of the robot controller
 };
 
 /// State of an effector driver.
 enum class DriverState : std::uint8_t {
-  not_synchronised,
-  homing,
-  ready,
-  executing,
-  decelerating,
-  holding,
-  faulted
+  not_synchronised,  ///< the positions of the motors are unknown, the arm stands
+  homing,            ///< SYNCHRO looks for the positions
+  ready,             ///< stands since SYNCHRO or a reset
+  executing,         ///< follows a SET ARM
+  decelerating,      ///< comes to rest: no command followed, or the macrostep failed
+  holding,           ///< at rest
+  faulted,           ///< braked by a fatal fault, waits for a reset
+  jogging            ///< not synchronised, and moves by relative motor positions or comes to rest
 };
+/// Number of states.
+inline constexpr std::size_t kDriverStates = 8;
 std::string_view to_string(DriverState s);
+
+/// Currents of the motors over all steps since the reply before, one number per motor.
+struct CurrentStatistics {
+  std::array<double, kMaxAxes> mean{};      ///< [A]
+  std::array<double, kMaxAxes> least{};     ///< [A]
+  std::array<double, kMaxAxes> greatest{};  ///< [A]
+  std::array<double, kMaxAxes> rms{};       ///< root of the mean square [A]: what heats the motor
+};
 
 /// What became of a command.
 enum class Verdict : std::uint8_t { none, executed, refused, failed };
@@ -107,6 +125,7 @@ struct EffectorReply {
   Verdict verdict{Verdict::none};
   Fault fault{};  ///< why it was refused or failed
   DriverState state{DriverState::not_synchronised};
+  std::uint8_t parts{};  ///< Part mask of what was got: arm (pose), robot_model, io (inputs, analog)
   Representation representation{Representation::frame};  ///< of pose
   PoseNumbers pose{};  ///< E in the base, measured or set value as asked, in the representation asked for
   std::array<double, 6> T_0E{};           ///< measured pose of E in the base, x y z [m], angle-axis [rad]
@@ -115,7 +134,10 @@ struct EffectorReply {
   std::array<double, kMaxAxes> motors{};  ///< measured [rad]
   double gripper{};                       ///< g_gm, measured distance between the jaws [m]
   bool blocked{};                         ///< g_b, the jaws hold something
-  std::uint16_t inputs{};                 ///< binary input lines of the robot controller
+  CurrentStatistics current{};            ///< of the motors since the reply before
+  RobotModel robot_model{};               ///< GET ROBOT_MODEL: what the driver works with
+  std::uint16_t inputs{};                 ///< GET INPUTS: binary input lines of the robot controller
+  std::array<double, kAnalogInputs> analog{};  ///< GET INPUTS: analog lines [V]
 };
 
 /// One step's proprioceptive reading, for virtual sensors that aggregate them (MS 27).

@@ -37,6 +37,10 @@ enum class FaultCode : std::uint16_t {
   in_contact,
   too_fast,
   period_mismatch,
+  excessive_acceleration,
+  outside_workspace,
+  force_limit,
+  unknown_model,
   // kinematics
   not_a_rotation,
   unreachable_pose,
@@ -49,6 +53,9 @@ enum class FaultCode : std::uint16_t {
   over_speed,
   following_error,
   limit_switch,
+  synchro_switch_missing,
+  synchro_switch_stuck,
+  encoder_index_missing,
   // sensors
   force_saturated,
   sensor_silent,

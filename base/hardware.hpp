@@ -6,17 +6,31 @@
 
 namespace mrroc {
 
-/// Bits of HardwareReading::switches, one set of bits per axis.
-enum class AxisSwitch : std::uint8_t { lower_limit = 1, upper_limit = 2, synchro = 4, over_current = 8 };
+/// Analog input lines of a robot controller.
+inline constexpr std::size_t kAnalogInputs = 8;
 
-/// Everything measured in one step. Trivially copyable.
+/// Bits of HardwareReading::switches, one set of bits per motor.
+enum class AxisSwitch : std::uint8_t {
+  lower_limit = 1,
+  upper_limit = 2,
+  synchro = 4,       ///< pressed on the whole lower side of the synchronisation position
+  over_current = 8,  ///< the drive has limited its current
+  index = 16         ///< the zero mark of the encoder, once per turn, passed in this step
+};
+
+/// Everything measured in one step. Trivially copyable. A robot of n axes with a motor-driven gripper has the
+/// motor of the jaws behind those of the axes, at index n.
 struct HardwareReading {
   std::int64_t step{};                           ///< number of the step, counts from 0
   std::array<std::int32_t, kMaxAxes> encoder{};  ///< [increments] since power-up, per motor
   std::array<double, kMaxAxes> current{};        ///< [A] per motor, mean over the step
   Wrench S_F_m{};  ///< raw reading of the force/torque sensor: external load on its tool
                    ///< side, in S [N, N m], mean over the step
-  std::array<std::uint8_t, kMaxAxes> switches{};  ///< AxisSwitch bits per axis
+  std::array<std::uint8_t, kMaxAxes> switches{};  ///< AxisSwitch bits per motor
+  std::array<std::int32_t, kMaxAxes> index{};     ///< encoder at the last zero mark [increments], latched by
+                                                  ///< the drive; means something once AxisSwitch::index came
+  std::uint16_t inputs{};                         ///< binary input lines of the robot controller
+  std::array<double, kAnalogInputs> analog{};     ///< analog input lines [V]
 };
 
 /// Set values for the drives, valid for one step. Trivially copyable.
@@ -26,6 +40,7 @@ struct HardwareCommand {
       pwm{};       ///< duty cycle per motor in units of 1/255 of the supply, within [-255, 255]
   bool enabled{};  ///< false: the drives brake
   std::int64_t commanded_until{};  ///< first step after the last commanded macrostep
+  std::uint16_t outputs{};         ///< binary output lines of the robot controller; kept until changed
 };
 
 /// Full scale of HardwareCommand::pwm.

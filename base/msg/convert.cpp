@@ -79,6 +79,38 @@ ArmCommand from_message(const arm_command_t& m) {
   return c;
 }
 
+robot_model_t to_message(const RobotModel& model) {
+  robot_model_t m{};
+  m.set_tool = model.set_tool;
+  m.tool_representation = static_cast<std::int8_t>(model.tool_representation);
+  copy(model.tool, m.tool);
+  m.set_kinematic_model = model.set_kinematic_model;
+  m.kinematic_model = static_cast<std::int16_t>(model.kinematic_model);
+  m.set_servo_algorithm = model.set_servo_algorithm;
+  copy(model.servo_algorithm, m.servo_algorithm);
+  copy(model.servo_parameter_set, m.servo_parameter_set);
+  m.set_force_tool = model.set_force_tool;
+  m.weight = model.weight;
+  copy(model.mass_centre, m.mass_centre);
+  return m;
+}
+
+RobotModel from_message(const robot_model_t& m) {
+  RobotModel model;
+  model.set_tool = m.set_tool != 0;
+  model.tool_representation = static_cast<Representation>(m.tool_representation);
+  copy(m.tool, model.tool);
+  model.set_kinematic_model = m.set_kinematic_model != 0;
+  model.kinematic_model = static_cast<std::uint16_t>(m.kinematic_model);
+  model.set_servo_algorithm = m.set_servo_algorithm;
+  copy(m.servo_algorithm, model.servo_algorithm);
+  copy(m.servo_parameter_set, model.servo_parameter_set);
+  model.set_force_tool = m.set_force_tool != 0;
+  model.weight = m.weight;
+  copy(m.mass_centre, model.mass_centre);
+  return model;
+}
+
 effector_command_t to_message(const EffectorCommand& c) {
   effector_command_t m{};
   m.session = c.session;
@@ -90,12 +122,8 @@ effector_command_t to_message(const EffectorCommand& c) {
   m.feedback = static_cast<std::int8_t>(c.feedback);
   m.queried = c.queried;
   m.arm = to_message(c.arm);
-  m.set_tool = c.robot_model.set_tool;
-  m.tool_representation = static_cast<std::int8_t>(c.robot_model.tool_representation);
-  copy(c.robot_model.tool, m.tool);
-  m.set_force_tool = c.robot_model.set_force_tool;
-  m.weight = c.robot_model.weight;
-  copy(c.robot_model.mass_centre, m.mass_centre);
+  m.get_tool_representation = static_cast<std::int8_t>(c.get_tool_representation);
+  m.robot_model = to_message(c.robot_model);
   m.outputs = static_cast<std::int16_t>(c.outputs);
   return m;
 }
@@ -112,12 +140,8 @@ EffectorCommand from_message(const effector_command_t& m) {
   c.feedback = static_cast<Feedback>(m.feedback);
   c.queried = m.queried;
   c.arm = from_message(m.arm);
-  c.robot_model.set_tool = m.set_tool != 0;
-  c.robot_model.tool_representation = static_cast<Representation>(m.tool_representation);
-  copy(m.tool, c.robot_model.tool);
-  c.robot_model.set_force_tool = m.set_force_tool != 0;
-  c.robot_model.weight = m.weight;
-  copy(m.mass_centre, c.robot_model.mass_centre);
+  c.get_tool_representation = static_cast<Representation>(m.get_tool_representation);
+  c.robot_model = from_message(m.robot_model);
   c.outputs = static_cast<std::uint16_t>(m.outputs);
   return c;
 }
@@ -131,6 +155,7 @@ effector_reply_t to_message(const EffectorReply& r) {
   m.verdict = static_cast<std::int8_t>(r.verdict);
   m.fault = to_message(r.fault);
   m.state = static_cast<std::int8_t>(r.state);
+  m.parts = r.parts;
   m.representation = static_cast<std::int8_t>(r.representation);
   copy(r.pose, m.pose);
   copy(r.T_0E, m.T_0E);
@@ -139,7 +164,13 @@ effector_reply_t to_message(const EffectorReply& r) {
   copy(r.motors, m.motors);
   m.gripper = r.gripper;
   m.blocked = r.blocked;
+  copy(r.current.mean, m.current_mean);
+  copy(r.current.least, m.current_least);
+  copy(r.current.greatest, m.current_greatest);
+  copy(r.current.rms, m.current_rms);
+  m.robot_model = to_message(r.robot_model);
   m.inputs = static_cast<std::int16_t>(r.inputs);
+  copy(r.analog, m.analog);
   return m;
 }
 
@@ -153,6 +184,7 @@ EffectorReply from_message(const effector_reply_t& m) {
   r.verdict = static_cast<Verdict>(m.verdict);
   r.fault = from_message(m.fault);
   r.state = static_cast<DriverState>(m.state);
+  r.parts = m.parts;
   r.representation = static_cast<Representation>(m.representation);
   copy(m.pose, r.pose);
   copy(m.T_0E, r.T_0E);
@@ -161,7 +193,13 @@ EffectorReply from_message(const effector_reply_t& m) {
   copy(m.motors, r.motors);
   r.gripper = m.gripper;
   r.blocked = m.blocked != 0;
+  copy(m.current_mean, r.current.mean);
+  copy(m.current_least, r.current.least);
+  copy(m.current_greatest, r.current.greatest);
+  copy(m.current_rms, r.current.rms);
+  r.robot_model = from_message(m.robot_model);
   r.inputs = static_cast<std::uint16_t>(m.inputs);
+  copy(m.analog, r.analog);
   return r;
 }
 
@@ -250,6 +288,7 @@ drive_command_t to_message(const HardwareCommand& c) {
   copy(c.pwm, m.pwm);
   m.enabled = c.enabled;
   m.commanded_until = c.commanded_until;
+  m.outputs = static_cast<std::int16_t>(c.outputs);
   return m;
 }
 
@@ -259,6 +298,7 @@ HardwareCommand from_message(const drive_command_t& m) {
   copy(m.pwm, c.pwm);
   c.enabled = m.enabled != 0;
   c.commanded_until = m.commanded_until;
+  c.outputs = static_cast<std::uint16_t>(m.outputs);
   return c;
 }
 
@@ -268,6 +308,9 @@ drive_reading_t to_message(const HardwareReading& r) {
   copy(r.current, m.current);
   copy(r.S_F_m.v, m.S_F_m);
   copy(r.switches, m.switches);
+  copy(r.index, m.index);
+  m.inputs = static_cast<std::int16_t>(r.inputs);
+  copy(r.analog, m.analog);
   return m;
 }
 
@@ -278,6 +321,9 @@ HardwareReading from_message(const drive_reading_t& m, std::int64_t step) {
   copy(m.current, r.current);
   copy(m.S_F_m, r.S_F_m.v);
   copy(m.switches, r.switches);
+  copy(m.index, r.index);
+  r.inputs = static_cast<std::uint16_t>(m.inputs);
+  copy(m.analog, r.analog);
   return r;
 }
 

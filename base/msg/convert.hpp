@@ -10,6 +10,7 @@
 #include "mrroc/drive_reading_t.hpp"
 #include "mrroc/effector_command_t.hpp"
 #include "mrroc/effector_reply_t.hpp"
+#include "mrroc/robot_model_t.hpp"
 #include "mrroc/sensor_reading_t.hpp"
 #include "mrroc/step_sample_t.hpp"
 
@@ -20,6 +21,9 @@ Fault from_message(const fault_t& m);
 
 arm_command_t to_message(const ArmCommand& c);
 ArmCommand from_message(const arm_command_t& m);
+
+robot_model_t to_message(const RobotModel& model);
+RobotModel from_message(const robot_model_t& m);
 
 effector_command_t to_message(const EffectorCommand& c);
 /// The stamp of the message's header becomes EffectorCommand::macrostep.

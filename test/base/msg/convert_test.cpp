@@ -85,6 +85,22 @@ void expect_round_trip(const V& value, From from) {
 
 bool same(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
+RobotModel random_model() {
+  RobotModel m;
+  m.set_tool = flag();
+  m.tool_representation = bits<Representation>();
+  fill(m.tool);
+  m.set_kinematic_model = flag();
+  m.kinematic_model = bits<std::uint16_t>();
+  m.set_servo_algorithm = bits<std::uint8_t>();
+  for (auto& a : m.servo_algorithm) a = bits<std::uint8_t>();
+  for (auto& p : m.servo_parameter_set) p = bits<std::uint8_t>();
+  m.set_force_tool = flag();
+  m.weight = number();
+  fill(m.mass_centre);
+  return m;
+}
+
 constexpr int kCases = 300;
 
 TEST(Convert, CommandsSurviveTheWire) {
@@ -99,12 +115,8 @@ TEST(Convert, CommandsSurviveTheWire) {
     c.feedback = bits<Feedback>();
     c.queried = bits<std::int64_t>();
     c.arm = random_arm();
-    c.robot_model.set_tool = flag();
-    c.robot_model.tool_representation = bits<Representation>();
-    fill(c.robot_model.tool);
-    c.robot_model.set_force_tool = flag();
-    c.robot_model.weight = number();
-    fill(c.robot_model.mass_centre);
+    c.get_tool_representation = bits<Representation>();
+    c.robot_model = random_model();
     c.outputs = bits<std::uint16_t>();
 
     auto m = to_message(c);
@@ -137,6 +149,12 @@ TEST(Convert, CommandsSurviveTheWire) {
     EXPECT_EQ(d.robot_model.tool_representation, c.robot_model.tool_representation);
     for (std::size_t j = 0; j < c.robot_model.tool.size(); ++j)
       EXPECT_TRUE(same(d.robot_model.tool[j], c.robot_model.tool[j]));
+    EXPECT_EQ(d.get_tool_representation, c.get_tool_representation);
+    EXPECT_EQ(d.robot_model.set_kinematic_model, c.robot_model.set_kinematic_model);
+    EXPECT_EQ(d.robot_model.kinematic_model, c.robot_model.kinematic_model);
+    EXPECT_EQ(d.robot_model.set_servo_algorithm, c.robot_model.set_servo_algorithm);
+    EXPECT_EQ(d.robot_model.servo_algorithm, c.robot_model.servo_algorithm);
+    EXPECT_EQ(d.robot_model.servo_parameter_set, c.robot_model.servo_parameter_set);
     EXPECT_EQ(d.robot_model.set_force_tool, c.robot_model.set_force_tool);
     EXPECT_TRUE(same(d.robot_model.weight, c.robot_model.weight));
     for (std::size_t j = 0; j < 3; ++j)
@@ -163,6 +181,10 @@ TEST(Convert, RepliesSurviveTheWire) {
     fill(r.motors);
     r.gripper = number();
     r.blocked = flag();
+    r.parts = bits<std::uint8_t>();
+    for (auto* numbers : {&r.current.mean, &r.current.least, &r.current.greatest, &r.current.rms, &r.analog})
+      fill(*numbers);
+    r.robot_model = random_model();
     r.inputs = bits<std::uint16_t>();
     auto m = to_message(r);
     m.header.stamp = k;
@@ -175,6 +197,10 @@ TEST(Convert, RepliesSurviveTheWire) {
     EXPECT_EQ(s.state, r.state);
     EXPECT_EQ(s.blocked, r.blocked);
     EXPECT_EQ(s.inputs, r.inputs);
+    EXPECT_EQ(s.parts, r.parts);
+    EXPECT_EQ(s.robot_model.kinematic_model, r.robot_model.kinematic_model);
+    EXPECT_TRUE(same(s.current.rms[7], r.current.rms[7]));
+    EXPECT_TRUE(same(s.analog[7], r.analog[7]));
     EXPECT_EQ(s.fault.code, r.fault.code);
     EXPECT_EQ(s.fault.text, r.fault.text);
     EXPECT_EQ(s.fault.process, r.fault.process);
@@ -212,10 +238,14 @@ TEST(Convert, EverythingElseSurvivesTheWire) {
     fill(drive.pwm);
     drive.enabled = flag();
     drive.commanded_until = bits<std::int64_t>();
+    drive.outputs = bits<std::uint16_t>();
     expect_round_trip(drive, [](const drive_command_t& m) { return from_message(m); });
     HardwareReading hardware;
     for (auto& e : hardware.encoder) e = bits<std::int32_t>();
     for (auto& s : hardware.switches) s = bits<std::uint8_t>();
+    for (auto& i : hardware.index) i = bits<std::int32_t>();
+    hardware.inputs = bits<std::uint16_t>();
+    fill(hardware.analog);
     fill(hardware.current);
     fill(hardware.S_F_m.v);
     expect_round_trip(hardware, [k](const drive_reading_t& m) {
