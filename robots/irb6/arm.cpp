@@ -25,11 +25,12 @@ AxisVector Arm::synchronised() const noexcept { return joints_from_motors(AxisVe
 /// All models of one robot, by their numbers.
 class Family {
  public:
-  explicit Family(std::initializer_list<ArmParameters> tables) {
-    arms_.reserve(tables.size());
-    for (const ArmParameters& table : tables) {
-      const auto number = static_cast<int>(arms_.size());
-      arms_.emplace_back(table).model_ = number;
+  Family(const ArmParameters& nominal, const ArmParameters& calibrated) {
+    const std::size_t rules = nominal.on_track ? 3 : 1;
+    for (std::size_t k = 0; k < 2 * rules; ++k) {
+      ArmParameters table = k % 2 == 0 ? nominal : calibrated;
+      table.track_rule = static_cast<TrackRule>(k / 2);
+      arms_.emplace_back(table).model_ = static_cast<int>(k);
     }
     for (Arm& arm : arms_) arm.family_ = arms_;
   }

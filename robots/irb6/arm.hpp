@@ -73,17 +73,21 @@ class Arm final : public edp::Robot {
 
 /// Makes an arm with one of its kinematic models.
 ///
-/// | number | irb6_postument | irb6_track |
-/// | ---    | ---            | ---        |
-/// | 0      | nominal        | nominal    |
-/// | 1      | calibrated     | calibrated |
+/// | number | parameter set | track                                        |
+/// | ---    | ---           | ---                                          |
+/// | 0      | nominal       | kept                                         |
+/// | 1      | calibrated    | kept                                         |
+/// | 2, 3   | the same      | last_axis_kept; the arm on the track only    |
+/// | 4, 5   | the same      | column_kept; the arm on the track only       |
 ///
 /// @param name  "irb6_postument" or "irb6_track"
 /// @param model its number
 /// @return the arm, or null for another name or number
 [[nodiscard]] std::unique_ptr<Arm> make_arm(std::string_view name, int model = 0);
 
-/// @return number of the model with that parameter set
-[[nodiscard]] constexpr int model_number(ParameterSet set) { return static_cast<int>(set); }
+/// @return number of the model with that parameter set and that rule for the track
+[[nodiscard]] constexpr int model_number(ParameterSet set, TrackRule rule = TrackRule::kept) {
+  return static_cast<int>(set) + 2 * static_cast<int>(rule);
+}
 
 }  // namespace mrroc::irb6

@@ -12,7 +12,12 @@ std::unique_ptr<Arm> read_arm(const Config& table, std::string_view model) {
   const auto set =
       table.choice("kinematics", ParameterSet::nominal,
                    {{"nominal", ParameterSet::nominal}, {"calibrated", ParameterSet::calibrated}});
-  return make_arm(name, model_number(set));
+  if (name == kPostument.name) return make_arm(name, model_number(set));
+  const auto rule = table.choice("track", TrackRule::kept,
+                                 {{"kept", TrackRule::kept},
+                                  {"last_axis_kept", TrackRule::last_axis_kept},
+                                  {"column_kept", TrackRule::column_kept}});
+  return make_arm(name, model_number(set, rule));
 }
 
 std::array<double, 6> numbers_of(const Pose& T) {

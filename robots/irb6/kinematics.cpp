@@ -19,6 +19,8 @@ constexpr double kPathStep = 0.05;
 // Cost of an angle outside the limits, above any distance within them; and of each metre out of reach.
 constexpr double kIllegal = 1e3;
 constexpr double kUnreached = 1e5;
+// A rule for the track moves it by at most 1 / kWellConditioned for each metre that the pose moves.
+constexpr double kWellConditioned = 0.2;
 // Below this sine the direction of a singular axis is rounding noise.
 constexpr double kSingular = 1e-10;
 // A position beyond the reach by less than this is reached.
@@ -66,13 +68,19 @@ AxisVector motor_limits(const ArmParameters& arm, double edp::Range::*end) {
 }  // namespace
 
 Kinematics::Kinematics(const ArmParameters& arm) noexcept
-    : k_(arm.lengths), first_(arm.first()), count_(arm.axis_count()), legal_{} {
+    : k_(arm.lengths),
+      track_rule_(arm.on_track ? arm.track_rule : TrackRule::kept),
+      first_(arm.first()),
+      count_(arm.axis_count()),
+      legal_{} {
   const Transmission transmission(arm);
-  const Angles a = angles(transmission.joints(motor_limits(arm, &edp::Range::lower)).value);
-  const Angles b = angles(transmission.joints(motor_limits(arm, &edp::Range::upper)).value);
+  const AxisVector lower = transmission.joints(motor_limits(arm, &edp::Range::lower)).value;
+  const AxisVector upper = transmission.joints(motor_limits(arm, &edp::Range::upper)).value;
+  const Angles a = angles(lower), b = angles(upper);
   const std::size_t T = static_cast<std::size_t>(first_) + 3;
   const double per_theta4 = -arm.axes[T].drive.gear / arm.axes[T + 1].drive.gear;
-  legal_ = {.theta1 = sorted(a.theta1, b.theta1),
+  legal_ = {.track = arm.on_track ? sorted(lower[0], upper[0]) : edp::Range{},
+            .theta1 = sorted(a.theta1, b.theta1),
             .theta2 = sorted(a.theta2, b.theta2),
             .theta3 = sorted(a.theta3, b.theta3),
             .theta4 = sorted(a.theta4, b.theta4),
@@ -161,22 +169,14 @@ void Kinematics::take_legal_turns(Branch& b, const Angles& near) const noexcept 
   const edp::Range legal_q5{legal_.q5_at_zero.lower + shift, legal_.q5_at_zero.upper + shift};
   a.q5 = nearest_legal_turn(a.q5, near.q5, legal_q5);
   a.q6 = nearest_legal_turn(a.q6, near.q6, legal_.q6);
-  b.cost = cost(a.theta2, near.theta2, legal_.theta2) + cost(a.theta3, near.theta3, legal_.theta3) +
-           cost(a.theta4, near.theta4, legal_.theta4) + cost(a.q5, near.q5, legal_q5) +
-           cost(a.q6, near.q6, legal_.q6) + kUnreached * b.missing;
+  b.cost = cost(a.theta1, near.theta1, legal_.theta1) + cost(a.theta2, near.theta2, legal_.theta2) +
+           cost(a.theta3, near.theta3, legal_.theta3) + cost(a.theta4, near.theta4, legal_.theta4) +
+           cost(a.q5, near.q5, legal_q5) + cost(a.q6, near.q6, legal_.q6) + kUnreached * b.missing;
 }
 
-edp::InverseSolution Kinematics::inverse(const Pose& T_0W, const AxisVector& near) const noexcept {
-  edp::InverseSolution solution{AxisVector::Zero(count_)};
-  if (near.size() != count_ || !usable(near.data(), count_) || !usable(T_0W.p.data(), 3) ||
-      !usable(T_0W.R.data(), 9)) {
-    solution.missing = std::numeric_limits<double>::infinity();
-    return solution;
-  }
-  const Angles n = angles(near);
-  const double y_track = first_ == 1 ? near[0] : 0;
+Kinematics::Branch Kinematics::solve(const Pose& T_0W, double track, const Angles& near) const noexcept {
   const double height = T_0W.p.z() - k_.z_offset;
-  const Plane plane = this->plane(T_0W.p.x(), T_0W.p.y() - y_track, n);
+  const Plane plane = this->plane(T_0W.p.x(), T_0W.p.y() - track, near);
 
   // Columns of R in the plane of the arm: along it (h), along z, and along its normal (n).
   const auto N = T_0W.R.col(0), O = T_0W.R.col(1), A = T_0W.R.col(2);
@@ -188,14 +188,14 @@ edp::InverseSolution Kinematics::inverse(const Pose& T_0W, const AxisVector& nea
 
   // Two choices differ by half a turn of T and N and the sign of sin q5. First the one with T nearer.
   const bool wrist_singular = s5 < kSingular;
-  double theta4 = n.theta4;
+  double theta4 = near.theta4;
   double c4{}, s4{};
   if (wrist_singular) {
     c4 = std::cos(theta4);
     s4 = std::sin(theta4);
   } else {
     theta4 = std::atan2(A_h, A.z());
-    const bool mirrored = half_turn_apart(theta4, n.theta4);
+    const bool mirrored = half_turn_apart(theta4, near.theta4);
     if (mirrored) theta4 += pi;
     c4 = (mirrored ? -A.z() : A.z()) / s5;
     s4 = (mirrored ? -A_h : A_h) / s5;
@@ -204,24 +204,66 @@ edp::InverseSolution Kinematics::inverse(const Pose& T_0W, const AxisVector& nea
   const double q6 = std::atan2(N_h * c4 - N.z() * s4, O_h * c4 - O.z() * s4);
 
   Branch best{.angles = {plane.theta1, 0, 0, theta4, q5, q6}};
-  elbow(best, c4, s4, plane.radius, height, n);
-  if (!take_path_step(best.angles, n)) {
-    take_legal_turns(best, n);
+  elbow(best, c4, s4, plane.radius, height, near);
+  if (!take_path_step(best.angles, near)) {
+    take_legal_turns(best, near);
     // What the other one costs at least. Half a turn of T is seldom within the limits.
-    const double other_theta4 = nearest_legal_turn(theta4 + pi, n.theta4, legal_.theta4);
-    if (!wrist_singular && cost(other_theta4, n.theta4, legal_.theta4) < best.cost) {
+    const double other_theta4 = nearest_legal_turn(theta4 + pi, near.theta4, legal_.theta4);
+    if (!wrist_singular && cost(other_theta4, near.theta4, legal_.theta4) < best.cost) {
       Branch other{.angles = {plane.theta1, 0, 0, theta4 + pi, -q5, q6 + pi}};
-      elbow(other, -c4, -s4, plane.radius, height, n);
-      take_legal_turns(other, n);
+      elbow(other, -c4, -s4, plane.radius, height, near);
+      take_legal_turns(other, near);
       if (other.cost < best.cost) best = other;
+    }
+  }
+  best.track = track;
+  best.singular = plane.singular || wrist_singular;
+  return best;
+}
+
+double Kinematics::place_track(const Pose& T_0W, double track, const Angles& near) const noexcept {
+  // A direction in the arm's plane, level enough: the plane through the wrist meets the track there.
+  double x = 0, y = 0;
+  if (track_rule_ == TrackRule::column_kept) {
+    x = std::cos(near.theta1);
+    y = std::sin(near.theta1);
+  } else {
+    // The hand: what turning N by q6 leaves along the forearm-hand line.
+    const double c6 = std::cos(near.q6), s6 = std::sin(near.q6);
+    x = s6 * T_0W.R(0, 0) + c6 * T_0W.R(0, 1);
+    y = s6 * T_0W.R(1, 0) + c6 * T_0W.R(1, 1);
+  }
+  if (std::abs(x) < kWellConditioned) return track;
+  const double wanted = T_0W.p.y() - T_0W.p.x() * y / x;
+  return std::clamp(wanted, std::min(legal_.track.lower, track), std::max(legal_.track.upper, track));
+}
+
+edp::InverseSolution Kinematics::inverse(const Pose& T_0W, const AxisVector& near) const noexcept {
+  edp::InverseSolution solution{AxisVector::Zero(count_)};
+  if (near.size() != count_ || !usable(near.data(), count_) || !usable(T_0W.p.data(), 3) ||
+      !usable(T_0W.R.data(), 9)) {
+    solution.missing = std::numeric_limits<double>::infinity();
+    return solution;
+  }
+  const Angles n = angles(near);
+  const double track = first_ == 1 ? near[0] : 0;
+  Branch best{};
+  if (track_rule_ == TrackRule::kept) {
+    best = solve(T_0W, track, n);
+  } else {
+    best = solve(T_0W, place_track(T_0W, track, n), n);
+    if (best.missing > 0 || best.cost >= kIllegal) {
+      const Branch still = solve(T_0W, track, n);
+      if (still.missing < best.missing || (still.missing == best.missing && still.cost < best.cost))
+        best = still;
     }
   }
 
   const Angles& a = best.angles;
   solution.reached = best.missing == 0;
   solution.missing = best.missing;
-  solution.singular = plane.singular || wrist_singular;
-  if (first_ == 1) solution.joints[0] = near[0];
+  solution.singular = best.singular;
+  if (first_ == 1) solution.joints[0] = best.track;
   solution.joints.tail<kArmAxes>() << a.theta1, a.theta2, a.theta3 - a.theta2 - pi / 2, a.theta4 - a.theta3,
       a.q5, a.q6;
   return solution;

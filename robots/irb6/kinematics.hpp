@@ -27,8 +27,9 @@ class Kinematics {
   /// its back) and all turns of each angle are considered, and of those within the motor limits the one
   /// nearest to `near` is taken. But where `near` is less than 0.05 rad away (all angles together), as along
   /// a path, that solution is taken whatever the limits: a path never jumps. The arm leans back, and the
-  /// elbow bends the other way, only where `near` does so. The track stays where `near` has it. Singular: q4
-  /// (hand along the arm's normal) or q1 (wrist above the column) stays where `near` has it.
+  /// elbow bends the other way, only where `near` does so. Singular: q4 (hand along the arm's normal) or q1
+  /// (wrist above the column) stays where `near` has it. The track stands where ArmParameters::track_rule and
+  /// `near` put it.
   ///
   /// @param T_0W wrist in the base, a rotation and a position
   /// @param near joints [rad, track m], as many as the arm has axes
@@ -44,7 +45,7 @@ class Kinematics {
   };
   // Intervals of the angles in which the motors are within their limits.
   struct Legal {
-    edp::Range theta1, theta2, theta3, theta4, q6;
+    edp::Range track, theta1, theta2, theta3, theta4, q6;
     edp::Range q5_at_zero;   // for theta4 = 0
     double q5_per_theta4{};  // the interval moves with T
   };
@@ -58,6 +59,8 @@ class Kinematics {
     Angles angles;
     double missing{};  // [m] out of reach
     double cost{};     // distance from the given joints and penalties
+    double track{};    // [m]
+    bool singular{};
   };
 
   [[nodiscard]] Angles angles(const AxisVector& joints) const noexcept;
@@ -71,7 +74,13 @@ class Kinematics {
   // The turns of all angles within the limits nearest to the given ones, and what that costs.
   void take_legal_turns(Branch& b, const Angles& near) const noexcept;
 
+  // The best branch with the track at a place.
+  [[nodiscard]] Branch solve(const Pose& T_0W, double track, const Angles& near) const noexcept;
+  // Where the rule puts the track; where it is ill-conditioned, as given.
+  [[nodiscard]] double place_track(const Pose& T_0W, double track, const Angles& near) const noexcept;
+
   Lengths k_;
+  TrackRule track_rule_;
   int first_;
   int count_;
   Legal legal_;

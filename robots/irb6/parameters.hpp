@@ -47,6 +47,20 @@ struct AxisTable {
   Drive drive;
 };
 
+/// What decides where the track stands when a pose is given. The arm on the track has one axis more than a
+/// pose has degrees of freedom, so something must.
+///
+/// Whichever rule: joints that realise the pose already are its solution, so a path never jumps, and where
+/// the rule is ill-conditioned, ends beyond the track's limits or beyond the reach, the track stays (or goes
+/// only to its limit) and the arm does the rest. A pose that the arm reaches without its track is reached.
+enum class TrackRule : std::uint8_t {
+  kept,            ///< the track is a parameter: it stays where it is
+  last_axis_kept,  ///< N stays, so the hand's direction says where the arm's plane stands. As in the original.
+                   ///< Ill-conditioned with the hand upright and with the hand along the track
+  column_kept      ///< the column stays, and the track carries the arm along y. Ill-conditioned only with the
+                   ///< column along the track, and that it stays out of by itself
+};
+
 /// Everything about one arm.
 struct ArmParameters {
   std::string_view name;                   ///< as in the configuration
@@ -60,6 +74,7 @@ struct ArmParameters {
   double tool_weight;                      ///< of everything beyond the sensor, default tool [N]
   std::array<double, 3> tool_mass_centre;  ///< of the same, in W [m]
   std::array<double, 6> force_limit;       ///< largest contact force along and about the axes of E [N, N m]
+  TrackRule track_rule{TrackRule::kept};   ///< for an arm on a track
 
   /// @return number of axes, 6 or 7
   [[nodiscard]] constexpr int axis_count() const { return kArmAxes + (on_track ? 1 : 0); }

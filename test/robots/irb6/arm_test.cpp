@@ -5,7 +5,7 @@ namespace mrroc::irb6::test {
 namespace {
 
 using ArmTable = Irb6;
-INSTANTIATE_TEST_SUITE_P(Arms, ArmTable, kAllArms, arm_case_name);
+INSTANTIATE_TEST_SUITE_P(Arms, ArmTable, kTrackKept, arm_case_name);
 
 TEST(MakeArm, KnowsTwoNames) {
   EXPECT_EQ(make_arm("irb6_postument")->axes(), 6);

@@ -2,11 +2,11 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <array>
 #include <memory>
 #include <numbers>
 #include <random>
 #include <string>
-#include <tuple>
 
 #include "robots/irb6/arm.hpp"
 
@@ -15,14 +15,19 @@ namespace mrroc::irb6::test {
 #ifdef MRROC_SANITIZED
 inline constexpr int kCases = 5'000;
 #else
-inline constexpr int kCases = 200'000;
+inline constexpr int kCases = 50'000;
 #endif
 
 inline constexpr double kPi = std::numbers::pi;
 
-using ArmCase = std::tuple<const char*, ParameterSet>;
+/// One kinematic model of an arm.
+struct ArmCase {
+  const char* name;
+  ParameterSet set;
+  TrackRule rule{TrackRule::kept};
+};
 
-/// A suite over both arms, nominal and calibrated. Seeded, so that every failure repeats.
+/// A suite over both arms and their models. Seeded, so that every failure repeats.
 class Irb6 : public testing::TestWithParam<ArmCase> {
  protected:
   double uniform(double a, double b) { return std::uniform_real_distribution<>(a, b)(random_); }
@@ -37,20 +42,29 @@ class Irb6 : public testing::TestWithParam<ArmCase> {
   AxisVector random_joints() { return arm_.joints_from_motors(random_motors()); }
 
   const std::unique_ptr<Arm> owner_ =
-      make_arm(std::get<0>(GetParam()), model_number(std::get<1>(GetParam())));
+      make_arm(GetParam().name, model_number(GetParam().set, GetParam().rule));
   const Arm& arm_ = *owner_;
   const int first_ = arm_.parameters().first();  ///< index of q1
   std::mt19937_64 random_{20240601};
 };
 
 inline std::string arm_case_name(const testing::TestParamInfo<ArmCase>& info) {
-  return std::string(std::get<0>(info.param)).substr(5) +
-         (std::get<1>(info.param) == ParameterSet::nominal ? "_nominal" : "_calibrated");
+  constexpr std::array kRules{"", "_last_axis_kept", "_column_kept"};
+  return std::string(info.param.name).substr(5) +
+         (info.param.set == ParameterSet::nominal ? "_nominal" : "_calibrated") +
+         kRules[static_cast<std::size_t>(info.param.rule)];
 }
 
-inline const auto kAllArms =
-    testing::Combine(testing::Values("irb6_postument", "irb6_track"),
-                     testing::Values(ParameterSet::nominal, ParameterSet::calibrated));
+/// The models in which a pose decides all axes but the track.
+inline const auto kTrackKept = testing::Values(
+    ArmCase{"irb6_postument", ParameterSet::nominal}, ArmCase{"irb6_postument", ParameterSet::calibrated},
+    ArmCase{"irb6_track", ParameterSet::nominal}, ArmCase{"irb6_track", ParameterSet::calibrated});
+/// The models that move the track.
+inline const auto kTrackActive =
+    testing::Values(ArmCase{"irb6_track", ParameterSet::nominal, TrackRule::last_axis_kept},
+                    ArmCase{"irb6_track", ParameterSet::calibrated, TrackRule::last_axis_kept},
+                    ArmCase{"irb6_track", ParameterSet::nominal, TrackRule::column_kept},
+                    ArmCase{"irb6_track", ParameterSet::calibrated, TrackRule::column_kept});
 
 /// @return the largest difference of two poses over position [m] and elements of the matrix
 inline double difference(const Pose& a, const Pose& b) {

@@ -5,7 +5,7 @@ namespace mrroc::irb6::test {
 namespace {
 
 using Paths = Irb6;
-INSTANTIATE_TEST_SUITE_P(Arms, Paths, kAllArms, arm_case_name);
+INSTANTIATE_TEST_SUITE_P(Arms, Paths, kTrackKept, arm_case_name);
 
 Vector3 unit(std::mt19937_64& random) {
   std::normal_distribution<> n;
