@@ -52,6 +52,9 @@ ArmParameters read_arm(const Config& config, const std::string& key, ArmModel fa
   ArmParameters arm = arm_parameters(
       robot.choice("model", fallback,
                    {{"irb6_postument", ArmModel::irb6_postument}, {"irb6_track", ArmModel::irb6_track}}));
+  arm.kinematics = robot.choice(
+      "true_kinematics", arm.kinematics,
+      {{"nominal", irb6::ParameterSet::nominal}, {"calibrated", irb6::ParameterSet::calibrated}});
   arm.paper = read_paper(sim.section("paper"), arm.paper);
   arm.hand = read_hand(sim.section("hand"), arm.hand);
   arm.sensor = read_sensor(sim.section("sensor"), arm.sensor);

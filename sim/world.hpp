@@ -9,6 +9,7 @@
 #include "base/axes.hpp"
 #include "base/hardware.hpp"
 #include "base/pose.hpp"
+#include "robots/irb6/parameters.hpp"
 #include "sim/force_sensor.hpp"
 #include "sim/hand.hpp"
 #include "sim/motor.hpp"
@@ -25,6 +26,8 @@ enum class ArmModel : std::uint8_t { irb6_postument, irb6_track };
 /// One arm of the world.
 struct ArmParameters {
   ArmModel model{};
+  irb6::ParameterSet kinematics{irb6::ParameterSet::nominal};  ///< the true lengths, linkages, zeros;
+                                                               ///< a driver of another set errs
   Pose T_UB;                            ///< the arm's base (its frame 0) in the world U
   std::vector<MotorParameters> motors;  ///< one per axis
   ForceSensorParameters sensor;
@@ -35,7 +38,8 @@ struct ArmParameters {
 };
 
 /// The parameters of an arm as documented in docs/plant.md.
-/// @param model  which robot; decides motors and place; its links and its tool are in robots/irb6/*.urdf
+/// @param model  which robot; decides motors and place; its links and its tool are in
+/// robots/irb6/*.urdf
 ArmParameters arm_parameters(ArmModel model);
 
 /// The whole work cell.

@@ -17,7 +17,7 @@ using std::numbers::pi;
 constexpr int kAxisT = 3;
 
 std::unique_ptr<irb6::Arm> checked_robot(const ArmParameters& p) {
-  auto robot = irb6::make_arm(robot_name(p.model));
+  auto robot = irb6::make_arm(robot_name(p.model), irb6::model_number(p.kinematics));
   const auto refuse = [&](const std::string& what) {
     throw std::invalid_argument("world: " + std::string(robot_name(p.model)) + ": " + what);
   };
@@ -80,7 +80,8 @@ SimulatedArm::SimulatedArm(const ArmParameters& p, Scene& scene, double h, int s
       paper_normal_(T_PU_.R.row(2).transpose()),
       start_joints_(sim::start_joints(*robot_, p)),
       start_motors_(robot_->motors_from_joints(start_joints_)),
-      arm_(build_arm(robot_description(p.model), p.T_UB, reflected_inertia(*robot_, p, start_joints_))),
+      arm_(build_arm(robot_description(p.model), robot_->parameters().lengths, p.T_UB,
+                     reflected_inertia(*robot_, p, start_joints_))),
       brakes_(std::make_unique<Brakes>(*arm_.body, brake_torques(p), h)),
       load_(arm_, scene.gravity(), h),
       sensor_(p.sensor, seed),

@@ -5,8 +5,10 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "sim/bullet/convert.hpp"
 
@@ -36,6 +38,16 @@ Pose pose_of(const urdf::Pose& p) {
   return {q.toRotationMatrix(), {p.position.x, p.position.y, p.position.z}};
 }
 
+/// @return where a joint stands in the link before, as the arm's lengths have it
+Pose place_of(const urdf::Joint& joint, const irb6::Lengths& lengths) {
+  Pose T = pose_of(joint.parent_to_joint_origin_transform);
+  const std::array<std::pair<std::string_view, double>, 3> arm{
+      {{"upper_arm", lengths.a2}, {"T", lengths.a3}, {"V", lengths.d5}}};
+  for (const auto& [name, length] : arm)
+    if (joint.name == name) T.p *= length / T.p.norm();
+  return T;
+}
+
 LinkPlan plan_link(const urdf::Joint& joint, const urdf::Link& link, const Pose& T_PL) {
   LinkPlan plan;
   plan.fixed = joint.type == urdf::Joint::FIXED;
@@ -52,7 +64,7 @@ LinkPlan plan_link(const urdf::Joint& joint, const urdf::Link& link, const Pose&
   return plan;
 }
 
-Plan plan_chain(const urdf::ModelInterface& model) {
+Plan plan_chain(const urdf::ModelInterface& model, const irb6::Lengths& lengths) {
   Plan plan;
   Pose T;  // of the present link in the last link that moves by itself
   bool at_tool = false;
@@ -60,7 +72,7 @@ Plan plan_chain(const urdf::ModelInterface& model) {
     if (link->child_joints.size() != 1) refuse("link " + link->name + " has several children");
     const urdf::Joint& joint = *link->child_joints.front();
     const urdf::Link& child = *link->child_links.front();
-    T = T * pose_of(joint.parent_to_joint_origin_transform);
+    T = T * place_of(joint, lengths);
     if (joint.name == "sensor") plan.T_WS = T;
     if (child.name == "tool") plan.T_WT = T;
     if (child.name == "pen_tip" && at_tool) plan.T_TE = T;
@@ -98,10 +110,11 @@ void set_up_link(btMultiBody& body, const Plan& plan, std::size_t k, double roto
 
 }  // namespace
 
-ArmBody build_arm(std::string_view urdf, const Pose& T_UB, const AxisVector& rotor_inertia) {
+ArmBody build_arm(std::string_view urdf, const irb6::Lengths& lengths, const Pose& T_UB,
+                  const AxisVector& rotor_inertia) {
   const auto model = urdf::parseURDF(std::string(urdf));
   if (!model) refuse("it is not URDF");
-  const Plan plan = plan_chain(*model);
+  const Plan plan = plan_chain(*model, lengths);
   if (plan.joints != rotor_inertia.size()) refuse("it has another number of joints than the robot");
 
   ArmBody arm;

@@ -8,6 +8,7 @@
 
 #include "base/axes.hpp"
 #include "base/pose.hpp"
+#include "robots/irb6/parameters.hpp"
 
 namespace mrroc::sim {
 
@@ -23,12 +24,15 @@ struct ArmBody {
 
 /// @param urdf           serial chain: moving joints, a fixed joint "sensor", a link "tool" with mass, a link
 /// "pen_tip"
+/// @param lengths        a2, a3 and d5 take the place of the description's, along the same directions: the
+/// origins of the joints upper_arm, T and V; masses and their centres stay
 /// @param T_UB           base of the arm in the world
 /// @param rotor_inertia  of each motor as felt at its joint [kg m^2], track: [kg]; added to the link about
 /// (along)
 ///                       the joint's axis
 /// @throws std::invalid_argument  the description is not such a chain
-ArmBody build_arm(std::string_view urdf, const Pose& T_UB, const AxisVector& rotor_inertia);
+ArmBody build_arm(std::string_view urdf, const irb6::Lengths& lengths, const Pose& T_UB,
+                  const AxisVector& rotor_inertia);
 
 /// Moves the joints and everything that is computed from them; at rest.
 /// @param joints [rad, track m]

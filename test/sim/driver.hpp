@@ -17,10 +17,11 @@ namespace mrroc::sim {
 /// control works in the orientation of the bias only.
 class Driver {
  public:
-  explicit Driver(const World& world, int arm)
+  /// @param set  that the driver believes in
+  explicit Driver(const World& world, int arm, irb6::ParameterSet set = irb6::ParameterSet::nominal)
       : world_(world),
         arm_(arm),
-        robot_(irb6::make_arm(arm == 0 ? "irb6_postument" : "irb6_track")),
+        robot_(irb6::make_arm(arm == 0 ? "irb6_postument" : "irb6_track", irb6::model_number(set))),
         joints_(world.start_joints(arm)),
         motors_(robot_->motors_from_joints(joints_)),
         T_0E_(robot_->forward(joints_) * robot_->tool_in_wrist()),
@@ -54,6 +55,14 @@ class Driver {
   void bias(const Wrench& mean) { bias_ = mean; }
   /// @return F_a of the last step, in E
   [[nodiscard]] const Wrench& force() const { return F_a_; }
+  /// @return pose of the pen tip as the encoders of the last reading have it
+  [[nodiscard]] Pose measured_pose() const {
+    AxisVector motors = robot_->motors_from_joints(world_.start_joints(arm_));
+    for (int k = 0; k < robot_->axes(); ++k)
+      motors[k] +=
+          world_.reading(arm_).encoder[static_cast<std::size_t>(k)] / robot_->axis(k).increments_per_rad;
+    return robot_->forward(robot_->joints_from_motors(motors)) * robot_->tool_in_wrist();
+  }
   /// @return set pose of the pen tip
   [[nodiscard]] const Pose& set_pose() const { return T_0E_; }
 
