@@ -39,7 +39,7 @@ Driver::Driver(const Robot& robot, const DriverParameters& parameters)
       encoders_(robot),
       force_(parameters.force),
       generator_({&robot, parameters.limits, parameters.dt, parameters.stop_steps}, parameters.T_WE),
-      servo_(robot) {
+      servo_(robot, parameters.dt) {
   const AxisVector zero = AxisVector::Zero(robot.axes());
   measured_ = {zero, zero, zero, {}, {}, {}};
 }
@@ -71,7 +71,8 @@ HardwareCommand Driver::step(const HardwareReading& reading) noexcept {
   held_steps_ = state_ == DriverState::holding ? held_steps_ + 1 : 0;
   command.enabled = synchronised() && state_ != DriverState::faulted && held_steps_ <= kBrakesCloseAfter;
   if (command.enabled) {
-    command.pwm = servo_.step(generator_.set_point().motor_increment, measured_.increment);
+    const SetPoint& set = generator_.set_point();
+    command.pwm = servo_.step(set.motor_increment, measured_.increment, robot_->gravity(set.axes.joints));
   } else {
     servo_.braked(measured_.increment);
   }

@@ -43,6 +43,17 @@ class IncrementalRegulator {
     return u;
   }
 
+  /// Goes on where another regulator has left off: the next u differs from pwm only by the answer to the next
+  /// increments.
+  /// @param error          position set minus position of the shaft [encoder increments]; it is not lost
+  /// @param last_increment r - y of the step before [encoder increments]
+  /// @param pwm            the last duty cycle [1/255 of the supply]
+  constexpr void resume(double error, double last_increment, double pwm) noexcept {
+    e_ = last_increment;
+    delta_ = (1 - k_.epsilon) * last_increment + 2 * k_.epsilon * error;
+    u1_ = u2_ = pwm;
+  }
+
   /// Forgets the past: no error, no output.
   constexpr void reset() noexcept { e_ = delta_ = u1_ = u2_ = 0; }
 

@@ -6,7 +6,7 @@
 
 #include "base/axes.hpp"
 #include "base/pose.hpp"
-#include "edp/regulator.hpp"
+#include "edp/servo_coefficients.hpp"
 
 namespace mrroc::edp {
 
@@ -24,7 +24,7 @@ struct AxisProperties {
   Range motor;                ///< legal motor position [rad]
   double increments_per_rad;  ///< encoder increments per radian of the motor shaft
   double max_motor_speed;     ///< [rad/s] of the motor shaft
-  RegulatorCoefficients regulator;
+  ServoCoefficients servo;    ///< all regulators of the motor, and its drive
 };
 
 /// Result of the inverse kinematics problem.
@@ -66,6 +66,11 @@ class Robot {
   [[nodiscard]] virtual InverseSolution inverse(const Pose& T_0W, const AxisVector& near) const noexcept = 0;
   /// Transmission. @param joints [rad], track [m] @return motor positions [rad]
   [[nodiscard]] virtual AxisVector motors_from_joints(const AxisVector& joints) const noexcept = 0;
+  /// Torques of the motors that hold the arm with its usual tool still against gravity. Nominal: what is wrong
+  /// or missing here is left to the servo. @param joints [rad], track [m] @return [N m], per motor
+  [[nodiscard]] virtual AxisVector gravity(const AxisVector& joints) const noexcept {
+    return AxisVector::Zero(joints.size());
+  }
   /// Transmission, inverse. @param motors [rad] @return joints [rad], track [m]
   [[nodiscard]] virtual AxisVector joints_from_motors(const AxisVector& motors) const noexcept = 0;
 };

@@ -9,24 +9,57 @@ namespace {
 /// A set position that moves less than this in a step stands [increments]: rounding of the kinematics.
 constexpr double kStanding = 1e-6;
 
+constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
 }  // namespace
 
-Servo::Servo(const Robot& robot) noexcept : robot_(&robot) {
-  for (int k = 0; k < robot.axes(); ++k)
-    regulators_[static_cast<std::size_t>(k)] = IncrementalRegulator(robot.axis(k).regulator);
+Servo::Servo(const Robot& robot, double dt) : robot_(&robot) {
+  for (int k = 0; k < robot.axes(); ++k) {
+    const AxisProperties& axis = robot.axis(k);
+    Motor& motor = motors_[index(k)];
+    motor.choice = axis.servo.standard;
+    for (std::size_t set = 0; set < kServoSets; ++set) {
+      motor.incremental[set] = IncrementalRegulator(axis.servo.incremental[set]);
+      motor.compensating[set] =
+          CompensatingRegulator(axis.servo.compensating[set], axis.servo.drive, axis.increments_per_rad, dt);
+    }
+  }
+}
+
+bool Servo::select(int motor, int algorithm_no, int parameter_set_no) noexcept {
+  if (motor < 0 || motor >= robot_->axes() || !known(algorithm_no, parameter_set_no)) return false;
+  Motor& m = motors_[index(motor)];
+  const ServoChoice choice{algorithm_no, parameter_set_no};
+  if (choice == m.choice) return true;
+  CompensatingRegulator& compensating = m.compensating[index(parameter_set_no)];
+  if (algorithm_no == 0)
+    m.incremental[index(parameter_set_no)].resume(m.error, m.last_set - m.last_seen, m.pwm);
+  else if (m.choice.algorithm_no == algorithm_no)
+    compensating.resume(m.compensating[index(m.choice.parameter_set_no)], m.pwm);
+  else
+    compensating.resume(m.last_set, m.error, m.pwm);
+  m.choice = choice;
+  return true;
 }
 
 void Servo::reset() noexcept {
-  for (IncrementalRegulator& regulator : regulators_) regulator.reset();
-  unseen_.fill(0);
+  for (Motor& m : motors_) {
+    for (IncrementalRegulator& regulator : m.incremental) regulator.reset();
+    for (CompensatingRegulator& regulator : m.compensating) regulator.reset();
+    m.error = m.unseen = m.last_set = m.last_seen = m.pwm = 0;
+  }
 }
 
 void Servo::braked(const AxisVector& measured_increment) noexcept {
-  for (int k = 0; k < robot_->axes(); ++k) unseen_[static_cast<std::size_t>(k)] += measured_increment[k];
+  for (int k = 0; k < robot_->axes(); ++k) {
+    Motor& m = motors_[index(k)];
+    m.unseen += measured_increment[k];
+    m.last_set = 0;
+    for (CompensatingRegulator& regulator : m.compensating) regulator.restart();
+  }
 }
 
-double Servo::seen(std::size_t motor, double set_increment, double measured_increment) noexcept {
-  double& unseen = unseen_[motor];
+double Servo::Motor::see(double set_increment, double measured_increment) noexcept {
   unseen += measured_increment;
   const double play = std::abs(set_increment) < kStanding ? kPlay : 0;
   const double kept = std::clamp(unseen, -play, play);
@@ -35,14 +68,24 @@ double Servo::seen(std::size_t motor, double set_increment, double measured_incr
   return told;
 }
 
+double Servo::Motor::step(double set_increment, double measured_increment, double preload) noexcept {
+  last_seen = see(set_increment, measured_increment);
+  const std::size_t set = index(choice.parameter_set_no);
+  const double behind = error - last_seen;
+  pwm = choice.algorithm_no == 0 ? incremental[set].step(set_increment, last_seen)
+                                 : compensating[set].step(set_increment, behind, preload);
+  error = behind + set_increment;
+  last_set = set_increment;
+  return pwm;
+}
+
 std::array<double, kMaxAxes> Servo::step(const AxisVector& set_increment,
-                                         const AxisVector& measured_increment) noexcept {
+                                         const AxisVector& measured_increment,
+                                         const AxisVector& preload) noexcept {
   std::array<double, kMaxAxes> pwm{};
-  for (int k = 0; k < robot_->axes(); ++k) {
-    const auto motor = static_cast<std::size_t>(k);
-    const double set = set_increment[k] * robot_->axis(k).increments_per_rad;
-    pwm[motor] = regulators_[motor].step(set, seen(motor, set, measured_increment[k]));
-  }
+  for (int k = 0; k < robot_->axes(); ++k)
+    pwm[index(k)] = motors_[index(k)].step(set_increment[k] * robot_->axis(k).increments_per_rad,
+                                           measured_increment[k], preload[k]);
   return pwm;
 }
 

@@ -100,6 +100,20 @@ inline constexpr double kScrew = kTurn / 5;
 /// Screw of the track: 8 mm per turn behind a belt of 2 : 1 [rad/m].
 inline constexpr double kTrackScrew = 2 * kTurn * 1000 / 8;
 
+/// The regulators of one motor. Set 0 of each algorithm is the usual one. Algorithm 0: the original's, set 1
+/// without its second integral, what the original called algorithm 1: it gives way under load. Algorithm 1:
+/// set 1 is softer. docs/plant.md tells where the drives' figures come from.
+constexpr edp::ServoCoefficients servo(const edp::RegulatorCoefficients& original,
+                                       const edp::DriveModel& drive) {
+  edp::RegulatorCoefficients proportional = original;
+  proportional.epsilon = 0;
+  return {.standard = {0, 0},
+          .incremental = {original, proportional},
+          .compensating = {{{.bandwidth = 100, .observer = 200, .friction = 0.8},
+                            {.bandwidth = 60, .observer = 120, .friction = 0.8}}},
+          .drive = drive};
+}
+
 // The motor limits are the legal range. The joint limits add only what the motors cannot know: how far the
 // linkages let the arm fold (q3, q4). Those of the other joints lie outside the motor limits.
 constexpr AxisTable track(double synchro) {
@@ -108,7 +122,8 @@ constexpr AxisTable track(double synchro) {
            {-200, 1900},
            kIncrements,
            kMaxMotorSpeed,
-           {.epsilon = 0.010, .a = 0.412429378531, .b0 = 1.5569592, .b1 = 1.5028614}},
+           servo({.epsilon = 0.010, .a = 0.412429378531, .b0 = 1.5569592, .b1 = 1.5028614},
+                 {.resistance = 2.9, .inertia = 2.15e-4, .friction = 0.015, .max_current = 25})},
           {kTrackScrew, synchro, 0}};
 }
 constexpr AxisTable column(double synchro) {
@@ -117,7 +132,8 @@ constexpr AxisTable column(double synchro) {
            {-470, 450},
            kIncrements,
            kMaxMotorSpeed,
-           {.epsilon = 0.010, .a = 0.412429378531, .b0 = 1.5569592, .b1 = 1.5028614}},
+           servo({.epsilon = 0.010, .a = 0.412429378531, .b0 = 1.5569592, .b1 = 1.5028614},
+                 {.resistance = 0.9, .inertia = 6.9e-4, .friction = 0.015, .max_current = 15})},
           {-158, synchro, 0}};
 }
 constexpr AxisTable lower_arm(double synchro) {
@@ -126,7 +142,8 @@ constexpr AxisTable lower_arm(double synchro) {
            {-110, 100},
            kIncrements,
            kMaxMotorSpeed,
-           {.epsilon = 0.008, .a = 0.655629139073, .b0 = 0.6181068, .b1 = 0.5916852}},
+           servo({.epsilon = 0.008, .a = 0.655629139073, .b0 = 0.6181068, .b1 = 0.5916852},
+                 {.resistance = 1.3, .inertia = 3.9e-4, .friction = 0.015, .max_current = 18})},
           {kScrew, synchro, 220.3374}};
 }
 constexpr AxisTable upper_arm(double synchro) {
@@ -135,7 +152,8 @@ constexpr AxisTable upper_arm(double synchro) {
            {-80, 100},
            kIncrements,
            kMaxMotorSpeed,
-           {.epsilon = 0.008, .a = 0.315789473684, .b0 = 1.1984784, .b1 = 1.1424828}},
+           servo({.epsilon = 0.008, .a = 0.315789473684, .b0 = 1.1984784, .b1 = 1.1424828},
+                 {.resistance = 1.4, .inertia = 3.3e-4, .friction = 0.015, .max_current = 10})},
           {kScrew, synchro, 183.8348}};
 }
 constexpr AxisTable wrist_T(double synchro) {
@@ -144,7 +162,8 @@ constexpr AxisTable wrist_T(double synchro) {
            {-70, 380},
            kIncrements,
            kMaxMotorSpeed,
-           {.epsilon = 0.010, .a = 0.548946716233, .b0 = 0.6305064, .b1 = 0.5874396}},
+           servo({.epsilon = 0.010, .a = 0.548946716233, .b0 = 0.6305064, .b1 = 0.5874396},
+                 {.resistance = 1.6, .inertia = 1.91e-4, .friction = 0.015, .max_current = 10})},
           {-128, synchro, 0}};
 }
 constexpr AxisTable wrist_V(double synchro) {
@@ -153,7 +172,8 @@ constexpr AxisTable wrist_V(double synchro) {
            {-80, 490},
            kIncrements,
            kMaxMotorSpeed,
-           {.epsilon = 0.020, .a = 0.391982182628, .b0 = 0.4458592, .b1 = 0.4085392}},
+           servo({.epsilon = 0.020, .a = 0.391982182628, .b0 = 0.4458592, .b1 = 0.4085392},
+                 {.resistance = 7.2, .inertia = 3.5e-5, .friction = 0.003, .max_current = 10})},
           {-128 * 0.6, synchro, 0}};
 }
 constexpr AxisTable wrist_N(double synchro) {
@@ -162,7 +182,8 @@ constexpr AxisTable wrist_N(double synchro) {
            {-1000, 3000},
            kIncrements / 2,
            kMaxMotorSpeed,
-           {.epsilon = 0.005, .a = 0.3, .b0 = 0.5456, .b1 = 0.5056}},
+           servo({.epsilon = 0.005, .a = 0.3, .b0 = 0.5456, .b1 = 0.5056},
+                 {.resistance = 19, .inertia = 1.51e-5, .friction = 0.003, .max_current = 10})},
           {288.8845, synchro, 0}};
 }
 

@@ -26,7 +26,7 @@ class FakeArm final : public Robot {
       axes_[k].increments_per_rad = 4000 / (2 * std::numbers::pi);
       axes_[k].max_motor_speed = 250;
       // With the gain of FakeDrives each increment set is made in the next step.
-      axes_[k].regulator = {.epsilon = 0, .a = 0, .b0 = 0.5, .b1 = 0};
+      axes_[k].servo.incremental.fill({.epsilon = 0, .a = 0, .b0 = 0.5, .b1 = 0});
     }
   }
   [[nodiscard]] std::string_view name() const noexcept override { return "fake"; }

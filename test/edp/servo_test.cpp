@@ -35,7 +35,7 @@ TEST(Servo, FractionsOfAnIncrementAreNotLost) {
   double shaft = 0;
   for (int k = 0; k < 1000; ++k) {
     const double before = std::floor(shaft);
-    const auto pwm = servo.step(set, measured);
+    const auto pwm = servo.step(set, measured, AxisVector::Zero(FakeArm::kAxes));
     EXPECT_EQ(pwm[0], 0) << "the other motors have nothing to do";
     shaft += 2 * pwm[2];
     measured[2] = std::floor(shaft) - before;

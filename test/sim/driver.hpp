@@ -26,7 +26,7 @@ class Driver {
         motors_(robot_->motors_from_joints(joints_)),
         T_0E_(robot_->forward(joints_) * robot_->tool_in_wrist()),
         R_ES_(robot_->tool_in_wrist().R.transpose() * robot_->sensor_in_wrist().R) {
-    for (int k = 0; k < robot_->axes(); ++k) regulators_.emplace_back(robot_->axis(k).regulator);
+    for (int k = 0; k < robot_->axes(); ++k) regulators_.emplace_back(robot_->axis(k).servo.incremental[0]);
   }
 
   TaskFrameCommand command{};  ///< all u() with velocity 0

@@ -27,7 +27,7 @@ struct OneAxis {
 class OneAxisRig {
  public:
   explicit OneAxisRig(const OneAxis& axis)
-      : a_(axis), regulator_(axis.axis.regulator), encoder_(axis.axis.increments_per_rad, 0.3) {}
+      : a_(axis), regulator_(axis.axis.servo.incremental[0]), encoder_(axis.axis.increments_per_rad, 0.3) {}
 
   double wall{1};         ///< where the spring begins [m]
   double stiffness{1e4};  ///< [N/m]

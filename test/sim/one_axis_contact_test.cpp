@@ -29,7 +29,8 @@ OneAxis one_axis(const Case& c) {
   const auto k = static_cast<std::size_t>(c.axis);
   OneAxis a{irb6::kPostument.axes[k].properties, arm_parameters(ArmModel::irb6_postument).motors[k], 0,
             c.lever / c.gear, 0.05};
-  const double time_constant = kStep / std::log(a.axis.regulator.b0 / a.axis.regulator.b1);
+  const double time_constant =
+      kStep / std::log(a.axis.servo.incremental[0].b0 / a.axis.servo.incremental[0].b1);
   a.inertia = time_constant / mechanical_time_constant(a.motor, 1);
   return a;
 }

@@ -86,7 +86,8 @@ TEST_P(ArmTable, EncodersAndSpeedsAreTheDrives) {
     const bool last = k == arm_.axes() - 1;
     EXPECT_NEAR(arm_.axis(k).increments_per_rad * 2 * kPi, last ? 2000 : 4000, 1e-9);
     EXPECT_DOUBLE_EQ(arm_.axis(k).max_motor_speed * 0.002, 0.5);
-    EXPECT_GT(arm_.axis(k).regulator.b0, arm_.axis(k).regulator.b1);
+    const edp::RegulatorCoefficients& c = arm_.axis(k).servo.incremental[0];
+    EXPECT_GT(c.b0, c.b1);
   }
 }
 

@@ -1,0 +1,110 @@
+#include "edp/compensating_regulator.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "edp/regulator.hpp"
+
+namespace mrroc::edp {
+namespace {
+
+/// Share of the difference from the regulator before that is left after a step.
+constexpr double kFade = 0.9;
+
+}  // namespace
+
+CompensatingRegulator::CompensatingRegulator(const CompensationCoefficients& c, const DriveModel& drive,
+                                             double increments_per_rad, double dt) {
+  const double steps = drive.time_constant() / dt;
+  alpha_ = std::exp(-1 / steps);
+  beta_ = steps * (1 - alpha_);
+  gain_ = drive.speed_per_pwm() * increments_per_rad * dt;
+  torque_scale_ = drive.pwm_per_torque();
+  friction_ = c.friction * drive.friction * torque_scale_;
+  presliding_ = drive.presliding * increments_per_rad;
+  max_pull_ = drive.max_current * drive.resistance * kPwmScale / drive.supply;
+
+  // Ackermann's formula for both: K = [0 1] [B AB]^-1 (A - z)^2, L = A^-1 (A - z)^3 [C; CA; CA^2]^-1 [0 0 1]'.
+  const Eigen::Vector2d B((1 - beta_) * gain_, (1 - alpha_) * gain_);
+  Eigen::Matrix2d A;
+  A << 1, beta_, 0, alpha_;
+  Eigen::Matrix2d reach;
+  reach << B, A * B;
+  const Eigen::Matrix2d off = A - std::exp(-c.bandwidth * dt) * Eigen::Matrix2d::Identity();
+  const Eigen::RowVector2d K = reach.inverse().row(1) * off * off;
+  k_p_ = K[0];
+  k_v_ = K[1];
+
+  Eigen::Matrix3d A3;
+  A3 << A, B, 0, 0, 1;
+  Eigen::Matrix3d seen;
+  seen << 1, 0, 0, A3.row(0), A3.row(0) * A3;
+  const Eigen::Matrix3d off3 = A3 - std::exp(-c.observer * dt) * Eigen::Matrix3d::Identity();
+  const Eigen::Vector3d L = A3.inverse() * off3 * off3 * off3 * seen.inverse().col(2);
+  l_p_ = L[0];
+  l_v_ = L[1];
+  l_d_ = L[2];
+}
+
+double CompensatingRegulator::step(double set_increment, double error, double preload) noexcept {
+  if (phase_ == Phase::restarted) {
+    p_ = -error;
+    v_ = r_ = 0;
+    phase_ = Phase::running;
+  }
+  const double surprise = -error - p_;
+  p_ += l_p_ * surprise;
+  v_ += l_v_ * surprise;
+  d_ += l_d_ * surprise;
+
+  deflection_ = (deflection_ + set_increment) / (1 + std::abs(set_increment) / presliding_);
+  const double known = preload * torque_scale_ + friction_ * deflection_ / presliding_;
+  if (phase_ == Phase::joining) d_ = known + r_ / gain_ - joined_pwm_;
+
+  const double wanted = (set_increment - alpha_ * r_) / ((1 - alpha_) * gain_) + k_p_ * (-r_ / 2 - p_) +
+                        k_v_ * (r_ - v_) - d_ + known;
+  if (phase_ != Phase::running) bump_ = joined_pwm_ - wanted;
+  phase_ = Phase::running;
+
+  const double idle = v_ / gain_;  // without current
+  const double pull = std::clamp(wanted + bump_ - idle, -max_pull_, max_pull_);
+  const double u = std::clamp(idle + pull, -kMaxPwm, kMaxPwm);
+  bump_ *= kFade;
+
+  const double driving = gain_ * (u - known + d_);
+  p_ += beta_ * v_ + (1 - beta_) * driving - set_increment;
+  v_ = alpha_ * v_ + (1 - alpha_) * driving;
+  r_ = set_increment;
+  return u;
+}
+
+void CompensatingRegulator::resume(double set_increment, double error, double pwm) noexcept {
+  p_ = set_increment - error;  // when the next step begins
+  v_ = r_ = set_increment;
+  deflection_ = 0;
+  joined_pwm_ = pwm;
+  phase_ = Phase::joining;
+}
+
+void CompensatingRegulator::resume(const CompensatingRegulator& other, double pwm) noexcept {
+  p_ = other.p_;
+  v_ = other.v_;
+  d_ = other.d_;
+  r_ = other.r_;
+  deflection_ = other.deflection_;
+  joined_pwm_ = pwm;
+  phase_ = Phase::joined;
+}
+
+void CompensatingRegulator::restart() noexcept {
+  phase_ = Phase::restarted;
+  bump_ = 0;
+}
+
+void CompensatingRegulator::reset() noexcept {
+  p_ = v_ = d_ = r_ = deflection_ = 0;
+  restart();
+}
+
+}  // namespace mrroc::edp

@@ -1,0 +1,93 @@
+// Position regulator that knows its drive: feed-forward of speed and load, an observer for what is not known.
+#pragma once
+#include "base/hardware.hpp"
+
+namespace mrroc::edp {
+
+/// What a regulator knows about the drive of one motor; everything at the shaft. Nominal: the real figures
+/// may differ by tens of per cent.
+struct DriveModel {
+  double resistance{1};     ///< of winding and bridge [ohm], positive
+  double inertia{1};        ///< of all that turns with the shaft [kg m^2], positive
+  double friction{};        ///< expected, and compensated [N m]
+  double presliding{0.02};  ///< turn in which friction builds up after a reversal [rad], positive
+  double max_current{1};    ///< that a regulator may demand, and from which the supervision stops the arm
+                            ///< [A], positive
+  double torque_constant{0.105};  ///< [N m/A], equal to the voltage constant [V s/rad]
+  double supply{48};              ///< voltage at full duty cycle [V]
+
+  /// @return speed of the free shaft per duty cycle [rad/s per 1/255]
+  [[nodiscard]] constexpr double speed_per_pwm() const { return supply / kPwmScale / torque_constant; }
+  /// @return duty cycle that holds a torque at rest [1/255 per N m]
+  [[nodiscard]] constexpr double pwm_per_torque() const {
+    return resistance / torque_constant * kPwmScale / supply;
+  }
+  /// @return of speed after a step of voltage [s]
+  [[nodiscard]] constexpr double time_constant() const {
+    return resistance * inertia / (torque_constant * torque_constant);
+  }
+};
+
+/// Coefficients of one CompensatingRegulator.
+struct CompensationCoefficients {
+  double bandwidth{};  ///< of the position loop: its double pole [rad/s], positive
+  double observer{};   ///< of the observer: its triple pole [rad/s], positive
+  double friction{};   ///< share of DriveModel::friction that is compensated, 0..1
+};
+
+/// Position regulator with feed-forward of speed, preload and compensation of friction.
+///
+/// With p and v the position and speed of the shaft, Set the sum of all set increments r before this step, and
+/// a load d that an observer estimates together with p and v from the encoder and the duty cycles sent:
+///
+///     e_p = Set - r(k-1)/2 - p,   e_v = r(k-1) - v
+///     u = u_r + K_p e_p + K_v e_v - d + u_g + u_f,   clipped
+///
+/// u_r is the duty cycle that takes the model of the drive from speed r(k-1) to r(k) in one step; on the way the
+/// shaft is half a step behind its set position. u_g holds the preload that is told (gravity), u_f is Dahl's
+/// friction of a shaft that moves as it is set to. What is left of the load - friction and inertia that are
+/// not as expected, forces of contact - is the observer's d: there is no other integral action, so
+/// nothing winds up when the output is clipped.
+///
+/// Units: encoder increments, steps, and 1/255 of the supply. Real-time safe but for the constructor.
+class CompensatingRegulator {
+ public:
+  CompensatingRegulator() = default;
+  /// @param increments_per_rad encoder increments per radian of the shaft  @param dt duration of a step [s]
+  CompensatingRegulator(const CompensationCoefficients& c, const DriveModel& drive, double increments_per_rad,
+                        double dt);
+
+  /// @param set_increment motion of the set position in this step [increments]
+  /// @param error         set position before this step minus measured position [increments]
+  /// @param preload       torque that holds the known load, e.g. gravity [N m]
+  /// @return duty cycle, within +-kMaxPwm
+  [[nodiscard]] double step(double set_increment, double error, double preload) noexcept;
+
+  /// Goes on where a regulator of another kind has left off: the next duty cycle is pwm, and its difference from
+  /// what this regulator asks for fades away. The load is the one that pwm has been holding.
+  /// @param set_increment of the step before [increments]
+  /// @param error         set position after that step minus position measured in it [increments]
+  void resume(double set_increment, double error, double pwm) noexcept;
+  /// Goes on where a regulator with other coefficients has left off, likewise.
+  void resume(const CompensatingRegulator& other, double pwm) noexcept;
+  /// The shaft was held by brakes and may have moved: it stands, and the load is the one known before.
+  void restart() noexcept;
+  /// Forgets the past: the shaft stands where it is set to be, without load.
+  void reset() noexcept;
+
+ private:
+  double alpha_{}, beta_{}, gain_{};  // model: speed kept in a step, its way [steps], speed per duty cycle
+  double k_p_{}, k_v_{};
+  double l_p_{}, l_v_{}, l_d_{};
+  double torque_scale_{}, friction_{}, presliding_{1}, max_pull_{};
+
+  double p_{}, v_{}, d_{};  // predicted: position relative to the set one, speed, load
+  double r_{};              // set increment of the step before
+  double deflection_{};     // of Dahl's spring [increments]
+  double bump_{};           // what is left of the difference from the regulator before
+  double joined_pwm_{};     // its last duty cycle
+  enum class Phase : std::uint8_t { restarted, joining, joined, running };
+  Phase phase_{Phase::restarted};
+};
+
+}  // namespace mrroc::edp
