@@ -9,6 +9,7 @@
 #include "bench/figures.hpp"
 #include "bench/heap.hpp"
 #include "bench/kinematics_bench.hpp"
+#include "bench/round_trip.hpp"
 #include "edp/driver.hpp"
 #include "robots/irb6/arm.hpp"
 
@@ -19,6 +20,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kMacrosteps = 6000;
 constexpr int kWarmUp = 200;  // macrosteps that are not measured
+constexpr long kRoundTripPoses = 1'000'000;
 constexpr double kDt = 0.002;
 
 double median(std::vector<double> x) {
@@ -159,6 +161,7 @@ Figures run_edp_group() {
   const StepCost cost = measure_step();
   auto ns = run_kinematics_benchmarks();
   const double ik = ns.at("inverse_kinematics/0");
+  const RoundTrips trips = run_round_trips(kRoundTripPoses);
   return {
       {"edp_step_us_p50", cost.step_us, "us",
        "one step of the driver: force, law, frames, kinematics, regulators"},
@@ -166,6 +169,9 @@ Figures run_edp_group() {
        "the same over the inverse kinematics alone, same path"},
       {"edp_step_allocations", static_cast<double>(cost.allocations), "",
        "blocks from the heap in all steps"},
+      {"ik_round_trip_fail", static_cast<double>(trips.failures), "",
+       "all branches of 10^6 random poses: not reached, inexact, another branch, beyond limits"},
+      {"ik_round_trip_err", trips.largest, "m, 1", "largest error of FK(IK(x)) there"},
       {"ik_ns", ik, "ns", "inverse kinematics, random poses, pedestal arm"},
       {"fk_ns", ns.at("direct_kinematics/0"), "ns", "direct kinematics"},
       {"ik_vs_kdl", ns.at("kdl_inverse_kinematics/0") / ik, "", "KDL's numeric solver over ours, same poses"},
