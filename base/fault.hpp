@@ -58,6 +58,8 @@ enum class FaultCode : std::uint16_t {
   encoder_index_missing,
   // sensors
   force_saturated,
+  force_stuck,
+  force_not_finite,
   sensor_silent,
   reading_too_old,
   // processes and messages

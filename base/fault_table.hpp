@@ -82,6 +82,10 @@ inline constexpr std::array kFaultTable{
 
   MRROC_FAULT(force_saturated, fatal, "the force sensor is at the end of its range",
               "unload the tool, then reset"),
+  MRROC_FAULT(force_stuck, fatal, "the force sensor repeats the same reading",
+              "look at the sensor's cable and power; force_stuck_after = 0 if its readings have no noise"),
+  MRROC_FAULT(force_not_finite, fatal, "a component of the force sensor's reading is not a number",
+              "look at the sensor's electronics, then reset"),
   MRROC_FAULT(sensor_silent, fatal, "a sensor of the effector gives no readings",
               "look at the sensor's cable or process, then reset"),
   MRROC_FAULT(reading_too_old, non_fatal, "a reading is older than the task allows",

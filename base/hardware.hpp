@@ -25,7 +25,7 @@ struct HardwareReading {
   std::array<std::int32_t, kMaxAxes> encoder{};  ///< [increments] since power-up, per motor
   std::array<double, kMaxAxes> current{};        ///< [A] per motor, mean over the step
   Wrench S_F_m{};  ///< raw reading of the force/torque sensor: external load on its tool
-                   ///< side, in S [N, N m], mean over the step
+                   ///< side, in S [N, N m], mean over the step; six NaN when it gave none
   std::array<std::uint8_t, kMaxAxes> switches{};  ///< AxisSwitch bits per motor
   std::array<std::int32_t, kMaxAxes> index{};     ///< encoder at the last zero mark [increments], latched by
                                                   ///< the drive; means something once AxisSwitch::index came

@@ -22,7 +22,9 @@ const DriverParameters& checked(const Robot& robot, const DriverParameters& p) {
   demand(is_proper(p.T_WE), "the tool must be a pose");
   demand(is_proper(p.force.T_WS), "the force sensor's place must be a pose");
   demand(p.force.average >= 1 && p.force.average <= 4, "the force average must lie between 1 and 4");
+  demand(p.force.low_pass >= 0, "the corner of the force's low pass must not be negative");
   demand(p.force.patience >= 1, "the force patience must be at least 1");
+  demand(p.force.stuck_after >= 0, "the number of equal forces must not be negative");
   return p;
 }
 
@@ -37,7 +39,7 @@ Driver::Driver(const Robot& robot, const DriverParameters& parameters)
     : robot_(&robot),
       p_(checked(robot, parameters)),
       encoders_(robot),
-      force_(parameters.force),
+      force_(parameters.force, parameters.dt),
       generator_({&robot, parameters.limits, parameters.dt, parameters.stop_steps}, parameters.T_WE),
       servo_(robot, parameters.dt) {
   const AxisVector zero = AxisVector::Zero(robot.axes());
@@ -143,12 +145,8 @@ void Driver::hold_at(const AxisVector& motors) noexcept {
 void Driver::adjust_force(const HardwareReading& reading, bool stood) noexcept {
   const ForceSensor::Health health = force_.take(reading.S_F_m, stood);
   if (!synchronised()) return;
-  const ForceSensor::Complaint& complaint = force_.complaint();
-  if (state_ != DriverState::faulted && health == ForceSensor::Health::saturated)
-    trip(make_fault(FaultCode::force_saturated, "component of the reading [N], [N m]", complaint.component,
-                    complaint.value, complaint.limit));
-  if (state_ != DriverState::faulted && health == ForceSensor::Health::silent)
-    trip(make_fault(FaultCode::sensor_silent, "force sensor", complaint.component, complaint.value));
+  if (state_ != DriverState::faulted)
+    if (const std::optional<Fault> wrong = sensor_fault(health, force_.complaint())) trip(*wrong);
   if (bias_pending_) force_.bias(measured_.T_0W.R);
   bias_pending_ = false;
   // 0_W F_a and back to W with the orientation of the same reading is the identity: xi_F alone leads to E.

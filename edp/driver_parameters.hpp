@@ -14,11 +14,15 @@ struct ForceSensorParameters {
   double weight{};                        ///< w, of everything beyond the sensor [N], >= 0
   Vector3 mass_centre = Vector3::Zero();  ///< P = W_G P [m], in W
   Wrench range{{65, 65, 200, 5, 5, 5}};   ///< |reading| from which the sensor is saturated [N], [N m]
-  int average{1};   ///< readings in the moving average, 1..4. The original took 2; a reading here is already
-                    ///< the mean over its step, and every further one delays the force and costs stable
-                    ///< stiffness of contact
-  int patience{3};  ///< bad readings (not finite, saturated) in succession that are a fault; until then the
-                    ///< last good one stands, so that one shock does not stop a task
+  int average{1};  ///< readings in the moving average, 1..4. The original took 2; a reading here is already
+                   ///< the mean over its step, and every further one delays the force and costs stable
+                   ///< stiffness of contact (docs/stability.md)
+  double low_pass{};  ///< corner of a first-order filter behind the average [Hz], 0: none. It costs stable
+                      ///< stiffness too
+  int patience{3};    ///< bad readings (absent, not finite, saturated) in succession that are a fault; until
+                      ///< then the last good one stands, so that one shock does not stop a task
+  int stuck_after{};  ///< equal readings of one component in succession that are a fault, 0: readings come
+                      ///< without noise and may be equal for ever
 };
 
 /// When the supervision of the drives calls a fault.

@@ -2,7 +2,9 @@
 // MG 8.2, eq. (44), (45).
 #pragma once
 #include <array>
+#include <optional>
 
+#include "base/fault.hpp"
 #include "base/pose.hpp"
 #include "edp/driver_parameters.hpp"
 
@@ -15,16 +17,19 @@ class ForceSensor {
  public:
   /// State of the readings.
   enum class Health : std::uint8_t {
-    good,       ///< the reading is used
-    skipped,    ///< a bad reading was left out, the last good one stands
-    silent,     ///< not finite for longer than the patience: a fault
-    saturated,  ///< at the end of its range for longer than the patience: a fault
+    good,        ///< the reading is used
+    skipped,     ///< a bad reading was left out, the last good one stands
+    silent,      ///< no component is a number for longer than the patience: there is no sensor
+    not_finite,  ///< a component is not finite for longer than the patience
+    saturated,   ///< a component is at the end of its range for longer than the patience
+    stuck,       ///< a component has not changed for stuck_after readings, not even by noise
   };
   /// Readings at rest of which the bias is the mean; when the arm has stood for a shorter time, of those that
   /// there are, at least the last one.
   static constexpr int kBiasWindow = 50;
 
-  explicit ForceSensor(const ForceSensorParameters& parameters) noexcept;
+  /// @param dt time between readings [s]
+  explicit ForceSensor(const ForceSensorParameters& parameters, double dt = 0.002) noexcept;
 
   /// Takes the reading of one step.
   /// @param S_F_m  raw reading [N, N m]
@@ -33,9 +38,9 @@ class ForceSensor {
 
   /// What was wrong with a reading.
   struct Complaint {
-    int component{};  ///< 0..5, along and about the axes of S
+    int component{};  ///< 0..5, along and about the axes of S; -1: all
     double value{};   ///< [N], [N m]
-    double limit{};   ///< [N], [N m]
+    double limit{};   ///< [N], [N m]; of a stuck component the number of equal readings allowed
   };
   /// @return what was wrong with the last bad reading
   [[nodiscard]] const Complaint& complaint() const noexcept { return complaint_; }
@@ -56,18 +61,28 @@ class ForceSensor {
  private:
   [[nodiscard]] Wrench gravity(const Matrix3& R_0W) const noexcept;
   [[nodiscard]] Health judge(const Wrench& S_F_m) noexcept;
+  [[nodiscard]] Health run_out_of_patience(Health health, const Complaint& complaint) noexcept;
+  [[nodiscard]] bool stuck(const Wrench& S_F_m) noexcept;
+  [[nodiscard]] Wrench mean_with(const Wrench& S_F_m) noexcept;
 
   ForceSensorParameters p_;
-  Wrench S_F_m_;  // moving average
-  Wrench S_F_0_;  // raw reading at the bias
-  Wrench W_F_r_;  // compensation force
+  double weight_of_new_;  // in the low pass
+  Wrench S_F_m_;          // filtered
+  Wrench S_F_0_;          // raw reading at the bias
+  Wrench W_F_r_;          // compensation force
   std::array<Wrench, 4> recent_{};
   std::size_t recent_count_{};
   int bad_in_succession_{};
+  Wrench last_{};
+  std::array<int, 6> unchanged_{};  // readings since a component changed
   Complaint complaint_{};
   std::array<Wrench, kBiasWindow> at_rest_{};
   std::size_t at_rest_count_{};
   bool was_at_rest_{};
 };
+
+/// @return the fatal fault that a health is, naming the component; nothing for good and skipped. Real-time safe
+[[nodiscard]] std::optional<Fault> sensor_fault(ForceSensor::Health health,
+                                                const ForceSensor::Complaint& complaint) noexcept;
 
 }  // namespace mrroc::edp

@@ -46,6 +46,16 @@ ForceSensorParameters read_sensor(const Config& t, ForceSensorParameters s) {
   return s;
 }
 
+void read_sensor_fault(const Config& robot, ForceSensorParameters& s) {
+  s.fault = robot.choice("force_fault", s.fault,
+                         {{"none", SensorFault::none},
+                          {"stuck", SensorFault::stuck},
+                          {"saturated", SensorFault::saturated},
+                          {"silent", SensorFault::silent},
+                          {"nan", SensorFault::nan}});
+  s.fault_step = robot.integer("force_fault_step", s.fault_step, {0, 100'000'000}, "steps");
+}
+
 ArmParameters read_arm(const Config& config, const std::string& key, ArmModel fallback) {
   const Config robot = config.section("robots." + key);
   const Config sim = config.section("sim");
@@ -58,6 +68,7 @@ ArmParameters read_arm(const Config& config, const std::string& key, ArmModel fa
   arm.paper = read_paper(sim.section("paper"), arm.paper);
   arm.hand = read_hand(sim.section("hand"), arm.hand);
   arm.sensor = read_sensor(sim.section("sensor"), arm.sensor);
+  read_sensor_fault(robot, arm.sensor);
   arm.start_height = sim.number("start_height", arm.start_height, {0.005, 0.1}, "m");
   const double scale = sim.number("motor_friction", 1, {0, 10}, "of the estimate");
   for (MotorParameters& m : arm.motors) m.friction *= scale;

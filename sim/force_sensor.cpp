@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mrroc::sim {
 namespace {
@@ -20,6 +21,29 @@ ForceSensor::ForceSensor(const ForceSensorParameters& parameters, std::uint64_t 
 }
 
 Wrench ForceSensor::measure(const Wrench& true_load) {
+  constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+  const bool broken = readings_++ >= parameters_.fault_step;
+  Wrench reading = healthy(true_load);
+  switch (broken ? parameters_.fault : SensorFault::none) {
+    case SensorFault::none:
+      last_ = reading;
+      break;
+    case SensorFault::stuck:
+      return last_;
+    case SensorFault::saturated:
+      reading[Axis::z] = parameters_.range_z;
+      break;
+    case SensorFault::silent:
+      reading.v.fill(kNothing);
+      break;
+    case SensorFault::nan:
+      reading[Axis::ax] = kNothing;
+      break;
+  }
+  return reading;
+}
+
+Wrench ForceSensor::healthy(const Wrench& true_load) {
   std::normal_distribution<double> normal;
   Wrench reading = true_load + bias_;
   for (const Axis a : kAxes) {

@@ -7,6 +7,15 @@
 
 namespace mrroc::sim {
 
+/// How a sensor is broken.
+enum class SensorFault : std::uint8_t {
+  none,
+  stuck,      ///< repeats its last good reading
+  saturated,  ///< z is at the end of its range
+  silent,     ///< gives nothing: six NaN
+  nan         ///< one component, ax, is not a number
+};
+
 /// Constants of the sensor; the order of magnitude is an ATI Gamma's.
 struct ForceSensorParameters {
   double force_noise{0.05};          ///< standard deviation of one reading at 500 Hz [N]
@@ -18,9 +27,11 @@ struct ForceSensorParameters {
   double range_xy{65};               ///< readings saturate at +- this [N]
   double range_z{200};               ///< [N]
   double range_torque{5};            ///< [N m]
+  SensorFault fault{};               ///< what breaks, on purpose
+  std::int64_t fault_step{};         ///< number of the first broken reading; that of the arm at rest is 0
 };
 
-/// Bias, noise, range and quantisation. The same seed gives the same sequence of readings.
+/// Bias, noise, range and quantisation, and faults made on purpose. The same seed gives the same sequence of readings.
 class ForceSensor {
  public:
   ForceSensor(const ForceSensorParameters& parameters, std::uint64_t seed);
@@ -35,9 +46,13 @@ class ForceSensor {
   [[nodiscard]] const Wrench& bias() const { return bias_; }
 
  private:
+  [[nodiscard]] Wrench healthy(const Wrench& true_load);
+
   ForceSensorParameters parameters_;
   std::mt19937_64 random_;
   Wrench bias_;
+  Wrench last_;  // good reading
+  std::int64_t readings_{};
 };
 
 }  // namespace mrroc::sim

@@ -6,6 +6,10 @@
 namespace mrroc::irb6 {
 namespace {
 
+/// Equal readings of one component that noise does not make: less than one in 1e20 for a sensor whose noise is
+/// four of its increments.
+constexpr int kStuckAfter = 25;
+
 std::unique_ptr<Arm> read_arm(const Config& table, std::string_view model) {
   const auto name = table.choice<std::string_view>(
       "model", model, {{"irb6_postument", "irb6_postument"}, {"irb6_track", "irb6_track"}});
@@ -49,6 +53,9 @@ DriverSetup read_driver(const Config& config, const std::string& key, std::strin
       table.number("limits.angular_velocity", d.limits.angular_velocity, {0.001, 5}, "rad/s");
   d.force.T_WS = read_pose(table, "sensor_in_wrist", s.arm->sensor_in_wrist());
   d.force.average = table.integer("force_average", d.force.average, {1, 4}, "readings");
+  d.force.low_pass = table.number("force_low_pass", d.force.low_pass, {0, 250}, "Hz, 0: none");
+  d.force.stuck_after =
+      table.integer("force_stuck_after", kStuckAfter, {0, 10'000}, "equal readings, 0: never");
   d.T_WE = read_pose(table, "tool.pose", s.arm->tool_in_wrist());
   const auto axes = static_cast<std::size_t>(s.arm->axes());
   const auto given =

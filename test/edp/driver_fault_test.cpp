@@ -32,7 +32,9 @@ std::vector<Malfunction> malfunctions() {
     all.push_back({FaultCode::over_speed, axis, [k](Rig& rig) { rig.world.slip[k] = -500; }, nothing});
   }
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  all.push_back({FaultCode::sensor_silent, 3, [=](Rig& rig) { rig.world.sensor_offset[Axis::ax] = nan; },
+  all.push_back({FaultCode::sensor_silent, -1, [=](Rig& rig) { rig.world.sensor_offset.v.fill(nan); },
+                 [](Rig& rig) { rig.world.sensor_offset = {}; }});
+  all.push_back({FaultCode::force_not_finite, 3, [=](Rig& rig) { rig.world.sensor_offset[Axis::ax] = nan; },
                  [](Rig& rig) { rig.world.sensor_offset = {}; }});
   all.push_back({FaultCode::force_saturated, 1, [](Rig& rig) { rig.world.sensor_offset[Axis::y] = 70; },
                  [](Rig& rig) { rig.world.sensor_offset = {}; }});

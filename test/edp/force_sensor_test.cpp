@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "test/base/random_pose.hpp"
@@ -168,10 +169,80 @@ TEST(ForceSensor, BadReadingsAreLeftOutUntilThePatienceIsOver) {
           EXPECT_EQ(sensor.take({{1, 1, 1, 1, 1, 1}}, false), Health::good);
         }
       }
-      EXPECT_EQ(sensor.take(reading, false), std::isfinite(bad) ? Health::saturated : Health::silent);
+      EXPECT_EQ(sensor.take(reading, false), std::isfinite(bad) ? Health::saturated : Health::not_finite);
       EXPECT_EQ(sensor.complaint().component, static_cast<int>(a));
       EXPECT_TRUE(finite(sensor.adjusted(Matrix3::Identity())));
     }
+}
+
+TEST(ForceSensor, NoComponentBeingANumberIsASilentSensor) {
+  using Health = ForceSensor::Health;
+  ForceSensor sensor({});
+  sensor.take({{1, 1, 1, 1, 1, 1}}, false);
+  Wrench nothing;
+  nothing.v.fill(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(sensor.take(nothing, false), Health::skipped);
+  EXPECT_EQ(sensor.take(nothing, false), Health::skipped);
+  EXPECT_EQ(sensor.take(nothing, false), Health::silent);
+  EXPECT_EQ(sensor.complaint().component, -1);
+  EXPECT_EQ(sensor.adjusted(Matrix3::Identity())[Axis::z], -1) << "the last good reading stands";
+}
+
+TEST(ForceSensor, AComponentThatNeverChangesIsStuck) {
+  using Health = ForceSensor::Health;
+  for (const Axis dead : kAxes) {
+    std::mt19937_64 random(5);
+    ForceSensorParameters p;
+    p.stuck_after = 25;
+    ForceSensor sensor(p);
+    const auto reading = [&](bool stuck) {
+      Wrench r = mrroc::test::random_spatial<Wrench>(random, 1);
+      if (stuck) r[dead] = 0.5;
+      return r;
+    };
+    for (int k = 0; k < 1000; ++k) ASSERT_EQ(sensor.take(reading(k % 25 != 0), false), Health::good);
+    for (int k = 0; k < 25; ++k) sensor.take(reading(true), false);
+    EXPECT_EQ(sensor.take(reading(true), false), Health::stuck);
+    EXPECT_EQ(sensor.complaint().component, static_cast<int>(dead));
+    EXPECT_EQ(sensor.take(reading(true), false), Health::stuck) << "and stays so";
+    EXPECT_EQ(sensor.take(reading(false), false), Health::good) << "until it changes again";
+  }
+}
+
+TEST(ForceSensor, EqualReadingsAreFineWhenNoNoiseIsExpected) {
+  ForceSensor sensor({});
+  for (int k = 0; k < 10'000; ++k) ASSERT_EQ(sensor.take({}, true), ForceSensor::Health::good);
+}
+
+TEST(ForceSensor, LowPassAnswersAStepWithItsTimeConstant) {
+  for (const double corner : {10., 40., 100.}) {
+    ForceSensorParameters p;
+    p.low_pass = corner;
+    const double dt = 0.002;
+    ForceSensor sensor(p, dt);
+    sensor.take({}, false);
+    for (int k = 1; k <= 20; ++k) {
+      sensor.take({{0, 0, -8, 0, 0, 0}}, false);
+      const double expected = 8 * (1 - std::exp(-2 * M_PI * corner * dt * k));
+      EXPECT_NEAR(sensor.adjusted(Matrix3::Identity())[Axis::z], expected, 1e-9);
+    }
+  }
+}
+
+TEST(ForceSensor, EveryMalfunctionHasANameOfItsOwn) {
+  using Health = ForceSensor::Health;
+  std::vector<FaultCode> codes;
+  for (const Health h : {Health::silent, Health::not_finite, Health::saturated, Health::stuck}) {
+    const std::optional<Fault> fault = sensor_fault(h, {2, 1.5, 3});
+    ASSERT_TRUE(fault);
+    EXPECT_EQ(class_of(fault->code), FaultClass::fatal);
+    EXPECT_EQ(fault->axis, h == Health::silent ? -1 : 2);
+    codes.push_back(fault->code);
+  }
+  std::ranges::sort(codes);
+  EXPECT_EQ(std::ranges::adjacent_find(codes), codes.end());
+  EXPECT_FALSE(sensor_fault(Health::good, {}));
+  EXPECT_FALSE(sensor_fault(Health::skipped, {}));
 }
 
 }  // namespace
