@@ -1,0 +1,37 @@
+// What every robot promises to the effector driver (edp/robot.hpp), as a test suite. A new robot takes it in three
+// lines, in a test that links with mrroc_robot_contract:
+//
+//   #include "test/contract/robot_contract.hpp"
+//   std::unique_ptr<edp::Robot> make() { return std::make_unique<MyRobot>(); }
+//   INSTANTIATE_TEST_SUITE_P(MyRobot, RobotContract, testing::Values(make));
+#pragma once
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "edp/robot.hpp"
+
+namespace mrroc::contract {
+
+/// Makes the robot, with any of its kinematic models.
+using MakeRobot = std::unique_ptr<edp::Robot> (*)();
+
+/// Every test goes over all kinematic models of the robot. Seeded.
+class RobotContract : public testing::TestWithParam<MakeRobot> {
+ protected:
+  RobotContract();
+
+  double uniform(double a, double b) { return std::uniform_real_distribution<>(a, b)(random_); }
+  /// @return motors anywhere within their limits [rad]
+  AxisVector random_motors(const edp::Robot& robot);
+  /// @return joints anywhere within the motors' limits [rad, m]
+  AxisVector random_joints(const edp::Robot& robot) { return robot.joints_from_motors(random_motors(robot)); }
+
+  std::unique_ptr<edp::Robot> robot_;
+  std::vector<const edp::Robot*> models_;
+  std::mt19937_64 random_{20260601};
+};
+
+}  // namespace mrroc::contract
