@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/pose.hpp"
+#include "vsp/sample.hpp"
 
 namespace mrroc::vsp {
 namespace {
@@ -85,6 +86,7 @@ PenState PenStateSensor::next() {
 }
 
 void PenStateSensor::step(const StepSample& sample) {
+  if (!is_reading(sample)) return;
   filter(sample);
   state_ = next();
   lifted_ = lifted_ || state_ == PenState::lift_off;

@@ -36,7 +36,7 @@ class PenStateSensor {
  public:
   explicit PenStateSensor(const PenStateParameters& parameters = {});
 
-  /// Takes the reading of one step. Real-time safe.
+  /// Takes the reading of one step; one that is none (not finite, impossible) is passed over. Real-time safe.
   void step(const StepSample& sample);
 
   /// @return reading of the macrostep whose steps were taken since the last call. A Lift-off that lasted one
