@@ -1,0 +1,78 @@
+#!/usr/bin/env bash
+# The script ./run in a made-up clone, with a made-up cmake. Usage: run_test.sh ROOT NAME
+set -euo pipefail
+
+clone=$(mktemp -d)
+trap 'rm -rf "$clone"' EXIT
+cp "$1/run" "$clone/run"
+mkdir -p "$clone/tasks/sketch" "$clone/stubs"
+touch "$clone/tasks/sketch/CMakeLists.txt" "$clone/CMakePresets.json"
+cd "$clone"
+export MRROC_SKIP_INSTALL=1 PATH=$clone/stubs:$PATH
+
+# A build of eight steps, or of none when there is a file named built.
+cat >stubs/cmake <<'STUB'
+#!/usr/bin/env bash
+mkdir -p build/release
+touch build/release/build.ninja
+[[ $1 == --build ]] || exit 0
+if [[ -e built ]]; then echo 'ninja: no work to do.'; exit 0; fi
+[[ " $* " != *' -n '* ]] || exit 0
+for k in 1 2 3 4 5 6 7 8; do echo "[$k/8] step $k"; done
+STUB
+chmod +x stubs/cmake
+
+fail() {
+  printf 'FAILED: %s\n--- it said:\n%s\n' "$1" "$said" >&2
+  exit 1
+}
+says() { [[ $said == *"$1"* ]] || fail "'$1' is missing"; }
+says_not() { [[ $said != *"$1"* ]] || fail "'$1' is too much"; }
+
+help_builds_nothing() {
+  local command
+  for command in build test bench clean; do
+    said=$(./run "$command" --help 2>&1)
+    says "Usage: ./run $command"
+    [[ ! -e build ]] || fail "$command --help made a build folder"
+  done
+}
+
+first_build_tells_how_long_and_counts() {
+  said=$(./run build 2>&1)
+  says 'for the first time'
+  for line in '25 % (2 of 8 steps)' '50 % (4 of 8 steps)' '75 % (6 of 8 steps)'; do says "$line"; done
+  says_not 'step 3'
+}
+
+nothing_to_build_is_no_news() {
+  touch built
+  ./run build 2>/dev/null
+  said=$(./run build 2>&1)
+  [[ -z $said ]] || fail 'it speaks'
+}
+
+waiting_for_another_build_is_said() {
+  mkdir build
+  touch built
+  exec 8>build/.lock
+  flock 8
+  timeout 1 ./run build 2>said || true
+  said=$(cat said)
+  says 'another ./run is building in this clone; waiting'
+}
+
+a_folder_that_cannot_be_written_is_a_clear_error() {
+  touch build # a file where the folder should be: also root cannot write there
+  local status=0
+  said=$(./run build 2>&1) || status=$?
+  ((status == 3)) || fail "status $status"
+  says 'error: cannot_write: '
+}
+
+a_filtered_test_says_that_all_tests_are_built() {
+  said=$(./run test -R Nothing 2>&1) || true
+  says 'all tests'
+}
+
+"$2"
