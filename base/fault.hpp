@@ -62,6 +62,7 @@ enum class FaultCode : std::uint16_t {
   force_not_finite,
   sensor_silent,
   reading_too_old,
+  no_contact,
   // processes and messages
   start_failed,
   not_ready,

@@ -3,7 +3,6 @@ find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)
-find_package(spdlog REQUIRED)
 find_package(Curses REQUIRED)
 pkg_check_modules(lcm REQUIRED IMPORTED_TARGET lcm)
 # Bullet in double precision; the CMake package of Debian is the single-precision build.

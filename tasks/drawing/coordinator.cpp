@@ -65,6 +65,7 @@ Memory note_trigger(const X& x) {
 Memory not_touched(const X& x) {
   Memory c = x.c;
   c.touched = false;
+  c.begun = c.time;
   return c;
 }
 
@@ -155,6 +156,7 @@ bool triggered(const X& x) { return x.T.h.trigger > x.c.trigger; }  // (41), (43
 bool settled(const X& x) {                                          // (45)
   return both_on_paper(x) && x.c.touched && x.c.time - x.c.instant >= x.c.k.settle;
 }
+bool lowered(const X& x) { return settled(x) || no_contact(x); }
 bool stroke_ends(const X& x) { return !next_node_is(x.c.recording, x.c.p, true); }   // (48)
 bool lifted(const X& x) { return x.c.time - x.c.instant >= x.c.k.lift_off; }         // (50)
 bool travel_ends(const X& x) { return !next_node_is(x.c.recording, x.c.p, false); }  // (52)
@@ -162,6 +164,8 @@ bool travel_ends(const X& x) { return !next_node_is(x.c.recording, x.c.p, false)
 None nothing(const X&) { return {}; }
 
 }  // namespace
+
+bool no_contact(const X& x) { return !x.c.touched && x.c.time - x.c.begun >= x.c.k.touch_patience; }
 
 TaskFrameCommand at_pace(TaskFrameCommand frame, double pace) {
   for (const Axis a : kAxes) frame[a].velocity *= pace;
@@ -177,7 +181,7 @@ const std::array<Motion<Coordinator>, 7> kCoordinator{{
   {  1, "lead to the paper",  begin_recording,       follow_pose,      nothing, nothing, teach<1>,              touched_paper},
   {  2, "record",             note_pose_and_trigger, record,           nothing, nothing, teach<2>,              triggered},
   {  3, "lead to the start",  note_trigger,          in_time,          nothing, nothing, both<3, kCompliant>,   triggered},
-  {  4, "lowering",           not_touched,           watch_contact,    nothing, nothing, both<4, kLowering>,    settled},
+  {  4, "lowering",           not_touched,           watch_contact,    nothing, nothing, both<4, kLowering>,    lowered},
   {  5, "draw on the paper",  retain,                reproduce<true>,  nothing, nothing, replay<5, true>,       stroke_ends},
   {  6, "lift off",           note_instant,          in_time,          nothing, nothing, both<6, kLiftOff>,     lifted},
   {  7, "travel above paper", retain,                reproduce<false>, nothing, nothing, replay<7, false>,      travel_ends},

@@ -32,6 +32,17 @@ int strokes_until(const Recording& recording, std::size_t p) {
   return strokes;
 }
 
+/// Names the first arm whose pen is not on the paper.
+Fault no_contact_fault(const Coordinator::X& x) {
+  const bool first = static_cast<PenState>(x.T.agent[0].sensor) != PenState::paper_surface;
+  Fault fault;
+  fault.code = FaultCode::no_contact;
+  fault.process = first ? "vsp-arm1" : "vsp-arm2";
+  fault.text =
+      fmt::format("arm{} was lowered and its pen-state sensor did not tell of the paper", first ? 1 : 2);
+  return fault;
+}
+
 }  // namespace
 
 DrawingRun::DrawingRun(mp::TaskRun& run, const std::vector<std::string>& arms, const Parameters& parameters,
@@ -58,11 +69,17 @@ Outcome DrawingRun::execute() {
   Order first;
   first.arm.n_s = static_cast<std::uint16_t>(k_.n_s);
   first.arm.n_Q = static_cast<std::uint16_t>(k_.n_s - 1);
-  if (const Outcome o = links_.begin(first); o != Outcome::terminated) return o;
+  if (const Outcome o = links_.begin(first); o != Outcome::terminated) {
+    fault_ = links_.fault();
+    return o;
+  }
   port.read(x);
   const Outcome outcome = run_program(x, port);
   record_.recording = x.c.recording;
-  if (outcome != Outcome::terminated) return outcome;
+  if (outcome != Outcome::terminated) {
+    fault_ = outcome == Outcome::faulted && no_contact(x) ? no_contact_fault(x) : links_.fault();
+    return outcome;
+  }
   first.finished = true;
   links_.send(std::vector<Order>(kArms, first));
   return outcome;
@@ -91,7 +108,12 @@ void DrawingRun::note_rows(const X& x) {
     row.gap = r.gripper;
     row.blocked = r.blocked;
     if (r.ready) record_.traces[arm].push_back(row);
-    if (r.m == 5 && reported_m_[arm] != 5) record_.segment_starts[arm].push_back(x.i);
+    // The verdict is on the order that the report before was about.
+    if (reported_m_[arm] != 5) drawing_[arm] = false;
+    if (reported_m_[arm] == 5 && r.verdict == Verdict::executed && !drawing_[arm]) {
+      record_.segment_starts[arm].push_back(x.i);
+      drawing_[arm] = true;
+    }
     reported_m_[arm] = r.m;
   }
 }

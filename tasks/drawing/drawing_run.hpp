@@ -19,7 +19,8 @@ namespace mrroc::drawing {
 struct RunRecord {
   Recording recording;                 ///< taught, or as loaded
   std::array<ArmTrace, kArms> traces;  ///< a row per macrostep
-  /// Macrosteps in which each arm began to draw a segment (its first command of m = 5).
+  /// Macrosteps in which each arm began to draw a segment: its driver told that it had executed a command of
+  /// m = 5, the first one of the segment.
   std::array<std::vector<std::int64_t>, kArms> segment_starts;
 };
 
@@ -36,7 +37,7 @@ class DrawingRun {
   Outcome execute();
 
   /// @return why execute() gave faulted
-  [[nodiscard]] const Fault& fault() const { return links_.fault(); }
+  [[nodiscard]] const Fault& fault() const { return fault_; }
   [[nodiscard]] const RunRecord& record() const { return record_; }
 
  private:
@@ -52,8 +53,10 @@ class DrawingRun {
   mp::CoordinatorLinks links_;
   std::function<void(const std::string&)> announce_;
   RunRecord record_;
+  Fault fault_;
   std::deque<int> ordered_;              // m of the last orders, newest first
   std::array<int, kArms> reported_m_{};  // by the agents, in the macrostep before
+  std::array<bool, kArms> drawing_{};    // the driver has executed a command of the present m = 5
   int m_{-1};
   int stroke_{};
 };

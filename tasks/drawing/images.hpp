@@ -18,12 +18,13 @@ struct None {};
 
 /// Parameters of the task, constant during a run; part of the memory, so that f' depends on x alone.
 struct Parameters {
-  double dt{0.002};       ///< duration of a step [s]
-  int n_s{10};            ///< steps of a macrostep; n_Q = n_s - 1
-  double teach_force{1};  ///< F_d along z in m = 2 while the pen is on the paper [N], see docs/decisions.md
-  double draw_force{1};   ///< F_d along z in m = 5 [N]
-  int settle{25};         ///< macrosteps in m = 4 after both pens have touched
-  int lift_off{50};       ///< i_d: macrosteps of m = 6
+  double dt{0.002};         ///< duration of a step [s]
+  int n_s{10};              ///< steps of a macrostep; n_Q = n_s - 1
+  double teach_force{1};    ///< F_d along z in m = 2 while the pen is on the paper [N], see docs/decisions.md
+  double draw_force{1};     ///< F_d along z in m = 5 [N]
+  int settle{25};           ///< macrosteps in m = 4 after both pens have touched
+  int touch_patience{750};  ///< macrosteps in m = 4 after which a pen that has not touched is a fault
+  int lift_off{50};         ///< i_d: macrosteps of m = 6
   double pace_change{
       0.1};  ///< change of the pace of task time per macrostep at pause and resume, 1 / whole number
 
@@ -39,6 +40,7 @@ struct Coordinator {
     double p{};              ///< [3] nodes already executed; whole numbers except around a pause
     Pose T_previous;         ///< [5] pose of E of arm 1 when the last node ended
     double instant{};        ///< [6] task time at which the behaviour, or in m = 4 the contact of both, began
+    double begun{};          ///< m = 4: task time at which it began
     std::int64_t trigger{};  ///< operator's trigger number at entry
     double time{};           ///< task time [macrosteps]: stands still during a pause
     double pace{1};          ///< task time per macrostep, 0..1

@@ -34,28 +34,11 @@ Ink ink_of(const Drawing& drawing) {
   return ink;
 }
 
-Ink joined(Ink ink, double pause_s, double gap_mm) {
-  int number = 0;
-  int before = ink.empty() ? 0 : ink.front().stroke;
-  for (std::size_t k = 0; k < ink.size(); ++k) {
-    const int own = ink[k].stroke;
-    if (own != before) {
-      const InkPoint& last = ink[k - 1];
-      const bool bounce =
-          ink[k].t - last.t <= pause_s && std::hypot(ink[k].x - last.x, ink[k].y - last.y) <= gap_mm;
-      if (!bounce) ++number;
-      before = own;
-    }
-    ink[k].stroke = number;
-  }
-  return ink;
-}
-
 void write_ink(const std::filesystem::path& file, const Ink& ink) {
   std::string text = fmt::format("{}\n", kHeader);
   for (const InkPoint& p : ink) {
     if (!std::isfinite(p.t) || !std::isfinite(p.x) || !std::isfinite(p.y))
-      throw DrawingError(file.string(), 0, "ink with a number that is not finite cannot be written", "");
+      throw FaultError(FaultCode::internal_error, file.string() + ": ink with a number that is not finite");
     fmt::format_to(std::back_inserter(text), "{},{:.4f},{:.4f},{:.4f}\n", p.stroke, p.t, p.x, p.y);
   }
   write_text_file(file, text);

@@ -32,14 +32,8 @@ inline constexpr std::size_t kMaxStrokes = kMaxPoints;
 /// @return a drawing as ink at time 0, as input.csv holds it
 [[nodiscard]] Ink ink_of(const Drawing& drawing);
 
-/// A pen that hits the paper bounces, which leaves short gaps at the beginning of a stroke. Gives strokes one
-/// number when the gap between them is short in time and in space, and counts the others anew from 0.
-/// @param pause_s  longest gap that is a bounce [s]; lifting the pen takes longer
-/// @param gap_mm  widest gap that is a bounce [mm]
-[[nodiscard]] Ink joined(Ink ink, double pause_s = 0.5, double gap_mm = 1.0);
-
 /// Writes `stroke,t,x,y`, a row per point: t to 0.1 ms, x and y to 0.1 um.
-/// @throws DrawingError  if the file cannot be written or a number is not finite
+/// @throws FaultError cannot_write; internal_error when a number is not finite
 void write_ink(const std::filesystem::path& file, const Ink& ink);
 
 /// Reads what write_ink writes. Strokes must not go back and t must not within a stroke.

@@ -31,6 +31,8 @@ Input read_input(const InputOptions& o) {
   if (!o.save.empty() && o.save.has_parent_path() && !std::filesystem::is_directory(o.save.parent_path()))
     throw FaultError(FaultCode::bad_usage,
                      fmt::format("--save {}: there is no such folder", o.save.string()));
+  if (std::filesystem::is_directory(o.save))
+    throw FaultError(FaultCode::bad_usage, fmt::format("--save {}: this is a folder", o.save.string()));
   if (!o.load.empty()) {
     input.taught = load(o.load);
     input.drawing = strokes_of(input.taught->ink);

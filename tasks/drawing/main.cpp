@@ -82,8 +82,8 @@ void check_options(const mp::TaskOptions& o) {
   }
 }
 
-/// @throws FaultError, DrawingError  what is wrong with the input; nothing has been made or started
-Setup prepare(const Options& o) {
+/// @throws FaultError  what is wrong with the input; nothing has been made or started
+Setup prepare(const Options& o) try {
   Setup s;
   s.input = drawing::read_input(o.input);
   s.config = load_config(o.task);
@@ -92,6 +92,8 @@ Setup prepare(const Options& o) {
   if (s.input.taught) drawing::check_macrostep(*s.input.taught, s.k, o.input.load.string());
   check_options(o.task);
   return s;
+} catch (const drawing::DrawingError& e) {
+  throw FaultError(o.input.load.empty() ? FaultCode::bad_drawing : FaultCode::bad_recording, e.what());
 }
 
 /// Fixes what belongs to this run alone; all keys are known after that.
@@ -146,7 +148,8 @@ void finish(const Options& o, const Setup& s, const fs::path& folder, const draw
   const auto ink =
       drawing::collect_ink(folder, kArmKeys, taught_here ? std::nullopt : std::optional(s.input.taught->ink));
   drawing::write_tables(folder, record, ink);
-  for (auto& [key, figure] : drawing::figures_of(s.input.drawing, taught_here, record, ink, s.k))
+  for (auto& [key, figure] :
+       drawing::figures_of(s.input.drawing, taught_here, record, ink, s.k, !summary.fault))
     summary.figures[key] = figure;
   mp::write_summary(folder, summary);
   if (!o.input.save.empty() && !summary.fault && ink.taught)
@@ -177,7 +180,11 @@ int run(const Options& o) {
   std::optional<Fault> fault;
   if (run.process().assemble() && drawing.execute() == Outcome::faulted) fault = drawing.fault();
   mp::Summary summary = run.end(fault);
-  finish(o, s, folder, drawing.record(), summary);
+  try {
+    finish(o, s, folder, drawing.record(), summary);
+  } catch (const FaultError& e) {  // what has been done is told all the same
+    if (!summary.fault) summary.fault = e.fault();
+  }
   print_summary(summary);
   if (summary.fault) fmt::print(stderr, "{}\n", error_line(*summary.fault));
   fmt::print("run folder: {}\n", folder.string());
@@ -202,11 +209,6 @@ int main(int argc, char** argv) {
   } catch (const FaultError& e) {
     fmt::print(stderr, "{}\n", e.error_line());
     return exit_status(e.fault().code);
-  } catch (const drawing::DrawingError& e) {
-    const FaultError error(o.input.load.empty() ? FaultCode::bad_drawing : FaultCode::bad_recording,
-                           e.what());
-    fmt::print(stderr, "{}\n", error.error_line());
-    return exit_status(error.fault().code);
   } catch (const std::exception& e) {
     const FaultError error(FaultCode::internal_error, e.what());
     fmt::print(stderr, "{}\n", error.error_line());

@@ -7,7 +7,8 @@ namespace mrroc::drawing {
 /// Executes the task: teach-in unless the memory holds a recording already, then reproduction to its end.
 /// @param x     images of the first macrostep
 /// @param port  a Port of the coordinator
-/// @return terminated at the end of the drawing; otherwise why the port gave up
+/// @return terminated at the end of the drawing; faulted when a pen found no paper, with no_contact(x); otherwise why
+///         the port gave up
 template <class P>
 Outcome run_program(Coordinator::X& x, P& port) {
   const auto behaviour = [&](int m) { return move(kCoordinator[static_cast<std::size_t>(m - 1)], x, port); };
@@ -21,7 +22,9 @@ Outcome run_program(Coordinator::X& x, P& port) {
   }
   if (o == Outcome::terminated) o = behaviour(3);
   while (o == Outcome::terminated) {
-    for (const int m : {4, 5, 6})
+    o = behaviour(4);
+    if (o == Outcome::terminated && no_contact(x)) return Outcome::faulted;
+    for (const int m : {5, 6})
       if (o == Outcome::terminated) o = behaviour(m);
     if (o != Outcome::terminated || !nodes_left()) break;
     o = behaviour(7);

@@ -86,13 +86,16 @@ void write_tables(const fs::path& folder, const RunRecord& record, const RunInk&
 }
 
 std::map<std::string, mp::Figure> figures_of(const Drawing& input, bool taught_here, const RunRecord& record,
-                                             const RunInk& ink, const Parameters& k) {
+                                             const RunInk& ink, const Parameters& k, bool finished) {
   std::map<std::string, mp::Figure> figures;
   const auto& taught = ink.taught;
+  const auto tells = [&](const InkFigures& f) { return finished || f.strokes_missing == 0; };
   if (taught && taught_here) {
     const InkFigures f = compare(strokes_of(*taught), input, Align::none);
-    figures["teach_rms_mm"] = f.rms_mm;
-    figures["teach_max_mm"] = f.max_mm;
+    if (tells(f)) {
+      figures["teach_rms_mm"] = f.rms_mm;
+      figures["teach_max_mm"] = f.max_mm;
+    }
   }
   std::map<std::string, std::vector<double>> per_arm;
   for (std::size_t arm = 0; arm < kArms; ++arm) {
@@ -102,10 +105,11 @@ std::map<std::string, mp::Figure> figures_of(const Drawing& input, bool taught_h
     per_arm["travel_z_mm"].push_back(largest_travel_z_mm(record.traces[arm]));
     if (!taught || !ink.drawn[arm]) continue;
     const InkFigures f = compare(strokes_of(*ink.drawn[arm]), strokes_of(*taught), Align::rigid);
-    per_arm["copy_rms_mm"].push_back(f.rms_mm);
-    per_arm["copy_max_mm"].push_back(f.max_mm);
+    per_arm["copy_rms_mm"].push_back(tells(f) ? f.rms_mm : std::nan(""));
+    per_arm["copy_max_mm"].push_back(tells(f) ? f.max_mm : std::nan(""));
     per_arm["stray_ink_mm"].push_back(f.stray_mm);
     per_arm["strokes_missing"].push_back(f.strokes_missing);
+    per_arm["strokes_extra"].push_back(f.strokes_extra);
     per_arm["uncovered_mm"].push_back(f.uncovered_mm);
   }
   for (auto& [key, values] : per_arm) figures[key] = values;

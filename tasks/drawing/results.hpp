@@ -26,8 +26,9 @@ RunInk collect_ink(const std::filesystem::path& folder, const std::vector<std::s
 /// Writes arm1.csv, arm2.csv, taught.csv, ink1.csv and ink2.csv, as far as they exist.
 void write_tables(const std::filesystem::path& folder, const RunRecord& record, const RunInk& ink);
 
+/// @param finished  whether the drawing came to its end; if not, errors of ink that lacks strokes are left out
 /// @return the figures of the task as far as they can be told: see docs/interfaces.md
 std::map<std::string, mp::Figure> figures_of(const Drawing& input, bool taught_here, const RunRecord& record,
-                                             const RunInk& ink, const Parameters& k);
+                                             const RunInk& ink, const Parameters& k, bool finished);
 
 }  // namespace mrroc::drawing

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <system_error>
 
+#include "base/fault.hpp"
+
 namespace mrroc::drawing {
 namespace fs = std::filesystem;
 
@@ -39,7 +41,7 @@ void write_text_file(const fs::path& file, std::string_view content) {
   if (!out || error) {
     std::error_code ignored;
     fs::remove(unfinished, ignored);
-    throw DrawingError(file.string(), 0, "the file cannot be written", "check the folder and the space left");
+    throw FaultError(FaultCode::cannot_write, file.string());
   }
 }
 

@@ -15,7 +15,7 @@ namespace mrroc::drawing {
 [[nodiscard]] std::string read_text_file(const std::filesystem::path& file, std::size_t limit);
 
 /// Writes a file as a whole: it appears under its name only when it is complete.
-/// @throws DrawingError  if it cannot be written
+/// @throws FaultError cannot_write
 void write_text_file(const std::filesystem::path& file, std::string_view content);
 
 /// The lines of a text, each of which has to end with a newline, so that a truncated file is noticed.

@@ -26,6 +26,29 @@ TEST(Coordinator, WaitsForBothArmsAndTheOperator) {
   }
 }
 
+/// A row of MS tables 1-4, as printed.
+void expect_row(const AxisCommand& row, Behaviour b, double F_d, double v_d, double I, double B) {
+  EXPECT_EQ(row.b, b);
+  EXPECT_EQ(row.force, F_d);
+  EXPECT_EQ(row.velocity, v_d);
+  EXPECT_EQ(row.inertia, I);
+  EXPECT_EQ(row.mobility, B);
+}
+
+TEST(Coordinator, TablesAreThePapers) {
+  using enum Behaviour;
+  for (const Axis a : {Axis::x, Axis::y, Axis::z}) expect_row(kCompliant[a], contact, 0, 0, 20, 0.005);
+  expect_row(kLowering.z, guarded, 0, 0.01, 20, 0.005);
+  expect_row(kLiftOff.z, unguarded, 0, -0.01, 0, 0);
+  expect_row(kOnPaper.z, contact, 1, 0, 20, 0.005);
+  expect_row(kAbovePaper.z, unguarded, 0, 0, 0, 0);
+  for (const Axis a : kAxes) expect_row(kBlocked[a], unguarded, 0, 0, 0, 0);
+  for (const auto& table : {kLowering, kLiftOff, kOnPaper, kAbovePaper})
+    for (const Axis a : {Axis::x, Axis::y, Axis::ax, Axis::ay, Axis::az})
+      expect_row(table[a], unguarded, 0, 0, 0, 0);
+  for (const Axis a : {Axis::ax, Axis::ay, Axis::az}) expect_row(kCompliant[a], unguarded, 0, 0, 0, 0);
+}
+
 TEST(Coordinator, OrdersCarryTheRowOfTheirTable) {
   struct Row {
     int m;
@@ -128,6 +151,30 @@ TEST(Coordinator, OnePenOnThePaperIsNotEnough) {
       ASSERT_FALSE(row(4).f_tau(x));
     }
   }
+}
+
+TEST(Coordinator, LoweringEndsWithoutContactWhenPatienceEnds) {
+  for (const auto& x_0 : {image(), image(paper_surface, above_paper), image(above_paper, paper_surface)}) {
+    X x = x_0;
+    x.c.k.touch_patience = 30;
+    x.c.time = 500;
+    x.c = row(4).f_entry(x);
+    for (int k = 0; k < 30; ++k) {
+      EXPECT_FALSE(row(4).f_tau(x)) << k;
+      x.c = row(4).f_cc(x);
+    }
+    EXPECT_TRUE(row(4).f_tau(x));
+    EXPECT_TRUE(no_contact(x));
+  }
+}
+
+TEST(Coordinator, PatienceStandsStillDuringAPause) {
+  X x = image();
+  x.c.k.touch_patience = 30;
+  x.c = row(4).f_entry(x);
+  x.T.h.paused = true;
+  for (int k = 0; k < 100; ++k) x.c = row(4).f_cc(x);
+  EXPECT_FALSE(row(4).f_tau(x));
 }
 
 TEST(Coordinator, StrokeEndsBeforeTheFirstNodeThatIsNotOnThePaper) {  // (47), (48)

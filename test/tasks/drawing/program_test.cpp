@@ -20,6 +20,7 @@ class Plant {
  public:
   std::function<bool(std::int64_t)> paused = [](std::int64_t) { return false; };
   int limit{100'000};  ///< macrosteps
+  double paper{0.01};  ///< below the pen at first [m]
 
   std::vector<int> behaviours;               ///< one after another
   std::vector<std::array<double, 2>> drawn;  ///< way along x and y, per behaviour [m]
@@ -35,7 +36,7 @@ class Plant {
       arms_alike = arms_alike && frame == y.T[1].arm.frame;
       drawn.back()[0] += frame.x.velocity * 0.02;
       drawn.back()[1] += frame.y.velocity * 0.02;
-      depth_ = std::min(kPaper, depth_ + frame.z.velocity * 0.02);
+      depth_ = std::min(paper, depth_ + frame.z.velocity * 0.02);
       EXPECT_EQ(frame.z.force, motion.m == 5 ? 1 : 0);
     }
     m_ = motion.m;
@@ -45,7 +46,7 @@ class Plant {
     x.i = i_;
     for (Report& r : x.T.agent) {
       r.ready = true;
-      r.sensor = static_cast<int>(depth_ >= kPaper ? paper_surface : above_paper);
+      r.sensor = static_cast<int>(depth_ >= paper ? paper_surface : above_paper);
     }
     x.T.h.started = true;
     x.T.h.paused = paused(i_);
@@ -53,7 +54,6 @@ class Plant {
   }
 
  private:
-  static constexpr double kPaper = 0.01;
   double depth_{0};
   int m_{};
   std::int64_t i_{};
@@ -213,6 +213,15 @@ TEST(Playback, StopsInFrontOfANodeOfTheOtherKindAndAtTheEnd) {
   EXPECT_FALSE(next_node_is(r, 4, false));
   EXPECT_FALSE(next_node_is(r, 4, true));
   EXPECT_FALSE(next_node_is(Recording(0.02), 0, true));
+}
+
+TEST(Program, PensThatFindNoPaperAreAFault) {
+  X x = start(recording(nodes({{paper_surface, 5}})));
+  Plant plant;
+  plant.paper = 1;
+  EXPECT_EQ(run_program(x, plant), Outcome::faulted);
+  EXPECT_TRUE(no_contact(x));
+  EXPECT_EQ(plant.behaviours.back(), 4);
 }
 
 }  // namespace

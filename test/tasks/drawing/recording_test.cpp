@@ -194,14 +194,5 @@ TEST(Ink, StrokesAndInkAreTheSameThingTwice) {
   EXPECT_EQ(strokes_of({{2, 0, 1, 1}}).size(), 3u);
 }
 
-TEST(Ink, BouncesJoinAndLiftsDoNot) {
-  const Ink ink{{4, 0.0, 0, 0}, {5, 0.1, 0, 0.1}, {5, 0.2, 5, 0},
-                {6, 0.3, 7, 0}, {7, 3.3, 7, 0},   {9, 3.4, 7.5, 0}};
-  std::vector<int> numbers;
-  for (const InkPoint& p : joined(ink)) numbers.push_back(p.stroke);
-  EXPECT_EQ(numbers, (std::vector<int>{0, 0, 0, 1, 2, 2}));
-  EXPECT_TRUE(joined({}).empty());
-}
-
 }  // namespace
 }  // namespace mrroc::drawing

@@ -142,7 +142,7 @@ TEST(Results, PaperForceIsThatOfDrawingAfterTheTouchDown) {
   // The impact in the first 0.2 s and everything outside of m = 5 does not count.
   record.traces[0] = trace({{4, 20, 50, 0}, {5, 10, 9, 0}, {6, 5, 50, 0}});
   record.traces[1] = trace({{5, 10, 9, 0}, {6, 3, 0, 0}, {5, 60, 1, 0}});
-  const auto figures = figures_of({}, false, record, {}, {});
+  const auto figures = figures_of({}, false, record, {}, {}, true);
   const auto& mean = std::get<std::vector<double>>(figures.at("paper_force_mean_N"));
   const auto& deviation = std::get<std::vector<double>>(figures.at("paper_force_std_N"));
   EXPECT_TRUE(std::isnan(mean[0]));  // nothing but touch-down
@@ -153,7 +153,7 @@ TEST(Results, PaperForceIsThatOfDrawingAfterTheTouchDown) {
 TEST(Results, TravelIsTheLargestRiseAndFallWithinOneTravel) {
   RunRecord record;
   record.traces[0] = trace({{7, 10, 0, 0.0005}, {4, 3, 0, 0.1}, {7, 10, 0, 0.002}, {7, 0, 0, 0}});
-  const auto figures = figures_of({}, false, record, {}, {});
+  const auto figures = figures_of({}, false, record, {}, {}, true);
   EXPECT_NEAR(std::get<std::vector<double>>(figures.at("travel_z_mm"))[0], 2, 1e-9);
   EXPECT_EQ(std::get<std::vector<double>>(figures.at("travel_z_mm"))[1], 0);
 }
@@ -161,20 +161,20 @@ TEST(Results, TravelIsTheLargestRiseAndFallWithinOneTravel) {
 TEST(Results, SegmentSkewIsTheLargestAndUnknownWhenArmsDrewDifferently) {
   RunRecord record;
   record.segment_starts = {{{10, 200, 300}, {10, 203, 299}}};
-  EXPECT_EQ(std::get<double>(figures_of({}, false, record, {}, {}).at("segment_skew")), 3);
+  EXPECT_EQ(std::get<double>(figures_of({}, false, record, {}, {}, true).at("segment_skew")), 3);
   record.segment_starts[1].pop_back();
-  EXPECT_TRUE(std::isnan(std::get<double>(figures_of({}, false, record, {}, {}).at("segment_skew"))));
+  EXPECT_TRUE(std::isnan(std::get<double>(figures_of({}, false, record, {}, {}, true).at("segment_skew"))));
 }
 
 TEST(Results, ACopyLikeTheTaughtInkHasNoErrorAndAMissingOneHasNoFigure) {
   RunInk ink;
   ink.taught = ink_of(fitted(arrow(), 80));
   ink.drawn[0] = ink.taught;
-  const auto both = figures_of(fitted(arrow(), 80), true, {}, ink, {});
+  const auto both = figures_of(fitted(arrow(), 80), true, {}, ink, {}, true);
   EXPECT_NEAR(std::get<double>(both.at("teach_rms_mm")), 0, 1e-6);
   EXPECT_EQ(std::get<std::vector<double>>(both.at("copy_rms_mm")).size(), 1U);
   EXPECT_NEAR(std::get<std::vector<double>>(both.at("copy_rms_mm"))[0], 0, 1e-6);
-  EXPECT_FALSE(figures_of({}, false, {}, {}, {}).contains("copy_rms_mm"));
+  EXPECT_FALSE(figures_of({}, false, {}, {}, {}, true).contains("copy_rms_mm"));
 }
 
 TEST(Results, SheetsOfTheWorldBecomeTheInkOfTheRun) {
