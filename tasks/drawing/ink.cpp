@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "base/fault.hpp"
 #include "tasks/drawing/text_file.hpp"
 
 namespace mrroc::drawing {

@@ -127,6 +127,28 @@ TEST(PenState, AHandThatBrakesInTheAirTouchesNothing) {
   EXPECT_EQ(pen.states, (States{above_paper, lowering, above_paper}));
 }
 
+TEST(PenState, AJerkInTheAirThatLooksLikeATouchIsForgottenWhenThePenIsLowered) {
+  Pen pen;
+  pen.move(0.01, 0, 0.3);
+  pen.go([](double) { return 0; }, [](double t) { return t < 0.03 ? 3 : 0; }, 0.6);
+  ASSERT_EQ(pen.sensor.state(), PenState::paper_surface);  // nothing tells it from an impact
+  pen.move(0.01, 0, 0.5);
+  EXPECT_EQ(pen.sensor.state(), PenState::lowering);
+  EXPECT_EQ(pen.lift_offs_read, 0);
+  pen.touch();
+  EXPECT_EQ(pen.sensor.state(), PenState::paper_surface);
+}
+
+TEST(PenState, APenThatPressesAtRestIsOnThePaperWhateverWasBefore) {
+  Pen pen;
+  pen.touch();
+  pen.rest(6, 0.1);  // taken for a pull
+  EXPECT_EQ(pen.sensor.state(), PenState::above_paper);
+  pen.move(-0.002, 0, 1.0);  // slowly, to a place elsewhere
+  pen.rest(2, 0.4);
+  EXPECT_EQ(pen.sensor.state(), PenState::paper_surface);
+}
+
 TEST(PenState, LoweringThatTurnsBackEndsAboveThePaper) {
   Pen pen;
   pen.move(0.01, 0, 0.3);

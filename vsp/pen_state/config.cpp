@@ -20,6 +20,7 @@ PenStateParameters read_pen_state(const Config& config) {
   p.rest_force_time = t.number("rest_force_time", p.rest_force_time, {0, 10}, "s");
   p.settling_time = t.number("settling_time", p.settling_time, {0, 5}, "s");
   p.paper_filter = t.number("paper_filter", p.paper_filter, {0.01, 10}, "s");
+  p.sink_depth = t.number("sink_depth", p.sink_depth, {0.0003, 0.05}, "m");
   p.lift_height = t.number("lift_height", p.lift_height, {0.0001, 0.01}, "m");
   p.lift_speed = t.number("lift_speed", p.lift_speed, {0.0005, 0.1}, "m/s");
   p.pull_force = t.number("pull_force", p.pull_force, {0.5, 50}, "N");

@@ -38,6 +38,12 @@ bool PenStateSensor::settled() {
   return settled_;
 }
 
+PenState PenStateSensor::touch() {
+  timer_ = 0;
+  paper_ = depth_;
+  return PenState::paper_surface;
+}
+
 PenState PenStateSensor::next() {
   const auto lag = std::clamp<int>(static_cast<int>(std::lround(k_.impact_time / k_.dt)), 1,
                                    static_cast<int>(past_F_.size()) - 1);
@@ -52,22 +58,14 @@ PenState PenStateSensor::next() {
   timer_ += k_.dt;
   switch (state_) {
     case PenState::above_paper:
-      // A hard bounce can be taken for a lift-off: the pen has not left the paper.
-      if (touched_ && std::abs(paper_ - depth_) < k_.lift_height && pressing_ > k_.rest_force_time) {
-        timer_ = 0;
-        return PenState::paper_surface;
-      }
+      // A hard bounce can be taken for a lift-off, but the pen has not left the paper.
+      if (pressing_ > k_.rest_force_time) return touch();
       if (v_ <= k_.lowering_speed) return PenState::above_paper;
       timer_ = 0;
       return PenState::lowering;
     case PenState::lowering:
       if (v_ < -k_.braked_speed) return PenState::above_paper;
-      if (rise > k_.impact_force || pressing_ > k_.rest_force_time) {
-        timer_ = 0;
-        paper_ = depth_;
-        touched_ = true;
-        return PenState::paper_surface;
-      }
+      if (rise > k_.impact_force || pressing_ > k_.rest_force_time) return touch();
       if (std::abs(v_) > k_.rest_speed) timer_ = 0;
       return timer_ > k_.rest_time ? PenState::above_paper : PenState::lowering;
     case PenState::paper_surface: {
@@ -76,6 +74,11 @@ PenState PenStateSensor::next() {
         return PenState::paper_surface;
       }
       if (v_ > -k_.braked_speed) paper_ += (depth_ - paper_) * k_.dt / k_.paper_filter;
+      // A jerk of the hand in the air was taken for the paper: the pen sinks through it.
+      if (depth_ - paper_ > k_.sink_depth && v_ > k_.lowering_speed) {
+        timer_ = 0;
+        return PenState::lowering;
+      }
       const bool rises = paper_ - depth_ > k_.lift_height && v_ < -k_.lift_speed;
       return rises || F_ > k_.pull_force ? PenState::lift_off : PenState::paper_surface;
     }

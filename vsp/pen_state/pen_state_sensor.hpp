@@ -25,13 +25,15 @@ struct PenStateParameters {
   double rest_force_time{0.2};  ///< ... for this time [s]; in the air F_a would have gone to zero
   double settling_time{0.3};    ///< no lift-off before this time after an impact: the pen bounces [s]
   double paper_filter{0.3};     ///< time constant with which the height of the paper is followed [s]
+  double sink_depth{0.001};     ///< a pen that sinks faster than lowering_speed, and so far below the paper,
+                                ///< has not touched it: lowering goes on [m]
   double lift_height{0.0006};   ///< C: the pen is higher than this above the paper ... [m]
   double lift_speed{0.004};     ///< ... and rises faster than this [m/s]
   double pull_force{4.0};       ///< or C: the pen is pulled off with more than this [N]
 };
 
 /// The automaton Above paper -A-> Lowering -B-> Paper surface -C-> Lift-off -D-> Above paper (MS 27, 28). The
-/// state is its memory. D follows at once, in the next step; the timed lift-off is a behaviour of the task.
+/// state is its memory. A touch that was none goes back to Lowering. D follows at once, in the next step; the timed lift-off is a behaviour of the task.
 class PenStateSensor {
  public:
   explicit PenStateSensor(const PenStateParameters& parameters = {});
@@ -51,12 +53,12 @@ class PenStateSensor {
   void filter(const StepSample& sample);
   [[nodiscard]] PenState next();
   [[nodiscard]] bool settled();
+  [[nodiscard]] PenState touch();
 
   PenStateParameters k_;
   PenState state_{PenState::above_paper};
   bool lifted_{};   // a Lift-off since the last reading
   bool settled_{};  // the pen has been at rest once since the start
-  bool touched_{};  // paper_ is known
   bool first_{true};
   Vector3 p_{Vector3::Zero()};  // last position of the pen tip in the base [m]
   double depth_{};              // way along the pen's axis since the start [m], grows into the paper
