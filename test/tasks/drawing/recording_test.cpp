@@ -4,6 +4,7 @@
 #include <fstream>
 #include <random>
 
+#include "base/fault.hpp"
 #include "test/tasks/drawing/folder.hpp"
 
 namespace mrroc::drawing {
@@ -156,7 +157,7 @@ TEST(RecordingFile, RefusesWhatIsNotFiniteAndWhereItCannotWrite) {
   const Taught bad{Recording(0.02).appended({{{std::nan("")}}, PenState::paper_surface}), {}};
   EXPECT_THROW(save(folder / "r.txt", bad), DrawingError);
   EXPECT_FALSE(std::filesystem::exists(folder / "r.txt"));
-  EXPECT_THROW(save(folder / "no" / "such" / "r.txt", random_taught(1, 3, 3)), DrawingError);
+  EXPECT_THROW(save(folder / "no" / "such" / "r.txt", random_taught(1, 3, 3)), FaultError);
   EXPECT_THROW((void)load(folder / "none.txt"), DrawingError);
 }
 
