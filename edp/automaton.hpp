@@ -1,54 +1,167 @@
-// Which command is legal in which state of an effector driver: one table.
+// The state automaton of an effector driver: one table that says what every event leads to in every state. The
+// driver runs on it, docs/automaton.md is made from it.
 #pragma once
 #include <array>
 #include <cstddef>
+#include <string_view>
 
 #include "base/effector_command.hpp"
 
 namespace mrroc::edp {
 
-/// Parts of commands that a state may forbid. QUERY and reset are legal in every state.
-enum class Request : std::uint8_t {
-  get,         ///< GET, also as part of SET_GET
-  arm,         ///< SET ARM
-  tool,        ///< SET ROBOT_MODEL TOOL
-  force_tool,  ///< SET ROBOT_MODEL FORCE_TOOL, force_bias: both need a standstill
-  synchro,     ///< SYNCHRO
+/// What can happen to a driver. The first ones are what commands ask for, and may be refused; a command that
+/// asks for several things is refused when one of them is. The last ones happen by themselves. QUERY is legal
+/// in every state and changes none, so it is no event.
+enum class Event : std::uint8_t {
+  get,              ///< GET, also as part of SET_GET
+  arm,              ///< SET ARM, unless it is a jog
+  jog,              ///< SET ARM, MIM with relative motor positions: it needs no synchronisation
+  tool,             ///< SET ROBOT_MODEL TOOL
+  kinematic_model,  ///< SET ROBOT_MODEL KINEMATIC_MODEL
+  servo_algorithm,  ///< SET ROBOT_MODEL SERVO_ALGORITHM
+  force_tool,       ///< SET ROBOT_MODEL FORCE_TOOL, force_bias
+  outputs,          ///< SET OUTPUTS
+  synchro,          ///< SYNCHRO
+  reset,            ///< reset of an arm whose position is known
+  reset_unknown,    ///< reset of an arm whose position is not known
+  homed,            ///< homing has found all positions
+  abandoned,        ///< nobody owns the driver any more: released, dead, or stopped
+  silence,          ///< a macrostep begins without SET ARM
+  failed,           ///< the macrostep cannot be executed to its end
+  stood,            ///< the set point has come to rest
+  trip,             ///< a malfunction
 };
-inline constexpr std::size_t kRequests = 5;
+/// Number of events.
+inline constexpr std::size_t kEvents = 17;
+/// Events before this one are asked for by commands, the others happen by themselves.
+inline constexpr Event kFirstOwnEvent = Event::homed;
 
-/// What a state says to each request: none when it is legal, else the fault.
+/// What an event leads to in a state.
+struct Transition {
+  DriverState next{};   ///< the state afterwards; the same one when it was refused
+  FaultCode refusal{};  ///< none: the event takes place. Own events that cannot happen are illegal_in_state
+};
+
+/// One row of the table: a state and what every event leads to, in the order of Event.
 struct StateRow {
   DriverState state;
-  std::array<FaultCode, kRequests> answer;
+  std::array<Transition, kEvents> on;
 };
 
-// clang-format off
-/// Row k describes the state with the number k.
-inline constexpr std::array<StateRow, 7> kStateTable = [] {
-  using enum FaultCode;
-  return std::array<StateRow, 7>{{
-  //  state                          get               arm               tool              force_tool        synchro
-    {DriverState::not_synchronised, {none,             not_synchronised, not_synchronised, not_synchronised, none}},
-    {DriverState::homing,           {none,             illegal_in_state, illegal_in_state, illegal_in_state, illegal_in_state}},
-    {DriverState::ready,            {none,             none,             none,             none,             illegal_in_state}},
-    {DriverState::executing,        {none,             none,             none,             not_at_rest,      illegal_in_state}},
-    {DriverState::decelerating,     {none,             none,             none,             not_at_rest,      illegal_in_state}},
-    {DriverState::holding,          {none,             none,             none,             none,             illegal_in_state}},
-    {DriverState::faulted,          {reset_required,   reset_required,   reset_required,   reset_required,   reset_required}},
-  }};
+namespace table {
+
+/// @return the transition into a state
+constexpr Transition to(DriverState next) { return {next, FaultCode::none}; }
+/// Row of a state as a list of entries: nothing is said about a state itself but that it stays.
+class Row {
+ public:
+  constexpr explicit Row(DriverState state) : row_{state, {}} {
+    for (Transition& t : row_.on) t = {state, FaultCode::illegal_in_state};
+  }
+  /// The events lead to a state.
+  template <class... Events>
+  constexpr Row go(DriverState next, Events... events) const {
+    Row r = *this;
+    ((r.row_.on[static_cast<std::size_t>(events)] = to(next)), ...);
+    return r;
+  }
+  /// The events take place and leave the state as it is.
+  template <class... Events>
+  constexpr Row stay(Events... events) const {
+    return go(row_.state, events...);
+  }
+  /// The events are refused for this reason.
+  template <class... Events>
+  constexpr Row refuse(FaultCode why, Events... events) const {
+    Row r = *this;
+    ((r.row_.on[static_cast<std::size_t>(events)] = {row_.state, why}), ...);
+    return r;
+  }
+  constexpr operator StateRow() const { return row_; }  // NOLINT(google-explicit-constructor)
+
+ private:
+  StateRow row_;
+};
+
+}  // namespace table
+
+/// Row k describes the state with the number k. What is not said is illegal_in_state. Whatever the state, a
+/// malfunction leads to faulted, and a reset of an arm that is not faulted changes nothing.
+inline constexpr std::array<StateRow, kDriverStates> kAutomaton = [] {
+  using enum DriverState;
+  using enum Event;
+  using F = FaultCode;
+  using table::Row;
+  constexpr auto any = [](DriverState s) {
+    return Row(s).go(faulted, trip).stay(reset, reset_unknown, abandoned);
+  };
+  constexpr auto standing = [any](DriverState s) {
+    return any(s)
+        .stay(get, tool, kinematic_model, servo_algorithm, force_tool, outputs, silence)
+        .go(executing, arm, jog);
+  };
+  constexpr auto moving = [any](DriverState s) {
+    return any(s)
+        .stay(get, tool, servo_algorithm, outputs)
+        .go(executing, arm, jog)
+        .refuse(F::not_at_rest, kinematic_model, force_tool);
+  };
+  return std::array<StateRow, kDriverStates>{
+      any(not_synchronised)
+          .stay(get, servo_algorithm, outputs, silence)
+          .go(jogging, jog)
+          .go(homing, synchro)
+          .refuse(F::not_synchronised, arm, tool, kinematic_model, force_tool),
+      any(homing).stay(get, outputs, silence).go(ready, homed).go(jogging, abandoned),
+      standing(ready),
+      moving(executing).go(decelerating, silence, failed),
+      moving(decelerating).stay(silence).go(holding, stood),
+      standing(holding),
+      any(faulted)
+          .stay(silence)
+          .go(ready, reset)
+          .go(not_synchronised, reset_unknown)
+          .refuse(F::reset_required, get, arm, jog, tool, kinematic_model, servo_algorithm, force_tool,
+                  outputs, synchro),
+      any(jogging)
+          .stay(get, servo_algorithm, outputs, jog, silence, failed)
+          .go(not_synchronised, stood)
+          .refuse(F::not_synchronised, arm, tool, kinematic_model, force_tool)
+          .refuse(F::not_at_rest, synchro),
+  };
 }();
-// clang-format on
 
 static_assert([] {
-  for (std::size_t k = 0; k < kStateTable.size(); ++k)
-    if (static_cast<std::size_t>(kStateTable[k].state) != k) return false;
+  for (std::size_t k = 0; k < kAutomaton.size(); ++k)
+    if (static_cast<std::size_t>(kAutomaton[k].state) != k) return false;
   return true;
 }());
 
-/// @return none when the request is legal in the state, else the code of the refusal. Real-time safe
-constexpr FaultCode verdict_on(DriverState state, Request request) noexcept {
-  return kStateTable[static_cast<std::size_t>(state)].answer[static_cast<std::size_t>(request)];
+/// @return what an event leads to. Real-time safe
+constexpr const Transition& transition(DriverState state, Event event) noexcept {
+  return kAutomaton[static_cast<std::size_t>(state)].on[static_cast<std::size_t>(event)];
+}
+
+/// @return name of an event, for documents
+constexpr std::string_view to_string(Event event) noexcept {
+  constexpr std::array<std::string_view, kEvents> kNames{"GET",
+                                                         "SET ARM",
+                                                         "SET ARM, MIM relative motors",
+                                                         "TOOL",
+                                                         "KINEMATIC_MODEL",
+                                                         "SERVO_ALGORITHM",
+                                                         "FORCE_TOOL, force_bias",
+                                                         "OUTPUTS",
+                                                         "SYNCHRO",
+                                                         "reset, position known",
+                                                         "reset, position unknown",
+                                                         "homed",
+                                                         "abandoned",
+                                                         "silence",
+                                                         "failed",
+                                                         "stood",
+                                                         "trip"};
+  return kNames[static_cast<std::size_t>(event)];
 }
 
 }  // namespace mrroc::edp

@@ -7,9 +7,12 @@
 
 #include "base/effector_command.hpp"
 #include "base/hardware.hpp"
+#include "edp/automaton.hpp"
+#include "edp/current_meter.hpp"
 #include "edp/driver_parameters.hpp"
 #include "edp/encoders.hpp"
 #include "edp/force_sensor.hpp"
+#include "edp/homing.hpp"
 #include "edp/protocol.hpp"
 #include "edp/robot.hpp"
 #include "edp/servo.hpp"
@@ -30,14 +33,14 @@ namespace mrroc::edp {
 ///     send(driver.step(reading));
 ///     if (driver.reply_due()) publish(driver.reply(), driver.samples());
 ///
-/// | state            | legal                                        | the drives              |
-/// | ---              | ---                                          | ---                     |
-/// | not_synchronised | GET, QUERY, SYNCHRO                          | brake                   |
-/// | ready            | all but SYNCHRO                              | hold the set pose       |
-/// | executing        | all but SYNCHRO, FORCE_TOOL and force_bias   | follow the command      |
-/// | decelerating     | the same                                     | come to rest            |
-/// | holding          | all but SYNCHRO                              | hold, then brake        |
-/// | faulted          | QUERY, reset                                 | brake                   |
+/// What is legal in which state, and what it leads to, says the table in edp/automaton.hpp. The drives brake
+/// in not_synchronised and faulted, and in holding once the arm is at rest; in all other states they follow
+/// the set point.
+///
+/// SYNCHRO is executed at once in its macrostep, and homing goes on over the following ones: the replies tell
+/// its end by the state ready. It ends early, unsynchronised, when nobody owns the driver any more. Before it,
+/// motor positions count from the place where the driver started, joints and poses mean nothing, and the arm
+/// moves only by relative motor positions.
 ///
 /// A refused command changes nothing: the macrostep goes on as if it had not come. A macrostep that cannot be
 /// executed to its end (a limit, a singularity, too fast) brings the arm to rest and ends in the verdict
@@ -71,6 +74,8 @@ class Driver {
   [[nodiscard]] bool at_boundary() const noexcept { return iota_ == 0; }
   /// @return whether the step just done was n_Q: reply() is new. So once in every macrostep
   [[nodiscard]] bool reply_due() const noexcept { return reply_due_; }
+  /// @return whether motor positions are known
+  [[nodiscard]] bool synchronised() const noexcept { return position_known_; }
   /// @return the last reply. Its number is 0 and its verdict none when there was no command; measured pose,
   ///         force and state are always there, and the fault that stands, if any. To a repeated command and
   ///         to QUERY it is the reply stored then. Its macrostep is 0: the shell stamps it.
@@ -98,6 +103,7 @@ class Driver {
     AxisVector motors;     // [rad]
     AxisVector joints;     // [rad, m]
     AxisVector increment;  // since the step before [encoder increments]
+    double time{};         // since the step before [s]
     Pose T_0W;
     Pose T_0E;
     Wrench F_a;  // in E
@@ -108,7 +114,9 @@ class Driver {
     std::int64_t number{};
     Verdict verdict{Verdict::none};
     Fault fault{};
+    std::uint8_t parts{};  // what was got
     Representation representation{Representation::frame};
+    Representation tool_representation{Representation::frame};
     Feedback feedback{Feedback::measured};
     bool replay{};  // the stored reply is the answer
     bool store{};   // the reply is to be stored
@@ -116,17 +124,30 @@ class Driver {
 
   [[nodiscard]] std::optional<Fault> execute(const EffectorCommand& command) noexcept;
   [[nodiscard]] std::optional<Fault> check(const EffectorCommand& command) const noexcept;
+  [[nodiscard]] std::optional<Fault> check_state(const EffectorCommand& command) const noexcept;
+  [[nodiscard]] std::optional<Fault> start_motion(const EffectorCommand& command, const Pose& T_WE) noexcept;
+  void set_model(const RobotModel& model) noexcept;
+  void start_homing() noexcept;
+  void fire(Event event) noexcept { state_ = transition(state_, event).next; }
   void begin_macrostep(const HardwareReading& reading) noexcept;
   void end_macrostep() noexcept;
   void measure(const HardwareReading& reading) noexcept;
+  void home(const HardwareReading& reading) noexcept;
+  void set_position_known() noexcept;
+  void reset() noexcept;
+  void supervise(const HardwareReading& reading) noexcept;
   void adjust_force(const HardwareReading& reading, bool stood) noexcept;
   void add_sample() noexcept;
   void answer(const HardwareReading& reading) noexcept;
   void move() noexcept;
-  void hold_at(const AxisVector& motors) noexcept;
+  void report_pose(EffectorReply& reply) const noexcept;
+  void report_model(EffectorReply& reply) const noexcept;
+  void stand_where_measured() noexcept;
   void fail(const Fault& fault) noexcept;
-  [[nodiscard]] bool synchronised() const noexcept;
+  [[nodiscard]] AxisVector preload() noexcept;
+  [[nodiscard]] HardwareCommand drive(const HardwareReading& reading) noexcept;
   [[nodiscard]] bool at_rest() const noexcept;
+  [[nodiscard]] bool braked() const noexcept { return held_steps_ > kBrakesCloseAfter; }
 
   const Robot* robot_;
   DriverParameters p_;
@@ -134,9 +155,15 @@ class Driver {
   ForceSensor force_;
   StepGenerator generator_;
   Servo servo_;
+  Homing homing_;
   Protocol protocol_;
+  CurrentMeter currents_;
+  RobotModel model_;  // what was set last; the tool is the generator's
+  std::uint16_t outputs_{};
 
   DriverState state_{DriverState::not_synchronised};
+  bool position_known_{};
+  double preload_share_{};  // of the gravity preload that the servo is told
   Fault fault_{};
   bool fault_told_{};  // in a reply
   Measured measured_;
@@ -144,15 +171,14 @@ class Driver {
   std::int64_t last_step_{};
   std::int64_t steps_done_{};
 
-  int held_steps_{};  // since the arm began to hold
-  int iota_{};        // step of the macrostep, 1..n_; 0 at a boundary
-  int n_{};           // steps of the macrostep with the passive one
+  int held_steps_{kBrakesCloseAfter + 1};  // since the arm came to rest
+  int iota_{};                             // step of the macrostep, 1..n_; 0 at a boundary
+  int n_{};                                // steps of the macrostep with the passive one
   int n_Q_{};
   std::int64_t commanded_until_{};
 
   bool taken_{};
-  bool arm_commanded_{};
-  bool synchro_pending_{};
+  std::optional<Event> motion_event_;  // with which the macrostep begins when it has a SET ARM
   bool reset_pending_{};
   bool bias_pending_{};
   Answer answer_;

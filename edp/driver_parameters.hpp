@@ -1,5 +1,7 @@
 // Constants of one effector driver, from the configuration.
 #pragma once
+#include <array>
+
 #include "base/axes.hpp"
 #include "base/pose.hpp"
 #include "base/spatial.hpp"
@@ -31,16 +33,42 @@ struct SupervisionParameters {
   double following_error{1.5};  ///< set minus measured motor position [rad] of the shaft
 };
 
+/// What SYNCHRO does.
+enum class Synchronisation : std::uint8_t {
+  known_pose,  ///< believes that the arm stands at synchro_joints: nothing moves
+  homing       ///< looks for the switches and zero marks of all axes (edp/homing.hpp)
+};
+
+/// Homing of one axis.
+struct AxisHoming {
+  double coarse{15};  ///< speed of the motor while looking for the switch, which lies towards lower positions
+                      ///< [rad/s], positive; 0.03 rad per step
+  double fine{3.5};   ///< speed of the motor while leaving it [rad/s], positive; 0.007 rad per step
+  double position{0};  ///< of the motor at the first zero mark above the switch [rad]
+};
+
+/// Homing of a robot. Source of the figures: the original framework.
+struct HomingParameters {
+  int first_axis{};  ///< where the order begins; the other axes follow by number, then those before it
+  std::array<AxisHoming, kMaxAxes> axis{};
+  int ramp_steps{10};         ///< of a change between rest and the coarse speed
+  int standstill_steps{250};  ///< on the switch
+  int settle_steps{25};       ///< after the zero mark
+};
+
 /// Everything that a Driver must know beyond its robot.
 struct DriverParameters {
   double dt{0.002};               ///< duration of a step [s]
   int n_s{10};                    ///< steps of a macrostep without a motion command; it replies in step
                                   ///< n_s - 1 (in step 1 when n_s is 1)
   int stop_steps{kMaxStopSteps};  ///< steps of the stop when commands end, 1..kMaxStopSteps
-  int start_guard_steps{0};   ///< steps after the start in which every command is refused; 0.25 s / dt when
-                              ///< nothing else keeps a left-over sender's commands away
-  AxisVector synchro_joints;  ///< joints at which SYNCHRO finds the arm [rad], track [m]; one per axis
-  Pose T_WE;                  ///< tool in the wrist until SET ROBOT_MODEL says otherwise
+  int start_guard_steps{0};  ///< steps after the start in which every command is refused; 0.25 s / dt when
+                             ///< nothing else keeps a left-over sender's commands away
+  Synchronisation synchronisation{Synchronisation::known_pose};
+  AxisVector synchro_joints;  ///< joints at which SYNCHRO finds the arm [rad], track [m]; one per axis. Only
+                              ///< for known_pose
+  HomingParameters homing;
+  Pose T_WE;  ///< tool in the wrist until SET ROBOT_MODEL says otherwise
   ForceSensorParameters force;
   Limits limits;
   SupervisionParameters supervision;

@@ -19,6 +19,12 @@ class Encoders {
     motors_at_zero_ = motors;
   }
 
+  /// Says where one motor stands at a count of its encoder. @param position [rad]
+  void set_zero(int motor, std::int32_t count, double position) noexcept {
+    zero_[static_cast<std::size_t>(motor)] = count;
+    motors_at_zero_[motor] = position;
+  }
+
   /// @return motor positions [rad]
   [[nodiscard]] AxisVector motors(const HardwareReading& reading) const noexcept {
     AxisVector m = motors_at_zero_;

@@ -5,12 +5,17 @@
 
 #include "base/representation.hpp"
 #include "edp/control_law.hpp"
+#include "edp/servo.hpp"
 
 namespace mrroc::edp {
 namespace {
 
 /// Rounding of positions and speeds that is no violation.
 constexpr double kRounding = 1e-9;
+
+constexpr unsigned kGettable =
+    static_cast<unsigned>(Part::arm | Part::robot_model) | static_cast<unsigned>(Part::io);
+constexpr unsigned kSettable = kGettable | static_cast<unsigned>(Part::force_bias);
 
 template <class Enum>
 bool known(Enum value, Enum last) {
@@ -85,11 +90,15 @@ Objection check_form(const EffectorCommand& command) noexcept {
   const bool sets = command.instruction == Instruction::set || command.instruction == Instruction::set_get;
   const bool gets = command.instruction == Instruction::get || command.instruction == Instruction::set_get;
   if (sets) {
-    constexpr unsigned kSettable = (Part::arm | Part::robot_model) | static_cast<unsigned>(Part::force_bias);
-    if ((command.set & ~kSettable) != 0) return unknown("SET: ARM, ROBOT_MODEL, force_bias", command.set);
+    if ((command.set & ~kSettable) != 0)
+      return unknown("SET: ARM, ROBOT_MODEL, OUTPUTS, force_bias", command.set);
   }
   if (gets) {
-    if ((command.get & ~static_cast<unsigned>(Part::arm)) != 0) return unknown("GET: ARM", command.get);
+    if ((command.get & ~kGettable) != 0) return unknown("GET: ARM, ROBOT_MODEL, INPUTS", command.get);
+    const Representation tool = command.get_tool_representation;
+    if (has(command.get, Part::robot_model) &&
+        (!known(tool, Representation::xyz_angle_axis) || per_axis(tool)))
+      return unknown("representation of GET TOOL", static_cast<double>(tool));
     if (!known(command.get_representation, Representation::xyz_angle_axis))
       return unknown("representation of GET", static_cast<double>(command.get_representation));
     if (!known(command.feedback, Feedback::set_value))
@@ -113,7 +122,20 @@ Objection check_arm(const ArmCommand& command, int axes, const Limits& limits) n
   return {};
 }
 
-Objection check_model(const RobotModel& model, const Limits& limits) noexcept {
+Objection check_model(const RobotModel& model, const Robot& robot, const Limits& limits) noexcept {
+  if (model.set_kinematic_model && robot.with_model(model.kinematic_model) == nullptr)
+    return make_fault(FaultCode::unknown_model, "KINEMATIC_MODEL", -1, model.kinematic_model,
+                      robot.models() - 1);
+  if (const int motors = model.set_servo_algorithm; motors >> robot.axes() != 0)
+    return make_fault(FaultCode::out_of_limits, "SERVO_ALGORITHM: motors of the mask", -1, motors,
+                      (1 << robot.axes()) - 1);
+  for (int k = 0; k < robot.axes(); ++k) {
+    const auto motor = static_cast<std::size_t>(k);
+    if ((model.set_servo_algorithm >> k & 1) != 0 &&
+        !Servo::known(model.servo_algorithm[motor], model.servo_parameter_set[motor]))
+      return make_fault(FaultCode::unknown_model, "SERVO_ALGORITHM", k, model.servo_algorithm[motor],
+                        kServoAlgorithms - 1);
+  }
   if (model.set_tool) {
     const Representation r = model.tool_representation;
     if (!known(r, Representation::xyz_angle_axis) || per_axis(r))
@@ -173,6 +195,54 @@ Objection check_motor_speed(const Robot& robot, const AxisVector& from, const Ax
     if (!(speed <= limit * (1 + kRounding)))
       return make_fault(FaultCode::too_fast, "motor [rad/s]", k, speed, limit);
   }
+  return {};
+}
+
+Objection check_motor_acceleration(const AxisVector& before, const AxisVector& after, double dt,
+                                   const Limits& limits) noexcept {
+  for (int k = 0; k < after.size(); ++k) {
+    const double a = std::abs(after[k] - before[k]) / dt;
+    if (!(a <= limits.motor_acceleration * (1 + kRounding)))
+      return make_fault(FaultCode::excessive_acceleration, "motor [rad/s^2]", k, a,
+                        limits.motor_acceleration);
+  }
+  return {};
+}
+
+Objection check_acceleration(const Twist& before, const Twist& after, double dt,
+                             const Limits& limits) noexcept {
+  const auto check = [dt](const Vector3& change, double limit, int first,
+                          std::string_view text) -> Objection {
+    const double a = change.norm() / dt;
+    if (a <= limit * (1 + kRounding)) return {};
+    int worst{};
+    change.cwiseAbs().maxCoeff(&worst);
+    return make_fault(FaultCode::excessive_acceleration, text, first + worst, a, limit);
+  };
+  const Twist change = after - before;
+  if (const Objection wrong = check(change.linear(), limits.linear_acceleration, 0, "acceleration [m/s^2]"))
+    return wrong;
+  return check(change.angular(), limits.angular_acceleration, 3, "acceleration [rad/s^2]");
+}
+
+Objection check_workspace(const Pose& from, const Pose& to, const Limits& limits) noexcept {
+  if (!limits.workspace) return {};
+  for (int k = 0; k < 3; ++k) {
+    const double lower = limits.workspace->lower[k];
+    const double upper = limits.workspace->upper[k];
+    const double p = to.p[k];
+    if (p >= std::min(lower, from.p[k]) - kRounding && p <= std::max(upper, from.p[k]) + kRounding) continue;
+    return make_fault(FaultCode::outside_workspace, "x y z of E in the base [m]", k, p,
+                      p < lower ? lower : upper);
+  }
+  return {};
+}
+
+Objection check_contact_force(const Wrench& F_a, const Twist& v, const Limits& limits) noexcept {
+  for (const Axis a : kAxes)
+    if (std::abs(F_a[a]) > limits.contact_force[a] && F_a[a] * v[a] > 0)
+      return make_fault(FaultCode::force_limit, "contact force [N], [N m]", static_cast<int>(a), F_a[a],
+                        limits.contact_force[a]);
   return {};
 }
 

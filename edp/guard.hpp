@@ -27,8 +27,9 @@ using Objection = std::optional<Fault>;
 /// @param axes of the robot
 [[nodiscard]] Objection check_arm(const ArmCommand& command, int axes, const Limits& limits) noexcept;
 
-/// Content of SET ROBOT_MODEL.
-[[nodiscard]] Objection check_model(const RobotModel& model, const Limits& limits) noexcept;
+/// Content of SET ROBOT_MODEL: only the parts that are marked.
+[[nodiscard]] Objection check_model(const RobotModel& model, const Robot& robot,
+                                    const Limits& limits) noexcept;
 
 /// Lengths of both parts of a velocity of E.
 [[nodiscard]] Objection check_velocity(const Twist& v, const Limits& limits) noexcept;
@@ -42,5 +43,21 @@ using Objection = std::optional<Fault>;
 /// Motor speeds of a motion. @param time that it takes [s]
 [[nodiscard]] Objection check_motor_speed(const Robot& robot, const AxisVector& from, const AxisVector& to,
                                           double time) noexcept;
+
+/// Change of the motors' speeds in one step.
+/// @param before, after  speeds [rad/s] @param dt [s]
+[[nodiscard]] Objection check_motor_acceleration(const AxisVector& before, const AxisVector& after, double dt,
+                                                 const Limits& limits) noexcept;
+
+/// Change of a velocity in one step, both parts. @param dt [s]
+[[nodiscard]] Objection check_acceleration(const Twist& before, const Twist& after, double dt,
+                                           const Limits& limits) noexcept;
+
+/// Whether E stays in its workspace. From outside it may come nearer, not go farther away.
+[[nodiscard]] Objection check_workspace(const Pose& from, const Pose& to, const Limits& limits) noexcept;
+
+/// Whether a motion pushes farther along or about an axis with more contact force than is allowed; away from
+/// the contact every motion is free. @param F_a adjusted force in E @param v velocity of E, in E
+[[nodiscard]] Objection check_contact_force(const Wrench& F_a, const Twist& v, const Limits& limits) noexcept;
 
 }  // namespace mrroc::edp

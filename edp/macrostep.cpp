@@ -66,13 +66,38 @@ Objection plan_mim(const ArmCommand& command, const SetPoint& from, const Pose& 
       break;
     }
   }
-  const double stop_way = stopping_way(rules.stop_steps) / command.n_s;
-  if (const Objection wrong = check_range(robot, from.axes, to, stop_way)) return wrong;
-  if (const Objection wrong = check_motor_speed(robot, from.axes.motors, to.motors, command.n_s * rules.dt))
+  const double time = command.n_s * rules.dt;
+  if (rules.position_known) {
+    const double stop_way = stopping_way(rules.stop_steps) / command.n_s;
+    if (const Objection wrong = check_range(robot, from.axes, to, stop_way)) return wrong;
+    if (const Objection wrong = check_workspace(from.T_0E, robot.forward(to.joints) * T_WE, rules.limits))
+      return wrong;
+  }
+  if (const Objection wrong = check_motor_speed(robot, from.axes.motors, to.motors, time)) return wrong;
+  const AxisVector speed = (to.motors - from.axes.motors) / time;
+  if (const Objection wrong =
+          check_motor_acceleration(from.motor_increment / rules.dt, speed, rules.dt, rules.limits))
     return wrong;
+  if (command.n_Q > command.n_s)  // the passive step, in which the set point stands
+    if (const Objection wrong =
+            check_motor_acceleration(speed, AxisVector::Zero(robot.axes()), rules.dt, rules.limits))
+      return wrong;
   plan.from = from.axes.motors;
   plan.to = to.motors;
   return {};
+}
+
+/// The step of velocity with which the macrostep begins, as far as it is commanded: along axes without force
+/// control.
+Objection check_first_step(const ArmCommand& command, const Twist& v_d, const SetPoint& from,
+                           const Pose& T_WE, const MotionRules& rules) {
+  const Pose T_EW = T_WE.inverse();
+  const Twist before = xi_V(T_EW, xi_star((from.T_0E.R * T_EW.R).transpose(), from.v_0W));
+  Twist after = before;
+  for (const Axis a : kAxes)
+    if (const AxisCommand& row = command.frame[a]; row.b == Behaviour::unguarded)
+      after[a] = command.mu == Interpolation::tcim_pose ? v_d[a] : row.velocity;
+  return check_acceleration(before, after, rules.dt, rules.limits);
 }
 
 Objection plan_tcim(const ArmCommand& command, const SetPoint& from, const Pose& T_WE,
@@ -91,6 +116,8 @@ Objection plan_tcim(const ArmCommand& command, const SetPoint& from, const Pose&
   AxisPositions to;
   if (const Objection wrong = place(*rules.robot, end * T_WE.inverse(), from.axes.joints, to)) return wrong;
   if (const Objection wrong = check_range(*rules.robot, from.axes, to, 0)) return wrong;
+  if (const Objection wrong = check_workspace(from.T_0E, end, rules.limits)) return wrong;
+  if (const Objection wrong = check_first_step(command, v_d, from, T_WE, rules)) return wrong;
   plan.frame = command.frame;
   plan.v_d = xi_star(from.T_0E.R, v_d);
   return {};

@@ -26,6 +26,9 @@ struct MotionRules {
   Limits limits;
   double dt;       ///< [s]
   int stop_steps;  ///< steps of a stop
+  bool position_known{
+      true};  ///< false: motors count from an unknown place. Only relative motor positions can
+              ///< be planned, and no range, joint or pose means anything
 };
 
 /// Plans a macrostep and checks that its end is reachable, within the limits of joints and motors, and not

@@ -19,6 +19,18 @@ void StepGenerator::stand_at(const AxisVector& motors) noexcept {
   stand();
 }
 
+void StepGenerator::set_robot(const Robot& robot) noexcept {
+  rules_.robot = &robot;
+  stand_at(AxisVector(set_.axes.motors));
+}
+
+void StepGenerator::shift(const AxisVector& increment) noexcept {
+  motion_ = Motion::executing;
+  macrostep_.mu = Interpolation::mim;
+  set_.motor_increment = increment;
+  set_.axes.motors += increment;
+}
+
 void StepGenerator::stand() noexcept {
   motion_ = Motion::standing;
   set_.motor_increment = AxisVector::Zero(rules_.robot->axes());
@@ -56,18 +68,20 @@ std::optional<Fault> StepGenerator::step(const Wrench& F_a) noexcept {
     stop_step();
     return {};
   }
-  if (k_ == macrostep_.n_s) {  // the passive step of n_Q = n_s + 1; the law keeps its memory over it
-    set_.motor_increment.setZero();
-    if (macrostep_.mu == Interpolation::mim) set_.v_0W = {};
-    return {};
-  }
-  ++k_;
-  Candidate next;
-  std::optional<Fault> wrong = execute(F_a, next);
-  if (!wrong) wrong = check(next, stopping_way(rules_.stop_steps));
-  if (!wrong) {
-    accept(next);
-    return {};
+  std::optional<Fault> wrong;
+  if (k_ == macrostep_.n_s) {
+    wrong = passive_step();
+    if (!wrong) return {};
+  } else {
+    ++k_;
+    Candidate next;
+    wrong = execute(F_a, next);
+    if (!wrong) wrong = check(next);
+    if (!wrong) wrong = check_stop(next);
+    if (!wrong) {
+      accept(next);
+      return {};
+    }
   }
   // The motors can be brought to rest wherever the arm is, which does not hold for the task frame: it may be
   // the inverse kinematics that has no solution.
@@ -78,20 +92,36 @@ std::optional<Fault> StepGenerator::step(const Wrench& F_a) noexcept {
   return wrong;
 }
 
+std::optional<Fault> StepGenerator::passive_step() noexcept {
+  const AxisVector rest = AxisVector::Zero(rules_.robot->axes());
+  if (std::optional<Fault> wrong =
+          check_motor_acceleration(set_.motor_increment / rules_.dt, rest, rules_.dt, rules_.limits))
+    return wrong;
+  set_.motor_increment = rest;
+  // In TCIM the law keeps its memory over the step.
+  if (macrostep_.mu == Interpolation::mim) set_.v_0W = {};
+  return {};
+}
+
 std::optional<Fault> StepGenerator::execute(const Wrench& F_a, Candidate& next) const noexcept {
   const double dt = rules_.dt;
   if (macrostep_.mu == Interpolation::mim) {
     const double part = static_cast<double>(k_) / macrostep_.n_s;
     place(macrostep_.from + part * (macrostep_.to - macrostep_.from), next);
-    return {};
+    if (!rules_.position_known) return {};
+    return check_contact_force(F_a, xi_V(T_EW_, xi_star((set_.T_0E.R * T_EW_.R).transpose(), next.v_0W)),
+                               rules_.limits);
   }
   TaskFrameCommand frame = macrostep_.frame;
   if (macrostep_.mu == Interpolation::tcim_pose) {
     const Twist v_d = xi_star(set_.T_0E.R.transpose(), macrostep_.v_d);
     for (const Axis a : kAxes) frame[a].velocity = v_d[a];
   }
-  const Twist v_c = step_velocity(frame, F_a, previous_velocity(), dt);
+  const Twist v_before = previous_velocity();
+  const Twist v_c = step_velocity(frame, F_a, v_before, dt);
   if (std::optional<Fault> wrong = check_velocity(v_c, rules_.limits)) return wrong;
+  if (std::optional<Fault> wrong = check_contact_force(F_a, v_c, rules_.limits)) return wrong;
+  if (std::optional<Fault> wrong = check_acceleration(v_before, v_c, dt, rules_.limits)) return wrong;
   return follow(v_c, next);
 }
 
@@ -113,6 +143,11 @@ std::optional<Fault> StepGenerator::follow(const Twist& v_E, Candidate& next) co
 
 void StepGenerator::place(const AxisVector& motors, Candidate& next) const noexcept {
   next.axes.motors = motors;
+  if (!rules_.position_known) {
+    next.axes.joints = set_.axes.joints;
+    next.T_0E = set_.T_0E;
+    return;
+  }
   next.axes.joints = rules_.robot->joints_from_motors(motors);
   next.T_0E = rules_.robot->forward(next.axes.joints) * T_WE_;
   const Vector6 r = angle_axis_from_pose(set_.T_0E.inverse() * next.T_0E) / rules_.dt;
@@ -120,10 +155,26 @@ void StepGenerator::place(const AxisVector& motors, Candidate& next) const noexc
   next.v_0W = xi_star(set_.T_0E.R * T_EW_.R, xi_V(T_WE_, v_E));
 }
 
-std::optional<Fault> StepGenerator::check(const Candidate& next, double stop_way) const noexcept {
+std::optional<Fault> StepGenerator::check(const Candidate& next) const noexcept {
   const Robot& robot = *rules_.robot;
-  if (std::optional<Fault> wrong = check_range(robot, set_.axes, next.axes, stop_way)) return wrong;
-  return check_motor_speed(robot, set_.axes.motors, next.axes.motors, rules_.dt);
+  if (rules_.position_known)
+    if (std::optional<Fault> wrong = check_range(robot, set_.axes, next.axes, 0)) return wrong;
+  if (std::optional<Fault> wrong = check_motor_speed(robot, set_.axes.motors, next.axes.motors, rules_.dt))
+    return wrong;
+  return check_motor_acceleration(set_.motor_increment / rules_.dt,
+                                  (next.axes.motors - set_.axes.motors) / rules_.dt, rules_.dt,
+                                  rules_.limits);
+}
+
+std::optional<Fault> StepGenerator::check_stop(const Candidate& next) const noexcept {
+  if (!rules_.position_known) return {};
+  const Robot& robot = *rules_.robot;
+  AxisPositions end;
+  end.motors = next.axes.motors + stopping_way(rules_.stop_steps) * (next.axes.motors - set_.axes.motors);
+  end.joints = robot.joints_from_motors(end.motors);
+  if (std::optional<Fault> wrong = check_range(robot, set_.axes, end, 0)) return wrong;
+  if (!rules_.limits.workspace) return {};
+  return check_workspace(set_.T_0E, robot.forward(end.joints) * T_WE_, rules_.limits);
 }
 
 void StepGenerator::accept(const Candidate& next) noexcept {
@@ -139,11 +190,11 @@ void StepGenerator::stop_step() noexcept {
   const double ratio = speed_ratio(k_, rules_.stop_steps);
   Candidate next;
   if (!stop_in_motors_) {
-    if (!follow(ratio * previous_velocity(), next) && !check(next, 0)) return accept(next);
+    if (!follow(ratio * previous_velocity(), next) && !check(next)) return accept(next);
     stop_in_motors_ = true;
   }
   place(set_.axes.motors + ratio * set_.motor_increment, next);
-  if (check(next, 0)) return stand();  // nowhere left to go: the last set point is legal
+  if (check(next)) return stand();  // nowhere left to go: the last set point is legal
   accept(next);
 }
 

@@ -21,6 +21,18 @@ class StepGenerator {
   /// Stands at these motor positions from now on. @param motors [rad]
   void stand_at(const AxisVector& motors) noexcept;
 
+  /// The robot works with another kinematic model from now on; the motors stay where they are. Only while the
+  /// set point stands. @param robot must live longer than the generator
+  void set_robot(const Robot& robot) noexcept;
+
+  /// Whether motor positions mean anything. While they do not, only relative motor positions can be moved to,
+  /// no range is checked, and joints and pose of the set point mean nothing.
+  void set_position_known(bool known) noexcept { rules_.position_known = known; }
+
+  /// Homing: moves the set motor positions by so much in this step; stop() or stand_at() end it.
+  /// @param increment [rad]
+  void shift(const AxisVector& increment) noexcept;
+
   /// Begins a macrostep, with the tool that it is meant for.
   /// @return why it is refused; then nothing has changed
   [[nodiscard]] std::optional<Fault> start(const ArmCommand& command, const Pose& T_WE) noexcept;
@@ -55,7 +67,10 @@ class StepGenerator {
   [[nodiscard]] std::optional<Fault> follow(const Twist& v_E, Candidate& next) const noexcept;
   void place(const AxisVector& motors, Candidate& next) const noexcept;
   [[nodiscard]] std::optional<Fault> execute(const Wrench& F_a, Candidate& next) const noexcept;
-  [[nodiscard]] std::optional<Fault> check(const Candidate& next, double stop_way) const noexcept;
+  [[nodiscard]] std::optional<Fault> passive_step() noexcept;
+  [[nodiscard]] std::optional<Fault> check(const Candidate& next) const noexcept;
+  // Whether the stop that may have to follow ends within the limits, too.
+  [[nodiscard]] std::optional<Fault> check_stop(const Candidate& next) const noexcept;
   void accept(const Candidate& next) noexcept;
   void stop_step() noexcept;
   void stand() noexcept;

@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "edp/automaton.hpp"
 #include "test/edp/random_command.hpp"
 
 namespace mrroc::edp::test {
@@ -22,62 +21,6 @@ EffectorCommand force_tool(Rig& rig, double weight, const std::array<double, 3>&
   c.robot_model.weight = weight;
   c.robot_model.mass_centre = centre;
   return c;
-}
-
-EffectorCommand tool(Rig& rig) {
-  EffectorCommand c = rig.command(Instruction::set);
-  c.set = static_cast<std::uint8_t>(Part::robot_model);
-  c.robot_model.set_tool = true;
-  c.robot_model.tool = numbers_from_pose(Representation::frame, {Matrix3::Identity(), Vector3(0, 0, 0.2)});
-  return c;
-}
-
-/// Leads a new rig into a state. @return false when there is no way into it yet
-bool lead_into(Rig& rig, DriverState state) {
-  if (state == DriverState::homing) return false;
-  if (state != DriverState::not_synchronised) rig.synchronise();
-  if (state == DriverState::executing || state == DriverState::decelerating || state == DriverState::holding)
-    rig.macrostep(rig.velocity({u(0.05), u(), u(), u(), u(), u()}));
-  if (state == DriverState::decelerating) rig.silence(1);
-  if (state == DriverState::holding) rig.silence(5);
-  if (state == DriverState::faulted) {
-    rig.world.switches[2] = static_cast<std::uint8_t>(AxisSwitch::over_current);
-    rig.macrostep();
-    rig.world.switches[2] = 0;
-  }
-  EXPECT_EQ(rig.driver.state(), state);
-  return true;
-}
-
-TEST(DriverCommand, EveryRequestInEveryStateGetsTheAnswerOfTheTable) {
-  for (const StateRow& row : kStateTable)
-    for (std::size_t k = 0; k < kRequests; ++k) {
-      Rig rig;
-      if (!lead_into(rig, row.state)) continue;
-      EffectorCommand c;
-      switch (static_cast<Request>(k)) {
-        case Request::get:
-          c = rig.command(Instruction::get);
-          c.get = static_cast<std::uint8_t>(Part::arm);
-          break;
-        case Request::arm:
-          c = rig.velocity({});
-          break;
-        case Request::tool:
-          c = tool(rig);
-          break;
-        case Request::force_tool:
-          c = force_tool(rig, 1, {});
-          break;
-        case Request::synchro:
-          c = rig.command(Instruction::synchro);
-          break;
-      }
-      const EffectorReply reply = rig.macrostep(c);
-      const bool legal = row.answer[k] == FaultCode::none;
-      EXPECT_EQ(reply.verdict, legal ? Verdict::executed : Verdict::refused) << to_string(row.state) << k;
-      EXPECT_EQ(reply.fault.code, row.answer[k]) << to_string(row.state) << " " << k;
-    }
 }
 
 TEST(DriverCommand, BeforeSynchroTheDrivesBrakeAndAfterItTheyHoldTheKnownPose) {

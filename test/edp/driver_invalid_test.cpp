@@ -55,7 +55,7 @@ void damage(std::mt19937_64& random, EffectorCommand& c) {
     c.arm.pose = per_axis(r) ? PoseNumbers{} : numbers_from_pose(r, Pose{});
     c.arm.reference = Reference::relative;
   };
-  switch (pick(random, 19)) {
+  switch (pick(random, 25)) {
     case 0:
       c.instruction = static_cast<Instruction>(enumerator);
       break;
@@ -63,7 +63,8 @@ void damage(std::mt19937_64& random, EffectorCommand& c) {
       c.set = static_cast<std::uint8_t>(c.set | 16u << (random() % 4));
       break;
     case 2:
-      c.set = static_cast<std::uint8_t>(c.set | static_cast<unsigned>(Part::io));
+      c.instruction = Instruction::set_get;
+      c.get = static_cast<std::uint8_t>(8u << (random() % 5));
       break;
     case 3:
       c.arm.mu = static_cast<Interpolation>(enumerator);
@@ -124,6 +125,34 @@ void damage(std::mt19937_64& random, EffectorCommand& c) {
       c.arm.mu = Interpolation::tcim_pose;
       c.arm.representation = Representation::motors;
       break;
+    case 18:
+      c.instruction = Instruction::set_get;
+      c.get = static_cast<std::uint8_t>(Part::arm);
+      c.get_representation = static_cast<Representation>(enumerator);
+      break;
+    case 19:
+      c.instruction = Instruction::set_get;
+      c.get = static_cast<std::uint8_t>(Part::robot_model);
+      c.get_tool_representation =
+          random() % 2 ? static_cast<Representation>(enumerator) : static_cast<Representation>(random() % 2);
+      break;
+    case 20:
+      c.instruction = Instruction::set_get;
+      c.get = static_cast<std::uint8_t>(Part::io);
+      c.feedback = static_cast<Feedback>(enumerator);
+      break;
+    case 21:
+      c.set = static_cast<std::uint8_t>(c.set | static_cast<unsigned>(Part::robot_model));
+      c.robot_model.set_kinematic_model = true;
+      c.robot_model.kinematic_model = static_cast<std::uint16_t>(1 + random() % 65'000);
+      break;
+    case 22:
+      c.set = static_cast<std::uint8_t>(c.set | static_cast<unsigned>(Part::robot_model));
+      c.robot_model.set_servo_algorithm = static_cast<std::uint8_t>(1u << FakeArm::kAxes << (random() % 2));
+      break;
+    case 23:
+      c.arm.gripper = random() % 2 ? kNan : kInf;
+      break;
     default:
       c.set = static_cast<std::uint8_t>(c.set | static_cast<unsigned>(Part::robot_model));
       c.robot_model.set_tool = random() % 2;
@@ -143,6 +172,8 @@ TEST(DriverInvalid, InvalidCommandsOverEveryFieldAreNeverExecutedAndChangeNothin
   Rig twin = rig;
   for (int k = 0; k < kCommands; ++k) {
     EffectorCommand c = rig.set_arm(random_motion(random));
+    c.set = Part::arm | Part::io;
+    c.outputs = static_cast<std::uint16_t>(random() | 1);
     const int kind = pick(random, 10);
     if (kind == 0) {
       c.session = static_cast<std::int64_t>(random());
@@ -164,6 +195,7 @@ TEST(DriverInvalid, InvalidCommandsOverEveryFieldAreNeverExecutedAndChangeNothin
     ASSERT_EQ(rig.driver.set_point().T_0E.p, twin.driver.set_point().T_0E.p);
     ASSERT_EQ(rig.driver.set_point().T_0E.R, twin.driver.set_point().T_0E.R);
     ASSERT_EQ(rig.driver.protocol().expected(), rig.number + 1);
+    ASSERT_EQ(rig.last.outputs, 0);
   }
   EXPECT_EQ(rig.macrostep(rig.velocity({u(0.01), u(), u(), u(), u(), u()})).verdict, Verdict::executed);
 }

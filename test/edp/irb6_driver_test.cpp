@@ -32,6 +32,7 @@ class Irb6Driver : public testing::TestWithParam<const char*> {
     p.synchro_joints = joints;
     p.T_WE = arm->tool_in_wrist();
     p.force.T_WS = arm->sensor_in_wrist();
+    p.limits.linear_acceleration = p.limits.angular_acceleration = p.limits.motor_acceleration = 1e6;
     return p;
   }
   /// A driver that knows where it is.

@@ -2,6 +2,7 @@
 #pragma once
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <optional>
 
 #include "base/representation.hpp"
@@ -16,6 +17,7 @@ class FakeWorld {
   explicit FakeWorld(const FakeArm& arm, const AxisVector& joints) : arm_(&arm) {
     const AxisVector m = arm.motors_from_joints(joints);
     for (int k = 0; k < FakeArm::kAxes; ++k) at(k) = m[k] * arm.axis(k).increments_per_rad;
+    last_counts_ = counts_;
   }
 
   Vector6 stiffness = Vector6::Zero();  ///< of the surroundings, along and about the axes of the base
@@ -27,6 +29,14 @@ class FakeWorld {
   Vector3 mass_centre = Vector3::Zero();
   Wrench sensor_offset;                           ///< in every reading
   std::array<std::uint8_t, kMaxAxes> switches{};  ///< of the next readings
+  struct SynchroSwitch {
+    double place{-3};  ///< pressed below this motor position [rad]
+    bool missing{};    ///< never pressed
+    bool stuck{};      ///< always pressed
+    bool index{true};  ///< the encoder has its zero marks, at whole turns of the motor
+  };
+  std::array<SynchroSwitch, kMaxAxes> synchro{};  ///< for homing
+  bool limit_switches{};                          ///< pressed beyond the motors' legal ranges
   std::array<double, kMaxAxes> slip{};            ///< counts that a shaft turns by itself in the next step
   std::array<bool, kMaxAxes> blocked{};
 
@@ -58,11 +68,13 @@ class FakeWorld {
     const Wrench W_F = Wrench::from(f, mass_centre.cross(f)) + xi_F(T_WE, load());
     r.S_F_m = xi_F(T_WS.inverse(), W_F) + sensor_offset;
     r.switches = switches;
+    for (std::size_t k = 0; k < FakeArm::kAxes; ++k) read_switches(k, r);
     return r;
   }
 
   /// The drives make every increment in one step; switched off they brake.
   void apply(const HardwareCommand& command) {
+    last_counts_ = counts_;
     for (std::size_t k = 0; k < FakeArm::kAxes; ++k) {
       if (command.enabled && !blocked[k]) counts_[k] += 2 * command.pwm[k];
       counts_[k] += slip[k];
@@ -72,9 +84,27 @@ class FakeWorld {
   }
 
  private:
+  void read_switches(std::size_t k, HardwareReading& r) const {
+    const AxisProperties& axis = arm_->axis(static_cast<int>(k));
+    const double motor = counts_[k] / axis.increments_per_rad;
+    const SynchroSwitch& s = synchro[k];
+    const auto press = [&](AxisSwitch which, bool pressed) {
+      if (pressed) r.switches[k] = static_cast<std::uint8_t>(r.switches[k] | static_cast<unsigned>(which));
+    };
+    press(AxisSwitch::synchro, s.stuck || (!s.missing && motor < s.place));
+    press(AxisSwitch::lower_limit, limit_switches && motor < axis.motor.lower);
+    press(AxisSwitch::upper_limit, limit_switches && motor > axis.motor.upper);
+    const double turn = 2 * std::numbers::pi;
+    const double before = last_counts_[k] / axis.increments_per_rad;
+    const double mark = std::max(std::floor(motor / turn), std::floor(before / turn));
+    press(AxisSwitch::index, s.index && std::floor(motor / turn) != std::floor(before / turn));
+    r.index[k] = r.encoder[k] +
+                 static_cast<std::int32_t>(std::lround(mark * turn * axis.increments_per_rad - counts_[k]));
+  }
   double& at(int k) { return counts_[static_cast<std::size_t>(k)]; }
   const FakeArm* arm_;
   std::array<double, kMaxAxes> counts_{};
+  std::array<double, kMaxAxes> last_counts_{};
   std::int64_t step_{100};
 };
 
@@ -86,11 +116,14 @@ class Rig {
     DriverParameters p;
     p.synchro_joints = home();
     p.T_WE = {Matrix3::Identity(), Vector3(0.02, 0, 0.1)};
+    // The arm is as quick as a test likes; the limits of acceleration have tests of their own.
+    p.limits.linear_acceleration = p.limits.angular_acceleration = p.limits.motor_acceleration = 1e6;
     p.force.T_WS = {rotation_from_angle_axis(Vector3(0, 0, 1)), Vector3(0, 0, 0.03)};
     return p;
   }
 
-  explicit Rig(const DriverParameters& p = parameters()) : driver(arm, p), world(arm, home()), p_(p) {
+  explicit Rig(const DriverParameters& p = parameters(), const AxisVector& joints = home())
+      : driver(arm, p), world(arm, joints), p_(p) {
     world.T_WS = p.force.T_WS;
     world.T_WE = p.T_WE;
     world.weight = p.force.weight;
@@ -155,6 +188,16 @@ class Rig {
     EffectorReply reply{};
     for (int k = 0; k < macrosteps; ++k) reply = macrostep();
     return reply;
+  }
+  /// @return a relative motion of the motors [rad], which needs no synchronisation
+  EffectorCommand jog(const PoseNumbers& motors, std::uint16_t n_s = 100) {
+    ArmCommand a;
+    a.mu = Interpolation::mim;
+    a.representation = Representation::motors;
+    a.reference = Reference::relative;
+    a.pose = motors;
+    a.n_s = a.n_Q = n_s;
+    return set_arm(a);
   }
   EffectorReply synchronise() { return macrostep(command(Instruction::synchro)); }
 

@@ -1,0 +1,54 @@
+#include "test/edp/automaton_document.hpp"
+
+#include <fmt/format.h>
+
+#include "edp/automaton.hpp"
+
+namespace mrroc::edp::test {
+namespace {
+
+constexpr const char* kHead = R"(# States of an effector driver
+
+Made from the table in `edp/automaton.hpp`, on which the driver runs. After a change there:
+`MRROC_UPDATE_DOCS=1 ./run test -R AutomatonDocument`
+
+A cell names the state that the event leads to; `stays` means that it takes place and the state does not change;
+a code in italics is the reason of a refusal. `-` stands for what cannot happen by itself in that state. QUERY is
+answered in every state.
+
+## What commands ask for
+
+)";
+
+constexpr const char* kOwn = R"(
+## What happens by itself
+
+)";
+
+std::string cell(const StateRow& row, Event event) {
+  const Transition& t = transition(row.state, event);
+  if (t.refusal != FaultCode::none)
+    return event >= kFirstOwnEvent ? "-" : fmt::format("*{}*", to_string(t.refusal));
+  return t.next == row.state ? "stays" : fmt::format("**{}**", to_string(t.next));
+}
+
+std::string rows(std::size_t first, std::size_t last) {
+  std::string text = "| event |";
+  for (const StateRow& row : kAutomaton) text += fmt::format(" {} |", to_string(row.state));
+  text += "\n| --- |";
+  for (std::size_t k = 0; k < kAutomaton.size(); ++k) text += " --- |";
+  for (std::size_t e = first; e < last; ++e) {
+    text += fmt::format("\n| {} |", to_string(static_cast<Event>(e)));
+    for (const StateRow& row : kAutomaton) text += fmt::format(" {} |", cell(row, static_cast<Event>(e)));
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string automaton_document() {
+  const auto own = static_cast<std::size_t>(kFirstOwnEvent);
+  return kHead + rows(0, own) + kOwn + rows(own, kEvents);
+}
+
+}  // namespace mrroc::edp::test
