@@ -36,11 +36,22 @@ Outcome execute(ArmLinks& links, const EffectorCommand& command) {
   }
 }
 
+/// Lets macrosteps pass until homing has ended, one way or the other.
+Outcome await_positions(ArmLinks& links) {
+  while (links.reply().state == DriverState::homing)
+    if (const Outcome o = rest(links, 1); o != Outcome::terminated) return o;
+  const DriverState state = links.reply().state;
+  const bool lost = state == DriverState::faulted || state == DriverState::not_synchronised ||
+                    state == DriverState::jogging;
+  return lost ? Outcome::faulted : Outcome::terminated;
+}
+
 }  // namespace
 
 Outcome prepare_effector(ArmLinks& links, const Preparation& prepare) {
   if (const Outcome o = execute(links, {.instruction = Instruction::synchro}); o != Outcome::terminated)
     return o;
+  if (const Outcome o = await_positions(links); o != Outcome::terminated) return o;
   if (const Outcome o = rest(links, prepare.settling_macrosteps); o != Outcome::terminated) return o;
   EffectorCommand set{.instruction = Instruction::set};
   set.set = static_cast<std::uint8_t>(Part::robot_model);

@@ -55,6 +55,8 @@ class Shell {
 
   void begin_macrostep() {
     ++macrostep_;
+    // Nobody is there to command any more: homing comes to rest as motions do.
+    if (stopped(macrostep_) || process_.dead(k_.ecp)) driver_.drop_owner();
     if (stopped(macrostep_)) return;
     // That its owner leaves is the link's statement: faults made on purpose do not touch it.
     const effector_command_t* const sent = command_in_->at(macrostep_);

@@ -56,6 +56,18 @@ void read_sensor_fault(const Config& robot, ForceSensorParameters& s) {
   s.fault_step = robot.integer("force_fault_step", s.fault_step, {0, 100'000'000}, "steps");
 }
 
+/// What is wrong with one switch, for tests of homing.
+void read_switches(const Config& t, std::array<SwitchParameters, kMaxAxes>& switches) {
+  const double place = t.number("place", switches[0].place, {-100, 100}, "rad of the motor");
+  for (SwitchParameters& s : switches) s.place = place;
+  const int axis = t.integer("faulty_axis", 0, {0, kMaxAxes - 1});
+  switches[static_cast<std::size_t>(axis)].fault = t.choice("fault", SwitchFault::none,
+                                                            {{"none", SwitchFault::none},
+                                                             {"missing", SwitchFault::missing},
+                                                             {"stuck", SwitchFault::stuck},
+                                                             {"no_index", SwitchFault::no_index}});
+}
+
 ArmParameters read_arm(const Config& config, const std::string& key, ArmModel fallback) {
   const Config robot = config.section("robots." + key);
   const Config sim = config.section("sim");
@@ -70,6 +82,10 @@ ArmParameters read_arm(const Config& config, const std::string& key, ArmModel fa
   arm.sensor = read_sensor(sim.section("sensor"), arm.sensor);
   read_sensor_fault(robot, arm.sensor);
   arm.start_height = sim.number("start_height", arm.start_height, {0.005, 0.1}, "m");
+  read_switches(robot.section("switches"), arm.switches);
+  arm.lines.loop_back = robot.flag("lines.loop_back", arm.lines.loop_back);
+  arm.lines.inputs = static_cast<std::uint16_t>(robot.integer("lines.inputs", 0, {0, 65535}, "bit mask"));
+  arm.start = robot.list("start_joints", std::vector<double>{}, {-10, 10}, "rad, m");
   const double scale = sim.number("motor_friction", 1, {0, 10}, "of the estimate");
   for (MotorParameters& m : arm.motors) m.friction *= scale;
   return arm;

@@ -1,6 +1,7 @@
 // The simulated work cell: arms with drives, wrist sensors and pens, their sheets, and the operators' hands.
 // One step of the world is one step of the effector drivers. The only code that knows Bullet is behind it.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -14,6 +15,7 @@
 #include "sim/hand.hpp"
 #include "sim/motor.hpp"
 #include "sim/paper.hpp"
+#include "sim/switches.hpp"
 
 namespace mrroc::sim {
 
@@ -22,6 +24,12 @@ inline constexpr double kStep = 0.002;
 
 /// Which robot an arm of the world is.
 enum class ArmModel : std::uint8_t { irb6_postument, irb6_track };
+
+/// Binary lines of a robot controller.
+struct LineParameters {
+  bool loop_back{true};    ///< every output is wired to the input of the same number
+  std::uint16_t inputs{};  ///< inputs that are on besides
+};
 
 /// One arm of the world.
 struct ArmParameters {
@@ -33,6 +41,10 @@ struct ArmParameters {
   ForceSensorParameters sensor;
   PaperParameters paper;
   HandParameters hand;
+  std::array<SwitchParameters, kMaxAxes> switches{};  ///< for homing, one per motor
+  LineParameters lines;
+  std::vector<double> start;  ///< joints after reset() [rad], track [m], one per axis; empty: the pen stands
+                              ///< above the sheet's centre
   double pen_radius{0.002};   ///< of the ball that touches the paper [m]
   double start_height{0.02};  ///< of the pen above the sheet's centre after reset() [m]
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "robots/irb6/homing.hpp"
+
 namespace mrroc::irb6 {
 namespace {
 
@@ -57,6 +59,11 @@ DriverSetup read_driver(const Config& config, const std::string& key, std::strin
   d.force.stuck_after =
       table.integer("force_stuck_after", kStuckAfter, {0, 10'000}, "equal readings, 0: never");
   d.T_WE = read_pose(table, "tool.pose", s.arm->tool_in_wrist());
+  d.homing = homing_of(s.arm->parameters());
+  using enum edp::Synchronisation;
+  d.synchronisation = table.choice("synchro", synchro_joints.empty() ? homing : known_pose,
+                                   {{"homing", homing}, {"known_pose", known_pose}});
+  if (d.synchronisation == homing) return s;
   const auto axes = static_cast<std::size_t>(s.arm->axes());
   const auto given =
       synchro_joints.empty() ? std::optional<std::vector<double>>{} : std::optional(synchro_joints);

@@ -18,8 +18,8 @@ struct DriverSetup {
 
 /// @param key             of the arm, e.g. "arm1"
 /// @param model           fallback for the robot's name
-/// @param synchro_joints  fallback for the joints at which SYNCHRO finds the arm [rad], track [m]; empty:
-/// must be given
+/// @param synchro_joints  joints at which SYNCHRO finds the arm [rad], track [m], when it is known: then
+///        SYNCHRO believes it unless the configuration says "homing"; empty: the other way round
 /// @throws ConfigError
 DriverSetup read_driver(const Config& config, const std::string& key, std::string_view model,
                         const std::vector<double>& synchro_joints);

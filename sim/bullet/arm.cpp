@@ -59,6 +59,11 @@ bool usable(const HardwareCommand& command) {
 }  // namespace
 
 AxisVector start_joints(const irb6::Arm& robot, const ArmParameters& p) {
+  if (!p.start.empty()) {
+    if (static_cast<int>(p.start.size()) != robot.axes())
+      throw std::invalid_argument("world: " + std::string(robot.name()) + " starts with one joint per axis");
+    return Eigen::Map<const Eigen::VectorXd>(p.start.data(), robot.axes());
+  }
   const Vector3 tip = p.paper.T_0P * Vector3(0, 0, p.start_height);
   const Pose T_0E{Eigen::DiagonalMatrix<double, 3>(1, -1, -1), tip};
   AxisVector near = AxisVector::Zero(robot.axes());
@@ -141,6 +146,7 @@ void SimulatedArm::read_joints() {
 }
 
 void SimulatedArm::begin_step(const HardwareCommand* command) {
+  if (command) outputs_ = command->outputs;
   read_joints();
   motors_per_joints_ = robot_->transmission().jacobian(truth_.joints);
   if (command && usable(*command)) {
@@ -198,12 +204,14 @@ void SimulatedArm::measure(std::int64_t step) {
   reading_.S_F_m = sensor_.measure(truth_.S_F);
   for (int k = 0; k < arm_.joints; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    const edp::Range& legal = robot_->axis(k).motor;
+    const double before = motors_.size() > 0 ? motors_[k] : motors[k];
     reading_.encoder[i] = encoders_[i].count(motors[k] - start_motors_[k]);
-    reading_.switches[i] = 0;
-    if (motors[k] < legal.lower) reading_.switches[i] = static_cast<std::uint8_t>(AxisSwitch::lower_limit);
-    if (motors[k] > legal.upper) reading_.switches[i] = static_cast<std::uint8_t>(AxisSwitch::upper_limit);
+    reading_.index[i] = encoders_[i].count(last_mark(motors[k], before) - start_motors_[k]);
+    reading_.switches[i] = read_switches(p_.switches[i], motors[k], before, robot_->axis(k).motor);
   }
+  motors_ = motors;
+  reading_.inputs = p_.lines.inputs;
+  if (p_.lines.loop_back) reading_.inputs = static_cast<std::uint16_t>(reading_.inputs | outputs_);
 }
 
 void SimulatedArm::observe() {

@@ -81,6 +81,8 @@ class SimulatedArm {
   std::unique_ptr<btMultiBodyLinkCollider> collider_;
 
   HardwareCommand command_{};
+  std::uint16_t outputs_{};  // of the last command: lines stay as they are while the drives brake
+  AxisVector motors_;        // at the end of the step before [rad]
   AxisMatrix motors_per_joints_;
   Vector3 hand_force_{Vector3::Zero()};  // in the world
   HardwareReading reading_;
