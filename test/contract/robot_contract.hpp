@@ -3,12 +3,13 @@
 //
 //   #include "test/contract/robot_contract.hpp"
 //   std::unique_ptr<edp::Robot> make() { return std::make_unique<MyRobot>(); }
-//   INSTANTIATE_TEST_SUITE_P(MyRobot, RobotContract, testing::Values(make));
+//   INSTANTIATE_TEST_SUITE_P(MyRobot, RobotContract, testing::Values(make), robot_name);
 #pragma once
 #include <gtest/gtest.h>
 
 #include <memory>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "edp/robot.hpp"
@@ -17,6 +18,11 @@ namespace mrroc::contract {
 
 /// Makes the robot, with any of its kinematic models.
 using MakeRobot = std::unique_ptr<edp::Robot> (*)();
+
+/// Names the tests after the robot.
+inline std::string robot_name(const testing::TestParamInfo<MakeRobot>& info) {
+  return std::string(info.param()->name());
+}
 
 /// Every test goes over all kinematic models of the robot. Seeded.
 class RobotContract : public testing::TestWithParam<MakeRobot> {
