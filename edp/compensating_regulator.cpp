@@ -12,6 +12,9 @@ namespace {
 /// Share of the difference from the regulator before that is left after a step.
 constexpr double kFade = 0.9;
 
+/// Of the largest current that the regulator may ask for.
+constexpr double kCurrentShare = 0.8;
+
 }  // namespace
 
 CompensatingRegulator::CompensatingRegulator(const CompensationCoefficients& c, const DriveModel& drive,
@@ -21,9 +24,9 @@ CompensatingRegulator::CompensatingRegulator(const CompensationCoefficients& c, 
   beta_ = steps * (1 - alpha_);
   gain_ = drive.speed_per_pwm() * increments_per_rad * dt;
   torque_scale_ = drive.pwm_per_torque();
-  friction_ = c.friction * drive.friction * torque_scale_;
+  friction_ = drive.friction * torque_scale_;
   presliding_ = drive.presliding * increments_per_rad;
-  max_pull_ = drive.max_current * drive.resistance * kPwmScale / drive.supply;
+  max_pull_ = kCurrentShare * drive.max_current * drive.resistance * kPwmScale / drive.supply;
 
   // Ackermann's formula for both: K = [0 1] [B AB]^-1 (A - z)^2, L = A^-1 (A - z)^3 [C; CA; CA^2]^-1 [0 0 1]'.
   const Eigen::Vector2d B((1 - beta_) * gain_, (1 - alpha_) * gain_);
@@ -48,10 +51,10 @@ CompensatingRegulator::CompensatingRegulator(const CompensationCoefficients& c, 
 }
 
 double CompensatingRegulator::step(double set_increment, double error, double preload) noexcept {
-  if (phase_ == Phase::restarted) {
+  if (restarted_) {
     p_ = -error;
     v_ = r_ = 0;
-    phase_ = Phase::running;
+    restarted_ = false;
   }
   const double surprise = -error - p_;
   p_ += l_p_ * surprise;
@@ -60,12 +63,12 @@ double CompensatingRegulator::step(double set_increment, double error, double pr
 
   deflection_ = (deflection_ + set_increment) / (1 + std::abs(set_increment) / presliding_);
   const double known = preload * torque_scale_ + friction_ * deflection_ / presliding_;
-  if (phase_ == Phase::joining) d_ = known + r_ / gain_ - joined_pwm_;
+  if (join_ == Join::with_its_load) d_ = known + r_ / gain_ - joined_pwm_;
 
   const double wanted = (set_increment - alpha_ * r_) / ((1 - alpha_) * gain_) + k_p_ * (-r_ / 2 - p_) +
                         k_v_ * (r_ - v_) - d_ + known;
-  if (phase_ != Phase::running) bump_ = joined_pwm_ - wanted;
-  phase_ = Phase::running;
+  if (join_ != Join::none) bump_ = joined_pwm_ - wanted;
+  join_ = Join::none;
 
   const double idle = v_ / gain_;  // without current
   const double pull = std::clamp(wanted + bump_ - idle, -max_pull_, max_pull_);
@@ -84,7 +87,8 @@ void CompensatingRegulator::resume(double set_increment, double error, double pw
   v_ = r_ = set_increment;
   deflection_ = 0;
   joined_pwm_ = pwm;
-  phase_ = Phase::joining;
+  restarted_ = false;
+  join_ = Join::with_its_load;
 }
 
 void CompensatingRegulator::resume(const CompensatingRegulator& other, double pwm) noexcept {
@@ -94,16 +98,18 @@ void CompensatingRegulator::resume(const CompensatingRegulator& other, double pw
   r_ = other.r_;
   deflection_ = other.deflection_;
   joined_pwm_ = pwm;
-  phase_ = Phase::joined;
+  restarted_ = other.restarted_;
+  join_ = Join::without;
 }
 
 void CompensatingRegulator::restart() noexcept {
-  phase_ = Phase::restarted;
+  restarted_ = true;
   bump_ = 0;
 }
 
 void CompensatingRegulator::reset() noexcept {
   p_ = v_ = d_ = r_ = deflection_ = 0;
+  join_ = Join::none;
   restart();
 }
 

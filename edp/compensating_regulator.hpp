@@ -1,5 +1,8 @@
 // Position regulator that knows its drive: feed-forward of speed and load, an observer for what is not known.
 #pragma once
+#include <cstdint>
+#include <limits>
+
 #include "base/hardware.hpp"
 
 namespace mrroc::edp {
@@ -9,10 +12,11 @@ namespace mrroc::edp {
 struct DriveModel {
   double resistance{1};     ///< of winding and bridge [ohm], positive
   double inertia{1};        ///< of all that turns with the shaft [kg m^2], positive
-  double friction{};        ///< expected, and compensated [N m]
+  double friction{};        ///< that is compensated [N m]. A shaft with less is none the worse for it: the
+                            ///< compensation follows the set motion, so it cannot make the loop hunt
   double presliding{0.02};  ///< turn in which friction builds up after a reversal [rad], positive
-  double max_current{1};    ///< that a regulator may demand, and from which the supervision stops the arm
-                            ///< [A], positive
+  /// From which on the supervision stops the arm [A]; regulators that know their drive ask for less.
+  double max_current{std::numeric_limits<double>::infinity()};
   double torque_constant{0.105};  ///< [N m/A], equal to the voltage constant [V s/rad]
   double supply{48};              ///< voltage at full duty cycle [V]
 
@@ -32,7 +36,6 @@ struct DriveModel {
 struct CompensationCoefficients {
   double bandwidth{};  ///< of the position loop: its double pole [rad/s], positive
   double observer{};   ///< of the observer: its triple pole [rad/s], positive
-  double friction{};   ///< share of DriveModel::friction that is compensated, 0..1
 };
 
 /// Position regulator with feed-forward of speed, preload and compensation of friction.
@@ -47,7 +50,8 @@ struct CompensationCoefficients {
 /// shaft is half a step behind its set position. u_g holds the preload that is told (gravity), u_f is Dahl's
 /// friction of a shaft that moves as it is set to. What is left of the load - friction and inertia that are
 /// not as expected, forces of contact - is the observer's d: there is no other integral action, so
-/// nothing winds up when the output is clipped.
+/// nothing winds up when the output is clipped. It is clipped at
+/// 0.8 of the largest current too, as the model has it.
 ///
 /// Units: encoder increments, steps, and 1/255 of the supply. Real-time safe but for the constructor.
 class CompensatingRegulator {
@@ -86,8 +90,9 @@ class CompensatingRegulator {
   double deflection_{};     // of Dahl's spring [increments]
   double bump_{};           // what is left of the difference from the regulator before
   double joined_pwm_{};     // its last duty cycle
-  enum class Phase : std::uint8_t { restarted, joining, joined, running };
-  Phase phase_{Phase::restarted};
+  bool restarted_{true};    // position and speed are to be taken from the next measurement
+  enum class Join : std::uint8_t { none, with_its_load, without };
+  Join join_{Join::none};
 };
 
 }  // namespace mrroc::edp

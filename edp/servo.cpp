@@ -31,6 +31,10 @@ bool Servo::select(int motor, int algorithm_no, int parameter_set_no) noexcept {
   Motor& m = motors_[index(motor)];
   const ServoChoice choice{algorithm_no, parameter_set_no};
   if (choice == m.choice) return true;
+  if (!m.driven) {  // every regulator is as new
+    m.choice = choice;
+    return true;
+  }
   CompensatingRegulator& compensating = m.compensating[index(parameter_set_no)];
   if (algorithm_no == 0)
     m.incremental[index(parameter_set_no)].resume(m.error, m.last_set - m.last_seen, m.pwm);
@@ -47,6 +51,7 @@ void Servo::reset() noexcept {
     for (IncrementalRegulator& regulator : m.incremental) regulator.reset();
     for (CompensatingRegulator& regulator : m.compensating) regulator.reset();
     m.error = m.unseen = m.last_set = m.last_seen = m.pwm = 0;
+    m.driven = false;
   }
 }
 
@@ -61,7 +66,7 @@ void Servo::braked(const AxisVector& measured_increment) noexcept {
 
 double Servo::Motor::see(double set_increment, double measured_increment) noexcept {
   unseen += measured_increment;
-  const double play = std::abs(set_increment) < kStanding ? kPlay : 0;
+  const double play = choice.algorithm_no == 0 && std::abs(set_increment) < kStanding ? kPlay : 0;
   const double kept = std::clamp(unseen, -play, play);
   const double told = unseen - kept;
   unseen = kept;
@@ -76,6 +81,7 @@ double Servo::Motor::step(double set_increment, double measured_increment, doubl
                                  : compensating[set].step(set_increment, behind, preload);
   error = behind + set_increment;
   last_set = set_increment;
+  driven = true;
   return pwm;
 }
 

@@ -62,6 +62,7 @@ class Servo {
     double unseen{};     // motion that the regulator has not been told [increments]
     double last_set{};   // set increment of the step before [increments]
     double last_seen{};  // motion seen in the step before [increments]
+    bool driven{};       // since the last reset
     double pwm{};        // of the step before
     [[nodiscard]] double see(double set_increment, double measured_increment) noexcept;
     [[nodiscard]] double step(double set_increment, double measured_increment, double preload) noexcept;

@@ -22,6 +22,9 @@ std::optional<Fault> supervise_drives(const Robot& robot, const SupervisionParam
     const std::uint8_t switches = reading.switches[motor];
     if (pressed(switches, AxisSwitch::over_current))
       return make_fault(FaultCode::over_current, axis.name, k, reading.current[motor]);
+    const double max_current = axis.servo.drive.max_current;
+    if (!(std::abs(reading.current[motor]) <= max_current))
+      return make_fault(FaultCode::over_current, axis.name, k, reading.current[motor], max_current);
     if (pressed(switches, AxisSwitch::lower_limit) || pressed(switches, AxisSwitch::upper_limit))
       return make_fault(FaultCode::limit_switch, axis.name, k, drives.measured[k],
                         pressed(switches, AxisSwitch::lower_limit) ? axis.motor.lower : axis.motor.upper);

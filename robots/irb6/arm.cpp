@@ -8,6 +8,7 @@ Arm::Arm(const ArmParameters& parameters)
     : parameters_(parameters),
       transmission_(parameters),
       kinematics_(parameters),
+      gravity_(parameters),
       T_WS_(pose_from_angle_axis(AngleAxisPose(parameters.sensor_in_wrist.data()))),
       T_WE_(pose_from_angle_axis(AngleAxisPose(parameters.tool_in_wrist.data()))) {}
 

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "edp/robot.hpp"
+#include "robots/irb6/gravity.hpp"
 #include "robots/irb6/kinematics.hpp"
 #include "robots/irb6/parameters.hpp"
 #include "robots/irb6/transmission.hpp"
@@ -46,6 +47,10 @@ class Arm final : public edp::Robot {
     return transmission_.joints(motors).value;
   }
 
+  [[nodiscard]] AxisVector gravity(const AxisVector& joints) const noexcept override {
+    return gravity_.torques(joints, transmission_);
+  }
+
   /// @return the table behind the arm
   [[nodiscard]] const ArmParameters& parameters() const noexcept { return parameters_; }
   /// @return motors to joints and back, with the report of clamping and the Jacobian
@@ -63,6 +68,7 @@ class Arm final : public edp::Robot {
   ArmParameters parameters_;
   Transmission transmission_;
   Kinematics kinematics_;
+  Gravity gravity_;
   Pose T_WS_;
   Pose T_WE_;
   int model_{};

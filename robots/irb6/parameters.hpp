@@ -107,10 +107,9 @@ constexpr edp::ServoCoefficients servo(const edp::RegulatorCoefficients& origina
                                        const edp::DriveModel& drive) {
   edp::RegulatorCoefficients proportional = original;
   proportional.epsilon = 0;
-  return {.standard = {0, 0},
+  return {.standard = {1, 0},
           .incremental = {original, proportional},
-          .compensating = {{{.bandwidth = 100, .observer = 200, .friction = 0.8},
-                            {.bandwidth = 60, .observer = 120, .friction = 0.8}}},
+          .compensating = {{{.bandwidth = 100, .observer = 150}, {.bandwidth = 60, .observer = 120}}},
           .drive = drive};
 }
 
@@ -123,7 +122,7 @@ constexpr AxisTable track(double synchro) {
            kIncrements,
            kMaxMotorSpeed,
            servo({.epsilon = 0.010, .a = 0.412429378531, .b0 = 1.5569592, .b1 = 1.5028614},
-                 {.resistance = 2.9, .inertia = 2.15e-4, .friction = 0.015, .max_current = 25})},
+                 {.resistance = 2.9, .inertia = 2.15e-4, .friction = 0.025, .max_current = 25})},
           {kTrackScrew, synchro, 0}};
 }
 constexpr AxisTable column(double synchro) {
@@ -133,7 +132,7 @@ constexpr AxisTable column(double synchro) {
            kIncrements,
            kMaxMotorSpeed,
            servo({.epsilon = 0.010, .a = 0.412429378531, .b0 = 1.5569592, .b1 = 1.5028614},
-                 {.resistance = 0.9, .inertia = 6.9e-4, .friction = 0.015, .max_current = 15})},
+                 {.resistance = 0.9, .inertia = 6.9e-4, .friction = 0.025, .max_current = 15})},
           {-158, synchro, 0}};
 }
 constexpr AxisTable lower_arm(double synchro) {
@@ -143,7 +142,7 @@ constexpr AxisTable lower_arm(double synchro) {
            kIncrements,
            kMaxMotorSpeed,
            servo({.epsilon = 0.008, .a = 0.655629139073, .b0 = 0.6181068, .b1 = 0.5916852},
-                 {.resistance = 1.3, .inertia = 3.9e-4, .friction = 0.015, .max_current = 18})},
+                 {.resistance = 1.3, .inertia = 3.9e-4, .friction = 0.025, .max_current = 18})},
           {kScrew, synchro, 220.3374}};
 }
 constexpr AxisTable upper_arm(double synchro) {
@@ -153,7 +152,7 @@ constexpr AxisTable upper_arm(double synchro) {
            kIncrements,
            kMaxMotorSpeed,
            servo({.epsilon = 0.008, .a = 0.315789473684, .b0 = 1.1984784, .b1 = 1.1424828},
-                 {.resistance = 1.4, .inertia = 3.3e-4, .friction = 0.015, .max_current = 10})},
+                 {.resistance = 1.4, .inertia = 3.3e-4, .friction = 0.025, .max_current = 10})},
           {kScrew, synchro, 183.8348}};
 }
 constexpr AxisTable wrist_T(double synchro) {
@@ -163,7 +162,7 @@ constexpr AxisTable wrist_T(double synchro) {
            kIncrements,
            kMaxMotorSpeed,
            servo({.epsilon = 0.010, .a = 0.548946716233, .b0 = 0.6305064, .b1 = 0.5874396},
-                 {.resistance = 1.6, .inertia = 1.91e-4, .friction = 0.015, .max_current = 10})},
+                 {.resistance = 1.6, .inertia = 1.91e-4, .friction = 0.025, .max_current = 10})},
           {-128, synchro, 0}};
 }
 constexpr AxisTable wrist_V(double synchro) {
@@ -173,7 +172,7 @@ constexpr AxisTable wrist_V(double synchro) {
            kIncrements,
            kMaxMotorSpeed,
            servo({.epsilon = 0.020, .a = 0.391982182628, .b0 = 0.4458592, .b1 = 0.4085392},
-                 {.resistance = 7.2, .inertia = 3.5e-5, .friction = 0.003, .max_current = 10})},
+                 {.resistance = 7.2, .inertia = 3.5e-5, .friction = 0.005, .max_current = 10})},
           {-128 * 0.6, synchro, 0}};
 }
 constexpr AxisTable wrist_N(double synchro) {
@@ -183,7 +182,7 @@ constexpr AxisTable wrist_N(double synchro) {
            kIncrements / 2,
            kMaxMotorSpeed,
            servo({.epsilon = 0.005, .a = 0.3, .b0 = 0.5456, .b1 = 0.5056},
-                 {.resistance = 19, .inertia = 1.51e-5, .friction = 0.003, .max_current = 10})},
+                 {.resistance = 19, .inertia = 1.51e-5, .friction = 0.005, .max_current = 10})},
           {288.8845, synchro, 0}};
 }
 

@@ -21,7 +21,7 @@ class Drives {
       const DriveModel& known = arm_.axis(k).servo.drive;
       auto& m = motors_[static_cast<std::size_t>(k)];
       m.resistance = known.resistance;
-      m.friction = known.friction;
+      m.friction = 0.6 * known.friction;
     }
   }
 

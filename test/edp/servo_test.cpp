@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "edp/encoders.hpp"
 #include "edp/supervision.hpp"
 #include "test/edp/fake_arm.hpp"
@@ -83,6 +85,25 @@ TEST_F(Supervision, NothingIsWrongUpToTheLimits) {
   drives.set[5] = -1.99;
   reading.switches[2] = static_cast<std::uint8_t>(AxisSwitch::synchro);
   EXPECT_FALSE(look());
+}
+
+TEST_F(Supervision, CurrentIsJudgedAsMeasuredAndBySwitch) {
+  reading.current[2] = -FakeArm::kMaxCurrent;
+  EXPECT_FALSE(look());
+  for (const double current : {FakeArm::kMaxCurrent + 0.1, -FakeArm::kMaxCurrent - 0.1, std::nan("")}) {
+    reading.current[2] = current;
+    const std::optional<Fault> fault = look();
+    ASSERT_TRUE(fault) << current;
+    EXPECT_EQ(fault->code, FaultCode::over_current);
+    EXPECT_EQ(fault->axis, 2);
+    EXPECT_EQ(fault->limit, FakeArm::kMaxCurrent);
+  }
+  reading.current[2] = 0;
+  reading.switches[4] = static_cast<std::uint8_t>(AxisSwitch::over_current);
+  const std::optional<Fault> fault = look();
+  ASSERT_TRUE(fault);
+  EXPECT_EQ(fault->code, FaultCode::over_current);
+  EXPECT_EQ(fault->axis, 4);
 }
 
 TEST_F(Supervision, SpeedIsJudgedByTheTimeThatPassed) {

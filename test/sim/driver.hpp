@@ -1,4 +1,4 @@
-// The smallest effector driver that moves an arm of the world: law (28), inverse kinematics, regulators.
+// The smallest effector driver that moves an arm of the world: law (28), inverse kinematics, servo.
 #pragma once
 #include <array>
 #include <memory>
@@ -7,7 +7,7 @@
 #include "base/axis_command.hpp"
 #include "base/pose.hpp"
 #include "edp/control_law.hpp"
-#include "edp/regulator.hpp"
+#include "edp/servo.hpp"
 #include "robots/irb6/arm.hpp"
 #include "sim/world.hpp"
 
@@ -22,12 +22,11 @@ class Driver {
       : world_(world),
         arm_(arm),
         robot_(irb6::make_arm(arm == 0 ? "irb6_postument" : "irb6_track", irb6::model_number(set))),
+        servo_(*robot_),
         joints_(world.start_joints(arm)),
         motors_(robot_->motors_from_joints(joints_)),
         T_0E_(robot_->forward(joints_) * robot_->tool_in_wrist()),
-        R_ES_(robot_->tool_in_wrist().R.transpose() * robot_->sensor_in_wrist().R) {
-    for (int k = 0; k < robot_->axes(); ++k) regulators_.emplace_back(robot_->axis(k).servo.incremental[0]);
-  }
+        R_ES_(robot_->tool_in_wrist().R.transpose() * robot_->sensor_in_wrist().R) {}
 
   TaskFrameCommand command{};  ///< all u() with velocity 0
 
@@ -40,17 +39,22 @@ class Driver {
 
     joints_ = robot_->inverse(T_0E_ * robot_->tool_in_wrist().inverse(), joints_).joints;
     const AxisVector motors = robot_->motors_from_joints(joints_);
-    HardwareCommand out{.step = reading.step, .enabled = true};
+    AxisVector turned(robot_->axes());
     for (int k = 0; k < robot_->axes(); ++k) {
       const auto i = static_cast<std::size_t>(k);
-      const double set = (motors[k] - motors_[k]) * robot_->axis(k).increments_per_rad;
-      out.pwm[i] = regulators_[i].step(set, reading.encoder[i] - encoder_[i]);
+      turned[k] = reading.encoder[i] - encoder_[i];
     }
+    HardwareCommand out{.step = reading.step, .enabled = true};
+    out.pwm = servo_.step(motors - motors_, turned, robot_->gravity(joints_));
     motors_ = motors;
     encoder_ = reading.encoder;
     return out;
   }
 
+  /// Chooses the regulators of all motors, parameter set 0.
+  void select(int algorithm_no) {
+    for (int k = 0; k < robot_->axes(); ++k) servo_.select(k, algorithm_no, 0);
+  }
   /// Takes a mean of readings as that of the free tool.
   void bias(const Wrench& mean) { bias_ = mean; }
   /// @return F_a of the last step, in E
@@ -70,7 +74,7 @@ class Driver {
   const World& world_;
   int arm_;
   std::unique_ptr<irb6::Arm> robot_;
-  std::vector<edp::IncrementalRegulator> regulators_{};
+  edp::Servo servo_;
   AxisVector joints_, motors_;
   Pose T_0E_;
   Matrix3 R_ES_;

@@ -26,8 +26,14 @@ struct OneAxis {
 /// Simulates the axis in steps of the driver with substeps of 1 ms. The tip begins at 0.
 class OneAxisRig {
  public:
-  explicit OneAxisRig(const OneAxis& axis)
-      : a_(axis), regulator_(axis.axis.servo.incremental[0]), encoder_(axis.axis.increments_per_rad, 0.3) {}
+  /// @param algorithm_no of the servo; algorithm 1 knows the load
+  OneAxisRig(const OneAxis& axis, int algorithm_no)
+      : a_(axis),
+        algorithm_no_(algorithm_no),
+        incremental_(axis.axis.servo.incremental[0]),
+        compensating_(axis.axis.servo.compensating[0], axis.axis.servo.drive, axis.axis.increments_per_rad,
+                      kStep),
+        encoder_(axis.axis.increments_per_rad, 0.3) {}
 
   double wall{1};         ///< where the spring begins [m]
   double stiffness{1e4};  ///< [N/m]
@@ -36,7 +42,10 @@ class OneAxisRig {
   /// One step. @param set_increment  of the tip [m]
   void step(double set_increment) {
     const std::int32_t count = encoder_.count(angle_);
-    const double pwm = regulator_.step(set_increment / a_.lever * a_.axis.increments_per_rad, count - count_);
+    const double turn = set_increment / a_.lever * a_.axis.increments_per_rad;
+    const double pwm = algorithm_no_ == 0 ? incremental_.step(turn, count - count_)
+                                          : compensating_.step(turn, set_ - count, a_.load);
+    set_ += turn;
     count_ = count;
     force_ = 0;
     for (int k = 0; k < kSubsteps; ++k) {
@@ -61,18 +70,23 @@ class OneAxisRig {
   [[nodiscard]] double force() const { return force_; }
   /// @return [m]
   [[nodiscard]] double tip() const { return angle_ * a_.lever; }
+  /// @return of the tip [m/s]
+  [[nodiscard]] double speed() const { return speed_ * a_.lever; }
 
  private:
   static constexpr int kSubsteps = 2;
   static constexpr double kSubstep = kStep / kSubsteps;
 
   OneAxis a_;
-  edp::IncrementalRegulator regulator_;
+  int algorithm_no_;
+  edp::IncrementalRegulator incremental_;
+  edp::CompensatingRegulator compensating_;
   Encoder encoder_;
   ShaftFriction friction_{};
   std::mt19937_64 random_{1};
   std::normal_distribution<double> normal_{};
   std::int32_t count_{};
+  double set_{};  // [increments]
   double angle_{}, speed_{}, force_{}, velocity_{};
 };
 
