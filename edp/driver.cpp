@@ -32,6 +32,8 @@ const DriverParameters& checked(const Robot& robot, const DriverParameters& p) {
   demand(is_proper(p.force.T_WS), "the force sensor's place must be a pose");
   demand(p.force.average >= 1 && p.force.average <= 4, "the force average must lie between 1 and 4");
   demand(p.force.low_pass >= 0, "the corner of the force's low pass must not be negative");
+  demand(!p.servo || Servo::known(p.servo->algorithm_no, p.servo->parameter_set_no),
+         "there is no such servo algorithm or parameter set");
   demand(p.force.patience >= 1, "the force patience must be at least 1");
   demand(p.force.stuck_after >= 0, "the number of equal forces must not be negative");
   return p;
@@ -53,6 +55,8 @@ Driver::Driver(const Robot& robot, const DriverParameters& parameters)
   model_.kinematic_model = static_cast<std::uint16_t>(robot.model());
   model_.weight = p_.force.weight;
   std::copy_n(p_.force.mass_centre.data(), 3, model_.mass_centre.begin());
+  for (int k = 0; parameters.servo && k < robot.axes(); ++k)
+    servo_.select(k, parameters.servo->algorithm_no, parameters.servo->parameter_set_no);
 }
 
 bool Driver::at_rest() const noexcept {

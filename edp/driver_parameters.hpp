@@ -1,12 +1,14 @@
 // Constants of one effector driver, from the configuration.
 #pragma once
 #include <array>
+#include <optional>
 
 #include "base/axes.hpp"
 #include "base/pose.hpp"
 #include "base/spatial.hpp"
 #include "edp/deceleration.hpp"
 #include "edp/limits.hpp"
+#include "edp/servo_coefficients.hpp"
 
 namespace mrroc::edp {
 
@@ -72,6 +74,8 @@ struct DriverParameters {
   ForceSensorParameters force;
   Limits limits;
   SupervisionParameters supervision;
+  std::optional<ServoChoice>
+      servo;  ///< regulators of all motors at the start; without: those of the robot's table
 };
 
 }  // namespace mrroc::edp

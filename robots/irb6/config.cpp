@@ -49,6 +49,9 @@ DriverSetup read_driver(const Config& config, const std::string& key, std::strin
   d.dt = config.number("time.dt", d.dt, {0.002, 0.002}, "s");
   d.n_s = config.integer("time.n_s", d.n_s, {2, 32}, "steps");
   d.stop_steps = table.integer("stop_steps", d.stop_steps, {1, 40}, "steps");
+  const edp::ServoChoice standard = s.arm->axis(0).servo.standard;  // the same for all motors
+  d.servo = {table.integer("servo.algorithm", standard.algorithm_no, {0, edp::kServoAlgorithms - 1}),
+             table.integer("servo.parameter_set", standard.parameter_set_no, {0, edp::kServoSets - 1})};
   d.limits.linear_velocity =
       table.number("limits.linear_velocity", d.limits.linear_velocity, {0.001, 2}, "m/s");
   d.limits.angular_velocity =
