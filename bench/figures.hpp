@@ -1,5 +1,6 @@
 // What a benchmark has measured, and the groups of benchmarks.
 #pragma once
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,10 @@ using Figures = std::vector<Figure>;
 
 /// Step of the effector driver, kinematics. Takes about ten seconds.
 Figures run_edp_group();
+/// Both algorithms of the servo over motor friction, in contact and in free motion. Takes about a minute.
+/// @param plots folder for the picture servo.png and its script; empty: none
+/// @throws FaultError cannot_write, internal_error
+Figures run_servo_group(const std::filesystem::path& plots);
 /// Runs the drawing task several times in separate processes, and kills its parts. Takes about a minute.
 /// @throws FaultError a run did not do what it should
 Figures run_drawing_group();

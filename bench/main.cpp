@@ -16,9 +16,10 @@ namespace {
 
 using namespace mrroc;
 
-const std::vector<std::pair<std::string, std::function<bench::Figures()>>> kGroups{
-    {"edp", bench::run_edp_group},
-    {"drawing", bench::run_drawing_group},
+const std::vector<std::pair<std::string, std::function<bench::Figures(const std::string& plots)>>> kGroups{
+    {"edp", [](const std::string&) { return bench::run_edp_group(); }},
+    {"servo", [](const std::string& plots) { return bench::run_servo_group(plots); }},
+    {"drawing", [](const std::string&) { return bench::run_drawing_group(); }},
 };
 
 std::vector<std::string> group_names() {
@@ -27,13 +28,14 @@ std::vector<std::string> group_names() {
   return names;
 }
 
-int run(const std::vector<std::string>& wanted, const std::string& file, bool resume) {
+int run(const std::vector<std::string>& wanted, const std::string& file, const std::string& plots,
+        bool resume) {
   bench::Report report(file);
   if (resume) report.resume();
   for (const auto& [name, measure] : kGroups) {
     if (!wanted.empty() && std::ranges::find(wanted, name) == wanted.end()) continue;
     if (resume && report.has(name)) continue;
-    report.add(name, measure());
+    report.add(name, measure(plots));
   }
   return 0;
 }
@@ -45,14 +47,16 @@ int main(int argc, char** argv) {
   app.name("bench");
   std::vector<std::string> groups;
   std::string file;
+  std::string plots;
   bool resume = false;
-  app.add_option("group", groups, "edp, drawing (default: all)")->check(CLI::IsMember(group_names()));
+  app.add_option("group", groups, "edp, servo, drawing (default: all)")->check(CLI::IsMember(group_names()));
   auto* json = app.add_option("--json", file, "writes {\"figures\": {KEY: number}, \"context\": {...}}");
   json->type_name("FILE");
   app.add_flag("--resume", resume, "leaves out groups whose figures are in the file already")->needs(json);
+  app.add_option("--plots", plots, "draws pictures of the servo group there (gnuplot)")->type_name("DIR");
   try {
     app.parse(argc, argv);
-    return run(groups, file, resume);
+    return run(groups, file, plots, resume);
   } catch (const CLI::CallForHelp& e) {
     return app.exit(e);
   } catch (const CLI::ParseError& e) {
