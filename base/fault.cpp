@@ -16,7 +16,7 @@ constexpr bool rows_are_numbered() {
   return true;
 }
 static_assert(rows_are_numbered(), "row k of the table must describe the code with the number k");
-static_assert(static_cast<std::size_t>(FaultCode::emergency_stop) + 1 == kFaultTable.size());
+static_assert(static_cast<std::size_t>(FaultCode::interrupted) + 1 == kFaultTable.size());
 static_assert(std::is_trivially_copyable_v<Fault>);
 
 std::string printable(std::string_view text) {
@@ -99,9 +99,16 @@ FaultError::FaultError(const Fault& fault) : std::runtime_error(what_happened(fa
 FaultError::FaultError(FaultCode code, const std::string& what)
     : std::runtime_error(what), fault_{.code = code, .process = {}, .text = std::string_view(what)} {}
 
+FaultError::FaultError(FaultCode code, const std::string& what, std::string remedy) : FaultError(code, what) {
+  remedy_ = std::move(remedy);
+}
+
+std::string_view FaultError::remedy() const noexcept {
+  return remedy_.empty() ? fault_entry(fault_.code).remedy : std::string_view(remedy_);
+}
+
 std::string FaultError::error_line() const {
-  const FaultEntry& entry = fault_entry(fault_.code);
-  return fmt::format("error: {}: {}; {}", entry.name, what(), entry.remedy);
+  return fmt::format("error: {}: {}; {}", to_string(fault_.code), what(), remedy());
 }
 
 }  // namespace mrroc

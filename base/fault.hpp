@@ -87,6 +87,7 @@ enum class FaultCode : std::uint16_t {
   // the operator
   operator_stop,
   emergency_stop,
+  interrupted,
 };
 
 /// One row of the table of errors.
@@ -144,13 +145,18 @@ class FaultError : public std::runtime_error {
   explicit FaultError(const Fault& fault);
   /// @param what what happened, when that needs more room than a Fault has
   FaultError(FaultCode code, const std::string& what);
+  /// @param remedy what to do in this very case, instead of the table's advice; empty: the table's
+  FaultError(FaultCode code, const std::string& what, std::string remedy);
 
   [[nodiscard]] const Fault& fault() const noexcept { return fault_; }
-  /// @return as error_line(fault()), with the whole text of what()
+  /// @return what the operator can do
+  [[nodiscard]] std::string_view remedy() const noexcept;
+  /// @return as error_line(fault()), with the whole text of what() and with remedy()
   [[nodiscard]] std::string error_line() const;
 
  private:
   Fault fault_;
+  std::string remedy_;
 };
 
 }  // namespace mrroc

@@ -137,6 +137,8 @@ inline constexpr std::array kFaultTable{
               "start it again when ready"),
   MRROC_FAULT(emergency_stop, fatal, "the emergency stop was pressed",
               "release it, then reset"),
+  MRROC_FAULT(interrupted, non_fatal, "a signal ended the task",
+              "start it again when ready"),
 };
 // clang-format on
 #undef MRROC_FAULT

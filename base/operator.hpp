@@ -29,7 +29,8 @@ constexpr std::string_view to_string(OperatorOrder o) {
 }
 
 /// State of a task as the operator sees it.
-enum class TaskState : std::uint8_t { starting, waiting_for_start, running, paused, stopping, ended };
+/// ending: the arms rest and the processes are gone; figures, tables and pictures are being made.
+enum class TaskState : std::uint8_t { starting, waiting_for_start, running, paused, stopping, ending, ended };
 
 constexpr std::string_view to_string(TaskState s) {
   switch (s) {
@@ -43,6 +44,8 @@ constexpr std::string_view to_string(TaskState s) {
       return "paused";
     case TaskState::stopping:
       return "stopping";
+    case TaskState::ending:
+      return "ending";
     case TaskState::ended:
       return "ended";
   }

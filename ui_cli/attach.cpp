@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "ui_cli/failure.hpp"
+#include "base/fault.hpp"
 
 namespace mrroc::ui {
 namespace {
@@ -17,9 +17,9 @@ std::string candidates(const std::vector<link::SessionInfo>& running) {
 }
 
 [[noreturn]] void nothing_runs(const std::string& what) {
-  throw Failure(FaultCode::no_such_session, what,
-                "start one, for example with `./run drawing`, or name a task of another host or user with "
-                "--session and --url");
+  throw FaultError(FaultCode::no_such_session, what,
+                   "start one, for example with `./run drawing`, or name a task of another host or user with "
+                   "--session and --url");
 }
 
 link::LcmAddress parse_url(const std::string& url) {
@@ -35,9 +35,9 @@ link::SessionInfo find(const Wish& wish, const std::vector<link::SessionInfo>& r
     if (!wish.url.empty()) throw FaultError(FaultCode::bad_usage, "--url needs --session beside it");
     if (running.empty()) nothing_runs("no task runs");
     if (running.size() == 1) return running.front();
-    throw Failure(FaultCode::no_such_session,
-                  fmt::format("{} tasks run: {}", running.size(), candidates(running)),
-                  "name one with --session NAME");
+    throw FaultError(FaultCode::no_such_session,
+                     fmt::format("{} tasks run: {}", running.size(), candidates(running)),
+                     "name one with --session NAME");
   }
   link::check_session_name(wish.session);
   const auto known = std::ranges::find(running, wish.session, &link::SessionInfo::name);
@@ -45,8 +45,8 @@ link::SessionInfo find(const Wish& wish, const std::vector<link::SessionInfo>& r
   if (!wish.url.empty()) return {wish.session, 0, {}, {}, {}, 0};
   const std::string what = fmt::format("no task runs under the name {}", wish.session);
   if (running.empty()) nothing_runs(what);
-  throw Failure(FaultCode::no_such_session, fmt::format("{}; these run: {}", what, candidates(running)),
-                "name one of them with --session, or a task of another host or user with --url beside it");
+  throw FaultError(FaultCode::no_such_session, fmt::format("{}; these run: {}", what, candidates(running)),
+                   "name one of them with --session, or a task of another host or user with --url beside it");
 }
 
 }  // namespace
@@ -55,9 +55,10 @@ link::SessionInfo choose_session(const Wish& wish, const std::vector<link::Sessi
   link::SessionInfo session = find(wish, running);
   if (!wish.url.empty()) session.address = parse_url(wish.url);
   if (!session.address)
-    throw Failure(FaultCode::no_such_session,
-                  fmt::format("the task of session {} runs without messages between processes", session.name),
-                  fmt::format("end it with Ctrl-C in its own terminal, or with `kill {}`", session.pid));
+    throw FaultError(
+        FaultCode::no_such_session,
+        fmt::format("the task of session {} runs without messages between processes", session.name),
+        fmt::format("end it with Ctrl-C in its own terminal, or with `kill {}`", session.pid));
   return session;
 }
 

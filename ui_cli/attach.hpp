@@ -17,7 +17,7 @@ struct Wish {
 /// @return the session wished for, or the only one that runs, always with an address; a session that is not
 ///         among the running ones, but wished for with an url, has the id and the pid 0
 /// @throws FaultError bad_usage: the name or url cannot be one, or an url without a name
-/// @throws Failure no_such_session, naming the candidates, or how to start a task when none runs
+/// @throws FaultError no_such_session, naming the candidates, or how to start a task when none runs
 link::SessionInfo choose_session(const Wish& wish, const std::vector<link::SessionInfo>& running);
 
 }  // namespace mrroc::ui

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/fault.hpp"
 #include "base/link/decode.hpp"
 #include "base/link/text.hpp"
 #include "mrroc/operator_order_t.hpp"
-#include "ui_cli/failure.hpp"
 
 namespace mrroc::ui {
 
@@ -104,12 +104,12 @@ void Client::give_up(const std::string& waited_for) const {
   const std::string what = fmt::format("the task of session {} {} in {} s", session_.name, waited_for,
                                        std::chrono::duration<double>(patience_.give_up).count());
   if (session_.pid == 0)
-    throw Failure(FaultCode::peer_silent, what,
-                  fmt::format("look whether it runs and talks at {}",
-                              session_.address ? session_.address->url() : "this address"));
-  throw Failure(FaultCode::peer_silent, what,
-                fmt::format("look whether its process {} hangs (`ps -p {}`), and at messages.log in {}",
-                            session_.pid, session_.pid, session_.run_folder.string()));
+    throw FaultError(FaultCode::peer_silent, what,
+                     fmt::format("look whether it runs and talks at {}",
+                                 session_.address ? session_.address->url() : "this address"));
+  throw FaultError(FaultCode::peer_silent, what,
+                   fmt::format("look whether its process {} hangs (`ps -p {}`), and at messages.log in {}",
+                               session_.pid, session_.pid, session_.run_folder.string()));
 }
 
 }  // namespace mrroc::ui

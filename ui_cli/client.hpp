@@ -60,14 +60,14 @@ class Client {
   [[nodiscard]] bool pending() const { return pending_.has_value(); }
   /// Sends the order when it is time, and looks for the answer. Call it often.
   /// @return the answer, once
-  /// @throws Failure peer_silent, once, when no answer has come for Patience::give_up
+  /// @throws FaultError peer_silent, once, when no answer has come for Patience::give_up
   std::optional<Answer> poll(Clock::time_point now);
 
   /// Gives an order and waits for its answer.
-  /// @throws Failure peer_silent
+  /// @throws FaultError peer_silent
   Answer order(OperatorOrder order);
   /// Waits for the first status.
-  /// @throws Failure peer_silent
+  /// @throws FaultError peer_silent
   Snapshot await_status();
 
  private:

@@ -5,8 +5,8 @@
 #include <ostream>
 #include <string>
 
+#include "base/fault.hpp"
 #include "ui_cli/attach.hpp"
-#include "ui_cli/failure.hpp"
 #include "ui_cli/report.hpp"
 #include "ui_cli/watch.hpp"
 
@@ -64,8 +64,19 @@ struct Connection {
 struct CommandLine {
   Wish wish;
   bool json{};
+  bool yes{};                     ///< also a trigger that comes early
   std::function<void()> command;  ///< throws what goes wrong
 };
+
+/// A trigger cannot be taken back: one that comes early must be meant.
+/// @throws FaultError illegal_in_state with the task's reason
+void refuse_early(Client& client, const CommandLine& line, const Surroundings& around) {
+  const Snapshot s = client.await_status();
+  if (!s.waits_for_trigger || s.early.empty()) return;
+  if (line.json) around.out << answer_json({OperatorOrder::trigger, false, s.early});
+  throw FaultError(FaultCode::illegal_in_state, "trigger refused: " + s.early,
+                   "wait until that is done, or give `ui_cli trigger --yes`");
+}
 
 void add_commands(CLI::App& app, CommandLine& line, const Surroundings& around) {
   const auto look = [&line, &around] {
@@ -88,10 +99,15 @@ void add_commands(CLI::App& app, CommandLine& line, const Surroundings& around) 
       around.out << (line.json ? sessions_json(running) : sessions_text(running));
     };
   });
-  for (const OrderHelp& o : kOrders)
-    app.add_subcommand(std::string(to_string(o.order)), o.help)->callback([&, order = o.order] {
+  for (const OrderHelp& o : kOrders) {
+    CLI::App* const command = app.add_subcommand(std::string(to_string(o.order)), o.help);
+    if (o.order == OperatorOrder::trigger)
+      command->add_flag("--yes", line.yes, "Also when the task says that it is too early");
+    command->callback([&, order = o.order] {
       line.command = [&, order] {
-        const Answer answer = Connection(line.wish, around).client.order(order);
+        Connection connection(line.wish, around);
+        if (order == OperatorOrder::trigger && !line.yes) refuse_early(connection.client, line, around);
+        const Answer answer = connection.client.order(order);
         if (line.json) around.out << answer_json(answer);
         if (!answer.accepted)
           throw FaultError(FaultCode::illegal_in_state,
@@ -99,6 +115,7 @@ void add_commands(CLI::App& app, CommandLine& line, const Surroundings& around) 
         if (!line.json) around.out << answer_text(answer);
       };
     });
+  }
 }
 
 int fail(const Surroundings& around, FaultCode code, const std::string& error_line) {
@@ -136,8 +153,6 @@ int run(int argc, const char* const* argv, const Surroundings& around) {
   try {
     line.command();
     return 0;
-  } catch (const Failure& e) {
-    return fail(around, e.fault().code, e.error_line());
   } catch (const FaultError& e) {
     return fail(around, e.fault().code, e.error_line());
   } catch (const link::NoMulticast& e) {

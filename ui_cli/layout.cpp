@@ -19,6 +19,7 @@ Style style_of(TaskState s) {
     case TaskState::waiting_for_start:
     case TaskState::paused:
     case TaskState::stopping:
+    case TaskState::ending:
       return Style::warning;
     case TaskState::ended:
       return Style::title;
@@ -26,30 +27,59 @@ Style style_of(TaskState s) {
   return Style::bad;
 }
 
+/// @return as much of the text as there is room for; nothing of it where that would say nothing
+std::string cut(const std::string& text, int room) {
+  if (static_cast<int>(text.size()) <= room) return text;
+  return room > 8 ? text.substr(0, static_cast<std::size_t>(room - 2)) + ".." : "";
+}
+
+/// Two texts of one row that do not touch: the right one whole, the left one as far as there is room.
+void put_both(Canvas& c, int row, const std::string& left, Style left_style, const std::string& right,
+              Style right_style) {
+  constexpr int kApart = 2;
+  const int end = c.size().columns - 1;
+  c.put_right(row, end, right, right_style);
+  c.put(row, 1, cut(left, end - 1 - (right.empty() ? 0 : static_cast<int>(right.size()) + kApart)),
+        left_style);
+}
+
 void put_title(Canvas& c, const View& v) {
   const std::string task = v.snapshot ? v.snapshot->task : "task";
-  c.put(0, 1, fmt::format("{}   session {}", task, v.session));
-  c.paint(0, Style::title);
+  std::string state = " NO STATUS YET ";
+  Style style = Style::warning;
+  if (v.snapshot && v.silence > kSilence && v.snapshot->state != TaskState::ended) {
+    state = fmt::format(" NO NEWS FOR {:.0f} s ", v.silence);
+    style = Style::bad;
+  } else if (v.snapshot) {
+    state = fmt::format(" {} ", to_string(v.snapshot->state));
+    style = style_of(v.snapshot->state);
+  }
   const int end = c.size().columns;
-  if (!v.snapshot)
-    c.put_right(0, end, " NO STATUS YET ", Style::warning);
-  else if (v.silence > kSilence && v.snapshot->state != TaskState::ended)
-    c.put_right(0, end, fmt::format(" NO NEWS FOR {:.0f} s ", v.silence), Style::bad);
-  else
-    c.put_right(0, end, fmt::format(" {} ", to_string(v.snapshot->state)), style_of(v.snapshot->state));
+  c.put(0, 1, cut(fmt::format("{}   session {}", task, v.session), end - 2 - static_cast<int>(state.size())));
+  c.paint(0, Style::title);
+  c.put_right(0, end, state, style);
 }
 
 /// Behaviour, times, why the last behaviour ended and the progress. @return the next free row
 int put_task(Canvas& c, const Snapshot& s) {
   const int end = c.size().columns;
   int row = 1;
-  c.put(row, 1, s.m != 0 ? fmt::format("m {}  {}", s.m, s.behaviour) : s.behaviour, Style::heading);
+  const std::string behaviour = s.m != 0 ? fmt::format("m {}  {}", s.m, s.behaviour) : s.behaviour;
   std::string times = fmt::format("{} s simulated, {} x", fixed(s.sim_time, 2), fixed(s.speed, 1));
-  if (s.macrostep > 0) times = fmt::format("i {}, ", s.macrostep) + times;
-  c.put_right(row++, end - 1, " " + times);
-  const std::string wait = s.waits_for_trigger ? "waits for your trigger: press t" : "";
-  if (!s.ended_because.empty()) c.put(row, 1, "after: " + s.ended_because, Style::dim);
-  c.put_right(row++, end - 1, wait, Style::warning);
+  const std::string counted = s.macrostep > 0 ? fmt::format("i {}, {}", s.macrostep, times) : times;
+  const auto fits = [&](const std::string& right) {
+    return static_cast<int>(behaviour.size() + right.size()) + 4 <= end;
+  };
+  if (fits(counted))
+    times = counted;
+  else if (!fits(times))
+    times = fixed(s.sim_time, 2) + " s";
+  put_both(c, row++, behaviour, Style::heading, times, Style::plain);
+  std::string wait;
+  if (s.waits_for_trigger)
+    wait = s.early.empty() ? "waits for your trigger: press t" : "press t later: " + s.early;
+  put_both(c, row++, s.ended_because.empty() ? "" : "after: " + s.ended_because, Style::dim, wait,
+           Style::warning);
   if (s.progress) {
     const int width = std::clamp(end / 2, 10, 60);
     const int done = static_cast<int>(std::lround(*s.progress * width));
@@ -67,12 +97,34 @@ int put_task(Canvas& c, const Snapshot& s) {
 void put_keys(Canvas& c, const View& v) {
   constexpr std::array<std::string_view, 5> kKeys{"s start", "p pause", "r resume", "t trigger", "x stop"};
   const int row = c.size().rows - 1;
+  if (v.snapshot && v.snapshot->state == TaskState::ended) {
+    c.put(row, 1, "the task is over   q leave   ? help");
+    return;
+  }
+  const bool wide = c.size().columns >= 79;
   int column = 1;
   for (std::size_t k = 0; k < kKeys.size(); ++k) {
     const bool can = v.snapshot && sensible(kOperatorOrders[k], *v.snapshot);
-    column = c.put(row, column, kKeys[k], can ? Style::heading : Style::dim) + 3;
+    column = c.put(row, column, kKeys[k], can ? Style::heading : Style::dim) + (wide ? 2 : 1);
   }
-  c.put(row, column, "q leave (the task goes on)");
+  column = c.put(row, column, "? help") + (wide ? 2 : 1);
+  c.put(row, column, wide ? "q leave (task goes on)" : "q leave");
+}
+
+void put_help(Rows& rows) {
+  constexpr std::array<std::string_view, 11> kHelp{
+      "s  start    lets a task begin that waits for its operator",
+      "p  pause    the task's time stands still; the arms keep their forces",
+      "r  resume   goes on after a pause",
+      "t  trigger  ends a behaviour that waits for you, such as a teach-in",
+      "x  stop     ends the task for good; the arms come to rest. Asks first",
+      "q  leave    closes this view; the task goes on",
+      "",
+      "m: behaviour   i: macrostep   F_z: force along the tool's z axis",
+      "Keys that mean something now are bright. The same orders from a shell:",
+      "ui_cli start, pause, resume, trigger, stop, status, list",
+      "Any key goes back."};
+  for (const std::string_view line : kHelp) rows.canvas().put(rows.take(), 1, line);
 }
 
 /// Rows of the body's parts.
@@ -130,7 +182,10 @@ Canvas lay_out(const View& view, Size size) {
   Canvas c(size);
   put_title(c, view);
   const int limit = size.rows - 2;  // the notice and the keys
-  if (view.snapshot) {
+  if (view.help) {
+    Rows body(c, 1, limit);
+    put_help(body);
+  } else if (view.snapshot) {
     const Snapshot& s = *view.snapshot;
     const int row = put_task(c, s);
     const Plan p = plan(limit - row, s, size.columns);

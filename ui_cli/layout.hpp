@@ -41,6 +41,7 @@ struct View {
   ForceHistory forces;
   std::vector<Message> messages;  ///< oldest first
   Notice notice;
+  bool help{};  ///< what the keys do, instead of the task
   Glyphs glyphs{Glyphs::ascii};
 };
 

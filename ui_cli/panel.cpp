@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "ui_cli/failure.hpp"
-
 namespace mrroc::ui {
 namespace {
 
@@ -23,6 +21,8 @@ std::optional<OperatorOrder> order_of(int key) {
       return OperatorOrder::resume;
     case 't':
       return OperatorOrder::trigger;
+    case 'x':
+      return OperatorOrder::stop;
     default:
       return std::nullopt;
   }
@@ -38,18 +38,35 @@ Panel::Panel(link::Bus& bus, Client& client, Glyphs glyphs, Clock::time_point no
 
 void Panel::key(int key, Clock::time_point now) {
   if (asks_) {
-    asks_ = false;
+    const OperatorOrder order = *asks_;
+    asks_.reset();
     if (key == 'y' || key == 'Y')
-      give(OperatorOrder::stop, now);
+      give(order, now);
     else
-      notice("not stopped", Style::plain, now);
+      notice(order == OperatorOrder::stop ? "not stopped" : "not triggered", Style::plain, now);
+  } else if (view_.help) {
+    view_.help = false;
   } else if (key == 'q' || key == kControlC) {
     leaving_ = true;
-  } else if (key == 'x') {
-    asks_ = true;
-    notice("stop the task for good? y/n", Style::warning, now);
+  } else if (key == '?' || key == 'h') {
+    view_.help = true;
   } else if (const auto order = order_of(key)) {
-    give(*order, now);
+    ask_or_give(*order, now);
+  }
+}
+
+void Panel::ask_or_give(OperatorOrder order, Clock::time_point now) {
+  const auto& s = view_.snapshot;
+  if (s && s->state >= TaskState::ending) {
+    notice("the task is over; q leaves", Style::plain, now);
+  } else if (order == OperatorOrder::stop) {
+    asks_ = order;
+    notice("stop the task for good? y/n", Style::warning, now);
+  } else if (order == OperatorOrder::trigger && s && s->waits_for_trigger && !s->early.empty()) {
+    asks_ = order;
+    notice(s->early + "; trigger all the same? y/n", Style::warning, now);
+  } else {
+    give(order, now);
   }
 }
 
@@ -72,8 +89,8 @@ void Panel::update(Clock::time_point now) {
       else
         notice(order + " refused: " + answer->text, Style::warning, now);
     }
-  } catch (const Failure& e) {
-    notice(std::string(e.what()) + "; " + e.remedy(), Style::bad, now);
+  } catch (const FaultError& e) {
+    notice(std::string(e.what()).append("; ").append(e.remedy()), Style::bad, now);
   }
   if (client_.news() == news_) return;
   news_ = client_.news();
@@ -94,7 +111,7 @@ Canvas Panel::picture(Size size, Clock::time_point now) {
   view_.messages = log_.newest(kMessages);
   View shown = view_;
   if (shown.notice.text.empty() && shown.snapshot && shown.snapshot->state == TaskState::ended)
-    shown.notice = {"the task has ended; q leaves", Style::good};
+    shown.notice = {"the task has ended; its files are in " + shown.snapshot->run_folder, Style::good};
   return lay_out(shown, size);
 }
 

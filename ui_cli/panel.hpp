@@ -16,8 +16,8 @@ class Panel {
   /// @param bus that of the client; both must outlive the panel
   Panel(link::Bus& bus, Client& client, Glyphs glyphs, Clock::time_point now);
 
-  /// A key: s start, p pause, r resume, t trigger, x stop (asks for y), q leave. Others do nothing; while the
-  /// panel asks, any other than y means no.
+  /// A key: s start, p pause, r resume, t trigger (asks for y when it comes early), x stop (asks for y), ? help,
+  /// q leave. Others do nothing; while the panel asks, any other than y means no; any key ends the help.
   void key(int key, Clock::time_point now);
   /// Takes what the client has heard, and sends what has to be sent. Call it often.
   void update(Clock::time_point now);
@@ -27,6 +27,7 @@ class Panel {
   [[nodiscard]] Canvas picture(Size size, Clock::time_point now);
 
  private:
+  void ask_or_give(OperatorOrder order, Clock::time_point now);
   void give(OperatorOrder order, Clock::time_point now);
   void notice(std::string text, Style style, Clock::time_point now);
 
@@ -36,7 +37,7 @@ class Panel {
   std::int64_t news_{};
   Clock::time_point heard_;
   Clock::time_point noticed_;
-  bool asks_{};
+  std::optional<OperatorOrder> asks_;  // whether this order is meant
   bool leaving_{};
 };
 

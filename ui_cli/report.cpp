@@ -21,6 +21,7 @@ std::string status_text(const Snapshot& s) {
   std::string text = row("session", s.session);
   text += row("task", fmt::format("{}: {}{}", s.task, to_string(s.state),
                                   s.waits_for_trigger ? ", waits for a trigger" : ""));
+  if (s.waits_for_trigger) text += row("trigger", s.early.empty() ? "may be given" : "early: " + s.early);
   if (s.m != 0 || !s.behaviour.empty()) text += row("behaviour", fmt::format("m = {}, {}", s.m, s.behaviour));
   text += row("after", s.ended_because);
   if (s.progress)
@@ -55,6 +56,7 @@ std::string status_json(const Snapshot& s) {
          {"behaviour", s.behaviour},
          {"ended_because", s.ended_because},
          {"waits_for_trigger", s.waits_for_trigger},
+         {"trigger_early", s.early},
          {"macrostep", s.macrostep},
          {"sim_s", s.sim_time},
          {"speed", s.speed},

@@ -32,6 +32,7 @@ Snapshot snapshot(const task_status_t& m, const std::string& session) {
   s.task = get_text(m.task);
   s.state = enumerator(m.state, TaskState::ended);
   s.waits_for_trigger = m.waits_for_trigger != 0;
+  s.early = get_text(m.early);
   s.m = m.m;
   s.behaviour = get_text(m.behaviour);
   s.ended_because = get_text(m.ended_because);

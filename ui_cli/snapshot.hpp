@@ -37,7 +37,8 @@ struct Snapshot {
   std::string task;
   TaskState state{};  ///< a number without a name is shown as "?"
   bool waits_for_trigger{};
-  int m{};  ///< behaviour of the coordinator, 0: none yet
+  std::string early;  ///< why a trigger now would come early; empty: it would not
+  int m{};            ///< behaviour of the coordinator, 0: none yet
   std::string behaviour;
   std::string ended_because;  ///< why the behaviour before it ended
   std::int64_t macrostep{};   ///< 0: not told

@@ -13,7 +13,7 @@
 #define NCURSES_WIDECHAR 1
 #include <curses.h>
 
-#include "ui_cli/failure.hpp"
+#include "base/fault.hpp"
 
 namespace mrroc::ui {
 namespace {
@@ -65,15 +65,15 @@ struct Terminal::Screen {
 
 Terminal::Terminal() : screen_(std::make_unique<Screen>()) {
   if (::isatty(STDIN_FILENO) == 0 || ::isatty(STDOUT_FILENO) == 0)
-    throw Failure(FaultCode::bad_usage, "the full-screen view needs a terminal as its input and output",
-                  "use `ui_cli status` or `ui_cli status --json` in scripts");
+    throw FaultError(FaultCode::bad_usage, "the full-screen view needs a terminal as its input and output",
+                     "use `ui_cli status` or `ui_cli status --json` in scripts");
   std::setlocale(LC_ALL, "");
   screen_->handle = ::newterm(nullptr, stdout, stdin);
   if (!screen_->handle) {
     const char* const type = std::getenv("TERM");
-    throw Failure(FaultCode::bad_usage,
-                  std::string("the terminal type '") + (type ? type : "") + "' is not known",
-                  "set TERM to the type of this terminal, for example TERM=xterm");
+    throw FaultError(FaultCode::bad_usage,
+                     std::string("the terminal type '") + (type ? type : "") + "' is not known",
+                     "set TERM to the type of this terminal, for example TERM=xterm");
   }
   ::raw();  // Ctrl-C is a key, so that leaving always gives the terminal back
   ::noecho();

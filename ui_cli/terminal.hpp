@@ -12,7 +12,7 @@ namespace mrroc::ui {
 /// and without UTF-8.
 class Terminal {
  public:
-  /// @throws Failure bad_usage: standard input or output is no terminal, or one of unknown type
+  /// @throws FaultError bad_usage: standard input or output is no terminal, or one of unknown type
   Terminal();
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;

@@ -6,7 +6,7 @@
 namespace mrroc::ui {
 
 /// Shows the task ten times a second until the operator leaves. The task goes on.
-/// @throws Failure bad_usage when standard input or output is no terminal
+/// @throws FaultError bad_usage when standard input or output is no terminal
 void watch(link::Bus& bus, Client& client);
 
 }  // namespace mrroc::ui

@@ -132,6 +132,14 @@ TEST(FaultError, CarriesTheFaultAndItsWholeText) {
   EXPECT_EQ(FaultError(example()).error_line(), error_line(example()));
 }
 
+TEST(FaultError, HasARemedyOfItsOwnWhereTheTableDoesNotFit) {
+  const FaultError own(FaultCode::bad_script, "cannot read a", "check the name");
+  EXPECT_EQ(own.error_line(), "error: bad_script: cannot read a; check the name");
+  EXPECT_EQ(own.remedy(), "check the name");
+  const FaultError none(FaultCode::bad_script, "cannot read a", "");
+  EXPECT_EQ(none.remedy(), fault_entry(FaultCode::bad_script).remedy);
+}
+
 TEST(FixedText, ComparesByItsCharactersOnly) {
   FixedText<8> text = "abcdef";
   text = "ab";

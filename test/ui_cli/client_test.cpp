@@ -8,7 +8,6 @@
 #include "base/link/memory_bus.hpp"
 #include "base/link/text.hpp"
 #include "test/ui_cli/fake_task.hpp"
-#include "ui_cli/failure.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -121,7 +120,7 @@ TEST_F(OperatorProtocol, GivesUpAfterFiveSecondsAndSaysWhatToLookAt) {
   try {
     exchange();
     FAIL() << "must give up";
-  } catch (const ui::Failure& e) {
+  } catch (const FaultError& e) {
     EXPECT_EQ(e.fault().code, FaultCode::peer_silent);
     EXPECT_EQ(exit_status(e.fault().code), 3);
     EXPECT_EQ(e.error_line(),
@@ -179,7 +178,7 @@ TEST_F(OperatorProtocol, GivesUpWaitingForAStatus) {
   try {
     hasty.await_status();
     FAIL() << "must give up";
-  } catch (const ui::Failure& e) {
+  } catch (const FaultError& e) {
     EXPECT_EQ(e.fault().code, FaultCode::peer_silent);
   }
 }

@@ -10,6 +10,7 @@
 
 #include "base/link/memory_bus.hpp"
 #include "base/link/session.hpp"
+#include "base/link/text.hpp"
 #include "test/ui_cli/fake_task.hpp"
 #include "ui_cli/attach.hpp"
 
@@ -37,7 +38,7 @@ class Commands : public ::testing::Test {
     void start() {
       thread = std::jthread([this](const std::stop_token& stop) {
         while (!stop.stop_requested()) {
-          task.publish(drawing_status());
+          task.publish(status);
           task.poll(2ms);
         }
       });
@@ -51,6 +52,7 @@ class Commands : public ::testing::Test {
     link::SessionFile file;
     std::unique_ptr<link::Bus> bus;
     FakeTask task;
+    task_status_t status = drawing_status();
     std::jthread thread;
   };
 
@@ -106,6 +108,22 @@ TEST_F(Commands, ARefusedOrderEndsWithOneAndTheReason) {
   EXPECT_EQ(out_.str(), "");
   EXPECT_EQ(run({"resume", "--json"}), 1);
   EXPECT_EQ(nlohmann::json::parse(out_.str()).at("accepted"), false);
+}
+
+TEST_F(Commands, ATriggerThatComesEarlyIsGivenOnlyWithAYes) {
+  RunningTask task(*this, "one");
+  task.status.waits_for_trigger = 1;
+  link::put_text(task.status.early, "the hand is still drawing: 33 %");
+  task.start();
+  EXPECT_EQ(run({"trigger"}), 1);
+  EXPECT_EQ(
+      error(),
+      "error: illegal_in_state: trigger refused: the hand is still drawing: 33 %; wait until that is done, "
+      "or give `ui_cli trigger --yes`");
+  EXPECT_EQ(run({"status"}), 0) << error();
+  EXPECT_NE(out_.str().find("early: the hand is still drawing: 33 %"), std::string::npos) << out_.str();
+  EXPECT_EQ(run({"trigger", "--yes"}), 0) << error();
+  EXPECT_EQ(task.end(), std::vector{OperatorOrder::trigger});
 }
 
 TEST_F(Commands, StatusShowsTheTask) {

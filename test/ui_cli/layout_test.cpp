@@ -89,7 +89,8 @@ TEST(Layout, ShowsTheWholeTaskOnASmallTerminal) {
                   "r resume",
                   "t trigger",
                   "x stop",
-                  "q leave (the task goes on)"});
+                  "? help",
+                  "q leave (task goes on)"});
 }
 
 TEST(Layout, ShowsEveryAgentAndProcessOfTheLargestTaskOnASmallTerminal) {
@@ -137,6 +138,42 @@ TEST(Layout, SaysWhenProcessesAreHiddenAndShowsTheTroubledOnes) {
   EXPECT_EQ(style_of(c, "dead"), Style::bad);
 }
 
+TEST(Layout, TextsOfOneRowDoNotTouchOnANarrowTerminal) {
+  View v = drawing();
+  v.snapshot->behaviour = "lead both arms to the start of the drawing";
+  v.snapshot->waits_for_trigger = true;
+  v.snapshot->early = "the hand is still drawing: 33 %";
+  v.session = "drawing-of-a-session-with-quite-a-long-name-of-its-own";
+  for (int columns = 60; columns < 130; ++columns) {
+    const Canvas c = lay_out(v, {15, columns});
+    EXPECT_NE(c.text(0).find("  running"), std::string::npos) << c.text(0);
+    const std::string task = c.text(1);
+    EXPECT_EQ(task.find("m 5  lead both"), 1U) << task;
+    const auto times = task.find("12.34 s");
+    ASSERT_NE(times, std::string::npos) << task;
+    EXPECT_TRUE(task.substr(times - 2, 2) == "  " || task.substr(times - 2, 2) == ", ") << task;
+    EXPECT_NE(c.text(2).find(" press t later: the hand is still drawing: 33 %"), std::string::npos)
+        << c.text(2);
+    EXPECT_NE(c.text(14).find("q leave"), std::string::npos) << c.text(14);
+  }
+}
+
+TEST(Layout, TellsWhatTheKeysDoWhenAsked) {
+  View v = drawing();
+  v.help = true;
+  const Canvas c = lay_out(v, {15, 60});
+  expect_seen(c, {"t  trigger  ends a behaviour", "Any key goes back", "running", "q leave"});
+  EXPECT_EQ(row_of(c, "AGENT"), -1);
+}
+
+TEST(Layout, AfterTheEndTheKeysSayThatItIsOver) {
+  View v = drawing();
+  v.snapshot->state = TaskState::ended;
+  const Canvas c = lay_out(v, kSmallTerminal);
+  EXPECT_EQ(row_of(c, "the task is over   q leave"), 23);
+  EXPECT_EQ(row_of(c, "x stop"), -1);
+}
+
 TEST(Layout, MarksAProcessThatHasNotBeenHeard) {
   View v = drawing();
   v.snapshot->processes[2].age = 7.5;
@@ -160,7 +197,7 @@ TEST(Layout, ShowsWhatCanBeDoneNow) {
   EXPECT_EQ(style_of(c, "p pause"), Style::dim);
   EXPECT_EQ(style_of(c, "t trigger"), Style::dim);
   EXPECT_EQ(style_of(c, "r resume"), Style::heading);
-  v.snapshot->state = TaskState::ended;
+  v.snapshot->state = TaskState::ending;
   EXPECT_EQ(style_of(lay_out(v, kSmallTerminal), "x stop"), Style::dim);
 }
 

@@ -73,6 +73,42 @@ TEST_F(Panel, StopsOnlyAfterAYes) {
   EXPECT_EQ(task.obeyed, std::vector{OperatorOrder::stop});
 }
 
+TEST_F(Panel, AsksBeforeATriggerThatComesEarly) {
+  task_status_t m = drawing_status();
+  m.waits_for_trigger = 1;
+  link::put_text(m.early, "the hand is still drawing: 33 %");
+  task.publish(m);
+  pass(10ms);
+  press('t');
+  EXPECT_EQ(notice(), " the hand is still drawing: 33 %; trigger all the same? y/n");
+  press('n');
+  EXPECT_EQ(notice(), " not triggered");
+  EXPECT_TRUE(task.obeyed.empty());
+  press('t');
+  press('y');
+  EXPECT_EQ(task.obeyed, std::vector{OperatorOrder::trigger});
+}
+
+TEST_F(Panel, AsksAndOrdersNothingWhenTheTaskIsOver) {
+  for (const TaskState state : {TaskState::ending, TaskState::ended}) {
+    publish(state);
+    for (const int key : {'x', 's', 't'}) {
+      press(key);
+      EXPECT_EQ(notice(), " the task is over; q leaves");
+    }
+  }
+  EXPECT_TRUE(task.heard.empty());
+}
+
+TEST_F(Panel, HelpStandsUntilTheNextKeyWhichDoesNothingElse) {
+  publish(TaskState::running);
+  press('?');
+  EXPECT_NE(screen().find("Any key goes back"), std::string::npos);
+  press('x');
+  EXPECT_EQ(screen().find("Any key goes back"), std::string::npos);
+  EXPECT_EQ(notice(), "");
+}
+
 TEST_F(Panel, ShowsTheReasonOfARefusal) {
   task.objection = [](OperatorOrder) { return "the task is paused already"; };
   press('p');
@@ -123,7 +159,7 @@ TEST_F(Panel, FollowsTheTask) {
   EXPECT_NE(screen().find("NO NEWS FOR 3 s"), std::string::npos);
   publish(TaskState::ended);
   pass(3s);
-  EXPECT_EQ(notice(), " the task has ended; q leaves");
+  EXPECT_EQ(notice(), " the task has ended; its files are in /runs/drawing-1");
 }
 
 TEST_F(Panel, ShowsWhatTheProcessesSay) {

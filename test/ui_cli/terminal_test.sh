@@ -67,7 +67,11 @@ tmux resize-window -x 60 -y 12
 see '^ drawing   session demo +running'
 see '^ s start'
 tmux resize-window -x 80 -y 24
-see 'q leave \(the task goes on\)$'
+see 'q leave \(task goes on\)$'
+press '?'
+see 'Any key goes back'
+press '?'
+see 'PROCESS'
 press q
 see 'left with 0'
 see '^prompt'

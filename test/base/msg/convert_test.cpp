@@ -37,7 +37,7 @@ FixedText<N> text() {
 
 Fault random_fault() {
   Fault f;
-  f.code = static_cast<FaultCode>(random_bits() % (static_cast<unsigned>(FaultCode::emergency_stop) + 1));
+  f.code = static_cast<FaultCode>(random_bits() % (static_cast<unsigned>(FaultCode::interrupted) + 1));
   f.axis = bits<std::int16_t>();
   f.value = number();
   f.limit = number();
