@@ -24,7 +24,9 @@ std::optional<OperatorOrder> order_named(std::string_view name) {
 
 std::vector<ScriptedOrder> load_script(const std::filesystem::path& file) {
   std::ifstream in(file);
-  if (!in) throw FaultError(FaultCode::bad_script, fmt::format("cannot read {}", file.string()));
+  if (!in)
+    throw FaultError(FaultCode::bad_script, fmt::format("cannot read {}", file.string()),
+                     "check the name given with --script");
   std::vector<ScriptedOrder> script;
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
@@ -87,7 +89,7 @@ std::optional<std::string> OperatorDesk::objection(OperatorOrder order) const {
       if (!waits_for_trigger_) return "the present behaviour does not wait for a trigger";
       return std::nullopt;
     case OperatorOrder::stop:
-      if (!is(TaskState::stopping) && !is(TaskState::ended)) return std::nullopt;
+      if (state_ < TaskState::stopping) return std::nullopt;
       return fmt::format("the task is {} already", to_string(state_));
   }
   return "there is no such order";

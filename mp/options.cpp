@@ -3,12 +3,17 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cstdio>
+#include <limits>
 
 #include "base/fault.hpp"
 
 namespace mrroc::mp {
 namespace {
+
+constexpr double kMaxSpeed = 1e4;
+constexpr std::uint64_t kMaxSeed = std::numeric_limits<std::int64_t>::max();  // as the configuration holds it
 
 double parse_speed(const std::string& text) {
   if (text == "max") return 0;
@@ -19,21 +24,31 @@ double parse_speed(const std::string& text) {
   } catch (const std::exception&) {
     used = 0;
   }
-  if (used != text.size() || !(speed > 0) || speed > 1e4)
-    throw CLI::ValidationError("--speed", fmt::format("'{}' is neither max nor a number above 0", text));
+  if (used != text.size() || !(speed > 0) || speed > kMaxSpeed)
+    throw CLI::ValidationError(
+        "--speed", fmt::format("'{}' is neither max nor a number above 0 and up to {:g}", text, kMaxSpeed));
   return speed;
+}
+
+std::uint64_t parse_seed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (error != std::errc() || end != text.data() + text.size() || seed > kMaxSeed)
+    throw CLI::ValidationError("--seed",
+                               fmt::format("'{}' is not a whole number from 0 to {}", text, kMaxSeed));
+  return seed;
 }
 
 }  // namespace
 
 void add_task_options(CLI::App& app, TaskOptions& o) {
   app.option_defaults()->always_capture_default(false);
-  app.add_option("--seed", o.seed, "seed of everything random (default 1)")->type_name("N");
   app.add_option_function<std::string>(
-         "--clock",
-         [&o](const std::string& c) {
-           o.clock = c == "wall" ? ClockKind::wall : ClockKind::step;
-         },
+         "--seed", [&o](const std::string& s) { o.seed = parse_seed(s); },
+         "seed of everything random (default 1)")
+      ->type_name("N");
+  app.add_option_function<std::string>(
+         "--clock", [&o](const std::string& c) { o.clock = c == "wall" ? ClockKind::wall : ClockKind::step; },
          "step: lock-step, bit-identical (default); wall: 500 Hz of the monotonic clock")
       ->check(CLI::IsMember({"step", "wall"}))
       ->type_name("step|wall");

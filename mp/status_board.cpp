@@ -28,6 +28,7 @@ void StatusBoard::set_state(TaskState state, bool waits_for_trigger) {
   status_.state = static_cast<int>(state);
   status_.waits_for_trigger = waits_for_trigger;
 }
+void StatusBoard::set_early(std::string_view why) { link::put_text(status_.early, why); }
 void StatusBoard::set_ended_because(std::string_view why) { link::put_text(status_.ended_because, why); }
 void StatusBoard::set_progress(double share, const std::string& text) {
   status_.progress = share;

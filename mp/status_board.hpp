@@ -21,6 +21,8 @@ class StatusBoard {
   void set_behaviour(int m, std::string_view name);
   /// @param waits_for_trigger  whether the present behaviour ends with the operator's trigger
   void set_state(TaskState state, bool waits_for_trigger);
+  /// @param why  why a trigger now would come early, such as "the hand is still drawing: 33 %"; empty: it would not
+  void set_early(std::string_view why);
   /// @param why  why the behaviour before the present one ended
   void set_ended_because(std::string_view why);
   /// @param share  of the task that is done, 0..1

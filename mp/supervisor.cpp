@@ -181,8 +181,9 @@ void Supervisor::lead() {
 void Supervisor::stop(const Fault& reason, std::int64_t as_of) {
   if (!fault_) {
     fault_ = reason;
-    log(reason.process.empty() ? mp_.membership().name : std::string(reason.process.view()), describe(reason),
-        reason.code);
+    // log() writes class and code itself.
+    log(reason.process.empty() ? mp_.membership().name : std::string(reason.process.view()),
+        fmt::format("{}; {}", what_happened(reason), fault_entry(reason.code).remedy), reason.code);
   }
   if (said_.phase >= static_cast<int>(Phase::stopping)) {
     // A death in a system that stops already must not wait for the agreed macrostep.

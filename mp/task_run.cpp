@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <future>
 
 namespace mrroc::mp {
 namespace {
@@ -14,8 +15,8 @@ namespace {
 /// nobody has passed it.
 constexpr std::int64_t kStopAhead = 3;
 
-std::atomic<bool> interrupted{false};
-void interrupt(int) { interrupted = true; }
+std::atomic<int> signalled{0};
+void interrupt(int signal) { signalled = signal; }
 
 }  // namespace
 
@@ -50,7 +51,8 @@ TaskRun::TaskRun(const std::string& task, const TaskOptions& options, const std:
     supervisor_->poll();
     desk_->poll();
     board_->poll();
-    if (interrupted.exchange(false)) desk_->give(OperatorOrder::stop);
+    if (const int signal = signalled.exchange(0); signal != 0 && desk_->give(OperatorOrder::stop))
+      signal_ = signal;
   };
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
@@ -60,6 +62,10 @@ TaskRun::~TaskRun() {
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
   if (process_) process_->on_service = nullptr;
+  if (board_) {
+    set_state(TaskState::ended, false);
+    board_->publish();
+  }
 }
 
 void TaskRun::open_bus(const TaskOptions& options) {
@@ -100,8 +106,18 @@ void TaskRun::each_macrostep(std::int64_t i, double sim_s) {
   }
   sim_s_ = sim_s;
   board_->set_time(i, sim_s);
-  if (desk_->stop_ordered() && !process_->over())
-    supervisor_->stop({.code = FaultCode::operator_stop}, i + kStopAhead);
+  if (desk_->stop_ordered() && !process_->over()) supervisor_->stop(stop_reason(), i + kStopAhead);
+}
+
+Fault TaskRun::stop_reason() const {
+  if (signal_ == 0) return {.code = FaultCode::operator_stop};
+  return {.code = FaultCode::interrupted, .text = signal_ == SIGINT ? "SIGINT" : "SIGTERM"};
+}
+
+void TaskRun::finish(const std::function<void()>& work) {
+  auto done = std::async(std::launch::async, work);
+  process_->await([&] { return done.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
+  done.get();
 }
 
 void TaskRun::set_state(TaskState state, bool waits_for_trigger) {
@@ -116,13 +132,14 @@ Summary TaskRun::end(const std::optional<Fault>& fault) {
   board_->publish();
   process_->report_done();
   supervisor_->end();
-  set_state(TaskState::ended, false);
+  set_state(TaskState::ending, false);
   board_->publish();
 
   Summary summary;
   summary.task = task_;
   summary.fault = supervisor_->fault();
   summary.stopped = summary.fault && (summary.fault->code == FaultCode::operator_stop ||
+                                      summary.fault->code == FaultCode::interrupted ||
                                       summary.fault->code == FaultCode::emergency_stop);
   summary.sim_s = sim_s_;
   summary.wall_s = running_ ? wall_s : 0;

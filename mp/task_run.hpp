@@ -48,6 +48,10 @@ class TaskRun {
   /// Tells operator and desk what the task does.
   void set_state(TaskState state, bool waits_for_trigger);
 
+  /// Does the last work, such as tables and pictures, while terminals are still told that the task is ending.
+  /// @param work  runs in a thread of its own, after end(); what it throws is thrown here
+  void finish(const std::function<void()>& work);
+
   /// Brings the system to its end.
   /// @param fault  why the task did not reach its own end; none: it did
   /// @return summary without the task's own figures
@@ -55,6 +59,7 @@ class TaskRun {
 
  private:
   void open_bus(const TaskOptions& options);
+  [[nodiscard]] Fault stop_reason() const;
 
   std::string task_;
   std::filesystem::path folder_;
@@ -72,6 +77,7 @@ class TaskRun {
   double sim_s_{};
   link::Process::Clock::time_point begun_{};
   bool running_{};
+  int signal_{};  // that ended the task, 0: none
 };
 
 }  // namespace mrroc::mp

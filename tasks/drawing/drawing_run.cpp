@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tasks/drawing/playback.hpp"
 #include "tasks/drawing/program.hpp"
@@ -30,6 +31,12 @@ int strokes_until(const Recording& recording, std::size_t p) {
     on_paper = paper;
   }
   return strokes;
+}
+
+/// Why a trigger would come early in m = 2 or 3.
+std::string still_busy(int m, double progress) {
+  return m == 2 ? fmt::format("the hand is still drawing: {:.0f} %", std::floor(100 * progress))
+                : "the hands are still leading the pens to the start";
 }
 
 /// Names the first arm whose pen is not on the paper.
@@ -82,6 +89,7 @@ Outcome DrawingRun::execute() {
   }
   first.finished = true;
   links_.send(std::vector<Order>(kArms, first));
+  run_.board().set_progress(1, fmt::format("all {} nodes drawn", record_.recording.size()));
   return outcome;
 }
 
@@ -125,9 +133,12 @@ void DrawingRun::show(const Motion<Coordinator>& motion, const X& x) {
     const std::string stroke = motion.m >= 4 ? fmt::format("  (stroke {} of {})", stroke_,
                                                            strokes_until(c.recording, c.recording.size()))
                                              : "";
-    announce_(fmt::format("{:8.2f} s  m = {}  {}{}", seconds(x.i), motion.m, motion.name, stroke));
+    const bool ask = operator_.waits_for_orders() && (motion.m == 2 || motion.m == 3);
+    announce_(fmt::format("{:8.2f} s  m = {}  {}{}{}", seconds(x.i), motion.m, motion.name, stroke,
+                          ask ? "  (until the operator's trigger)" : ""));
     if (m_ >= 0) run_.board().set_ended_because(kEnds[static_cast<std::size_t>(m_)]);
     m_ = motion.m;
+    told_done_ = false;
   }
   const bool waits = motion.m == 2 || motion.m == 3;
   run_.set_state(motion.m == 0  ? TaskState::waiting_for_start
@@ -135,6 +146,12 @@ void DrawingRun::show(const Motion<Coordinator>& motion, const X& x) {
                                 : TaskState::running,
                  waits);
   auto& board = run_.board();
+  board.set_early(operator_.done() || !waits ? "" : still_busy(motion.m, operator_.progress()));
+  if (waits && !told_done_ && operator_.done() && operator_.waits_for_orders()) {
+    told_done_ = true;
+    announce_(fmt::format("{:8.2f} s  the hand is done; a trigger goes on (key t, or `ui_cli trigger`)",
+                          seconds(x.i)));
+  }
   board.set_behaviour(motion.m, motion.name);
   const double nodes = static_cast<double>(c.recording.size());
   if (motion.m >= 4) {

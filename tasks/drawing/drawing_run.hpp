@@ -59,6 +59,7 @@ class DrawingRun {
   std::array<bool, kArms> drawing_{};    // the driver has executed a command of the present m = 5
   int m_{-1};
   int stroke_{};
+  bool told_done_{};  // that the present behaviour's trigger may be given
 };
 
 }  // namespace mrroc::drawing

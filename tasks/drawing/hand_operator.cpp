@@ -39,6 +39,7 @@ void HandOperator::inform(std::int64_t i, int m, bool finished) {
     m_ = m;
     steady_ = 0;
     triggered_ = false;
+    done_ = false;
   }
 }
 
@@ -56,10 +57,10 @@ OperatorImage HandOperator::image(std::int64_t i) {
 
 void HandOperator::decide(const hand_report_t& report) {
   progress_ = report.progress[0];
+  done_ = m_ == 2 ? report.done[0] != 0 : m_ == 3 ? report.done[0] && report.done[1] : false;
   if (!plan_.gives_orders) return;
   if (desk_.state() == TaskState::waiting_for_start) desk_.give(OperatorOrder::start);
-  const bool done = m_ == 2 ? report.done[0] != 0 : m_ == 3 ? report.done[0] && report.done[1] : false;
-  steady_ = done ? steady_ + 1 : 0;
+  steady_ = done_ ? steady_ + 1 : 0;
   if (steady_ < plan_.steady || triggered_ || desk_.state() != TaskState::running) return;
   triggered_ = desk_.give(OperatorOrder::trigger);
 }

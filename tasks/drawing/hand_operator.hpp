@@ -32,6 +32,10 @@ class HandOperator final : public mp::OperatorAgent {
 
   /// @return share of the present hand motion that is done, 0..1
   [[nodiscard]] double progress() const { return progress_; }
+  /// @return whether the hands have done what the present behaviour's trigger ends
+  [[nodiscard]] bool done() const { return done_; }
+  /// @return whether somebody else gives the orders: a person, or a script
+  [[nodiscard]] bool waits_for_orders() const { return !plan_.gives_orders; }
 
  private:
   void decide(const hand_report_t& report);
@@ -47,6 +51,7 @@ class HandOperator final : public mp::OperatorAgent {
   bool triggered_{};  // in this behaviour
   bool paused_{};
   double progress_{};
+  bool done_{};  // what the present behaviour's trigger is for
 };
 
 }  // namespace mrroc::drawing

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 
 #include "tasks/drawing/plots_scripts.hpp"
 
@@ -13,8 +15,7 @@ constexpr std::array kArmNames{"arm 1 (postument)", "arm 2 (track)"};
 bool teaching(const ArmRow& row) { return row.m == 1 || row.m == 2; }
 bool reproducing(const ArmRow& row) { return row.m >= 3; }
 bool copying(const ArmRow& row) { return row.m >= 4; }
-// What the axes have to show whole; the ways to a start may be long and are cut.
-bool drawing(const ArmRow& row) { return row.m == 2 || row.m >= 4; }
+bool in_space(const ArmRow& row) { return teaching(row) || copying(row); }
 
 // Least and largest value over rows.
 struct Span {
@@ -109,16 +110,25 @@ std::string panel_title(const std::string& text) {
 // At the left, which leaves room for the legend at the right.
 std::string left_title(const std::string& text) {
   return fmt::format(
-      "set label 99 \"{}\" at graph 0, graph 1.075 left font 'sans,13' textcolor rgb '#333a45'\n", text);
+      "set label 99 \"{}\" at graph 0, graph 1.075 left font 'sans,12' textcolor rgb '#333a45'\n", text);
 }
 
 // One curve over time in every panel of fig. 9 or 10.
 struct Curve {
   std::string name, title, label;
   std::array<std::string, 2> value;  // gnuplot expression, per arm
-  std::string range;
-  std::string extra;  // commands for both panels
+  std::string teach_note;            // behind the title of the teach-in
+  std::string extra;                 // commands for both panels
+  std::function<double(std::size_t arm, const ArmRow&)> of;
 };
+
+// Each panel has the range of what it shows: nothing is cut, and quiet data are not drawn small beside others.
+template <class Filter>
+std::string ranges(const RunTables& run, Filter filter, const Curve& curve) {
+  const Span t = span_of(run, filter, [](std::size_t, const ArmRow& row) { return row.t; });
+  return fmt::format("set xrange {}\nset yrange {}\n", t.with_room(0, 0),
+                     span_of(run, filter, curve.of).with_room(0.05, 0.2));
+}
 
 std::string marks(const RunTables& run, bool impact) {
   const std::optional<Segments> found = run.arms[0] ? segments(*run.arms[0]) : std::nullopt;
@@ -139,27 +149,28 @@ std::string marks(const RunTables& run, bool impact) {
 }
 
 std::string teach_panel(const RunTables& run, const Curve& curve) {
-  const Span t = span_of(run, teaching, [](std::size_t, const ArmRow& row) { return row.t; });
-  return left_title("teach-in: the operator leads arm 1") +
+  const auto taught = [](const ArmRow& row) { return teaching(row); };
+  RunTables first;
+  first.arms[0] = run.arms[0];
+  return left_title("teach-in: the operator leads arm 1" + curve.teach_note) + ranges(first, taught, curve) +
          fmt::format(
-             "set xrange {}\nplot 'arm1.csv' skip 1 using 2:(taught({})) with lines lw 1.6 lc rgb '#1f5fa8' "
-             "title '{}'\n",
-             t.with_room(0, 0), curve.value[0], kArmNames[0]);
+             "plot 'arm1.csv' skip 1 using 2:(taught({})) with lines lw 1.6 lc rgb '#1f5fa8' title '{}'\n",
+             curve.value[0], kArmNames[0]);
 }
 
+// Arm 2 as a thin dark line on the broad light one of arm 1: both can be seen where they are the same.
 std::string copy_panel(const RunTables& run, const Curve& curve, bool impact) {
-  const Span t = span_of(run, reproducing, [](std::size_t, const ArmRow& row) { return row.t; });
   std::string s =
-      left_title(impact ? "reproduction: 1 on the paper, 2 lift-off, 3 travel, 4 lowering, * impact"
-                        : "reproduction: 1 on the paper, 2 lift-off, 3 travel, 4 lowering") +
-      fmt::format("set xrange {}\n{}plot ", t.with_room(0, 0), marks(run, impact));
+      left_title(std::string("reproduction: 1 on the paper, 2 lift-off, 3 travel, 4 lowering and settling") +
+                 (impact ? ", * impact" : "")) +
+      ranges(run, reproducing, curve) + marks(run, impact) + "plot ";
   for (std::size_t arm = 0; arm < 2; ++arm)
     if (has(run.arms[arm], copying))
       s += fmt::format(
           "'arm{0}.csv' skip 1 using 2:(led({1})) with lines lw 1.2 lc rgb '#b0b8c4' {2}, \\\n"
           "  '' skip 1 using 2:(copied({1})) with lines {3} title '{4}', \\\n  ",
           arm + 1, curve.value[arm], arm == 0 ? "title 'led to the start'" : "notitle",
-          arm == 0 ? "lw 3.6 lc rgb '#1f5fa8'" : "lw 1.3 lc rgb '#f5a85a'", kArmNames[arm]);
+          arm == 0 ? "lw 5 lc rgb '#9cc3ee'" : "lw 1.3 lc rgb '#c2410c'", arm == 0 ? "arm 1" : "arm 2");
   return s + "NaN notitle\n";
 }
 
@@ -171,8 +182,8 @@ std::string time_script(const RunTables& run, const Curve& curve, bool impact) {
   std::string s = preamble(curve.name, 1400, two ? 860 : 500);
   s += fmt::format("set multiplot layout {},1 margins 0.06,0.975,{},{} spacing 0,0.13 {}\n", two ? 2 : 1,
                    two ? 0.075 : 0.13, two ? 0.895 : 0.82, heading(curve.title));
-  s += fmt::format("set ylabel '{}'\nset yrange {}\nset xlabel 'simulated time t [s]' offset 0,0.4\n{}",
-                   curve.label, curve.range, curve.extra);
+  s += fmt::format("set ylabel '{}'\nset xlabel 'simulated time t [s]' offset 0,0.4\n{}", curve.label,
+                   curve.extra);
   if (taught) s += teach_panel(run, curve);
   if (copied) s += copy_panel(run, curve, impact);
   return s + "unset multiplot\n";
@@ -180,6 +191,18 @@ std::string time_script(const RunTables& run, const Curve& curve, bool impact) {
 
 std::string relative(const char* column, double origin) {
   return fmt::format("({}-({:.6f}))*1000", column, origin);
+}
+
+// gnuplot's measure of the height of a 3-D picture; with equal x and y, z fills kHeight times their larger range.
+constexpr double kHeight = 1.0;
+
+// A round step that divides a range into about so many parts.
+double tics(double range, int parts) {
+  const double raw = range / parts;
+  const double decade = std::pow(10, std::floor(std::log10(raw)));
+  for (const double step : {1.0, 2.0, 5.0})
+    if (raw <= step * decade) return step * decade;
+  return 10 * decade;
 }
 
 std::string path_panel(const std::string& title, const std::string& filter, std::size_t arm,
@@ -207,60 +230,53 @@ std::string trajectory_script(const RunTables& run, const PlotSetup& setup) {
           path_panel(fmt::format("reproduction, {}", kArmNames[arm]), "copied", arm, setup.sheet[arm]));
   if (panels.empty()) return "";
   const auto along = [&](int axis) {
-    return span_of(run, drawing, [&](std::size_t arm, const ArmRow& row) {
+    return span_of(run, in_space, [&](std::size_t arm, const ArmRow& row) {
       return 1e3 * (row.pose[axis] - setup.sheet[arm][axis]);
     });
   };
-  const Span x = along(0);
-  const Span y = along(1);
+  const Span x = along(0), y = along(1), z = along(2);
+  const double width = std::max(x.size(), y.size()) * 1.16 + 2e-3;
+  const double low = std::min(-0.5, 1.05 * z.low);
+  const double high = std::max(5.0, 1.05 * z.high);
   std::string s = preamble("fig8_trajectory", 640 * static_cast<int>(panels.size()), 640);
   s += fmt::format("set multiplot layout 1,{} {}\n", panels.size(),
                    heading("MS fig. 8: trajectory of the pen"));
-  s += R"(set border 31
-set view 60,32,1.15,1.25
+  s += fmt::format(R"(set border 31
+set view 60,32,1.1,{}
 set view equal xy
 set xyplane at 0
 set xlabel 'x [mm]' offset 0,-0.3
-set ylabel 'y [mm]' offset 1,-0.3
-set zlabel 'z [mm]' rotate by 90 offset 1,0
-set key at screen 0.01,0.97 left top vertical maxrows 2
+set ylabel 'y [mm]' offset 3,-0.3
+set zlabel 'z [mm], drawn {:.2g} x as large' rotate by 90 offset 1,0
+set key at screen 0.01,{} left top vertical maxrows 2
 set tics scale 0.4 offset 0,-0.2
-set ztics 5 offset 0.5,0
-)";
+set ztics {} offset 0.5,0
+)",
+                   kHeight, kHeight * width / (high - low), panels.size() > 1 ? 0.97 : 0.92,
+                   tics(high - low, 4));
   s += fmt::format(
-      "set xtics {0}\nset ytics {0}\nset xrange {1}\nset yrange {2}\nset zrange [{4:.3f}:{3:.3f}]\n",
-      std::max(x.size(), y.size()) > 160 ? 50 : 20, x.with_room(0.08, 0.08), y.with_room(0.08, 0.08),
-      std::max(5.0, 1.05 * along(2).high), std::min(-0.5, 1.05 * along(2).low));
+      "set xtics {0}\nset ytics {0}\nset xrange {1}\nset yrange {2}\nset zrange [{3:.3f}:{4:.3f}]\n",
+      tics(width, 6), x.with_room(0.08, 0.08), y.with_room(0.08, 0.08), low, high);
   for (const std::string& panel : panels) s += panel + "unset key\n";
   return s + "unset multiplot\n";
 }
 
 std::string height_script(const RunTables& run, const PlotSetup& setup) {
-  const Span z = span_of(run, drawing, [&](std::size_t arm, const ArmRow& row) {
-    return 1e3 * (row.pose[2] - setup.sheet[arm].z());
-  });
-  return time_script(run,
-                     {"fig9_height",
-                      "MS fig. 9: height of the pen above the paper",
-                      "z [mm]",
-                      {relative("$6", setup.sheet[0].z()), relative("$6", setup.sheet[1].z())},
-                      z.with_room(0.05, 0.2),
-                      ""},
-                     false);
+  Curve curve{"fig9_height", "MS fig. 9: height of the pen above the paper", "z [mm]", {}, "", "", {}};
+  curve.value = {relative("$6", setup.sheet[0].z()), relative("$6", setup.sheet[1].z())};
+  curve.of = [&](std::size_t arm, const ArmRow& row) { return 1e3 * (row.pose.z() - setup.sheet[arm].z()); };
+  return time_script(run, curve, false);
 }
 
 std::string force_script(const RunTables& run) {
-  const Span force = span_of(run, drawing, [](std::size_t, const ArmRow& row) { return row.F[Axis::z]; });
-  return time_script(
-      run,
-      {"fig10_force",
-       "MS fig. 10: vertical force that the pen exerts",
-       "F_z [N]",
-       {"$12", "$12"},
-       force.with_room(0.05, 0.2),
-       "set arrow from graph 0, first 1 to graph 1, first 1 nohead dt 2 lw 1 lc rgb '#b3261e' back\n"
-       "set label '1 N' at graph 1, first 1 left offset 0.3,0 font 'sans,10' textcolor rgb '#b3261e'\n"},
-      true);
+  Curve curve{"fig10_force", "MS fig. 10: vertical force that the pen exerts", "F_z [N]", {}, "", "", {}};
+  curve.value = {"$12", "$12"};
+  curve.teach_note = "; force measured at the pen, incl. the hand's pull";
+  curve.extra =
+      "set arrow from graph 0, first 1 to graph 1, first 1 nohead dt 2 lw 1 lc rgb '#b3261e' back\n"
+      "set label '1 N' at graph 1, first 1 left offset 0.3,0 font 'sans,10' textcolor rgb '#b3261e'\n";
+  curve.of = [](std::size_t, const ArmRow& row) { return row.F[Axis::z]; };
+  return time_script(run, curve, true);
 }
 
 }  // namespace mrroc::drawing

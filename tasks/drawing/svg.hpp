@@ -17,8 +17,8 @@ inline constexpr std::size_t kMaxSvgBytes = 20'000'000;
 /// circle, ellipse and what `use` refers to, under the transforms of all their ancestors. Every sub-path is a
 /// stroke; a closed one ends where it began; a sub-path without extent is a dot; a bare "move to" draws
 /// nothing, as in SVG. Fills, stroke widths and colours do not matter. Left out: what is defined but not
-/// used, `display: none` and `visibility: hidden` (as attribute or in `style`; style sheets are not read),
-/// and what has no outline, such as text and images.
+/// used, `display: none` and `visibility: hidden` (as attribute, in `style`, or by a simple selector of a
+/// style sheet, see svg_style.hpp), and what has no outline, such as text and images.
 ///
 /// Curves become polylines that stay within kFlatness of them. The result is scaled uniformly so that the
 /// larger side of its bounding box is size_mm, and centred on the sheet; SVG's y, which points down, is

@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "tasks/drawing/svg_shapes.hpp"
+#include "tasks/drawing/svg_style.hpp"
 
 namespace mrroc::drawing::svg {
 namespace {
@@ -65,7 +66,7 @@ class Reader {
     if (local_name(root) != "svg")
       throw DrawingError(name_, line_of(root.offset_debug()), fmt::format("<{}> is not an SVG drawing", full),
                          "give an SVG file");
-    remember_ids(root);
+    remember(root);
     Context context;
     context.viewport = root_viewport(root);
     try {
@@ -118,10 +119,13 @@ class Reader {
     return local.find(':') == std::string_view::npos ? local : std::string_view{};
   }
 
-  void remember_ids(const pugi::xml_node& root) {
+  // Elements by their names, and the style sheets, which count wherever they stand.
+  void remember(const pugi::xml_node& root) {
     pugi::xml_node node = root;
     while (node) {  // in document order, without recursion
       if (const pugi::xml_attribute id = node.attribute("id")) ids_.emplace(id.value(), node);
+      if (local_name(node) == "style")
+        for (const pugi::xml_node text : node.children()) sheet_.add(text.value());
       if (node.first_child()) {
         node = node.first_child();
         continue;
@@ -133,7 +137,7 @@ class Reader {
 
   Context inherit(const pugi::xml_node& node, Context context) {
     context.T = context.T * transform(node.attribute("transform").value());
-    const std::string_view visibility = property(node, "visibility");
+    const std::string_view visibility = sheet_.property(node, local_name(node), "visibility");
     if (!visibility.empty() && visibility != "inherit") context.visible = visibility == "visible";
     if (++context.depth > kMaxDepth)
       fail(node, fmt::format("nested deeper than {} elements", kMaxDepth),
@@ -150,7 +154,7 @@ class Reader {
 
   void visit(const pugi::xml_node& node, const Context& parent) {
     const std::string_view name = local_name(node);
-    if (name.empty() || is_silent(name) || property(node, "display") == "none") return;
+    if (name.empty() || is_silent(name) || sheet_.property(node, name, "display") == "none") return;
     try {
       const Context context = inherit(node, parent);
       if (name == "g" || name == "a" || name == "switch")
@@ -194,7 +198,8 @@ class Reader {
                               length_attribute(node, "y", context.viewport.height)));
     const std::string_view name = local_name(target);
     if (name != "symbol" && name != "svg") return visit(target, context);
-    if (property(target, "display") != "none") visit_viewport(target, node, inherit(target, context));
+    if (sheet_.property(target, name, "display") != "none")
+      visit_viewport(target, node, inherit(target, context));
   }
 
   // A nested svg or a symbol: its own coordinates in a viewport, whose size `sizes` may tell.
@@ -238,6 +243,7 @@ class Reader {
 
   [[nodiscard]] std::string ignored() const {
     std::string list;
+    if (const int rules = sheet_.not_understood(); rules > 0) list = fmt::format("style rule ({})", rules);
     for (const auto& [name, count] : ignored_)
       list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", name, count);
     return list;
@@ -249,6 +255,7 @@ class Reader {
   bool utf8_{true};
   pugi::xml_document xml_;
   std::unordered_map<std::string, pugi::xml_node> ids_;
+  StyleSheet sheet_;
   std::vector<SubPath> paths_;
   std::map<std::string, int> ignored_;
   std::size_t curves_{};

@@ -11,7 +11,9 @@ namespace mrroc::drawing::svg {
 /// What a document draws, in the user units of its outermost element; y points down.
 struct Document {
   std::vector<SubPath> paths;
-  std::string ignored;  ///< visible elements that have no outline, such as "image (1), text (3)"
+  std::string
+      ignored;  ///< visible elements that have no outline, such as "image (1), text (3)", and style rules
+                ///< about visibility that were not understood
 };
 
 /// @param text  the document

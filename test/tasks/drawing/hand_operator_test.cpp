@@ -132,6 +132,22 @@ TEST(HandOperator, ATriggerThatTheDeskRefusesIsGivenAgain) {
   EXPECT_EQ(s.image.trigger, 1);
 }
 
+TEST(HandOperator, KnowsWhetherATriggerWouldComeEarly) {
+  Scene s({.gives_orders = false});
+  s.running();
+  s.macrostep(2, false, true);
+  EXPECT_FALSE(s.human.done());
+  s.macrostep(2, true, false);
+  EXPECT_TRUE(s.human.done());
+  s.human.inform(s.i + 1, 3, false);
+  EXPECT_FALSE(s.human.done()) << "what was done belongs to the behaviour before";
+  s.orders.take();
+  s.macrostep(3, true, false);
+  EXPECT_FALSE(s.human.done());
+  s.macrostep(3, true, true);
+  EXPECT_TRUE(s.human.done());
+}
+
 TEST(HandOperator, LeavesOrdersToAPersonWhenThereIsOne) {
   Scene s({.steady = 1, .gives_orders = false});
   s.desk.set_state(TaskState::waiting_for_start, false);

@@ -246,6 +246,36 @@ TEST(Svg, HiddenElementsAreLeftOut) {
   EXPECT_TRUE(framed("<clipPath>" + line + "/></clipPath><mask>" + line + "/></mask>").empty());
 }
 
+TEST(Svg, StyleSheetsHideWhatTheySay) {
+  const auto drawn = [](const std::string& css, const std::string& element, std::string* ignored = nullptr) {
+    return parse("<style>" + css + "</style><path d='M0 0H9V9'/>" + element, 120, ignored).size() == 2;
+  };
+  const std::string line = "<line id='b' class='a h' x2='5'/>";
+  EXPECT_TRUE(drawn(".other{display:none}", line));
+  EXPECT_TRUE(drawn(".h{stroke:none;fill:red}", line));
+  EXPECT_FALSE(drawn(".h{display:none}", line));
+  EXPECT_FALSE(drawn("/* .h{} */ .x, line.a.h { stroke: red; display : none !important }", line));
+  EXPECT_FALSE(drawn("#b{visibility:hidden}", line));
+  EXPECT_FALSE(drawn("line{display:none}", line));
+  EXPECT_FALSE(drawn("<![CDATA[ @media print{line{display:inline}} line{display:none} ]]>", line));
+  EXPECT_FALSE(drawn(".h{display:none}", "<g class='h'><line x2='5'/></g>"));
+  EXPECT_TRUE(drawn("*{visibility:hidden}.h{visibility:visible}path{visibility:visible}", line));
+  EXPECT_TRUE(drawn("#b{display:inline}.h{display:none}line{display:none}", line)) << "an id counts more";
+  EXPECT_FALSE(drawn(".h{display:inline}.a{display:none}", line)) << "the later one of equals counts";
+  EXPECT_TRUE(drawn(".h{display:none}", "<line class='h' style='display:inline' x2='5'/>"));
+  EXPECT_FALSE(drawn(".h{display:none}", "<line class='h' display='inline' x2='5'/>"));
+  for (const char* broken : {"{", "}", ".h{display:none", "@", "@media{", ".{display:none}", ",,{}", "/*"})
+    EXPECT_NO_THROW(drawn(broken, line)) << broken;
+}
+
+TEST(Svg, StyleRulesThatAreNotUnderstoodAreTold) {
+  std::string ignored;
+  EXPECT_EQ(
+      parse("<style>g > line{display:none} g line{stroke:red}</style><line x2='5'/>", 120, &ignored).size(),
+      1u);
+  EXPECT_EQ(ignored, "style rule (1)");
+}
+
 TEST(Svg, PointsWithoutExtentAreDots) {
   const Drawing d = framed(
       "<path d='M 10 10 z M 20 20 l 0 0 M 30 30 M 40 40 c 0 0 0 0 0 0'/><line x1='50' x2='50'/><polyline "

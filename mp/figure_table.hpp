@@ -1,0 +1,34 @@
+// The figures of a run as a table for a person: what each means, and whether it is as wanted.
+#pragma once
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "mp/run_folder.hpp"
+
+namespace mrroc::mp {
+
+/// What is known of a figure beforehand.
+struct FigureInfo {
+  std::string_view key;                                  ///< in summary.json
+  std::string_view words;                                ///< what it is, for a person
+  std::string_view unit;                                 ///< such as "mm"; empty: a number
+  double low{-std::numeric_limits<double>::infinity()};  ///< wanted at least
+  double high{std::numeric_limits<double>::infinity()};  ///< wanted at most
+};
+
+/// @return what is wanted, such as "<= 0.5", "1 +- 0.05" or "0"; empty when nothing is
+[[nodiscard]] std::string wanted(const FigureInfo& info);
+
+/// @param figures  of the run; those without a row in `known` come last, under their keys. A figure that is not a
+/// finite number could not be measured and is shown as "-"
+/// @param known    in the order of the table
+/// @param columns  headings for figures with several numbers; a single number stands in the first column
+/// @return lines, each ended by a line feed; the last column says "ok" or "NOT OK" where something is wanted and
+/// measured
+[[nodiscard]] std::string figure_table(const std::map<std::string, Figure>& figures,
+                                       std::span<const FigureInfo> known,
+                                       std::span<const std::string_view> columns);
+
+}  // namespace mrroc::mp

@@ -1,0 +1,50 @@
+// The figures of the drawing task: what they mean and what is wanted. The end of a run, the benchmark and the
+// README's table say the same.
+#pragma once
+#include <array>
+
+#include "mp/figure_table.hpp"
+
+namespace mrroc::drawing {
+
+/// In the order of the table. An error is the distance to the nearest point of the corresponding stroke.
+inline constexpr std::array kFigures{
+    mp::FigureInfo{
+        .key = "teach_rms_mm", .words = "taught ink against the input", .unit = "mm rms", .high = 1},
+    mp::FigureInfo{.key = "teach_max_mm", .words = "  farthest", .unit = "mm"},
+    mp::FigureInfo{
+        .key = "copy_rms_mm", .words = "copy against the taught ink", .unit = "mm rms", .high = 0.5},
+    mp::FigureInfo{.key = "copy_max_mm", .words = "  farthest", .unit = "mm", .high = 1.5},
+    mp::FigureInfo{
+        .key = "stray_ink_mm", .words = "ink outside the strokes", .unit = "mm", .low = 0, .high = 0},
+    mp::FigureInfo{.key = "uncovered_mm", .words = "taught ink that the copy lacks", .unit = "mm"},
+    mp::FigureInfo{.key = "paper_force_mean_N",
+                   .words = "force on the paper while drawing",
+                   .unit = "N",
+                   .low = 0.95,
+                   .high = 1.05},
+    mp::FigureInfo{.key = "paper_force_std_N", .words = "  its deviation", .unit = "N", .high = 0.2},
+    mp::FigureInfo{
+        .key = "travel_z_mm", .words = "height variation of a travel in the air", .unit = "mm", .high = 0.2},
+    mp::FigureInfo{.key = "segment_skew",
+                   .words = "arms apart at a stroke's start",
+                   .unit = "macrosteps",
+                   .low = 0,
+                   .high = 0},
+    mp::FigureInfo{.key = "strokes_input", .words = "strokes of the input", .unit = ""},
+    mp::FigureInfo{.key = "strokes_taught", .words = "strokes taught", .unit = ""},
+    mp::FigureInfo{
+        .key = "strokes_missing", .words = "  that the copy lacks", .unit = "", .low = 0, .high = 0},
+    mp::FigureInfo{
+        .key = "strokes_extra", .words = "  that the copy has besides", .unit = "", .low = 0, .high = 0},
+    mp::FigureInfo{.key = "nodes", .words = "nodes recorded", .unit = ""},
+    mp::FigureInfo{.key = "macrostep_s", .words = "duration of one", .unit = "s"},
+    mp::FigureInfo{
+        .key = "stop_steps_max", .words = "steps until the arms were at rest", .unit = "", .high = 100},
+    mp::FigureInfo{
+        .key = "log_gaps", .words = "messages that the log missed", .unit = "", .low = 0, .high = 0},
+};
+
+inline constexpr std::array<std::string_view, 2> kFigureColumns{"arm 1", "arm 2"};
+
+}  // namespace mrroc::drawing

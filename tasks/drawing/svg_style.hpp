@@ -1,0 +1,40 @@
+// Style sheets of an SVG document, as far as they say what is drawn at all. Internal to the reader.
+#pragma once
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mrroc::drawing::svg {
+
+/// Rules with simple selectors (`*`, `path`, `.class`, `#id`, and these together without blanks, in lists) for
+/// `display` and `visibility`. Everything else in a style sheet does not matter to a pen.
+class StyleSheet {
+ public:
+  /// Adds the rules of one <style> element. Rules in media and the like are passed over.
+  void add(std::string_view css);
+
+  /// @param element  the element's name without its prefix
+  /// @return a property of an element: from its style attribute, the style sheets, or the attribute of that name,
+  /// in this order, as CSS wants it; empty if nobody tells. Lives as long as the sheet and the node
+  [[nodiscard]] std::string_view property(const pugi::xml_node& node, std::string_view element,
+                                          const char* name) const;
+
+  /// @return number of selectors with display or visibility that were not understood
+  [[nodiscard]] int not_understood() const { return not_understood_; }
+
+ private:
+  struct Rule {
+    std::string element, id;           // empty: any
+    std::vector<std::string> classes;  // all of them
+    int specificity{};
+    std::string declarations;
+  };
+  void add_rule(std::string_view selector, std::string_view declarations);
+  static bool applies(const Rule& rule, const pugi::xml_node& node, std::string_view element);
+
+  std::vector<Rule> rules_;
+  int not_understood_{};
+};
+
+}  // namespace mrroc::drawing::svg
