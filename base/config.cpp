@@ -82,11 +82,13 @@ Config Config::parse(std::string_view text, const std::string& name) {
 Config Config::load(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error))
-    throw ConfigError({file.string()}, {}, "there is no such configuration file");
+    throw FaultError(FaultCode::bad_configuration, file.string() + ": there is no such configuration file",
+                     "check the name given with --config");
   std::ifstream stream(file, std::ios::binary);
   std::stringstream text;
   if (!std::filesystem::is_regular_file(file, error) || !stream || (text << stream.rdbuf()).bad())
-    throw ConfigError({file.string()}, {}, "the configuration file cannot be read");
+    throw FaultError(FaultCode::bad_configuration, file.string() + ": the configuration file cannot be read",
+                     "check its name and its permissions");
   return parse(text.str(), file.string());
 }
 

@@ -75,7 +75,8 @@ class Config {
   /// An empty configuration: every parameter has its default.
   Config();
 
-  /// @throws ConfigError no such file, or a syntax error with its line and column
+  /// @throws FaultError bad_configuration: no such file, or one that cannot be read
+  /// @throws ConfigError a syntax error with its line and column
   static Config load(const std::filesystem::path& file);
   /// @param text TOML: tables, numbers, truth values, texts, lists of numbers or of texts
   /// @param name what errors call the text

@@ -12,6 +12,7 @@
 #include "base/fault.hpp"
 #include "bench/figures.hpp"
 #include "bench/task_process.hpp"
+#include "tasks/drawing/figure_info.hpp"
 
 namespace mrroc::bench {
 namespace {
@@ -50,6 +51,16 @@ double worst(const std::string& key, const json& figure) {
     return key == "paper_force_mean_N" ? std::abs(x.get<double>() - 1) : x.get<double>();
   };
   return std::ranges::max(figure, {}, badness).get<double>();
+}
+
+/// What the end of a run says about a figure, in one line.
+std::string about(const std::string& key, bool per_arm) {
+  const auto info = std::ranges::find(drawing::kFigures, key, &mp::FigureInfo::key);
+  if (info == drawing::kFigures.end()) return "";
+  const std::string words(info->words.substr(info->words.find_first_not_of(' ')));
+  const std::string wanted = mp::wanted(*info);
+  return fmt::format("{}{}{}", words, wanted.empty() ? "" : ", wanted " + wanted,
+                     per_arm ? ", worse of both arms" : "");
 }
 
 /// What killing parts of the task in the middle of a stroke has led to.
@@ -92,7 +103,7 @@ Figures run_drawing_group() {
 
   Figures figures;
   for (const auto& [key, figure] : first["figures"].items())
-    figures.push_back({key, worst(key, figure), "", "worse of both arms, where there is one per arm"});
+    figures.push_back({key, worst(key, figure), "", about(key, figure.is_array())});
   const auto factor = [](const json& s) { return s["real_time_factor"].get<double>(); };
   figures.push_back({"real_time_factor", std::max(factor(first), factor(second)), "",
                      "simulated over wall time, separate processes, better of two runs"});

@@ -13,17 +13,19 @@ namespace {
 constexpr double kSamePlace = 1e-6;     // [mm] closer points are one; far below what an arm can resolve
 constexpr double kRoundingRoom = 1e-6;  // [mm] a drawing that fills the sheet is not refused for its last bit
 
-std::string message(const std::string& file, int line, const std::string& wrong, const std::string& remedy) {
-  const std::string place = line > 0 ? fmt::format("{}:{}", file, line) : file;
-  return remedy.empty() ? fmt::format("{}: {}", place, wrong)
-                        : fmt::format("{}: {}; {}", place, wrong, remedy);
+std::string placed(const std::string& file, int line, const std::string& wrong) {
+  return line > 0 ? fmt::format("{}:{}: {}", file, line, wrong) : fmt::format("{}: {}", file, wrong);
 }
 
 }  // namespace
 
 DrawingError::DrawingError(const std::string& file, int line, const std::string& wrong,
                            const std::string& remedy)
-    : std::runtime_error(message(file, line, wrong, remedy)), file_(file), line_(line) {}
+    : std::runtime_error(placed(file, line, wrong) + (remedy.empty() ? "" : "; " + remedy)),
+      file_(file),
+      line_(line),
+      wrong_(placed(file, line, wrong)),
+      remedy_(remedy) {}
 
 Drawing arrow() {
   constexpr double kReach = 28;    // of a feather, to the side and down [mm]

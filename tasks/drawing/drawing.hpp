@@ -31,10 +31,14 @@ class DrawingError : public std::runtime_error {
 
   [[nodiscard]] const std::string& file() const { return file_; }
   [[nodiscard]] int line() const { return line_; }  ///< counted from 1; 0 if unknown
+  /// @return what() without the remedy
+  [[nodiscard]] const std::string& wrong() const { return wrong_; }
+  [[nodiscard]] const std::string& remedy() const { return remedy_; }  ///< may be empty
 
  private:
   std::string file_;
   int line_;
+  std::string wrong_, remedy_;
 };
 
 /// The drawing of MS fig. 7: six feathers of an arrow, three on each side of a shaft that is not drawn. Each

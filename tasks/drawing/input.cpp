@@ -29,10 +29,11 @@ void add_input_options(CLI::App& app, InputOptions& o) {
 Input read_input(const InputOptions& o) {
   Input input;
   if (!o.save.empty() && o.save.has_parent_path() && !std::filesystem::is_directory(o.save.parent_path()))
-    throw FaultError(FaultCode::bad_usage,
-                     fmt::format("--save {}: there is no such folder", o.save.string()));
+    throw FaultError(FaultCode::bad_usage, fmt::format("--save {}: there is no such folder", o.save.string()),
+                     "make it, or choose another");
   if (std::filesystem::is_directory(o.save))
-    throw FaultError(FaultCode::bad_usage, fmt::format("--save {}: this is a folder", o.save.string()));
+    throw FaultError(FaultCode::bad_usage, fmt::format("--save {}: this is a folder", o.save.string()),
+                     "give the name of a file");
   if (!o.load.empty()) {
     input.taught = load(o.load);
     input.drawing = strokes_of(input.taught->ink);
@@ -41,7 +42,7 @@ Input read_input(const InputOptions& o) {
     return input;
   }
   std::string name = o.drawing.empty() ? "arrow (built in)" : o.drawing.string();
-  const double size = o.size == 0 ? kDefaultSize : o.size;
+  const double size = o.size.value_or(kDefaultSize);
   check_size(size, name);
   std::string ignored;
   input.drawing = o.drawing.empty() ? fitted(arrow(), size) : read_svg(o.drawing, size, &ignored);

@@ -16,7 +16,7 @@ namespace mrroc::drawing {
 /// The options --drawing, --size, --save and --load.
 struct InputOptions {
   std::filesystem::path drawing;  ///< SVG; empty: the arrow
-  double size{0};                 ///< larger side [mm]; 0: not given
+  std::optional<double> size;     ///< larger side [mm]; none: kDefaultSize
   std::filesystem::path save;     ///< where the recording goes
   std::filesystem::path load;     ///< recording to reproduce without a teach-in
 };

@@ -14,6 +14,7 @@
 #include "tasks/drawing/config.hpp"
 #include "tasks/drawing/drawing_run.hpp"
 #include "tasks/drawing/ecp_body.hpp"
+#include "tasks/drawing/figure_info.hpp"
 #include "tasks/drawing/input.hpp"
 #include "tasks/drawing/plots.hpp"
 #include "tasks/drawing/results.hpp"
@@ -93,7 +94,8 @@ Setup prepare(const Options& o) try {
   check_options(o.task);
   return s;
 } catch (const drawing::DrawingError& e) {
-  throw FaultError(o.input.load.empty() ? FaultCode::bad_drawing : FaultCode::bad_recording, e.what());
+  throw FaultError(o.input.load.empty() ? FaultCode::bad_drawing : FaultCode::bad_recording, e.wrong(),
+                   e.remedy());
 }
 
 /// Fixes what belongs to this run alone; all keys are known after that.
@@ -124,21 +126,29 @@ std::vector<mp::Part> parts_of(const Config& config) {
   return parts;
 }
 
+/// @return a line when the pen did not leave as many strokes as it was to draw; usually they are too close
+std::string stroke_warning(const mp::Summary& s) {
+  const auto number = [&](const char* key) {
+    const auto found = s.figures.find(key);
+    return found == s.figures.end() ? -1 : std::get<double>(found->second);
+  };
+  const double input = number("strokes_input"), taught = number("strokes_taught");
+  if (s.fault || input < 0 || taught < 0 || input == taught) return "";
+  return fmt::format(
+      "warning: the input has {:g} strokes and {:g} were taught: see the left part of drawing.png; draw it "
+      "larger, or "
+      "with strokes farther apart\n",
+      input, taught);
+}
+
 void print_summary(const mp::Summary& s) {
   fmt::print("\n{}: {:.1f} s simulated in {:.1f} s ({:.1f} x real time)\n",
              s.stopped ? "stopped"
              : s.fault ? "ended with a fault"
                        : "done",
              s.sim_s, s.wall_s, s.wall_s > 0 ? s.sim_s / s.wall_s : 0);
-  for (const auto& [key, figure] : s.figures) {
-    if (const double* x = std::get_if<double>(&figure)) {
-      fmt::print("  {:22} {:.4g}\n", key, *x);
-    } else {
-      fmt::print("  {:22}", key);
-      for (const double value : std::get<std::vector<double>>(figure)) fmt::print(" {:.4g}", value);
-      fmt::print("\n");
-    }
-  }
+  fmt::print("{}{}", mp::figure_table(s.figures, drawing::kFigures, drawing::kFigureColumns),
+             stroke_warning(s));
 }
 
 /// Files, figures and pictures of a run that has ended.
@@ -181,11 +191,14 @@ int run(const Options& o) {
   if (run.process().assemble() && drawing.execute() == Outcome::faulted) fault = drawing.fault();
   mp::Summary summary = run.end(fault);
   try {
-    finish(o, s, folder, drawing.record(), summary);
+    run.finish([&] { finish(o, s, folder, drawing.record(), summary); });
   } catch (const FaultError& e) {  // what has been done is told all the same
     if (!summary.fault) summary.fault = e.fault();
   }
   print_summary(summary);
+  if (const fs::path picture = folder / "plots" / "drawing.png"; fs::exists(picture))
+    fmt::print("picture: {}\n", picture.string());
+  std::fflush(stdout);
   if (summary.fault) fmt::print(stderr, "{}\n", error_line(*summary.fault));
   fmt::print("run folder: {}\n", folder.string());
   return summary.fault ? exit_status(summary.fault->code) : 0;

@@ -89,6 +89,8 @@ std::map<std::string, mp::Figure> figures_of(const Drawing& input, bool taught_h
                                              const RunInk& ink, const Parameters& k, bool finished) {
   std::map<std::string, mp::Figure> figures;
   const auto& taught = ink.taught;
+  if (taught_here) figures["strokes_input"] = static_cast<double>(input.size());
+  if (taught) figures["strokes_taught"] = static_cast<double>(strokes_of(*taught).size());
   const auto tells = [&](const InkFigures& f) { return finished || f.strokes_missing == 0; };
   if (taught && taught_here) {
     const InkFigures f = compare(strokes_of(*taught), input, Align::none);

@@ -32,7 +32,7 @@ template <class Call>
 std::string error_of(Call call) {
   try {
     call();
-  } catch (const ConfigError& error) {
+  } catch (const FaultError& error) {
     EXPECT_EQ(error.fault().code, FaultCode::bad_configuration);
     return error.what();
   }

@@ -34,7 +34,8 @@ class RefusedInput : public ::testing::Test {
 };
 
 TEST_F(RefusedInput, DrawingsThatAreNone) {
-  refuses({"--drawing", (folder_ / "nowhere.svg").string()}, {"bad_drawing", "nowhere.svg"});
+  refuses({"--drawing", (folder_ / "nowhere.svg").string()},
+          {"bad_drawing", "nowhere.svg", "; check the name"});
   refuses({"--drawing", folder_.path().string()}, {"bad_drawing"});
   refuses_drawing("", {"bad_drawing", "empty"});
   refuses_drawing("this is no drawing", {"bad_drawing", "bad.svg"});
@@ -45,7 +46,7 @@ TEST_F(RefusedInput, DrawingsThatAreNone) {
 
 TEST_F(RefusedInput, DrawingsThatAreTooLarge) {
   refuses({"--size", "250"}, {"bad_drawing", "250"});
-  refuses({"--size", "-5"}, {"bad_drawing"});
+  for (const char* size : {"-5", "0"}) refuses({"--size", size}, {"bad_drawing", "give a size above 0"});
   refuses({"--size", "nan"}, {"error: "});
   std::string points;
   for (int k = 0; k < 10'002; ++k)
@@ -55,7 +56,8 @@ TEST_F(RefusedInput, DrawingsThatAreTooLarge) {
 }
 
 TEST_F(RefusedInput, DamagedRecordings) {
-  refuses({"--load", (folder_ / "nowhere.recording").string()}, {"bad_recording", "nowhere"});
+  refuses({"--load", (folder_ / "nowhere.recording").string()},
+          {"bad_recording", "nowhere", "; check the name"});
   refuses({"--load", folder_.write("empty", "")}, {"bad_recording", "empty"});
   refuses({"--load", folder_.write("other", "something else\n")}, {"bad_recording", "other"});
   refuses({"--load", folder_.write("cut",
@@ -66,6 +68,8 @@ TEST_F(RefusedInput, DamagedRecordings) {
 
 TEST_F(RefusedInput, OptionsAndSettings) {
   refuses({"--speed", "0"}, {"bad_usage", "speed"});
+  refuses({"--speed", "1e9"}, {"bad_usage", "up to 10000"});
+  refuses({"--seed", "-1"}, {"bad_usage", "--seed"});
   refuses({"--speed", "fast"}, {"bad_usage", "fast"});
   refuses({"--clock", "sundial"}, {"bad_usage", "clock"});
   refuses({"--colour", "red"}, {"bad_usage", "--colour"});
@@ -75,9 +79,9 @@ TEST_F(RefusedInput, OptionsAndSettings) {
   refuses({"--set", "task.draw_force=much"}, {"draw_force"});
   refuses({"--set", "task.draw_force=-1"}, {"draw_force"});
   refuses({"--set", "task"}, {"task"});
-  refuses({"--script", (folder_ / "nowhere.script").string()}, {"bad_script", "nowhere"});
+  refuses({"--script", (folder_ / "nowhere.script").string()}, {"bad_script", "nowhere", "; check the name"});
   refuses({"--script", folder_.write("bad.script", "12 dance\n")}, {"bad_script", "dance"});
-  refuses({"--config", (folder_ / "nowhere.toml").string()}, {"nowhere.toml"});
+  refuses({"--config", (folder_ / "nowhere.toml").string()}, {"nowhere.toml", "; check the name"});
   refuses({"--config", folder_.write("bad.toml", "[task\n")}, {"bad.toml"});
   refuses({"--save", (folder_ / "nowhere" / "file").string()}, {"bad_usage", "nowhere"});
 }
@@ -88,6 +92,8 @@ TEST_F(RefusedInput, AFolderThatHoldsARun) {
   const auto end = run(folder_, "drawing", {"--run-dir", (folder_ / "old").string()});
   EXPECT_EQ(end.status, 2) << end.all();
   EXPECT_TRUE(end.last_err().starts_with("error: bad_usage: ")) << end.last_err();
+  EXPECT_NE(end.last_err().find("; choose another --run-dir or delete it"), std::string::npos)
+      << end.last_err();
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "old"), {}), 1) << "it is left alone";
 }
 

@@ -119,8 +119,7 @@ TEST_F(Operated, AttendedTaskWaitsForStartAndTriggers) {
   const Ended refused = order("start");
   EXPECT_EQ(refused.status, 1);
   EXPECT_TRUE(refused.last_err().starts_with("error: illegal_in_state: ")) << refused.last_err();
-  // Not before the drawing is done: its progress is in the status.
-  std::this_thread::sleep_for(std::chrono::seconds(1));
+  ASSERT_TRUE(drawing.await_line("the hand is done; a trigger goes on")) << drawing.end().all();
   EXPECT_EQ(order("trigger").status, 0);
   ASSERT_TRUE(drawing.await_line("m = 3  lead to the start")) << drawing.end().all();
   EXPECT_EQ(order("stop").status, 0);

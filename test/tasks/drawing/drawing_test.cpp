@@ -101,5 +101,15 @@ TEST(Strokes, NearestPointAgreesWithASearchThroughAllSegments) {
   }
 }
 
+TEST(DrawingError, TellsTheRemedyApartFromWhatIsWrong) {
+  const DrawingError with("a.svg", 7, "it is empty", "draw something");
+  EXPECT_STREQ(with.what(), "a.svg:7: it is empty; draw something");
+  EXPECT_EQ(with.wrong(), "a.svg:7: it is empty");
+  EXPECT_EQ(with.remedy(), "draw something");
+  const DrawingError without("a.svg", 0, "it is empty", "");
+  EXPECT_STREQ(without.what(), "a.svg: it is empty");
+  EXPECT_EQ(without.wrong(), without.what());
+}
+
 }  // namespace
 }  // namespace mrroc::drawing

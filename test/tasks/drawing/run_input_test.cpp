@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fstream>
 
 #include "base/fault.hpp"
 #include "tasks/drawing/config.hpp"
+#include "tasks/drawing/figure_info.hpp"
 #include "tasks/drawing/input.hpp"
 #include "tasks/drawing/results.hpp"
 #include "tasks/drawing/strokes.hpp"
@@ -63,7 +66,7 @@ TEST(Input, OptionsThatContradictEachOtherAreRefused) {
 }
 
 TEST(Input, ASizeThatCannotBeIsRefused) {
-  for (const double size : {-1.0, 200.1, 1e9})
+  for (const double size : {0.0, -1.0, 200.1, 1e9})
     EXPECT_THROW(read_with(&InputOptions::size, size), DrawingError) << size;
   EXPECT_NO_THROW(read_with(&InputOptions::size, 200));
 }
@@ -175,6 +178,30 @@ TEST(Results, ACopyLikeTheTaughtInkHasNoErrorAndAMissingOneHasNoFigure) {
   EXPECT_EQ(std::get<std::vector<double>>(both.at("copy_rms_mm")).size(), 1U);
   EXPECT_NEAR(std::get<std::vector<double>>(both.at("copy_rms_mm"))[0], 0, 1e-6);
   EXPECT_FALSE(figures_of({}, false, {}, {}, {}, true).contains("copy_rms_mm"));
+}
+
+TEST(Results, StrokesOfTheInputAndThoseTaughtAreCounted) {
+  RunInk ink;
+  ink.taught = ink_of({{{0, 0}, {1, 0}}, {{0, 5}, {1, 5}}});
+  const auto figures = figures_of(fitted(arrow(), 80), true, {}, ink, {}, true);
+  EXPECT_EQ(std::get<double>(figures.at("strokes_input")), 6);
+  EXPECT_EQ(std::get<double>(figures.at("strokes_taught")), 2);
+  EXPECT_FALSE(figures_of(fitted(arrow(), 80), false, {}, ink, {}, true).contains("strokes_input"));
+}
+
+TEST(Figures, TheReadmesTableNamesWhatIsWantedOfThem) {
+  std::ifstream file(MRROC_SOURCE_DIR "/README.md");
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(file, line);) lines.push_back(line);
+  for (const mp::FigureInfo& info : kFigures) {
+    if (mp::wanted(info).empty()) continue;
+    const auto row = std::ranges::find_if(lines, [&](const std::string& line) {
+      return line.starts_with("| `") && line.find("`" + std::string(info.key) + "`") != std::string::npos;
+    });
+    if (row == lines.end()) continue;  // not every figure is in the README
+    EXPECT_NE(row->substr(row->rfind('|', row->size() - 2)).find(mp::wanted(info)), std::string::npos)
+        << info.key << " is to be " << mp::wanted(info) << ", the README says " << *row;
+  }
 }
 
 TEST(Results, SheetsOfTheWorldBecomeTheInkOfTheRun) {
