@@ -30,7 +30,7 @@ constexpr AxisCommand c(double force, double I, double B) { return {Behaviour::c
 
 /// Rows for all axes of the task frame E.
 struct TaskFrameCommand {
-  AxisCommand x, y, z, ax, ay, az;
+  AxisCommand x{}, y{}, z{}, ax{}, ay{}, az{};  ///< a row that is not given: UNGUARDED, at rest
 
   constexpr const AxisCommand& operator[](Axis a) const {
     switch (a) {

@@ -81,6 +81,7 @@ enum class FaultCode : std::uint16_t {
   bad_configuration,
   bad_drawing,
   bad_recording,
+  bad_trajectory,
   bad_script,
   bad_log,
   no_such_session,

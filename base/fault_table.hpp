@@ -126,6 +126,8 @@ inline constexpr std::array kFaultTable{
               "correct the SVG file, or change --size"),
   MRROC_FAULT(bad_recording, non_fatal, "the recording cannot be used",
               "teach it again with --save"),
+  MRROC_FAULT(bad_trajectory, non_fatal, "a motion cannot be generated as asked",
+              "correct the poses, times or limits, or the line of the file, that the text names"),
   MRROC_FAULT(bad_script, non_fatal, "the operator script cannot be used",
               "correct the line named"),
   MRROC_FAULT(bad_log, non_fatal, "the log of a run cannot be used",

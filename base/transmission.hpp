@@ -30,6 +30,11 @@ struct Report {
   bool blocked{};                  ///< the jaws hold something
 };
 
+/// Order::m of a coordinator whose agents work on their own (coordination "none", MG 5).
+enum class SoloOrder : std::uint8_t { wait, work, pause };
+/// Report::event of such an agent when it has nothing left to do.
+inline constexpr int kWorkDone = 1000;
+
 /// x_cV: reading of a virtual sensor. Trivially copyable.
 struct SensorReading {
   int state{};                     ///< discrete reading

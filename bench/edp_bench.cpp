@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <random>
 #include <vector>
 
 #include "base/fault.hpp"
 #include "bench/figures.hpp"
+#include "bench/force_bench.hpp"
 #include "bench/heap.hpp"
 #include "bench/kinematics_bench.hpp"
 #include "bench/round_trip.hpp"
@@ -162,7 +164,7 @@ Figures run_edp_group() {
   auto ns = run_kinematics_benchmarks();
   const double ik = ns.at("inverse_kinematics/0");
   const RoundTrips trips = run_round_trips(kRoundTripPoses);
-  return {
+  Figures figures{
       {"edp_step_us_p50", cost.step_us, "us",
        "one step of the driver: force, law, frames, kinematics, regulators"},
       {"edp_step_vs_ik", cost.step_us / cost.ik_us, "",
@@ -176,6 +178,8 @@ Figures run_edp_group() {
       {"fk_ns", ns.at("direct_kinematics/0"), "ns", "direct kinematics"},
       {"ik_vs_kdl", ns.at("kdl_inverse_kinematics/0") / ik, "", "KDL's numeric solver over ours, same poses"},
   };
+  std::ranges::move(run_force_figures(), std::back_inserter(figures));
+  return figures;
 }
 
 }  // namespace mrroc::bench

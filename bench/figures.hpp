@@ -15,7 +15,8 @@ struct Figure {
 };
 using Figures = std::vector<Figure>;
 
-/// Step of the effector driver, kinematics. Takes about ten seconds.
+/// Step of the effector driver, kinematics, force measurement, the tasks press and edge_follow. Takes about a
+/// minute.
 Figures run_edp_group();
 /// Both algorithms of the servo over motor friction, in contact and in free motion. Takes about a minute.
 /// @param plots folder for the picture servo.png and its script; empty: none

@@ -9,7 +9,7 @@
 #include "bench/figures.hpp"
 #include "edp/deceleration.hpp"
 #include "edp/servo_coefficients.hpp"
-#include "tasks/drawing/gnuplot.hpp"
+#include "mp/gnuplot.hpp"
 #include "test/sim/driver.hpp"
 #include "test/sim/statistics.hpp"
 
@@ -172,13 +172,13 @@ void plot(const std::filesystem::path& folder, const std::vector<Row>& rows) {
   }
   script.close();
   if (!script) throw FaultError(FaultCode::cannot_write, (folder / "servo.gp").string());
-  switch (drawing::run_gnuplot(folder, "servo.gp")) {
-    case drawing::GnuplotResult::done:
+  switch (mp::run_gnuplot(folder, "servo.gp")) {
+    case mp::GnuplotResult::done:
       break;
-    case drawing::GnuplotResult::absent:
+    case mp::GnuplotResult::absent:
       fmt::print(stderr, "gnuplot is not installed, so there is a script but no picture\n");
       break;
-    case drawing::GnuplotResult::failed:
+    case mp::GnuplotResult::failed:
       throw FaultError(FaultCode::internal_error, "gnuplot did not draw servo.gp; see gnuplot.log beside it");
   }
 }

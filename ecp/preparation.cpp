@@ -1,5 +1,7 @@
 #include "ecp/preparation.hpp"
 
+#include <algorithm>
+
 namespace mrroc::ecp {
 namespace {
 
@@ -47,6 +49,18 @@ Outcome await_positions(ArmLinks& links) {
 }
 
 }  // namespace
+
+RobotModel read_tool_model(const Config& config, const std::string& arm) {
+  const Config tool = config.section("robots." + arm + ".tool");
+  RobotModel m;
+  m.set_tool = true;
+  m.tool_representation = Representation::xyz_angle_axis;
+  std::ranges::copy(tool.numbers<6>("pose", std::nullopt, {-10, 10}, "m, rad"), m.tool.begin());
+  m.set_force_tool = true;
+  m.weight = tool.number("weight", std::nullopt, {0, 50}, "N");
+  m.mass_centre = tool.numbers<3>("mass_centre", std::nullopt, {-1, 1}, "m");
+  return m;
+}
 
 Outcome prepare_effector(ArmLinks& links, const Preparation& prepare) {
   if (const Outcome o = execute(links, {.instruction = Instruction::synchro}); o != Outcome::terminated)

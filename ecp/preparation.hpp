@@ -1,5 +1,6 @@
 // What a control subsystem does with its effector before the task begins.
 #pragma once
+#include "base/config.hpp"
 #include "ecp/arm_links.hpp"
 
 namespace mrroc::ecp {
@@ -9,6 +10,10 @@ struct Preparation {
   RobotModel model;             ///< tool and force tool
   int settling_macrosteps{50};  ///< at rest after SYNCHRO before the force sensor is biased
 };
+
+/// @return tool and force tool, from [robots.ARM.tool]: pose (angle-axis), weight, mass_centre; all required
+/// @throws ConfigError
+RobotModel read_tool_model(const Config& config, const std::string& arm);
 
 /// Brings the driver into the state ready.
 /// @return terminated when ready; aborted when the system stops; faulted when the driver refused, see

@@ -25,6 +25,8 @@ class ArmPort {
     x.T = links_.order();
     x.i = links_.i();
   }
+  /// @return what the port is made of, for ports that do more
+  [[nodiscard]] ArmLinks& links() const { return links_; }
 
  private:
   ArmLinks& links_;

@@ -68,6 +68,17 @@ void read_switches(const Config& t, std::array<SwitchParameters, kMaxAxes>& swit
                                                              {"no_index", SwitchFault::no_index}});
 }
 
+PlateParameters read_plate(const Config& t, PlateParameters p) {
+  p.shape = t.choice(
+      "shape", p.shape,
+      {{"none", PlateShape::none}, {"rectangle", PlateShape::rectangle}, {"ellipse", PlateShape::ellipse}});
+  p.length = t.number("length", p.length, {0.01, 0.2}, "m");
+  p.width = t.number("width", p.width, {0.01, 0.2}, "m");
+  p.thickness = t.number("thickness", p.thickness, {0.002, 0.1}, "m");
+  p.distance = t.number("distance", p.distance, {-0.2, 0.2}, "m");
+  return p;
+}
+
 ArmParameters read_arm(const Config& config, const std::string& key, ArmModel fallback) {
   const Config robot = config.section("robots." + key);
   const Config sim = config.section("sim");
@@ -81,6 +92,8 @@ ArmParameters read_arm(const Config& config, const std::string& key, ArmModel fa
   arm.hand = read_hand(sim.section("hand"), arm.hand);
   arm.sensor = read_sensor(sim.section("sensor"), arm.sensor);
   read_sensor_fault(robot, arm.sensor);
+  arm.plate = read_plate(robot.section("plate"), arm.plate);
+  arm.pen_radius = sim.number("pen_radius", arm.pen_radius, {0.0005, 0.02}, "m");
   arm.start_height = sim.number("start_height", arm.start_height, {0.005, 0.1}, "m");
   read_switches(robot.section("switches"), arm.switches);
   arm.lines.loop_back = robot.flag("lines.loop_back", arm.lines.loop_back);
@@ -110,7 +123,8 @@ void run_world_process(link::Process& process, const Config& config, const link:
   shell.n_s = config.integer("time.n_s", 10, {2, 32}, "steps");
   shell.speed = config.number("sim.speed", std::nullopt, {0, 1e4}, "of real time, 0: as fast as possible");
   shell.folder = config.text("run.folder", std::nullopt);
-  shell.strokes = read_strokes(config.text("run.strokes", std::nullopt));
+  if (const std::string strokes = config.text("run.strokes", std::nullopt); !strokes.empty())
+    shell.strokes = read_strokes(strokes);
   World world(read_world(config), static_cast<std::uint64_t>(config.integer<std::int64_t>("seed", 1)));
   run_world(process, world, shell);
 }

@@ -33,6 +33,7 @@ struct World::Impl {
       : p(checked(parameters)), scene(p.solver_iterations) {
     for (const ArmParameters& arm : p.arms) {
       scene.add_table(arm.T_UB * arm.paper.T_0P, kTableEdge);
+      scene.add_plate(arm.T_UB * arm.paper.T_0P, arm.plate);
       seed = mixed(seed);
       arms.push_back(std::make_unique<SimulatedArm>(arm, scene, kStep / p.substeps, p.substeps, seed));
     }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "sim/hand.hpp"
 #include "sim/motor.hpp"
 #include "sim/paper.hpp"
+#include "sim/plate.hpp"
 #include "sim/switches.hpp"
 
 namespace mrroc::sim {
@@ -24,6 +26,12 @@ inline constexpr double kStep = 0.002;
 
 /// Which robot an arm of the world is.
 enum class ArmModel : std::uint8_t { irb6_postument, irb6_track };
+
+/// Everything beyond the force sensor, as it really is.
+struct ToolParameters {
+  double weight{};                       ///< w [N], > 0
+  Vector3 mass_centre{Vector3::Zero()};  ///< W_G P [m], in W
+};
 
 /// Binary lines of a robot controller.
 struct LineParameters {
@@ -40,13 +48,15 @@ struct ArmParameters {
   std::vector<MotorParameters> motors;  ///< one per axis
   ForceSensorParameters sensor;
   PaperParameters paper;
+  PlateParameters plate;
   HandParameters hand;
   std::array<SwitchParameters, kMaxAxes> switches{};  ///< for homing, one per motor
   LineParameters lines;
   std::vector<double> start;  ///< joints after reset() [rad], track [m], one per axis; empty: the pen stands
                               ///< above the sheet's centre
-  double pen_radius{0.002};   ///< of the ball that touches the paper [m]
-  double start_height{0.02};  ///< of the pen above the sheet's centre after reset() [m]
+  std::optional<ToolParameters> tool;  ///< the true tool; none: that of robots/irb6/*.urdf
+  double pen_radius{0.002};            ///< of the ball that touches the paper [m]
+  double start_height{0.02};           ///< of the pen above the sheet's centre after reset() [m]
 };
 
 /// The parameters of an arm as documented in docs/plant.md.

@@ -50,6 +50,11 @@ AxisVector brake_torques(const ArmParameters& p) {
   return torque;
 }
 
+std::optional<ToolMass> tool_mass(const ArmParameters& p, const Scene& scene) {
+  if (!p.tool) return {};
+  return ToolMass{p.tool->weight / scene.gravity().norm(), p.tool->mass_centre};
+}
+
 bool usable(const HardwareCommand& command) {
   for (const double pwm : command.pwm)
     if (!std::isfinite(pwm)) return false;
@@ -86,7 +91,7 @@ SimulatedArm::SimulatedArm(const ArmParameters& p, Scene& scene, double h, int s
       start_joints_(sim::start_joints(*robot_, p)),
       start_motors_(robot_->motors_from_joints(start_joints_)),
       arm_(build_arm(robot_description(p.model), robot_->parameters().lengths, p.T_UB,
-                     reflected_inertia(*robot_, p, start_joints_))),
+                     reflected_inertia(*robot_, p, start_joints_), tool_mass(p, scene))),
       brakes_(std::make_unique<Brakes>(*arm_.body, brake_torques(p), h)),
       load_(arm_, scene.gravity(), h),
       sensor_(p.sensor, seed),

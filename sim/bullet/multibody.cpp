@@ -111,10 +111,17 @@ void set_up_link(btMultiBody& body, const Plan& plan, std::size_t k, double roto
 }  // namespace
 
 ArmBody build_arm(std::string_view urdf, const irb6::Lengths& lengths, const Pose& T_UB,
-                  const AxisVector& rotor_inertia) {
+                  const AxisVector& rotor_inertia, const std::optional<ToolMass>& tool) {
   const auto model = urdf::parseURDF(std::string(urdf));
   if (!model) refuse("it is not URDF");
-  const Plan plan = plan_chain(*model, lengths);
+  Plan plan = plan_chain(*model, lengths);
+  if (tool) {
+    LinkPlan& link = plan.links.back();
+    if (!(tool->mass > 0) || !tool->centre.allFinite()) refuse("the tool has no mass");
+    link.inertia *= tool->mass / link.mass;
+    link.mass = tool->mass;
+    link.mass_centre = tool->centre;  // the tool's frame is W
+  }
   if (plan.joints != rotor_inertia.size()) refuse("it has another number of joints than the robot");
 
   ArmBody arm;

@@ -3,6 +3,7 @@
 #include <BulletDynamics/Featherstone/btMultiBody.h>
 
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -22,6 +23,12 @@ struct ArmBody {
   Pose T_GE;     ///< tip of the tool in the frame of the tool's link
 };
 
+/// Mass of a tool and its centre in W.
+struct ToolMass {
+  double mass{};  ///< [kg], > 0
+  Vector3 centre{Vector3::Zero()};
+};
+
 /// @param urdf           serial chain: moving joints, a fixed joint "sensor", a link "tool" with mass, a link
 /// "pen_tip"
 /// @param lengths        a2, a3 and d5 take the place of the description's, along the same directions: the
@@ -30,9 +37,10 @@ struct ArmBody {
 /// @param rotor_inertia  of each motor as felt at its joint [kg m^2], track: [kg]; added to the link about
 /// (along)
 ///                       the joint's axis
+/// @param tool  instead of the described mass of the tool; its inertia grows with its mass
 /// @throws std::invalid_argument  the description is not such a chain
 ArmBody build_arm(std::string_view urdf, const irb6::Lengths& lengths, const Pose& T_UB,
-                  const AxisVector& rotor_inertia);
+                  const AxisVector& rotor_inertia, const std::optional<ToolMass>& tool = {});
 
 /// Moves the joints and everything that is computed from them; at rest.
 /// @param joints [rad, track m]

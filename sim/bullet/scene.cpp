@@ -17,17 +17,22 @@ Scene::Scene(int solver_iterations)
 }
 
 Scene::~Scene() {
-  for (const auto& table : tables_) dynamics_.removeCollisionObject(table.get());
+  for (const auto& body : bodies_) dynamics_.removeCollisionObject(body.get());
 }
 
 void Scene::add_table(const Pose& T_UP, double edge) {
-  shapes_.push_back(std::make_unique<btBoxShape>(btVector3(edge / 2, edge / 2, kTableThickness / 2)));
-  auto table = std::make_unique<btCollisionObject>();
-  table->setCollisionShape(shapes_.back().get());
-  table->setWorldTransform(to_bullet(T_UP * Pose{Matrix3::Identity(), {0, 0, -kTableThickness / 2}}));
-  table->setFriction(1);
-  dynamics_.addCollisionObject(table.get(), kPaperGroup, kPenGroup);
-  tables_.push_back(std::move(table));
+  add_body(std::make_unique<btBoxShape>(btVector3(edge / 2, edge / 2, kTableThickness / 2)),
+           T_UP * Pose{Matrix3::Identity(), {0, 0, -kTableThickness / 2}});
+}
+
+void Scene::add_body(std::unique_ptr<btCollisionShape> shape, const Pose& T_U) {
+  shapes_.push_back(std::move(shape));
+  auto body = std::make_unique<btCollisionObject>();
+  body->setCollisionShape(shapes_.back().get());
+  body->setWorldTransform(to_bullet(T_U));
+  body->setFriction(1);
+  dynamics_.addCollisionObject(body.get(), kPaperGroup, kPenGroup);
+  bodies_.push_back(std::move(body));
 }
 
 Vector3 Scene::gravity() const { return from_bullet(dynamics_.getGravity()); }

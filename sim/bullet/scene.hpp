@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/pose.hpp"
+#include "sim/plate.hpp"
 
 namespace mrroc::sim {
 
@@ -29,6 +30,10 @@ class Scene {
   /// @param T_UP  middle of the table's top in the world @param edge [m]
   void add_table(const Pose& T_UP, double edge);
 
+  /// Adds a plate that lies on a table.
+  /// @param T_UP  of the table, as above
+  void add_plate(const Pose& T_UP, const PlateParameters& plate);
+
   /// Integrates once. @param h [s]
   void integrate(double h) { dynamics_.stepSimulation(h, 0, h); }
 
@@ -36,13 +41,15 @@ class Scene {
   [[nodiscard]] Vector3 gravity() const;
 
  private:
+  void add_body(std::unique_ptr<btCollisionShape> shape, const Pose& T_U);
+
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broadphase_;
   btMultiBodyConstraintSolver solver_;
   btMultiBodyDynamicsWorld dynamics_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
-  std::vector<std::unique_ptr<btCollisionObject>> tables_;
+  std::vector<std::unique_ptr<btCollisionObject>> bodies_;
 };
 
 }  // namespace mrroc::sim

@@ -24,10 +24,10 @@ Parameters read_parameters(const Config& config) {
 void check_macrostep(const Taught& taught, const Parameters& k, const std::string& file) {
   const double macrostep_s = k.dt * k.n_s;
   if (std::abs(taught.recording.macrostep_s() - macrostep_s) < 1e-9) return;
-  throw DrawingError(file, 0,
-                     fmt::format("taught with macrosteps of {:g} s, the task has {:g} s",
-                                 taught.recording.macrostep_s(), macrostep_s),
-                     "set time.n_s as it was, or teach anew");
+  throw FileError(file, 0,
+                  fmt::format("taught with macrosteps of {:g} s, the task has {:g} s",
+                              taught.recording.macrostep_s(), macrostep_s),
+                  "set time.n_s as it was, or teach anew");
 }
 
 HandPlan read_hand_plan(const Config& config) {

@@ -12,7 +12,7 @@ Parameters read_parameters(const Config& config);
 
 /// Refuses a recording that was taught with another macrostep.
 /// @param file  for the error
-/// @throws DrawingError
+/// @throws FileError
 void check_macrostep(const Taught& taught, const Parameters& k, const std::string& file);
 
 /// @return the scripted operator's parameters in the table [operator]; the start stays as it is

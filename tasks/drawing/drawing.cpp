@@ -13,19 +13,7 @@ namespace {
 constexpr double kSamePlace = 1e-6;     // [mm] closer points are one; far below what an arm can resolve
 constexpr double kRoundingRoom = 1e-6;  // [mm] a drawing that fills the sheet is not refused for its last bit
 
-std::string placed(const std::string& file, int line, const std::string& wrong) {
-  return line > 0 ? fmt::format("{}:{}: {}", file, line, wrong) : fmt::format("{}: {}", file, wrong);
-}
-
 }  // namespace
-
-DrawingError::DrawingError(const std::string& file, int line, const std::string& wrong,
-                           const std::string& remedy)
-    : std::runtime_error(placed(file, line, wrong) + (remedy.empty() ? "" : "; " + remedy)),
-      file_(file),
-      line_(line),
-      wrong_(placed(file, line, wrong)),
-      remedy_(remedy) {}
 
 Drawing arrow() {
   constexpr double kReach = 28;    // of a feather, to the side and down [mm]
@@ -58,24 +46,23 @@ Drawing without_repeats(Drawing drawing) {
 
 void check_size(double size_mm, const std::string& name) {
   if (size_mm > 0 && size_mm <= kSheetSize) return;
-  throw DrawingError(name, 0, fmt::format("a drawing cannot be {} mm large", size_mm),
-                     fmt::format("give a size above 0 and up to {} mm, the side of the sheet", kSheetSize));
+  throw FileError(name, 0, fmt::format("a drawing cannot be {} mm large", size_mm),
+                  fmt::format("give a size above 0 and up to {} mm, the side of the sheet", kSheetSize));
 }
 
 void check(const Drawing& drawing, const std::string& name, std::size_t max_points) {
-  if (drawing.empty())
-    throw DrawingError(name, 0, "there is nothing to draw in it", "give at least one stroke");
+  if (drawing.empty()) throw FileError(name, 0, "there is nothing to draw in it", "give at least one stroke");
   std::size_t points = 0;
   for (std::size_t k = 0; k < drawing.size(); ++k) {
     if (drawing[k].empty())
-      throw DrawingError(name, 0, fmt::format("stroke {} has no points", k), "give it one or leave it out");
+      throw FileError(name, 0, fmt::format("stroke {} has no points", k), "give it one or leave it out");
     points += drawing[k].size();
     for (const Point& p : drawing[k]) {
       if (!p.allFinite())
-        throw DrawingError(name, 0, fmt::format("stroke {} has a coordinate that is not a finite number", k),
-                           "mend the coordinate");
+        throw FileError(name, 0, fmt::format("stroke {} has a coordinate that is not a finite number", k),
+                        "mend the coordinate");
       if (p.cwiseAbs().maxCoeff() > kSheetSize / 2 + kRoundingRoom)
-        throw DrawingError(
+        throw FileError(
             name, 0,
             fmt::format("stroke {} goes to ({:.1f}, {:.1f}) mm, off the reachable sheet of {} x {} mm", k,
                         p.x(), p.y(), kSheetSize, kSheetSize),
@@ -83,9 +70,9 @@ void check(const Drawing& drawing, const std::string& name, std::size_t max_poin
     }
   }
   if (points > max_points)
-    throw DrawingError(name, 0,
-                       fmt::format("{} points after flattening, over the limit of {}", points, max_points),
-                       "simplify the drawing or draw it smaller");
+    throw FileError(name, 0,
+                    fmt::format("{} points after flattening, over the limit of {}", points, max_points),
+                    "simplify the drawing or draw it smaller");
 }
 
 }  // namespace mrroc::drawing

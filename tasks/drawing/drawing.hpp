@@ -1,9 +1,10 @@
 // What is drawn: strokes on a sheet of paper.
 #pragma once
 #include <Eigen/Core>
-#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "base/text_file.hpp"
 
 namespace mrroc::drawing {
 
@@ -19,28 +20,6 @@ inline constexpr double kSheetSize = 200;          ///< side of the sheet, all o
 inline constexpr double kFlatness = 0.05;          ///< a curve's distance from its polyline, at most [mm]
 inline constexpr std::size_t kMaxPoints = 10'000;  ///< points of a drawing after flattening, at most
 
-/// A drawing, recording or table of a run that cannot be used. what() is "FILE:LINE: what is wrong; what to
-/// do", without the line where none is known.
-class DrawingError : public std::runtime_error {
- public:
-  /// @param file  the name under which the user knows the file
-  /// @param line  the line at fault, counted from 1; 0 if unknown
-  /// @param wrong  what is wrong
-  /// @param remedy  what the user can do about it; may be empty
-  DrawingError(const std::string& file, int line, const std::string& wrong, const std::string& remedy);
-
-  [[nodiscard]] const std::string& file() const { return file_; }
-  [[nodiscard]] int line() const { return line_; }  ///< counted from 1; 0 if unknown
-  /// @return what() without the remedy
-  [[nodiscard]] const std::string& wrong() const { return wrong_; }
-  [[nodiscard]] const std::string& remedy() const { return remedy_; }  ///< may be empty
-
- private:
-  std::string file_;
-  int line_;
-  std::string wrong_, remedy_;
-};
-
 /// The drawing of MS fig. 7: six feathers of an arrow, three on each side of a shaft that is not drawn. Each
 /// is a straight stroke of 39.6 mm; together they take 56 x 68 mm, centred on the sheet.
 [[nodiscard]] Drawing arrow();
@@ -55,14 +34,14 @@ class DrawingError : public std::runtime_error {
 
 /// Refuses a size that is not in (0, kSheetSize].
 /// @param name  the file that the size is for, named in the error
-/// @throws DrawingError
+/// @throws FileError
 void check_size(double size_mm, const std::string& name);
 
 /// Refuses a drawing that cannot be drawn: no stroke, an empty stroke, a number that is not finite, more than
 /// max_points points, a point off the sheet.
 /// @param name        the file that it came from, named in the error
 /// @param max_points  recorded ink has a point per step, and may have any number
-/// @throws DrawingError
+/// @throws FileError
 void check(const Drawing& drawing, const std::string& name, std::size_t max_points = kMaxPoints);
 
 }  // namespace mrroc::drawing

@@ -106,7 +106,7 @@ void DrawingRun::note_rows(const X& x) {
   const int executed = ordered_.size() > kLoopDelay ? ordered_[kLoopDelay] : 0;
   for (std::size_t arm = 0; arm < kArms; ++arm) {
     const Report& r = x.T.agent[arm];
-    ArmRow row;
+    mp::ArmRow row;
     row.i = x.i;
     row.t = seconds(x.i - 2) +
             (k_.n_s - 1) * k_.dt;  // x_ce was measured in step n_Q of the macrostep before the last

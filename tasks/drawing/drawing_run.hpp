@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "mp/arm_trace.hpp"
 #include "mp/task_run.hpp"
-#include "tasks/drawing/arm_trace.hpp"
 #include "tasks/drawing/hand_operator.hpp"
 #include "tasks/drawing/images.hpp"
 
@@ -17,8 +17,8 @@ namespace mrroc::drawing {
 
 /// What a run of the coordinator has left.
 struct RunRecord {
-  Recording recording;                 ///< taught, or as loaded
-  std::array<ArmTrace, kArms> traces;  ///< a row per macrostep
+  Recording recording;                     ///< taught, or as loaded
+  std::array<mp::ArmTrace, kArms> traces;  ///< a row per macrostep
   /// Macrosteps in which each arm began to draw a segment: its driver told that it had executed a command of
   /// m = 5, the first one of the segment.
   std::array<std::vector<std::int64_t>, kArms> segment_starts;

@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "base/fault.hpp"
-#include "tasks/drawing/text_file.hpp"
+#include "base/text_file.hpp"
 
 namespace mrroc::drawing {
 namespace {

@@ -8,8 +8,6 @@
 
 namespace mrroc::drawing {
 
-class Lines;
-
 /// A place where the pen touched the paper.
 struct InkPoint {
   int stroke{};  ///< counted from 0 in the order of drawing
@@ -37,12 +35,12 @@ inline constexpr std::size_t kMaxStrokes = kMaxPoints;
 void write_ink(const std::filesystem::path& file, const Ink& ink);
 
 /// Reads what write_ink writes. Strokes must not go back and t must not within a stroke.
-/// @throws DrawingError  naming file and line
+/// @throws FileError  naming file and line
 [[nodiscard]] Ink read_ink(const std::filesystem::path& file);
 
 /// Appends the ink point of one row of a file: stroke, t, x, y.
 /// @param lines  the file, for errors
-/// @throws DrawingError  naming file and line: a bad field, a stroke that goes back, time that goes back in
+/// @throws FileError  naming file and line: a bad field, a stroke that goes back, time that goes back in
 /// it
 void append_ink_row(Ink& ink, const Lines& lines, std::string_view row, char separator);
 

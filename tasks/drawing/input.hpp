@@ -37,7 +37,7 @@ struct Input {
 void add_input_options(CLI::App& app, InputOptions& options);
 
 /// Reads what the options name.
-/// @throws DrawingError, FaultError bad_usage
+/// @throws FileError, FaultError bad_usage
 Input read_input(const InputOptions& options);
 
 /// @return the task's built-in configuration, tasks/drawing/drawing.toml

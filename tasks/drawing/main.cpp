@@ -3,14 +3,11 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <tuple>
 
 #include "base/config.hpp"
+#include "mp/summary_text.hpp"
 #include "mp/task_run.hpp"
-#include "robots/irb6/config.hpp"
-#include "robots/irb6/edp_body.hpp"
-#include "sim/config.hpp"
-#include "sim/world.hpp"
+#include "sim/cell_parts.hpp"
 #include "tasks/drawing/config.hpp"
 #include "tasks/drawing/drawing_run.hpp"
 #include "tasks/drawing/ecp_body.hpp"
@@ -26,7 +23,7 @@ using namespace mrroc;
 namespace fs = std::filesystem;
 
 const std::vector<std::string> kArmKeys{"arm1", "arm2"};
-const std::vector<std::string> kModels{"irb6_postument", "irb6_track"};
+const std::vector<sim::CellArm> kArms{{"arm1", "irb6_postument"}, {"arm2", "irb6_track"}};
 
 struct Options {
   mp::TaskOptions task;
@@ -42,13 +39,6 @@ struct Setup {
   drawing::PlotSetup sheets;
 };
 
-Config load_config(const mp::TaskOptions& o) {
-  Config config = o.config_file.empty() ? Config::parse(drawing::default_config(), "drawing.toml (built in)")
-                                        : Config::load(o.config_file);
-  for (const std::string& s : o.settings) config.set(s);
-  return config;
-}
-
 /// Reads every parameter of every process, so that a wrong one is found before anything starts.
 void read_all(Setup& s, const mp::TaskOptions& o) {
   const Config& c = s.config;
@@ -56,72 +46,30 @@ void read_all(Setup& s, const mp::TaskOptions& o) {
   s.plan = drawing::read_hand_plan(c);
   s.plan.gives_orders = !o.attended && o.script.empty();
   s.plan.start = s.input.start();
-  const sim::WorldParameters world = sim::read_world(c);
-  if (c.texts("robots.order", kArmKeys) != kArmKeys)
-    throw FaultError(FaultCode::bad_configuration,
-                     "robots.order: this task has the arms arm1 and arm2, in this order");
-  const sim::World still(world, o.seed);
-  for (std::size_t arm = 0; arm < kArmKeys.size(); ++arm) {
-    const AxisVector joints = still.start_joints(static_cast<int>(arm));
-    const auto setup = irb6::read_driver(c, kArmKeys[arm], kModels[arm], {joints.begin(), joints.end()});
-    irb6::read_tool(c, kArmKeys[arm], kModels[arm]);
-    irb6::read_command_link(c, kArmKeys[arm]);
-    s.sheets.sheet[arm] = world.arms[arm].paper.T_0P.p;
-  }
+  const sim::WorldParameters world = sim::read_cell(c, kArms, o.seed);
+  for (std::size_t arm = 0; arm < kArms.size(); ++arm) s.sheets.sheet[arm] = world.arms[arm].paper.T_0P.p;
   vsp::read_pen_state(c);
-}
-
-/// What would be refused only when the system is being started.
-void check_options(const mp::TaskOptions& o) {
-  if (!o.session.empty()) link::check_session_name(o.session);
-  if (!o.script.empty()) mp::load_script(o.script);
-  if (o.url.empty()) return;
-  try {
-    std::ignore = link::LcmAddress::parse(o.url);
-  } catch (const std::invalid_argument& e) {
-    throw FaultError(FaultCode::bad_usage, e.what());
-  }
 }
 
 /// @throws FaultError  what is wrong with the input; nothing has been made or started
 Setup prepare(const Options& o) try {
   Setup s;
   s.input = drawing::read_input(o.input);
-  s.config = load_config(o.task);
-  s.config.set(fmt::format("seed={}", o.task.seed));
+  s.config = sim::load_task_config(o.task, drawing::default_config(), "drawing");
   read_all(s, o.task);
   if (s.input.taught) drawing::check_macrostep(*s.input.taught, s.k, o.input.load.string());
-  check_options(o.task);
+  sim::check_task_options(o.task);
   return s;
-} catch (const drawing::DrawingError& e) {
+} catch (const FileError& e) {
   throw FaultError(o.input.load.empty() ? FaultCode::bad_drawing : FaultCode::bad_recording, e.wrong(),
                    e.remedy());
 }
 
-/// Fixes what belongs to this run alone; all keys are known after that.
-void complete(const Config& c, const mp::TaskOptions& o, const fs::path& folder) {
-  std::ignore = c.integer<std::int64_t>("seed", 1);
-  std::ignore = c.number("sim.speed", o.speed, {0, 1e4}, "of real time, 0: as fast as possible");
-  std::ignore = c.text("run.folder", fs::absolute(folder).string());
-  std::ignore = c.text("run.strokes", fs::absolute(folder / "input.csv").string());
-  c.check_all_used();
-}
-
 std::vector<mp::Part> parts_of(const Config& config) {
-  std::vector<mp::Part> parts;
-  const auto add = [&](const std::string& name, const std::string& program, const std::string& arm,
-                       const std::string& robot, const link::PartBody& body) {
-    mp::Part p{name, program, {"--name", name}, {}};
-    if (!arm.empty()) p.arguments.insert(p.arguments.end(), {"--arm", arm, "--robot", robot});
-    p.body = [config, arm, body](link::Process& process) { body(process, config, {arm}); };
-    parts.push_back(p);
-  };
-  add("world", "world", "", "", sim::run_world_process);
-  for (std::size_t k = 0; k < kArmKeys.size(); ++k) {
-    const std::string& arm = kArmKeys[k];
-    add("edp-" + arm, "edp_irb6", arm, kModels[k], irb6::run_edp_of_arm);
-    add("ecp-" + arm, "ecp_drawing", arm, kModels[k], drawing::run_drawing_ecp);
-    add("vsp-" + arm, "vsp_pen_state", arm, kModels[k], vsp::run_pen_state);
+  auto parts = sim::cell_parts(config, kArms);
+  for (const sim::CellArm& arm : kArms) {
+    parts.push_back(sim::make_part(config, "ecp-" + arm.key, "ecp_drawing", &arm, drawing::run_drawing_ecp));
+    parts.push_back(sim::make_part(config, "vsp-" + arm.key, "vsp_pen_state", &arm, vsp::run_pen_state));
   }
   return parts;
 }
@@ -139,16 +87,6 @@ std::string stroke_warning(const mp::Summary& s) {
       "larger, or "
       "with strokes farther apart\n",
       input, taught);
-}
-
-void print_summary(const mp::Summary& s) {
-  fmt::print("\n{}: {:.1f} s simulated in {:.1f} s ({:.1f} x real time)\n",
-             s.stopped ? "stopped"
-             : s.fault ? "ended with a fault"
-                       : "done",
-             s.sim_s, s.wall_s, s.wall_s > 0 ? s.sim_s / s.wall_s : 0);
-  fmt::print("{}{}", mp::figure_table(s.figures, drawing::kFigures, drawing::kFigureColumns),
-             stroke_warning(s));
 }
 
 /// Files, figures and pictures of a run that has ended.
@@ -171,7 +109,7 @@ void finish(const Options& o, const Setup& s, const fs::path& folder, const draw
 int run(const Options& o) {
   Setup s = prepare(o);
   const fs::path folder = mp::name_run_folder(o.task.run_dir, "drawing");
-  complete(s.config, o.task, folder);
+  sim::complete_config(s.config, o.task, folder, fs::absolute(folder / "input.csv").string());
   mp::make_run_folder(folder);
   drawing::write_ink(folder / "input.csv", drawing::ink_of(s.input.drawing));
   mp::write_text(folder / "config.toml", s.config.dump());
@@ -195,7 +133,8 @@ int run(const Options& o) {
   } catch (const FaultError& e) {  // what has been done is told all the same
     if (!summary.fault) summary.fault = e.fault();
   }
-  print_summary(summary);
+  mp::print_summary(summary, mp::figure_table(summary.figures, drawing::kFigures, drawing::kFigureColumns) +
+                                 stroke_warning(summary));
   if (const fs::path picture = folder / "plots" / "drawing.png"; fs::exists(picture))
     fmt::print("picture: {}\n", picture.string());
   std::fflush(stdout);

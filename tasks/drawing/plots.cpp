@@ -4,9 +4,9 @@
 
 #include <system_error>
 
-#include "tasks/drawing/gnuplot.hpp"
+#include "base/text_file.hpp"
+#include "mp/gnuplot.hpp"
 #include "tasks/drawing/plots_scripts.hpp"
-#include "tasks/drawing/text_file.hpp"
 
 namespace mrroc::drawing {
 namespace fs = std::filesystem;
@@ -25,8 +25,8 @@ RunTables read_tables(const fs::path& folder) {
   run.input = table<Ink>(folder / "input.csv", read_ink);
   run.taught = table<Ink>(folder / "taught.csv", read_ink);
   run.ink = {table<Ink>(folder / "ink1.csv", read_ink), table<Ink>(folder / "ink2.csv", read_ink)};
-  run.arms = {table<ArmTrace>(folder / "arm1.csv", read_arm_trace),
-              table<ArmTrace>(folder / "arm2.csv", read_arm_trace)};
+  run.arms = {table<mp::ArmTrace>(folder / "arm1.csv", mp::read_arm_trace),
+              table<mp::ArmTrace>(folder / "arm2.csv", mp::read_arm_trace)};
   return run;
 }
 
@@ -42,14 +42,14 @@ Plots plot_run(const fs::path& run_folder, const PlotSetup& setup) {
     const fs::path picture = run_folder / "plots" / (name + ".png");
     fs::remove(picture, error);
     write_text_file(run_folder / "plots" / (name + ".gp"), script);
-    switch (run_gnuplot(run_folder, fs::path("plots") / (name + ".gp"))) {
-      case GnuplotResult::done:
+    switch (mp::run_gnuplot(run_folder, fs::path("plots") / (name + ".gp"))) {
+      case mp::GnuplotResult::done:
         plots.pictures.push_back(picture);
         break;
-      case GnuplotResult::absent:
+      case mp::GnuplotResult::absent:
         plots.note = "gnuplot is not installed, so there are no pictures of the run";
         break;
-      case GnuplotResult::failed:
+      case mp::GnuplotResult::failed:
         plots.note =
             fmt::format("gnuplot could not draw {}; see plots/gnuplot.log", picture.filename().string());
         break;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tasks/drawing/arm_trace.hpp"
+#include "mp/arm_trace.hpp"
 #include "tasks/drawing/ink.hpp"
 
 namespace mrroc::drawing {
@@ -34,7 +34,7 @@ struct Plots {
 /// Teach-in is behaviours m = 1 and 2; in m = 3 the operator leads the arms to the start; reproduction is m
 /// >= 4. Tables that are not there are left out, and so is a panel without data. A script stands beside each
 /// picture; `gnuplot plots/NAME.gp` in the run folder draws it again.
-/// @throws DrawingError  a table that cannot be read, or plots/ cannot be written. A missing gnuplot is no
+/// @throws FileError  a table that cannot be read, or plots/ cannot be written. A missing gnuplot is no
 /// error.
 [[nodiscard]] Plots plot_run(const std::filesystem::path& run_folder, const PlotSetup& setup);
 

@@ -12,10 +12,10 @@ namespace {
 
 constexpr std::array kArmNames{"arm 1 (postument)", "arm 2 (track)"};
 
-bool teaching(const ArmRow& row) { return row.m == 1 || row.m == 2; }
-bool reproducing(const ArmRow& row) { return row.m >= 3; }
-bool copying(const ArmRow& row) { return row.m >= 4; }
-bool in_space(const ArmRow& row) { return teaching(row) || copying(row); }
+bool teaching(const mp::ArmRow& row) { return row.m == 1 || row.m == 2; }
+bool reproducing(const mp::ArmRow& row) { return row.m >= 3; }
+bool copying(const mp::ArmRow& row) { return row.m >= 4; }
+bool in_space(const mp::ArmRow& row) { return teaching(row) || copying(row); }
 
 // Least and largest value over rows.
 struct Span {
@@ -39,12 +39,12 @@ Span span_of(const RunTables& run, Filter filter, Value value) {
   Span span;
   for (std::size_t arm = 0; arm < 2; ++arm)
     if (run.arms[arm])
-      for (const ArmRow& row : *run.arms[arm])
+      for (const mp::ArmRow& row : *run.arms[arm])
         if (filter(row)) span.add(value(arm, row));
   return span;
 }
 
-bool has(const std::optional<ArmTrace>& trace, bool (*filter)(const ArmRow&)) {
+bool has(const std::optional<mp::ArmTrace>& trace, bool (*filter)(const mp::ArmRow&)) {
   return trace && std::any_of(trace->begin(), trace->end(), filter);
 }
 
@@ -55,7 +55,7 @@ struct Segments {
   double impact_force{};      // [N]
 };
 
-std::optional<Segments> segments_from(const ArmTrace& rows, std::size_t k) {
+std::optional<Segments> segments_from(const mp::ArmTrace& rows, std::size_t k) {
   Segments found;
   std::size_t part = 0;
   for (const int m : {5, 6, 7, 4}) {
@@ -72,7 +72,7 @@ std::optional<Segments> segments_from(const ArmTrace& rows, std::size_t k) {
 }
 
 // The second complete four, as the first may be short of what is usual; the only one if there is no other.
-std::optional<Segments> segments(const ArmTrace& rows) {
+std::optional<Segments> segments(const mp::ArmTrace& rows) {
   std::optional<Segments> first;
   for (std::size_t k = 1; k < rows.size(); ++k)
     if (rows[k].m == 5 && rows[k - 1].m != 5)
@@ -119,13 +119,13 @@ struct Curve {
   std::array<std::string, 2> value;  // gnuplot expression, per arm
   std::string teach_note;            // behind the title of the teach-in
   std::string extra;                 // commands for both panels
-  std::function<double(std::size_t arm, const ArmRow&)> of;
+  std::function<double(std::size_t arm, const mp::ArmRow&)> of;
 };
 
 // Each panel has the range of what it shows: nothing is cut, and quiet data are not drawn small beside others.
 template <class Filter>
 std::string ranges(const RunTables& run, Filter filter, const Curve& curve) {
-  const Span t = span_of(run, filter, [](std::size_t, const ArmRow& row) { return row.t; });
+  const Span t = span_of(run, filter, [](std::size_t, const mp::ArmRow& row) { return row.t; });
   return fmt::format("set xrange {}\nset yrange {}\n", t.with_room(0, 0),
                      span_of(run, filter, curve.of).with_room(0.05, 0.2));
 }
@@ -149,7 +149,7 @@ std::string marks(const RunTables& run, bool impact) {
 }
 
 std::string teach_panel(const RunTables& run, const Curve& curve) {
-  const auto taught = [](const ArmRow& row) { return teaching(row); };
+  const auto taught = [](const mp::ArmRow& row) { return teaching(row); };
   RunTables first;
   first.arms[0] = run.arms[0];
   return left_title("teach-in: the operator leads arm 1" + curve.teach_note) + ranges(first, taught, curve) +
@@ -230,7 +230,7 @@ std::string trajectory_script(const RunTables& run, const PlotSetup& setup) {
           path_panel(fmt::format("reproduction, {}", kArmNames[arm]), "copied", arm, setup.sheet[arm]));
   if (panels.empty()) return "";
   const auto along = [&](int axis) {
-    return span_of(run, in_space, [&](std::size_t arm, const ArmRow& row) {
+    return span_of(run, in_space, [&](std::size_t arm, const mp::ArmRow& row) {
       return 1e3 * (row.pose[axis] - setup.sheet[arm][axis]);
     });
   };
@@ -264,7 +264,9 @@ set ztics {} offset 0.5,0
 std::string height_script(const RunTables& run, const PlotSetup& setup) {
   Curve curve{"fig9_height", "MS fig. 9: height of the pen above the paper", "z [mm]", {}, "", "", {}};
   curve.value = {relative("$6", setup.sheet[0].z()), relative("$6", setup.sheet[1].z())};
-  curve.of = [&](std::size_t arm, const ArmRow& row) { return 1e3 * (row.pose.z() - setup.sheet[arm].z()); };
+  curve.of = [&](std::size_t arm, const mp::ArmRow& row) {
+    return 1e3 * (row.pose.z() - setup.sheet[arm].z());
+  };
   return time_script(run, curve, false);
 }
 
@@ -275,7 +277,7 @@ std::string force_script(const RunTables& run) {
   curve.extra =
       "set arrow from graph 0, first 1 to graph 1, first 1 nohead dt 2 lw 1 lc rgb '#b3261e' back\n"
       "set label '1 N' at graph 1, first 1 left offset 0.3,0 font 'sans,10' textcolor rgb '#b3261e'\n";
-  curve.of = [](std::size_t, const ArmRow& row) { return row.F[Axis::z]; };
+  curve.of = [](std::size_t, const mp::ArmRow& row) { return row.F[Axis::z]; };
   return time_script(run, curve, true);
 }
 

@@ -10,7 +10,7 @@ namespace mrroc::drawing {
 
 /// The tables of a run folder that there are.
 struct RunTables {
-  std::array<std::optional<ArmTrace>, 2> arms;
+  std::array<std::optional<mp::ArmTrace>, 2> arms;
   std::optional<Ink> input, taught;
   std::array<std::optional<Ink>, 2> ink;
 };

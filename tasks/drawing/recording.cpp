@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "tasks/drawing/text_file.hpp"
+#include "base/text_file.hpp"
 
 namespace mrroc::drawing {
 namespace {
@@ -77,8 +77,7 @@ bool operator==(const Recording& a, const Recording& b) {
 void save(const std::filesystem::path& file, const Taught& taught) {
   const auto finite_or_throw = [&](bool ok) {
     if (!ok)
-      throw DrawingError(file.string(), 0, "a recording with a number that is not finite cannot be saved",
-                         "");
+      throw FileError(file.string(), 0, "a recording with a number that is not finite cannot be saved", "");
   };
   const Recording& recording = taught.recording;
   std::string text = fmt::format("{} {}\nmacrostep_s {:.17g}\nnodes {}\n{}\n", kFormat, kRecordingVersion,

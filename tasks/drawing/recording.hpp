@@ -73,11 +73,11 @@ inline constexpr int kRecordingVersion = 1;
 ///
 /// Numbers have 17 significant digits, so that load gives back every bit. The two column lines are part of
 /// the file.
-/// @throws DrawingError  if it cannot be written or a number is not finite
+/// @throws FileError  if it cannot be written or a number is not finite
 void save(const std::filesystem::path& file, const Taught& taught);
 
 /// Reads what save writes.
-/// @throws DrawingError  naming file and line: another format or version, a wrong count, a number that is not
+/// @throws FileError  naming file and line: another format or version, a wrong count, a number that is not
 /// finite, an unknown pen state, no node on the paper, a truncated file or text behind its end
 [[nodiscard]] Taught load(const std::filesystem::path& file);
 

@@ -25,7 +25,7 @@ std::optional<Ink> take_sheet(const fs::path& folder, const std::string& arm, in
 
 /// Calls see(begin, end) for every run of rows with that m.
 template <class See>
-void for_each_segment(const ArmTrace& trace, int m, See see) {
+void for_each_segment(const mp::ArmTrace& trace, int m, See see) {
   for (std::size_t begin = 0; begin < trace.size();) {
     std::size_t end = begin;
     while (end < trace.size() && trace[end].m == trace[begin].m) ++end;
@@ -35,7 +35,7 @@ void for_each_segment(const ArmTrace& trace, int m, See see) {
 }
 
 /// Mean and standard deviation of F_z while drawing.
-std::pair<double, double> paper_force(const ArmTrace& trace) {
+std::pair<double, double> paper_force(const mp::ArmTrace& trace) {
   std::vector<double> F;
   for_each_segment(trace, 5, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k)
@@ -47,12 +47,12 @@ std::pair<double, double> paper_force(const ArmTrace& trace) {
   return F.empty() ? std::pair(std::nan(""), std::nan("")) : std::pair(mean, std::sqrt(square));
 }
 
-double largest_travel_z_mm(const ArmTrace& trace) {
+double largest_travel_z_mm(const mp::ArmTrace& trace) {
   double largest = 0;
   for_each_segment(trace, 7, [&](std::size_t begin, std::size_t end) {
     const auto [low, high] = std::minmax_element(
         trace.begin() + static_cast<std::ptrdiff_t>(begin), trace.begin() + static_cast<std::ptrdiff_t>(end),
-        [](const ArmRow& a, const ArmRow& b) { return a.pose.z() < b.pose.z(); });
+        [](const mp::ArmRow& a, const mp::ArmRow& b) { return a.pose.z() < b.pose.z(); });
     largest = std::max(largest, 1e3 * (high->pose.z() - low->pose.z()));
   });
   return largest;
@@ -79,7 +79,7 @@ RunInk collect_ink(const fs::path& folder, const std::vector<std::string>& arms,
 
 void write_tables(const fs::path& folder, const RunRecord& record, const RunInk& ink) {
   for (std::size_t arm = 0; arm < kArms; ++arm) {
-    write_arm_trace(folder / fmt::format("arm{}.csv", arm + 1), record.traces[arm]);
+    mp::write_arm_trace(folder / fmt::format("arm{}.csv", arm + 1), record.traces[arm]);
     if (ink.drawn[arm]) write_ink(folder / fmt::format("ink{}.csv", arm + 1), *ink.drawn[arm]);
   }
   if (ink.taught) write_ink(folder / "taught.csv", *ink.taught);

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text_file.hpp"
 #include "tasks/drawing/strokes.hpp"
 #include "tasks/drawing/svg_document.hpp"
-#include "tasks/drawing/text_file.hpp"
 
 namespace mrroc::drawing {
 namespace {
@@ -37,8 +37,8 @@ Drawing flattened(const std::vector<svg::SubPath>& paths, double tolerance, cons
       const double count = svg::pieces(segment, tolerance);
       total += count;
       if (!(total < kAbsurd))
-        throw DrawingError(name, 0, fmt::format("over {} points after flattening", kMaxPoints),
-                           "simplify the drawing or draw it smaller");
+        throw FileError(name, 0, fmt::format("over {} points after flattening", kMaxPoints),
+                        "simplify the drawing or draw it smaller");
       svg::append(stroke, segment, static_cast<int>(count));
     }
   }
@@ -58,13 +58,13 @@ Drawing parse_svg(std::string_view text, const std::string& name, double size_mm
   const svg::Document document = svg::read_document(text, name);
   if (ignored) *ignored = document.ignored;
   if (document.paths.empty())
-    throw DrawingError(
+    throw FileError(
         name, 0,
         document.ignored.empty() ? "there is nothing to draw in it"
                                  : fmt::format("there is nothing to draw in it but {}", document.ignored),
         document.ignored.empty() ? "add paths, lines or shapes" : "convert text to paths and trace images");
   const double size = extent(document.paths);
-  if (!std::isfinite(size)) throw DrawingError(name, 0, "its numbers are too large", "draw it smaller");
+  if (!std::isfinite(size)) throw FileError(name, 0, "its numbers are too large", "draw it smaller");
   const double units_per_mm = size > 0 ? size / size_mm : 1;
   const Drawing polylines = flattened(document.paths, flattening_tolerance(size_mm) * units_per_mm, name);
   Drawing drawing = without_repeats(fitted(turned_up(polylines), size_mm));

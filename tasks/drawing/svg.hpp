@@ -29,13 +29,13 @@ inline constexpr std::size_t kMaxSvgBytes = 20'000'000;
 /// @param size_mm  larger side of the drawing [mm], above 0 and up to kSheetSize
 /// @param ignored  if given, receives the elements that were left out for having no outline, "text (3)";
 /// empty if there were none
-/// @throws DrawingError  not well-formed, not SVG, nothing to draw, a bad value (the element and its line are
+/// @throws FileError  not well-formed, not SVG, nothing to draw, a bad value (the element and its line are
 /// named), more than kMaxPoints points, a size out of range
 [[nodiscard]] Drawing parse_svg(std::string_view text, const std::string& name, double size_mm = kDefaultSize,
                                 std::string* ignored = nullptr);
 
 /// Reads an SVG file, as parse_svg does.
-/// @throws DrawingError  as parse_svg, and when the file is missing, empty, unreadable or over kMaxSvgBytes
+/// @throws FileError  as parse_svg, and when the file is missing, empty, unreadable or over kMaxSvgBytes
 [[nodiscard]] Drawing read_svg(const std::filesystem::path& file, double size_mm = kDefaultSize,
                                std::string* ignored = nullptr);
 

@@ -64,8 +64,8 @@ class Reader {
     const std::string_view full = root.name();
     prefix_ = full.substr(0, full.find(':') == std::string_view::npos ? 0 : full.find(':') + 1);
     if (local_name(root) != "svg")
-      throw DrawingError(name_, line_of(root.offset_debug()), fmt::format("<{}> is not an SVG drawing", full),
-                         "give an SVG file");
+      throw FileError(name_, line_of(root.offset_debug()), fmt::format("<{}> is not an SVG drawing", full),
+                      "give an SVG file");
     remember(root);
     Context context;
     context.viewport = root_viewport(root);
@@ -81,15 +81,15 @@ class Reader {
  private:
   void load() {
     if (text_.substr(0, 2) == "\x1f\x8b")
-      throw DrawingError(name_, 0, "the file is compressed (.svgz)", "unpack it with gunzip");
+      throw FileError(name_, 0, "the file is compressed (.svgz)", "unpack it with gunzip");
     const pugi::xml_parse_result result = xml_.load_buffer(text_.data(), text_.size());
     utf8_ = result.encoding == pugi::encoding_utf8;
     if (result.status == pugi::status_no_document_element)
-      throw DrawingError(name_, 0, "there is no XML element in it", "give an SVG file");
+      throw FileError(name_, 0, "there is no XML element in it", "give an SVG file");
     if (!result)
-      throw DrawingError(name_, line_of(result.offset),
-                         fmt::format("not well-formed XML: {}", lower(result.description())),
-                         "mend it or export it again");
+      throw FileError(name_, line_of(result.offset),
+                      fmt::format("not well-formed XML: {}", lower(result.description())),
+                      "mend it or export it again");
   }
 
   static std::string lower(std::string text) {
@@ -108,7 +108,7 @@ class Reader {
     const std::string_view id = node.attribute("id").value();
     const std::string element = id.empty() ? fmt::format("<{}>", node.name())
                                            : fmt::format("<{} id=\"{}\">", node.name(), id.substr(0, 40));
-    throw DrawingError(name_, line_of(node.offset_debug()), fmt::format("{}: {}", element, wrong), remedy);
+    throw FileError(name_, line_of(node.offset_debug()), fmt::format("{}: {}", element, wrong), remedy);
   }
 
   // The name of an SVG element; elements of other vocabularies, as editors leave them, have none.
@@ -182,8 +182,8 @@ class Reader {
       paths_.push_back(std::move(path));
     }
     if (curves_ > kMaxCurves)
-      throw DrawingError(name_, 0, fmt::format("over {} points after flattening", kMaxPoints),
-                         "simplify the drawing");
+      throw FileError(name_, 0, fmt::format("over {} points after flattening", kMaxPoints),
+                      "simplify the drawing");
   }
 
   void visit_use(const pugi::xml_node& node, Context context) {

@@ -18,7 +18,7 @@ struct Document {
 
 /// @param text  the document
 /// @param name  its file's name, for errors
-/// @throws DrawingError  not well-formed, not SVG, a bad value in an element that is drawn, too much of it
+/// @throws FileError  not well-formed, not SVG, a bad value in an element that is drawn, too much of it
 [[nodiscard]] Document read_document(std::string_view text, const std::string& name);
 
 }  // namespace mrroc::drawing::svg

@@ -47,15 +47,15 @@ TEST(Drawing, RepeatedPointsBecomeOneAndDotsStay) {
 
 TEST(Drawing, RefusesWhatCannotBeDrawn) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(check({}, "f"), DrawingError);
-  EXPECT_THROW(check({{}}, "f"), DrawingError);
-  EXPECT_THROW(check({{Point(0, nan)}}, "f"), DrawingError);
-  EXPECT_THROW(check({{Point(0, -100.01)}}, "f"), DrawingError);
+  EXPECT_THROW(check({}, "f"), FileError);
+  EXPECT_THROW(check({{}}, "f"), FileError);
+  EXPECT_THROW(check({{Point(0, nan)}}, "f"), FileError);
+  EXPECT_THROW(check({{Point(0, -100.01)}}, "f"), FileError);
   EXPECT_NO_THROW(check({{Point(100, -100)}}, "f"));
   EXPECT_NO_THROW(check({Stroke(kMaxPoints, Point(1, 1))}, "f"));
-  EXPECT_THROW(check({Stroke(kMaxPoints, Point(1, 1)), {Point(0, 0)}}, "f"), DrawingError);
+  EXPECT_THROW(check({Stroke(kMaxPoints, Point(1, 1)), {Point(0, 0)}}, "f"), FileError);
   for (const double size : {0.0, -1.0, 200.001, nan, std::numeric_limits<double>::infinity()})
-    EXPECT_THROW(check_size(size, "f"), DrawingError) << size;
+    EXPECT_THROW(check_size(size, "f"), FileError) << size;
   EXPECT_NO_THROW(check_size(200, "f"));
 }
 
@@ -101,12 +101,12 @@ TEST(Strokes, NearestPointAgreesWithASearchThroughAllSegments) {
   }
 }
 
-TEST(DrawingError, TellsTheRemedyApartFromWhatIsWrong) {
-  const DrawingError with("a.svg", 7, "it is empty", "draw something");
+TEST(FileError, TellsTheRemedyApartFromWhatIsWrong) {
+  const FileError with("a.svg", 7, "it is empty", "draw something");
   EXPECT_STREQ(with.what(), "a.svg:7: it is empty; draw something");
   EXPECT_EQ(with.wrong(), "a.svg:7: it is empty");
   EXPECT_EQ(with.remedy(), "draw something");
-  const DrawingError without("a.svg", 0, "it is empty", "");
+  const FileError without("a.svg", 0, "it is empty", "");
   EXPECT_STREQ(without.what(), "a.svg: it is empty");
   EXPECT_EQ(without.wrong(), without.what());
 }

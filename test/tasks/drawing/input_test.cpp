@@ -27,7 +27,7 @@ TEST(Input, RefusesARecordingThatLeavesTheSheet) {
   save(folder / "off", taught);
   InputOptions options;
   options.load = folder / "off";
-  EXPECT_THROW(read_input(options), DrawingError);
+  EXPECT_THROW(read_input(options), FileError);
 }
 
 }  // namespace

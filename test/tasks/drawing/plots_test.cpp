@@ -43,14 +43,14 @@ class MadeUpRun {
       for (int k = 0; k < 50; ++k) step(6, at_, 0.2 * k, k == 0 ? -3 : 0);
     }
     write_ink(folder_ / ("ink" + std::to_string(arm) + ".csv"), ink_);
-    write_arm_trace(folder_ / ("arm" + std::to_string(arm) + ".csv"), trace_);
+    mp::write_arm_trace(folder_ / ("arm" + std::to_string(arm) + ".csv"), trace_);
   }
 
  private:
   void step(int m, const Point& to, double z, double force) {
     at_ = to;
     t_ += 0.02;
-    ArmRow& row = trace_.emplace_back();
+    mp::ArmRow& row = trace_.emplace_back();
     row.i = static_cast<std::int64_t>(trace_.size());
     row.t = t_;
     row.m = m;
@@ -81,7 +81,7 @@ class MadeUpRun {
   std::filesystem::path folder_;
   std::mt19937 random_{11};
   std::normal_distribution<double> noise_{0, 0.06};
-  ArmTrace trace_;
+  mp::ArmTrace trace_;
   Ink ink_;
   Point at_{-40, -50};
   double t_;
@@ -128,13 +128,13 @@ TEST(Plots, TablesThatAreNotThereAreLeftOut) {
 
 TEST(Plots, ARunThatEndedEarlyGetsWhatThereIs) {
   const Folder folder;
-  ArmTrace trace(30);
+  mp::ArmTrace trace(30);
   for (std::size_t k = 0; k < trace.size(); ++k) {
     trace[k].t = 0.02 * static_cast<double>(k);
     trace[k].m = k < 10 ? 0 : 1;  // it never reached the paper
   }
-  write_arm_trace(folder / "arm1.csv", trace);
-  write_arm_trace(folder / "arm2.csv", {});
+  mp::write_arm_trace(folder / "arm1.csv", trace);
+  mp::write_arm_trace(folder / "arm2.csv", {});
   write_ink(folder / "ink1.csv", {});
   write_ink(folder / "input.csv", ink_of({{Point(3, 4)}}));
   const Plots plots = plot_run(folder.path(), {});
@@ -143,7 +143,7 @@ TEST(Plots, ARunThatEndedEarlyGetsWhatThereIs) {
     EXPECT_EQ(plots.pictures.size(), 4u);
   }
   std::filesystem::remove_all(folder.path() / "plots");
-  write_arm_trace(folder / "arm1.csv", ArmTrace(3));  // not even that
+  mp::write_arm_trace(folder / "arm1.csv", mp::ArmTrace(3));  // not even that
   EXPECT_EQ(plot_run(folder.path(), {}).note, plots.note);
   EXPECT_FALSE(std::filesystem::exists(folder / "plots" / "fig9_height.gp"));
 }
@@ -163,15 +163,15 @@ TEST(Plots, WithoutGnuplotTheNoteSaysSoAndTheScriptsRemain) {
 TEST(Plots, ADamagedTableIsNamed) {
   const Folder folder;
   std::ofstream(folder / "arm1.csv") << "i,t,m,x,y,z,ax,ay,az,Fx,Fy,Fz,Nx,Ny,Nz,gap,blocked\n1,2,3\n";
-  EXPECT_THROW((void)plot_run(folder.path(), {}), DrawingError);
+  EXPECT_THROW((void)plot_run(folder.path(), {}), FileError);
 }
 
 TEST(ArmTrace, ReadsBack) {
   const Folder folder;
-  ArmRow row{7, 0.14, 5, {}, {{1, 2, 3, 0.1, 0.2, 0.3}}, 0.05, true};
+  mp::ArmRow row{7, 0.14, 5, {}, {{1, 2, 3, 0.1, 0.2, 0.3}}, 0.05, true};
   row.pose << 0.9, -0.1, 0.1234567, 0.1, 3.1, 0;
-  write_arm_trace(folder / "a.csv", {row});
-  const ArmTrace read = read_arm_trace(folder / "a.csv");
+  mp::write_arm_trace(folder / "a.csv", {row});
+  const mp::ArmTrace read = mp::read_arm_trace(folder / "a.csv");
   ASSERT_EQ(read.size(), 1u);
   EXPECT_EQ(read[0].i, 7);
   EXPECT_EQ(read[0].m, 5);

@@ -108,7 +108,7 @@ TEST(RecordingFile, DamageIsNamedWithFileAndLine) {
     std::ofstream(folder / "r.txt", std::ios::binary) << text;
     try {
       (void)load(folder / "r.txt");
-    } catch (const DrawingError& e) {
+    } catch (const FileError& e) {
       return e.what();
     }
     return "";
@@ -155,10 +155,10 @@ TEST(RecordingFile, DamageIsNamedWithFileAndLine) {
 TEST(RecordingFile, RefusesWhatIsNotFiniteAndWhereItCannotWrite) {
   const Folder folder;
   const Taught bad{Recording(0.02).appended({{{std::nan("")}}, PenState::paper_surface}), {}};
-  EXPECT_THROW(save(folder / "r.txt", bad), DrawingError);
+  EXPECT_THROW(save(folder / "r.txt", bad), FileError);
   EXPECT_FALSE(std::filesystem::exists(folder / "r.txt"));
   EXPECT_THROW(save(folder / "no" / "such" / "r.txt", random_taught(1, 3, 3)), FaultError);
-  EXPECT_THROW((void)load(folder / "none.txt"), DrawingError);
+  EXPECT_THROW((void)load(folder / "none.txt"), FileError);
 }
 
 TEST(InkTable, ReadsBackToItsLastDigit) {
@@ -177,7 +177,7 @@ TEST(InkTable, DamageIsNamedWithItsLine) {
     std::ofstream(folder / "i.csv", std::ios::binary) << "stroke,t,x,y\n0,1,2,3\n" + rows;
     try {
       (void)read_ink(folder / "i.csv");
-    } catch (const DrawingError& e) {
+    } catch (const FileError& e) {
       return e.what();
     }
     return "";

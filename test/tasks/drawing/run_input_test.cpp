@@ -67,7 +67,7 @@ TEST(Input, OptionsThatContradictEachOtherAreRefused) {
 
 TEST(Input, ASizeThatCannotBeIsRefused) {
   for (const double size : {0.0, -1.0, 200.1, 1e9})
-    EXPECT_THROW(read_with(&InputOptions::size, size), DrawingError) << size;
+    EXPECT_THROW(read_with(&InputOptions::size, size), FileError) << size;
   EXPECT_NO_THROW(read_with(&InputOptions::size, 200));
 }
 
@@ -89,7 +89,7 @@ TEST(Input, ALoadedRecordingBringsItsOwnDrawing) {
   ASSERT_TRUE(input.taught);
   EXPECT_EQ(*input.taught, taught());
   EXPECT_EQ(input.start(), Point(-10, -10));
-  EXPECT_THROW(read_with(&InputOptions::load, folder / "missing"), DrawingError);
+  EXPECT_THROW(read_with(&InputOptions::load, folder / "missing"), FileError);
 }
 
 TEST(DrawingConfig, BuiltInOneGivesTheDefaults) {
@@ -121,15 +121,15 @@ TEST(DrawingConfig, EveryParameterCanBeSetAndHasItsLimits) {
 
 TEST(DrawingConfig, ARecordingOfAnotherMacrostepIsRefused) {
   EXPECT_NO_THROW(check_macrostep(taught(), {}, "file"));
-  EXPECT_THROW(check_macrostep(taught(0.01), {}, "file"), DrawingError);
+  EXPECT_THROW(check_macrostep(taught(0.01), {}, "file"), FileError);
 }
 
 /// A trace: runs of m with a force and a height, 20 ms per row.
-ArmTrace trace(const std::vector<std::tuple<int, int, double, double>>& runs) {
-  ArmTrace t;
+mp::ArmTrace trace(const std::vector<std::tuple<int, int, double, double>>& runs) {
+  mp::ArmTrace t;
   for (const auto& [m, rows, F, z] : runs)
     for (int k = 0; k < rows; ++k) {
-      ArmRow row;
+      mp::ArmRow row;
       row.i = static_cast<std::int64_t>(t.size());
       row.t = 0.02 * static_cast<double>(t.size());
       row.m = m;
@@ -227,7 +227,7 @@ TEST(Results, SheetsOfTheWorldBecomeTheInkOfTheRun) {
   EXPECT_EQ(read_ink(folder / "taught.csv"), sheets[0]);
   EXPECT_EQ(read_ink(folder / "ink1.csv"), sheets[1]);
   EXPECT_FALSE(std::filesystem::exists(folder / "ink2.csv"));
-  EXPECT_TRUE(read_arm_trace(folder / "arm1.csv").empty());
+  EXPECT_TRUE(mp::read_arm_trace(folder / "arm1.csv").empty());
 }
 
 }  // namespace

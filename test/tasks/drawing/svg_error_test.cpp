@@ -13,7 +13,7 @@ std::string svg(const std::string& elements) { return "<svg>\n" + elements + "\n
 std::string error_of(const std::string& text, double size = 120) {
   try {
     (void)parse_svg(text, "f.svg", size);
-  } catch (const DrawingError& error) {
+  } catch (const FileError& error) {
     return error.what();
   }
   return "";
@@ -100,7 +100,7 @@ TEST(SvgErrors, FilesThatCannotBeReadAreNamed) {
   const auto error = [](const std::filesystem::path& file) -> std::string {
     try {
       (void)read_svg(file);
-    } catch (const DrawingError& e) {
+    } catch (const FileError& e) {
       return e.what();
     }
     return "";
@@ -116,11 +116,11 @@ TEST(SvgErrors, FilesThatCannotBeReadAreNamed) {
   EXPECT_EQ(read_svg(folder / "good.svg").size(), 1u);
 }
 
-// Whatever the bytes, the reader returns a drawing that can be drawn or throws DrawingError.
+// Whatever the bytes, the reader returns a drawing that can be drawn or throws FileError.
 void survive(const std::string& text) {
   try {
     check(parse_svg(text, "fuzz"), "fuzz");
-  } catch (const DrawingError&) {
+  } catch (const FileError&) {
   }
 }
 

@@ -2,11 +2,15 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <initializer_list>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "base/spatial.hpp"
+#include "mp/run_folder.hpp"
 
-namespace mrroc::drawing {
+namespace mrroc::mp {
 
 /// One macrostep of one arm.
 struct ArmRow {
@@ -20,13 +24,22 @@ struct ArmRow {
 };
 
 using ArmTrace = std::vector<ArmRow>;
+/// Figures that a task makes of the traces of its arms, by their keys in summary.json.
+using ArmFigures = std::map<std::string, Figure>;
+
+/// @param m     behaviours that count
+/// @return largest F_a along or about an axis of E [N], [N m]; NaN without a row
+[[nodiscard]] double largest_force(const ArmTrace& trace, Axis axis, std::initializer_list<int> m);
+/// @param last  time at the end of behaviour m that counts [s]
+/// @return mean F_a along or about an axis of E [N], [N m]; NaN without a row
+[[nodiscard]] double mean_force(const ArmTrace& trace, Axis axis, int m, double last);
 
 /// Writes `i,t,m,x,y,z,ax,ay,az,Fx,Fy,Fz,Nx,Ny,Nz,gap,blocked`, a row per macrostep.
-/// @throws DrawingError  if the file cannot be written or a number is not finite
+/// @throws FaultError cannot_write; FileError  a number is not finite
 void write_arm_trace(const std::filesystem::path& file, const ArmTrace& trace);
 
 /// Reads what write_arm_trace writes.
-/// @throws DrawingError  naming file and line
+/// @throws FileError  naming file and line
 [[nodiscard]] ArmTrace read_arm_trace(const std::filesystem::path& file);
 
-}  // namespace mrroc::drawing
+}  // namespace mrroc::mp

@@ -2,7 +2,7 @@
 #pragma once
 #include <filesystem>
 
-namespace mrroc::drawing {
+namespace mrroc::mp {
 
 enum class GnuplotResult {
   done,    ///< the script ran to its end
@@ -16,4 +16,4 @@ enum class GnuplotResult {
 [[nodiscard]] GnuplotResult run_gnuplot(const std::filesystem::path& folder,
                                         const std::filesystem::path& script);
 
-}  // namespace mrroc::drawing
+}  // namespace mrroc::mp

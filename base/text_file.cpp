@@ -1,4 +1,4 @@
-#include "tasks/drawing/text_file.hpp"
+#include "base/text_file.hpp"
 
 #include <fmt/format.h>
 
@@ -9,25 +9,39 @@
 
 #include "base/fault.hpp"
 
-namespace mrroc::drawing {
+namespace mrroc {
 namespace fs = std::filesystem;
+namespace {
+
+std::string placed(const std::string& file, int line, const std::string& wrong) {
+  return line > 0 ? fmt::format("{}:{}: {}", file, line, wrong) : fmt::format("{}: {}", file, wrong);
+}
+
+}  // namespace
+
+FileError::FileError(const std::string& file, int line, const std::string& wrong, const std::string& remedy)
+    : std::runtime_error(placed(file, line, wrong) + (remedy.empty() ? "" : "; " + remedy)),
+      file_(file),
+      line_(line),
+      wrong_(placed(file, line, wrong)),
+      remedy_(remedy) {}
 
 std::string read_text_file(const fs::path& file, std::size_t limit) {
   const std::string name = file.string();
   std::error_code error;
-  if (!fs::exists(file, error)) throw DrawingError(name, 0, "there is no such file", "check the name");
-  if (!fs::is_regular_file(file, error)) throw DrawingError(name, 0, "this is not a file", "check the name");
+  if (!fs::exists(file, error)) throw FileError(name, 0, "there is no such file", "check the name");
+  if (!fs::is_regular_file(file, error)) throw FileError(name, 0, "this is not a file", "check the name");
   const std::uintmax_t size = fs::file_size(file, error);
   std::ifstream in(file, std::ios::binary);
-  if (error || !in) throw DrawingError(name, 0, "the file cannot be read", "check its permissions");
-  if (size == 0) throw DrawingError(name, 0, "the file is empty", "give one with content");
+  if (error || !in) throw FileError(name, 0, "the file cannot be read", "check its permissions");
+  if (size == 0) throw FileError(name, 0, "the file is empty", "give one with content");
   if (size > limit)
-    throw DrawingError(name, 0, fmt::format("{} bytes are over the limit of {}", size, limit),
-                       "give a smaller file");
+    throw FileError(name, 0, fmt::format("{} bytes are over the limit of {}", size, limit),
+                    "give a smaller file");
   std::string text(size, '\0');
   in.read(text.data(), static_cast<std::streamsize>(size));
   if (in.gcount() != static_cast<std::streamsize>(size))
-    throw DrawingError(name, 0, "the file could not be read to its end", "try again");
+    throw FileError(name, 0, "the file could not be read to its end", "try again");
   return text;
 }
 
@@ -55,7 +69,7 @@ std::string_view Lines::next() {
 }
 
 void Lines::fail(const std::string& wrong, const std::string& remedy) const {
-  throw DrawingError(name_, line_, wrong, remedy);
+  throw FileError(name_, line_, wrong, remedy);
 }
 
 std::string_view Lines::numbers(std::string_view line, char separator, std::span<double> values) const {
@@ -82,4 +96,4 @@ std::size_t Lines::count(std::string_view text, std::size_t limit) const {
   return value;
 }
 
-}  // namespace mrroc::drawing
+}  // namespace mrroc

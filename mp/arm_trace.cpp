@@ -1,14 +1,15 @@
-#include "tasks/drawing/arm_trace.hpp"
+#include "mp/arm_trace.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
 
-#include "tasks/drawing/text_file.hpp"
+#include "base/text_file.hpp"
 
-namespace mrroc::drawing {
+namespace mrroc::mp {
 namespace {
 
 constexpr std::string_view kHeader = "i,t,m,x,y,z,ax,ay,az,Fx,Fy,Fz,Nx,Ny,Nz,gap,blocked";
@@ -16,13 +17,34 @@ constexpr std::size_t kMaxTraceBytes = 1'000'000'000;
 
 }  // namespace
 
+double largest_force(const ArmTrace& trace, Axis axis, std::initializer_list<int> m) {
+  double largest = std::nan("");
+  for (const ArmRow& row : trace)
+    if (std::ranges::find(m, row.m) != m.end()) largest = std::fmax(largest, row.F[axis]);
+  return largest;
+}
+
+double mean_force(const ArmTrace& trace, Axis axis, int m, double last) {
+  double end = 0;
+  for (const ArmRow& row : trace)
+    if (row.m == m) end = row.t;
+  double sum = 0;
+  int rows = 0;
+  for (const ArmRow& row : trace) {
+    if (row.m != m || row.t <= end - last) continue;
+    sum += row.F[axis];
+    ++rows;
+  }
+  return sum / rows;
+}
+
 void write_arm_trace(const std::filesystem::path& file, const ArmTrace& trace) {
   std::string text = fmt::format("{}\n", kHeader);
   const auto out = std::back_inserter(text);
   for (const ArmRow& row : trace) {
     if (!std::isfinite(row.t) || !row.pose.allFinite() || !finite(row.F) || !std::isfinite(row.gap))
-      throw DrawingError(file.string(), 0, fmt::format("macrostep {} has a number that is not finite", row.i),
-                         "");
+      throw FileError(file.string(), 0, fmt::format("macrostep {} has a number that is not finite", row.i),
+                      "");
     fmt::format_to(out, "{},{:.4f},{}", row.i, row.t, row.m);
     for (const double v : row.pose) fmt::format_to(out, ",{:.7f}", v);
     for (const double v : row.F.v) fmt::format_to(out, ",{:.4f}", v);
@@ -51,4 +73,4 @@ ArmTrace read_arm_trace(const std::filesystem::path& file) {
   return trace;
 }
 
-}  // namespace mrroc::drawing
+}  // namespace mrroc::mp

@@ -1,4 +1,4 @@
-#include "tasks/drawing/gnuplot.hpp"
+#include "mp/gnuplot.hpp"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -10,7 +10,7 @@
 #include <string>
 #include <system_error>
 
-namespace mrroc::drawing {
+namespace mrroc::mp {
 namespace {
 
 // Where the child's standard streams go and where it runs.
@@ -56,4 +56,4 @@ GnuplotResult run_gnuplot(const std::filesystem::path& folder, const std::filesy
                                                                          : GnuplotResult::failed;
 }
 
-}  // namespace mrroc::drawing
+}  // namespace mrroc::mp

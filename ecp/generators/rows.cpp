@@ -1,0 +1,32 @@
+#include "ecp/generators/rows.hpp"
+
+#include "base/representation.hpp"
+
+namespace mrroc::ecp {
+
+EffectorCommand change_force_tool(double w, const Vector3& P) {
+  EffectorCommand command{.instruction = Instruction::set};
+  command.set = static_cast<std::uint8_t>(Part::robot_model);
+  command.robot_model.set_force_tool = true;
+  command.robot_model.weight = w;
+  command.robot_model.mass_centre = {P.x(), P.y(), P.z()};
+  return command;
+}
+
+EffectorCommand standing(EffectorCommand command) {
+  const bool by_velocity = has(command.set, Part::arm) && command.arm.mu == Interpolation::tcim_velocity;
+  if (!by_velocity) return rest();
+  for (const Axis axis : kAxes) command.arm.frame[axis].velocity = 0;
+  return command;
+}
+
+EffectorCommand with_tool(EffectorCommand command, const Pose& T_WE) {
+  if (command.instruction == Instruction::keep) command.instruction = Instruction::set;
+  command.set |= static_cast<std::uint8_t>(Part::robot_model);
+  command.robot_model.set_tool = true;
+  command.robot_model.tool_representation = Representation::frame;
+  command.robot_model.tool = numbers_from_pose(Representation::frame, T_WE);
+  return command;
+}
+
+}  // namespace mrroc::ecp

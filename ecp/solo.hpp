@@ -1,0 +1,98 @@
+// Control subsystems that work on their own (coordination "none", MG 5): the coordinator gives start and
+// pause and waits until they are done.
+#pragma once
+#include <array>
+#include <span>
+
+#include "base/config.hpp"
+#include "base/link/child_main.hpp"
+#include "ecp/generators/rows.hpp"
+#include "ecp/shell.hpp"
+
+namespace mrroc::ecp {
+
+/// Port of such an agent. Its i does not count macrosteps of a pause: for the rows of a table time stands
+/// still.
+template <Images A>
+class SoloPort {
+ public:
+  explicit SoloPort(ArmLinks& links) : links_(links) {}
+
+  /// Sends y; the coordinator is told the number of the behaviour.
+  void dispatch(const Motion<A>& motion, const typename A::Y& y) {
+    command_ = y.e;
+    report_ = y.T;
+    report_.m = motion.m;
+    links_.send(command_, report_);
+  }
+  /// Waits until time goes on.
+  Outcome wait() {
+    Outcome o = links_.wait();
+    for (; o == Outcome::terminated && paused(); ++stood_) {
+      links_.send(standing(command_), report_);
+      o = links_.wait();
+    }
+    return o;
+  }
+  void read(typename A::X& x) const {
+    x.e = links_.reply();
+    x.V = links_.reading();
+    x.T = links_.order();
+    x.i = links_.i() - stood_;
+  }
+
+ private:
+  [[nodiscard]] bool paused() const { return links_.order().m == static_cast<int>(SoloOrder::pause); }
+
+  ArmLinks& links_;
+  EffectorCommand command_;
+  Report report_;
+  std::int64_t stood_{};
+};
+
+/// Executes the rows one after another, each once.
+template <Images A, class Port>
+Outcome execute_rows(std::span<const Motion<A>> rows, typename A::X& x, Port& port) {
+  Outcome o = Outcome::terminated;
+  for (std::size_t k = 0; k < rows.size() && o == Outcome::terminated; ++k) o = move(rows[k], x, port);
+  return o;
+}
+
+/// Runs the ECP of an agent that works on its own, to its end.
+/// @param arm      key of the arm: channels, [robots.ARM] in the configuration
+/// @param program  Outcome program(X& x, SoloPort<A>& port): what the agent does
+template <Images A, class Program>
+void run_solo_ecp(link::Process& process, const Config& config, const link::PartArguments& arguments,
+                  Program program) {
+  using X = typename A::X;
+  constexpr auto done = [](const X& x) {
+    Report r = tell<A>(x);
+    r.event = kWorkDone;
+    return r;
+  };
+  const Motion<A> wait_for_start = row<A>(
+      0, "wait for start", at_rest<A>, [](const X& x) { return x.T.m == static_cast<int>(SoloOrder::work); });
+  Motion<A> wait_for_end = row<A>(0, "done", at_rest<A>, [](const X& x) { return x.T.finished; });
+  wait_for_end.f_cT = done;
+  const Preparation prepare{.model = read_tool_model(config, arguments.arm)};
+  run_ecp<A>(process, {.robot = arguments.arm, .sensor = {}}, prepare, [&](X& x, ArmPort<A>& arm) {
+    SoloPort<A> port(arm.links());
+    Outcome o = move(wait_for_start, x, port);
+    if (o == Outcome::terminated) o = program(x, port);
+    if (o == Outcome::terminated) o = move(wait_for_end, x, port);
+    return o;
+  });
+}
+
+/// @param rows  of the agent's table, which must outlive the body
+/// @return the body of the ECP of an agent that executes them one after another
+template <Images A, std::size_t n>
+link::PartBody solo(const std::array<Motion<A>, n>& rows) {
+  return [&rows](link::Process& process, const Config& config, const link::PartArguments& arguments) {
+    run_solo_ecp<A>(process, config, arguments, [&rows](typename A::X& x, auto& port) {
+      return execute_rows<A>(std::span<const Motion<A>>(rows), x, port);
+    });
+  };
+}
+
+}  // namespace mrroc::ecp

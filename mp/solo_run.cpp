@@ -1,0 +1,129 @@
+#include "mp/solo_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace mrroc::mp {
+namespace {
+
+/// An arm's readings are of the behaviour that it reported so many macrosteps before (MG 11-15).
+constexpr std::size_t kExecuted = 2;
+
+}  // namespace
+
+/// Images of the coordinator: reports in, orders out.
+struct SoloRun::Dormant {
+  struct None {};
+  struct Transmission {
+    std::vector<Report> agent;
+    OperatorImage h;
+  };
+  struct X {
+    None c, e, V;
+    Transmission T;
+    std::int64_t i{}, i_0{};
+  };
+  struct Y {
+    None c, e, V;
+    std::vector<Order> T;
+  };
+
+  static None nothing(const X&) { return {}; }
+  static std::vector<Order> orders(const X& x, SoloOrder m, bool finished) {
+    return std::vector<Order>(x.T.agent.size(), {.m = static_cast<int>(m), .finished = finished});
+  }
+  static std::vector<Order> wait(const X& x) { return orders(x, SoloOrder::wait, false); }
+  static std::vector<Order> work(const X& x) {
+    return orders(x, x.T.h.paused ? SoloOrder::pause : SoloOrder::work, false);
+  }
+  static bool may_start(const X& x) {
+    return x.T.h.started && std::ranges::all_of(x.T.agent, &Report::ready);
+  }
+  static bool all_done(const X& x) {
+    return std::ranges::all_of(x.T.agent, [](const Report& r) { return r.event == kWorkDone; });
+  }
+
+  static constexpr Motion<Dormant> wait_for_start();
+  static constexpr Motion<Dormant> wait_for_end();
+};
+
+constexpr Motion<SoloRun::Dormant> SoloRun::Dormant::wait_for_start() {
+  return {0, "wait for start", nothing, nothing, nothing, nothing, wait, may_start};
+}
+constexpr Motion<SoloRun::Dormant> SoloRun::Dormant::wait_for_end() {
+  return {1, "the arms work", nothing, nothing, nothing, nothing, work, all_done};
+}
+
+SoloRun::SoloRun(TaskRun& run, const SoloParameters& parameters,
+                 std::function<void(const std::string&)> announce)
+    : run_(run),
+      k_(parameters),
+      operator_(run.process(), run.desk(), parameters.gives_start),
+      links_(run.process(), parameters.arms, operator_),
+      announce_(std::move(announce)),
+      traces_(parameters.arms.size()),
+      m_(parameters.arms.size()) {}
+
+Outcome SoloRun::execute() {
+  using X = Dormant::X;
+  const auto observe_x = [this](const Motion<Dormant>& motion, const X&) { observe(motion.m == 1); };
+  CoordinatorPort<Dormant, decltype(observe_x)> port(links_, observe_x);
+  X x;
+  x.T.agent.resize(k_.arms.size());
+  if (const Outcome o = links_.begin({}); o != Outcome::terminated) return o;
+  port.read(x);
+  Outcome o = move(Dormant::wait_for_start(), x, port);
+  if (o == Outcome::terminated) o = move(Dormant::wait_for_end(), x, port);
+  if (o == Outcome::terminated) links_.send(Dormant::orders(x, SoloOrder::wait, true));
+  return o;
+}
+
+void SoloRun::observe(bool working) {
+  const double macrostep_s = k_.n_s * k_.dt;
+  const std::int64_t i = links_.i();
+  for (std::size_t arm = 0; arm < traces_.size(); ++arm) {
+    const Report& r = links_.report(arm);
+    std::ranges::copy_backward(std::array{m_[arm][0], m_[arm][1]}, m_[arm].end());
+    m_[arm][0] = r.m;
+    if (!r.ready || !working) continue;
+    ArmRow row;
+    row.i = i;
+    // x_ce was measured in step n_Q of the macrostep before the last.
+    row.t = static_cast<double>(i - 2) * macrostep_s + (k_.n_s - 1) * k_.dt;
+    row.m = m_[arm][kExecuted];
+    row.pose = Eigen::Map<const Vector6>(r.T_0E.data());
+    row.F = r.F_a;
+    row.gap = r.gripper;
+    row.blocked = r.blocked;
+    traces_[arm].push_back(row);
+  }
+  show(working);
+  run_.each_macrostep(i, static_cast<double>(i) * macrostep_s);
+}
+
+void SoloRun::show(bool working) {
+  const bool paused = links_.operator_image().paused;
+  run_.set_state(!working ? TaskState::waiting_for_start
+                 : paused ? TaskState::paused
+                          : TaskState::running,
+                 false);
+  for (std::size_t arm = 0; arm < m_.size(); ++arm) {
+    const Report& r = links_.report(arm);
+    const auto number = static_cast<std::size_t>(std::max(0, r.m));
+    const std::string name = number >= 1 && number <= k_.behaviours.size() ? k_.behaviours[number - 1]
+                             : working                                     ? "done"
+                                                                           : "waits";
+    if (working && r.m != m_[arm][1])
+      announce_(fmt::format("{:8.2f} s  {}  m = {}  {}", static_cast<double>(links_.i()) * k_.n_s * k_.dt,
+                            k_.arms[arm], r.m, name));
+    if (arm == 0) {
+      run_.board().set_behaviour(r.m, name);
+      const double behaviours = static_cast<double>(std::max<std::size_t>(1, k_.behaviours.size()));
+      run_.board().set_progress(std::max(0.0, (r.m - 1) / behaviours), name);
+    }
+    run_.board().set_arm(arm, r, "");
+  }
+}
+
+}  // namespace mrroc::mp

@@ -1,0 +1,53 @@
+// MP of a task whose arms work on their own (coordination "none", MG 5): starts them, pauses them, writes
+// down what they report, and ends when all are done.
+#pragma once
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "mp/arm_trace.hpp"
+#include "mp/coordinator_links.hpp"
+#include "mp/dormant_operator.hpp"
+#include "mp/task_run.hpp"
+
+namespace mrroc::mp {
+
+/// What the run is told.
+struct SoloParameters {
+  std::vector<std::string> arms;        ///< keys, e.g. arm1
+  std::vector<std::string> behaviours;  ///< names of m = 1, 2, ... for the operator
+  double dt{0.002};                     ///< duration of a step [s]
+  int n_s{10};                          ///< steps of a macrostep
+  bool gives_start{true};               ///< false: a person or a script gives it
+};
+
+/// The dormant coordinator.
+class SoloRun {
+ public:
+  /// @param announce  gets a line for every behaviour that an arm begins
+  SoloRun(TaskRun& run, const SoloParameters& parameters, std::function<void(const std::string&)> announce);
+
+  /// Runs the task to its end. Call TaskRun::start() before.
+  Outcome execute();
+
+  /// @return why execute() gave faulted
+  [[nodiscard]] const Fault& fault() const { return links_.fault(); }
+  /// @return a row per arm and macrostep; m is the behaviour that was being executed
+  [[nodiscard]] const std::vector<ArmTrace>& traces() const { return traces_; }
+
+ private:
+  struct Dormant;
+  void observe(bool working);
+  void show(bool working);
+
+  TaskRun& run_;
+  SoloParameters k_;
+  DormantOperator operator_;
+  CoordinatorLinks links_;
+  std::function<void(const std::string&)> announce_;
+  std::vector<ArmTrace> traces_;
+  std::vector<std::array<int, 3>> m_;  // of the last reports, newest first
+};
+
+}  // namespace mrroc::mp

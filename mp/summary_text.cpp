@@ -1,0 +1,15 @@
+#include "mp/summary_text.hpp"
+
+#include <fmt/format.h>
+
+namespace mrroc::mp {
+
+void print_summary(const Summary& s, const std::string& figures) {
+  fmt::print("\n{}: {:.1f} s simulated in {:.1f} s ({:.1f} x real time)\n{}",
+             s.stopped ? "stopped"
+             : s.fault ? "ended with a fault"
+                       : "done",
+             s.sim_s, s.wall_s, s.wall_s > 0 ? s.sim_s / s.wall_s : 0, figures);
+}
+
+}  // namespace mrroc::mp

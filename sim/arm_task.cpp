@@ -1,0 +1,138 @@
+#include "sim/arm_task.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "base/text_file.hpp"
+#include "mp/figure_table.hpp"
+#include "mp/gnuplot.hpp"
+#include "mp/solo_run.hpp"
+#include "mp/summary_text.hpp"
+#include "mp/task_run.hpp"
+
+namespace mrroc::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+void write_tables(const fs::path& folder, const std::vector<mp::ArmTrace>& traces) {
+  for (std::size_t arm = 0; arm < traces.size(); ++arm)
+    mp::write_arm_trace(folder / fmt::format("arm{}.csv", arm + 1), traces[arm]);
+}
+
+void draw(const fs::path& folder, const std::vector<Picture>& pictures) {
+  for (const Picture& p : pictures) {
+    const fs::path script = fs::path("plots") / (p.name + ".gp");
+    write_text_file(folder / script,
+                    fmt::format("# Run it in the run folder: gnuplot plots/{0}.gp\n"
+                                "set terminal pngcairo size 1000,620 font 'sans,12' background rgb 'white'\n"
+                                "set output 'plots/{0}.png'\nset datafile separator ','\n"
+                                "set border 3\nset tics nomirror\nset grid lc rgb '#e4e8ee'\n{1}",
+                                p.name, p.script));
+    const mp::GnuplotResult result = mp::run_gnuplot(folder, script);
+    if (result == mp::GnuplotResult::failed)
+      fmt::print("gnuplot could not draw {}.png; see plots/gnuplot.log\n", p.name);
+    if (result != mp::GnuplotResult::absent) continue;
+    fmt::print("gnuplot is not installed, so there are no pictures of the run\n");
+    return;
+  }
+}
+
+void say(const std::string& line) {
+  fmt::print("{}\n", line);
+  std::fflush(stdout);
+}
+
+mp::SoloParameters solo_parameters(const ArmTask& task, const mp::TaskOptions& options,
+                                   const Config& config) {
+  mp::SoloParameters k;
+  for (const CellArm& arm : task.arms) k.arms.push_back(arm.key);
+  k.behaviours = task.behaviours;
+  k.dt = config.number("time.dt", k.dt, {0.002, 0.002}, "s");
+  k.n_s = config.integer("time.n_s", task.n_s, {task.n_s, task.n_s}, "steps");
+  k.gives_start = !options.attended && options.script.empty();
+  return k;
+}
+
+/// Files, figures and pictures of a run that has ended.
+void finish(const ArmTask& task, const Config& config, const fs::path& folder,
+            const std::vector<mp::ArmTrace>& traces, mp::Summary& summary) {
+  write_tables(folder, traces);
+  if (task.figures) summary.figures.merge(task.figures(traces, config));
+  mp::write_summary(folder, summary);
+  if (task.pictures) draw(folder, task.pictures(traces, config));
+}
+
+int run(const ArmTask& task, const mp::TaskOptions& options) {
+  const Config config = load_task_config(options, task.config, task.name);
+  const mp::SoloParameters k = solo_parameters(task, options, config);
+  read_cell(config, task.arms, options.seed);
+  if (task.read) task.read(config);
+  if (task.figures) task.figures(std::vector<mp::ArmTrace>(task.arms.size()), config);  // reads its keys
+  check_task_options(options);
+  const fs::path folder = mp::name_run_folder(options.run_dir, task.name);
+  complete_config(config, options, folder, "");
+  mp::make_run_folder(folder);
+  mp::write_text(folder / "config.toml", config.dump());
+
+  auto parts = cell_parts(config, task.arms);
+  for (const CellArm& arm : task.arms)
+    parts.push_back(make_part(config, "ecp-" + arm.key, "ecp_" + task.name, &arm, task.ecp));
+  mp::TaskRun run(task.name, options, folder, k.arms, std::move(parts));
+  fmt::print("{}, session {}, seed {}{}\n", task.name, run.session(), options.seed,
+             k.gives_start ? "" : ", waits for the operator: `ui_cli start`");
+  mp::SoloRun solo(run, k, say);
+  run.start();
+  std::optional<Fault> fault;
+  if (run.process().assemble() && solo.execute() == Outcome::faulted) fault = solo.fault();
+  mp::Summary summary = run.end(fault);
+  try {
+    run.finish([&] { finish(task, config, folder, solo.traces(), summary); });
+  } catch (const FaultError& e) {  // what has been done is told all the same
+    if (!summary.fault) summary.fault = e.fault();
+  }
+  std::vector<std::string_view> columns(k.arms.begin(), k.arms.end());
+  mp::print_summary(summary, mp::figure_table(summary.figures, {}, columns));
+  std::fflush(stdout);
+  if (summary.fault) fmt::print(stderr, "{}\n", error_line(*summary.fault));
+  fmt::print("run folder: {}\n", folder.string());
+  return summary.fault ? exit_status(summary.fault->code) : 0;
+}
+
+}  // namespace
+
+constexpr int kColumnOfForce = 10;  // in arm1.csv
+
+std::vector<Picture> force_picture(Axis axis, double desired) {
+  return {{"force",
+           fmt::format("set xlabel 't [s]'\nset ylabel 'F_{0} [N]'\nset key right top\n"
+                       "plot 'arm1.csv' skip 1 using 2:{1}:3 with lines lw 1.6 lc variable "
+                       "title 'measured; colour: behaviour', {2} with lines dt 2 lc rgb '#8a94a3' "
+                       "title 'desired'\n",
+                       "xyz"[static_cast<int>(axis)], kColumnOfForce + static_cast<int>(axis), desired)}};
+}
+
+int run_arm_task(const ArmTask& task, int argc, char** argv) {
+  mp::TaskOptions options;
+  CLI::App app{task.about};
+  app.name(task.name);
+  mp::add_task_options(app, options);
+  app.footer(
+      "Exit status: 0 done; 1 fault or stopped; 2 bad usage or input, nothing was started; 3 system error.");
+  if (const auto status = mp::parse_command_line(app, argc, argv)) return *status;
+  const auto complain = [](const FaultError& e) {
+    fmt::print(stderr, "{}\n", e.error_line());
+    return exit_status(e.fault().code);
+  };
+  try {
+    return run(task, options);
+  } catch (const FaultError& e) {
+    return complain(e);
+  } catch (const std::exception& e) {
+    return complain(FaultError(FaultCode::internal_error, e.what()));
+  }
+}
+
+}  // namespace mrroc::sim

@@ -1,0 +1,56 @@
+// The main of a task whose arms work on their own in the simulated cell: everything but the task itself.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "mp/arm_trace.hpp"
+#include "mp/run_folder.hpp"
+#include "sim/cell_parts.hpp"
+
+namespace mrroc::sim {
+
+/// One picture of a run.
+struct Picture {
+  std::string name;    ///< file in plots/ without .png
+  std::string script;  ///< gnuplot, run in the run folder; terminal and output are set before
+};
+
+/// What a task is.
+struct ArmTask {
+  std::string name;                     ///< the program; `ecp_NAME` is its control subsystem
+  std::string about;                    ///< for --help
+  std::string_view config;              ///< its TOML file
+  std::vector<std::string> behaviours;  ///< names of m = 1, 2, ...
+  link::PartBody ecp;                   ///< body of the ECP of each arm
+  /// Reads the task's own parameters once, so that a wrong one is found before anything starts. May be empty.
+  std::function<void(const Config&)> read{};
+  /// Figures for summary.json, from the rows of all arms.
+  std::function<mp::ArmFigures(const std::vector<mp::ArmTrace>&, const Config&)> figures{};
+  /// Pictures, which read arm1.csv and so on. May be empty.
+  std::function<std::vector<Picture>(const std::vector<mp::ArmTrace>&, const Config&)> pictures{};
+  int n_s{10};  ///< steps of a macrostep, as the rows command it; all arms have the same
+  std::vector<CellArm> arms{{"arm1", "irb6_postument"}};
+};
+
+/// @return the force of arm 1 along an axis of E over time, like MG fig. 16, and the force desired [N]
+std::vector<Picture> force_picture(Axis axis, double desired);
+/// The same for ArmTask::pictures.
+template <Axis axis, int desired>
+std::vector<Picture> force_picture(const std::vector<mp::ArmTrace>&, const Config&) {
+  return force_picture(axis, desired);
+}
+
+/// Reads the command line, runs the task, leaves the run folder.
+/// @return exit status
+int run_arm_task(const ArmTask& task, int argc, char** argv);
+
+/// @return names of the rows of a table, in their order
+template <class Rows>
+std::vector<std::string> names_of(const Rows& rows) {
+  std::vector<std::string> names;
+  for (const auto& row : rows) names.emplace_back(row.name);
+  return names;
+}
+
+}  // namespace mrroc::sim

@@ -1,0 +1,62 @@
+// One arm of the world with its real effector driver, in lock-step and in one process: for tests and
+// benchmarks of control subsystems, which run on it as they run over the links.
+#pragma once
+#include <memory>
+
+#include "base/motion.hpp"
+#include "ecp/effector_client.hpp"
+#include "edp/driver.hpp"
+#include "robots/irb6/arm.hpp"
+#include "sim/world.hpp"
+
+namespace mrroc::sim {
+
+/// The arm, its driver and the latencies of the links: what is commanded in macrostep i is executed in i + 1,
+/// and its answer is read in i + 2.
+class DrivenArm {
+ public:
+  /// Synchronises the driver and lets the arm come to rest.
+  /// @param arm   of a world with this arm alone
+  /// @throws FaultError  what the driver has refused
+  DrivenArm(const ArmParameters& arm, std::uint64_t seed);
+
+  /// Sends y_ce of macrostep i + 1.
+  void send(const EffectorCommand& command) { next_ = command; }
+  /// i := i + 1.
+  /// @return faulted when a command was refused or failed
+  Outcome wait();
+
+  [[nodiscard]] std::int64_t i() const { return i_; }
+  [[nodiscard]] const EffectorReply& reply() const { return reply_; }
+  [[nodiscard]] const Fault& fault() const { return reply_.fault; }
+  [[nodiscard]] const irb6::Arm& robot() const { return *robot_; }
+  [[nodiscard]] const edp::Driver& driver() const { return *driver_; }
+  [[nodiscard]] const ArmTruth& truth() const { return world_.truth(0); }
+
+ private:
+  std::unique_ptr<irb6::Arm> robot_;
+  World world_;
+  std::unique_ptr<edp::Driver> driver_;
+  ecp::EffectorClient client_{1};
+  EffectorCommand next_, current_;
+  EffectorReply reply_;
+  std::int64_t i_{};
+};
+
+/// Port of an agent (base/motion.hpp) whose images are those of ecp::ArmAgent.
+template <Images A>
+class DrivenPort {
+ public:
+  explicit DrivenPort(DrivenArm& arm) : arm_(arm) {}
+  void dispatch(const Motion<A>&, const typename A::Y& y) { arm_.send(y.e); }
+  Outcome wait() { return arm_.wait(); }
+  void read(typename A::X& x) const {
+    x.e = arm_.reply();
+    x.i = arm_.i();
+  }
+
+ private:
+  DrivenArm& arm_;
+};
+
+}  // namespace mrroc::sim

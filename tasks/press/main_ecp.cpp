@@ -1,0 +1,6 @@
+#include "tasks/press/press.hpp"
+
+int main(int argc, char** argv) {
+  return mrroc::link::child_main(argc, argv, "ECP of an arm that presses.",
+                                 mrroc::ecp::solo(mrroc::press::kPress));
+}

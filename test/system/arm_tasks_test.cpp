@@ -1,0 +1,79 @@
+// The tasks press and edge_follow as a user starts them: what they must reach, and that they obey.
+#include <gtest/gtest.h>
+
+#include "test/system/started_task.hpp"
+
+namespace mrroc::test {
+namespace {
+
+TEST(Press, SettlesAtFourNewtonsAndDrawsBack) {
+  const Folder folder;
+  const Ended ended = run(folder, "press", {"--processes", "one", "--run-dir", (folder / "run").string()});
+  ASSERT_EQ(ended.status, 0) << ended.all();
+  const auto s = summary(folder / "run");
+  EXPECT_EQ(s["outcome"], "done");
+  EXPECT_NEAR(s["figures"]["approach_settled_N"].get<double>(), 4, 0.1);
+  EXPECT_NEAR(s["figures"]["hold_N"].get<double>(), 4, 0.1);
+  EXPECT_GT(s["figures"]["approach_peak_N"].get<double>(), 4);
+  EXPECT_LT(s["figures"]["approach_peak_N"].get<double>(), 8);
+  EXPECT_TRUE(std::filesystem::exists(folder / "run" / "arm1.csv"));
+}
+
+TEST(Press, SaysTheSameInSeparateProcesses) {
+  if (!multicast()) GTEST_SKIP() << "no multicast here";
+  const Folder folder;
+  for (const std::string mode : {"one", "separate"}) {
+    const Ended ended = run(folder, "press", {"--processes", mode, "--run-dir", (folder / mode).string()});
+    ASSERT_EQ(ended.status, 0) << ended.all();
+  }
+  EXPECT_EQ(summary(folder / "one")["log_hash"], summary(folder / "separate")["log_hash"]);
+}
+
+TEST(Press, StandsStillDuringAPauseAndGoesOn) {
+  const Folder folder;
+  const std::string orders = folder.write("orders", "3 start\n120 pause\n320 resume\n");
+  const auto press = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"--processes", "one", "--run-dir", (folder / name).string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Ended ended = run(folder, "press", arguments);
+    EXPECT_EQ(ended.status, 0) << ended.all();
+    return summary(folder / name);
+  };
+  const double plain = press("plain", {})["sim_s"];
+  const auto paused = press("paused", {"--script", orders, "--speed", "50"});
+  EXPECT_NEAR(paused["sim_s"].get<double>() - plain, 4, 0.2) << "200 macrosteps of 20 ms";
+  EXPECT_NEAR(paused["figures"]["hold_N"].get<double>(), 4, 0.1);
+}
+
+TEST(Press, RefusesAMacrostepThatItsRowsDoNotCommand) {
+  const Folder folder;
+  const Ended ended = run(folder, "press", {"--set", "time.n_s=8", "--run-dir", (folder / "run").string()});
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_NE(ended.last_err().find("time.n_s"), std::string::npos) << ended.last_err();
+}
+
+TEST(EdgeFollow, KeepsFourNewtonsAroundBothPlates) {
+  const Folder folder;
+  const Ended ended =
+      run(folder, "edge_follow", {"--processes", "one", "--run-dir", (folder / "run").string()});
+  ASSERT_EQ(ended.status, 0) << ended.all();
+  const auto f = summary(folder / "run")["figures"];
+  ASSERT_EQ(f["edge_follow_rms_N"].size(), 2u);
+  for (std::size_t arm = 0; arm < 2; ++arm) {
+    EXPECT_LE(f["edge_follow_rms_N"][arm].get<double>(), 0.5);
+    EXPECT_NEAR(f["edge_follow_mean_N"][arm].get<double>(), 4, 0.25);
+    EXPECT_GT(f["edge_follow_s"][arm].get<double>(), 25) << "once around at 8 mm/s";
+  }
+}
+
+TEST(EdgeFollow, GoesTheOtherWayRoundToo) {
+  const Folder folder;
+  const Ended ended = run(
+      folder, "edge_follow",
+      {"--processes", "one", "--set", "task.speed_per_force=-0.002", "--run-dir", (folder / "run").string()});
+  ASSERT_EQ(ended.status, 0) << ended.all();
+  for (const double rms : summary(folder / "run")["figures"]["edge_follow_rms_N"]) EXPECT_LE(rms, 0.5);
+}
+
+}  // namespace
+}  // namespace mrroc::test
