@@ -133,8 +133,9 @@ int run(const Options& o) {
   } catch (const FaultError& e) {  // what has been done is told all the same
     if (!summary.fault) summary.fault = e.fault();
   }
-  mp::print_summary(summary, mp::figure_table(summary.figures, drawing::kFigures, drawing::kFigureColumns) +
-                                 stroke_warning(summary));
+  mp::print_summary(
+      summary, mp::figure_table(summary.figures, drawing::kFigures, drawing::kFigureColumns, !summary.fault) +
+                   stroke_warning(summary));
   if (const fs::path picture = folder / "plots" / "drawing.png"; fs::exists(picture))
     fmt::print("picture: {}\n", picture.string());
   std::fflush(stdout);
