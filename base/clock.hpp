@@ -17,10 +17,12 @@ class Pacer {
   using Time = std::chrono::steady_clock::time_point;
 
   /// After a delay longer than this the lost time is not caught up.
-  static constexpr std::chrono::seconds kPatience{1};
+  static constexpr std::chrono::milliseconds kPatience{1000};
 
   /// @param step  simulated duration of a step [s]
-  constexpr explicit Pacer(double step) : step_(step) {}
+  /// @param patience  after a delay longer than this the lost time is not caught up
+  constexpr explicit Pacer(double step, std::chrono::milliseconds patience = kPatience)
+      : step_(step), patience_(patience) {}
 
   /// The first step begins now.
   constexpr void begin(Time now) { due_ = now; }
@@ -31,12 +33,13 @@ class Pacer {
   constexpr Time next(double speed, Time now) {
     if (speed <= 0) return due_ = now;
     due_ += std::chrono::duration_cast<Time::duration>(std::chrono::duration<double>(step_ / speed));
-    if (due_ < now - kPatience) due_ = now;
+    if (due_ < now - patience_) due_ = now;
     return due_;
   }
 
  private:
   double step_;
+  std::chrono::milliseconds patience_;
   Time due_{};
 };
 

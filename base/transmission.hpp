@@ -13,6 +13,9 @@ struct Order {
   std::array<bool, 2> go_on{};  ///< told<1>, told<2>: end your behaviour (MG 60)
   bool finished{};              ///< the task is over: release the effector
   ArmCommand arm{};  ///< continuous coordination: the effector's command, copied by the agent (MS 33)
+  bool
+      late{};  ///< not sent, told by the links: with the wall clock, no order has come for this macrostep and
+               ///< this is an older one; an arm that copies orders keeps still
 };
 
 /// y_cT_j0 = x_cT_0j: embodied agent -> coordinator. Trivially copyable.

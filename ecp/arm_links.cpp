@@ -2,6 +2,7 @@
 
 #include "base/hash.hpp"
 #include "base/msg/convert.hpp"
+#include "base/msg/finite.hpp"
 
 namespace mrroc::ecp {
 namespace {
@@ -13,6 +14,16 @@ std::int64_t session_of(const std::string& process) {
   return static_cast<std::int64_t>(hash.value() >> 1);
 }
 
+/// With the wall clock, macrosteps in a row in which the driver may see nothing of what is sent: a second.
+constexpr int kLatePatience = 50;
+
+/// @return the message for that macrostep, or the newest one; null when there is none at all
+template <class M>
+const M* at_or_newest(const link::Inbox<M>& in, std::int64_t i) {
+  const M* const exact = in.at(i);
+  return exact ? exact : in.newest();
+}
+
 }  // namespace
 
 ArmLinks::ArmLinks(link::Process& process, const ArmLinkNames& names)
@@ -22,8 +33,11 @@ ArmLinks::ArmLinks(link::Process& process, const ArmLinkNames& names)
       report_out_(process.outbox<agent_report_t>(names.robot + ".report")),
       reply_in_(process.inbox<effector_reply_t>(names.robot + ".reply")),
       order_in_(process.inbox<agent_order_t>(names.robot + ".order")),
-      client_(session_of(process.membership().name)) {
-  if (has_sensor_) reading_in_ = process.inbox<sensor_reading_t>(names.sensor);
+      client_(session_of(process.membership().name), process.lock_step() ? 0 : kLatePatience) {
+  sources_ = {reply_in_.get(), order_in_.get()};
+  if (!has_sensor_) return;
+  reading_in_ = process.inbox<sensor_reading_t>(names.sensor);
+  sources_.push_back(reading_in_.get());
 }
 
 Outcome ArmLinks::begin() {
@@ -47,17 +61,33 @@ Outcome ArmLinks::receive() {
   const auto stopped = [this] { return process_.over() && i_ >= process_.stop_as_of(); };
   const bool all = process_.lock_step();
   const auto here = [&] {
-    return reply_in_->at(i_) && (!all || ((!has_sensor_ || reading_in_->at(i_)) && order_in_->at(i_)));
+    if (!all) return reply_in_->newest() && reply_in_->newest()->header.stamp >= i_;
+    return reply_in_->at(i_) && (!has_sensor_ || reading_in_->at(i_)) && order_in_->at(i_);
   };
-  process_.await([&] { return here() || stopped(); });
-  if (stopped() || !here()) return Outcome::aborted;
+  process_.await_from(sources_, FaultCode::peer_silent, [&] { return here() || stopped(); });
+  if (stopped()) return Outcome::aborted;
+  if (!all) go_on_to_newest();
 
-  reply_ = from_message(*reply_in_->at(i_));
+  const effector_reply_t& reply = *reply_in_->at(i_);
+  if (!finite(reply))
+    throw FaultError(FaultCode::malformed_message, reply_in_->channel() + ": a number is not finite");
+  reply_ = from_message(reply);
   if (has_sensor_)
-    if (const auto* m = all ? reading_in_->at(i_) : reading_in_->newest()) reading_ = from_message(*m);
-  if (const auto* m = all ? order_in_->at(i_) : order_in_->newest()) order_ = from_message(*m);
+    if (const auto* m = at_or_newest(*reading_in_, i_)) reading_ = from_message(*m);
+  if (const auto* m = at_or_newest(*order_in_, i_)) {
+    order_ = from_message(*m);
+    order_.late = m->header.stamp < i_;
+  }
   client_.see(reply_);
   return client_.fault() ? Outcome::faulted : Outcome::terminated;
+}
+
+void ArmLinks::go_on_to_newest() {
+  process_.poll();
+  const std::int64_t newest = reply_in_->newest()->header.stamp;
+  process_.report_skipped(newest - i_);
+  i_ = newest;
+  process_.report_progress(i_, 0);
 }
 
 }  // namespace mrroc::ecp

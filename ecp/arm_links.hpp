@@ -23,7 +23,9 @@ struct ArmLinkNames {
 };
 
 /// Sends y and receives x once per macrostep. In lock-step every message of macrostep i is waited for (rule
-/// R1); with the wall clock the driver's reply sets the pace and everything else is taken as it is.
+/// R1). With the wall clock the driver's newest reply sets the pace: i goes on to its macrostep, what is passed
+/// over is counted as skipped. A reading or order that is not there for that macrostep is taken as it was; such an
+/// order is marked as late.
 class ArmLinks {
  public:
   ArmLinks(link::Process& process, const ArmLinkNames& names);
@@ -37,6 +39,8 @@ class ArmLinks {
 
   /// i := i + 1, receives the images of the new macrostep.
   /// @return aborted when the system stops, faulted when the driver does not take commands any more
+  /// @throws FaultError peer_silent, malformed_message: what must come does not, see
+  ///         link::Process::await_from(); malformed_message: a number is not finite
   Outcome wait();
 
   [[nodiscard]] std::int64_t i() const { return i_; }
@@ -48,6 +52,7 @@ class ArmLinks {
 
  private:
   Outcome receive();
+  void go_on_to_newest();
 
   link::Process& process_;
   bool has_sensor_;
@@ -56,6 +61,7 @@ class ArmLinks {
   std::unique_ptr<link::Inbox<effector_reply_t>> reply_in_;
   std::unique_ptr<link::Inbox<sensor_reading_t>> reading_in_;
   std::unique_ptr<link::Inbox<agent_order_t>> order_in_;
+  link::Sources sources_;
   EffectorClient client_;
   std::int64_t i_{};
   EffectorReply reply_;

@@ -4,22 +4,30 @@
 
 namespace mrroc::ecp {
 
+void EffectorClient::settle_until(std::int64_t number) {
+  if (pending_.empty() || pending_.front().number > number) return;
+  while (!pending_.empty() && pending_.front().number <= number) {
+    pending_.pop_front();
+    if (sent_of_pending_ > 0) --sent_of_pending_;
+  }
+  failures_ = 0;
+  late_ = 0;
+}
+
 void EffectorClient::see(const EffectorReply& reply) {
+  if (reply.session == session_ && reply.expected <= number_ + 1) settle_until(reply.expected - 1);
   const Sent s = sent(reply.macrostep - 1);
   if (s.macrostep != reply.macrostep - 1 || s.number == 0) return;
-  const bool lost = reply.verdict == Verdict::none || reply.fault.code == FaultCode::lost_command;
-  if (!lost && reply.number == s.number) {
-    while (!pending_.empty() && pending_.front().number <= s.number) {
-      pending_.pop_front();
-      if (sent_of_pending_ > 0) --sent_of_pending_;
-    }
-    failures_ = 0;
+  const bool unseen = reply.verdict == Verdict::none;
+  if (!unseen && reply.fault.code != FaultCode::lost_command && reply.number == s.number) {
+    settle_until(s.number);
     return;
   }
   if (s.macrostep < repeated_from_) return;
   repeated_from_ = reply.macrostep + 1;
   sent_of_pending_ = 0;
-  if (++failures_ < kAttempts) return;
+  const bool late = unseen && late_patience_ > 0;
+  if (late ? ++late_ < late_patience_ : ++failures_ < kAttempts) return;
   fault_ = Fault{.code = FaultCode::command_repeated_refused};
   fault_->value = static_cast<double>(s.number);
   fault_->limit = kAttempts;

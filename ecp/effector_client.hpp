@@ -16,9 +16,14 @@ class EffectorClient {
   /// Attempts at one command before the link counts as broken.
   static constexpr int kAttempts = 3;
 
-  explicit EffectorClient(std::int64_t session) : session_(session) {}
+  /// @param late_patience  macrosteps in a row in which the driver may have seen nothing: with the wall clock a
+  ///        command can be late; it is sent again and is no failure. 0: in lock-step there is no lateness, and
+  ///        what the driver has not seen is lost
+  explicit EffectorClient(std::int64_t session, int late_patience = 0)
+      : session_(session), late_patience_(late_patience) {}
 
-  /// Takes x_ce of a macrostep. Call it before next() for the same macrostep.
+  /// Takes x_ce of a macrostep. Call it before next() for the same macrostep. Macrosteps may be skipped: every
+  /// reply says which commands have been executed.
   void see(const EffectorReply& reply);
 
   /// @param wanted     what the control subsystem decided; session and number are filled in here
@@ -27,7 +32,7 @@ class EffectorClient {
   ///         always goes out at once
   EffectorCommand next(EffectorCommand wanted, std::int64_t macrostep);
 
-  /// @return the system error after kAttempts failures in a row
+  /// @return the system error after kAttempts failures or late_patience late macrosteps in a row
   [[nodiscard]] const std::optional<Fault>& fault() const { return fault_; }
   /// @return commands that wait because earlier ones had to be repeated
   [[nodiscard]] std::size_t backlog() const { return pending_.size() - sent_of_pending_; }
@@ -42,12 +47,16 @@ class EffectorClient {
   };
   Sent& sent(std::int64_t macrostep) { return sent_[static_cast<std::size_t>(macrostep) % kRemembered]; }
 
+  void settle_until(std::int64_t number);
+
   std::int64_t session_;
   std::int64_t number_{};                // of the last command
   std::deque<EffectorCommand> pending_;  // not known to be executed, oldest first
   std::size_t sent_of_pending_{};        // of these, sent and not given up
   std::array<Sent, kRemembered> sent_{};
   std::int64_t repeated_from_{};  // answers to commands before this macrostep are out of date
+  int late_patience_;
+  int late_{};  // macrosteps in a row
   int failures_{};
   std::optional<Fault> fault_;
 };

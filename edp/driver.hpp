@@ -61,9 +61,10 @@ class Driver {
   /// @throw FaultError bad_configuration when a parameter makes no sense, with its name
   Driver(const Robot& robot, const DriverParameters& parameters);
 
-  /// Takes the command of the macrostep that begins with the next step; call it at a boundary, at most once.
-  /// Not called at all, it is silence; keep and release are silence too, as far as motion is concerned. A
-  /// call that is not at a boundary, or a second one, is ignored.
+  /// Takes a command for the macrostep that begins with the next step; call it at a boundary, with everything
+  /// that has come for this macrostep. Not called at all, it is silence; keep and release are silence too, as
+  /// far as motion is concerned. The first command is executed; the protocol sees the others, a repetition for
+  /// instance, and nothing more becomes of them. A call that is not at a boundary is ignored.
   void take(const EffectorCommand& command) noexcept;
 
   /// One step: measures, supervises, moves the set point, computes the duty cycles.

@@ -30,10 +30,10 @@ std::uint8_t parts_set(const EffectorCommand& c) {
 }  // namespace
 
 void Driver::take(const EffectorCommand& command) noexcept {
-  if (!at_boundary() || taken_) return;
-  taken_ = true;
+  if (!at_boundary()) return;
   const Protocol::Decision decision = protocol_.admit(command, steps_done_ < p_.start_guard_steps);
-  if (decision.admission == Protocol::Admission::nothing) return;
+  if (decision.admission == Protocol::Admission::nothing || taken_) return;
+  taken_ = true;
   answer_.session = command.session;
   answer_.number = command.number;
   switch (decision.admission) {

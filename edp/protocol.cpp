@@ -54,7 +54,11 @@ Protocol::Decision Protocol::admit(const EffectorCommand& command, bool guarded)
   if (command.instruction == Instruction::query)
     return refuse(FaultCode::unknown_number, "last number: ", owner_ ? expected_ - 1 : 0);
   if (command.number == expected_) return {Admission::execute, {}};
-  if (owner_ && command.number == expected_ - 1) return {Admission::replay, {}};
+  if (owner_ && command.number == expected_ - 1) {
+    ++repeated_;
+    return {Admission::replay, {}};
+  }
+  ++lost_;
   return refuse(FaultCode::lost_command, "expected number: ", expected_, static_cast<double>(command.number),
                 static_cast<double>(expected_));
 }

@@ -52,10 +52,16 @@ class Protocol {
   [[nodiscard]] std::optional<std::int64_t> owner() const noexcept { return owner_; }
   /// @return next number that will be executed
   [[nodiscard]] std::int64_t expected() const noexcept { return expected_; }
+  /// @return commands that came again after they had been executed or refused for their content
+  [[nodiscard]] std::int64_t repeated() const noexcept { return repeated_; }
+  /// @return commands refused because one before them was missing
+  [[nodiscard]] std::int64_t lost() const noexcept { return lost_; }
 
  private:
   std::optional<std::int64_t> owner_;
   std::int64_t expected_{1};
+  std::int64_t repeated_{};
+  std::int64_t lost_{};
   EffectorReply stored_{};
 };
 

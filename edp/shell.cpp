@@ -1,8 +1,10 @@
 #include "edp/shell.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
 #include "base/msg/convert.hpp"
+#include "edp/guard.hpp"
+#include "edp/watchdog.hpp"
 #include "mrroc/step_samples_t.hpp"
 #include "mrroc/world_state_t.hpp"
 
@@ -11,6 +13,9 @@ namespace {
 
 using link::Group;
 using link::Phase;
+
+/// Between lines about an arm that holds for want of commands [steps].
+constexpr std::int64_t kTellHold = 500;
 
 /// The links of one driver and the macrostep in which it is.
 class Shell {
@@ -29,58 +34,111 @@ class Shell {
     const auto guard_ends = link::Process::Clock::now() + k_.start_guard;
     process_.await([] { return false; }, guard_ends);
     if (!process_.assemble()) return;
-    for (std::int64_t step = 0; !released_long_ago(); ++step) {
-      if (!await_state(step)) break;
-      do_step(step);
-    }
-    process_.report_done();
+    while (!released_long_ago() && await_state()) do_step();
+    if (const Protocol& p = driver_.protocol(); p.repeated() + p.lost() + watchdog_.holds() > 0)
+      process_.say(fmt::format("{}.command: {} repeated, {} after a lost one, {} holds without a command",
+                               k_.robot, p.repeated(), p.lost(), watchdog_.holds()));
+    if (!tripped_) process_.report_done();
     process_.stay();
   }
 
  private:
-  bool await_state(std::int64_t step) {
-    process_.await([&] {
-      return state_in_->at(step) || process_.phase() == Phase::finished || process_.dead(k_.world);
-    });
-    return state_in_->at(step) != nullptr;
+  /// @return whether there is a state for the next step, which is state_ then
+  bool await_state() {
+    const bool got = process_.lock_step() ? await_next_state() : await_newest_state();
+    if (!got) return false;
+    const std::int64_t stamp = state_->header.stamp;
+    if (stamp > step_) process_.report_skipped(stamp - step_);
+    lag_ += stamp - step_;
+    step_ = stamp;
+    return true;
   }
 
-  void do_step(std::int64_t step) {
-    if (driver_.at_boundary() && step > 0) begin_macrostep();
-    const HardwareReading reading = from_message(state_in_->at(step)->robot[k_.index], step);
-    drive_out_->publish(to_message(driver_.step(reading)), step);
-    process_.report_progress(macrostep_, step);
+  bool await_next_state() {
+    process_.await_from(state_sources_, FaultCode::hardware_silent, [&] {
+      return state_in_->at(step_) || process_.phase() == Phase::finished || process_.dead(k_.world);
+    });
+    state_ = state_in_->at(step_);
+    return state_ != nullptr;
+  }
+
+  bool await_newest_state() {
+    const auto newest = [&] {
+      state_ = state_in_->newest();
+      return state_ && state_->header.stamp >= step_;
+    };
+    const auto period =
+        std::chrono::duration_cast<link::Process::Clock::duration>(std::chrono::duration<double>(k_.dt));
+    while (process_.phase() != Phase::finished && !process_.dead(k_.world)) {
+      process_.await([&] { return newest() || process_.phase() == Phase::finished; },
+                     link::Process::Clock::now() + period);
+      process_.poll();
+      if (newest()) {
+        watchdog_.state();
+        return true;
+      }
+      if (watchdog_.no_state() == Watchdog::Verdict::trip) trip();
+    }
+    return false;
+  }
+
+  /// The world is silent. Whatever comes from now on, the drives brake and the task ends.
+  void trip() {
+    Fault fault = make_fault(FaultCode::hardware_silent, "steps without a state", -1, watchdog_.silent(),
+                             k_.state_patience);
+    driver_.trip(fault);
+    tripped_ = true;
+    process_.report_fault(fault);
+  }
+
+  void do_step() {
+    if (driver_.at_boundary() && step_ > 0) begin_macrostep();
+    const HardwareReading reading = from_message(state_->robot[k_.index], step_);
+    drive_out_->publish(to_message(driver_.step(reading)), step_);
+    process_.report_progress(macrostep_, step_);
+    ++step_;
     if (driver_.reply_due()) end_of_reading();
   }
 
   void begin_macrostep() {
-    ++macrostep_;
+    macrostep_ += 1 + lag_ / k_.n_s;
+    lag_ %= k_.n_s;
     // Nobody is there to command any more: homing comes to rest as motions do.
-    if (stopped(macrostep_) || process_.dead(k_.ecp)) driver_.drop_owner();
-    if (stopped(macrostep_)) return;
-    // That its owner leaves is the link's statement: faults made on purpose do not touch it.
-    const effector_command_t* const sent = command_in_->at(macrostep_);
-    if (sent && static_cast<Instruction>(sent->instruction) == Instruction::release) {
-      released_ = true;
-      released_in_ = macrostep_;
+    if (!orphaned_ && (stopped(macrostep_) || process_.dead(k_.ecp))) {
+      orphaned_ = true;
+      driver_.drop_owner();
     }
-    bool taken = false;
-    command_in_->due(macrostep_, k_.injection, [&](const effector_command_t& m) {
-      const EffectorCommand command = from_message(m);
-      if (!taken) driver_.take(command);
-      taken = true;
-    });
+    if (stopped(macrostep_)) return;
+    note_release();
+    command_in_->due(macrostep_, k_.injection,
+                     [&](const effector_command_t& m) { driver_.take(from_message(m)); });
+    const bool commanded = command_in_->at(macrostep_) != nullptr;
+    if (!process_.lock_step() && !released_ &&
+        watchdog_.macrostep(commanded) == Watchdog::Verdict::decelerate && step_ >= told_at_ + kTellHold) {
+      told_at_ = step_;
+      process_.say(fmt::format("no command for macrostep {}: the arm comes to rest", macrostep_));
+    }
+  }
+
+  /// That its owner leaves is the link's statement: faults made on purpose do not touch it. It is the last
+  /// message, and with the wall clock its macrostep may have been skipped.
+  void note_release() {
+    const effector_command_t* const m =
+        process_.lock_step() ? command_in_->at(macrostep_) : command_in_->newest();
+    if (released_ || !m || m->header.stamp > macrostep_) return;
+    released_ = from_message(*m).instruction == Instruction::release;
+    released_in_ = macrostep_;
   }
 
   void end_of_reading() {
     reply_out_->publish(to_message(driver_.reply()), macrostep_ + 1);
     step_samples_t samples{};
     for (const StepSample& s : driver_.samples()) samples.sample[samples.n++] = to_message(s);
-    samples.last = released_ && macrostep_ == released_in_ + 1;
+    samples.last = released_ && macrostep_ > released_in_;
     samples_out_->publish(samples, macrostep_ + 1);
     if (released_ || !process_.lock_step()) return;
     const std::int64_t next = macrostep_ + 1;
-    process_.await([&] {
+    process_.await_from(command_sources_, FaultCode::peer_silent, [&] {
       return command_in_->at(next) || stopped(next) || process_.dead(k_.ecp) ||
              process_.phase() == Phase::finished;
     });
@@ -102,7 +160,16 @@ class Shell {
   std::unique_ptr<link::Inbox<effector_command_t>> command_in_;
   std::unique_ptr<link::Outbox<effector_reply_t>> reply_out_;
   std::unique_ptr<link::Outbox<step_samples_t>> samples_out_;
+  link::Sources state_sources_{state_in_.get()};
+  link::Sources command_sources_{command_in_.get()};
+  Watchdog watchdog_{k_.state_patience};
+  const world_state_t* state_{};
+  std::int64_t step_{};  // the next one, or the present one while it is executed
+  std::int64_t lag_{};   // skipped steps that the number of the macrostep does not contain yet
   std::int64_t macrostep_{};
+  std::int64_t told_at_{-kTellHold};
+  bool tripped_{};
+  bool orphaned_{};
   bool released_{};
   std::int64_t released_in_{};
 };

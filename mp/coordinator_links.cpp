@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
+#include <limits>
 
 #include "base/msg/convert.hpp"
+#include "base/msg/finite.hpp"
 
 namespace mrroc::mp {
 
@@ -15,7 +16,9 @@ CoordinatorLinks::CoordinatorLinks(link::Process& process, const std::vector<std
   for (const std::string& arm : arms) {
     order_out_.push_back(process.outbox<agent_order_t>(arm + ".order"));
     report_in_.push_back(process.inbox<agent_report_t>(arm + ".report"));
+    sources_.push_back(report_in_.back().get());
   }
+  sources_.push_back(human.inbox());
 }
 
 Outcome CoordinatorLinks::begin(const Order& order) {
@@ -31,21 +34,44 @@ void CoordinatorLinks::send(std::span<const Order> orders) {
 
 Outcome CoordinatorLinks::wait() {
   ++i_;
-  process_.report_progress(i_, 0);
   const auto stopped = [this] { return process_.over() && i_ >= process_.stop_as_of(); };
   const auto here = [this] {
+    if (!process_.lock_step()) return newest() >= i_ && operator_.here(i_);
     return std::ranges::all_of(report_in_, [this](const auto& in) { return in->at(i_) != nullptr; }) &&
            operator_.here(i_);
   };
-  // With the wall clock an agent that is late for a second is taken as it was.
-  const auto deadline = process_.lock_step() ? link::Process::Clock::time_point::max()
-                                             : link::Process::Clock::now() + std::chrono::seconds(1);
-  process_.await([&] { return here() || stopped(); }, deadline);
-  if (stopped() || (process_.lock_step() && !here())) return Outcome::aborted;
+  process_.report_progress(i_, 0);
+  try {
+    process_.await_from(sources_, FaultCode::peer_silent, [&] { return here() || stopped(); });
+  } catch (const FaultError& e) {
+    fault_ = e.fault();
+    return Outcome::faulted;
+  }
+  if (stopped()) return Outcome::aborted;
+  if (!process_.lock_step()) {
+    process_.poll();
+    process_.report_skipped(newest() - i_);
+    i_ = newest();
+    process_.report_progress(i_, 0);
+  }
+  return receive();
+}
 
+std::int64_t CoordinatorLinks::newest() const {
+  std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  for (const auto& in : report_in_) least = std::min(least, in->newest() ? in->newest()->header.stamp : -1);
+  return least;
+}
+
+Outcome CoordinatorLinks::receive() {
   for (std::size_t arm = 0; arm < report_in_.size(); ++arm) {
-    const agent_report_t* const m = report_in_[arm]->at(i_);
-    if (!m) continue;
+    const agent_report_t* const exact = report_in_[arm]->at(i_);
+    const agent_report_t* const m = exact ? exact : report_in_[arm]->newest();
+    if (!finite(*m)) {
+      fault_ = Fault{.code = FaultCode::malformed_message};
+      fault_.text = fmt::format("{}: a number is not finite", report_in_[arm]->channel());
+      return Outcome::faulted;
+    }
     reports_[arm] = from_message(*m);
     if (reports_[arm].verdict == Verdict::none || !reports_[arm].fault ||
         reports_[arm].fault.code == FaultCode::lost_command)

@@ -25,11 +25,14 @@ class OperatorAgent {
   virtual void inform(std::int64_t i, int m, bool finished) = 0;
   /// @return whether everything that image(i) needs has come
   [[nodiscard]] virtual bool here(std::int64_t i) const = 0;
+  /// @return where what here() waits for comes from, or null when it comes from within
+  [[nodiscard]] virtual const link::InboxBase* inbox() const { return nullptr; }
   /// @return x_cT_0h of macrostep i; called once per macrostep
   virtual OperatorImage image(std::int64_t i) = 0;
 };
 
-/// Sends orders and receives reports once per macrostep; the same rules as ecp::ArmLinks.
+/// Sends orders and receives reports once per macrostep; the same rules as ecp::ArmLinks. With the wall clock
+/// the latest of the arms sets the pace: i goes on to the newest macrostep of which all have reported.
 class CoordinatorLinks {
  public:
   /// @param arms      channels ARM.order and ARM.report
@@ -41,7 +44,8 @@ class CoordinatorLinks {
   /// Sends what is for macrostep i + 1, one order per arm.
   void send(std::span<const Order> orders);
   /// i := i + 1, receives the images.
-  /// @return aborted when the system stops, faulted when an agent reports a fault
+  /// @return aborted when the system stops, faulted when an agent reports a fault, says nothing or says what is
+  ///         not finite
   Outcome wait();
 
   [[nodiscard]] std::int64_t i() const { return i_; }
@@ -55,6 +59,10 @@ class CoordinatorLinks {
   OperatorAgent& operator_;
   std::vector<std::unique_ptr<link::Outbox<agent_order_t>>> order_out_;
   std::vector<std::unique_ptr<link::Inbox<agent_report_t>>> report_in_;
+  Outcome receive();
+  [[nodiscard]] std::int64_t newest() const;
+
+  link::Sources sources_;
   std::int64_t i_{};
   std::vector<Report> reports_;
   OperatorImage image_;

@@ -86,7 +86,7 @@ std::optional<std::string> OperatorDesk::objection(OperatorOrder order) const {
     case OperatorOrder::trigger:
       if (!is(TaskState::running))
         return fmt::format("the task is {}, a trigger needs a running one", to_string(state_));
-      if (!waits_for_trigger_) return "the present behaviour does not wait for a trigger";
+      if (!waits_for_trigger_) return fmt::format("behaviour {} does not wait for a trigger", m_);
       return std::nullopt;
     case OperatorOrder::stop:
       if (state_ < TaskState::stopping) return std::nullopt;
@@ -158,6 +158,18 @@ void OperatorDesk::obey(OperatorOrder order, std::int64_t i) {
   }
   if (record_.is_open()) record_ << i << ' ' << to_string(order) << '\n' << std::flush;
   process_.say(fmt::format("operator: {} in macrostep {}", to_string(order), i));
+}
+
+bool OperatorDesk::stop_accepted() const {
+  return stop_ || std::ranges::find(waiting_, OperatorOrder::stop) != waiting_.end();
+}
+
+void OperatorDesk::set_behaviour(int m) {
+  if (m == m_) return;
+  if (std::erase(waiting_, OperatorOrder::trigger) > 0)
+    process_.say(fmt::format("operator: the trigger came when behaviour {} had ended, it is not obeyed", m_));
+  m_ = m;
+  waits_for_trigger_ = false;
 }
 
 void OperatorDesk::set_state(TaskState state, bool waits_for_trigger) {

@@ -46,10 +46,16 @@ class OperatorDesk {
 
   /// What the task is doing now, which decides on what is allowed.
   void set_state(TaskState state, bool waits_for_trigger);
+  /// The coordinator is in that behaviour from now on; call it in every macrostep, before take(). A trigger is
+  /// for the behaviour in which it was given: one that has not been taken when another behaviour begins is
+  /// dropped, and until set_state() says so, the new behaviour does not wait for one.
+  void set_behaviour(int m);
 
   [[nodiscard]] TaskState state() const { return state_; }
   /// @return whether stop has been ordered
   [[nodiscard]] bool stop_ordered() const { return stop_; }
+  /// @return whether stop has been accepted, taken or not: macrosteps may have ceased
+  [[nodiscard]] bool stop_accepted() const;
 
  private:
   void answer(const operator_order_t& order);
@@ -66,6 +72,7 @@ class OperatorDesk {
   OperatorImage image_;
   TaskState state_{TaskState::starting};
   bool waits_for_trigger_{};
+  int m_{};  // behaviour of the coordinator
   bool stop_{};
 };
 

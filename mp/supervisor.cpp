@@ -19,6 +19,7 @@ using namespace std::chrono_literals;
 constexpr auto kRepeat = 100ms;    // between the supervisor's own messages
 constexpr auto kLook = 20ms;       // between looks at the children
 constexpr auto kAssembling = 60s;  // until everybody must be there
+constexpr auto kTellSkipped = 3s;  // between lines about lateness, of each process
 constexpr auto kHang = 10s;        // without a sign of life
 constexpr auto kComeToRest = 20s;  // for arms to come to rest after a stop
 constexpr auto kLeave = 5s;        // for processes to end by themselves
@@ -43,6 +44,8 @@ struct Supervisor::Watched {
   process_status_t status{};
   ProcessState state{ProcessState::starting};
   Clock::time_point heard{Clock::now()};
+  std::int64_t skipped_told{};
+  Clock::time_point told_at{};
   std::optional<Child> child;
   std::atomic<bool> thread_ended{};
   std::jthread thread;
@@ -113,8 +116,17 @@ void Supervisor::hear() {
     while (const auto line = w->console_in.take())
       log(w->part.name, link::get_text(line->text), fault_code(line->code).value_or(FaultCode::none));
     while (const auto s = w->status_in.take()) {
+      if (s->state < 0 || s->state >= static_cast<int>(ProcessState::dead)) continue;  // nobody says so
       w->heard = Clock::now();
       if (w->state == ProcessState::dead) continue;
+      const bool leaves = s->state >= static_cast<int>(ProcessState::done);
+      if (s->skipped > w->skipped_told && (leaves || w->heard - w->told_at > kTellSkipped)) {
+        log(w->part.name,
+            fmt::format("late: {} skipped, {} in all", s->skipped - w->skipped_told, s->skipped),
+            FaultCode::none);
+        w->skipped_told = s->skipped;
+        w->told_at = w->heard;
+      }
       w->status = *s;
       const auto state = static_cast<ProcessState>(s->state);
       const bool news = state != w->state;
@@ -123,20 +135,28 @@ void Supervisor::hear() {
         at_rest_ = true;
         std::ranges::copy(s->stop_steps, stop_steps_.begin());
       }
-      if (news && state == ProcessState::faulted) stop(from_message(s->fault), 0);
+      if (news && state == ProcessState::faulted) {
+        const Fault fault = from_message(s->fault);
+        if (fault_) log(w->part.name, describe(fault), fault.code);  // the first one is told by stop()
+        stop(fault, 0);
+      }
     }
   }
 }
 
 void Supervisor::watch_children() {
   for (auto& w : watched_) {
+    if (w->thread_ended && w->state == ProcessState::faulted) tell_dead(*w);
     if (!w->child || !w->child->reap()) continue;
     if (w->child->ended_well() || ending_) {
       if (w->state < ProcessState::done) w->state = ProcessState::done;
       continue;
     }
     hear();
-    if (w->state == ProcessState::faulted) continue;  // it has told why
+    if (w->state == ProcessState::faulted) {  // it has told why
+      tell_dead(*w);
+      continue;
+    }
     Fault fault{.code = FaultCode::process_died, .process = w->part.name};
     fault.text = fmt::format("{} ended with {}", w->part.name, *w->child->ended());
     declare_dead(*w, fault);
@@ -156,10 +176,16 @@ void Supervisor::watch_hangs() {
 
 void Supervisor::declare_dead(Watched& part, const Fault& fault) {
   part.state = ProcessState::dead;
+  tell_dead(part);
+  stop(fault, 0);
+}
+
+void Supervisor::tell_dead(const Watched& part) {
   const auto index =
       std::ranges::find_if(watched_, [&](const auto& w) { return w.get() == &part; }) - watched_.begin();
-  said_.dead |= std::int64_t{1} << index;
-  stop(fault, 0);
+  const std::int64_t bit = std::int64_t{1} << index;
+  if ((said_.dead & bit) != 0) return;
+  said_.dead |= bit;
   publish();
 }
 
@@ -248,7 +274,9 @@ std::uint64_t Supervisor::log_hash() const {
   std::map<std::string, const channel_hash_t*> by_channel;
   for (const auto& w : watched_) {
     if (w->status.state != static_cast<int>(ProcessState::done)) return 0;
-    for (int k = 0; k < w->status.n_hashes; ++k)
+    const auto told = std::min<std::size_t>(static_cast<std::size_t>(std::max(0, w->status.n_hashes)),
+                                            std::size(w->status.hash));
+    for (std::size_t k = 0; k < told; ++k)
       by_channel[link::get_text(w->status.hash[k].channel)] = &w->status.hash[k];
   }
   Hash hash;

@@ -85,6 +85,7 @@ class Supervisor {
   void lead();
   void publish();
   void declare_dead(Watched& part, const Fault& fault);
+  void tell_dead(const Watched& part);  // the others do not wait for it any more
   [[nodiscard]] bool all(link::ProcessState at_least) const;
   [[nodiscard]] bool world_is_dead() const;
 

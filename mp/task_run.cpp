@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <future>
 
 namespace mrroc::mp {
@@ -15,8 +16,22 @@ namespace {
 /// nobody has passed it.
 constexpr std::int64_t kStopAhead = 3;
 
-std::atomic<int> signalled{0};
-void interrupt(int signal) { signalled = signal; }
+/// Without a macrostep for so long, a stop does not wait for the next one.
+constexpr std::chrono::seconds kStopPatience{2};
+
+std::atomic<int> interrupts{0};
+std::atomic<int> last_signal{0};
+void interrupt(int signal) {
+  last_signal = signal;
+  ++interrupts;
+}
+
+/// A macrostep at a slow pace is not a silent peer.
+std::chrono::milliseconds patience_at(double speed) {
+  if (link::kPatience.count() == 0 || speed <= 0) return link::kPatience;
+  constexpr double kSlowest = 0.2;  // simulated duration of the longest wait [s]
+  return link::kPatience + std::chrono::milliseconds(std::llround(1e3 * kSlowest / speed));
+}
 
 }  // namespace
 
@@ -31,7 +46,8 @@ TaskRun::TaskRun(const std::string& task, const TaskOptions& options, const std:
                               .session_id = link::random_id(),
                               .name = "mp",
                               .roster = {"mp"},
-                              .clock = options.clock};
+                              .clock = options.clock,
+                              .patience = patience_at(options.speed)};
   for (const Part& p : parts) membership.roster.push_back(p.name);
   session_file_ =
       std::make_unique<link::SessionFile>(link::SessionInfo{.name = session_,
@@ -39,7 +55,8 @@ TaskRun::TaskRun(const std::string& task, const TaskOptions& options, const std:
                                                             .address = address_,
                                                             .task = task,
                                                             .run_folder = std::filesystem::absolute(folder)});
-  log_ = std::make_unique<link::EventLog>(folder / "events.lcmlog");
+  log_ = std::make_unique<link::EventLog>(folder / "events.lcmlog",
+                                          link::EventLog::Channels{session_ + ".operator"});
   bus_->subscribe_all(session_ + ".", *log_);
   process_ = std::make_unique<link::Process>(*bus_, membership);
   supervisor_ = std::make_unique<Supervisor>(*process_, std::move(parts), folder / "messages.log");
@@ -51,9 +68,10 @@ TaskRun::TaskRun(const std::string& task, const TaskOptions& options, const std:
     supervisor_->poll();
     desk_->poll();
     board_->poll();
-    if (const int signal = signalled.exchange(0); signal != 0 && desk_->give(OperatorOrder::stop))
-      signal_ = signal;
+    look_after_orders();
   };
+  interrupts = 0;
+  last_macrostep_ = link::Process::Clock::now();
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
 }
@@ -87,15 +105,27 @@ void TaskRun::open_bus(const TaskOptions& options) {
   bus_ = hub_->open();
 }
 
+void TaskRun::look_after_orders() {
+  if (interrupts > signals_ && desk_->give(OperatorOrder::stop)) signal_ = last_signal;
+  signals_ = interrupts;
+  const bool in_vain = link::Process::Clock::now() - last_macrostep_ > kStopPatience;
+  if (desk_->stop_accepted() && (in_vain || signals_ > 1)) supervisor_->stop(stop_reason(), 0);
+  if (log_->failed() && !supervisor_->fault())
+    supervisor_->stop({.code = FaultCode::cannot_write, .text = "events.lcmlog in the run folder"},
+                      running_ ? i_ + kStopAhead : 0);
+}
+
 void TaskRun::start() {
   if (hub_) {
     supervisor_->start_threads(*hub_);
   } else {
     const link::Membership& m = process_->membership();
-    supervisor_->start_processes(
-        {"--session", m.session, "--session-id", fmt::to_string(m.session_id), "--url", address_->url(),
-         "--roster", fmt::format("{}", fmt::join(m.roster, ",")), "--clock",
-         m.clock == ClockKind::wall ? "wall" : "step", "--config", (folder_ / "config.toml").string()});
+    supervisor_->start_processes({"--session", m.session, "--session-id", fmt::to_string(m.session_id),
+                                  "--url", address_->url(), "--roster",
+                                  fmt::format("{}", fmt::join(m.roster, ",")), "--clock",
+                                  m.clock == ClockKind::wall ? "wall" : "step", "--patience",
+                                  fmt::to_string(std::chrono::duration<double>(m.patience).count()),
+                                  "--config", (folder_ / "config.toml").string()});
   }
 }
 
@@ -105,6 +135,8 @@ void TaskRun::each_macrostep(std::int64_t i, double sim_s) {
     begun_ = link::Process::Clock::now();
   }
   sim_s_ = sim_s;
+  i_ = i;
+  last_macrostep_ = link::Process::Clock::now();
   board_->set_time(i, sim_s);
   if (desk_->stop_ordered() && !process_->over()) supervisor_->stop(stop_reason(), i + kStopAhead);
 }
@@ -138,6 +170,8 @@ Summary TaskRun::end(const std::optional<Fault>& fault) {
   Summary summary;
   summary.task = task_;
   summary.fault = supervisor_->fault();
+  if (!log_->flush() && !summary.fault)
+    summary.fault = Fault{.code = FaultCode::cannot_write, .text = "events.lcmlog in the run folder"};
   summary.stopped = summary.fault && (summary.fault->code == FaultCode::operator_stop ||
                                       summary.fault->code == FaultCode::interrupted ||
                                       summary.fault->code == FaultCode::emergency_stop);

@@ -60,6 +60,7 @@ class TaskRun {
  private:
   void open_bus(const TaskOptions& options);
   [[nodiscard]] Fault stop_reason() const;
+  void look_after_orders();
 
   std::string task_;
   std::filesystem::path folder_;
@@ -76,6 +77,9 @@ class TaskRun {
   std::unique_ptr<StatusBoard> board_;
   double sim_s_{};
   link::Process::Clock::time_point begun_{};
+  link::Process::Clock::time_point last_macrostep_{};
+  std::int64_t i_{};
+  int signals_{};  // to interrupt; a second one does not wait for a macrostep
   bool running_{};
   int signal_{};  // that ended the task, 0: none
 };

@@ -10,6 +10,7 @@
 #include "base/clock.hpp"
 #include "base/hand.hpp"
 #include "base/msg/convert.hpp"
+#include "base/msg/finite.hpp"
 #include "mrroc/hand_order_t.hpp"
 #include "mrroc/hand_report_t.hpp"
 #include "mrroc/world_state_t.hpp"
@@ -24,6 +25,11 @@ using Clock = link::Process::Clock;
 
 /// With the wall clock, a drive goes on with its last command so many steps before it brakes by itself.
 constexpr int kPatience = 10;
+/// With the wall clock, a driver that is silent for so many steps after the end of the task has left.
+constexpr int kLeft = 100;
+/// With the wall clock, time that the world has lost beyond that is not caught up: as with real drives, nothing
+/// happens twice as fast.
+constexpr std::chrono::milliseconds kCatchUp{10};
 
 class Shell {
  public:
@@ -39,6 +45,7 @@ class Shell {
         sheets_(static_cast<std::size_t>(world.arms())) {
     for (const std::string& robot : k_.robots)
       drive_in_.push_back(process.inbox<drive_command_t>(robot + ".drive", Group::servo_command));
+    for (const auto& in : drive_in_) drive_sources_.push_back(in.get());
   }
 
   void run() {
@@ -46,39 +53,58 @@ class Shell {
     pacer_.begin(Clock::now());
     for (std::int64_t step = 0; process_.phase() != Phase::finished; ++step) {
       if (step % k_.n_s == 0 && !begin_macrostep(step / k_.n_s)) break;
+      if (!process_.lock_step() && finished_in_ != 0 && std::ranges::min(missed_) > kLeft) break;
       const double speed = !process_.lock_step() || paused_ ? 1 : k_.speed;
       const Clock::time_point due = pacer_.next(speed, Clock::now());
       publish_state(step);
       await_commands(step, due);
       world_.step(commands_);
       watch(step);
+      if (!process_.lock_step()) note_lateness(due);
       if (speed > 0) process_.await([] { return false; }, due);
     }
     for (int arm = 0; arm < world_.arms(); ++arm) write_sheet(arm);
+    if (late_ > 0)
+      process_.say(fmt::format("{} periods ended late, the latest by {:.1f} ms", late_, 1e3 * latest_));
     process_.report_done();
     process_.stay();
   }
 
  private:
-  /// @return false when the task is over: the drivers end in the same step
+  void note_lateness(Clock::time_point due) {
+    const double late = std::chrono::duration<double>(Clock::now() - due).count();
+    if (late <= 0) return;
+    ++late_;
+    latest_ = std::max(latest_, late);
+    process_.report_skipped(1);
+  }
+
+  /// @return false when the task is over: in lock-step the drivers end in the same step
   bool begin_macrostep(std::int64_t i) {
     process_.report_progress(i, i * k_.n_s);
-    if (i == 0 || finished_in_ != 0) return finished_in_ == 0 || i < finished_in_ + 3;
+    if (i == 0 || finished_in_ != 0)
+      return !process_.lock_step() || finished_in_ == 0 || i < finished_in_ + 3;
     report_hands(i);
     const auto stopped = [&] { return process_.over() && i >= process_.stop_as_of(); };
-    if (process_.lock_step()) process_.await([&] { return order_in_->at(i) || stopped(); });
-    const hand_order_t* const order = process_.lock_step() ? order_in_->at(i) : order_in_->newest();
-    if (order && !stopped()) {
-      if (order->finished) finished_in_ = order->header.stamp;
-      obey(*order);
-    } else if (stopped()) {
+    if (process_.lock_step())
+      process_.await_from(order_sources_, FaultCode::peer_silent,
+                          [&] { return order_in_->at(i) || stopped(); });
+    if (stopped()) {
       for (int arm = 0; arm < world_.arms(); ++arm) world_.hand(arm).release();  // a person lets go
+    } else if (process_.lock_step()) {
+      obey(*order_in_->at(i));
+    } else {
+      // A clean sheet is ordered once: none may be passed over.
+      while (const hand_order_t* const order = order_in_->next(obeyed_ + 1)) obey(*order);
     }
     return true;
   }
 
   void obey(const hand_order_t& order) {
+    obeyed_ = order.header.stamp;
+    if (order.finished && finished_in_ == 0) finished_in_ = obeyed_;
     paused_ = order.paused != 0;
+    if (!finite(order)) return;  // a hand goes on with what it does
     for (int arm = 0; arm < world_.arms(); ++arm) {
       Hand& hand = world_.hand(arm);
       if (order.new_sheet[arm]) {
@@ -87,7 +113,7 @@ class Shell {
       }
       const auto action = static_cast<HandAction>(order.action[arm]);
       auto& last = actions_[static_cast<std::size_t>(arm)];
-      if (action != last) {
+      if (action != last) {  // a number that is no action leads nowhere
         last = action;
         if (action == HandAction::release) hand.release();
         if (action == HandAction::lead_along) hand.lead_along(k_.strokes);
@@ -125,7 +151,12 @@ class Shell {
         if (!here(arm)) return false;
       return true;
     };
-    process_.await(all, process_.lock_step() ? Clock::time_point::max() : due);
+    if (process_.lock_step()) {
+      process_.await_from(drive_sources_, FaultCode::peer_silent, all);
+    } else {
+      process_.poll();  // also when the time is over already
+      process_.await(all, due);
+    }
     for (std::size_t arm = 0; arm < commands_.size(); ++arm) take_command(arm, step);
   }
 
@@ -134,7 +165,7 @@ class Shell {
     if (m && std::ranges::all_of(m->pwm, [](double pwm) { return std::isfinite(pwm); })) {
       commands_[arm] = from_message(*m);
       missed_[arm] = 0;
-    } else if (process_.lock_step() || ++missed_[arm] > kPatience) {
+    } else if (++missed_[arm] > kPatience || process_.lock_step()) {
       commands_[arm].enabled = false;  // silent driver: the drives brake by themselves
     }
   }
@@ -173,8 +204,13 @@ class Shell {
   RestWatch rest_;
   bool rested_{};
   bool paused_{};
+  std::int64_t obeyed_{};  // stamp of the last order of the hands
   std::int64_t finished_in_{};
-  Pacer pacer_{kStep};
+  link::Sources order_sources_{order_in_.get()};
+  link::Sources drive_sources_;
+  std::int64_t late_{};  // periods
+  double latest_{};      // [s]
+  Pacer pacer_{kStep, process_.lock_step() ? Pacer::kPatience : kCatchUp};
 };
 
 }  // namespace

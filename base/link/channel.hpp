@@ -23,15 +23,30 @@ struct Counters {
   std::int64_t gaps{};       ///< numbers that have not come, or not yet
 };
 
+/// What is known of any inbox, whatever its messages are.
+class InboxBase : public Sink {
+ public:
+  /// @return with the session's name
+  [[nodiscard]] const std::string& channel() const noexcept { return channel_; }
+  [[nodiscard]] const Counters& counters() const noexcept { return counters_; }
+
+ protected:
+  explicit InboxBase(std::string channel) : channel_(std::move(channel)) {}
+  Counters counters_;
+
+ private:
+  std::string channel_;
+};
+
 /// Receives one channel and keeps the last kDepth messages by stamp.
 template <FixedMessage M>
-class Inbox final : public Sink {
+class Inbox final : public InboxBase {
  public:
   /// Messages that are kept.
   static constexpr std::int64_t kDepth = 16;
 
   /// @param session messages of any other are dropped
-  Inbox(Bus& bus, const Route& route, std::int64_t session) : session_(session) {
+  Inbox(Bus& bus, const Route& route, std::int64_t session) : InboxBase(route.channel), session_(session) {
     bus.subscribe(route, *this);
   }
   Inbox(const Inbox&) = delete;
@@ -44,7 +59,16 @@ class Inbox final : public Sink {
   }
   /// @return the message with the highest number, or null
   [[nodiscard]] const M* newest() const noexcept { return newest_ ? at(newest_stamp_) : nullptr; }
-  [[nodiscard]] const Counters& counters() const noexcept { return counters_; }
+  /// @return the message with the lowest stamp of those from that stamp on, or null: what comes next for a
+  ///         reader that may have missed some
+  [[nodiscard]] const M* next(std::int64_t stamp) const noexcept {
+    const M* first = nullptr;
+    for (const Slot& s : slots_)
+      if (s.number != 0 && s.message.header.stamp >= stamp &&
+          (!first || s.message.header.stamp < first->header.stamp))
+        first = &s.message;
+    return first;
+  }
 
   /// Calls see(message) for every message that the receiver is to see at that stamp after injection: once
   /// with the message of the stamp when nothing is injected.
@@ -100,7 +124,6 @@ class Inbox final : public Sink {
   std::array<Slot, kDepth> slots_{};
   std::int64_t newest_{};
   std::int64_t newest_stamp_{};
-  Counters counters_;
 };
 
 /// Receives one channel and keeps every message until it is taken; for lines of text and for channels with

@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 
 #include "base/link/lcm_bus.hpp"
+#include "base/link/real_time.hpp"
 
 namespace mrroc::link {
 namespace {
@@ -17,11 +19,21 @@ int complain(const FaultError& e) {
   return exit_status(e.fault().code);
 }
 
+/// With the wall clock: who is called more often interrupts the others.
+int priority_of(const std::string& process) {
+  if (process == "world") return 40;
+  return process.starts_with("edp-") ? 30 : 20;
+}
+
 int run(const Membership& membership, const std::string& url, const std::string& config_file,
         const PartArguments& arguments, const PartBody& body) {
   const Config config = Config::load(config_file);
+  // Before the bus: its thread is to be scheduled like this one.
+  const std::string real_time =
+      membership.clock == ClockKind::wall ? become_real_time(priority_of(membership.name)) : "";
   const auto bus = open_lcm(LcmAddress::parse(url));
   Process process(*bus, membership);
+  if (!real_time.empty()) process.say("real time: " + real_time);
   try {
     body(process, config, arguments);
     return 0;
@@ -43,6 +55,7 @@ int child_main(int argc, char** argv, const std::string& about, const PartBody& 
   std::string url = LcmAddress{}.url();
   std::string config_file;
   std::string clock = "step";
+  double patience = std::chrono::duration<double>(membership.patience).count();
 
   CLI::App app{about + "\nA task starts it; by hand it joins a system that waits for it."};
   app.add_option("--session", membership.session, "name of the system")->required();
@@ -54,6 +67,8 @@ int child_main(int argc, char** argv, const std::string& about, const PartBody& 
       ->delimiter(',');
   app.add_option("--config", config_file, "the run's config.toml")->required();
   app.add_option("--clock", clock, "step or wall")->check(CLI::IsMember({"step", "wall"}));
+  app.add_option("--patience", patience, "wait so long for a message that must come [s], 0: for ever")
+      ->check(CLI::Range(0.0, 1e6));
   app.add_option("--arm", arguments.arm, "which arm it belongs to");
   app.add_option("--robot", "the robot's model, for the reader of the process list");
   try {
@@ -64,6 +79,7 @@ int child_main(int argc, char** argv, const std::string& about, const PartBody& 
     return complain(FaultError(FaultCode::bad_usage, e.what()));
   }
   membership.clock = clock == "wall" ? ClockKind::wall : ClockKind::step;
+  membership.patience = std::chrono::milliseconds(std::llround(1e3 * patience));
   try {
     return run(membership, url, config_file, arguments, body);
   } catch (const FaultError& e) {

@@ -4,6 +4,7 @@
 #include <lcm/eventlog.h>
 
 #include <chrono>
+#include <cstdio>
 
 #include "base/fault.hpp"
 
@@ -24,8 +25,9 @@ struct EventLog::File {
   lcm_eventlog_t* log;
 };
 
-EventLog::EventLog(const std::filesystem::path& file)
-    : file_(std::make_unique<File>(File{lcm_eventlog_create(file.c_str(), "w")})) {
+EventLog::EventLog(const std::filesystem::path& file, Channels several_senders)
+    : file_(std::make_unique<File>(File{lcm_eventlog_create(file.c_str(), "w")})),
+      several_senders_(std::move(several_senders)) {
   if (!file_->log) throw FaultError(FaultCode::cannot_write, fmt::format("cannot write {}", file.string()));
 }
 
@@ -36,9 +38,11 @@ void EventLog::receive(std::string_view channel, std::span<const std::uint8_t> b
   const std::int64_t number = big_endian(bytes.subspan(kNumberAt, 8));
   auto it = last_.find(channel);
   if (it == last_.end()) it = last_.emplace(channel, 0).first;
-  if (number <= it->second) return;
-  gaps_ += number - it->second - 1;
-  it->second = number;
+  if (!several_senders_.contains(channel)) {
+    if (number <= it->second) return;
+    gaps_ += number - it->second - 1;
+    it->second = number;
+  }
 
   using namespace std::chrono;
   lcm_eventlog_event_t event{};
@@ -48,7 +52,12 @@ void EventLog::receive(std::string_view channel, std::span<const std::uint8_t> b
   event.datalen = static_cast<int>(bytes.size());
   event.channel = const_cast<char*>(it->first.c_str());
   event.data = const_cast<std::uint8_t*>(bytes.data());
-  lcm_eventlog_write_event(file_->log, &event);
+  failed_ = lcm_eventlog_write_event(file_->log, &event) != 0 || failed_;
+}
+
+bool EventLog::flush() noexcept {
+  failed_ = std::fflush(file_->log->f) != 0 || failed_;
+  return !failed_;
 }
 
 }  // namespace mrroc::link

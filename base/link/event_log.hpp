@@ -4,17 +4,22 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "base/link/bus.hpp"
 
 namespace mrroc::link {
 
-/// Writes what it receives. Repeated messages are written once; missing numbers are counted.
+/// Writes what it receives. Repeated messages are written once; missing numbers are counted. On a channel with
+/// several senders numbers say nothing: everything is written and nothing is counted.
 class EventLog final : public Sink {
  public:
+  using Channels = std::set<std::string, std::less<>>;
+
+  /// @param several_senders  channels, with the session's name
   /// @throws FaultError cannot_write
-  explicit EventLog(const std::filesystem::path& file);
+  explicit EventLog(const std::filesystem::path& file, Channels several_senders = {});
   ~EventLog() override;
   EventLog(const EventLog&) = delete;
   EventLog& operator=(const EventLog&) = delete;
@@ -23,6 +28,11 @@ class EventLog final : public Sink {
 
   /// @return numbers that are missing in the log so far
   [[nodiscard]] std::int64_t gaps() const { return gaps_; }
+  /// Writes down everything that has been received.
+  /// @return false when that, or anything before, could not be written: the disk is full, for instance
+  bool flush() noexcept;
+  /// @return whether something could not be written so far
+  [[nodiscard]] bool failed() const { return failed_; }
 
  private:
   struct File;
@@ -30,6 +40,8 @@ class EventLog final : public Sink {
   std::map<std::string, std::int64_t, std::less<>> last_;  // number by channel
   std::int64_t events_{};
   std::int64_t gaps_{};
+  Channels several_senders_;
+  bool failed_{};
 };
 
 }  // namespace mrroc::link

@@ -1,5 +1,7 @@
 #include "base/link/process.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/link/text.hpp"
@@ -11,7 +13,7 @@ using namespace std::chrono_literals;
 
 // A wait that lasts this long may be for a lost message: own ones are repeated. What else arrives says
 // nothing about that.
-constexpr auto kPatience = 100ms;
+constexpr auto kRepeat = 100ms;
 constexpr auto kStatusPeriod = 500ms;  // between signs of life
 constexpr auto kReadyPeriod = 20ms;    // the same while assembling
 
@@ -73,7 +75,7 @@ void Process::service(Clock::time_point deadline) {
   if (deadline != Clock::time_point::max())
     patience = std::clamp(std::chrono::ceil<std::chrono::milliseconds>(deadline - now), 0ms, patience);
   bus_.wait(patience);
-  if (now - waiting_since_ > kPatience) {
+  if (now - waiting_since_ > kRepeat) {
     waiting_since_ = now;
     for (OutboxBase* box : outboxes_) box->repeat();
   }
@@ -93,7 +95,8 @@ void Process::poll() {
 
 Phase Process::phase() const {
   const supervisor_t* const s = supervisor_in_.newest();
-  return s ? static_cast<Phase>(s->phase) : Phase::assembling;
+  if (!s) return Phase::assembling;
+  return static_cast<Phase>(std::clamp(s->phase, 0, static_cast<int>(Phase::finished)));
 }
 
 std::int64_t Process::stop_as_of() const {
@@ -113,6 +116,8 @@ void Process::report_progress(std::int64_t macrostep, std::int64_t step) {
   status_.step = step;
 }
 
+void Process::report_skipped(std::int64_t count) { status_.skipped += count; }
+
 void Process::report_rest(bool at_rest, const std::array<int, 4>& stop_steps) {
   status_.at_rest = at_rest;
   std::ranges::copy(stop_steps, status_.stop_steps);
@@ -127,7 +132,18 @@ void Process::say(const std::string& text, FaultCode code) {
   console_out_.publish(line, status_.macrostep);
 }
 
+void Process::say_counters() {
+  for (const InboxBase* box : inboxes_) {
+    const Counters& c = box->counters();
+    if (c.malformed == 0 && c.foreign == 0 && c.gaps == 0) continue;
+    say(fmt::format("{}: {} messages taken, {} malformed, {} of another session, {} missing",
+                    std::string_view(box->channel()).substr(membership_.session.size() + 1), c.received,
+                    c.malformed, c.foreign, c.gaps));
+  }
+}
+
 void Process::report_done() {
+  say_counters();
   status_.state = static_cast<int>(ProcessState::done);
   status_.n_hashes = 0;
   for (const OutboxBase* box : outboxes_) {

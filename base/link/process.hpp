@@ -12,6 +12,7 @@
 #include "base/fault.hpp"
 #include "base/link/bus.hpp"
 #include "base/link/channel.hpp"
+#include "base/link/vigil.hpp"
 #include "mrroc/console_t.hpp"
 #include "mrroc/process_status_t.hpp"
 #include "mrroc/supervisor_t.hpp"
@@ -37,6 +38,8 @@ struct Membership {
   std::string name;                 ///< of this process, as in the roster
   std::vector<std::string> roster;  ///< all processes, the supervisor's own name first
   ClockKind clock{ClockKind::step};
+  /// How long a message that must come is waited for [wall time]; 0: for ever
+  std::chrono::milliseconds patience{kPatience};
 };
 
 /// A process's connection with its system. Used by one thread.
@@ -57,9 +60,12 @@ class Process {
   /// @param name without the session, e.g. "arm1.command"
   [[nodiscard]] Route route(const std::string& name, Group group = Group::agents) const;
 
+  /// A link that is watched: what was wrong on it is told at the end.
   template <FixedMessage M>
   std::unique_ptr<Inbox<M>> inbox(const std::string& name, Group group = Group::agents) {
-    return std::make_unique<Inbox<M>>(bus_, route(name, group), membership_.session_id);
+    auto box = std::make_unique<Inbox<M>>(bus_, route(name, group), membership_.session_id);
+    inboxes_.push_back(box.get());
+    return box;
   }
   /// A link on which the run is fingerprinted and repaired.
   /// @throws FaultError internal_error when the process has more links than its status can tell about
@@ -90,6 +96,22 @@ class Process {
     return true;
   }
 
+  /// Like await(), for messages that must come: it does not wait for ever.
+  /// @param sources  where they come from; must live as long as the wait
+  /// @param silent   what it means when they do not: peer_silent or hardware_silent
+  /// @throws FaultError after Membership::patience `silent`, with channel, time and counters; after a fifth of
+  ///         it malformed_message when one of the channels has brought nothing else
+  template <class Ready>
+  void await_from(const Sources& sources, FaultCode silent, Ready ready) {
+    if (ready()) return;
+    waiting_since_ = Clock::now();
+    const Vigil vigil(sources, silent, membership_.patience);
+    while (!ready()) {
+      vigil.check(Clock::now());
+      service(vigil.deadline());
+    }
+  }
+
   /// Handles what has arrived, without waiting for more than a moment.
   void poll();
 
@@ -104,11 +126,15 @@ class Process {
 
   /// How far this process is, for the supervisor.
   void report_progress(std::int64_t macrostep, std::int64_t step);
+  /// With the wall clock: so many steps, macrosteps or periods have been passed over because this process, or
+  /// a message, was late. The supervisor writes it down.
+  void report_skipped(std::int64_t count);
   /// What the world reports about arms at rest.
   void report_rest(bool at_rest, const std::array<int, 4>& stop_steps);
   /// A line for the operator and the log.
   void say(const std::string& text, FaultCode code = FaultCode::none);
-  /// Says that this process has ended, with the fingerprints of what it sent.
+  /// Says that this process has ended, with the fingerprints of what it sent, and what was wrong on the links
+  /// that it read. Its links must still be there.
   void report_done();
   /// Stays, with everything done, until the system has ended: a peer may still need a message repeated. Its
   /// links must still be there.
@@ -123,10 +149,12 @@ class Process {
   void add(OutboxBase& box);
   void service(Clock::time_point deadline);
   void send_status();
+  void say_counters();
 
   Bus& bus_;
   Membership membership_;
   std::vector<OutboxBase*> outboxes_;
+  std::vector<const InboxBase*> inboxes_;
   Outbox<process_status_t> status_out_;
   Outbox<console_t> console_out_;
   Inbox<supervisor_t> supervisor_in_;

@@ -75,10 +75,11 @@ inline constexpr std::int64_t kAnswerDelay = 2;
 /// @return the command of a pause: a motion by velocity stands and keeps its forces, any other comes to rest
 [[nodiscard]] EffectorCommand standing(EffectorCommand command);
 
-/// f_ce of the transparent behaviour (MS 36): the coordinator's order, as it is.
+/// f_ce of the transparent behaviour (MS 36): the coordinator's order, as it is. A late one is kept back: the
+/// arm comes to rest and holds until an order comes.
 template <class X>
 [[nodiscard]] EffectorCommand copied_order(const X& x) {
-  return move_arm(x.T.arm);
+  return x.T.late ? EffectorCommand{} : move_arm(x.T.arm);
 }
 
 // --- y_cT -----------------------------------------------------------------------------------------------

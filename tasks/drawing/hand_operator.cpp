@@ -35,6 +35,7 @@ void HandOperator::inform(std::int64_t i, int m, bool finished) {
   order.paused = paused_;
   order.finished = finished;
   order_out_->publish(order, i);
+  desk_.set_behaviour(m);
   if (m != m_) {
     m_ = m;
     steady_ = 0;
@@ -43,7 +44,9 @@ void HandOperator::inform(std::int64_t i, int m, bool finished) {
   }
 }
 
-bool HandOperator::here(std::int64_t i) const { return report_in_->at(i) != nullptr; }
+bool HandOperator::here(std::int64_t i) const {
+  return process_.lock_step() ? report_in_->at(i) != nullptr : report_in_->newest() != nullptr;
+}
 
 OperatorImage HandOperator::image(std::int64_t i) {
   const hand_report_t* const report = process_.lock_step() ? report_in_->at(i) : report_in_->newest();

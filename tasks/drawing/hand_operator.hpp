@@ -28,6 +28,7 @@ class HandOperator final : public mp::OperatorAgent {
 
   void inform(std::int64_t i, int m, bool finished) override;
   [[nodiscard]] bool here(std::int64_t i) const override;
+  [[nodiscard]] const link::InboxBase* inbox() const override { return report_in_.get(); }
   OperatorImage image(std::int64_t i) override;
 
   /// @return share of the present hand motion that is done, 0..1

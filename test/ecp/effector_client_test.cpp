@@ -50,6 +50,7 @@ class Line {
     return true;
   }
   int refuse{};  ///< so many commands are refused for their content
+  [[nodiscard]] const edp::Protocol& protocol() const { return protocol_; }
 
  private:
   void drive(std::int64_t now) {
@@ -57,15 +58,15 @@ class Line {
     bool taken = false;
     for (std::int64_t s = now - link::Injection::kMaxDelay; s <= now; ++s) {
       const auto fate = injection_.fate(s);
-      if (s < 1 || s + fate.delay != now || fate.copies == 0 || taken) continue;
-      taken = true;  // one command per macrostep, the first that is there
-      answer(sent_.at(s), now);
+      if (s < 1 || s + fate.delay != now) continue;
+      for (int copy = 0; copy < fate.copies; ++copy) taken = answer(sent_.at(s), now, taken) || taken;
     }
   }
-  void answer(const EffectorCommand& c, std::int64_t now) {
+  /// The protocol sees everything; one command per macrostep is executed, the first that is there.
+  bool answer(const EffectorCommand& c, std::int64_t now, bool taken) {
     const auto decision = protocol_.admit(c, false);
     using Admission = edp::Protocol::Admission;
-    if (decision.admission == Admission::nothing) return;
+    if (decision.admission == Admission::nothing || taken) return false;
     EffectorReply& reply = replies_[now + 1];
     reply.number = c.number;
     if (decision.admission == Admission::replay) {
@@ -82,6 +83,7 @@ class Line {
       reply.fault = decision.fault;
     }
     reply.macrostep = now + 1;
+    return true;
   }
 
   edp::Protocol protocol_;
@@ -126,6 +128,7 @@ TEST(EffectorClient, GoesBackToTheLostCommandAndKeepsTheOrder) {
 TEST(EffectorClient, LossDuplicationAndDelayNeverChangeWhatIsExecuted) {
   std::size_t executed = 0;
   int faults = 0, repeated = 0;
+  std::int64_t seen_twice = 0, lost = 0;
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     Line line({.loss = 0.01, .duplication = 0.02, .delay = 0.02, .max_delay = 4, .seed = seed});
     for (int k = 0; k < 2000 && !line.client.fault(); ++k) {
@@ -133,6 +136,8 @@ TEST(EffectorClient, LossDuplicationAndDelayNeverChangeWhatIsExecuted) {
       ASSERT_TRUE(line.in_order()) << "seed " << seed << " macrostep " << k;
     }
     executed += line.executed.size();
+    seen_twice += line.protocol().repeated();
+    lost += line.protocol().lost();
     for (const auto& [number, times] : line.attempts) repeated += times > 1;
     if (line.client.fault()) {
       ++faults;
@@ -145,6 +150,8 @@ TEST(EffectorClient, LossDuplicationAndDelayNeverChangeWhatIsExecuted) {
   }
   EXPECT_GT(executed, 70000U);
   EXPECT_GT(repeated, 1000);
+  EXPECT_GT(seen_twice, 1000);
+  EXPECT_GT(lost, 1000);
   EXPECT_LT(faults, 15);
 }
 
@@ -190,6 +197,46 @@ TEST(EffectorClient, ARefusalOfTheContentIsFinalAndNotRepeated) {
   EXPECT_EQ(line.executed.size(), 11U);
   for (const auto& [number, times] : line.attempts) EXPECT_EQ(times, 1);
   EXPECT_FALSE(line.client.fault());
+}
+
+TEST(EffectorClient, ALateCommandIsSentAgainForALaterMacrostepAndIsNoFailure) {
+  constexpr int kPatience = 20;
+  EffectorClient client(kSession, kPatience);
+  EffectorCommand sent = client.next({.instruction = Instruction::set}, 1);
+  EffectorReply nothing;
+  nothing.session = kSession;
+  nothing.expected = 1;
+  for (std::int64_t i = 2; i < 2 * kPatience; i += 2) {
+    nothing.macrostep = i;
+    client.see(nothing);
+    EXPECT_FALSE(client.fault()) << i;
+    sent = client.next({}, i + 1);
+    EXPECT_EQ(sent.number, 1);
+    EXPECT_EQ(sent.macrostep, i + 1);
+    nothing.macrostep = i + 1;
+    client.see(nothing);
+    client.next({}, i + 2);
+  }
+  nothing.macrostep = 2 * kPatience;
+  client.see(nothing);
+  ASSERT_TRUE(client.fault()) << "a link that carries nothing at all";
+  EXPECT_EQ(client.fault()->code, FaultCode::command_repeated_refused);
+}
+
+TEST(EffectorClient, AReplyAfterSkippedMacrostepsSaysWhatHasBeenExecuted) {
+  EffectorClient client(kSession, 50);
+  for (std::int64_t i = 1; i <= 3; ++i) client.next({.instruction = Instruction::set}, i);
+  EffectorReply reply;
+  reply.session = kSession;
+  reply.macrostep = 40;
+  reply.expected = 3;
+  client.see(reply);
+  EXPECT_FALSE(client.settled());
+  reply.macrostep = 80;
+  reply.expected = 4;
+  client.see(reply);
+  EXPECT_TRUE(client.settled());
+  EXPECT_EQ(client.next({.instruction = Instruction::set}, 81).number, 4);
 }
 
 TEST(EffectorClient, AnswersOfAnotherMacrostepSayNothing) {

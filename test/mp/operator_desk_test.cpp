@@ -105,7 +105,7 @@ TEST_F(Desk, ARefusalSaysWhyAndChangesNothing) {
   office.desk.set_state(TaskState::running, false);
   const auto a = office.order(7, static_cast<int>(trigger));
   EXPECT_FALSE(a.accepted);
-  EXPECT_EQ(link::get_text(a.text), "the present behaviour does not wait for a trigger");
+  EXPECT_EQ(link::get_text(a.text), "behaviour 0 does not wait for a trigger");
   const OperatorImage image = office.desk.take(5);
   EXPECT_EQ(image.trigger, 0);
   EXPECT_FALSE(image.paused);
@@ -136,6 +136,51 @@ TEST_F(Desk, TheSameOrderTwiceInAMacrostepIsOneOrder) {
   EXPECT_FALSE(office.accepts(trigger));
   office.desk.give(trigger);
   EXPECT_EQ(office.desk.take(10).trigger, 1);
+}
+
+TEST_F(Desk, ASecondTriggerDoesNotEndTheNextBehaviour) {
+  Office office;
+  office.desk.set_behaviour(2);
+  office.desk.set_state(TaskState::running, true);
+  EXPECT_TRUE(office.accepts(trigger));
+  EXPECT_EQ(office.desk.take(10).trigger, 1);
+  office.desk.set_behaviour(3);  // its entry has noted trigger 1
+  const auto a = office.order(77, static_cast<int>(trigger));
+  EXPECT_FALSE(a.accepted);
+  EXPECT_EQ(link::get_text(a.text), "behaviour 3 does not wait for a trigger");
+  EXPECT_FALSE(office.desk.give(trigger));
+  EXPECT_EQ(office.desk.take(11).trigger, 1);
+  office.desk.set_state(TaskState::running, true);
+  EXPECT_TRUE(office.accepts(trigger));
+  EXPECT_EQ(office.desk.take(12).trigger, 2);
+}
+
+TEST_F(Desk, ATriggerForABehaviourThatHasEndedIsDropped) {
+  Office office;
+  office.desk.set_behaviour(2);
+  office.desk.set_state(TaskState::running, true);
+  EXPECT_TRUE(office.accepts(trigger));
+  EXPECT_TRUE(office.accepts(pause));
+  office.desk.set_behaviour(2);  // still
+  office.desk.set_behaviour(3);  // ended by something else
+  const OperatorImage image = office.desk.take(11);
+  EXPECT_EQ(image.trigger, 0);
+  EXPECT_TRUE(image.paused) << "what is not for a behaviour stays";
+  const auto line = office.lines.take();
+  ASSERT_TRUE(line);
+  EXPECT_EQ(link::get_text(line->text),
+            "operator: the trigger came when behaviour 2 had ended, it is not obeyed");
+}
+
+TEST_F(Desk, AStopIsKnownBeforeItIsTaken) {
+  Office office;
+  office.desk.set_state(TaskState::running, false);
+  EXPECT_FALSE(office.desk.stop_accepted());
+  EXPECT_TRUE(office.accepts(stop));
+  EXPECT_TRUE(office.desk.stop_accepted());
+  EXPECT_FALSE(office.desk.stop_ordered());
+  office.desk.take(1);
+  EXPECT_TRUE(office.desk.stop_accepted());
 }
 
 TEST_F(Desk, OrdersOfAnotherSessionAreNotHeard) {

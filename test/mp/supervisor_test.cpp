@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <random>
+
 #include "mrroc/operator_order_t.hpp"
 
 namespace mrroc::mp {
@@ -196,6 +198,29 @@ TEST_F(SupervisorTest, DestructionEndsThreadsThatStillWait) {
   System s({{"one", {}, {}, counts(1000)}}, messages());
   s.supervisor.start_threads(s.hub);
   EXPECT_TRUE(s.mp.assemble());
+}
+
+TEST_F(SupervisorTest, RandomStatusesOfAStrangerDoNoHarm) {
+  System s({{"one", {}, {}, counts(3)}}, messages());
+  link::Outbox<process_status_t> stranger(s.mp.bus(), s.mp.route("one.status"), 1);
+  std::mt19937_64 random(3);
+  s.mp.report_done();
+  for (int k = 0; k < 200; ++k) {
+    process_status_t m{};
+    const auto number = [&] { return static_cast<std::int32_t>(random()); };
+    m.state = k % 3 == 0 ? number() : static_cast<int>(ProcessState::done);
+    m.n_hashes = number();
+    m.fault.code = number();
+    m.skipped = static_cast<std::int64_t>(random());
+    for (auto& h : m.hash)
+      for (auto& c : h.channel) c = static_cast<std::int8_t>(random());
+    if (m.state == static_cast<int>(ProcessState::faulted)) continue;
+    stranger.publish(m, 0);
+    s.mp.poll();
+    for (const PartStatus& p : s.supervisor.parts()) EXPECT_LE(p.state, ProcessState::dead);
+    std::ignore = s.supervisor.log_hash();
+  }
+  EXPECT_FALSE(s.supervisor.fault());
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 #include "test/system/started_task.hpp"
 #include "test/system/tables.hpp"
@@ -96,6 +98,32 @@ TEST(DrawingTask, CopiesTheArrowWithinAllItsBars) {
 TEST(DrawingTask, CopiesTwoShortStrokes) {
   const Folder folder;
   run_and_expect({"--drawing", folder.write("lines.svg", lines_svg(2)), "--size", "12"}, 2);
+}
+
+TEST(DrawingTask, LossDuplicationAndDelayOfCommandsDoNotSpoilTheDrawing) {
+  const Folder folder;
+  std::vector<std::string> arguments{"--processes", "one",
+                                     "--run-dir",   (folder / "run").string(),
+                                     "--drawing",   folder.write("lines.svg", lines_svg(2)),
+                                     "--size",      "12"};
+  for (const std::string arm : {"arm1", "arm2"})
+    for (const std::string fault : {"loss=0.002", "duplication=0.05", "delay=0.002"})
+      arguments.insert(arguments.end(), {"--set", "robots." + arm + ".command_link." + fault});
+  const auto end = run(folder, "drawing", arguments);
+  ASSERT_EQ(end.status, 0) << end.all();
+  // The arms lag behind the orders by what had to be repeated, so only the drawing itself is judged.
+  const auto s = summary(folder / "run");
+  EXPECT_EQ(s["outcome"], "done");
+  for (const auto& [key, bar] :
+       {std::pair{"copy_rms_mm", 0.5}, std::pair{"copy_max_mm", 1.5}, std::pair{"stray_ink_mm", 0.0},
+        std::pair{"strokes_missing", 0.0}, std::pair{"uncovered_mm", 0.0}})
+    expect_at_most(s["figures"], key, bar);
+  std::ifstream messages(folder / "run" / "messages.log");
+  const std::string text{std::istreambuf_iterator<char>(messages), {}};
+  for (const std::string arm : {"arm1", "arm2"}) {
+    EXPECT_NE(text.find(arm + ".command: "), std::string::npos) << text;
+    EXPECT_EQ(text.find(arm + ".command: 0 repeated"), std::string::npos) << "duplicates reach the protocol";
+  }
 }
 
 TEST(DrawingTask, CopiesCurvesArcsTransformsAndDots) {

@@ -5,9 +5,9 @@
 
 #include <random>
 
-#include "test/base/link/buses.hpp"
 #include "mrroc/operator_order_t.hpp"
 #include "mrroc/sensor_reading_t.hpp"
+#include "test/base/link/buses.hpp"
 
 namespace mrroc::link {
 namespace {
@@ -69,6 +69,18 @@ TEST(Channel, AnEmptyInboxHasNothingForAnyStamp) {
   Ends e;
   EXPECT_EQ(e.in.newest(), nullptr);
   for (const std::int64_t stamp : {0, 1, -1, 16}) EXPECT_EQ(e.in.at(stamp), nullptr);
+}
+
+TEST(Channel, NextIsTheOldestThatHasNotBeenMissed) {
+  Ends e;
+  EXPECT_EQ(e.in.next(0), nullptr);
+  for (const std::int64_t stamp : {3, 5, 6}) e.out.publish(message(100 + stamp), stamp);
+  EXPECT_EQ(e.in.next(1)->id, 103);
+  EXPECT_EQ(e.in.next(3)->id, 103);
+  EXPECT_EQ(e.in.next(4)->id, 105);
+  EXPECT_EQ(e.in.next(7), nullptr);
+  for (std::int64_t stamp = 7; stamp <= 40; ++stamp) e.out.publish(message(100 + stamp), stamp);
+  EXPECT_EQ(e.in.next(7)->id, 100 + 40 - Inbox<M>::kDepth + 1);
 }
 
 TEST(Channel, ForeignMalformedAndUnnumberedMessagesNeverAct) {

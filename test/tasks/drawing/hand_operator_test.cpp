@@ -41,9 +41,15 @@ struct Scene {
     const auto order = orders.take();
     EXPECT_TRUE(order);
     EXPECT_EQ(order->header.stamp, i);
+    // As the coordinator does in the first macrostep of a behaviour.
+    if (m != m_ && waits_) desk.set_state(TaskState::running, *waits_);
+    m_ = m;
     return *order;
   }
-  void running(bool waits = true) { desk.set_state(TaskState::running, waits); }
+  void running(bool waits = true) {
+    waits_ = waits;
+    desk.set_state(TaskState::running, waits);
+  }
 
   link::test::DirectBus bus;
   link::Process process;
@@ -53,6 +59,10 @@ struct Scene {
   link::Outbox<hand_report_t> reports;
   OperatorImage image;
   std::int64_t i{};
+
+ private:
+  int m_{-1};
+  std::optional<bool> waits_;
 };
 
 TEST(HandOperator, HandsDoWhatTheBehaviourAsksFor) {

@@ -1,0 +1,52 @@
+// How long a process waits for messages that must come, and what it says when they do not.
+#pragma once
+#include <chrono>
+#include <cstddef>
+#include <vector>
+
+#include "base/fault.hpp"
+#include "base/link/channel.hpp"
+
+namespace mrroc::link {
+
+/// A process that hangs is found by the supervisor after 10 s, see mp/supervisor.cpp; who waits for it speaks
+/// later, so that the better reason comes first. Sanitizers slow processes down without a bound.
+#ifdef MRROC_SANITIZED
+inline constexpr std::chrono::seconds kPatience{0};
+#else
+inline constexpr std::chrono::seconds kPatience{12};
+#endif
+
+/// The channels that somebody waits for.
+using Sources = std::vector<const InboxBase*>;
+
+/// One wait, from its construction on. Asks no clock but at its beginning.
+class Vigil {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// @param sources  must live longer than the vigil; its members may be null, and all of them may be
+  /// @param silent   the fault when nothing comes
+  /// @param patience 0: the wait has no end
+  Vigil(const Sources& sources, FaultCode silent, std::chrono::milliseconds patience);
+
+  /// @throws FaultError when the wait has been too long by now: malformed_message after a fifth of the
+  ///         patience when a channel brought only such messages meanwhile, `silent` after all of it
+  void check(Clock::time_point now) const;
+
+  /// @return when check() is to be called at the latest
+  [[nodiscard]] Clock::time_point deadline() const { return deadline_; }
+
+ private:
+  static constexpr std::size_t kMost = 8;  // sources whose counters are compared
+  [[nodiscard]] const InboxBase* find(bool malformed) const;
+
+  const Sources& sources_;
+  FaultCode silent_;
+  std::chrono::milliseconds patience_;
+  Clock::time_point begun_;
+  Clock::time_point deadline_;
+  std::array<Counters, kMost> before_{};
+};
+
+}  // namespace mrroc::link

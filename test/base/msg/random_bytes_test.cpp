@@ -1,0 +1,92 @@
+// Whatever comes from the network in the right size can be converted and told: no crash, no number that means
+// nothing where one is looked up.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "base/link/decode.hpp"
+#include "base/link/text.hpp"
+#include "base/msg/convert.hpp"
+#include "base/msg/finite.hpp"
+#include "mrroc/fault_t.hpp"
+#include "mrroc/hand_order_t.hpp"
+
+namespace mrroc {
+namespace {
+
+/// Calls see(m) for messages of type M whose fields are random bits.
+template <class M, class See>
+void with_random_bytes(See see) {
+  std::mt19937_64 random(7);
+  const int size = M{}.getEncodedSize();
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
+  for (int k = 0; k < 2000; ++k) {
+    M m{};
+    m.encode(bytes.data(), 0, size);
+    // The first eight bytes say what type it is.
+    for (std::size_t b = 8; b < bytes.size(); ++b)
+      if (k % 2 == 0 || random() % 4 == 0) bytes[b] = static_cast<std::uint8_t>(random());
+    ASSERT_EQ(m.decode(bytes.data(), 0, size), size);
+    see(m);
+  }
+}
+
+bool known(FaultCode code) { return fault_code(static_cast<std::int64_t>(code)).has_value(); }
+
+bool printable(const std::string& text) {
+  return std::ranges::all_of(text, [](char c) { return c >= ' ' && c < 127; });
+}
+
+TEST(RandomBytes, FaultsHaveACodeAndCanBePrinted) {
+  with_random_bytes<fault_t>([](const fault_t& m) {
+    const Fault f = from_message(m);
+    ASSERT_TRUE(known(f.code));
+    ASSERT_TRUE(printable(what_happened(f)));
+    ASSERT_FALSE(describe(f).empty());
+    std::ignore = exit_status(f.code);
+  });
+}
+
+TEST(RandomBytes, RepliesReportsAndCommandsAreConverted) {
+  with_random_bytes<effector_reply_t>([](const effector_reply_t& m) {
+    const EffectorReply r = from_message(m);
+    ASSERT_TRUE(known(r.fault.code));
+    ASSERT_FALSE(to_string(r.state).empty());
+    if (!finite(m)) return;
+    ASSERT_TRUE(std::ranges::all_of(r.T_0E, [](double x) { return std::isfinite(x); }));
+  });
+  with_random_bytes<agent_report_t>([](const agent_report_t& m) {
+    const Report r = from_message(m);
+    ASSERT_TRUE(known(r.fault.code));
+    ASSERT_FALSE(to_string(r.driver_state).empty());
+  });
+  with_random_bytes<effector_command_t>([](const effector_command_t& m) {
+    const EffectorCommand c = from_message(m);
+    ASSERT_EQ(c.number, m.number);
+    // Again into a message: the numbers of enumerators that do not exist are passed on as they are.
+    ASSERT_EQ(to_message(c).instruction, m.instruction);
+  });
+  with_random_bytes<agent_order_t>([](const agent_order_t& m) { ASSERT_FALSE(from_message(m).late); });
+}
+
+TEST(RandomBytes, WhatIsNotFiniteIsFound) {
+  hand_order_t order{};
+  EXPECT_TRUE(finite(order));
+  order.height[3] = std::nan("");
+  EXPECT_FALSE(finite(order));
+  agent_report_t report{};
+  EXPECT_TRUE(finite(report));
+  report.F_a[5] = -std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(finite(report));
+  effector_reply_t reply{};
+  EXPECT_TRUE(finite(reply));
+  reply.motors[7] = std::nan("");
+  EXPECT_FALSE(finite(reply));
+  step_sample_t sample{};
+  EXPECT_TRUE(finite(sample));
+  sample.T_0E[0] = std::nan("");
+  EXPECT_FALSE(finite(sample));
+}
+
+}  // namespace
+}  // namespace mrroc

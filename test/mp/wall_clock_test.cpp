@@ -1,0 +1,58 @@
+// With the wall clock nobody waits for what is late: whoever has been interrupted goes on with what is newest.
+#include <gtest/gtest.h>
+
+#include "test/mp/chain.hpp"
+
+namespace mrroc::mp {
+namespace {
+
+using test::Chain;
+
+/// Runs 40 macrosteps, the member interrupted in the fifteenth.
+Outcome run(Chain& chain, std::int64_t* macrosteps = nullptr) {
+  return chain.run(
+      60, [](std::int64_t) { return 0.001; },
+      [&](std::int64_t i, const Report&) {
+        if (i >= 15) chain.interrupt();
+        if (macrosteps) ++*macrosteps;
+      });
+}
+
+class Interrupted : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Interrupted, GoesOnAndTheTaskComesToItsEnd) {
+  Chain chain({}, ClockKind::wall);
+  chain.rests = GetParam();
+  chain.rest_for = std::chrono::milliseconds(400);  // more than the inboxes hold of the servo's messages
+  EXPECT_EQ(run(chain), Outcome::terminated) << chain.links.fault().text.view();
+  EXPECT_FALSE(chain.supervisor.fault());
+  EXPECT_NE(chain.lines().find("skipped"), std::string::npos) << chain.lines();
+}
+INSTANTIATE_TEST_SUITE_P(WallClock, Interrupted, ::testing::Values("world", "edp-arm1", "ecp-arm1"),
+                         [](const auto& member) {
+                           std::string name = member.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+TEST(WallClock, AWorldThatIsSilentForTooLongIsANamedFault) {
+  Chain chain({}, ClockKind::wall);
+  chain.rests = "world";
+  chain.rest_for = std::chrono::milliseconds(400);
+  chain.state_patience = 50;
+  EXPECT_NE(run(chain), Outcome::terminated);
+  ASSERT_TRUE(chain.supervisor.fault());
+  EXPECT_EQ(chain.supervisor.fault()->code, FaultCode::hardware_silent);
+  EXPECT_EQ(chain.supervisor.fault()->process.view(), "edp-arm1");
+}
+
+TEST(WallClock, AnArmWithoutOrdersHoldsAndSaysSo) {
+  Chain chain({}, ClockKind::wall);
+  chain.rests = "ecp-arm1";
+  chain.rest_for = std::chrono::milliseconds(200);
+  EXPECT_EQ(run(chain), Outcome::terminated);
+  EXPECT_NE(chain.lines().find("the arm comes to rest"), std::string::npos) << chain.lines();
+}
+
+}  // namespace
+}  // namespace mrroc::mp
