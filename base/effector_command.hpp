@@ -51,7 +51,8 @@ struct ArmCommand {
       frame{};  ///< behaviour, F_d, r'_d, I, B per axis of E; ignored in MIM; r'_d is ignored in TCIM-POSE
   std::uint16_t n_s{10};  ///< number_of_steps of the macrostep, 1..kMaxSteps
   std::uint16_t n_Q{9};   ///< value_in_step_no: the step of the reply, 1..n_s + 1
-  double gripper{};       ///< g_gd, distance between the jaws [m]; robots without a gripper ignore it
+  double gripper{};       ///< g_gd, desired distance between the jaws [m]; 0: as they are. Robots without a
+                          ///< gripper ignore it
 };
 /// Largest n_s.
 inline constexpr std::uint16_t kMaxSteps = 1000;

@@ -37,8 +37,9 @@ struct HardwareReading {
 struct HardwareCommand {
   std::int64_t step{};  ///< step of the reading that it answers
   std::array<double, kMaxAxes>
-      pwm{};       ///< duty cycle per motor in units of 1/255 of the supply, within [-255, 255]
-  bool enabled{};  ///< false: the drives brake
+      pwm{};            ///< duty cycle per motor in units of 1/255 of the supply, within [-255, 255]
+  bool enabled{};       ///< false: the drives of the axes brake
+  bool jaws_enabled{};  ///< false: the drive of the jaws brakes; a grip outlasts the rest of the arm
   std::int64_t commanded_until{};  ///< first step after the last commanded macrostep
   std::uint16_t outputs{};         ///< binary output lines of the robot controller; kept until changed
 };

@@ -14,6 +14,7 @@
 #include "bench/round_trip.hpp"
 #include "edp/driver.hpp"
 #include "robots/irb6/arm.hpp"
+#include "test/edp/guard_count.hpp"
 
 namespace mrroc::bench {
 namespace {
@@ -85,7 +86,7 @@ class Rig {
 
   [[nodiscard]] const edp::Driver& driver() const { return driver_; }
 
- private:
+  /// The driver of an arm that stands at its front pose.
   static edp::DriverParameters parameters(const irb6::Arm& arm) {
     edp::DriverParameters p;
     p.synchro_joints = arm.front();
@@ -93,6 +94,8 @@ class Rig {
     p.force.T_WS = arm.sensor_in_wrist();
     return p;
   }
+
+ private:
   void send(EffectorCommand c) {
     c.session = 1;
     c.number = ++number_;
@@ -157,10 +160,21 @@ StepCost measure_step() {
   return {median(step_us) - clock, median(ik_us) - clock, allocations};
 }
 
+/// @return steps with a set point beyond a limit, both arms together
+long set_point_violations(long steps) {
+  long violations = 0;
+  for (const irb6::ArmParameters& table : {irb6::kPostument, irb6::kTrack}) {
+    const irb6::Arm arm(table);
+    violations += edp::test::count_set_points(arm, Rig::parameters(arm), steps / 2, 1).violations;
+  }
+  return violations;
+}
+
 }  // namespace
 
 Figures run_edp_group() {
   const StepCost cost = measure_step();
+  const edp::test::InvalidCount invalid = edp::test::count_invalid(1'000'000, 1);
   auto ns = run_kinematics_benchmarks();
   const double ik = ns.at("inverse_kinematics/0");
   const RoundTrips trips = run_round_trips(kRoundTripPoses);
@@ -174,6 +188,10 @@ Figures run_edp_group() {
       {"ik_round_trip_fail", static_cast<double>(trips.failures), "",
        "all branches of 10^6 random poses: not reached, inexact, another branch, beyond limits"},
       {"ik_round_trip_err", trips.largest, "m, 1", "largest error of FK(IK(x)) there"},
+      {"invalid_executed", static_cast<double>(invalid.executed + invalid.changed), "",
+       "of 10^6 invalid commands, those executed or not without a trace"},
+      {"setpoint_violations", static_cast<double>(set_point_violations(10'000'000)), "",
+       "set points beyond a limit of speed or acceleration in 10^7 steps"},
       {"ik_ns", ik, "ns", "inverse kinematics, random poses, pedestal arm"},
       {"fk_ns", ns.at("direct_kinematics/0"), "ns", "direct kinematics"},
       {"ik_vs_kdl", ns.at("kdl_inverse_kinematics/0") / ik, "", "KDL's numeric solver over ours, same poses"},

@@ -51,6 +51,11 @@ Driver::Driver(const Robot& robot, const DriverParameters& parameters)
       homing_(robot, parameters.homing, parameters.dt) {
   const AxisVector zero = AxisVector::Zero(robot.axes());
   measured_ = {zero, zero, zero, p_.dt, {}, {}, {}};
+  if (p_.gripper) {
+    if (robot.axes() >= kMaxAxes)
+      throw FaultError(FaultCode::bad_configuration, "driver: there is no room for the motor of the jaws");
+    gripper_.emplace(*p_.gripper, p_.dt);
+  }
   generator_.set_position_known(false);
   model_.kinematic_model = static_cast<std::uint16_t>(robot.model());
   model_.weight = p_.force.weight;
@@ -98,7 +103,17 @@ HardwareCommand Driver::drive(const HardwareReading& reading) noexcept {
   } else {
     servo_.braked(measured_.increment);
   }
+  drive_jaws(command);
   return command;
+}
+
+void Driver::drive_jaws(HardwareCommand& command) noexcept {
+  if (!gripper_) return;
+  command.jaws_enabled = state_ != DriverState::faulted && (gripper_->known() || gripper_->homing());
+  if (command.jaws_enabled)
+    command.pwm[static_cast<std::size_t>(robot_->axes())] = gripper_->step();
+  else
+    gripper_->braked();
 }
 
 AxisVector Driver::preload() noexcept {
@@ -157,16 +172,24 @@ void Driver::home(const HardwareReading& reading) noexcept {
     set_position_known();
     generator_.stand_at(motors);
     preload_share_ = 1;  // the brakes have held the arm until now
+    if (gripper_) gripper_->believe(p_.jaws, reading.encoder[static_cast<std::size_t>(robot_->axes())]);
     return;
   }
-  if (const std::optional<Fault> wrong = homing_.step(reading)) return trip(*wrong);
-  if (!homing_.done()) return;
+  if (!homing_.done())
+    if (const std::optional<Fault> wrong = homing_.step(reading)) return trip(*wrong);
+  if (!homing_.done() || !home_jaws()) return;
   // The regulators go on without a jolt: the set point keeps its distance from the shafts.
   const AxisVector lag = generator_.set_point().axes.motors - encoders_.motors(reading);
   for (int k = 0; k < robot_->axes(); ++k)
     encoders_.set_zero(k, homing_.count(k), p_.homing.axis[static_cast<std::size_t>(k)].position);
   set_position_known();
   generator_.stand_at(encoders_.motors(reading) + lag);
+}
+
+bool Driver::home_jaws() noexcept {
+  if (!gripper_ || gripper_->known()) return true;
+  if (!gripper_->homing()) gripper_->start_homing();
+  return false;
 }
 
 void Driver::set_position_known() noexcept {
@@ -188,6 +211,11 @@ void Driver::stand_where_measured() noexcept {
 }
 
 void Driver::supervise(const HardwareReading& reading) noexcept {
+  if (gripper_) {
+    const auto jaws = static_cast<std::size_t>(robot_->axes());
+    const std::optional<Fault> wrong = gripper_->measure(reading.encoder[jaws], reading.current[jaws]);
+    if (wrong && state_ != DriverState::faulted) trip(*wrong);
+  }
   if (state_ == DriverState::faulted || (!position_known_ && braked())) return;
   const DriveObservation drives{generator_.set_point().axes.motors, measured_.motors, measured_.increment,
                                 measured_.time};

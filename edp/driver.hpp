@@ -126,6 +126,7 @@ class Driver {
   [[nodiscard]] std::optional<Fault> execute(const EffectorCommand& command) noexcept;
   [[nodiscard]] std::optional<Fault> check(const EffectorCommand& command) const noexcept;
   [[nodiscard]] std::optional<Fault> check_state(const EffectorCommand& command) const noexcept;
+  [[nodiscard]] std::optional<Fault> check_jaws(double distance) const noexcept;
   [[nodiscard]] std::optional<Fault> start_motion(const EffectorCommand& command, const Pose& T_WE) noexcept;
   void set_model(const RobotModel& model) noexcept;
   void start_homing() noexcept;
@@ -134,7 +135,9 @@ class Driver {
   void end_macrostep() noexcept;
   void measure(const HardwareReading& reading) noexcept;
   void home(const HardwareReading& reading) noexcept;
+  [[nodiscard]] bool home_jaws() noexcept;
   void set_position_known() noexcept;
+  void drive_jaws(HardwareCommand& command) noexcept;
   void reset() noexcept;
   void supervise(const HardwareReading& reading) noexcept;
   void adjust_force(const HardwareReading& reading, bool stood) noexcept;
@@ -157,6 +160,7 @@ class Driver {
   StepGenerator generator_;
   Servo servo_;
   Homing homing_;
+  std::optional<Gripper> gripper_;
   Protocol protocol_;
   CurrentMeter currents_;
   RobotModel model_;  // what was set last; the tool is the generator's

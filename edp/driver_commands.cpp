@@ -107,6 +107,7 @@ std::optional<Fault> Driver::start_motion(const EffectorCommand& command, const 
   }
   n_ = std::max(command.arm.n_s, command.arm.n_Q);
   n_Q_ = command.arm.n_Q;
+  if (gripper_ && gripper_->known() && command.arm.gripper != 0) gripper_->set_distance(command.arm.gripper);
   motion_event_ = is_jog(command) ? Event::jog : Event::arm;
   return {};
 }
@@ -140,9 +141,16 @@ std::optional<Fault> Driver::check(const EffectorCommand& command) const noexcep
   if (has(set, Part::arm)) {
     if (fault_) return fault_;  // the arm is still on its way to rest, or nobody knows yet why
     if (std::optional<Fault> wrong = check_arm(command.arm, robot_->axes(), p_.limits)) return wrong;
+    if (std::optional<Fault> wrong = check_jaws(command.arm.gripper)) return wrong;
   }
   if (has(set, Part::robot_model)) return check_model(command.robot_model, *robot_, p_.limits);
   return {};
+}
+
+std::optional<Fault> Driver::check_jaws(double distance) const noexcept {
+  if (!gripper_ || distance == 0) return {};
+  if (!gripper_->known()) return make_fault(FaultCode::not_synchronised, "distance of the jaws");
+  return check_distance(gripper_->parameters(), distance);
 }
 
 std::optional<Fault> Driver::check_state(const EffectorCommand& command) const noexcept {

@@ -7,6 +7,7 @@
 #include "base/pose.hpp"
 #include "base/spatial.hpp"
 #include "edp/deceleration.hpp"
+#include "edp/gripper.hpp"
 #include "edp/limits.hpp"
 #include "edp/servo_coefficients.hpp"
 
@@ -70,7 +71,9 @@ struct DriverParameters {
   AxisVector synchro_joints;  ///< joints at which SYNCHRO finds the arm [rad], track [m]; one per axis. Only
                               ///< for known_pose
   HomingParameters homing;
-  Pose T_WE;  ///< tool in the wrist until SET ROBOT_MODEL says otherwise
+  std::optional<GripperParameters> gripper;  ///< none: the robot has no motor-driven jaws
+  double jaws{0.074};  ///< distance at which SYNCHRO finds the jaws [m]. Only for known_pose
+  Pose T_WE;           ///< tool in the wrist until SET ROBOT_MODEL says otherwise
   ForceSensorParameters force;
   Limits limits;
   SupervisionParameters supervision;

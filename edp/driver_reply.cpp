@@ -45,6 +45,10 @@ void Driver::answer(const HardwareReading& reading) noexcept {
   std::copy_n(measured_.joints.data(), measured_.joints.size(), reply_.joints.begin());
   std::copy_n(measured_.motors.data(), measured_.motors.size(), reply_.motors.begin());
   reply_.current = current;
+  if (gripper_) {
+    reply_.gripper = gripper_->distance();
+    reply_.blocked = gripper_->blocked();
+  }
   if (has(answer_.parts, Part::robot_model)) report_model(reply_);
   if (has(answer_.parts, Part::io)) {
     reply_.inputs = reading.inputs;

@@ -96,6 +96,8 @@ ArmParameters read_arm(const Config& config, const std::string& key, ArmModel fa
   arm.pen_radius = sim.number("pen_radius", arm.pen_radius, {0.0005, 0.02}, "m");
   arm.start_height = sim.number("start_height", arm.start_height, {0.005, 0.1}, "m");
   read_switches(robot.section("switches"), arm.switches);
+  if (robot.choice("gripper", false, {{"none", false}, {"two_jaw", true}})) arm.jaws = JawParameters{};
+  arm.object = robot.number("object", 0, {0, 0.09}, "m between the jaws, 0: nothing");
   arm.lines.loop_back = robot.flag("lines.loop_back", arm.lines.loop_back);
   arm.lines.inputs = static_cast<std::uint16_t>(robot.integer("lines.inputs", 0, {0, 65535}, "bit mask"));
   arm.start = robot.list("start_joints", std::vector<double>{}, {-10, 10}, "rad, m");

@@ -76,6 +76,7 @@ Hand& World::hand(int arm) { return impl_->arm(arm).hand(); }
 const AxisVector& World::start_joints(int arm) const { return impl_->arm(arm).start_joints(); }
 const ArmTruth& World::truth(int arm) const { return impl_->arm(arm).truth(); }
 const std::vector<InkPoint>& World::ink(int arm) const { return impl_->arm(arm).ink().points(); }
+void World::set_object(int arm, double width) { impl_->arm(arm).set_object(width); }
 void World::new_sheet(int arm) { impl_->arm(arm).ink().clear(); }
 
 std::uint64_t World::state_hash() const {

@@ -14,6 +14,7 @@
 #include "robots/irb6/parameters.hpp"
 #include "sim/force_sensor.hpp"
 #include "sim/hand.hpp"
+#include "sim/jaws.hpp"
 #include "sim/motor.hpp"
 #include "sim/paper.hpp"
 #include "sim/plate.hpp"
@@ -50,6 +51,8 @@ struct ArmParameters {
   PaperParameters paper;
   PlateParameters plate;
   HandParameters hand;
+  std::optional<JawParameters> jaws;  ///< none: a tool without motor-driven jaws
+  double object{};                    ///< width of what is between the jaws after reset() [m], 0: nothing
   std::array<SwitchParameters, kMaxAxes> switches{};  ///< for homing, one per motor
   LineParameters lines;
   std::vector<double> start;  ///< joints after reset() [rad], track [m], one per axis; empty: the pen stands
@@ -81,6 +84,8 @@ struct ArmTruth {
   Wrench S_F{};  ///< load on the sensor before its electronics, mean over the step, in S
   Vector3 hand_force{Vector3::Zero()};  ///< of the operator on the tip, mean over the step, in the base [N]
   double paper_force{};                 ///< normal force of the pen on the paper, mean over the step [N]
+  double jaws{};                        ///< distance between the jaws [m]
+  double jaw_force{};                   ///< with which they hold something or press on their stops [N]
   double pen_height{};  ///< of the pen's lowest point above the paper [m], negative: pressed in
 };
 
@@ -126,6 +131,9 @@ class World {
 
   /// @return the ink on the arm's sheet, for figures and run folders
   [[nodiscard]] const std::vector<InkPoint>& ink(int arm) const;
+
+  /// Puts something between the jaws of the arm, or takes it away. @param width [m], 0: nothing
+  void set_object(int arm, double width);
 
   /// Puts a clean sheet before the arm.
   void new_sheet(int arm);

@@ -287,6 +287,7 @@ drive_command_t to_message(const HardwareCommand& c) {
   drive_command_t m{};
   copy(c.pwm, m.pwm);
   m.enabled = c.enabled;
+  m.jaws_enabled = c.jaws_enabled;
   m.commanded_until = c.commanded_until;
   m.outputs = static_cast<std::int16_t>(c.outputs);
   return m;
@@ -297,6 +298,7 @@ HardwareCommand from_message(const drive_command_t& m) {
   c.step = m.header.stamp;
   copy(m.pwm, c.pwm);
   c.enabled = m.enabled != 0;
+  c.jaws_enabled = m.jaws_enabled != 0;
   c.commanded_until = m.commanded_until;
   c.outputs = static_cast<std::uint16_t>(m.outputs);
   return c;

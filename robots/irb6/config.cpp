@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "robots/gripper/jaws.hpp"
 #include "robots/irb6/homing.hpp"
 
 namespace mrroc::irb6 {
@@ -38,6 +39,25 @@ Pose read_pose(const Config& table, std::string_view key, const Pose& fallback) 
   return pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(r.data()));
 }
 
+void read_limits(const Config& table, const Arm& arm, edp::Limits& limits) {
+  limits.linear_acceleration =
+      table.number("limits.linear_acceleration", limits.linear_acceleration, {0.1, 1000}, "m/s^2");
+  limits.angular_acceleration =
+      table.number("limits.angular_acceleration", limits.angular_acceleration, {0.5, 5000}, "rad/s^2");
+  limits.motor_acceleration =
+      table.number("limits.motor_acceleration", limits.motor_acceleration, {100, 125'000}, "rad/s^2");
+  const auto force =
+      table.numbers<6>("limits.contact_force", arm.parameters().force_limit, {0, 1000}, "N, N m");
+  std::ranges::copy(force, limits.contact_force.v.begin());
+  // Lower and upper corner; empty: no workspace but the reach.
+  const auto box = table.list("limits.workspace", std::vector<double>{}, {-10, 10}, "m");
+  if (box.empty()) return;
+  if (box.size() != 6 || box[0] >= box[3] || box[1] >= box[4] || box[2] >= box[5])
+    throw FaultError(FaultCode::bad_configuration,
+                     "limits.workspace: six numbers, the lower corner x y z and then the upper one [m]");
+  limits.workspace = edp::Box{{box[0], box[1], box[2]}, {box[3], box[4], box[5]}};
+}
+
 }  // namespace
 
 DriverSetup read_driver(const Config& config, const std::string& key, std::string_view model,
@@ -56,12 +76,14 @@ DriverSetup read_driver(const Config& config, const std::string& key, std::strin
       table.number("limits.linear_velocity", d.limits.linear_velocity, {0.001, 2}, "m/s");
   d.limits.angular_velocity =
       table.number("limits.angular_velocity", d.limits.angular_velocity, {0.001, 5}, "rad/s");
+  read_limits(table, *s.arm, d.limits);
   d.force.T_WS = read_pose(table, "sensor_in_wrist", s.arm->sensor_in_wrist());
   d.force.average = table.integer("force_average", d.force.average, {1, 4}, "readings");
   d.force.low_pass = table.number("force_low_pass", d.force.low_pass, {0, 250}, "Hz, 0: none");
   d.force.stuck_after =
       table.integer("force_stuck_after", kStuckAfter, {0, 10'000}, "equal readings, 0: never");
   d.T_WE = read_pose(table, "tool.pose", s.arm->tool_in_wrist());
+  if (table.choice("gripper", false, {{"none", false}, {"two_jaw", true}})) d.gripper = gripper::two_jaw();
   d.homing = homing_of(s.arm->parameters());
   using enum edp::Synchronisation;
   d.synchronisation = table.choice("synchro", synchro_joints.empty() ? homing : known_pose,

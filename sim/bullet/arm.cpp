@@ -94,6 +94,7 @@ SimulatedArm::SimulatedArm(const ArmParameters& p, Scene& scene, double h, int s
                      reflected_inertia(*robot_, p, start_joints_), tool_mass(p, scene))),
       brakes_(std::make_unique<Brakes>(*arm_.body, brake_torques(p), h)),
       load_(arm_, scene.gravity(), h),
+      jaw_encoder_(gripper::two_jaw().increments_per_rad, 0.5),
       sensor_(p.sensor, seed),
       hand_(p.hand, p.paper, seed + 1),
       ink_(p.paper),
@@ -104,6 +105,8 @@ SimulatedArm::SimulatedArm(const ArmParameters& p, Scene& scene, double h, int s
   for (int k = 0; k < arm_.joints; ++k)
     encoders_.emplace_back(robot_->axis(k).increments_per_rad, phase(random));
 
+  if (p.jaws) jaws_.emplace(*p.jaws, h);
+  set_object(p.object);
   scene_.dynamics().addMultiBody(arm_.body.get());
   add_pen();
   set_joints(*arm_.body, start_joints_);
@@ -152,6 +155,9 @@ void SimulatedArm::read_joints() {
 
 void SimulatedArm::begin_step(const HardwareCommand* command) {
   if (command) outputs_ = command->outputs;
+  jaw_pwm_ = command ? command->pwm[static_cast<std::size_t>(arm_.joints)] : 0;
+  jaws_enabled_ = command && command->jaws_enabled && std::isfinite(jaw_pwm_);
+  if (jaws_) jaws_->begin_step();
   read_joints();
   motors_per_joints_ = robot_->transmission().jacobian(truth_.joints);
   if (command && usable(*command)) {
@@ -178,6 +184,8 @@ void SimulatedArm::push() {
   }
   const AxisVector joint_torques = motors_per_joints_.transpose() * torques;
   for (int k = 0; k < arm_.joints; ++k) arm_.body->addJointTorque(k, joint_torques[k]);
+
+  if (jaws_) jaws_->step(jaw_pwm_, jaws_enabled_, share_);
 
   const ToolMotion& tool = load_.motion();
   const Vector3 tip_B = T_BU_ * (tool.T_UG * arm_.T_GE.p);
@@ -215,6 +223,13 @@ void SimulatedArm::measure(std::int64_t step) {
     reading_.switches[i] = read_switches(p_.switches[i], motors[k], before, robot_->axis(k).motor);
   }
   motors_ = motors;
+  if (jaws_) {
+    const auto i = static_cast<std::size_t>(arm_.joints);
+    reading_.encoder[i] = jaw_encoder_.count(jaws_->turned());
+    reading_.current[i] = jaws_->current();
+    truth_.jaws = jaws_->distance();
+    truth_.jaw_force = jaws_->force();
+  }
   reading_.inputs = p_.lines.inputs;
   if (p_.lines.loop_back) reading_.inputs = static_cast<std::uint16_t>(reading_.inputs | outputs_);
 }

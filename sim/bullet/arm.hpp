@@ -40,6 +40,9 @@ class SimulatedArm {
   [[nodiscard]] const AxisVector& start_joints() const { return start_joints_; }
   Hand& hand() { return hand_; }
   Ink& ink() { return ink_; }
+  void set_object(double width) {
+    if (jaws_) jaws_->set_object(width);
+  }
 
   /// Calls take(double) with every number of the mechanical state.
   template <class Take>
@@ -73,6 +76,8 @@ class SimulatedArm {
   ToolLoad load_;
   std::array<ShaftFriction, kMaxAxes> friction_{};
   std::vector<Encoder> encoders_;
+  std::optional<Jaws> jaws_;
+  Encoder jaw_encoder_;
   ForceSensor sensor_;
   Hand hand_;
   Ink ink_;
@@ -81,6 +86,8 @@ class SimulatedArm {
   std::unique_ptr<btMultiBodyLinkCollider> collider_;
 
   HardwareCommand command_{};
+  double jaw_pwm_{};
+  bool jaws_enabled_{};
   std::uint16_t outputs_{};  // of the last command: lines stay as they are while the drives brake
   AxisVector motors_;        // at the end of the step before [rad]
   AxisMatrix motors_per_joints_;

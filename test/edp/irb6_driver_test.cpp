@@ -9,6 +9,7 @@
 #include "edp/driver.hpp"
 #include "robots/irb6/arm.hpp"
 #include "test/base/random_pose.hpp"
+#include "test/edp/guard_count.hpp"
 
 namespace mrroc::edp {
 namespace {
@@ -121,6 +122,21 @@ TEST_P(Irb6Driver, ReachesPosesInTheTaskFrameAndThroughTheMotors) {
     const AxisVector& q = driver.set_point().axes.joints;
     EXPECT_LT(distance(arm->forward(q) * parameters().T_WE, target), 1e-9);
   }
+}
+
+TEST_P(Irb6Driver, SetPointsStayWithinTheLimitsOfSpeedAndAccelerationWhateverIsCommanded) {
+  DriverParameters p = parameters();
+  p.limits = {};
+#ifdef MRROC_SANITIZED
+  const test::SetPointCount count = test::count_set_points(*arm, p, 20'000, 4);
+#else
+  const test::SetPointCount count = test::count_set_points(*arm, p, 500'000, 4);
+#endif
+  EXPECT_EQ(count.violations, 0);
+  EXPECT_GT(count.moving, count.steps / 3);
+  EXPECT_GT(count.speed, 0.5) << "the limits must have been near";
+  EXPECT_GT(count.acceleration, 0.5);
+  EXPECT_GT(count.tip_speed, 0.9);
 }
 
 INSTANTIATE_TEST_SUITE_P(BothArms, Irb6Driver, testing::Values("irb6_postument", "irb6_track"));

@@ -237,6 +237,7 @@ TEST(Convert, EverythingElseSurvivesTheWire) {
     HardwareCommand drive;
     fill(drive.pwm);
     drive.enabled = flag();
+    drive.jaws_enabled = flag();
     drive.commanded_until = bits<std::int64_t>();
     drive.outputs = bits<std::uint16_t>();
     expect_round_trip(drive, [](const drive_command_t& m) { return from_message(m); });

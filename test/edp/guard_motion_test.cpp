@@ -1,0 +1,142 @@
+// Limits of acceleration, workspace and contact force: refused as a command, brought to rest as a set point.
+#include <gtest/gtest.h>
+
+#include "edp/guard.hpp"
+#include "test/edp/random_command.hpp"
+
+namespace mrroc::edp::test {
+namespace {
+
+TEST(GuardMotion, AccelerationUpToTheLimitIsLegal) {
+  Limits limits;
+  limits.motor_acceleration = 100;
+  AxisVector before = AxisVector::Zero(2), after = before;
+  after[1] = 0.2;
+  EXPECT_FALSE(check_motor_acceleration(before, after, 0.002, limits));
+  after[1] = -0.201;
+  const Objection wrong = check_motor_acceleration(before, after, 0.002, limits);
+  ASSERT_TRUE(wrong);
+  EXPECT_EQ(wrong->code, FaultCode::excessive_acceleration);
+  EXPECT_EQ(wrong->axis, 1);
+  EXPECT_NEAR(wrong->value, 100.5, 1e-9);
+  after[1] = std::nan("");
+  EXPECT_TRUE(check_motor_acceleration(before, after, 0.002, limits));
+}
+
+TEST(GuardMotion, StepOfVelocityBeyondTheLimitIsRefusedAndASmallerOneIsNot) {
+  DriverParameters p = Rig::parameters();
+  p.limits.linear_acceleration = 10;
+  p.limits.angular_acceleration = 50;
+  for (const double direction : {1., -1.}) {
+    Rig rig(p);
+    rig.synchronise();
+    const EffectorReply reply = rig.macrostep(rig.velocity({u(), u(direction * 0.0201), u(), u(), u(), u()}));
+    EXPECT_EQ(reply.verdict, Verdict::refused);
+    EXPECT_EQ(reply.fault.code, FaultCode::excessive_acceleration);
+    EXPECT_EQ(reply.fault.axis, 1);
+    rig.number = rig.driver.protocol().expected() - 1;
+    for (double v = 0.0199; v < 0.1; v += 0.0199)
+      ASSERT_EQ(rig.macrostep(rig.velocity({u(), u(direction * v), u(), u(), u(), u()})).verdict,
+                Verdict::executed);
+    EXPECT_EQ(rig.macrostep(rig.velocity({u(), u(-direction * 0.08), u(), u(), u(), u()})).verdict,
+              Verdict::refused);
+    EXPECT_EQ(rig.silence(5).state, DriverState::holding) << "the stop is within the limit";
+  }
+}
+
+TEST(GuardMotion, MotorMotionsAreBoundAtTheirBeginningAndBeforeTheirPassiveStep) {
+  DriverParameters p = Rig::parameters();
+  p.limits.motor_acceleration = 5000;  // 10 rad/s in a step
+  Rig rig(p);
+  rig.synchronise();
+  EXPECT_EQ(rig.macrostep(rig.jog({2.1}, 100)).fault.code, FaultCode::excessive_acceleration);
+  rig.number = rig.driver.protocol().expected() - 1;
+  EXPECT_EQ(rig.macrostep(rig.jog({1.9}, 100)).verdict, Verdict::executed);
+  EXPECT_EQ(rig.macrostep(rig.jog({3.8}, 100)).verdict, Verdict::executed);
+  EffectorCommand c = rig.jog({3.8}, 100);
+  c.arm.n_Q = 101;
+  EXPECT_EQ(rig.macrostep(c).fault.code, FaultCode::excessive_acceleration);
+}
+
+TEST(GuardMotion, ForceThatWouldJerkTheSetPointBringsItToRest) {
+  DriverParameters p = Rig::parameters();
+  p.limits.linear_acceleration = 5;
+  Rig rig(p);
+  rig.synchronise();
+  const EffectorCommand soft = rig.velocity({u(), u(), c(0, 1, 0.01), u(), u(), u()});
+  EXPECT_EQ(rig.macrostep(soft).verdict, Verdict::executed);
+  rig.world.sensor_offset[Axis::z] = 20;
+  const EffectorReply reply = rig.macrostep(rig.velocity(soft.arm.frame));
+  EXPECT_EQ(reply.verdict, Verdict::failed);
+  EXPECT_EQ(reply.fault.code, FaultCode::excessive_acceleration);
+}
+
+TEST(GuardMotion, NothingLeavesTheWorkspaceAndTheWayBackIsFree) {
+  std::mt19937_64 random(5);
+  DriverParameters p = Rig::parameters();
+  p.limits.workspace = Box{{-0.1, -0.1, 0}, {0.12, 0.1, 0.2}};
+  int stopped = 0;
+  for (int run = 0; run < 100; ++run) {
+    Rig rig(p);
+    rig.synchronise();
+    rig.after_each_step = [&] {
+      const Vector3& at = rig.driver.set_point().T_0E.p;
+      EXPECT_TRUE((at - p.limits.workspace->lower).minCoeff() > -1e-4 &&
+                  (p.limits.workspace->upper - at).minCoeff() > -1e-4)
+          << at.transpose();
+    };
+    const Vector3 v = 0.3 * random_direction(random);
+    TaskFrameCommand frame{u(v.x()), u(v.y()), u(v.z()), u(), u(), u(run % 2)};
+    EffectorReply reply;
+    for (int k = 0; k < 100 && rig.driver.state() != DriverState::holding; ++k)
+      reply = rig.macrostep(rig.velocity(frame));
+    stopped += reply.fault.code == FaultCode::outside_workspace;
+    rig.silence(10);
+    for (const Axis a : kAxes) frame[a].velocity *= -0.5;
+    EXPECT_EQ(rig.macrostep(rig.velocity(frame)).verdict, Verdict::executed);
+  }
+  EXPECT_EQ(stopped, 100);
+}
+
+TEST(GuardMotion, PoseOutsideTheWorkspaceIsRefusedWhateverTheInterpolation) {
+  DriverParameters p = Rig::parameters();
+  p.limits.workspace = Box{{-0.1, -0.1, 0}, {0.12, 0.1, 0.2}};
+  for (const Interpolation mu : {Interpolation::mim, Interpolation::tcim_pose}) {
+    Rig rig(p);
+    rig.synchronise();
+    ArmCommand a;
+    a.mu = mu;
+    a.n_s = a.n_Q = 1000;
+    a.representation = Representation::xyz_angle_axis;
+    a.pose = {0.05, 0.11, 0.1};
+    const EffectorReply reply = rig.macrostep(rig.set_arm(a));
+    EXPECT_EQ(reply.fault.code, FaultCode::outside_workspace);
+    EXPECT_EQ(reply.fault.axis, 1);
+    EXPECT_EQ(reply.fault.limit, 0.1);
+  }
+}
+
+TEST(GuardMotion, ContactForceAboveItsLimitStopsMotionIntoTheContactAndNoOther) {
+  for (const bool in_motors : {true, false}) {
+    Rig rig;
+    rig.synchronise();
+    rig.world.stiffness[0] = 5000;  // 65 N after 13 mm
+    const auto push = [&](double speed) {
+      if (in_motors) return rig.jog({-400 * speed * 0.02}, 10);  // the motor turns against its joint
+      return rig.velocity({u(speed), u(), u(), u(), u(), u()});
+    };
+    EffectorReply reply;
+    for (int k = 0; k < 100 && reply.fault.code == FaultCode::none; ++k) reply = rig.macrostep(push(0.05));
+    EXPECT_EQ(reply.fault.code, FaultCode::force_limit);
+    EXPECT_EQ(reply.fault.axis, 0);
+    EXPECT_GT(reply.fault.value, 65);
+    EXPECT_LT(reply.fault.value, 66);
+    rig.silence(10);
+    EXPECT_EQ(rig.macrostep(push(0.05)).verdict, Verdict::failed);
+    rig.silence(10);
+    EXPECT_EQ(rig.macrostep(push(-0.05)).verdict, Verdict::executed) << "away from the contact";
+  }
+}
+
+}  // namespace
+}  // namespace mrroc::edp::test

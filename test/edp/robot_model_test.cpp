@@ -1,0 +1,125 @@
+// ROBOT_MODEL, INPUTS and OUTPUTS: what is set is what the driver works with and tells.
+#include <gtest/gtest.h>
+
+#include "test/edp/rig.hpp"
+
+namespace mrroc::edp::test {
+namespace {
+
+constexpr auto kModel = static_cast<std::uint8_t>(Part::robot_model);
+
+EffectorCommand set_model(Rig& rig, const RobotModel& model) {
+  EffectorCommand c = rig.command(Instruction::set);
+  c.set = kModel;
+  c.robot_model = model;
+  return c;
+}
+EffectorReply get_model(Rig& rig, Representation tool = Representation::frame) {
+  EffectorCommand c = rig.command(Instruction::get);
+  c.get = kModel;
+  c.get_tool_representation = tool;
+  return rig.macrostep(c);
+}
+
+TEST(RobotModel, ToolIsToldInEachOfItsRepresentations) {
+  const Pose T_WE{rotation_from_angle_axis({0.1, -0.7, 0.4}), {0.01, -0.02, 0.2}};
+  for (const Representation set :
+       {Representation::frame, Representation::xyz_euler_zyz, Representation::xyz_angle_axis})
+    for (const Representation got :
+         {Representation::frame, Representation::xyz_euler_zyz, Representation::xyz_angle_axis}) {
+      Rig rig;
+      rig.synchronise();
+      RobotModel m;
+      m.set_tool = true;
+      m.tool_representation = set;
+      m.tool = numbers_from_pose(set, T_WE);
+      EXPECT_EQ(rig.macrostep(set_model(rig, m)).verdict, Verdict::executed);
+      const EffectorReply reply = get_model(rig, got);
+      EXPECT_EQ(reply.parts, kModel);
+      EXPECT_EQ(reply.robot_model.tool_representation, got);
+      const std::optional<Pose> told = pose_from_numbers(got, reply.robot_model.tool);
+      ASSERT_TRUE(told);
+      EXPECT_LT((told->p - T_WE.p).norm() + (told->R - T_WE.R).norm(), 1e-12);
+    }
+}
+
+TEST(RobotModel, ForceToolIsToldAsItWasSet) {
+  Rig rig;
+  rig.synchronise();
+  RobotModel m;
+  m.set_force_tool = true;
+  m.weight = 7;
+  m.mass_centre = {0.01, 0.02, 0.03};
+  rig.macrostep(set_model(rig, m));
+  const RobotModel told = get_model(rig).robot_model;
+  EXPECT_EQ(told.weight, 7);
+  EXPECT_EQ(told.mass_centre, m.mass_centre);
+}
+
+TEST(RobotModel, ServoAlgorithmOfEveryMotorIsChosenByItself) {
+  Rig rig;
+  rig.synchronise();
+  RobotModel m;
+  m.set_servo_algorithm = 0b010110;
+  m.servo_algorithm = {1, 1, 1, 1, 1, 1};
+  m.servo_parameter_set = {0, 1, 0, 0, 1, 0};
+  const RobotModel before = get_model(rig).robot_model;
+  EXPECT_EQ(rig.macrostep(set_model(rig, m)).verdict, Verdict::executed);
+  const RobotModel told = get_model(rig).robot_model;
+  EXPECT_EQ(told.set_servo_algorithm, 0b111111);
+  for (std::size_t k = 0; k < FakeArm::kAxes; ++k) {
+    const bool chosen = (m.set_servo_algorithm >> k & 1) != 0;
+    EXPECT_EQ(told.servo_algorithm[k], chosen ? m.servo_algorithm[k] : before.servo_algorithm[k]) << k;
+    EXPECT_EQ(told.servo_parameter_set[k], chosen ? m.servo_parameter_set[k] : before.servo_parameter_set[k])
+        << k;
+  }
+}
+
+TEST(RobotModel, UnknownNumbersAreRefusedAndNothingOfTheCommandIsDone) {
+  for (const int wrong : {0, 1, 2}) {
+    Rig rig;
+    rig.synchronise();
+    RobotModel m;
+    m.set_force_tool = true;
+    m.weight = 5;
+    if (wrong == 0) m.set_kinematic_model = true, m.kinematic_model = 9;
+    if (wrong == 1) m.set_servo_algorithm = 4, m.servo_algorithm[2] = 200;
+    if (wrong == 2) m.set_servo_algorithm = 4, m.servo_parameter_set[2] = 200;
+    const EffectorReply reply = rig.macrostep(set_model(rig, m));
+    EXPECT_EQ(reply.verdict, Verdict::refused);
+    EXPECT_EQ(reply.fault.code, FaultCode::unknown_model);
+    rig.number = 0;  // a refused command begins no session
+    rig.number = rig.driver.protocol().expected() - 1;
+    EXPECT_EQ(get_model(rig).robot_model.weight, 0);
+  }
+}
+
+TEST(RobotModel, GetOfSeveralPartsTellsThemAll) {
+  Rig rig;
+  rig.synchronise();
+  EffectorCommand c = rig.command(Instruction::set_get);
+  c.set = static_cast<std::uint8_t>(Part::io);
+  c.outputs = 0x8001;
+  c.get = static_cast<std::uint8_t>((Part::arm | Part::io) | kModel);
+  c.get_representation = Representation::motors;
+  const EffectorReply reply = rig.macrostep(c);
+  EXPECT_EQ(reply.parts, c.get);
+  EXPECT_EQ(reply.representation, Representation::motors);
+  EXPECT_EQ(rig.last.outputs, 0x8001);
+  rig.silence(20);
+  EXPECT_EQ(rig.last.outputs, 0x8001) << "lines stay until they are set again";
+}
+
+TEST(RobotModel, CurrentsOfTheStepsSinceTheReplyBefore) {
+  CurrentMeter meter;
+  for (const double i : {1., -3., 2.}) meter.add({i, 2 * i});
+  const CurrentStatistics s = meter.take();
+  EXPECT_DOUBLE_EQ(s.mean[0], 0);
+  EXPECT_DOUBLE_EQ(s.least[0], -3);
+  EXPECT_DOUBLE_EQ(s.greatest[1], 4);
+  EXPECT_DOUBLE_EQ(s.rms[0], std::sqrt(14. / 3));
+  EXPECT_EQ(meter.take().rms[0], 0) << "it begins anew";
+}
+
+}  // namespace
+}  // namespace mrroc::edp::test
