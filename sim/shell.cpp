@@ -166,7 +166,7 @@ class Shell {
       commands_[arm] = from_message(*m);
       missed_[arm] = 0;
     } else if (++missed_[arm] > kPatience || process_.lock_step()) {
-      commands_[arm].enabled = false;  // silent driver: the drives brake by themselves
+      commands_[arm].enabled = commands_[arm].jaws_enabled = false;  // silent driver: all drives brake
     }
   }
 
