@@ -19,6 +19,7 @@ using namespace mrroc;
 const std::vector<std::pair<std::string, std::function<bench::Figures(const std::string& plots)>>> kGroups{
     {"edp", [](const std::string&) { return bench::run_edp_group(); }},
     {"servo", [](const std::string& plots) { return bench::run_servo_group(plots); }},
+    {"stability", [](const std::string&) { return bench::run_stability_group(); }},
     {"drawing", [](const std::string&) { return bench::run_drawing_group(); }},
 };
 
@@ -49,7 +50,8 @@ int main(int argc, char** argv) {
   std::string file;
   std::string plots;
   bool resume = false;
-  app.add_option("group", groups, "edp, servo, drawing (default: all)")->check(CLI::IsMember(group_names()));
+  app.add_option("group", groups, "edp, servo, stability, drawing (default: all)")
+      ->check(CLI::IsMember(group_names()));
   auto* json = app.add_option("--json", file, "writes {\"figures\": {KEY: number}, \"context\": {...}}");
   json->type_name("FILE");
   app.add_flag("--resume", resume, "leaves out groups whose figures are in the file already")->needs(json);

@@ -66,6 +66,7 @@ struct CommandLine {
   bool json{};
   bool yes{};                     ///< also a trigger that comes early
   std::function<void()> command;  ///< throws what goes wrong
+  int status{};                   ///< of a tool
 };
 
 /// A trigger cannot be taken back: one that comes early must be meant.
@@ -76,6 +77,19 @@ void refuse_early(Client& client, const CommandLine& line, const Surroundings& a
   if (line.json) around.out << answer_json({OperatorOrder::trigger, false, s.early});
   throw FaultError(FaultCode::illegal_in_state, "trigger refused: " + s.early,
                    "wait until that is done, or give `ui_cli trigger --yes`");
+}
+
+void add_tools(CLI::App& app, CommandLine& line, const Surroundings& around) {
+  for (const Tool& tool : around.tools) {
+    CLI::App* command = app.add_subcommand(tool.name, tool.about);
+    command->prefix_command()->set_help_flag();  // the tool reads its own options
+    command->fallthrough(false);
+    command->callback([&line, &around, &tool, command] {
+      line.command = [&, arguments = command->remaining()] {
+        line.status = tool.run(arguments, around.out, around.err);
+      };
+    });
+  }
 }
 
 void add_commands(CLI::App& app, CommandLine& line, const Surroundings& around) {
@@ -142,6 +156,7 @@ int run(int argc, const char* const* argv, const Surroundings& around) {
   app.add_flag("--json", line.json, "Print JSON (status, list and orders)");
   app.footer(kCommandFooter);  // inherited by the commands
   add_commands(app, line, around);
+  add_tools(app, line, around);
   app.footer(kFooter);
   try {
     app.parse(argc, argv);
@@ -152,7 +167,7 @@ int run(int argc, const char* const* argv, const Surroundings& around) {
   }
   try {
     line.command();
-    return 0;
+    return line.status;
   } catch (const FaultError& e) {
     return fail(around, e.fault().code, e.error_line());
   } catch (const link::NoMulticast& e) {

@@ -4,12 +4,22 @@
 #include <functional>
 #include <iosfwd>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "base/link/bus.hpp"
 #include "base/link/lcm_bus.hpp"
 #include "ui_cli/client.hpp"
 
 namespace mrroc::ui {
+
+/// A command that needs no running task and belongs to another part of the framework.
+struct Tool {
+  std::string name;
+  std::string about;  ///< one line for --help
+  /// @return exit status. @param arguments behind the name
+  std::function<int(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err)> run;
+};
 
 /// What the program finds around it; tests give it something else.
 struct Surroundings {
@@ -18,6 +28,7 @@ struct Surroundings {
   std::filesystem::path sessions;  ///< directory of the running sessions
   std::function<std::unique_ptr<link::Bus>(const link::LcmAddress&)> open;
   Patience patience;
+  std::vector<Tool> tools{};
 };
 
 /// Runs the program; after an error its last line on err is `error: CODE: what happened; what to do`.

@@ -1,9 +1,17 @@
 #include <iostream>
 
 #include "base/link/session.hpp"
+#include "edp/stability_command.hpp"
 #include "ui_cli/commands.hpp"
 
 int main(int argc, char** argv) {
-  return mrroc::ui::run(argc, argv,
-                        {std::cout, std::cerr, mrroc::link::session_directory(), mrroc::link::open_lcm, {}});
+  using namespace mrroc;
+  return ui::run(
+      argc, argv,
+      {std::cout,
+       std::cerr,
+       link::session_directory(),
+       link::open_lcm,
+       {},
+       {{"stability", "Tell which contact the force law bears (no task needed)", edp::run_stability}}});
 }

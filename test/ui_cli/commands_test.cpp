@@ -60,16 +60,22 @@ class Commands : public ::testing::Test {
     arguments.insert(arguments.begin(), "ui_cli");
     out_.str("");
     err_.str("");
-    return ui::run(static_cast<int>(arguments.size()), arguments.data(),
-                   {out_,
-                    err_,
-                    home_ / "mrroc",
-                    [this](const link::LcmAddress& address) {
-                      if (!multicast_) throw link::NoMulticast("no multicast route for " + address.url());
-                      opened_ = address.port;
-                      return hub_.open();
-                    },
-                    {.repeat = 5ms, .give_up = patience_}});
+    return ui::run(
+        static_cast<int>(arguments.size()), arguments.data(),
+        {out_,
+         err_,
+         home_ / "mrroc",
+         [this](const link::LcmAddress& address) {
+           if (!multicast_) throw link::NoMulticast("no multicast route for " + address.url());
+           opened_ = address.port;
+           return hub_.open();
+         },
+         {.repeat = 5ms, .give_up = patience_},
+         {{"weigh", "Weigh something", [this](const auto& arguments, std::ostream& out, std::ostream&) {
+             weighed_ = arguments;
+             out << "3 kg\n";
+             return 1;
+           }}}});
   }
   /// @return the last line on standard error
   std::string error() {
@@ -81,6 +87,7 @@ class Commands : public ::testing::Test {
   fs::path home_;
   link::MemoryHub hub_;
   std::ostringstream out_, err_;
+  std::vector<std::string> weighed_;
   bool multicast_{true};
   int opened_{};
   std::chrono::milliseconds patience_{10s};
@@ -265,6 +272,14 @@ TEST(ChooseSession, RefusesATaskThatNobodyOutsideCanReach) {
   } catch (const FaultError& e) {
     EXPECT_EQ(e.fault().code, FaultCode::no_such_session);
   }
+}
+
+TEST_F(Commands, ToolHasItsOptionsForItselfAndNeedsNoTask) {
+  EXPECT_EQ(run({"weigh", "--json", "--help", "--mass", "-3", "stop"}), 1) << "its own status";
+  EXPECT_EQ(weighed_, (std::vector<std::string>{"--json", "--help", "--mass", "-3", "stop"}));
+  EXPECT_EQ(out_.str(), "3 kg\n");
+  EXPECT_EQ(run({"--help"}), 0);
+  EXPECT_NE(out_.str().find("Weigh something"), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,191 @@
+// How far predictions of edp/stability.hpp are from what simulations do.
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "bench/figures.hpp"
+#include "edp/stability.hpp"
+#include "robots/irb6/parameters.hpp"
+#include "test/edp/contact_simulation.hpp"
+#include "test/sim/one_axis.hpp"
+#include "test/sim/pressing_arm.hpp"
+
+namespace mrroc::bench {
+namespace {
+
+using edp::ContactLoop;
+using edp::stiffness_limit;
+using edp::test::limit_between;
+
+constexpr int kRandomLoops = 200;
+constexpr double kPrecision = 0.01;     // of simulated limits
+constexpr double kPress = 8;            // [N]
+constexpr double kSwings = 0.3;         // deviation over the pressing force from which it does not settle
+constexpr double kStiff = 1e6;          // where a limit that there is not is looked for [N/m]
+constexpr double kPaperDamping = 2e-3;  // of the world's contact, per stiffness [s]
+
+double error_pct(double predicted, double simulated) { return 100 * std::abs(predicted / simulated - 1); }
+
+/// Law, random servo and spring in the time domain. @return errors [%]
+std::vector<double> random_loops() {
+  std::mt19937_64 random(1);
+  std::vector<double> errors;
+  while (errors.size() < kRandomLoops) {
+    const ContactLoop loop = edp::test::random_loop(random);
+    const double predicted = stiffness_limit(loop);
+    if (predicted == 0 || predicted > 1e8) continue;
+    const double simulated = limit_between(predicted / 10, predicted * 10, kPrecision, [&](double K) {
+      return edp::test::ContactSimulation(loop, K).unstable();
+    });
+    errors.push_back(error_pct(predicted, simulated));
+  }
+  return errors;
+}
+
+/// An axis of the arm that presses, see test/sim/one_axis_contact_test.cpp.
+struct PressingAxis {
+  std::size_t axis;  // of the arm on its pedestal
+  double lever;      // from the axis to the pen while drawing [m]
+  double gear;       // there [rad/rad]
+};
+constexpr std::array kPressingAxes{PressingAxis{0, 0.90, 158}, PressingAxis{1, 0.455, 168},
+                                   PressingAxis{2, 0.67, 172}, PressingAxis{3, 0.31, 128}};
+struct Law {
+  double I, B;
+};
+constexpr std::array kLaws{Law{20, 0.005}, Law{5, 0.0025}, Law{10, 0.005}, Law{5, 0.01}};
+
+sim::OneAxis one_axis(const PressingAxis& a) {
+  sim::OneAxis o{irb6::kPostument.axes[a.axis].properties,
+                 sim::arm_parameters(sim::ArmModel::irb6_postument).motors[a.axis], 0, a.lever / a.gear, 0};
+  const edp::RegulatorCoefficients& k = o.axis.servo.incremental[0];
+  o.inertia = sim::kStep / std::log(k.b0 / k.b1) / sim::mechanical_time_constant(o.motor, 1);
+  return o;
+}
+
+edp::RegulatedDrive drive_of(const sim::OneAxis& o) {
+  return {o.axis.servo.incremental[0],
+          o.axis.increments_per_rad,
+          o.motor.supply / kPwmScale / o.motor.torque_constant,
+          sim::mechanical_time_constant(o.motor, o.inertia),
+          o.inertia,
+          o.lever};
+}
+
+/// Whether a force that settles at F_d well below the limit keeps swinging.
+class Swing {
+ public:
+  void add(double force) {
+    sum_ += force;
+    squares_ += force * force;
+    ++n_;
+  }
+  [[nodiscard]] double deviation() const {
+    const double mean = sum_ / n_;
+    return std::sqrt(std::max(0.0, squares_ / n_ - mean * mean));
+  }
+
+ private:
+  double sum_{}, squares_{}, n_{};
+};
+
+/// @return whether an axis with the real regulator keeps swinging in contact of this stiffness
+bool drive_swings(const sim::OneAxis& axis, const ContactLoop& loop, double K) {
+  constexpr int kSteps = 6000, kLate = 5000;
+  sim::OneAxisRig rig(axis);
+  rig.wall = 0;
+  rig.stiffness = K;
+  rig.damping = loop.contact_damping * K;
+  Swing late;
+  for (int k = 0; k < kSteps; ++k) {
+    rig.step(c(kPress, loop.inertia, loop.mobility));
+    if (k > kLate) late.add(rig.force());
+  }
+  return late.deviation() > kSwings * kPress;
+}
+
+/// The real regulators, motors and encoders; no friction, which is not linear. @return errors [%]
+std::vector<double> real_regulators() {
+  std::vector<double> errors;
+  for (const PressingAxis& axis : kPressingAxes)
+    for (const Law& law : kLaws) {
+      sim::OneAxis o = one_axis(axis);
+      o.motor.friction = 0;
+      const ContactLoop loop{
+          .inertia = law.I, .mobility = law.B, .contact_damping = 1e-4, .servo = drive_of(o)};
+      const double predicted = stiffness_limit(loop);
+      if (std::isinf(predicted)) {
+        errors.push_back(drive_swings(o, loop, kStiff) ? 100 : 0);
+        continue;
+      }
+      errors.push_back(
+          error_pct(predicted, limit_between(predicted / 10, predicted * 10, kPrecision,
+                                             [&](double K) { return drive_swings(o, loop, K); })));
+    }
+  return errors;
+}
+
+/// @return whether the real driver in the world keeps swinging when it presses its pen on such a table
+bool arm_swings(const Law& law, double K) {
+  sim::WorldParameters w = sim::PressingArm::world_of_one();
+  w.arms[0].paper.stiffness = K;
+  w.arms[0].start_height = 0.005;
+  sim::PressingArm arm(w);
+  arm.prepare();
+  // Softly down, then the law that is tried.
+  for (int k = 0; k < 50; ++k) arm.move({u(), u(), g(0.01, 5, 0.001), u(), u(), u()});
+  for (int k = 0; k < 50; ++k) arm.move({u(), u(), c(kPress, 5, 0.001), u(), u(), u()});
+  for (int k = 0; k < 150; ++k) arm.move({u(), u(), c(kPress, law.I, law.B), u(), u(), u()});
+  Swing late;
+  arm.after_each_step = [&] { late.add(arm.force()); };
+  for (int k = 0; k < 50; ++k) arm.move({u(), u(), c(kPress, law.I, law.B), u(), u(), u()});
+  return late.deviation() > kSwings * kPress;
+}
+
+/// The real driver, friction and all, pressing with the pen; predicted for the upper arm's drive, which does
+/// most of the way up and down, without friction. @return simulated over predicted limits
+std::vector<double> whole_arm() {
+  std::vector<double> ratios;
+  const edp::RegulatedDrive upper_arm = drive_of(one_axis(kPressingAxes[2]));
+  for (const Law& law : kLaws) {
+    const ContactLoop loop{
+        .inertia = law.I, .mobility = law.B, .contact_damping = kPaperDamping, .servo = upper_arm};
+    const double predicted = stiffness_limit(loop);
+    if (std::isinf(predicted)) continue;
+    const double simulated =
+        limit_between(predicted / 20, predicted * 20, 0.1, [&](double K) { return arm_swings(law, K); });
+    ratios.push_back(simulated / predicted);
+  }
+  return ratios;
+}
+
+/// @return limit of stiffness of a behaviour on the upper arm, over the stiffness of pen and paper
+double margin(const Law& law) {
+  constexpr double kPaper = 1e4;  // [N/m]
+  const ContactLoop loop{.inertia = law.I,
+                         .mobility = law.B,
+                         .contact_damping = kPaperDamping,
+                         .servo = edp::LagServo{.bandwidth = 20}};
+  return stiffness_limit(loop) / kPaper;
+}
+
+}  // namespace
+
+Figures run_stability_group() {
+  const std::vector<double> random = random_loops();
+  const std::vector<double> drives = real_regulators();
+  const std::vector<double> arm = whole_arm();
+  return {
+      {"stability_limit_err_pct", std::ranges::max(random), "%",
+       "predicted limit of stiffness against the time domain, worst of 200 random loops"},
+      {"stability_drive_err_pct", std::ranges::max(drives), "%",
+       "the same against the real regulators, motors and encoders without friction, worst of 16"},
+      {"stability_arm_ratio_min", std::ranges::min(arm), "",
+       "limit of the whole arm in the world over the predicted one, smallest; above 1: friction helps"},
+      {"stability_margin_drawing", margin({20, 0.005}), "", "I 20, B 0.005, 20 Hz: limit over 1e4 N/m"},
+      {"stability_margin_press", margin({5, 0.0025}), "", "I 5, B 0.0025, 20 Hz: limit over 1e4 N/m"},
+  };
+}
+
+}  // namespace mrroc::bench

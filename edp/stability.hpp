@@ -1,0 +1,76 @@
+// Which contact is stable under law (28): the linear loop of law, force measurement, servo and surroundings in
+// discrete time. For design and documents, not for the servo step.
+//
+// Unlike the ideal plant of MG 8.1.3, whose damping ratio is 1 / (2 B sqrt(K I)), a real loop acts on a force
+// that is late: law (28) uses the force of the step before, the reading is a mean over a step, filters delay
+// it further, and the servo lags behind its set point. Each of these bounds the stiffness that is stable.
+#pragma once
+#include <variant>
+
+#include "edp/regulator.hpp"
+
+namespace mrroc::edp {
+
+/// The arm is always where it is set to be.
+struct IdealServo {};
+
+/// Servo as a low pass of first or second order, which contact does not push aside:
+///
+///     1:  x' = w (r - x)
+///     2:  x'' = w^2 (r - x) + 2 damping w (feed_forward r' - x')     with w = 2 pi bandwidth
+struct LagServo {
+  double bandwidth{20};    ///< natural frequency [Hz], > 0
+  int order{2};            ///< 1 or 2
+  double damping{1};       ///< of order 2, > 0
+  double feed_forward{1};  ///< share of the set velocity that is fed forward, order 2, 0..1
+};
+
+/// IncrementalRegulator with a voltage-driven motor, which contact also pushes aside:
+///
+///     w' = (speed_gain u - w) / time_constant - lever F / inertia
+struct RegulatedDrive {
+  RegulatorCoefficients regulator;
+  double increments_per_rad{};  ///< of the encoder on the shaft
+  double speed_gain{};          ///< speed of the shaft that a duty cycle of 1/255 leads to [rad/s]
+  double time_constant{};       ///< of speed after a step of voltage [s]
+  double inertia{};             ///< of all that turns with the shaft, at the shaft [kg m^2]
+  double lever{};               ///< path of the tip per angle of the shaft [m/rad]; may be negative
+};
+
+using ServoModel = std::variant<IdealServo, LagServo, RegulatedDrive>;
+
+/// One axis under law (28) that presses against a spring. Rotational axes in N m, rad, kg m^2, s/(kg m^2).
+struct ContactLoop {
+  double inertia{20};            ///< I of law (28) [kg], >= 0
+  double mobility{0.005};        ///< B of law (28) [s/kg], > 0
+  double dt{0.002};              ///< step of the driver [s]
+  int delay{};                   ///< steps by which the force is late beyond law (28) itself, 0..20
+  int average{1};                ///< readings in the moving average, 1..20
+  double low_pass{};             ///< corner of the force's low pass [Hz], 0: none
+  bool mean_of_step{true};       ///< a reading is the mean over its step; false: the force at its end
+  double contact_damping{};      ///< damping of the surroundings per stiffness [s]
+  ServoModel servo{LagServo{}};  ///< what follows the set point
+};
+
+/// The least damped mode of a loop.
+struct ContactMode {
+  double radius{};     ///< largest magnitude of an eigenvalue; the loop is stable below 1
+  double damping{};    ///< damping ratio of the least damped mode, below 0: unstable, 1: does not swing
+  double frequency{};  ///< of that mode [Hz], 0 when it does not swing
+};
+
+/// @param stiffness of everything in series: surroundings, tool, pen [N/m], [N m/rad], >= 0
+/// @throw FaultError out_of_limits a parameter of the loop makes no sense; its text names it
+[[nodiscard]] ContactMode contact_mode(const ContactLoop& loop, double stiffness);
+
+/// @return smallest stiffness at which the loop is not stable [N/m]; 0 when no contact is stable, infinite
+///         when there is none up to 1e9 N/m
+/// @throw FaultError out_of_limits
+[[nodiscard]] double stiffness_limit(const ContactLoop& loop);
+
+/// @return largest B with which the contact has at least this damping ratio, everything else equal [s/kg]; 0
+///         when there is none from 1e-7 on
+/// @throw FaultError out_of_limits
+[[nodiscard]] double mobility_for(ContactLoop loop, double stiffness, double damping);
+
+}  // namespace mrroc::edp

@@ -1,0 +1,203 @@
+#include "edp/stability_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <ostream>
+
+#include "base/fault.hpp"
+
+namespace mrroc::edp {
+namespace {
+
+/// Damping ratio that is good practice: the first peak passes the settled force by a sixth.
+constexpr double kGood = 0.5;
+
+std::string servo_text(const ServoModel& servo) {
+  if (const auto* lag = std::get_if<LagServo>(&servo)) {
+    if (lag->order == 1)
+      return fmt::format("first order, lag {:.3g} ms", 1e3 / (2 * std::numbers::pi * lag->bandwidth));
+    return fmt::format("second order, {:.3g} Hz, damping {:.2g}, feed-forward {:.0f} %", lag->bandwidth,
+                       lag->damping, 100 * lag->feed_forward);
+  }
+  return std::holds_alternative<IdealServo>(servo) ? "ideal" : "regulated drive";
+}
+
+std::string loop_text(const ContactLoop& l) {
+  return fmt::format(
+      "law (28)   I = {:g} kg, B = {:g} s/kg, every {:g} ms\n"
+      "servo      {}\n"
+      "force      {}, average of {}, {}, {} steps late beyond the law's own\n",
+      l.inertia, l.mobility, 1e3 * l.dt, servo_text(l.servo),
+      l.mean_of_step ? "mean over its step" : "at the end of its step", l.average,
+      l.low_pass > 0 ? fmt::format("low pass {:g} Hz", l.low_pass) : "no low pass", l.delay);
+}
+
+std::string row_text(double K, const ContactMode& m) {
+  const char* verdict = m.radius >= 1       ? "unstable"
+                        : m.damping < 0.2   ? "stable, rings for long"
+                        : m.damping < kGood ? "stable, overshoots"
+                                            : "good";
+  return fmt::format("{:>15.3g} {:>9.2f} {:>10.1f}   {}\n", K, m.damping, m.frequency, verdict);
+}
+
+/// @return stiffness up to which the damping is good, or 0
+double well_damped_up_to(const ContactLoop& loop, double limit) {
+  double good = 0;
+  const double top = std::min(limit, 1e9);
+  for (double K = top * 1e-6; K < top; K *= 1.02)
+    if (contact_mode(loop, K).damping >= kGood) good = K;
+  return good;
+}
+
+/// Sentences about what would make a contact of this stiffness better.
+std::string advice(const ContactLoop& l, double K) {
+  std::string text;
+  if (const double B = mobility_for(l, K, kGood); B > 0) {
+    text += fmt::format(
+        "- lower B to {:.2g} s/kg: damping {:.1f} at this stiffness, guarded approach at v presses v/B", B,
+        kGood);
+    text += fmt::format(" ({:.3g} N at 10 mm/s)\n", 0.01 / B);
+  }
+  ContactLoop plain = l;
+  plain.average = 1;
+  plain.low_pass = 0;
+  plain.delay = 0;
+  if (l.average > 1 || l.low_pass > 0 || l.delay > 0)
+    text += fmt::format("- without average, low pass and delay the limit would be {:.3g} N/m\n",
+                        stiffness_limit(plain));
+  if (const double soft = well_damped_up_to(l, stiffness_limit(l)); soft > 0 && soft < K)
+    text += fmt::format("- put a spring of {:.2g} N/m in series with tool or work piece: damping {:.1f}\n",
+                        soft * K / (K - soft), kGood);
+  if (const auto* lag = std::get_if<LagServo>(&l.servo)) {
+    LagServo faster = *lag;
+    faster.bandwidth *= 1.5;
+    ContactLoop quick = l;
+    quick.servo = faster;
+    text += fmt::format("- a servo 1.5 times as fast would raise the limit to {:.3g} N/m\n",
+                        stiffness_limit(quick));
+  }
+  return text;
+}
+
+struct Arguments {
+  ContactLoop loop;
+  std::optional<double> stiffness;
+  double bandwidth{20}, lag{}, servo_damping{1}, feed_forward{1};
+  bool json{}, map{}, ideal{}, sampled{};
+};
+
+ServoModel servo_of(const Arguments& a) {
+  if (a.ideal) return IdealServo{};
+  if (a.lag > 0) return LagServo{1 / (2 * std::numbers::pi * a.lag), 1, 1, 0};
+  return LagServo{a.bandwidth, 2, a.servo_damping, a.feed_forward};
+}
+
+void add_options(CLI::App& app, Arguments& a) {
+  ContactLoop& l = a.loop;
+  app.add_option("--I", l.inertia, "inertia of the behaviour [kg], [kg m^2]")->capture_default_str();
+  app.add_option("--B", l.mobility, "reciprocal of its damping [s/kg], [s/(kg m^2)]")->capture_default_str();
+  app.add_option("--K", a.stiffness,
+                 "stiffness to judge: surroundings, tool, pen in series [N/m], [N m/rad]");
+  app.add_option("--dt", l.dt, "step of the driver [s]")->capture_default_str();
+  app.add_option("--delay", l.delay, "steps by which the force is late beyond the law's own")
+      ->capture_default_str();
+  app.add_option("--average", l.average, "readings in the moving average")->capture_default_str();
+  app.add_option("--low-pass", l.low_pass, "corner of the force's low pass [Hz], 0: none")
+      ->capture_default_str();
+  app.add_option("--contact-damping", l.contact_damping, "of the surroundings, per stiffness [s]")
+      ->capture_default_str();
+  auto* bandwidth =
+      app.add_option("--bandwidth", a.bandwidth, "natural frequency of a servo of second order [Hz]");
+  bandwidth->capture_default_str();
+  app.add_option("--servo-damping", a.servo_damping, "its damping ratio")->capture_default_str();
+  app.add_option("--feed-forward", a.feed_forward, "share of the set velocity that it is fed, 0..1")
+      ->capture_default_str();
+  auto* lag = app.add_option("--lag", a.lag, "time constant of a servo of first order instead [s]");
+  lag->check(CLI::PositiveNumber);
+  auto* ideal = app.add_flag("--ideal", a.ideal, "no servo at all: the arm is where it is set to be");
+  lag->excludes(bandwidth);
+  ideal->excludes(bandwidth)->excludes(lag);
+  app.add_flag("--sampled", a.sampled, "the force at the end of a step, not its mean over it");
+  auto* json = app.add_flag("--json", a.json, "print JSON");
+  app.add_flag("--map", a.map, "print the limit over I and B, for gnuplot")->excludes(json);
+  app.footer("\nExample:  ui_cli stability --I 20 --B 0.005 --K 1e4\nMore: docs/stability.md");
+}
+
+}  // namespace
+
+std::string stability_report(const ContactLoop& loop, std::optional<double> stiffness) {
+  const double limit = stiffness_limit(loop);
+  std::string text = loop_text(loop) + "\nstiffness [N/m]   damping   swings at [Hz]\n";
+  std::vector<double> stiffnesses{1e3, 2e3, 5e3, 1e4, 2e4, 5e4, 1e5, 2e5, 5e5, 1e6};
+  if (stiffness) stiffnesses.push_back(*stiffness);
+  std::ranges::sort(stiffnesses);
+  const auto twice = std::ranges::unique(stiffnesses);
+  stiffnesses.erase(twice.begin(), twice.end());
+  for (const double K : stiffnesses) text += row_text(K, contact_mode(loop, K));
+  if (limit == 0) return text + "\nNo contact is stable with this loop.\n";
+  if (std::isinf(limit)) return text + "\nContact of any stiffness is stable with this loop.\n";
+  text += fmt::format("\nContact is stable below {:.3g} N/m", limit);
+  if (const double good = well_damped_up_to(loop, limit); good > 0)
+    text += fmt::format(", and well damped up to {:.3g} N/m", good);
+  text += fmt::format("; at the limit it swings at {:.3g} Hz.\n", contact_mode(loop, limit).frequency);
+  if (!stiffness) return text;
+  const ContactMode m = contact_mode(loop, *stiffness);
+  text += fmt::format("At {:.3g} N/m it is {} (damping {:.2f}); the limit is {:.2g} times that stiffness.\n",
+                      *stiffness, m.radius < 1 ? "stable" : "UNSTABLE", m.damping, limit / *stiffness);
+  if (m.damping < kGood) text += "What to change, any of:\n" + advice(loop, *stiffness);
+  return text;
+}
+
+std::string stability_json(const ContactLoop& loop, std::optional<double> stiffness) {
+  const double limit = stiffness_limit(loop);
+  std::string text = "{\"limit_N_per_m\": " + (std::isinf(limit) ? "null" : fmt::format("{:.6g}", limit));
+  if (stiffness) {
+    const ContactMode m = contact_mode(loop, *stiffness);
+    text += fmt::format(", \"stable\": {}, \"damping_ratio\": {:.6g}, \"frequency_Hz\": {:.6g}", m.radius < 1,
+                        m.damping, m.frequency);
+    text += fmt::format(", \"B_for_damping_0.5\": {:.6g}", mobility_for(loop, *stiffness, kGood));
+  }
+  return text + "}\n";
+}
+
+std::string stability_map(ContactLoop loop) {
+  std::string text = "# I [kg]  B [s/kg]  limit [N/m]\n";
+  for (double I = 0.5; I < 51; I *= std::pow(10, 0.1)) {
+    for (double B = 5e-4; B < 0.051; B *= std::pow(10, 0.1)) {
+      loop.inertia = I;
+      loop.mobility = B;
+      text += fmt::format("{:.4g} {:.4g} {:.4g}\n", I, B, stiffness_limit(loop));
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+int run_stability(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+  Arguments a;
+  CLI::App app("Which contact is stable under the force law (28), and what to change when it is not",
+               "ui_cli stability");
+  add_options(app, a);
+  try {
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    a.loop.servo = servo_of(a);
+    a.loop.mean_of_step = !a.sampled;
+    out << (a.map    ? stability_map(a.loop)
+            : a.json ? stability_json(a.loop, a.stiffness)
+                     : stability_report(a.loop, a.stiffness));
+    return 0;
+  } catch (const CLI::Success& e) {
+    return app.exit(e, out, err);
+  } catch (const CLI::Error& e) {
+    err << FaultError(FaultCode::bad_usage, e.what()).error_line() << std::endl;
+  } catch (const FaultError& e) {
+    err << FaultError(FaultCode::bad_usage, e.what()).error_line() << std::endl;
+  }
+  return exit_status(FaultCode::bad_usage);
+}
+
+}  // namespace mrroc::edp

@@ -1,0 +1,128 @@
+#include "edp/stability.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+#include "base/fault.hpp"
+#include "test/edp/contact_simulation.hpp"
+
+namespace mrroc::edp {
+namespace {
+
+ContactLoop loop_of(double I, double B, const ServoModel& servo = LagServo{}) {
+  ContactLoop l;
+  l.inertia = I;
+  l.mobility = B;
+  l.servo = servo;
+  return l;
+}
+
+TEST(Stability, IdealServoHasTheLimitOfTheClosedFormula) {
+  // v(k+1) = a v(k) - b F(k), F(k) = K x(k): z^2 - (1 + a - b K dt) z + a = 0, stable for K < 2 (1 + a) / (b dt).
+  for (const double I : {0.5, 5., 20.})
+    for (const double B : {0.0025, 0.005, 0.025})
+      for (const double dt : {0.001, 0.002, 0.004}) {
+        ContactLoop l = loop_of(I, B, IdealServo{});
+        l.dt = dt;
+        l.mean_of_step = false;
+        const double a = B * I / (dt + B * I), b = B * dt / (dt + B * I);
+        const double limit = 2 * (1 + a) / (b * dt);
+        EXPECT_NEAR(stiffness_limit(l) / limit, 1, 1e-4);
+      }
+}
+
+TEST(Stability, WithAShortStepTheDampingRatioIsThatOfThePaper) {
+  for (const double K : {1e3, 1e4, 1e5}) {
+    ContactLoop l = loop_of(20, 0.005, IdealServo{});
+    l.dt = 1e-6;
+    EXPECT_NEAR(contact_mode(l, K).damping, std::min(1.0, 1 / (2 * 0.005 * std::sqrt(K * 20))), 2e-3);
+  }
+}
+
+TEST(Stability, FiguresOfTheServoStudyComeBack) {
+  // Limits in N/m for servos of 8, 12, 20 and 30 Hz (double pole, velocity feed-forward), the force one step
+  // late: they were computed with a servo of its own, shorter step.
+  struct Row {
+    double I, B;
+    std::array<double, 4> limit;
+  };
+  constexpr std::array kRows{Row{5, 0.0025, {3.9e4, 4.9e4, 6.9e4, 9.4e4}},
+                             Row{20, 0.005, {2.0e4, 3.1e4, 5.5e4, 8.2e4}},
+                             Row{0.5, 0.025, {3.9e3, 4.9e3, 6.9e3, 9.4e3}}};
+  constexpr std::array kBandwidths{8., 12., 20., 30.};
+  for (const Row& row : kRows)
+    for (std::size_t k = 0; k < kBandwidths.size(); ++k) {
+      ContactLoop l = loop_of(row.I, row.B, LagServo{kBandwidths[k]});
+      l.delay = 1;
+      l.mean_of_step = false;
+      EXPECT_NEAR(stiffness_limit(l) / row.limit[k], 1, 0.2) << row.I << " kg, " << kBandwidths[k] << " Hz";
+    }
+}
+
+TEST(Stability, PredictedLimitIsThatOfTheTimeDomain) {
+  std::mt19937_64 random(1);
+  for (int run = 0; run < 25; ++run) {
+    const ContactLoop l = test::random_loop(random);
+    const double limit = stiffness_limit(l);
+    if (limit == 0 || limit > 1e8) continue;
+    EXPECT_FALSE(test::ContactSimulation(l, 0.95 * limit).unstable()) << "run " << run;
+    EXPECT_TRUE(test::ContactSimulation(l, 1.05 * limit).unstable()) << "run " << run;
+  }
+}
+
+TEST(Stability, WhatDelaysTheForceCostsStiffness) {
+  const ContactLoop l = loop_of(5, 0.0025);
+  const double limit = stiffness_limit(l);
+  ContactLoop late = l, averaged = l, filtered = l, slow = l;
+  late.delay = 2;
+  averaged.average = 4;
+  filtered.low_pass = 30;
+  slow.servo = LagServo{8};
+  for (const ContactLoop& worse : {late, averaged, filtered, slow})
+    EXPECT_LT(stiffness_limit(worse), 0.95 * limit);
+}
+
+TEST(Stability, LessMobilityAllowsStifferContact) {
+  double before = 0;
+  for (const double B : {0.02, 0.01, 0.005, 0.0025, 0.001}) {
+    const double limit = stiffness_limit(loop_of(5, B));
+    EXPECT_GT(limit, before);
+    before = limit;
+  }
+}
+
+TEST(Stability, MobilityForADampingRatioGivesIt) {
+  for (const double K : {3e3, 1e4, 5e4}) {
+    const ContactLoop l = loop_of(5, 0.01);
+    ContactLoop damped = l;
+    damped.mobility = mobility_for(l, K, 0.5);
+    ASSERT_GT(damped.mobility, 0);
+    EXPECT_NEAR(contact_mode(damped, K).damping, 0.5, 1e-2);
+    EXPECT_GT(stiffness_limit(damped), K);
+  }
+}
+
+TEST(Stability, ParametersThatMakeNoSenseAreRefusedByName) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto refused = [](const ContactLoop& l, const std::string& name) {
+    try {
+      static_cast<void>(stiffness_limit(l));
+    } catch (const FaultError& e) {
+      return e.fault().code == FaultCode::out_of_limits &&
+             std::string(e.what()).find(name) != std::string::npos;
+    }
+    return false;
+  };
+  EXPECT_TRUE(refused(loop_of(nan, 0.005), "I "));
+  EXPECT_TRUE(refused(loop_of(-1, 0.005), "I "));
+  EXPECT_TRUE(refused(loop_of(5, 0), "B "));
+  EXPECT_TRUE(refused(loop_of(5, 0.005, LagServo{nan}), "bandwidth"));
+  EXPECT_TRUE(refused(loop_of(5, 0.005, LagServo{20, 3}), "order"));
+  EXPECT_TRUE(refused(loop_of(5, 0.005, RegulatedDrive{}), "drive"));
+  EXPECT_THROW(static_cast<void>(contact_mode(loop_of(5, 0.005), nan)), FaultError);
+}
+
+}  // namespace
+}  // namespace mrroc::edp
