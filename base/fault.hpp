@@ -63,6 +63,7 @@ enum class FaultCode : std::uint16_t {
   sensor_silent,
   reading_too_old,
   no_contact,
+  contact_unstable,
   // processes and messages
   start_failed,
   not_ready,

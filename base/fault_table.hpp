@@ -92,6 +92,8 @@ inline constexpr std::array kFaultTable{
               "look at the sensor's process; give it more time with max_age"),
   MRROC_FAULT(no_contact, non_fatal, "the tool did not meet a surface in time",
               "look at the surface, at the tool and at the sensor that should have told of the touch"),
+  MRROC_FAULT(contact_unstable, non_fatal, "the contact force swings and does not die away; the arm was stopped",
+              "lower B of the behaviour, or soften the contact: `ui_cli stability` tells by how much"),
 
   MRROC_FAULT(start_failed, system, "a process could not be started",
               "build with `./run build` and look at messages.log in the run folder"),

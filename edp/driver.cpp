@@ -35,6 +35,7 @@ const DriverParameters& checked(const Robot& robot, const DriverParameters& p) {
   demand(!p.servo || Servo::known(p.servo->algorithm_no, p.servo->parameter_set_no),
          "there is no such servo algorithm or parameter set");
   demand(p.force.patience >= 1, "the force patience must be at least 1");
+  demand(is_usable(p.oscillation), "the bounds of an unstable contact must be positive, and in order");
   demand(p.force.stuck_after >= 0, "the number of equal forces must not be negative");
   return p;
 }
@@ -47,6 +48,7 @@ Driver::Driver(const Robot& robot, const DriverParameters& parameters)
       encoders_(robot),
       force_(parameters.force, parameters.dt),
       generator_({&robot, parameters.limits, parameters.dt, parameters.stop_steps}, parameters.T_WE),
+      oscillation_(parameters.oscillation, parameters.dt),
       servo_(robot, parameters.dt),
       homing_(robot, parameters.homing, parameters.dt) {
   const AxisVector zero = AxisVector::Zero(robot.axes());
@@ -236,6 +238,12 @@ void Driver::adjust_force(const HardwareReading& reading, bool stood) noexcept {
 }
 
 void Driver::move() noexcept {
+  const AxisSet watched = state_ == DriverState::executing ? force_axes_ : AxisSet();
+  if (const std::optional<Fault> swings = oscillation_.step(measured_.F_a, watched)) {
+    generator_.stop();
+    fire(Event::failed);
+    fail(*swings);
+  }
   if (state_ == DriverState::homing) return generator_.shift(homing_.increment());
   if (state_ != DriverState::executing && state_ != DriverState::decelerating &&
       state_ != DriverState::jogging)

@@ -13,6 +13,7 @@
 #include "edp/encoders.hpp"
 #include "edp/force_sensor.hpp"
 #include "edp/homing.hpp"
+#include "edp/oscillation.hpp"
 #include "edp/protocol.hpp"
 #include "edp/robot.hpp"
 #include "edp/servo.hpp"
@@ -158,6 +159,7 @@ class Driver {
   Encoders encoders_;
   ForceSensor force_;
   StepGenerator generator_;
+  OscillationObserver oscillation_;
   Servo servo_;
   Homing homing_;
   std::optional<Gripper> gripper_;
@@ -186,6 +188,7 @@ class Driver {
   std::optional<Event> motion_event_;  // with which the macrostep begins when it has a SET ARM
   bool reset_pending_{};
   bool bias_pending_{};
+  AxisSet force_axes_;  // of the last SET ARM
   Answer answer_;
 
   EffectorReply reply_{};

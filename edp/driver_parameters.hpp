@@ -10,6 +10,7 @@
 #include "edp/gripper.hpp"
 #include "edp/limits.hpp"
 #include "edp/servo_coefficients.hpp"
+#include "edp/oscillation.hpp"
 
 namespace mrroc::edp {
 
@@ -79,6 +80,7 @@ struct DriverParameters {
   SupervisionParameters supervision;
   std::optional<ServoChoice>
       servo;  ///< regulators of all motors at the start; without: those of the robot's table
+  OscillationParameters oscillation;
 };
 
 }  // namespace mrroc::edp

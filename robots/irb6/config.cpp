@@ -80,6 +80,9 @@ DriverSetup read_driver(const Config& config, const std::string& key, std::strin
   d.force.T_WS = read_pose(table, "sensor_in_wrist", s.arm->sensor_in_wrist());
   d.force.average = table.integer("force_average", d.force.average, {1, 4}, "readings");
   d.force.low_pass = table.number("force_low_pass", d.force.low_pass, {0, 250}, "Hz, 0: none");
+  d.oscillation.force = table.number("oscillation.force", d.oscillation.force, {0.1, 1e6}, "N");
+  d.oscillation.torque = table.number("oscillation.torque", d.oscillation.torque, {0.01, 1e6}, "N m");
+  d.oscillation.lowest = table.number("oscillation.lowest", d.oscillation.lowest, {0.5, 50}, "Hz");
   d.force.stuck_after =
       table.integer("force_stuck_after", kStuckAfter, {0, 10'000}, "equal readings, 0: never");
   d.T_WE = read_pose(table, "tool.pose", s.arm->tool_in_wrist());

@@ -71,8 +71,8 @@ class Commands : public ::testing::Test {
            return hub_.open();
          },
          {.repeat = 5ms, .give_up = patience_},
-         {{"weigh", "Weigh something", [this](const auto& arguments, std::ostream& out, std::ostream&) {
-             weighed_ = arguments;
+         {{"weigh", "Weigh something", [this](const auto& given, std::ostream& out, std::ostream&) {
+             weighed_ = given;
              out << "3 kg\n";
              return 1;
            }}}});

@@ -1,0 +1,112 @@
+#include "edp/oscillation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "edp/control_law.hpp"
+#include "edp/guard.hpp"
+
+namespace mrroc::edp {
+namespace {
+
+constexpr double kNoise = 1. / 6;    // hysteresis over the swing that matters
+constexpr double kRinging = 1. / 3;  // hysteresis over the last swing
+constexpr double kRegular = 0.7;     // least factor between neighbouring swings
+constexpr double kUneven = 2;        // longest over shortest period
+
+}  // namespace
+
+bool is_usable(const OscillationParameters& p) noexcept {
+  return p.force > 0 && p.torque > 0 && p.growth >= 1 && p.sustained > 0 && p.periods >= 2 &&
+         p.periods <= kMostPeriods && p.lowest > 0 && p.highest > p.lowest;
+}
+
+AxisSet force_axes(const TaskFrameCommand& rows) noexcept {
+  AxisSet set;
+  for (const Axis a : kAxes) set[static_cast<std::size_t>(a)] = behaving(rows[a]).mobility > 0;
+  return set;
+}
+
+std::optional<Fault> OscillationObserver::step(const Wrench& F_a, AxisSet watched) noexcept {
+  std::optional<Fault> found;
+  for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+    History& h = axes_[axis];
+    if (!watched[axis]) {
+      h = {};
+      continue;
+    }
+    const double least = axis < 3 ? p_.force : p_.torque;
+    if (!turned(h, F_a.v[axis], least) || found) continue;
+    if (h.count < static_cast<std::size_t>(2 * p_.periods)) continue;
+    // After a trough the effector is about to press.
+    const bool at_peak = std::abs(h.extremum) > std::abs(h.best);
+    const double last = period(h, 0).swing;
+    const double needed = last < 2 * least ? p_.growth : p_.sustained;
+    if (at_peak && regular(h, least) && factor(h) >= needed) found = told(h, axis, least);
+  }
+  return found;
+}
+
+bool OscillationObserver::turned(History& h, double force, double least) const noexcept {
+  if (!h.begun) {
+    h.begun = true;
+    h.extremum = h.best = force;
+    return false;
+  }
+  ++h.since_extremum;
+  ++h.since_best;
+  if (h.rising ? force >= h.best : force <= h.best) {
+    h.best = force;
+    h.since_best = 0;
+    return false;
+  }
+  double hysteresis = kNoise * least;
+  if (h.count > 0 && h.since_extremum * dt_ * p_.lowest < 1)
+    hysteresis = std::max(hysteresis, kRinging * h.half[(h.count - 1) % kMostHalves].swing);
+  if (std::abs(force - h.best) < hysteresis) return false;
+  h.half[h.count % kMostHalves] = {std::abs(h.best - h.extremum), h.since_extremum - h.since_best};
+  ++h.count;
+  h.extremum = h.best;
+  h.since_extremum = h.since_best;
+  h.best = force;
+  h.since_best = 0;
+  h.rising = !h.rising;
+  return true;
+}
+
+OscillationObserver::Period OscillationObserver::period(const History& h, int back) const noexcept {
+  const std::size_t last = h.count - 1 - 2 * static_cast<std::size_t>(back);
+  const Half& a = h.half[last % kMostHalves];
+  const Half& b = h.half[(last - 1) % kMostHalves];
+  return {(a.swing + b.swing) / 2, (a.steps + b.steps) * dt_};
+}
+
+double OscillationObserver::factor(const History& h) const noexcept {
+  return std::pow(period(h, 0).swing / period(h, p_.periods - 1).swing, 1. / (p_.periods - 1));
+}
+
+bool OscillationObserver::regular(const History& h, double least) const noexcept {
+  double shortest = 1 / p_.lowest, longest = 1 / p_.highest;
+  for (int back = 0; back < p_.periods; ++back) {
+    const Period now = period(h, back);
+    if (now.swing < least || now.time > 1 / p_.lowest || now.time < 1 / p_.highest) return false;
+    shortest = std::min(shortest, now.time);
+    longest = std::max(longest, now.time);
+    if (back > 0 && period(h, back - 1).swing < kRegular * now.swing) return false;
+  }
+  return longest <= kUneven * shortest;
+}
+
+Fault OscillationObserver::told(const History& h, std::size_t axis, double least) const noexcept {
+  double time = 0;
+  for (int back = 0; back < p_.periods; ++back) time += period(h, back).time;
+  constexpr std::array kNames{"x", "y", "z", "ax", "ay", "az"};
+  std::array<char, 80> text{};
+  std::snprintf(text.data(), text.size(), "along %s of E at %.1f Hz, %.2f times larger with each period",
+                kNames[axis], p_.periods / time, factor(h));
+  return make_fault(FaultCode::contact_unstable, text.data(), static_cast<int>(axis), period(h, 0).swing,
+                    least);
+}
+
+}  // namespace mrroc::edp

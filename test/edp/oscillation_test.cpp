@@ -1,0 +1,147 @@
+#include "edp/oscillation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+namespace mrroc::edp {
+namespace {
+
+constexpr double kDt = 0.002;
+const AxisSet kAll("111111");
+
+/// A swinging force on one axis.
+struct Signal {
+  double mean{5}, swing{1}, frequency{12};
+  double factor{1};  // of the swing per period
+  double noise{0.1};
+};
+
+/// @return steps until the observer speaks, or -1
+int steps_until_told(const Signal& s, Axis axis = Axis::z, double seconds = 3, AxisSet watched = kAll,
+                     std::optional<Fault>* fault = nullptr) {
+  OscillationObserver observer({}, kDt);
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> noise(0, axis < Axis::ax ? s.noise : s.noise / 10);
+  for (int k = 0; k * kDt < seconds; ++k) {
+    const double t = k * kDt;
+    Wrench F;
+    const double swing = s.swing * std::pow(s.factor, t * s.frequency);
+    F[axis] = s.mean + swing / 2 * std::sin(2 * std::numbers::pi * s.frequency * t) + noise(random);
+    if (const auto told = observer.step(F, watched)) {
+      if (fault) *fault = told;
+      return k;
+    }
+  }
+  return -1;
+}
+
+TEST(Oscillation, GrowingSwingsAreToldWithAxisAndFrequency) {
+  for (const Axis axis : kAxes)
+    for (const double frequency : {5., 9., 20., 40.}) {
+      const double scale = axis < Axis::ax ? 1 : 0.1;
+      std::optional<Fault> fault;
+      const Signal s{5 * scale, 0.5 * scale, frequency, 1.3};
+      const int steps = steps_until_told(s, axis, 5, kAll, &fault);
+      ASSERT_GE(steps, 0) << frequency << " Hz, axis " << static_cast<int>(axis);
+      EXPECT_EQ(fault->code, FaultCode::contact_unstable);
+      EXPECT_EQ(fault->axis, static_cast<int>(axis));
+      const std::string text(fault->text.view());
+      EXPECT_NEAR(std::stod(text.substr(text.find(" at ") + 4)), frequency, 0.1 * frequency) << text;
+      EXPECT_NEAR(std::stod(text.substr(text.find("Hz, ") + 4)), 1.3, 0.15) << text;
+      EXPECT_LT(fault->value, 2 * std::pow(1.3, 5) * scale)
+          << "it is told before the swing has grown far beyond its bound";
+    }
+}
+
+TEST(Oscillation, ItIsToldWhenTheForceComesDownFromAPeak) {
+  for (const double mean : {5., -5.}) {
+    OscillationObserver observer({}, kDt);
+    double before = 0;
+    bool told = false;
+    for (int k = 0; k < 2000 && !told; ++k) {
+      const double t = k * kDt;
+      Wrench F;
+      F[Axis::z] = mean * (1 + 0.05 * std::pow(1.2, 10 * t) * std::sin(2 * std::numbers::pi * 10 * t));
+      told = observer.step(F, kAll).has_value();
+      EXPECT_TRUE(!told || std::abs(F[Axis::z]) < std::abs(before));
+      before = F[Axis::z];
+    }
+    EXPECT_TRUE(told);
+  }
+}
+
+TEST(Oscillation, LargeSwingsThatDoNotDieAwayAreTold) {
+  EXPECT_GE(steps_until_told({.mean = 10, .swing = 15}), 0);
+  EXPECT_EQ(steps_until_told({.mean = 10, .swing = 15, .factor = 0.9}), -1);
+}
+
+TEST(Oscillation, NothingIsToldOfHarmlessForces) {
+  EXPECT_EQ(steps_until_told({.swing = 1.5}), -1) << "a small steady swing";
+  EXPECT_EQ(steps_until_told({.swing = 0, .noise = 0.12}, Axis::z, 60), -1) << "noise";
+  EXPECT_EQ(steps_until_told({.swing = 20, .frequency = 2}), -1) << "a person who leads the arm to and fro";
+  EXPECT_EQ(steps_until_told({.swing = 20, .factor = 0.6}), -1) << "an impact that rings";
+  EXPECT_EQ(steps_until_told({.swing = 1.5, .frequency = 8, .factor = 1.03}, Axis::z, 1), -1) << "a tremor";
+  EXPECT_EQ(steps_until_told({.swing = 20, .frequency = 2, .factor = 1.1}), -1)
+      << "a push that becomes stronger";
+}
+
+TEST(Oscillation, TouchOfATremblingHandIsNoGrowth) {
+  OscillationObserver observer({}, kDt);
+  for (int k = 0; k < 3000; ++k) {
+    const double t = k * kDt, since = t - 3;
+    Wrench F;
+    F[Axis::z] = 0.4 * std::sin(2 * std::numbers::pi * 8 * t);
+    if (since > 0) F[Axis::z] += 1 + 5 * std::exp(-12 * since) * std::sin(2 * std::numbers::pi * 7 * since);
+    ASSERT_FALSE(observer.step(F, kAll)) << t;
+  }
+}
+
+TEST(Oscillation, RandomStepsOfForceAreNotSwings) {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> level(0, 4);
+  std::uniform_int_distribution<int> length(5, 200);
+  std::normal_distribution<double> noise(0, 0.1);
+  OscillationObserver observer({}, kDt);
+  for (int run = 0; run < 300; ++run) {
+    const double force = level(random);
+    for (int k = length(random); k > 0; --k) {
+      Wrench F;
+      F[Axis::x] = force + noise(random);
+      ASSERT_FALSE(observer.step(F, kAll)) << "run " << run;
+    }
+  }
+}
+
+TEST(Oscillation, AxesThatAreNotWatchedAreForgotten) {
+  EXPECT_EQ(steps_until_told({.swing = 15}, Axis::z, 3, AxisSet("011011")), -1);
+  OscillationObserver observer({}, kDt);
+  for (int k = 0; k < 3000; ++k) {
+    Wrench F;
+    F[Axis::z] = 20 * std::sin(2 * std::numbers::pi * 10 * k * kDt);
+    // Every third period the law is another one.
+    EXPECT_FALSE(observer.step(F, k % 150 == 0 ? AxisSet() : kAll)) << k;
+  }
+}
+
+TEST(Oscillation, ForceActsOnGuardedAndContactAxesOnly) {
+  EXPECT_EQ(force_axes({u(1), g(0.01, 5, 0.0025), c(1, 20, 0.005), u(), g(0.1, 1, 0), c(0, 0.5, 0.025)}),
+            AxisSet("100110"));
+}
+
+TEST(Oscillation, BoundsThatMakeNoSenseAreNotUsable) {
+  EXPECT_TRUE(is_usable({}));
+  EXPECT_TRUE(is_usable({.force = std::numeric_limits<double>::infinity()}));
+  EXPECT_FALSE(is_usable({.force = 0}));
+  EXPECT_FALSE(is_usable({.torque = -1}));
+  EXPECT_FALSE(is_usable({.growth = std::numeric_limits<double>::quiet_NaN()}));
+  EXPECT_FALSE(is_usable({.periods = 1}));
+  EXPECT_FALSE(is_usable({.periods = kMostPeriods + 1}));
+  EXPECT_FALSE(is_usable({.lowest = 20, .highest = 10}));
+}
+
+}  // namespace
+}  // namespace mrroc::edp
