@@ -24,14 +24,14 @@ std::string verdict(const FigureInfo& info, const std::vector<double>& x) {
   return good ? "ok" : "NOT OK";
 }
 
-std::string row(const FigureInfo& info, const Figure& figure, std::size_t columns) {
+std::string row(const FigureInfo& info, const Figure& figure, std::size_t columns, bool judged) {
   const std::vector<double> x = values(figure);
   std::string cells;
   for (std::size_t k = 0; k < std::max(columns, x.size()); ++k)
     cells += fmt::format(" {:>9}", k < x.size() ? cell(x[k]) : "");
   const std::string words(info.words);
   std::string line = fmt::format(kRow, info.unit.empty() ? words : fmt::format("{} [{}]", words, info.unit),
-                                 cells, wanted(info), verdict(info, x));
+                                 cells, wanted(info), judged ? verdict(info, x) : "");
   line.erase(line.find_last_not_of(" \n") + 1);
   return line + "\n";
 }
@@ -49,7 +49,7 @@ std::string wanted(const FigureInfo& info) {
 }
 
 std::string figure_table(const std::map<std::string, Figure>& figures, std::span<const FigureInfo> known,
-                         std::span<const std::string_view> columns) {
+                         std::span<const std::string_view> columns, bool judged) {
   std::string headings;
   for (const std::string_view column : columns) headings += fmt::format(" {:>9}", column);
   std::string table = fmt::format(kRow, "figure", headings, "wanted", "");
@@ -57,10 +57,10 @@ std::string figure_table(const std::map<std::string, Figure>& figures, std::span
   table += "\n";
   for (const FigureInfo& info : known)
     if (const auto figure = figures.find(std::string(info.key)); figure != figures.end())
-      table += row(info, figure->second, columns.size());
+      table += row(info, figure->second, columns.size(), judged);
   for (const auto& [key, figure] : figures)
     if (std::ranges::find(known, key, &FigureInfo::key) == known.end())
-      table += row({.key = key, .words = key, .unit = {}}, figure, columns.size());
+      table += row({.key = key, .words = key, .unit = {}}, figure, columns.size(), judged);
   return table;
 }
 

@@ -25,10 +25,11 @@ struct FigureInfo {
 /// finite number could not be measured and is shown as "-"
 /// @param known    in the order of the table
 /// @param columns  headings for figures with several numbers; a single number stands in the first column
+/// @param judged   whether the run came to its end; if not, figures are only shown
 /// @return lines, each ended by a line feed; the last column says "ok" or "NOT OK" where something is wanted and
 /// measured
 [[nodiscard]] std::string figure_table(const std::map<std::string, Figure>& figures,
                                        std::span<const FigureInfo> known,
-                                       std::span<const std::string_view> columns);
+                                       std::span<const std::string_view> columns, bool judged = true);
 
 }  // namespace mrroc::mp

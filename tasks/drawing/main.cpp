@@ -147,7 +147,7 @@ void print_summary(const mp::Summary& s) {
              : s.fault ? "ended with a fault"
                        : "done",
              s.sim_s, s.wall_s, s.wall_s > 0 ? s.sim_s / s.wall_s : 0);
-  fmt::print("{}{}", mp::figure_table(s.figures, drawing::kFigures, drawing::kFigureColumns),
+  fmt::print("{}{}", mp::figure_table(s.figures, drawing::kFigures, drawing::kFigureColumns, !s.fault),
              stroke_warning(s));
 }
 

@@ -194,7 +194,7 @@ std::string relative(const char* column, double origin) {
 }
 
 // gnuplot's measure of the height of a 3-D picture; with equal x and y, z fills kHeight times their larger range.
-constexpr double kHeight = 1.0;
+constexpr double kHeight = 1.25;
 
 // A round step that divides a range into about so many parts.
 double tics(double range, int parts) {

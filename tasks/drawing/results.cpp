@@ -48,19 +48,19 @@ std::pair<double, double> paper_force(const ArmTrace& trace) {
 }
 
 double largest_travel_z_mm(const ArmTrace& trace) {
-  double largest = 0;
+  double largest = std::nan("");  // without a travel
   for_each_segment(trace, 7, [&](std::size_t begin, std::size_t end) {
     const auto [low, high] = std::minmax_element(
         trace.begin() + static_cast<std::ptrdiff_t>(begin), trace.begin() + static_cast<std::ptrdiff_t>(end),
         [](const ArmRow& a, const ArmRow& b) { return a.pose.z() < b.pose.z(); });
-    largest = std::max(largest, 1e3 * (high->pose.z() - low->pose.z()));
+    largest = std::fmax(largest, 1e3 * (high->pose.z() - low->pose.z()));
   });
   return largest;
 }
 
 double segment_skew(const RunRecord& record) {
   const auto& [first, second] = record.segment_starts;
-  double skew = first.size() == second.size() ? 0 : std::nan("");
+  double skew = first.size() == second.size() && !first.empty() ? 0 : std::nan("");
   for (std::size_t k = 0; k < std::min(first.size(), second.size()); ++k)
     skew = std::max(skew, static_cast<double>(std::abs(first[k] - second[k])));
   return skew;

@@ -59,6 +59,13 @@ TEST(FigureTable, WhatCouldNotBeMeasuredIsADash) {
   EXPECT_EQ(figure_table(figures, kKnown, kColumns).find("nan"), std::string::npos);
 }
 
+TEST(FigureTable, ARunThatDidNotComeToItsEndIsNotJudged) {
+  const std::map<std::string, Figure> figures{{"error_mm", std::vector<double>{0.1, 0.6}}};
+  const std::string table = figure_table(figures, kKnown, kColumns, false);
+  EXPECT_EQ(table.find("OK"), std::string::npos) << table;
+  EXPECT_NE(table.find("<= 0.5"), std::string::npos) << table;
+}
+
 TEST(FigureTable, AFigureThatNobodyKnowsComesLastUnderItsKey) {
   const std::map<std::string, Figure> figures{{"a_new_one", 3.0}, {"nodes", 412.0}};
   const std::string table = figure_table(figures, kKnown, kColumns);

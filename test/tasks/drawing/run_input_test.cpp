@@ -158,7 +158,7 @@ TEST(Results, TravelIsTheLargestRiseAndFallWithinOneTravel) {
   record.traces[0] = trace({{7, 10, 0, 0.0005}, {4, 3, 0, 0.1}, {7, 10, 0, 0.002}, {7, 0, 0, 0}});
   const auto figures = figures_of({}, false, record, {}, {}, true);
   EXPECT_NEAR(std::get<std::vector<double>>(figures.at("travel_z_mm"))[0], 2, 1e-9);
-  EXPECT_EQ(std::get<std::vector<double>>(figures.at("travel_z_mm"))[1], 0);
+  EXPECT_TRUE(std::isnan(std::get<std::vector<double>>(figures.at("travel_z_mm"))[1])) << "it did not travel";
 }
 
 TEST(Results, SegmentSkewIsTheLargestAndUnknownWhenArmsDrewDifferently) {
