@@ -16,8 +16,10 @@ cat >stubs/cmake <<'STUB'
 mkdir -p build/release
 touch build/release/build.ninja
 [[ $1 == --build ]] || exit 0
+echo '[0/2] Re-checking globbed directories...'
 if [[ -e built ]]; then echo 'ninja: no work to do.'; exit 0; fi
-[[ " $* " != *' -n '* ]] || exit 0
+if [[ -e broken ]]; then echo 'made-up compiler error'; exit 1; fi
+echo '[1/2] Re-running CMake...'
 for k in 1 2 3 4 5 6 7 8; do echo "[$k/8] step $k"; done
 STUB
 chmod +x stubs/cmake
@@ -50,6 +52,15 @@ nothing_to_build_is_no_news() {
   ./run build 2>/dev/null
   said=$(./run build 2>&1)
   [[ -z $said ]] || fail 'it speaks'
+}
+
+a_build_that_fails_shows_why() {
+  touch broken
+  local status=0
+  said=$(./run build 2>&1) || status=$?
+  ((status == 1)) || fail "status $status"
+  says 'made-up compiler error'
+  says 'error: build_failed: '
 }
 
 waiting_for_another_build_is_said() {
