@@ -19,8 +19,9 @@ using edp::stiffness_limit;
 using edp::test::limit_between;
 
 constexpr int kRandomLoops = 200;
-constexpr double kPrecision = 0.01;     // of simulated limits
-constexpr double kPress = 8;            // [N]
+constexpr edp::ServoChoice kOriginal{0, 0};  // the regulators that edp::RegulatedDrive models
+constexpr double kPrecision = 0.01;          // of simulated limits
+constexpr double kPress = 8;                 // [N]
 constexpr double kSwings = 0.3;         // deviation over the pressing force from which it does not settle
 constexpr double kStiff = 1e6;          // where a limit that there is not is looked for [N/m]
 constexpr double kPaperDamping = 2e-3;  // of the world's contact, per stiffness [s]
@@ -93,7 +94,7 @@ class Swing {
 /// @return whether an axis with the real regulator keeps swinging in contact of this stiffness
 bool drive_swings(const sim::OneAxis& axis, const ContactLoop& loop, double K) {
   constexpr int kSteps = 6000, kLate = 5000;
-  sim::OneAxisRig rig(axis);
+  sim::OneAxisRig rig(axis, kOriginal.algorithm_no);
   rig.wall = 0;
   rig.stiffness = K;
   rig.damping = loop.contact_damping * K;
@@ -131,7 +132,9 @@ bool arm_swings(const Law& law, double K) {
   sim::WorldParameters w = sim::PressingArm::world_of_one();
   w.arms[0].paper.stiffness = K;
   w.arms[0].start_height = 0.005;
-  sim::PressingArm arm(w);
+  edp::DriverParameters p = sim::PressingArm::driver_parameters();
+  p.servo = kOriginal;
+  sim::PressingArm arm(w, p);
   arm.prepare();
   // Softly down, then the law that is tried.
   for (int k = 0; k < 50; ++k) arm.move({u(), u(), g(0.01, 5, 0.001), u(), u(), u()});

@@ -9,8 +9,8 @@
 #include "edp/deceleration.hpp"
 #include "edp/gripper.hpp"
 #include "edp/limits.hpp"
-#include "edp/servo_coefficients.hpp"
 #include "edp/oscillation.hpp"
+#include "edp/servo_coefficients.hpp"
 
 namespace mrroc::edp {
 
