@@ -1,5 +1,6 @@
 // How long a process waits for messages that must come, and what it says when they do not.
 #pragma once
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <vector>

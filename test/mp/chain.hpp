@@ -59,8 +59,10 @@ class Chain {
   bool fails{};             ///< it ends with a fault instead
   int state_patience{250};  ///< of the driver [steps]
 
-  /// The interruption begins.
-  void interrupt() { resting_ = true; }
+  /// The interruption begins; there is only one.
+  void interrupt() {
+    if (!interrupted_.exchange(true)) resting_ = true;
+  }
   /// @return what the driver's protocol has seen; after run()
   [[nodiscard]] const edp::Protocol& protocol() const { return rig_.driver.protocol(); }
   /// @return all lines of all processes so far
@@ -167,6 +169,7 @@ class Chain {
   static constexpr int kOver = 100;  // steps from the stop until the arm is said to be at rest
   link::Injection injection_;
   ClockKind clock_;
+  std::atomic<bool> interrupted_{false};
   std::atomic<bool> resting_{false};
   std::atomic<int> steps_over_{};
   std::filesystem::path messages_;
