@@ -25,4 +25,12 @@ constexpr double speed_ratio(int k, int n) noexcept {
 ///         k = 1..n, which is (n - 1)/2 because the ramp is symmetric. Real-time safe
 constexpr double stopping_way(int n) noexcept { return 0.5 * (n - 1); }
 
+/// @return way that is left of a stop of n steps after step k, in steps of the speed of step k; 0 for k >= n.
+///         Real-time safe
+constexpr double remaining_way(int k, int n) noexcept {
+  double way = 0;
+  for (int j = k + 1; j < n; ++j) way += remaining_speed(j, n);
+  return k < n ? way / remaining_speed(k, n) : 0;
+}
+
 }  // namespace mrroc::edp

@@ -77,7 +77,7 @@ std::optional<Fault> StepGenerator::step(const Wrench& F_a) noexcept {
     Candidate next;
     wrong = execute(F_a, next);
     if (!wrong) wrong = check(next);
-    if (!wrong) wrong = check_stop(next);
+    if (!wrong) wrong = check_stop(next, stopping_way(rules_.stop_steps));
     if (!wrong) {
       accept(next);
       return {};
@@ -166,11 +166,11 @@ std::optional<Fault> StepGenerator::check(const Candidate& next) const noexcept 
                                   rules_.limits);
 }
 
-std::optional<Fault> StepGenerator::check_stop(const Candidate& next) const noexcept {
+std::optional<Fault> StepGenerator::check_stop(const Candidate& next, double way) const noexcept {
   if (!rules_.position_known) return {};
   const Robot& robot = *rules_.robot;
   AxisPositions end;
-  end.motors = next.axes.motors + stopping_way(rules_.stop_steps) * (next.axes.motors - set_.axes.motors);
+  end.motors = next.axes.motors + way * (next.axes.motors - set_.axes.motors);
   end.joints = robot.joints_from_motors(end.motors);
   if (std::optional<Fault> wrong = check_range(robot, set_.axes, end, 0)) return wrong;
   if (!rules_.limits.workspace) return {};
@@ -190,11 +190,25 @@ void StepGenerator::stop_step() noexcept {
   const double ratio = speed_ratio(k_, rules_.stop_steps);
   Candidate next;
   if (!stop_in_motors_) {
-    if (!follow(ratio * previous_velocity(), next) && !check(next)) return accept(next);
+    // The motors must be able to take over the rest of the stop wherever the task frame ends.
+    const double rest = remaining_way(k_, rules_.stop_steps);
+    if (!follow(ratio * previous_velocity(), next) && !check(next) && !check_stop(next, rest))
+      return accept(next);
     stop_in_motors_ = true;
   }
   place(set_.axes.motors + ratio * set_.motor_increment, next);
-  if (check(next)) return stand();  // nowhere left to go: the last set point is legal
+  if (check(next)) return brake();
+  accept(next);
+}
+
+void StepGenerator::brake() noexcept {
+  // Joints that are differences of others may bend on the way although the end is legal.
+  const double most = rules_.limits.motor_acceleration * rules_.dt * rules_.dt;
+  const AxisVector slower =
+      set_.motor_increment - AxisVector(set_.motor_increment.cwiseMax(-most).cwiseMin(most));
+  if (slower.isZero(0)) return stand();
+  Candidate next;
+  place(set_.axes.motors + slower, next);
   accept(next);
 }
 

@@ -69,10 +69,13 @@ class StepGenerator {
   [[nodiscard]] std::optional<Fault> execute(const Wrench& F_a, Candidate& next) const noexcept;
   [[nodiscard]] std::optional<Fault> passive_step() noexcept;
   [[nodiscard]] std::optional<Fault> check(const Candidate& next) const noexcept;
-  // Whether the stop that may have to follow ends within the limits, too.
-  [[nodiscard]] std::optional<Fault> check_stop(const Candidate& next) const noexcept;
+  // Whether the motors' stop that may have to follow ends within the limits, too. way: of that stop, in steps
+  // of the present speed.
+  [[nodiscard]] std::optional<Fault> check_stop(const Candidate& next, double way) const noexcept;
   void accept(const Candidate& next) noexcept;
   void stop_step() noexcept;
+  // As hard as the acceleration allows: for a stop that leads out of the range of a joint.
+  void brake() noexcept;
   void stand() noexcept;
 
   MotionRules rules_;
