@@ -34,9 +34,7 @@ enum class FaultCode : std::uint16_t {
   not_synchronised,
   reset_required,
   not_at_rest,
-  in_contact,
   too_fast,
-  period_mismatch,
   excessive_acceleration,
   outside_workspace,
   force_limit,
@@ -45,10 +43,7 @@ enum class FaultCode : std::uint16_t {
   not_a_rotation,
   unreachable_pose,
   joint_limit,
-  wrist_singular,
-  arm_singular,
   // servo and drives
-  excessive_torque,
   over_current,
   over_speed,
   following_error,
@@ -61,7 +56,6 @@ enum class FaultCode : std::uint16_t {
   force_stuck,
   force_not_finite,
   sensor_silent,
-  reading_too_old,
   no_contact,
   contact_unstable,
   // processes and messages

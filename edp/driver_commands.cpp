@@ -173,6 +173,8 @@ std::optional<Fault> Driver::check_state(const EffectorCommand& command) const n
   for (const auto& [event, wanted] : asked) {
     const FaultCode code = transition(state_, event).refusal;
     if (!wanted || code == FaultCode::none) continue;
+    // Nobody has been told yet why the driver is faulted: the cause comes before its consequence.
+    if (code == FaultCode::reset_required && !fault_told_) return fault_;
     Fault fault = make_fault(code, to_string(state_));
     if (code == FaultCode::reset_required) {
       fault.axis = fault_.axis;

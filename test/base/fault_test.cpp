@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <set>
@@ -43,6 +44,29 @@ TEST(FaultTable, HasAUniqueNameATextAndARemedyForEveryCode) {
     EXPECT_FALSE(entry.remedy.empty()) << entry.name;
     for (const std::string_view part : {entry.text, entry.remedy})
       EXPECT_EQ(part.find_first_of("|\n"), std::string_view::npos) << entry.name;
+  }
+}
+
+/// All of the project's own sources but the table itself.
+std::string sources() {
+  std::ostringstream all;
+  for (const char* folder : {"base", "edp", "ecp", "mp", "vsp", "robots", "sim", "tasks", "ui_cli"})
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(std::filesystem::path(MRROC_SOURCE_DIR) / folder)) {
+      const auto& file = entry.path();
+      if (file.stem() == "fault" || file.stem() == "fault_table") continue;
+      if (file.extension() == ".cpp" || file.extension() == ".hpp") all << std::ifstream(file).rdbuf();
+    }
+  return all.str();
+}
+
+TEST(FaultTable, HasNoCodeThatNobodyRaises) {
+  const std::string text = sources();
+  for (const FaultEntry& entry : kFaultTable) {
+    const std::string name(entry.name);
+    EXPECT_TRUE(text.find("FaultCode::" + name) != std::string::npos ||
+                text.find("F::" + name) != std::string::npos)
+        << name;
   }
 }
 

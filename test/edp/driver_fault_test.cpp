@@ -64,6 +64,21 @@ TEST(DriverFault, EveryMalfunctionBrakesTheDrivesAndNamesItsAxis) {
   }
 }
 
+TEST(DriverFault, TheNextReplyNamesTheCauseThoughItCameAfterTheReplyBefore) {
+  Rig rig;
+  rig.synchronise();
+  rig.after_each_step = [&] {
+    if (rig.driver.reply_due()) rig.world.switches[2] = static_cast<std::uint8_t>(AxisSwitch::over_current);
+  };
+  EXPECT_EQ(rig.macrostep(rig.velocity({u(0.01), u(), u(), u(), u(), u()})).verdict, Verdict::executed);
+  rig.after_each_step = nullptr;
+  const EffectorReply next = rig.macrostep(rig.velocity({}));
+  EXPECT_EQ(next.verdict, Verdict::refused);
+  EXPECT_EQ(next.fault.code, FaultCode::over_current);
+  EXPECT_EQ(next.fault.axis, 2);
+  EXPECT_EQ(rig.macrostep(rig.velocity({})).fault.code, FaultCode::reset_required);
+}
+
 TEST(DriverFault, ResetLeadsOnFromTheMeasuredPose) {
   for (const Malfunction& m : malfunctions()) {
     Rig rig;

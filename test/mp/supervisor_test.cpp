@@ -180,7 +180,7 @@ TEST_F(SupervisorTest, TheFirstReasonIsKeptAndADeathDoesNotWaitForTheAgreedMacro
 TEST_F(SupervisorTest, LinesOfAllProcessesAreWrittenDown) {
   const auto talks = [](Process& p) {
     p.say("hello there");
-    p.say("that hurt", FaultCode::in_contact);
+    p.say("that hurt", FaultCode::not_at_rest);
     if (p.assemble()) p.report_done();
   };
   System s({{"talker", {}, {}, talks}}, messages());
@@ -191,7 +191,7 @@ TEST_F(SupervisorTest, LinesOfAllProcessesAreWrittenDown) {
   EXPECT_EQ(s.supervisor.last_message(), "talker: that hurt");
   const std::string text = logged();
   EXPECT_NE(text.find("hello there"), std::string::npos);
-  EXPECT_NE(text.find("in_contact"), std::string::npos);
+  EXPECT_NE(text.find("not_at_rest"), std::string::npos);
 }
 
 TEST_F(SupervisorTest, DestructionEndsThreadsThatStillWait) {
