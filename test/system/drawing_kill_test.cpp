@@ -121,7 +121,8 @@ TEST(Interrupt, StopsTheTask) {
   run.task().signal(SIGINT);
   const Ended end = run.task().end();
   EXPECT_EQ(end.status, 1) << end.all();
-  EXPECT_TRUE(end.last_err().starts_with("error: interrupted: a signal ended the task (SIGINT)")) << end.last_err();
+  EXPECT_TRUE(end.last_err().starts_with("error: interrupted: a signal ended the task (SIGINT)"))
+      << end.last_err();
   EXPECT_EQ(end.last_out(), run.last_line());
   EXPECT_EQ(run.summary()["outcome"], "stopped");
   EXPECT_LE(run.summary()["figures"]["stop_steps_max"].get<double>(), 100);

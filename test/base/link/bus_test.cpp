@@ -12,9 +12,9 @@
 #include "base/link/log_reader.hpp"
 #include "base/link/memory_bus.hpp"
 #include "base/link/session.hpp"
-#include "test/base/link/buses.hpp"
 #include "mrroc/operator_order_t.hpp"
 #include "mrroc/sensor_reading_t.hpp"
+#include "test/base/link/buses.hpp"
 
 namespace mrroc::link {
 namespace {

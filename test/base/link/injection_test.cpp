@@ -7,8 +7,8 @@
 #include <random>
 
 #include "base/link/channel.hpp"
-#include "test/base/link/buses.hpp"
 #include "mrroc/operator_order_t.hpp"
+#include "test/base/link/buses.hpp"
 
 namespace mrroc::link {
 namespace {
