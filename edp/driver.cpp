@@ -84,6 +84,7 @@ HardwareCommand Driver::step(const HardwareReading& reading) noexcept {
   add_sample();
   if (iota_ == n_Q_) answer(reading);
   move();
+  if (reply_due_) complete_answer();
   const HardwareCommand command = drive(reading);
   if (iota_ == n_) end_macrostep();
   ++steps_done_;

@@ -144,6 +144,8 @@ class Driver {
   void adjust_force(const HardwareReading& reading, bool stood) noexcept;
   void add_sample() noexcept;
   void answer(const HardwareReading& reading) noexcept;
+  // What is set in step n_Q, which is known after its motion only; what is measured stays that of its beginning.
+  void complete_answer() noexcept;
   void move() noexcept;
   void report_pose(EffectorReply& reply) const noexcept;
   void report_model(EffectorReply& reply) const noexcept;

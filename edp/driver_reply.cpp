@@ -39,7 +39,6 @@ void Driver::answer(const HardwareReading& reading) noexcept {
   if (reply_.fault.code == fault_.code) fault_told_ = true;
   reply_.state = state_;
   reply_.parts = answer_.parts;
-  report_pose(reply_);
   reply_.T_0E = samples_[sample_count_ - 1].T_0E;
   reply_.F_a = measured_.F_a;
   std::copy_n(measured_.joints.data(), measured_.joints.size(), reply_.joints.begin());
@@ -54,6 +53,11 @@ void Driver::answer(const HardwareReading& reading) noexcept {
     reply_.inputs = reading.inputs;
     reply_.analog = reading.analog;
   }
+}
+
+void Driver::complete_answer() noexcept {
+  if (answer_.replay) return;
+  report_pose(reply_);
   if (answer_.store) protocol_.store(reply_);
 }
 

@@ -213,12 +213,12 @@ TEST(DriverMotion, ReplyCarriesTheMeasuredOrTheSetPoseInEveryRepresentation) {
       AxisPositions at;
       Pose T_0E;
       do {
-        // Both belong to the beginning of the step: what is set is what the last step has set.
-        const bool set = feedback == Feedback::set_value;
-        at.motors = set ? rig.driver.set_point().axes.motors : rig.world.motors();
+        // What is measured belongs to the beginning of the step, what is set to the step itself.
+        at.motors = rig.world.motors();
+        rig.step();
+        if (feedback == Feedback::set_value) at.motors = rig.driver.set_point().axes.motors;
         at.joints = rig.arm.joints_from_motors(at.motors);
         T_0E = rig.arm.forward(at.joints) * Rig::parameters().T_WE;
-        rig.step();
       } while (!rig.driver.reply_due());
       const EffectorReply& reply = rig.driver.reply();
       EXPECT_EQ(reply.representation, c.get_representation);
@@ -234,6 +234,21 @@ TEST(DriverMotion, ReplyCarriesTheMeasuredOrTheSetPoseInEveryRepresentation) {
       }
       while (!rig.driver.at_boundary()) rig.step();
     }
+}
+
+TEST(DriverMotion, SetValueOfAReplyIsThatOfItsStep) {
+  for (const int n_Q : {1, 4, 10, 11}) {
+    Rig rig;
+    rig.synchronise();
+    EffectorCommand c = rig.velocity({u(), u(0.05), u(), u(), u(), u()});
+    c.instruction = Instruction::set_get;
+    c.get = Part::arm | Part{};
+    c.get_representation = Representation::xyz_angle_axis;
+    c.feedback = Feedback::set_value;
+    c.arm.n_Q = static_cast<std::uint16_t>(n_Q);
+    const double start = rig.driver.set_point().T_0E.p.y();
+    EXPECT_NEAR(rig.macrostep(c).pose[1] - start, 1e-4 * std::min(n_Q, 10), 1e-12);
+  }
 }
 
 TEST(DriverMotion, SamplesAreTheReadingsOfAllStepsSinceTheReplyBefore) {
