@@ -32,7 +32,8 @@ inline double motor(double distance) noexcept {
 /// @return change of the distance per motor angle [m/rad], negative
 inline double slope(double motor) noexcept { return 2 * kA * motor + kB; }
 
-/// Distances, encoder and current limit are the original's; the gains are made for the drive of sim/jaws.hpp.
+/// Distances, encoder and over_current are the original's; the gains are made for the drive of sim/jaws.hpp, where
+/// the hardest grip takes 0.18 A.
 /// @return the driver's parameters of the gripper
 inline edp::GripperParameters two_jaw() {
   edp::GripperParameters p;
@@ -49,7 +50,7 @@ inline edp::GripperParameters two_jaw() {
   p.stiffness = 0.03;
   p.damping = 0.002;
   p.current_gain = 40;
-  p.over_current = 0.5;
+  p.over_current = 0.2;
   p.blocked_current = 0.1;
   p.blocked_motion = 0.5;
   p.blocked_steps = 25;
