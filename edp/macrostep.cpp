@@ -91,8 +91,7 @@ Objection plan_mim(const ArmCommand& command, const SetPoint& from, const Pose& 
 /// control.
 Objection check_first_step(const ArmCommand& command, const Twist& v_d, const SetPoint& from,
                            const Pose& T_WE, const MotionRules& rules) {
-  const Pose T_EW = T_WE.inverse();
-  const Twist before = xi_V(T_EW, xi_star((from.T_0E.R * T_EW.R).transpose(), from.v_0W));
+  const Twist before = velocity_of_E(from, T_WE.inverse());
   Twist after = before;
   for (const Axis a : kAxes)
     if (const AxisCommand& row = command.frame[a]; row.b == Behaviour::unguarded)
@@ -100,24 +99,38 @@ Objection check_first_step(const ArmCommand& command, const Twist& v_d, const Se
   return check_acceleration(before, after, rules.dt, rules.limits);
 }
 
+/// The step of velocity of the passive step, in which the set point stands, as far as it is commanded.
+/// @param v_end commanded velocity in the last step before it
+Objection check_passive_step(const ArmCommand& command, const Twist& v_end, const MotionRules& rules) {
+  if (command.n_Q <= command.n_s) return {};
+  Twist before;
+  for (const Axis a : kAxes)
+    if (command.frame[a].b == Behaviour::unguarded) before[a] = v_end[a];
+  return check_acceleration(before, {}, rules.dt, rules.limits);
+}
+
 Objection plan_tcim(const ArmCommand& command, const SetPoint& from, const Pose& T_WE,
                     const MotionRules& rules, Macrostep& plan) {
   const double time = command.n_s * rules.dt;
   Pose end;
-  Twist v_d;
+  Twist v_d;    // along the path of TCIM-POSE
+  Twist v_end;  // in E at the end
   if (command.mu == Interpolation::tcim_pose) {
     end = desired_pose(command, from.T_0E);
     const Vector6 r = angle_axis_from_pose(from.T_0E.inverse() * end);
     v_d = Twist::from(r.head<3>() / time, r.tail<3>() / time);  // eq. (27)
     if (const Objection wrong = check_velocity(v_d, rules.limits)) return wrong;
+    v_end = xi_star(end.R.transpose() * from.T_0E.R, v_d);
   } else {
     end = from.T_0E * travel(positional(command.frame), time);
+    v_end = positional(command.frame);
   }
   AxisPositions to;
   if (const Objection wrong = place(*rules.robot, end * T_WE.inverse(), from.axes.joints, to)) return wrong;
   if (const Objection wrong = check_range(*rules.robot, from.axes, to, 0)) return wrong;
   if (const Objection wrong = check_workspace(from.T_0E, end, rules.limits)) return wrong;
   if (const Objection wrong = check_first_step(command, v_d, from, T_WE, rules)) return wrong;
+  if (const Objection wrong = check_passive_step(command, v_end, rules)) return wrong;
   plan.frame = command.frame;
   plan.v_d = xi_star(from.T_0E.R, v_d);
   return {};

@@ -19,7 +19,15 @@ struct SetPoint {
   AxisPositions axes;          ///< set positions that realise T_c
   AxisVector motor_increment;  ///< motion of the set motor positions in the last step [rad]
   Twist v_0W;                  ///< 0_W v_c: velocity of the wrist computed last, in the orientation of the
-                               ///< base, at W because the tool E may change [m/s], [rad/s]
+                               ///< base, at W because the tool E may change [m/s], [rad/s]. It is the law's
+                               ///< memory and outlives a passive step, in which the set point stands
 };
+
+/// @return velocity with which E went to the set point, in E; zero after a passive step. Real-time safe
+/// @param T_EW inverse of the tool that T_0E belongs to
+[[nodiscard]] inline Twist velocity_of_E(const SetPoint& set, const Pose& T_EW) noexcept {
+  if (set.motor_increment.isZero(0)) return {};
+  return xi_V(T_EW, xi_star((set.T_0E.R * T_EW.R).transpose(), set.v_0W));
+}
 
 }  // namespace mrroc::edp

@@ -59,6 +59,7 @@ void StepGenerator::stop() noexcept {
   if ((set_.motor_increment.array() == 0).all()) return stand();
   motion_ = Motion::stopping;
   stop_in_motors_ = macrostep_.mu == Interpolation::mim;
+  stop_at_once_ = false;
   k_ = 0;
 }
 
@@ -87,6 +88,7 @@ std::optional<Fault> StepGenerator::step(const Wrench& F_a) noexcept {
   // the inverse kinematics that has no solution.
   motion_ = Motion::stopping;
   stop_in_motors_ = true;
+  stop_at_once_ = wrong->code == FaultCode::force_limit;  // every farther step would press harder
   k_ = 0;
   stop_step();
   return wrong;
@@ -94,12 +96,16 @@ std::optional<Fault> StepGenerator::step(const Wrench& F_a) noexcept {
 
 std::optional<Fault> StepGenerator::passive_step() noexcept {
   const AxisVector rest = AxisVector::Zero(rules_.robot->axes());
+  const bool in_task_frame = macrostep_.mu != Interpolation::mim;
+  if (in_task_frame)
+    if (std::optional<Fault> wrong =
+            check_acceleration(velocity_of_E(set_, T_EW_), {}, rules_.dt, rules_.limits))
+      return wrong;
   if (std::optional<Fault> wrong =
           check_motor_acceleration(set_.motor_increment / rules_.dt, rest, rules_.dt, rules_.limits))
     return wrong;
   set_.motor_increment = rest;
-  // In TCIM the law keeps its memory over the step.
-  if (macrostep_.mu == Interpolation::mim) set_.v_0W = {};
+  if (!in_task_frame) set_.v_0W = {};  // the law keeps its memory over the step
   return {};
 }
 
@@ -109,8 +115,9 @@ std::optional<Fault> StepGenerator::execute(const Wrench& F_a, Candidate& next) 
     const double part = static_cast<double>(k_) / macrostep_.n_s;
     place(macrostep_.from + part * (macrostep_.to - macrostep_.from), next);
     if (!rules_.position_known) return {};
-    return check_contact_force(F_a, xi_V(T_EW_, xi_star((set_.T_0E.R * T_EW_.R).transpose(), next.v_0W)),
-                               rules_.limits);
+    const Twist v_E = xi_V(T_EW_, xi_star((set_.T_0E.R * T_EW_.R).transpose(), next.v_0W));
+    if (std::optional<Fault> wrong = check_velocity(v_E, rules_.limits)) return wrong;
+    return check_contact_force(F_a, v_E, rules_.limits);
   }
   TaskFrameCommand frame = macrostep_.frame;
   if (macrostep_.mu == Interpolation::tcim_pose) {
@@ -121,7 +128,8 @@ std::optional<Fault> StepGenerator::execute(const Wrench& F_a, Candidate& next) 
   const Twist v_c = step_velocity(frame, F_a, v_before, dt);
   if (std::optional<Fault> wrong = check_velocity(v_c, rules_.limits)) return wrong;
   if (std::optional<Fault> wrong = check_contact_force(F_a, v_c, rules_.limits)) return wrong;
-  if (std::optional<Fault> wrong = check_acceleration(v_before, v_c, dt, rules_.limits)) return wrong;
+  if (std::optional<Fault> wrong = check_acceleration(velocity_of_E(set_, T_EW_), v_c, dt, rules_.limits))
+    return wrong;
   return follow(v_c, next);
 }
 
@@ -185,6 +193,7 @@ void StepGenerator::accept(const Candidate& next) noexcept {
 }
 
 void StepGenerator::stop_step() noexcept {
+  if (stop_at_once_) return brake();
   ++k_;
   if (k_ >= rules_.stop_steps) return stand();
   const double ratio = speed_ratio(k_, rules_.stop_steps);

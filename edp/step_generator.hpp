@@ -48,7 +48,7 @@ class StepGenerator {
   /// @param F_a adjusted force in E [N, N m]
   /// @return why the macrostep cannot go on: the next set point would be out of reach, too fast, or so near a
   ///         limit that the stop would not fit any more. The motors are then on their way to rest, each from
-  ///         the speed it has.
+  ///         the speed it has; with too much contact force as hard as the acceleration of the motors allows.
   std::optional<Fault> step(const Wrench& F_a) noexcept;
 
   [[nodiscard]] Motion motion() const noexcept { return motion_; }
@@ -74,7 +74,8 @@ class StepGenerator {
   [[nodiscard]] std::optional<Fault> check_stop(const Candidate& next, double way) const noexcept;
   void accept(const Candidate& next) noexcept;
   void stop_step() noexcept;
-  // As hard as the acceleration allows: for a stop that leads out of the range of a joint.
+  // As hard as the acceleration of the motors allows: for a stop that leads out of the range of a joint, or
+  // into a contact.
   void brake() noexcept;
   void stand() noexcept;
 
@@ -85,6 +86,7 @@ class StepGenerator {
   Macrostep macrostep_;
   Motion motion_{Motion::standing};
   bool stop_in_motors_{};
+  bool stop_at_once_{};
   int k_{};  // step of the macrostep, or of the stop
 };
 

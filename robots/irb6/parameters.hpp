@@ -212,7 +212,7 @@ inline constexpr ArmParameters kPostument{
     .tool_in_wrist = {0, 0, 0.25, 0, 0, 0},
     .tool_weight = 10.8,
     .tool_mass_centre = {0.004, 0, 0.156},
-    .force_limit = {65, 65, 130, 5, 5, 5},
+    .force_limit = {58, 58, 130, 4.5, 4.5, 4.5},
 };
 
 /// The arm on the track, nominal.
@@ -229,7 +229,7 @@ inline constexpr ArmParameters kTrack{
     .tool_in_wrist = {0, 0, 0.25, 0, 0, 0},
     .tool_weight = 13.18,
     .tool_mass_centre = {0.004, 0, 0.130},
-    .force_limit = {65, 65, 130, 5, 5, 5},
+    .force_limit = {58, 58, 130, 4.5, 4.5, 4.5},
 };
 
 /// The arm on the pedestal, as calibrated.

@@ -180,13 +180,11 @@ TEST(Automaton, MotionsComeToRestInTheStateOfTheTable) {
 }
 
 TEST(Automaton, MacrostepThatFailsLeadsWhereTheTableSays) {
-  DriverParameters p = Rig::parameters();
-  p.limits.contact_force[Axis::x] = 1;
-  Rig rig(p);
+  Rig rig(homing_parameters());
   lead_into(rig, DriverState::executing);
-  rig.world.sensor_offset[Axis::x] = -5;
-  rig.world.sensor_offset[Axis::y] = 5;
-  const EffectorReply reply = rig.macrostep(rig.velocity({u(kFast), u(kFast), u(), u(), u(), u()}));
+  rig.world.sensor_offset[Axis::x] = 60;  // pushes the arm to 1.2 m/s
+  const AxisCommand soft = c(0, 1, 0.02);
+  const EffectorReply reply = rig.macrostep(rig.velocity({soft, soft, u(), u(), u(), u()}));
   EXPECT_EQ(reply.verdict, Verdict::failed);
   EXPECT_EQ(reply.state, transition(DriverState::executing, Event::failed).next);
 }

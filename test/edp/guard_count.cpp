@@ -22,12 +22,29 @@ bool decodes_in_a_wrong_size(std::mt19937_64& random, const EffectorCommand& com
   return link::decode<effector_command_t>(bytes).has_value();
 }
 
+/// @return what a driver says about its arm, model and inputs: a copy of it, so that it is not changed by the
+///         question
+std::vector<std::uint8_t> told(const Rig& rig) {
+  Rig copy = rig;
+  EffectorCommand c = copy.command(Instruction::get);
+  c.number = copy.driver.protocol().expected();
+  c.get = Part::arm | Part::robot_model;
+  c.get = static_cast<std::uint8_t>(c.get | static_cast<unsigned>(Part::io));
+  c.get_representation = c.get_tool_representation = Representation::frame;
+  EffectorReply reply = copy.macrostep(c);
+  reply.number = reply.expected = 0;  // the protocol's, which has checks of its own
+  const effector_reply_t m = to_message(reply);
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(m.getEncodedSize()));
+  m.encode(bytes.data(), 0, m.getEncodedSize());
+  return bytes;
+}
+
 bool same(const Rig& a, const Rig& b) {
   const SetPoint& x = a.driver.set_point();
   const SetPoint& y = b.driver.set_point();
   return a.driver.state() == b.driver.state() && x.T_0E.p == y.T_0E.p && x.T_0E.R == y.T_0E.R &&
          x.axes.motors == y.axes.motors && a.last.pwm == b.last.pwm && a.last.outputs == b.last.outputs &&
-         a.last.enabled == b.last.enabled;
+         a.last.enabled == b.last.enabled && told(a) == told(b);
 }
 
 }  // namespace
@@ -130,16 +147,33 @@ class Wanderer {
       const double motor = set.axes.motors[k];
       wrong = wrong || speed > kSlack || acceleration > kSlack || motor < axis.motor.lower - 1e-6 ||
               motor > axis.motor.upper + 1e-6;
+      if (driver_.state() == DriverState::not_synchronised) continue;
+      const double joint = set.axes.joints[k];
+      wrong = wrong || joint < axis.joint.lower - 1e-6 || joint > axis.joint.upper + 1e-6;
     }
-    if (driver_.state() == DriverState::executing && command_.arm.mu != Interpolation::mim) {
-      const Vector6 way = angle_axis_from_pose(last_.T_0E.inverse() * set.T_0E) / p_.dt;
-      const double speed = std::max(way.head<3>().norm() / p_.limits.linear_velocity,
-                                    way.tail<3>().norm() / p_.limits.angular_velocity);
-      count_.tip_speed = std::max(count_.tip_speed, speed);
-      wrong = wrong || speed > kSlack;
-    }
+    wrong = look_at_the_tip(set) > kSlack || wrong;
     count_.violations += wrong;
     last_ = set;
+  }
+
+  /// @return greatest speed or acceleration of E, of its limit, as its poses show them
+  double look_at_the_tip(const SetPoint& set) {
+    const Vector6 way = angle_axis_from_pose(last_.T_0E.inverse() * set.T_0E) / p_.dt;
+    const Twist v = Twist::from(way.head<3>(), way.tail<3>());
+    const Matrix3 R_0W = last_.T_0E.R * p_.T_WE.R.transpose();
+    const Twist before = xi_V(p_.T_WE.inverse(), xi_star(R_0W.transpose(), v_0W_));
+    v_0W_ = xi_star(R_0W, xi_V(p_.T_WE, v));
+    if (driver_.state() != DriverState::executing) return 0;
+    const Limits& limits = p_.limits;
+    const double speed =
+        std::max(v.linear().norm() / limits.linear_velocity, v.angular().norm() / limits.angular_velocity);
+    count_.tip_speed = std::max(count_.tip_speed, speed);
+    if (command_.arm.mu == Interpolation::mim) return speed;
+    const Twist change = (v - before) * (1 / p_.dt);
+    const double acceleration = std::max(change.linear().norm() / limits.linear_acceleration,
+                                         change.angular().norm() / limits.angular_acceleration);
+    count_.tip_acceleration = std::max(count_.tip_acceleration, acceleration);
+    return std::max(speed, acceleration);
   }
 
   ArmCommand any_motion() {
@@ -176,6 +210,7 @@ class Wanderer {
   EffectorCommand command_{};
   Wrench force_;
   SetPoint last_;
+  Twist v_0W_;  // of the wrist in the last step
   SetPointCount count_;
 };
 

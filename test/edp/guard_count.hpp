@@ -22,11 +22,12 @@ InvalidCount count_invalid(long commands, std::uint64_t seed);
 /// Outcome of many steps of motion.
 struct SetPointCount {
   long steps{};
-  long moving{};          ///< steps in which the set point moved
-  long violations{};      ///< steps with a speed, acceleration or position beyond its limit
-  double speed{};         ///< greatest speed of a motor, of its limit
-  double acceleration{};  ///< greatest acceleration of a motor, of its limit
-  double tip_speed{};     ///< greatest speed of E while a TCIM command was executed, of its limit
+  long moving{};              ///< steps in which the set point moved
+  long violations{};          ///< steps with a speed, acceleration or position beyond its limit
+  double speed{};             ///< greatest speed of a motor, of its limit
+  double acceleration{};      ///< greatest acceleration of a motor, of its limit
+  double tip_acceleration{};  ///< greatest acceleration of E while a TCIM command was executed, of its limit
+  double tip_speed{};         ///< greatest speed of E while a command was executed, of its limit
 };
 
 /// Commands motions of every kind at random, legal and too fast ones, with silence in between, under a random
