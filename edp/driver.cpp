@@ -153,8 +153,8 @@ void Driver::measure(const HardwareReading& reading) noexcept {
     last_step_ = reading.step - 1;
     last_encoder_ = reading.encoder;
   }
-  for (int k = 0; k < robot_->axes(); ++k)
-    measured_.increment[k] = Encoders::difference(reading, last_encoder_, k);
+  const int axes = robot_->axes();
+  for (int k = 0; k < axes; ++k) measured_.increment[k] = Encoders::difference(reading, last_encoder_, k);
   measured_.time = static_cast<double>(std::max<std::int64_t>(1, reading.step - last_step_)) * p_.dt;
   last_encoder_ = reading.encoder;
   last_step_ = reading.step;
@@ -235,7 +235,7 @@ void Driver::adjust_force(const HardwareReading& reading, bool stood) noexcept {
   if (bias_pending_) force_.bias(measured_.T_0W.R);
   bias_pending_ = false;
   // 0_W F_a and back to W with the orientation of the same reading is the identity: xi_F alone leads to E.
-  measured_.F_a = xi_F(generator_.tool().inverse(), force_.adjusted(measured_.T_0W.R));
+  measured_.F_a = xi_F(generator_.tool_inverse(), force_.adjusted(measured_.T_0W.R));
 }
 
 void Driver::move() noexcept {

@@ -31,6 +31,16 @@ bool within(double value, double limit) { return std::abs(value) <= limit; }
 /// @return whether 0 <= value <= limit; false for NaN
 bool between_0_and(double limit, double value) { return value >= 0 && value <= limit; }
 
+/// Lowest and highest position to go to: legal ones, and those no farther away than where the axis is.
+Range range_from(const Range& legal, double start) {
+  return {std::min(legal.lower, start) - kRounding, std::max(legal.upper, start) + kRounding};
+}
+bool is_legal(const Range& legal, double start, double end) { return range_from(legal, start).contains(end); }
+Fault beyond(const Range& legal, double start, double end, int axis, std::string_view text) {
+  const bool below = end < range_from(legal, start).lower;
+  return make_fault(FaultCode::joint_limit, text, axis, end, below ? legal.lower : legal.upper);
+}
+
 Objection check_row(const AxisCommand& row, Axis axis, double largest_force, const Limits& limits) {
   const int k = static_cast<int>(axis);
   if (!known(row.b, Behaviour::contact)) return unknown("behaviour", static_cast<double>(row.b));
@@ -169,27 +179,23 @@ Objection check_velocity(const Twist& v, const Limits& limits) noexcept {
 
 Objection check_range(const Robot& robot, const AxisPositions& from, const AxisPositions& to,
                       double stop_way) noexcept {
-  const auto check = [&](const Range& legal, double start, double end, int axis,
-                         std::string_view text) -> Objection {
-    const double lower = std::min(legal.lower, start) - kRounding;
-    const double upper = std::max(legal.upper, start) + kRounding;
-    const double last = end + (end - start) * stop_way;
-    if (last >= lower && last <= upper) return {};
-    return make_fault(FaultCode::joint_limit, text, axis, last, last < lower ? legal.lower : legal.upper);
-  };
-  for (int k = 0; k < robot.axes(); ++k) {
+  const int axes = robot.axes();
+  for (int k = 0; k < axes; ++k) {
     const AxisProperties& axis = robot.axis(k);
-    if (const Objection wrong = check(axis.motor, from.motors[k], to.motors[k], k, "motor [rad]"))
-      return wrong;
-    if (const Objection wrong = check(axis.joint, from.joints[k], to.joints[k], k, "joint [rad], [m]"))
-      return wrong;
+    const double motor = to.motors[k] + (to.motors[k] - from.motors[k]) * stop_way;
+    if (!is_legal(axis.motor, from.motors[k], motor))
+      return beyond(axis.motor, from.motors[k], motor, k, "motor [rad]");
+    const double joint = to.joints[k] + (to.joints[k] - from.joints[k]) * stop_way;
+    if (!is_legal(axis.joint, from.joints[k], joint))
+      return beyond(axis.joint, from.joints[k], joint, k, "joint [rad], [m]");
   }
   return {};
 }
 
 Objection check_motor_speed(const Robot& robot, const AxisVector& from, const AxisVector& to,
                             double time) noexcept {
-  for (int k = 0; k < robot.axes(); ++k) {
+  const int axes = robot.axes();
+  for (int k = 0; k < axes; ++k) {
     const double speed = std::abs(to[k] - from[k]) / time;
     const double limit = robot.axis(k).max_motor_speed;
     if (!(speed <= limit * (1 + kRounding)))

@@ -33,7 +33,7 @@ std::optional<Fault> OscillationObserver::step(const Wrench& F_a, AxisSet watche
   for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
     History& h = axes_[axis];
     if (!watched[axis]) {
-      h = {};
+      if (h.begun) h = {};
       continue;
     }
     const double least = axis < 3 ? p_.force : p_.torque;

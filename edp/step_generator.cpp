@@ -7,7 +7,7 @@
 namespace mrroc::edp {
 
 StepGenerator::StepGenerator(const MotionRules& rules, const Pose& T_WE) noexcept
-    : rules_(rules), T_WE_(T_WE), T_EW_(T_WE.inverse()) {
+    : rules_(rules), T_WE_(T_WE), T_EW_(T_WE.inverse()), R_0W_(Matrix3::Identity()) {
   stand_at(AxisVector::Zero(rules.robot->axes()));
 }
 
@@ -16,6 +16,7 @@ void StepGenerator::stand_at(const AxisVector& motors) noexcept {
   place(motors, here);
   set_.T_0E = here.T_0E;
   set_.axes = here.axes;
+  R_0W_ = here.R_0W;
   stand();
 }
 
@@ -69,21 +70,8 @@ std::optional<Fault> StepGenerator::step(const Wrench& F_a) noexcept {
     stop_step();
     return {};
   }
-  std::optional<Fault> wrong;
-  if (k_ == macrostep_.n_s) {
-    wrong = passive_step();
-    if (!wrong) return {};
-  } else {
-    ++k_;
-    Candidate next;
-    wrong = execute(F_a, next);
-    if (!wrong) wrong = check(next);
-    if (!wrong) wrong = check_stop(next, stopping_way(rules_.stop_steps));
-    if (!wrong) {
-      accept(next);
-      return {};
-    }
-  }
+  std::optional<Fault> wrong = k_ == macrostep_.n_s ? passive_step() : active_step(F_a);
+  if (!wrong) return wrong;
   // The motors can be brought to rest wherever the arm is, which does not hold for the task frame: it may be
   // the inverse kinematics that has no solution.
   motion_ = Motion::stopping;
@@ -92,6 +80,16 @@ std::optional<Fault> StepGenerator::step(const Wrench& F_a) noexcept {
   k_ = 0;
   stop_step();
   return wrong;
+}
+
+std::optional<Fault> StepGenerator::active_step(const Wrench& F_a) noexcept {
+  ++k_;
+  Candidate next;
+  if (std::optional<Fault> wrong = execute(F_a, next)) return wrong;
+  if (std::optional<Fault> wrong = check(next)) return wrong;
+  if (std::optional<Fault> wrong = check_stop(next, stopping_way(rules_.stop_steps))) return wrong;
+  accept(next);
+  return {};
 }
 
 std::optional<Fault> StepGenerator::passive_step() noexcept {
@@ -115,7 +113,7 @@ std::optional<Fault> StepGenerator::execute(const Wrench& F_a, Candidate& next) 
     const double part = static_cast<double>(k_) / macrostep_.n_s;
     place(macrostep_.from + part * (macrostep_.to - macrostep_.from), next);
     if (!rules_.position_known) return {};
-    const Twist v_E = xi_V(T_EW_, xi_star((set_.T_0E.R * T_EW_.R).transpose(), next.v_0W));
+    const Twist v_E = xi_V(T_EW_, xi_star(R_0W_.transpose(), next.v_0W));
     if (std::optional<Fault> wrong = check_velocity(v_E, rules_.limits)) return wrong;
     return check_contact_force(F_a, v_E, rules_.limits);
   }
@@ -134,15 +132,16 @@ std::optional<Fault> StepGenerator::execute(const Wrench& F_a, Candidate& next) 
 }
 
 Twist StepGenerator::previous_velocity() const noexcept {
-  const Matrix3 R_W0 = (set_.T_0E.R * T_EW_.R).transpose();
-  return xi_V(T_EW_, xi_star(R_W0, set_.v_0W));
+  return xi_V(T_EW_, xi_star(R_0W_.transpose(), set_.v_0W));
 }
 
 std::optional<Fault> StepGenerator::follow(const Twist& v_E, Candidate& next) const noexcept {
   next.T_0E = set_.T_0E * pose_from_angle_axis(v_E.vector() * rules_.dt);  // eq. (29), (30)
   next.T_0E.R = orthonormal(next.T_0E.R);
-  next.v_0W = xi_star(set_.T_0E.R * T_EW_.R, xi_V(T_WE_, v_E));
-  const InverseSolution s = rules_.robot->inverse(next.T_0E * T_EW_, set_.axes.joints);
+  next.v_0W = xi_star(R_0W_, xi_V(T_WE_, v_E));
+  const Pose T_0W = next.T_0E * T_EW_;
+  next.R_0W = T_0W.R;
+  const InverseSolution s = rules_.robot->inverse(T_0W, set_.axes.joints);
   if (!s.reached) return make_fault(FaultCode::unreachable_pose, "missing [m]", -1, s.missing);
   next.axes.joints = s.joints;
   next.axes.motors = rules_.robot->motors_from_joints(s.joints);
@@ -154,13 +153,16 @@ void StepGenerator::place(const AxisVector& motors, Candidate& next) const noexc
   if (!rules_.position_known) {
     next.axes.joints = set_.axes.joints;
     next.T_0E = set_.T_0E;
+    next.R_0W = R_0W_;
     return;
   }
   next.axes.joints = rules_.robot->joints_from_motors(motors);
-  next.T_0E = rules_.robot->forward(next.axes.joints) * T_WE_;
+  const Pose T_0W = rules_.robot->forward(next.axes.joints);
+  next.T_0E = T_0W * T_WE_;
+  next.R_0W = T_0W.R;
   const Vector6 r = angle_axis_from_pose(set_.T_0E.inverse() * next.T_0E) / rules_.dt;
   const Twist v_E = Twist::from(r.head<3>(), r.tail<3>());
-  next.v_0W = xi_star(set_.T_0E.R * T_EW_.R, xi_V(T_WE_, v_E));
+  next.v_0W = xi_star(R_0W_, xi_V(T_WE_, v_E));
 }
 
 std::optional<Fault> StepGenerator::check(const Candidate& next) const noexcept {
@@ -189,6 +191,7 @@ void StepGenerator::accept(const Candidate& next) noexcept {
   set_.motor_increment = next.axes.motors - set_.axes.motors;
   set_.axes = next.axes;
   set_.T_0E = next.T_0E;
+  R_0W_ = next.R_0W;
   set_.v_0W = next.v_0W;
 }
 

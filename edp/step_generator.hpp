@@ -55,11 +55,14 @@ class StepGenerator {
   [[nodiscard]] const SetPoint& set_point() const noexcept { return set_; }
   /// @return T_WE
   [[nodiscard]] const Pose& tool() const noexcept { return T_WE_; }
+  /// @return T_EW
+  [[nodiscard]] const Pose& tool_inverse() const noexcept { return T_EW_; }
 
  private:
   /// A set point that has not been checked.
   struct Candidate {
     Pose T_0E;
+    Matrix3 R_0W;
     AxisPositions axes;
     Twist v_0W;
   };
@@ -67,6 +70,7 @@ class StepGenerator {
   [[nodiscard]] std::optional<Fault> follow(const Twist& v_E, Candidate& next) const noexcept;
   void place(const AxisVector& motors, Candidate& next) const noexcept;
   [[nodiscard]] std::optional<Fault> execute(const Wrench& F_a, Candidate& next) const noexcept;
+  [[nodiscard]] std::optional<Fault> active_step(const Wrench& F_a) noexcept;
   [[nodiscard]] std::optional<Fault> passive_step() noexcept;
   [[nodiscard]] std::optional<Fault> check(const Candidate& next) const noexcept;
   // Whether the motors' stop that may have to follow ends within the limits, too. way: of that stop, in steps
@@ -83,6 +87,7 @@ class StepGenerator {
   Pose T_WE_;
   Pose T_EW_;
   SetPoint set_;
+  Matrix3 R_0W_;  // orientation of the wrist at the set point
   Macrostep macrostep_;
   Motion motion_{Motion::standing};
   bool stop_in_motors_{};
