@@ -23,9 +23,11 @@ CompensatingRegulator::CompensatingRegulator(const CompensationCoefficients& c, 
   alpha_ = std::exp(-1 / steps);
   beta_ = steps * (1 - alpha_);
   gain_ = drive.speed_per_pwm() * increments_per_rad * dt;
+  per_gain_ = 1 / gain_;
+  per_rise_ = 1 / ((1 - alpha_) * gain_);
   torque_scale_ = drive.pwm_per_torque();
-  friction_ = drive.friction * torque_scale_;
-  presliding_ = drive.presliding * increments_per_rad;
+  per_presliding_ = 1 / (drive.presliding * increments_per_rad);
+  stiffness_ = drive.friction * torque_scale_ * per_presliding_;
   max_pull_ = kCurrentShare * drive.max_current * drive.resistance * kPwmScale / drive.supply;
 
   // Ackermann's formula for both: K = [0 1] [B AB]^-1 (A - z)^2, L = A^-1 (A - z)^3 [C; CA; CA^2]^-1 [0 0 1]'.
@@ -61,16 +63,16 @@ double CompensatingRegulator::step(double set_increment, double error, double pr
   v_ += l_v_ * surprise;
   d_ += l_d_ * surprise;
 
-  deflection_ = (deflection_ + set_increment) / (1 + std::abs(set_increment) / presliding_);
-  const double known = preload * torque_scale_ + friction_ * deflection_ / presliding_;
-  if (join_ == Join::with_its_load) d_ = known + r_ / gain_ - joined_pwm_;
+  deflection_ = (deflection_ + set_increment) / (1 + std::abs(set_increment) * per_presliding_);
+  const double known = preload * torque_scale_ + stiffness_ * deflection_;
+  if (join_ == Join::with_its_load) d_ = known + r_ * per_gain_ - joined_pwm_;
 
-  const double wanted = (set_increment - alpha_ * r_) / ((1 - alpha_) * gain_) + k_p_ * (-r_ / 2 - p_) +
-                        k_v_ * (r_ - v_) - d_ + known;
+  const double wanted =
+      (set_increment - alpha_ * r_) * per_rise_ + k_p_ * (-r_ / 2 - p_) + k_v_ * (r_ - v_) - d_ + known;
   if (join_ != Join::none) bump_ = joined_pwm_ - wanted;
   join_ = Join::none;
 
-  const double idle = v_ / gain_;  // without current
+  const double idle = v_ * per_gain_;  // without current
   const double pull = std::clamp(wanted + bump_ - idle, -max_pull_, max_pull_);
   const double u = std::clamp(idle + pull, -kMaxPwm, kMaxPwm);
   bump_ *= kFade;

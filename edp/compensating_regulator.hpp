@@ -81,9 +81,12 @@ class CompensatingRegulator {
 
  private:
   double alpha_{}, beta_{}, gain_{};  // model: speed kept in a step, its way [steps], speed per duty cycle
+  double per_gain_{}, per_rise_{};    // duty cycle per speed, and per rise of speed in a step
   double k_p_{}, k_v_{};
   double l_p_{}, l_v_{}, l_d_{};
-  double torque_scale_{}, friction_{}, presliding_{1}, max_pull_{};
+  double torque_scale_{}, max_pull_{};
+  double per_presliding_{};  // of Dahl's spring: one over the turn in which it yields [1/increments]
+  double stiffness_{};       // of the same: duty cycle per deflection
 
   double p_{}, v_{}, d_{};  // predicted: position relative to the set one, speed, load
   double r_{};              // set increment of the step before

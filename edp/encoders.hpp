@@ -10,7 +10,9 @@ namespace mrroc::edp {
 class Encoders {
  public:
   explicit Encoders(const Robot& robot) noexcept
-      : robot_(&robot), motors_at_zero_(AxisVector::Zero(robot.axes())) {}
+      : increments_per_rad_(robot.axes()), motors_at_zero_(AxisVector::Zero(robot.axes())) {
+    for (int k = 0; k < robot.axes(); ++k) increments_per_rad_[k] = robot.axis(k).increments_per_rad;
+  }
 
   /// Says that the motors stand at these positions now.
   /// @param reading counts of now  @param motors positions [rad]
@@ -28,8 +30,7 @@ class Encoders {
   /// @return motor positions [rad]
   [[nodiscard]] AxisVector motors(const HardwareReading& reading) const noexcept {
     AxisVector m = motors_at_zero_;
-    for (int k = 0; k < m.size(); ++k)
-      m[k] += difference(reading, zero_, k) / robot_->axis(k).increments_per_rad;
+    for (int k = 0; k < m.size(); ++k) m[k] += difference(reading, zero_, k) / increments_per_rad_[k];
     return m;
   }
 
@@ -44,7 +45,7 @@ class Encoders {
   }
 
  private:
-  const Robot* robot_;
+  AxisVector increments_per_rad_;
   std::array<std::int32_t, kMaxAxes> zero_{};
   AxisVector motors_at_zero_;
 };

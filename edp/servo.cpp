@@ -18,6 +18,7 @@ Servo::Servo(const Robot& robot, double dt) : robot_(&robot) {
     const AxisProperties& axis = robot.axis(k);
     Motor& motor = motors_[index(k)];
     motor.choice = axis.servo.standard;
+    motor.increments_per_rad = axis.increments_per_rad;
     for (std::size_t set = 0; set < kServoSets; ++set) {
       motor.incremental[set] = IncrementalRegulator(axis.servo.incremental[set]);
       motor.compensating[set] =
@@ -89,9 +90,11 @@ std::array<double, kMaxAxes> Servo::step(const AxisVector& set_increment,
                                          const AxisVector& measured_increment,
                                          const AxisVector& preload) noexcept {
   std::array<double, kMaxAxes> pwm{};
-  for (int k = 0; k < robot_->axes(); ++k)
-    pwm[index(k)] = motors_[index(k)].step(set_increment[k] * robot_->axis(k).increments_per_rad,
-                                           measured_increment[k], preload[k]);
+  const int axes = robot_->axes();
+  for (int k = 0; k < axes; ++k) {
+    Motor& m = motors_[index(k)];
+    pwm[index(k)] = m.step(set_increment[k] * m.increments_per_rad, measured_increment[k], preload[k]);
+  }
   return pwm;
 }
 

@@ -56,6 +56,7 @@ class Servo {
  private:
   struct Motor {
     ServoChoice choice;
+    double increments_per_rad{};
     std::array<IncrementalRegulator, kServoSets> incremental;
     std::array<CompensatingRegulator, kServoSets> compensating;
     double error{};      // set position minus what the regulator has seen of the shaft [increments]

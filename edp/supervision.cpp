@@ -16,7 +16,8 @@ constexpr bool pressed(std::uint8_t switches, AxisSwitch which) {
 std::optional<Fault> supervise_drives(const Robot& robot, const SupervisionParameters& rules,
                                       const HardwareReading& reading,
                                       const DriveObservation& drives) noexcept {
-  for (int k = 0; k < robot.axes(); ++k) {
+  const int axes = robot.axes();
+  for (int k = 0; k < axes; ++k) {
     const AxisProperties& axis = robot.axis(k);
     const auto motor = static_cast<std::size_t>(k);
     const std::uint8_t switches = reading.switches[motor];
