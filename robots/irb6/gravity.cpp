@@ -12,6 +12,9 @@ double moment(const LinkMass& link) { return link.mass * link.centre; }
 }  // namespace
 
 Gravity::Gravity(const ArmParameters& arm) noexcept : first_(arm.first()), count_(arm.axis_count()) {
+  const auto T = static_cast<std::size_t>(first_) + 3;
+  gear_T_ = arm.axes[T].drive.gear;
+  gear_V_ = arm.axes[T + 1].drive.gear;
   const LinkMasses m{};
   const Lengths& l = arm.lengths;
   const double hand = m.wrist_body.mass + m.wrist.mass + arm.tool_weight / kG;
@@ -27,14 +30,14 @@ AxisVector Gravity::torques(const AxisVector& joints, const Transmission& transm
   const int k = first_;
   const double theta2 = joints[k + 1];
   const double beyond = theta2 + joints[k + 2];  // theta3 = beyond + pi/2
-  const double c3 = -std::sin(beyond);
+  const double c2 = std::cos(theta2), s2 = std::sin(theta2);
+  const double c3 = -std::sin(beyond), s3 = std::cos(beyond);
   const double s4 = std::cos(beyond + joints[k + 3]), c4 = -std::sin(beyond + joints[k + 3]);
   const double s5 = std::sin(joints[k + 4]), c5 = std::cos(joints[k + 4]);
-  const AxisMatrix J = transmission.jacobian(joints);
-  const double roll = g5_ * c4 * c5 / J(k + 4, k + 4);  // of V, which turns along with T
-  torque[k + 1] = -g2_ * std::cos(theta2) / J(k + 1, k + 1);
-  torque[k + 2] = -g3_ * c3 / J(k + 2, k + 2);
-  torque[k + 3] = (-g4_ * c4 - g5_ * s4 * s5) / J(k + 3, k + 3) - roll;
+  const double roll = g5_ * c4 * c5 / gear_V_;  // of V, which turns along with T
+  torque[k + 1] = -g2_ * c2 / transmission.lower_arm_gear(c2, s2);
+  torque[k + 2] = -g3_ * c3 / transmission.upper_arm_gear(c3, s3);
+  torque[k + 3] = (-g4_ * c4 - g5_ * s4 * s5) / gear_T_ - roll;
   torque[k + 4] = roll;
   return torque;
 }

@@ -39,6 +39,7 @@ class Gravity {
   int first_;
   int count_;
   double g2_, g3_, g4_, g5_;  // weights of the moments [N m]
+  double gear_T_, gear_V_;
 };
 
 }  // namespace mrroc::irb6

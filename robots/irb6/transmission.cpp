@@ -9,6 +9,9 @@ namespace {
 
 using std::numbers::pi;
 
+// Sine of an angle at the dead centre, and beyond: nothing that is divided by a slope becomes infinite.
+constexpr double kDeadCentre = 1e-16;
+
 double motor_at(const Drive& d, double output) { return d.gear * (output - d.theta0) + d.synchro; }
 double output_at(const Drive& d, double motor) { return (motor - d.synchro) / d.gear + d.theta0; }
 
@@ -22,6 +25,8 @@ double clamp(double x, double low, double high, bool& inside) {
 
 Transmission::Screw::Screw(const Linkage& k) noexcept
     : sl(k.sl),
+      mi(k.mi),
+      ni(k.ni),
       r(std::hypot(k.mi, k.ni)),
       phi(std::atan2(k.ni, k.mi)),
       l_min(std::sqrt(k.sl - r)),
@@ -33,14 +38,11 @@ double Transmission::Screw::length(double theta, bool& inside) const noexcept {
 
 double Transmission::Screw::angle(double l, bool& inside) const noexcept {
   const double side = clamp(l, l_min, l_max, inside);
-  const double c = side * side - sl;
-  return std::atan2(-std::sqrt(std::max(0.0, r * r - c * c)), c) - phi;
+  return -std::acos(std::clamp((side * side - sl) / r, -1., 1.)) - phi;
 }
 
-double Transmission::Screw::slope(double theta) const noexcept {
-  bool inside = true;
-  const double angle = clamp(theta + phi, -pi, 0, inside);
-  return -r * std::sin(angle) / (2 * std::sqrt(sl + r * std::cos(angle)));
+double Transmission::Screw::slope(double c, double s) const noexcept {
+  return std::max(-(mi * s + ni * c), kDeadCentre * r) / (2 * std::sqrt(sl + mi * c - ni * s));
 }
 
 Transmission::Transmission(const ArmParameters& arm) noexcept
@@ -85,16 +87,25 @@ Converted Transmission::joints(const AxisVector& motors) const noexcept {
   return q;
 }
 
+double Transmission::lower_arm_gear(double c2, double s2) const noexcept {
+  return drive_[static_cast<std::size_t>(first_) + 1].gear * lower_.slope(c2, s2);
+}
+
+double Transmission::upper_arm_gear(double c3, double s3) const noexcept {
+  return drive_[static_cast<std::size_t>(first_) + 2].gear * upper_.slope(c3, s3);
+}
+
 AxisMatrix Transmission::jacobian(const AxisVector& joints) const noexcept {
   AxisMatrix J = AxisMatrix::Zero(count_, count_);
   const Drive* d = &drive_[static_cast<std::size_t>(first_)];
   const double* q = joints.data() + first_;
   const int k = first_;
 
-  const double upper = d[2].gear * upper_.slope(q[1] + q[2] + pi / 2);
+  const double theta3 = q[1] + q[2] + pi / 2;
+  const double upper = upper_arm_gear(std::cos(theta3), std::sin(theta3));
   if (first_ == 1) J(0, 0) = drive_[0].gear;
   J(k, k) = d[0].gear;
-  J(k + 1, k + 1) = d[1].gear * lower_.slope(q[1]);
+  J(k + 1, k + 1) = lower_arm_gear(std::cos(q[1]), std::sin(q[1]));
   J(k + 2, k + 1) = J(k + 2, k + 2) = upper;
   J(k + 3, k + 1) = J(k + 3, k + 2) = J(k + 3, k + 3) = d[3].gear;
   J.row(k + 4) = J.row(k + 3);

@@ -35,17 +35,23 @@ class Transmission {
   /// @return [rad of the motor per rad or m of the joint], square
   [[nodiscard]] AxisMatrix jacobian(const AxisVector& joints) const noexcept;
 
+  /// The gears of the ball screws, which change with the angle of the link: d m_1 / d theta2, d m_2 / d theta3.
+  /// @param c2,s2 cosine and sine of theta2  @param c3,s3 of theta3; inside the domain of the linkages
+  /// @return [rad of the motor per rad of the link]
+  [[nodiscard]] double lower_arm_gear(double c2, double s2) const noexcept;
+  [[nodiscard]] double upper_arm_gear(double c3, double s3) const noexcept;
+
  private:
   // l^2 = sl + r cos(theta + phi) with theta + phi in [-pi, 0]: there l grows with theta.
   struct Screw {
-    double sl, r, phi, l_min, l_max;
+    double sl, mi, ni, r, phi, l_min, l_max;
     explicit Screw(const Linkage& k) noexcept;
     // Length of the screw side [mm] at an absolute angle; lowers inside when the angle is clamped.
     double length(double theta, bool& inside) const noexcept;
     // Absolute angle [rad] at a length; lowers inside when the length is clamped.
     double angle(double l, bool& inside) const noexcept;
-    // dl / dtheta [mm/rad]
-    double slope(double theta) const noexcept;
+    // dl / dtheta [mm/rad] at the angle with this cosine and sine; next to 0 beyond the dead centre.
+    double slope(double c, double s) const noexcept;
   };
 
   int first_;
