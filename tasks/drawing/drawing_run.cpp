@@ -84,7 +84,9 @@ Outcome DrawingRun::execute() {
   const Outcome outcome = run_program(x, port);
   record_.recording = x.c.recording;
   if (outcome != Outcome::terminated) {
-    fault_ = outcome == Outcome::faulted && no_contact(x) ? no_contact_fault(x) : links_.fault();
+    // What the links have seen comes first: no_contact is about m = 4 alone.
+    fault_ = links_.fault();
+    if (!fault_ && outcome == Outcome::faulted && no_contact(x)) fault_ = no_contact_fault(x);
     return outcome;
   }
   first.finished = true;

@@ -132,6 +132,8 @@ int run(const Options& o) {
     run.finish([&] { finish(o, s, folder, drawing.record(), summary); });
   } catch (const FaultError& e) {  // what has been done is told all the same
     if (!summary.fault) summary.fault = e.fault();
+  } catch (const FileError& e) {  // a table that the world could not write to its end
+    if (!summary.fault) summary.fault = Fault{.code = FaultCode::cannot_write, .text = e.what()};
   }
   mp::print_summary(
       summary, mp::figure_table(summary.figures, drawing::kFigures, drawing::kFigureColumns, !summary.fault) +
