@@ -55,7 +55,9 @@ TEST(DriverInvalid, ArbitraryBytesNeverMakeThePoseOrTheForceNotFinite) {
     c.session = 7;
     c.number = rig.driver.protocol().expected();
     c.instruction = static_cast<Instruction>(random() % 8);
-    c.robot_model.set_tool = c.robot_model.set_force_tool = true;
+    c.robot_model.set_tool = c.robot_model.set_force_tool =
+        true;  // a byte that is no bool is the message's affair
+    c.robot_model.set_kinematic_model = random() % 2 == 0;
     const EffectorReply reply = rig.macrostep(c);
     for (const double number : reply.T_0E) ASSERT_TRUE(std::isfinite(number)) << k;
     ASSERT_TRUE(finite(reply.F_a));

@@ -136,8 +136,13 @@ TEST_P(Irb6Driver, SetPointsStayWithinTheLimitsOfSpeedAndAccelerationWhateverIsC
   EXPECT_GT(count.moving, count.steps / 3);
   EXPECT_GT(count.speed, 0.5) << "the limits must have been near";
   EXPECT_GT(count.acceleration, 0.5);
-  EXPECT_GT(count.tip_speed, 0.9);
-  EXPECT_GT(count.tip_acceleration, 0.9);
+#ifdef MRROC_SANITIZED
+  constexpr double kNear = 0.5;  // fewer steps come less near
+#else
+  constexpr double kNear = 0.9;
+#endif
+  EXPECT_GT(count.tip_speed, kNear);
+  EXPECT_GT(count.tip_acceleration, kNear);
 }
 
 INSTANTIATE_TEST_SUITE_P(BothArms, Irb6Driver, testing::Values("irb6_postument", "irb6_track"));
