@@ -1,59 +1,24 @@
-// The servo step must not allocate. Every way to the heap is counted here: malloc and what is built upon it.
+// The servo step must not allocate.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
+#include "bench/heap.hpp"
 #include "test/edp/random_command.hpp"
-
-namespace {
-thread_local bool counting = false;
-thread_local long allocations = 0;
-}  // namespace
-
-// The names are those of the C library.
-// NOLINTBEGIN(readability-identifier-naming,readability-inconsistent-declaration-parameter-name)
-extern "C" {
-void* __libc_malloc(std::size_t size);
-void* __libc_calloc(std::size_t count, std::size_t size);
-void* __libc_realloc(void* block, std::size_t size);
-void* __libc_memalign(std::size_t alignment, std::size_t size);
-
-void* malloc(std::size_t size) {
-  allocations += counting;
-  return __libc_malloc(size);
-}
-void* calloc(std::size_t count, std::size_t size) {
-  allocations += counting;
-  return __libc_calloc(count, size);
-}
-void* realloc(void* block, std::size_t size) {
-  allocations += counting;
-  return __libc_realloc(block, size);
-}
-void* aligned_alloc(std::size_t alignment, std::size_t size) {
-  allocations += counting;
-  return __libc_memalign(alignment, size);
-}
-}
-// NOLINTEND(readability-identifier-naming,readability-inconsistent-declaration-parameter-name)
 
 namespace mrroc::edp::test {
 namespace {
 
 TEST(Allocation, CounterSeesTheHeap) {
-  counting = true;
+  const bench::AllocationCounter heap;
   int* volatile number = new int(3);
-  counting = false;
-  EXPECT_GT(allocations, 0);
+  EXPECT_EQ(heap.count(), 1);
   delete number;
-  allocations = 0;
 }
 
 TEST(Allocation, TakeAndStepNeverAllocateWhateverTheCommand) {
   std::mt19937_64 random(1);
   Rig rig;
   rig.synchronise();
-  allocations = 0;
+  long allocations = 0;
   long failed = 0;
   for (int k = 0; k < 20'000; ++k) {
     EffectorCommand command = rig.set_arm(random_motion(random));
@@ -94,14 +59,19 @@ TEST(Allocation, TakeAndStepNeverAllocateWhateverTheCommand) {
     }
     const bool silent = pick(random, 10) == 0;
     if (silent && command.instruction != Instruction::reset) --rig.number;
-    counting = true;
-    if (!silent || command.instruction == Instruction::reset) rig.driver.take(command);
-    counting = false;
+    if (!silent || command.instruction == Instruction::reset) {
+      const bench::AllocationCounter heap;
+      rig.driver.take(command);
+      allocations += heap.count();
+    }
     do {
       const HardwareReading reading = rig.world.reading();
-      counting = true;
-      const HardwareCommand drives = rig.driver.step(reading);
-      counting = false;
+      HardwareCommand drives;
+      {
+        const bench::AllocationCounter heap;
+        drives = rig.driver.step(reading);
+        allocations += heap.count();
+      }
       rig.world.apply(drives);
     } while (!rig.driver.at_boundary());
     if (rig.driver.protocol().owner() && rig.number >= rig.driver.protocol().expected())
