@@ -1,5 +1,4 @@
 // The transparent agents a_1 and a_2 (MS 34-36).
-#include "ecp/generators/rows.hpp"
 #include "tasks/drawing/tables.hpp"
 
 namespace mrroc::drawing {

@@ -6,6 +6,7 @@
 #include "base/operator.hpp"
 #include "base/pose.hpp"
 #include "base/transmission.hpp"
+#include "ecp/generators/rows.hpp"
 #include "tasks/drawing/recording.hpp"
 
 namespace mrroc::drawing {
@@ -13,8 +14,7 @@ namespace mrroc::drawing {
 /// Number of arms that draw.
 inline constexpr std::size_t kArms = 2;
 
-/// A part of an image that an agent does not have.
-struct None {};
+using ecp::None;
 
 /// Parameters of the task, constant during a run; part of the memory, so that f' depends on x alone.
 struct Parameters {
@@ -66,22 +66,8 @@ struct Coordinator {
   };
 };
 
-/// a_1, a_2: copy the coordinator's orders to the effector, and effector and sensor to the coordinator.
-struct Arm {
-  struct X {
-    None c;
-    EffectorReply e;
-    SensorReading V;
-    Order T;
-    std::int64_t i{};
-    std::int64_t i_0{};
-  };
-  struct Y {
-    None c;
-    EffectorCommand e;
-    None V;
-    Report T;
-  };
-};
+/// a_1, a_2: copy the coordinator's orders to the effector, and effector and sensor to the coordinator. They
+/// have no memory.
+struct Arm : ecp::ArmAgent<None> {};
 
 }  // namespace mrroc::drawing
