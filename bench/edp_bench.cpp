@@ -196,6 +196,7 @@ Figures run_edp_group() {
       {"fk_ns", ns.at("direct_kinematics/0"), "ns", "direct kinematics"},
       {"ik_vs_kdl", ns.at("kdl_inverse_kinematics/0") / ik, "", "KDL's numeric solver over ours, same poses"},
   };
+  figures.push_back(stability_limit_figure());
   std::ranges::move(run_force_figures(), std::back_inserter(figures));
   return figures;
 }

@@ -22,6 +22,8 @@ Figures run_edp_group();
 /// @param plots folder for the picture servo.png and its script; empty: none
 /// @throws FaultError cannot_write, internal_error
 Figures run_servo_group(const std::filesystem::path& plots);
+/// The predicted limit of stable contact against the time domain; in the groups edp and stability.
+Figure stability_limit_figure();
 /// Predicted against simulated limits of stable contact. Takes about a minute.
 Figures run_stability_group();
 /// Runs the drawing task several times in separate processes, and kills its parts. Takes about a minute.

@@ -175,13 +175,16 @@ double margin(const Law& law) {
 
 }  // namespace
 
+Figure stability_limit_figure() {
+  return {"stability_limit_err_pct", std::ranges::max(random_loops()), "%",
+          "predicted limit of stiffness against the time domain, worst of 200 random loops"};
+}
+
 Figures run_stability_group() {
-  const std::vector<double> random = random_loops();
   const std::vector<double> drives = real_regulators();
   const std::vector<double> arm = whole_arm();
   return {
-      {"stability_limit_err_pct", std::ranges::max(random), "%",
-       "predicted limit of stiffness against the time domain, worst of 200 random loops"},
+      stability_limit_figure(),
       {"stability_drive_err_pct", std::ranges::max(drives), "%",
        "the same against the real regulators, motors and encoders without friction, worst of 16"},
       {"stability_arm_ratio_min", std::ranges::min(arm), "",
