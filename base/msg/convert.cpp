@@ -5,6 +5,8 @@
 namespace mrroc {
 namespace {
 
+using RowMajorMatrix6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+
 template <class From, class To>
 void copy(const From& from, To& to) {
   std::copy(std::begin(from), std::end(from), std::begin(to));
@@ -280,6 +282,35 @@ SensorReading from_message(const sensor_reading_t& m) {
   r.state = m.state;
   r.valid = m.valid != 0;
   copy(m.value, r.value);
+  return r;
+}
+
+camera_reading_t to_message(const CameraReading& r) {
+  camera_reading_t m{};
+  m.step = r.step;
+  m.seen = r.seen;
+  m.ambiguous = r.ambiguous;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) m.T_CG[4 * row + column] = r.T_CG.R(row, column);
+    m.T_CG[4 * row + 3] = r.T_CG.p[row];
+  }
+  Eigen::Map<RowMajorMatrix6>{m.covariance} = r.covariance;
+  m.reprojection_px = r.reprojection_px;
+  return m;
+}
+
+CameraReading from_message(const camera_reading_t& m) {
+  CameraReading r;
+  r.frame = m.header.stamp;
+  r.step = m.step;
+  r.seen = m.seen != 0;
+  r.ambiguous = m.ambiguous != 0;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) r.T_CG.R(row, column) = m.T_CG[4 * row + column];
+    r.T_CG.p[row] = m.T_CG[4 * row + 3];
+  }
+  r.covariance = Eigen::Map<const RowMajorMatrix6>{m.covariance};
+  r.reprojection_px = m.reprojection_px;
   return r;
 }
 

@@ -1,11 +1,13 @@
 // Between messages and the values that they carry. Numbers that stand for enumerators are passed on as they
 // are: who acts on a value checks it first.
 #pragma once
+#include "base/camera.hpp"
 #include "base/effector_command.hpp"
 #include "base/hardware.hpp"
 #include "base/transmission.hpp"
 #include "mrroc/agent_order_t.hpp"
 #include "mrroc/agent_report_t.hpp"
+#include "mrroc/camera_reading_t.hpp"
 #include "mrroc/drive_command_t.hpp"
 #include "mrroc/drive_reading_t.hpp"
 #include "mrroc/effector_command_t.hpp"
@@ -43,6 +45,11 @@ Report from_message(const agent_report_t& m);
 
 sensor_reading_t to_message(const SensorReading& r);
 SensorReading from_message(const sensor_reading_t& m);
+
+/// The frame becomes the stamp of the header, which the channel writes.
+camera_reading_t to_message(const CameraReading& r);
+/// The stamp of the message's header becomes CameraReading::frame.
+CameraReading from_message(const camera_reading_t& m);
 
 drive_command_t to_message(const HardwareCommand& c);
 HardwareCommand from_message(const drive_command_t& m);

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "mrroc/agent_report_t.hpp"
+#include "mrroc/camera_reading_t.hpp"
 #include "mrroc/effector_reply_t.hpp"
 #include "mrroc/hand_order_t.hpp"
 #include "mrroc/step_sample_t.hpp"
@@ -27,6 +28,9 @@ inline bool finite(const effector_reply_t& m) noexcept {
          std::isfinite(m.gripper);
 }
 inline bool finite(const step_sample_t& m) noexcept { return finite(m.T_0E) && finite(m.F_a); }
+inline bool finite(const camera_reading_t& m) noexcept {
+  return finite(m.T_CG) && finite(m.covariance) && std::isfinite(m.reprojection_px);
+}
 inline bool finite(const hand_order_t& m) noexcept { return finite(m.x) && finite(m.y) && finite(m.height); }
 
 }  // namespace mrroc

@@ -234,6 +234,11 @@ TEST(Convert, EverythingElseSurvivesTheWire) {
     SensorReading reading{bits<int>(), flag(), {}};
     fill(reading.value);
     expect_round_trip(reading, [](const sensor_reading_t& m) { return from_message(m); });
+    CameraReading seen{0, bits<std::int64_t>(), flag(), flag(), {}, {}, number()};
+    std::ranges::generate(seen.T_CG.R.reshaped(), number);
+    std::ranges::generate(seen.T_CG.p, number);
+    std::ranges::generate(seen.covariance.reshaped(), number);
+    expect_round_trip(seen, [](const camera_reading_t& m) { return from_message(m); });
     HardwareCommand drive;
     fill(drive.pwm);
     drive.enabled = flag();
