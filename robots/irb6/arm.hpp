@@ -38,6 +38,10 @@ class Arm final : public edp::Robot {
                                              const AxisVector& near) const noexcept override {
     return kinematics_.inverse(T_0W, near);
   }
+  /// @return the manipulator Jacobian of W in the base (kinematics.hpp)
+  [[nodiscard]] Jacobian jacobian(const AxisVector& joints) const noexcept {
+    return kinematics_.jacobian(joints);
+  }
   /// Outside the domain of the linkages: the motors at the dead centre.
   [[nodiscard]] AxisVector motors_from_joints(const AxisVector& joints) const noexcept override {
     return transmission_.motors(joints).value;

@@ -116,6 +116,31 @@ Pose Kinematics::forward(const AxisVector& joints) const noexcept {
   return T;
 }
 
+Jacobian Kinematics::jacobian(const AxisVector& joints) const noexcept {
+  const Angles a = angles(joints);
+  const Vector3 h{std::cos(a.theta1), std::sin(a.theta1), 0};
+  const Vector3 z = Vector3::UnitZ();
+  const Vector3 n = z.cross(h);
+  // A link of the plane that stands at an angle, and how it moves when the angle grows.
+  const auto along = [&](double angle) -> Vector3 { return std::cos(angle) * h - std::sin(angle) * z; };
+  const auto turning = [&](double angle) -> Vector3 { return -std::sin(angle) * h - std::cos(angle) * z; };
+  const Vector3 d4 = k_.d5 * turning(a.theta4);
+  const Vector3 d3 = k_.a3 * turning(a.theta3) + d4;
+  const Vector3 d2 = k_.a2 * turning(a.theta2) + d3;
+  const double radius = k_.a2 * std::cos(a.theta2) + k_.a3 * std::cos(a.theta3) + k_.d5 * std::cos(a.theta4);
+
+  Jacobian J = Jacobian::Zero(6, count_);
+  const auto put = [&](int axis, const Vector3& v, const Vector3& w) { J.col(first_ + axis) << v, w; };
+  if (first_ == 1) J(1, 0) = 1;
+  put(0, radius * n, z);
+  put(1, d2, n);
+  put(2, d3, n);
+  put(3, d4, n);
+  put(4, Vector3::Zero(), along(a.theta4));
+  put(5, Vector3::Zero(), forward(joints).R.col(2));
+  return J;
+}
+
 Kinematics::Plane Kinematics::plane(double x, double y, const Angles& near) const noexcept {
   const double radius = std::sqrt(x * x + y * y);
   if (radius < kSingular) {

@@ -23,6 +23,12 @@ class Kinematics {
   /// @return T_0W, the wrist in the base; z = 0 is the floor
   [[nodiscard]] Pose forward(const AxisVector& joints) const noexcept;
 
+  /// The manipulator Jacobian: d(0_W v)/d(dq/dt).
+  /// @param joints [rad, track m], as many as the arm has axes
+  /// @return one column per axis: velocity of the origin of W [m] and angular velocity of W [1], both along the
+  ///         axes of the base, per unit of the joint's speed
+  [[nodiscard]] Jacobian jacobian(const AxisVector& joints) const noexcept;
+
   /// All branches (both signs of sin q5, both bends of the elbow, the arm turned to the front or leaning over
   /// its back) and all turns of each angle are considered, and of those within the motor limits the one
   /// nearest to `near` is taken. But where `near` is less than 0.05 rad away (all angles together), as along

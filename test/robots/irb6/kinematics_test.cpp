@@ -30,6 +30,30 @@ TEST_P(Kinematics, RoundTripsEveryPoseInTheLimits) {
   EXPECT_LE(worst_joint, 1e-9);
 }
 
+// Central differences of the direct kinematics, whose error is of the order of the step squared.
+TEST_P(Kinematics, JacobianIsTheDerivativeOfTheDirectKinematics) {
+  constexpr double kStep = 1e-5;
+  double worst = 0;
+  for (int k = 0; k < 500; ++k) {
+    const AxisVector q = random_joints();
+    const Jacobian J = arm_.jacobian(q);
+    ASSERT_EQ(J.cols(), arm_.axes());
+    const Matrix3 R_W0 = arm_.forward(q).R.transpose();
+    for (int axis = 0; axis < arm_.axes(); ++axis) {
+      AxisVector before = q, after = q;
+      before[axis] -= kStep;
+      after[axis] += kStep;
+      const Pose from = arm_.forward(before), to = arm_.forward(after);
+      Vector6 v;
+      v << to.p - from.p, angle_axis_from_rotation(to.R * from.R.transpose());
+      worst = std::max(worst, (v / (2 * kStep) - J.col(axis)).cwiseAbs().maxCoeff());
+    }
+    // The axis of the last joint is that of the wrist, whatever the pose.
+    EXPECT_LE((R_W0 * J.col(arm_.axes() - 1).tail<3>() - Vector3::UnitZ()).norm(), 1e-12);
+  }
+  EXPECT_LE(worst, 1e-8);
+}
+
 // Any near pose will do: a pose that lies within the limits is reached within the limits.
 TEST_P(Kinematics, FindsALegalSolutionFromAnyOtherPose) {
   double worst = 0;
