@@ -92,12 +92,18 @@ const std::array<Motion<Arm>, 3> kEdgeFollow{{
 }};
 // clang-format on
 
+ecp::EdgeRule read_rule(const Config& config) {
+  ecp::EdgeRule rule;
+  const Config task = config.section("task");
+  rule.force = task.number("force", rule.force, {1, 20}, "N");
+  rule.speed_per_force = task.number("speed_per_force", rule.speed_per_force, {-0.01, 0.01}, "m/s/N");
+  rule.turn_per_force = task.number("turn_per_force", rule.turn_per_force, {0, 1}, "rad/N");
+  return rule;
+}
+
 Memory read_memory(const Config& config, const std::string& arm) {
   Memory c;
-  const Config task = config.section("task");
-  c.rule.force = task.number("force", c.rule.force, {1, 20}, "N");
-  c.rule.speed_per_force = task.number("speed_per_force", c.rule.speed_per_force, {-0.01, 0.01}, "m/s/N");
-  c.rule.turn_per_force = task.number("turn_per_force", c.rule.turn_per_force, {0, 1}, "rad/N");
+  c.rule = read_rule(config);
   const RobotModel model = ecp::read_tool_model(config, arm);
   c.T_WE = pose_from_numbers(model.tool_representation, model.tool).value_or(Pose{});
   return c;
@@ -105,7 +111,7 @@ Memory read_memory(const Config& config, const std::string& arm) {
 
 mp::ArmFigures figures(const std::vector<mp::ArmTrace>& arms, const Config& config) {
   std::map<std::string, std::vector<double>> per_arm;
-  const double desired = config.section("task").number("force", ecp::EdgeRule{}.force, {1, 20}, "N");
+  const double desired = read_rule(config).force;
   for (const mp::ArmTrace& trace : arms) {
     double square = 0, sum = 0, peak = 0, begin = 0, end = 0;
     int rows = 0;

@@ -31,6 +31,10 @@ inline constexpr ecp::Pacing kPacing{.n_s = 8, .n_Q = 7};
 /// The behaviours: to the edge, around the plate, away from it.
 extern const std::array<Motion<Arm>, 3> kEdgeFollow;
 
+/// @return [task]
+/// @throws ConfigError
+ecp::EdgeRule read_rule(const Config& config);
+
 /// @return memory at the beginning, from [task] and the tool of the arm
 /// @throws ConfigError
 Memory read_memory(const Config& config, const std::string& arm);
