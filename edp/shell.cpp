@@ -94,7 +94,9 @@ class Shell {
   void do_step() {
     if (driver_.at_boundary() && step_ > 0) begin_macrostep();
     const HardwareReading reading = from_message(state_->robot[k_.index], step_);
-    drive_out_->publish(to_message(driver_.step(reading)), step_);
+    const HardwareCommand command = driver_.step(reading);
+    drive_out_->publish(to_message(command), step_);
+    record_.add(record_of(driver_, reading, command));
     process_.report_progress(macrostep_, step_);
     ++step_;
     if (driver_.reply_due()) end_of_reading();
@@ -136,6 +138,8 @@ class Shell {
     for (const StepSample& s : driver_.samples()) samples.sample[samples.n++] = to_message(s);
     samples.last = released_ && macrostep_ > released_in_;
     samples_out_->publish(samples, macrostep_ + 1);
+    if (const std::filesystem::path file = record_.write(); !file.empty())
+      process_.say(fmt::format("the steps before the fault are in {}", file.filename().string()));
     if (released_ || !process_.lock_step()) return;
     const std::int64_t next = macrostep_ + 1;
     process_.await_from(command_sources_, FaultCode::peer_silent, [&] {
@@ -162,6 +166,7 @@ class Shell {
   std::unique_ptr<link::Outbox<step_samples_t>> samples_out_;
   link::Sources state_sources_{state_in_.get()};
   link::Sources command_sources_{command_in_.get()};
+  RecordFiles record_{k_.recording, k_.folder, k_.robot, k_.axes, k_.dt};
   Watchdog watchdog_{k_.state_patience};
   const world_state_t* state_{};
   std::int64_t step_{};  // the next one, or the present one while it is executed

@@ -5,6 +5,7 @@
 
 #include "base/link/process.hpp"
 #include "edp/driver.hpp"
+#include "edp/recorder.hpp"
 
 namespace mrroc::edp {
 
@@ -18,6 +19,9 @@ struct ShellParameters {
   int n_s{10};                  ///< steps of a macrostep without a command
   double dt{0.002};             ///< [s] of a step
   int state_patience{250};      ///< wall clock: steps without a state until the drives count as silent
+  int axes{};                   ///< of the robot, for its record
+  Recording recording{Recording::on_fault};
+  std::filesystem::path folder;  ///< where its record goes; empty: nowhere
   std::chrono::milliseconds start_guard{
       250};  ///< commands that come before are left over from an earlier run
 };

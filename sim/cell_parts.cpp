@@ -27,6 +27,7 @@ WorldParameters read_cell(const Config& config, const std::vector<CellArm>& arms
     irb6::read_driver(config, arms[k].key, arms[k].model, {joints.begin(), joints.end()});
     irb6::read_tool(config, arms[k].key, arms[k].model);
     irb6::read_command_link(config, arms[k].key);
+    irb6::read_recording(config, arms[k].key);
   }
   return parameters;
 }

@@ -115,6 +115,12 @@ RobotModel read_tool(const Config& config, const std::string& key, std::string_v
   return m;
 }
 
+edp::Recording read_recording(const Config& config, const std::string& key) {
+  using enum edp::Recording;
+  return config.section("robots." + key)
+      .choice("record", on_fault, {{"never", never}, {"on_fault", on_fault}, {"always", always}});
+}
+
 link::Injection read_command_link(const Config& config, const std::string& key) {
   const Config table = config.section("robots." + key + ".command_link");
   link::Injection i;

@@ -23,6 +23,9 @@ void run_edp_of_arm(link::Process& process, const Config& config, const link::Pa
   shell.n_s = setup.driver.n_s;
   shell.dt = setup.driver.dt;
   shell.ecp = "ecp-" + arguments.arm;
+  shell.axes = setup.arm->axes();
+  shell.recording = read_recording(config, arguments.arm);
+  shell.folder = config.text("run.folder", "");
   shell.injection = read_command_link(config, arguments.arm);
   edp::Driver driver(*setup.arm, setup.driver);
   edp::run_edp(process, driver, shell);

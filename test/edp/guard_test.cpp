@@ -145,6 +145,7 @@ class Plan : public testing::Test {
   Plan() {
     now.T_0E = Pose{};
     now.axes = {AxisVector::Zero(FakeArm::kAxes), AxisVector::Zero(FakeArm::kAxes)};
+    now.motor_increment = AxisVector::Zero(FakeArm::kAxes);
   }
   std::optional<Fault> plan(Interpolation mu, Representation r, const PoseNumbers& pose, int n_s) {
     ArmCommand a;
