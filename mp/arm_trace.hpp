@@ -3,12 +3,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <initializer_list>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "base/spatial.hpp"
-#include "mp/run_folder.hpp"
+#include "mp/figure_table.hpp"
 
 namespace mrroc::mp {
 
@@ -24,8 +23,6 @@ struct ArmRow {
 };
 
 using ArmTrace = std::vector<ArmRow>;
-/// Figures that a task makes of the traces of its arms, by their keys in summary.json.
-using ArmFigures = std::map<std::string, Figure>;
 
 /// @param m     behaviours that count
 /// @return largest F_a along or about an axis of E [N], [N m]; NaN without a row

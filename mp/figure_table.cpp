@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace mrroc::mp {
 namespace {
@@ -37,6 +38,12 @@ std::string row(const FigureInfo& info, const Figure& figure, std::size_t column
 }
 
 }  // namespace
+
+const Figure& figure(const TaskFigures& figures, std::string_view key) {
+  for (const TaskFigure& f : figures)
+    if (f.info.key == key) return f.value;
+  throw std::out_of_range(std::string(key));
+}
 
 std::string wanted(const FigureInfo& info) {
   const bool at_least = std::isfinite(info.low), at_most = std::isfinite(info.high);

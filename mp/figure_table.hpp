@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "mp/run_folder.hpp"
 
@@ -17,6 +18,17 @@ struct FigureInfo {
   double low{-std::numeric_limits<double>::infinity()};  ///< wanted at least
   double high{std::numeric_limits<double>::infinity()};  ///< wanted at most
 };
+
+/// A figure and what it means, in the order of the table.
+struct TaskFigure {
+  FigureInfo info;
+  Figure value;
+};
+using TaskFigures = std::vector<TaskFigure>;
+
+/// @return the value of the figure with that key
+/// @throws std::out_of_range  there is none
+[[nodiscard]] const Figure& figure(const TaskFigures& figures, std::string_view key);
 
 /// @return what is wanted, such as "<= 0.5", "1 +- 0.05" or "0"; empty when nothing is
 [[nodiscard]] std::string wanted(const FigureInfo& info);

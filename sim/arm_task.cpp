@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <cstdio>
 
 #include "base/text_file.hpp"
@@ -40,6 +42,15 @@ void draw(const fs::path& folder, const std::vector<Picture>& pictures) {
   }
 }
 
+std::vector<fs::path> pictures_in(const fs::path& folder) {
+  std::vector<fs::path> pictures;
+  if (fs::is_directory(folder / "plots"))
+    for (const auto& entry : fs::directory_iterator(folder / "plots"))
+      if (entry.path().extension() == ".png") pictures.push_back(entry.path());
+  std::ranges::sort(pictures);
+  return pictures;
+}
+
 void say(const std::string& line) {
   fmt::print("{}\n", line);
   std::fflush(stdout);
@@ -56,11 +67,25 @@ mp::SoloParameters solo_parameters(const ArmTask& task, const mp::TaskOptions& o
   return k;
 }
 
+/// Figures that the supervisor makes of every run.
+constexpr std::array kEveryRun{
+    mp::FigureInfo{
+        .key = "stop_steps_max", .words = "steps until the arms were at rest", .unit = "", .high = 100},
+    mp::FigureInfo{
+        .key = "log_gaps", .words = "messages that the log missed", .unit = "", .low = 0, .high = 0}};
+
 /// Files, figures and pictures of a run that has ended.
+/// @param known  gets what the figures mean, in the order of the table
 void finish(const ArmTask& task, const Config& config, const fs::path& folder,
-            const std::vector<mp::ArmTrace>& traces, mp::Summary& summary) {
+            const std::vector<mp::ArmTrace>& traces, mp::Summary& summary,
+            std::vector<mp::FigureInfo>& known) {
   write_tables(folder, traces);
-  if (task.figures) summary.figures.merge(task.figures(traces, config));
+  if (task.figures)
+    for (mp::TaskFigure& figure : task.figures(traces, config)) {
+      known.push_back(figure.info);
+      summary.figures.emplace(figure.info.key, std::move(figure.value));
+    }
+  known.insert(known.end(), kEveryRun.begin(), kEveryRun.end());
   mp::write_summary(folder, summary);
   if (task.pictures) draw(folder, task.pictures(traces, config));
 }
@@ -88,15 +113,18 @@ int run(const ArmTask& task, const mp::TaskOptions& options) {
   std::optional<Fault> fault;
   if (run.process().assemble() && solo.execute() == Outcome::faulted) fault = solo.fault();
   mp::Summary summary = run.end(fault);
+  std::vector<mp::FigureInfo> known;
   try {
-    run.finish([&] { finish(task, config, folder, solo.traces(), summary); });
+    run.finish([&] { finish(task, config, folder, solo.traces(), summary, known); });
   } catch (const FaultError& e) {  // what has been done is told all the same
     if (!summary.fault) summary.fault = e.fault();
   }
   std::vector<std::string_view> columns(k.arms.begin(), k.arms.end());
-  mp::print_summary(summary, mp::figure_table(summary.figures, {}, columns));
+  mp::print_summary(summary,
+                    mp::figure_table(summary.figures, known, columns, !summary.fault && !summary.stopped));
   std::fflush(stdout);
   if (summary.fault) fmt::print(stderr, "{}\n", error_line(*summary.fault));
+  for (const fs::path& picture : pictures_in(folder)) fmt::print("picture: {}\n", picture.string());
   fmt::print("run folder: {}\n", folder.string());
   return summary.fault ? exit_status(summary.fault->code) : 0;
 }

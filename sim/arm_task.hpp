@@ -25,8 +25,8 @@ struct ArmTask {
   link::PartBody ecp;                   ///< body of the ECP of each arm
   /// Reads the task's own parameters once, so that a wrong one is found before anything starts. May be empty.
   std::function<void(const Config&)> read{};
-  /// Figures for summary.json, from the rows of all arms.
-  std::function<mp::ArmFigures(const std::vector<mp::ArmTrace>&, const Config&)> figures{};
+  /// Figures for summary.json and the table at the end, from the rows of all arms.
+  std::function<mp::TaskFigures(const std::vector<mp::ArmTrace>&, const Config&)> figures{};
   /// Pictures, which read arm1.csv and so on. May be empty.
   std::function<std::vector<Picture>(const std::vector<mp::ArmTrace>&, const Config&)> pictures{};
   int n_s{10};  ///< steps of a macrostep, as the rows command it; all arms have the same

@@ -109,11 +109,11 @@ Memory read_memory(const Config& config, const std::string& arm) {
   return c;
 }
 
-mp::ArmFigures figures(const std::vector<mp::ArmTrace>& arms, const Config& config) {
-  std::map<std::string, std::vector<double>> per_arm;
+mp::TaskFigures figures(const std::vector<mp::ArmTrace>& arms, const Config& config) {
+  std::vector<double> rms, mean, peak, time;
   const double desired = read_rule(config).force;
   for (const mp::ArmTrace& trace : arms) {
-    double square = 0, sum = 0, peak = 0, begin = 0, end = 0;
+    double square = 0, sum = 0, largest = 0, begin = 0, end = 0;
     int rows = 0;
     for (const mp::ArmRow& row : trace) {
       if (row.m != 2) continue;
@@ -122,14 +122,21 @@ mp::ArmFigures figures(const std::vector<mp::ArmTrace>& arms, const Config& conf
       end = row.t;
       sum += force;
       square += (force - desired) * (force - desired);
-      peak = std::max(peak, force);
+      largest = std::max(largest, force);
     }
-    per_arm["edge_follow_rms_N"].push_back(std::sqrt(square / rows));
-    per_arm["edge_follow_mean_N"].push_back(sum / rows);
-    per_arm["edge_follow_peak_N"].push_back(peak);
-    per_arm["edge_follow_s"].push_back(end - begin);
+    rms.push_back(std::sqrt(square / rows));
+    mean.push_back(sum / rows);
+    peak.push_back(largest);
+    time.push_back(end - begin);
   }
-  return {per_arm.begin(), per_arm.end()};
+  return {{{.key = "edge_follow_rms_N",
+            .words = "error of the force along the edge",
+            .unit = "N rms",
+            .high = 0.5},
+           rms},
+          {{"edge_follow_mean_N", "force along the edge, mean", "N"}, mean},
+          {{"edge_follow_peak_N", "  largest", "N"}, peak},
+          {{"edge_follow_s", "time for one round", "s"}, time}};
 }
 
 }  // namespace mrroc::edge_follow

@@ -44,7 +44,7 @@ void run_ecp(link::Process& process, const Config& config, const link::PartArgum
 
 /// @return per arm, of the contact force along the edge: edge_follow_rms_N (error), edge_follow_mean_N,
 ///         edge_follow_peak_N; and edge_follow_s, the time for one round
-mp::ArmFigures figures(const std::vector<mp::ArmTrace>& arms, const Config& config);
+mp::TaskFigures figures(const std::vector<mp::ArmTrace>& arms, const Config& config);
 
 /// @return the task's TOML file
 std::string_view config();

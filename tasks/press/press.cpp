@@ -18,10 +18,10 @@ const std::array<Motion<Arm>, 4> kPress{{
     ecp::row<Arm>(4, "draw back", ecp::command<Arm, kDrawBack>, ecp::after<Arm, 50>),
 }};
 
-mp::ArmFigures figures(const std::vector<mp::ArmTrace>& arms, const Config&) {
-  return {{"approach_peak_N", mp::largest_force(arms[0], Axis::z, {1, 2})},
-          {"approach_settled_N", mp::mean_force(arms[0], Axis::z, 2, 1.0)},
-          {"hold_N", mp::mean_force(arms[0], Axis::z, 3, 1.0)}};
+mp::TaskFigures figures(const std::vector<mp::ArmTrace>& arms, const Config&) {
+  return {{{"approach_peak_N", "peak of the approach", "N"}, mp::largest_force(arms[0], Axis::z, {1, 2})},
+          {{"approach_settled_N", "  settled", "N", 3.9, 4.1}, mp::mean_force(arms[0], Axis::z, 2, 1.0)},
+          {{"hold_N", "force held", "N", 3.9, 4.1}, mp::mean_force(arms[0], Axis::z, 3, 1.0)}};
 }
 
 }  // namespace mrroc::press

@@ -7,7 +7,7 @@ namespace mrroc::press {
 
 struct Arm : ecp::ArmAgent<ecp::None> {};
 extern const std::array<Motion<Arm>, 4> kPress;
-mp::ArmFigures figures(const std::vector<mp::ArmTrace>& arms, const Config& config);
+mp::TaskFigures figures(const std::vector<mp::ArmTrace>& arms, const Config& config);
 std::string_view config();
 
 }  // namespace mrroc::press

@@ -72,7 +72,8 @@ TEST(EdgeFollow, GoesTheOtherWayRoundToo) {
       folder, "edge_follow",
       {"--processes", "one", "--set", "task.speed_per_force=-0.002", "--run-dir", (folder / "run").string()});
   ASSERT_EQ(ended.status, 0) << ended.all();
-  for (const double rms : summary(folder / "run")["figures"]["edge_follow_rms_N"]) EXPECT_LE(rms, 0.5);
+  const auto figures = summary(folder / "run")["figures"];
+  for (const double rms : figures["edge_follow_rms_N"]) EXPECT_LE(rms, 0.5);
 }
 
 }  // namespace

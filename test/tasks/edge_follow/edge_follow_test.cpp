@@ -129,10 +129,10 @@ TEST(EdgeFollowFigures, AreOfTheForceAlongTheEdgePerArm) {
   }
   const auto f = figures({rows, rows}, Config());
   for (const char* key : {"edge_follow_rms_N", "edge_follow_mean_N", "edge_follow_peak_N", "edge_follow_s"})
-    EXPECT_EQ(std::get<std::vector<double>>(f.at(key)).size(), 2u) << key;
-  EXPECT_NEAR(std::get<std::vector<double>>(f.at("edge_follow_rms_N"))[1], 1, 1e-12);
-  EXPECT_NEAR(std::get<std::vector<double>>(f.at("edge_follow_peak_N"))[0], 5, 1e-12);
-  EXPECT_NEAR(std::get<std::vector<double>>(f.at("edge_follow_s"))[0], 2, 1e-12);
+    EXPECT_EQ(std::get<std::vector<double>>(figure(f, key)).size(), 2u) << key;
+  EXPECT_NEAR(std::get<std::vector<double>>(figure(f, "edge_follow_rms_N"))[1], 1, 1e-12);
+  EXPECT_NEAR(std::get<std::vector<double>>(figure(f, "edge_follow_peak_N"))[0], 5, 1e-12);
+  EXPECT_NEAR(std::get<std::vector<double>>(figure(f, "edge_follow_s"))[0], 2, 1e-12);
 }
 
 TEST(EdgeFollowMemory, ComesFromTheConfiguration) {

@@ -65,10 +65,10 @@ TEST(Press, FiguresAreThePeakAndTheEndOfTheApproach) {
   for (double t = 3; t < 5; t += 0.1) add(3, t, 3.9);
   add(4, 6, 9);
   const auto f = figures({rows}, Config());
-  EXPECT_EQ(std::get<double>(f.at("approach_peak_N")), 6);
-  EXPECT_EQ(std::get<double>(f.at("approach_settled_N")), 4);
-  EXPECT_NEAR(std::get<double>(f.at("hold_N")), 3.9, 1e-12);
-  EXPECT_TRUE(std::isnan(std::get<double>(figures({{}}, Config()).at("approach_peak_N"))));
+  EXPECT_EQ(std::get<double>(figure(f, "approach_peak_N")), 6);
+  EXPECT_EQ(std::get<double>(figure(f, "approach_settled_N")), 4);
+  EXPECT_NEAR(std::get<double>(figure(f, "hold_N")), 3.9, 1e-12);
+  EXPECT_TRUE(std::isnan(std::get<double>(figure(figures({{}}, Config()), "approach_peak_N"))));
 }
 
 }  // namespace
