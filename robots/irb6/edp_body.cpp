@@ -25,7 +25,7 @@ void run_edp_of_arm(link::Process& process, const Config& config, const link::Pa
   shell.ecp = "ecp-" + arguments.arm;
   shell.axes = setup.arm->axes();
   shell.recording = read_recording(config, arguments.arm);
-  shell.folder = config.text("run.folder", "");
+  shell.folder = config.text("run.folder", std::nullopt);
   shell.injection = read_command_link(config, arguments.arm);
   edp::Driver driver(*setup.arm, setup.driver);
   edp::run_edp(process, driver, shell);
