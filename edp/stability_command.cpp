@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <ostream>
 
@@ -117,7 +118,10 @@ void add_options(CLI::App& app, Arguments& a) {
   app.add_option("--feed-forward", a.feed_forward, "share of the set velocity that it is fed, 0..1")
       ->capture_default_str();
   auto* lag = app.add_option("--lag", a.lag, "time constant of a servo of first order instead [s]");
-  lag->check(CLI::PositiveNumber);
+  lag->check([](const std::string& text) {
+    return std::strtod(text.c_str(), nullptr) > 0 ? std::string{}
+                                                  : "it must be more than 0 s; without any lag: --ideal";
+  });
   auto* ideal = app.add_flag("--ideal", a.ideal, "no servo at all: the arm is where it is set to be");
   lag->excludes(bandwidth);
   ideal->excludes(bandwidth)->excludes(lag);

@@ -87,7 +87,7 @@ std::optional<int> parse_command_line(CLI::App& app, int argc, char** argv) {
   } catch (const CLI::CallForHelp& e) {
     return app.exit(e);
   } catch (const CLI::ParseError& e) {
-    const FaultError error(FaultCode::bad_usage, fmt::format("{} (see --help)", e.what()));
+    const FaultError error(FaultCode::bad_usage, e.what());
     fmt::print(stderr, "{}\n", error.error_line());
     return 2;
   }

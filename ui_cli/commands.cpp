@@ -1,11 +1,14 @@
 #include "ui_cli/commands.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <array>
 #include <ostream>
 #include <string>
 
 #include "base/fault.hpp"
+#include "base/nearest.hpp"
 #include "ui_cli/attach.hpp"
 #include "ui_cli/report.hpp"
 #include "ui_cli/watch.hpp"
@@ -142,6 +145,18 @@ int fail(const Surroundings& around, FaultCode code, const std::exception& cause
   return fail(around, code, FaultError(code, cause.what()).error_line());
 }
 
+/// A word that is no command gets the nearest that is one.
+FaultError unknown_word(const CLI::App& app, const CLI::ExtrasError& e) {
+  const std::vector<std::string> words = app.remaining(true);
+  if (words.empty() || words.front().starts_with("-") || !app.get_subcommands().empty())
+    return {FaultCode::bad_usage, e.what()};
+  WordSet commands;
+  for (const CLI::App* command : app.get_subcommands(nullptr)) commands.insert(command->get_name());
+  const std::string near = nearest(words.front(), commands);
+  return {FaultCode::bad_usage, fmt::format("there is no command '{}'{}", words.front(),
+                                            near.empty() ? "" : fmt::format("; did you mean '{}'?", near))};
+}
+
 }  // namespace
 
 int run(int argc, const char* const* argv, const Surroundings& around) {
@@ -162,6 +177,8 @@ int run(int argc, const char* const* argv, const Surroundings& around) {
     app.parse(argc, argv);
   } catch (const CLI::Success& e) {
     return app.exit(e, around.out, around.err);
+  } catch (const CLI::ExtrasError& e) {
+    return fail(around, FaultCode::bad_usage, unknown_word(app, e).error_line());
   } catch (const CLI::Error& e) {
     return fail(around, FaultCode::bad_usage, e);
   }

@@ -249,6 +249,13 @@ TEST_F(Commands, RefuseABadCommandLineWithTwo) {
   }
 }
 
+TEST_F(Commands, ThatDoNotExistGetTheNearestThatDoes) {
+  EXPECT_EQ(run({"paws"}), 2);
+  EXPECT_NE(error().find("did you mean 'pause'?"), std::string::npos) << error();
+  EXPECT_EQ(run({"somersault"}), 2);
+  EXPECT_NE(error().find("there is no command 'somersault'"), std::string::npos) << error();
+}
+
 TEST_F(Commands, HelpNamesEveryCommandAndExitStatus) {
   EXPECT_EQ(run({"--help"}), 0);
   for (const char* part : {"status", "start", "pause", "resume", "trigger", "stop", "list", "watch",
