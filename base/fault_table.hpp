@@ -62,7 +62,7 @@ inline constexpr std::array kFaultTable{
   MRROC_FAULT(following_error, fatal, "a motor does not follow its set position",
               "look for a collision or a blocked joint, then reset"),
   MRROC_FAULT(limit_switch, fatal, "a limit switch is pressed",
-              "move the joint off the switch by hand, then reset"),
+              "reset, then move the joint away from the switch"),
   MRROC_FAULT(synchro_switch_missing, fatal, "homing did not find the synchronisation switch of an axis",
               "look at the switch and its cable, then reset and SYNCHRO"),
   MRROC_FAULT(synchro_switch_stuck, fatal, "the synchronisation switch of an axis is pressed where it must not be",

@@ -161,7 +161,11 @@ void Driver::measure(const HardwareReading& reading) noexcept {
 
   if (state_ == DriverState::homing) home(reading);
   measured_.motors = encoders_.motors(reading);
-  if (reset_pending_) reset();
+  leaving_ &= at_limit_switch(reading);
+  if (reset_pending_) {
+    leaving_ = at_limit_switch(reading);
+    reset();
+  }
   if (!position_known_) return;
   measured_.joints = robot_->joints_from_motors(measured_.motors);
   measured_.T_0W = robot_->forward(measured_.joints);
@@ -220,8 +224,9 @@ void Driver::supervise(const HardwareReading& reading) noexcept {
     if (wrong && state_ != DriverState::faulted) trip(*wrong);
   }
   if (state_ == DriverState::faulted || (!position_known_ && braked())) return;
-  const DriveObservation drives{generator_.set_point().axes.motors, measured_.motors, measured_.increment,
-                                measured_.time};
+  const SetPoint& set = generator_.set_point();
+  const DriveObservation drives{set.axes.motors, measured_.motors,    measured_.increment,
+                                measured_.time,  set.motor_increment, leaving_};
   if (const std::optional<Fault> wrong = supervise_drives(*robot_, p_.supervision, reading, drives))
     trip(*wrong);
 }

@@ -47,7 +47,8 @@ namespace mrroc::edp {
 /// executed to its end (a limit, a singularity, too fast) brings the arm to rest and ends in the verdict
 /// failed with a non-fatal fault; SET ARM is refused with that fault until the arm holds and the fault has
 /// been told in a reply. A malfunction (over-current, over-speed, following error, limit switch, force
-/// sensor) is a fatal fault: the drives brake, and only reset leads on, from the measured pose.
+/// sensor) is a fatal fault: the drives brake, and only reset leads on, from the measured pose. A motor whose
+/// limit switch is pressed then may move away from it, and no farther.
 ///
 /// take() and step() are real-time safe: no allocation, no lock, no exception.
 class Driver {
@@ -189,6 +190,7 @@ class Driver {
   bool taken_{};
   std::optional<Event> motion_event_;  // with which the macrostep begins when it has a SET ARM
   bool reset_pending_{};
+  std::uint8_t leaving_{};  // motors whose limit switch has been pressed since the last reset
   bool bias_pending_{};
   AxisSet force_axes_;  // of the last SET ARM
   Answer answer_;

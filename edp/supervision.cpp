@@ -13,6 +13,15 @@ constexpr bool pressed(std::uint8_t switches, AxisSwitch which) {
 
 }  // namespace
 
+std::uint8_t at_limit_switch(const HardwareReading& reading) noexcept {
+  unsigned motors = 0;
+  for (std::size_t k = 0; k < reading.switches.size(); ++k)
+    if (pressed(reading.switches[k], AxisSwitch::lower_limit) ||
+        pressed(reading.switches[k], AxisSwitch::upper_limit))
+      motors |= 1U << k;
+  return static_cast<std::uint8_t>(motors);
+}
+
 std::optional<Fault> supervise_drives(const Robot& robot, const SupervisionParameters& rules,
                                       const HardwareReading& reading,
                                       const DriveObservation& drives) noexcept {
@@ -26,9 +35,12 @@ std::optional<Fault> supervise_drives(const Robot& robot, const SupervisionParam
     const double max_current = axis.servo.drive.max_current;
     if (!(std::abs(reading.current[motor]) <= max_current))
       return make_fault(FaultCode::over_current, axis.name, k, reading.current[motor], max_current);
-    if (pressed(switches, AxisSwitch::lower_limit) || pressed(switches, AxisSwitch::upper_limit))
+    const bool lower = pressed(switches, AxisSwitch::lower_limit);
+    const bool upper = pressed(switches, AxisSwitch::upper_limit);
+    const bool moves_on = (lower && drives.commanded[k] < 0) || (upper && drives.commanded[k] > 0);
+    if ((lower || upper) && (moves_on || (drives.leaving >> k & 1) == 0))
       return make_fault(FaultCode::limit_switch, axis.name, k, drives.measured[k],
-                        pressed(switches, AxisSwitch::lower_limit) ? axis.motor.lower : axis.motor.upper);
+                        lower ? axis.motor.lower : axis.motor.upper);
     const double speed = std::abs(drives.increment[k]) / (axis.increments_per_rad * drives.time);
     const double max_speed = rules.over_speed * axis.max_motor_speed;
     if (!(speed <= max_speed)) return make_fault(FaultCode::over_speed, axis.name, k, speed, max_speed);

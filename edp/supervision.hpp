@@ -1,5 +1,6 @@
 // Supervision of the drives: what makes an effector stop at once.
 #pragma once
+#include <cstdint>
 #include <optional>
 
 #include "base/fault.hpp"
@@ -15,8 +16,14 @@ struct DriveObservation {
   AxisVector measured;   ///< positions [rad]
   AxisVector increment;  ///< motion since the reading before [encoder increments]
   double time;           ///< since the reading before [s]
+  AxisVector commanded;  ///< motion of the set positions in the step before [rad]
+  std::uint8_t leaving;  ///< motors, bit k for motor k, that may leave a limit switch that is pressed
 };
 
+/// @return motors, bit k for motor k, with a limit switch pressed. Real-time safe
+[[nodiscard]] std::uint8_t at_limit_switch(const HardwareReading& reading) noexcept;
+
+/// A motor that may leave a limit switch stands or moves away from it; when it moves on, that is a malfunction.
 /// @return the first malfunction - over_current, limit_switch, over_speed or following_error - with its axis,
 ///         value and limit, or nothing. Real-time safe
 [[nodiscard]] std::optional<Fault> supervise_drives(const Robot& robot, const SupervisionParameters& rules,

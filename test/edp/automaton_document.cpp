@@ -16,6 +16,21 @@ A cell names the state that the event leads to; `stays` means that it takes plac
 a code in italics is the reason of a refusal. `-` stands for what cannot happen by itself in that state. QUERY is
 answered in every state.
 
+## The states
+
+- **not synchronised**: motor positions count from where the driver started. Only relative motor motions are possible, and SYNCHRO.
+  The brakes are closed.
+- **homing**: axis after axis looks for its switch and its zero mark.
+- **ready**: synchronised, at rest, the regulators hold the set point; no motion was commanded yet, or a fault was reset.
+- **executing**: a macrostep of a SET ARM.
+- **decelerating**: no command came in time, or a macrostep failed; the set point comes to rest.
+- **holding**: at rest after a motion. The brakes close after a few steps, and open with the next command.
+- **faulted**: a malfunction; the drives brake, and only reset leads on.
+- **jogging**: a relative motor motion before synchronisation.
+
+A macrostep without a motion of its own (GET, SET of something else, a refused command) is *silence* to the arm. A reset frees the driver
+from its owner; during homing that is *abandoned*.
+
 ## What commands ask for
 
 )";

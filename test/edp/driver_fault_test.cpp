@@ -109,14 +109,53 @@ TEST(DriverFault, ResetLeadsOnFromTheMeasuredPose) {
 TEST(DriverFault, ResetWhileTheCauseRemainsFailsWithIt) {
   Rig rig;
   rig.synchronise();
-  rig.world.switches[4] = static_cast<std::uint8_t>(AxisSwitch::upper_limit);
+  rig.world.switches[4] = static_cast<std::uint8_t>(AxisSwitch::over_current);
   rig.macrostep();
   EffectorCommand reset;
   reset.instruction = Instruction::reset;
   const EffectorReply reply = rig.macrostep(reset);
   EXPECT_EQ(reply.verdict, Verdict::failed);
-  EXPECT_EQ(reply.fault.code, FaultCode::limit_switch);
+  EXPECT_EQ(reply.fault.code, FaultCode::over_current);
   EXPECT_EQ(reply.fault.axis, 4);
+}
+
+/// A rig that stands on a limit switch of axis 4 and has been reset.
+struct OnSwitch : Rig {
+  explicit OnSwitch(AxisSwitch which) {
+    synchronise();
+    world.switches[4] = static_cast<std::uint8_t>(which);
+    macrostep();
+    EffectorCommand reset;
+    reset.instruction = Instruction::reset;
+    EXPECT_EQ(macrostep(reset).state, DriverState::ready);
+    number = 0;  // a new session
+  }
+};
+
+TEST(DriverFault, AxisLeavesALimitSwitchAfterAResetInItsDirectionOnly) {
+  for (const AxisSwitch which : {AxisSwitch::lower_limit, AxisSwitch::upper_limit}) {
+    const double away = which == AxisSwitch::lower_limit ? 0.5 : -0.5;
+    OnSwitch rig(which);
+    EXPECT_EQ(rig.macrostep(rig.jog({0, 0, 0, 0, away})).verdict, Verdict::executed);
+    rig.silence(6);
+    EXPECT_EQ(rig.driver.state(), DriverState::holding) << "standing on the switch is no malfunction";
+
+    OnSwitch other(which);
+    const EffectorReply reply = other.macrostep(other.jog({0, 0, 0, 0, -away}));
+    EXPECT_EQ(reply.fault.code, FaultCode::limit_switch);
+    EXPECT_EQ(reply.fault.axis, 4);
+    EXPECT_EQ(other.driver.state(), DriverState::faulted);
+  }
+}
+
+TEST(DriverFault, LimitSwitchThatIsPressedAnewIsAMalfunctionAgain) {
+  OnSwitch rig(AxisSwitch::lower_limit);
+  rig.macrostep(rig.jog({0, 0, 0, 0, 0.5}));
+  rig.world.switches[4] = 0;
+  rig.silence(6);
+  rig.world.switches[4] = static_cast<std::uint8_t>(AxisSwitch::lower_limit);
+  rig.silence(1);
+  EXPECT_EQ(rig.driver.fault().code, FaultCode::limit_switch);
 }
 
 TEST(DriverFault, BlockedMotorIsAFollowingErrorOfItsAxis) {

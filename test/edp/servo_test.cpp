@@ -76,7 +76,8 @@ class Supervision : public testing::Test {
   FakeArm arm;
   SupervisionParameters rules{.over_speed = 1.2, .following_error = 2};
   HardwareReading reading{};
-  DriveObservation drives{AxisVector::Zero(6), AxisVector::Zero(6), AxisVector::Zero(6), 0.002};
+  DriveObservation drives{
+      AxisVector::Zero(6), AxisVector::Zero(6), AxisVector::Zero(6), 0.002, AxisVector::Zero(6), 0};
 };
 
 TEST_F(Supervision, NothingIsWrongUpToTheLimits) {
