@@ -93,6 +93,7 @@ struct FaultEntry {
   FaultClass fault_class;
   std::string_view text;    ///< what happened
   std::string_view remedy;  ///< what the operator can do
+  std::string_view causes;  ///< what it mostly comes from, likeliest first, with semicolons between
 };
 
 /// One error as it happened. Trivially copyable, travels in messages; made without allocation in the servo

@@ -3,6 +3,8 @@
 #include "base/link/session.hpp"
 #include "edp/stability_command.hpp"
 #include "ui_cli/commands.hpp"
+#include "ui_cli/doctor.hpp"
+#include "ui_cli/explain.hpp"
 
 int main(int argc, char** argv) {
   using namespace mrroc;
@@ -13,5 +15,9 @@ int main(int argc, char** argv) {
        link::session_directory(),
        link::open_lcm,
        {},
-       {{"stability", "Tell which contact the force law bears (no task needed)", edp::run_stability}}});
+       {{"doctor", "Look whether this host suits the framework, and what to type (no task needed)",
+         ui::run_doctor},
+        {"explain", "Say what an error means, what it mostly comes from, what to do (no task needed)",
+         ui::run_explain},
+        {"stability", "Tell which contact the force law bears (no task needed)", edp::run_stability}}});
 }

@@ -19,12 +19,12 @@ Every error has one of three classes (MG 5):
 - **fatal**: the effector malfunctions. It stops safely and accepts nothing but a reset.
 - **system**: communication or a process failed. The task ends, the drives brake, nothing is left running.
 
-A program that ends with an error prints `error: CODE: what happened; what to do` as its last line on standard
+`ui_cli explain CODE` says the same in a terminal. A program that ends with an error prints `error: CODE: what happened; what to do` as its last line on standard
 error. Its exit status is 1 after a fault or a stop, 2 for a wrong input (nothing was started), 3 for a system
 error.
 
-| code | number | class | exit | what happened | what to do |
-| --- | --- | --- | --- | --- | --- |
+| code | number | class | exit | what happened | what it mostly comes from | what to do |
+| --- | --- | --- | --- | --- | --- | --- |
 )";
 
 }  // namespace
@@ -33,8 +33,9 @@ std::string fault_document() {
   std::string document = kHead;
   for (const FaultEntry& entry : kFaultTable) {
     if (entry.code == FaultCode::none) continue;
-    document += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", entry.name, static_cast<int>(entry.code),
-                            to_string(entry.fault_class), exit_status(entry.code), entry.text, entry.remedy);
+    document += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", entry.name,
+                            static_cast<int>(entry.code), to_string(entry.fault_class),
+                            exit_status(entry.code), entry.text, entry.causes, entry.remedy);
   }
   return document;
 }

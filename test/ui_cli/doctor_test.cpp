@@ -1,0 +1,93 @@
+#include "ui_cli/doctor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace mrroc::ui {
+namespace {
+
+Host healthy() {
+  return {.multicast = true,
+          .receive_buffer = 8'000'000,
+          .clock_resolution_ns = 1,
+          .latest_wake_us = 80,
+          .cores = 2,
+          .real_time_priority = 99,
+          .memory_lock = true,
+          .missing = {},
+          .folder = "/runs",
+          .free_bytes = 50'000'000'000};
+}
+
+Finding finding(const Host& host, const std::string& what) {
+  for (const Finding& f : examine(host))
+    if (f.what == what) return f;
+  ADD_FAILURE() << "nothing is said of " << what;
+  return {};
+}
+
+TEST(Doctor, HasNothingToSayToAHealthyHost) {
+  for (const Finding& f : examine(healthy())) {
+    EXPECT_EQ(f.verdict, Verdict::good) << f.what;
+    EXPECT_FALSE(f.found.empty()) << f.what;
+    EXPECT_TRUE(f.type.empty()) << f.what;
+  }
+}
+
+TEST(Doctor, SaysWhatToTypeForEverythingThatIsNotWell) {
+  struct Case {
+    const char* what;
+    void (*harm)(Host&);
+    Verdict verdict;
+    const char* type;
+  };
+  for (const Case& c :
+       {Case{"multicast", [](Host& h) { h.multicast = false; }, Verdict::bad, "ip route add"},
+        Case{"buffers", [](Host& h) { h.receive_buffer = 212'992; }, Verdict::limited, "sysctl -w"},
+        Case{"clocks", [](Host& h) { h.latest_wake_us = 9000; }, Verdict::limited, "--clock step"},
+        Case{"cores", [](Host& h) { h.cores = 1; }, Verdict::limited, "core"},
+        Case{"real time", [](Host& h) { h.memory_lock = false; }, Verdict::limited, "memlock"},
+        Case{"real time", [](Host& h) { h.real_time_priority = 0; }, Verdict::limited, "rtprio"},
+        Case{"packages", [](Host& h) { h.missing = {"gnuplot"}; }, Verdict::limited, "apt-get"},
+        Case{"disk", [](Host& h) { h.free_bytes = 1000; }, Verdict::bad, "--run-dir"}}) {
+    Host host = healthy();
+    c.harm(host);
+    const Finding f = finding(host, c.what);
+    EXPECT_EQ(f.verdict, c.verdict) << c.what;
+    EXPECT_NE(f.type.find(c.type), std::string::npos) << c.what << ": " << f.type;
+    for (const Finding& other : examine(host))
+      if (other.what != c.what) {
+        EXPECT_EQ(other.verdict, Verdict::good) << c.what << " makes " << other.what << " ill";
+      }
+  }
+}
+
+TEST(Doctor, LooksAtThisHost) {
+  const Host host = look_at_host();
+  EXPECT_GE(host.cores, 1);
+  EXPECT_GT(host.receive_buffer, 0);
+  EXPECT_GT(host.clock_resolution_ns, 0);
+  EXPECT_GT(host.free_bytes, 0);
+}
+
+TEST(Doctor, SaysTheSameToScripts) {
+  std::ostringstream out, err;
+  const int status = run_doctor({"--json"}, out, err);
+  const auto all = nlohmann::json::parse(out.str());
+  ASSERT_EQ(all.size(), examine(healthy()).size());
+  bool bad = false;
+  for (const auto& f : all) bad = bad || f["verdict"] == "NOT OK";
+  EXPECT_EQ(status, bad ? 1 : 0);
+}
+
+TEST(Doctor, RefusesWordsThatItDoesNotKnow) {
+  std::ostringstream out, err;
+  EXPECT_EQ(run_doctor({"--jsno"}, out, err), 2);
+  EXPECT_EQ(err.str().find("error: bad_usage: doctor does not know '--jsno'"), 0U) << err.str();
+  EXPECT_EQ(run_doctor({"--help"}, out, err), 0);
+}
+
+}  // namespace
+}  // namespace mrroc::ui

@@ -1,0 +1,129 @@
+#include "ui_cli/doctor.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "base/fault.hpp"
+
+namespace mrroc::ui {
+namespace {
+
+/// Sockets of the framework ask for so much [bytes].
+constexpr std::int64_t kReceiveBuffer = 4'194'304;
+/// Of the servo step's 2 ms this much lateness can be borne [us].
+constexpr std::int64_t kLateness = 500;
+/// The highest priority that a process of the framework asks for.
+constexpr int kPriority = 80;
+/// A run of a minute with its log is some 20 MB.
+constexpr std::int64_t kFreeBytes = 1'000'000'000;
+
+Finding multicast(const Host& h) {
+  if (h.multicast) return {"multicast", Verdict::good, "messages reach processes of this host", ""};
+  return {"multicast", Verdict::bad, "this host has no route for multicast messages",
+          "ip route add 224.0.0.0/4 dev lo    (as root), or give tasks --processes one"};
+}
+
+Finding buffers(const Host& h) {
+  const std::string found = fmt::format("sockets may hold {} of {} bytes", h.receive_buffer, kReceiveBuffer);
+  if (h.receive_buffer >= kReceiveBuffer) return {"buffers", Verdict::good, found, ""};
+  return {"buffers", Verdict::limited, found + "; messages may be lost under load, and are sent again",
+          fmt::format("sysctl -w net.core.rmem_max={}    (as root)", kReceiveBuffer)};
+}
+
+Finding clocks(const Host& h) {
+  const std::string found = fmt::format("monotonic clock of {} ns; sleeps of 1 ms end up to {} us late",
+                                        h.clock_resolution_ns, h.latest_wake_us);
+  if (h.clock_resolution_ns <= 1000 && h.latest_wake_us <= kLateness)
+    return {"clocks", Verdict::good, found, ""};
+  return {"clocks", Verdict::limited, found + "; periods of --clock wall will be missed",
+          "end what else runs; --clock step, the default, does not mind"};
+}
+
+Finding cores(const Host& h) {
+  const std::string found = fmt::format("{} core{}", h.cores, h.cores == 1 ? "" : "s");
+  if (h.cores >= 2) return {"cores", Verdict::good, found, ""};
+  return {"cores", Verdict::limited, found + "; tasks run several times slower",
+          "give the machine a second core"};
+}
+
+Finding real_time(const Host& h) {
+  if (h.real_time_priority >= kPriority && h.memory_lock)
+    return {"real time", Verdict::good, "SCHED_FIFO and locked memory are permitted", ""};
+  return {
+      "real time", Verdict::limited, "not permitted; only --clock wall would use it",
+      "printf '%s - rtprio 80\\n%s - memlock unlimited\\n' $USER $USER > /etc/security/limits.d/mrroc.conf"
+      "    (as root), then log in again"};
+}
+
+Finding packages(const Host& h) {
+  if (h.missing.empty()) return {"packages", Verdict::good, "all programs that runs use are installed", ""};
+  return {"packages", Verdict::limited,
+          fmt::format("missing: {}; runs have no pictures", fmt::join(h.missing, ", ")),
+          "apt-get install gnuplot-nox    (as root)"};
+}
+
+Finding disk(const Host& h) {
+  const std::string found =
+      fmt::format("{:.1f} GB free in {}", static_cast<double>(h.free_bytes) / 1e9, h.folder.string());
+  if (h.free_bytes >= kFreeBytes) return {"disk", Verdict::good, found, ""};
+  return {"disk", Verdict::bad, found, "make room, or give tasks --run-dir on another disk"};
+}
+
+std::string_view to_string(Verdict v) {
+  switch (v) {
+    case Verdict::good:
+      return "ok";
+    case Verdict::limited:
+      return "limited";
+    case Verdict::bad:
+      break;
+  }
+  return "NOT OK";
+}
+
+std::string text_of(const std::vector<Finding>& findings) {
+  std::string text;
+  for (const Finding& f : findings) {
+    text += fmt::format("{:<10} {:<8} {}\n", f.what, to_string(f.verdict), f.found);
+    if (!f.type.empty()) text += fmt::format("{:>19} {}\n", "->", f.type);
+  }
+  return text;
+}
+
+std::string json_of(const std::vector<Finding>& findings) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const Finding& f : findings)
+    all.push_back(
+        {{"what", f.what}, {"verdict", to_string(f.verdict)}, {"found", f.found}, {"type", f.type}});
+  return all.dump(2) + "\n";
+}
+
+}  // namespace
+
+std::vector<Finding> examine(const Host& h) {
+  return {multicast(h), buffers(h), clocks(h), cores(h), real_time(h), packages(h), disk(h)};
+}
+
+int run_doctor(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+  const bool json = arguments == std::vector<std::string>{"--json"};
+  if (!json && !arguments.empty()) {
+    if (std::ranges::count(arguments, "--help") + std::ranges::count(arguments, "-h") > 0) {
+      out << "Usage: ui_cli doctor [--json]\n\nLooks whether this host suits the framework. Each line says "
+             "ok, or "
+             "what to type.\nExit status: 0; 1 when tasks will not run.\n";
+      return 0;
+    }
+    err << FaultError(FaultCode::bad_usage, fmt::format("doctor does not know '{}'", arguments.front()))
+               .error_line()
+        << "\n";
+    return 2;
+  }
+  const std::vector<Finding> findings = examine(look_at_host());
+  out << (json ? json_of(findings) : text_of(findings));
+  return std::ranges::any_of(findings, [](const Finding& f) { return f.verdict == Verdict::bad; }) ? 1 : 0;
+}
+
+}  // namespace mrroc::ui

@@ -1,0 +1,48 @@
+// The command `ui_cli doctor`: whether this host suits the framework, and what to type where it does not.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace mrroc::ui {
+
+/// What is looked at.
+struct Host {
+  bool multicast{};                    ///< a process can hear its own messages
+  std::int64_t receive_buffer{};       ///< largest that a socket may have, net.core.rmem_max [bytes]
+  std::int64_t clock_resolution_ns{};  ///< of the monotonic clock
+  std::int64_t latest_wake_us{};       ///< worst of a hundred sleeps of 1 ms: how much too late it ended
+  int cores{};                         ///< that this process may use
+  int real_time_priority{};            ///< highest permitted of SCHED_FIFO, 0: none
+  bool memory_lock{};                  ///< all of a process may be kept in RAM
+  std::vector<std::string> missing;    ///< programs that runs use and that are not installed
+  std::filesystem::path folder;        ///< where runs/ would go
+  std::int64_t free_bytes{};           ///< there
+};
+
+/// @return this host. Takes a quarter of a second
+[[nodiscard]] Host look_at_host();
+
+/// What one check has found.
+enum class Verdict : std::uint8_t {
+  good,
+  limited,  ///< works, with what the text says
+  bad       ///< tasks will not run
+};
+struct Finding {
+  std::string what;  ///< "multicast"
+  Verdict verdict{};
+  std::string found;  ///< in words, with figures
+  std::string type;   ///< what to type, or to do; empty when good
+};
+
+/// @return one finding per thing that matters, the same for every host
+[[nodiscard]] std::vector<Finding> examine(const Host& host);
+
+/// Runs the command. @param arguments behind the word doctor
+/// @return exit status: 0, 1 when a finding is bad, 2 for bad usage
+int run_doctor(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err);
+
+}  // namespace mrroc::ui

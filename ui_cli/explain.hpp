@@ -1,0 +1,18 @@
+// The command `ui_cli explain CODE`: what an error means, what it mostly comes from, and what to do.
+#pragma once
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "base/fault.hpp"
+
+namespace mrroc::ui {
+
+/// @return a few lines for a person, from the table of errors
+[[nodiscard]] std::string explanation(FaultCode code);
+
+/// Runs the command; without a code it lists all. @param arguments behind the word explain
+/// @return exit status: 0, or 2 for bad usage
+int run_explain(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err);
+
+}  // namespace mrroc::ui
