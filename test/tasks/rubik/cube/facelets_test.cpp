@@ -51,8 +51,7 @@ TEST(Facelets, NameTheRuleThatIsBroken) {
   facelets[0] = 'R';
   EXPECT_EQ(rule_of(facelets), CubeRule::count);
   EXPECT_EQ(rule_of(exchanged(kSolved, 0, 29)), CubeRule::piece);  // a corner with D and D
-  EXPECT_EQ(rule_of(exchanged(kSolved, 5, 32)),
-            CubeRule::duplicate);  // U at DR, D at UR: edges DR and UR twice?
+  EXPECT_EQ(rule_of(exchanged(kSolved, 10, 25)), CubeRule::duplicate);  // UR to UF, DF to DR
 }
 
 TEST(Facelets, NameTheRuleOfTheGroupThatIsBroken) {
