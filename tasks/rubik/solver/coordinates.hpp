@@ -56,7 +56,8 @@ inline constexpr std::array<Move, 10> kSecondPhaseMoves{
 [[nodiscard]] std::span<const Move> all_moves();
 
 /// @return [value * moves.size() + k]: the number after turn moves[k]
-[[nodiscard]] std::vector<std::uint16_t> move_table(const Coordinate& coordinate, std::span<const Move> moves);
+[[nodiscard]] std::vector<std::uint16_t> move_table(const Coordinate& coordinate,
+                                                    std::span<const Move> moves);
 /// @return [value * 16 + s]: the number seen through symmetry s
 [[nodiscard]] std::vector<std::uint16_t> symmetry_table(const Coordinate& coordinate);
 

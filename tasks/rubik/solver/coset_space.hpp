@@ -49,7 +49,9 @@ class CosetSpace {
   /// @return bit s: symmetry s maps the page to itself, so that entries of it are equal
   [[nodiscard]] unsigned stabiliser(int page) const { return stabiliser_[page]; }
   /// @return the row seen through the symmetry
-  [[nodiscard]] int row_seen(int row, int symmetry) const { return row_seen_[row * kAxisSymmetries + symmetry]; }
+  [[nodiscard]] int row_seen(int row, int symmetry) const {
+    return row_seen_[row * kAxisSymmetries + symmetry];
+  }
   /// @return the column seen through the symmetry
   [[nodiscard]] int column_seen(int column, int symmetry) const {
     return column_seen_[column * kAxisSymmetries + symmetry];

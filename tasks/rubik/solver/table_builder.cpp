@@ -42,7 +42,7 @@ class Builder {
         table_(table),
         locks_(std::make_unique<PageLock[]>(space.pages())) {}
 
-  std::vector<std::uint64_t> run(int threads, const Progress& progress);
+  std::vector<std::uint64_t> run(int deepest, int threads, const Progress& progress);
 
  private:
   static constexpr unsigned kUnset = PackedLayout<Bits>::kMask;
@@ -64,6 +64,7 @@ class Builder {
   Found expand(int page, unsigned from, unsigned to, Entries& entries);
   Found look_back(int page, unsigned from, unsigned to, Entries& entries);
   void forget_small_distances();
+  void fill_unset(unsigned code);
 
   const CosetSpace& space_;
   PackedLayout<Bits> layout_;
@@ -202,8 +203,20 @@ void Builder<Bits>::forget_small_distances() {
   }
 }
 
+/// Four bits: gives all unset entries the code.
 template <int Bits>
-std::vector<std::uint64_t> Builder<Bits>::run(int threads, const Progress& progress) {
+void Builder<Bits>::fill_unset(unsigned code) {
+  std::array<std::uint8_t, 256> filled;
+  for (unsigned k = 0; k < 256; ++k) {
+    const unsigned low = (k & 15) == kUnset ? code : k & 15;
+    const unsigned high = k >> 4 == kUnset ? code : k >> 4;
+    filled[k] = static_cast<std::uint8_t>(high << 4 | low);
+  }
+  for (std::size_t k = 0; k < layout_.page_bytes() * space_.pages(); ++k) table_[k] = filled[table_[k]];
+}
+
+template <int Bits>
+std::vector<std::uint64_t> Builder<Bits>::run(int deepest, int threads, const Progress& progress) {
   std::fill_n(table_, layout_.bytes(space_.pages()), std::uint8_t{0xff});
   const std::uint64_t all = static_cast<std::uint64_t>(space_.pages()) * space_.rows() * space_.columns();
   const CosetSpace::Place start = space_.place_of({});
@@ -211,12 +224,12 @@ std::vector<std::uint64_t> Builder<Bits>::run(int threads, const Progress& progr
   set_equal(start.page, start.row, start.column, code_of(0), level);
   std::vector<std::uint64_t> states{level.states};
   std::uint64_t set_so_far = level.entries;
-  for (int distance = 0; set_so_far < all; ++distance) {
+  if (Bits == 2) deepest = kTwoBitBase + 2;
+  for (int distance = 0; set_so_far < all && distance < deepest; ++distance) {
     if (Bits == 2 && distance == kTwoBitBase) {
       forget_small_distances();
       level.entries = set_so_far;
     }
-    if (Bits == 2 && distance == kTwoBitBase + 2) break;
     const unsigned from = Bits == 2 && distance == kTwoBitBase ? 0 : code_of(distance);
     const unsigned to = code_of(distance + 1);
     // An unset entry finds a neighbour at this distance after a few turns, a set one tries them all.
@@ -227,27 +240,28 @@ std::vector<std::uint64_t> Builder<Bits>::run(int threads, const Progress& progr
       const Found f = forward ? expand(page, from, to, entries) : look_back(page, from, to, entries);
       const std::uint64_t done = ++pages_done;
       if (progress && done % 1024 == 0)
-        progress((static_cast<double>(distance) + static_cast<double>(done) / space_.pages()) / 13.0);
+        progress((static_cast<double>(distance) + static_cast<double>(done) / space_.pages()) / deepest);
       return f;
     });
     if (level.entries == 0) break;
     states.push_back(level.states);
     set_so_far += level.entries;
   }
+  if (Bits == 4 && set_so_far < all) fill_unset(static_cast<unsigned>(deepest + 1));
   return states;
 }
 
 }  // namespace
 
 template <int Bits>
-std::vector<std::uint64_t> build_table(const CosetSpace& space, std::span<std::uint8_t> table, int threads,
-                                       const Progress& progress) {
-  return Builder<Bits>(space, table.data()).run(threads, progress);
+std::vector<std::uint64_t> build_table(const CosetSpace& space, std::span<std::uint8_t> table, int deepest,
+                                       int threads, const Progress& progress) {
+  return Builder<Bits>(space, table.data()).run(deepest, threads, progress);
 }
 
-template std::vector<std::uint64_t> build_table<2>(const CosetSpace&, std::span<std::uint8_t>, int,
+template std::vector<std::uint64_t> build_table<2>(const CosetSpace&, std::span<std::uint8_t>, int, int,
                                                    const Progress&);
-template std::vector<std::uint64_t> build_table<4>(const CosetSpace&, std::span<std::uint8_t>, int,
+template std::vector<std::uint64_t> build_table<4>(const CosetSpace&, std::span<std::uint8_t>, int, int,
                                                    const Progress&);
 
 }  // namespace mrroc::rubik
