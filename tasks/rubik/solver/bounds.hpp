@@ -33,6 +33,8 @@ class Bounds {
   /// @param tables  outlives this object
   explicit Bounds(const Tables& tables);
 
+  [[nodiscard]] const Tables& tables() const { return tables_; }
+
   /// @return the coordinates along all axes, as sums over slots
   [[nodiscard]] AxisCoordinates coordinates(const Cube& cube) const {
     AxisCoordinates sum{0, 0};

@@ -190,18 +190,15 @@ std::optional<Moves> search_depth(const Bounds& bounds, const Cube& cube, int tu
 
 }  // namespace
 
-OptimalResult solve_optimally(const Tables& tables, const Cube& cube, const SearchLimits& limits,
-                              int longest) {
+OptimalResult solve_optimally(const Bounds& bounds, const Cube& cube, const SearchLimits& limits,
+                              const Lengths& lengths) {
   OptimalResult result;
-  const Bounds bounds(tables);
-  Stopwatch limited(limits);
-  Stopwatch unlimited(SearchLimits{});
+  Stopwatch watch(limits);
   std::atomic<std::uint64_t> nodes{0};
-  result.lower_bound = cube == Cube{} ? 0 : std::max(1, bounds.lower_bound(CubePair::of(cube)));
-  for (; result.lower_bound <= longest; ++result.lower_bound) {
+  const int bound = cube == Cube{} ? 0 : std::max(1, bounds.lower_bound(CubePair::of(cube)));
+  for (result.lower_bound = std::max(bound, lengths.shortest); result.lower_bound <= lengths.longest;
+       ++result.lower_bound) {
     bool complete = true;
-    Stopwatch& watch = result.lower_bound <= kGuaranteedOptimal ? unlimited : limited;
-    if (&watch == &limited && watch.over()) break;
     result.moves = search_depth(bounds, cube, result.lower_bound, limits.threads, watch, nodes, complete);
     if (result.moves || !complete) break;
   }
