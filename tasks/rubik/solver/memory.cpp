@@ -10,11 +10,14 @@
 
 namespace mrroc::rubik {
 
+// Searches read at random places: with large pages, where the system has them, nearly all addresses are found in the
+// processor's address cache, and a search is up to twice as fast.
+
 Memory::Memory(std::size_t bytes) : size_(bytes) {
   void* const p = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (p == MAP_FAILED) throw std::bad_alloc();
   base_ = static_cast<std::uint8_t*>(p);
-  ::madvise(p, bytes, MADV_HUGEPAGE);  // probes are random: fewer pages, fewer misses of the address cache
+  ::madvise(p, bytes, MADV_HUGEPAGE);
 }
 
 Memory Memory::of_file(const std::filesystem::path& file, std::size_t offset) {
@@ -26,6 +29,7 @@ Memory Memory::of_file(const std::filesystem::path& file, std::size_t offset) {
     const auto size = static_cast<std::size_t>(status.st_size);
     void* const p = ::mmap(nullptr, size, PROT_READ, MAP_SHARED, fd, 0);
     if (p != MAP_FAILED) {
+      ::madvise(p, size, MADV_HUGEPAGE);
       memory.base_ = static_cast<std::uint8_t*>(p);
       memory.size_ = size;
       memory.offset_ = offset;

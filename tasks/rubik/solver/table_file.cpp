@@ -77,6 +77,8 @@ std::string write_table(const fs::path& file, const TableKind& kind, std::span<c
   if (fd < 0) return fmt::format("{}: {}", draft.string(), std::strerror(errno));
   bool whole = write_all(fd, first) && write_all(fd, bytes);
   const int why = errno;
+  // What was written lies in small pages; the next program is to read it back into large ones (Memory::of_file).
+  if (whole && ::fdatasync(fd) == 0) ::posix_fadvise(fd, 0, 0, POSIX_FADV_DONTNEED);
   whole = ::close(fd) == 0 && whole;
   if (whole) fs::rename(draft, file, error);
   if (whole && !error) return {};

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "tasks/rubik/solver/coset_space.hpp"
+#include "tasks/rubik/solver/first_phase_moves.hpp"
 #include "tasks/rubik/solver/table_builder.hpp"
 
 namespace mrroc::rubik {
@@ -23,32 +24,40 @@ constexpr int kAll = 14;
 /// Opens or makes one table after the other.
 class Opener {
  public:
+  using Fill = std::function<void(std::span<std::uint8_t>, const Progress&)>;
+
   Opener(const std::filesystem::path& folder, int threads, const TableWatch& watch)
       : folder_(folder), threads_(threads), watch_(watch) {}
 
-  /// @param space  makes the coset space, when the table has to be filled
-  template <int Bits, class Space>
-  OpenTable open(const std::string& name, const PackedLayout<Bits>& layout, int pages, int deepest,
-                 Space space) {
-    const auto fill = [&](std::span<std::uint8_t> bytes) {
+  OpenTable open(const std::string& name, std::size_t bytes, const Fill& fill) const {
+    const auto watched = [&](std::span<std::uint8_t> memory) {
       const auto report = [&](double part) {
         if (watch_.progress) watch_.progress(name, part);
       };
       report(0);
-      build_table<Bits>(space(), bytes, deepest, threads_, report);
+      fill(memory, report);
       report(1);
     };
     if (folder_.empty()) {
-      OpenTable table{Memory(layout.bytes(pages)), TableSource::unwritten, {}};
-      fill(table.memory.writable());
+      OpenTable table{Memory(bytes), TableSource::unwritten, {}};
+      watched(table.memory.writable());
       return table;
     }
-    OpenTable table = open_table(folder_, {name, kVersion, layout.bytes(pages)}, fill);
+    OpenTable table = open_table(folder_, {name, kVersion, bytes}, watched);
     if (!table.trouble.empty() && watch_.notice)
       watch_.notice(table.source == TableSource::unwritten
                         ? fmt::format("table {} could not be kept: {}", name, table.trouble)
                         : fmt::format("table {} was made again: {}", name, table.trouble));
     return table;
+  }
+
+  /// @param space  makes the coset space, when the table has to be filled
+  template <int Bits, class Space>
+  OpenTable open(const std::string& name, const PackedLayout<Bits>& layout, int pages, int deepest,
+                 Space space) const {
+    return open(name, layout.bytes(pages), [&](std::span<std::uint8_t> bytes, const Progress& progress) {
+      build_table<Bits>(space(), bytes, deepest, threads_, progress);
+    });
   }
 
  private:
@@ -93,7 +102,7 @@ Tables::Tables(TableSet set, const std::filesystem::path& folder, int threads, c
                         const Coordinate& column, std::span<const Move> moves) {
     return [&page, &classes, row, &column, moves] { return CosetSpace(page, classes, row, column, moves); };
   };
-  Opener opener(folder, threads, watch);
+  const Opener opener(folder, threads, watch);
   corner_slice_ = opener.open(
       "corner-slice", kCornerSlice, corner_permutations.size(), kAll,
       space(kCornerPermutation, corner_permutations, nullptr, kSlicePermutation, kSecondPhaseMoves));
@@ -104,9 +113,17 @@ Tables::Tables(TableSet set, const std::filesystem::path& folder, int threads, c
       space(kCornerPermutation, corner_permutations, nullptr, kEdgePermutation, kSecondPhaseMoves));
   phase1_ = opener.open(fmt::format("phase1{}", suffix), kPhase1, flip_slices.size(), depths.phase1,
                         space(kFlipSlice, flip_slices, nullptr, kTwist, all_moves()));
-  if (set == TableSet::large)
-    large_ = opener.open("large", kLarge, flip_slices.size(), kAll,
-                         space(kFlipSlice, flip_slices, &kTetrad, kTwist, all_moves()));
+  if (set != TableSet::large) return;
+  move_words_ =
+      opener.open("move-words", sizeof(std::uint32_t) * kTwists * flip_slices.size(),
+                  [&](std::span<std::uint8_t> bytes, const Progress& progress) {
+                    const std::span words(reinterpret_cast<std::uint32_t*>(bytes.data()),
+                                          bytes.size() / sizeof(std::uint32_t));
+                    build_move_words(CosetSpace(kFlipSlice, flip_slices, nullptr, kTwist, all_moves()),
+                                     phase1_.memory.data(), words, threads, progress);
+                  });
+  large_ = opener.open("large", kLarge, flip_slices.size(), kAll,
+                       space(kFlipSlice, flip_slices, &kTetrad, kTwist, all_moves()));
 }
 
 }  // namespace mrroc::rubik

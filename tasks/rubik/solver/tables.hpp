@@ -16,7 +16,7 @@ namespace mrroc::rubik {
 enum class TableSet : std::uint8_t {
   small,     ///< as standard, but only short distances are told apart: made in a moment, for tests
   standard,  ///< 130 MB, made in a few seconds
-  large      ///< 2.6 GB, made in minutes: much faster optimal solutions, shorter ones in the same time
+  large      ///< 3.2 GB, made in minutes: much faster optimal solutions, shorter ones in the same time
 };
 
 /// What happens while tables are opened. Either may be empty.
@@ -74,6 +74,14 @@ class Tables {
     return large_.memory.data() + flip_slice_class * kLarge.page_bytes() +
            tetrad_seen_so * kLarge.row_bytes();
   }
+  /// @return whether there are move words
+  [[nodiscard]] bool has_move_words() const { return move_words_.memory.data() != nullptr; }
+  /// @return the MoveWord of a state of the first phase
+  [[nodiscard]] const std::uint32_t* move_word_address(std::uint32_t flip_slice_class,
+                                                       unsigned twist_seen_so) const {
+    return reinterpret_cast<const std::uint32_t*>(move_words_.memory.data()) +
+           flip_slice_class * std::size_t{kTwists} + twist_seen_so;
+  }
   /// @return the byte that phase1() would read
   [[nodiscard]] const std::uint8_t* phase1_address(std::uint32_t flip_slice_class,
                                                    unsigned twist_seen_so) const {
@@ -87,7 +95,7 @@ class Tables {
   static constexpr PackedLayout<4> kCornerTwists{1, kTwists};
   static constexpr PackedLayout<2> kLarge{kTetrads, kTwists};
 
-  OpenTable phase1_, phase2_, corner_slice_, corners_, large_;
+  OpenTable phase1_, phase2_, corner_slice_, corners_, move_words_, large_;
 };
 
 }  // namespace mrroc::rubik
