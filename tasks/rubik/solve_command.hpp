@@ -1,0 +1,12 @@
+// The command cube_solve.
+#pragma once
+#include <iosfwd>
+
+namespace mrroc::rubik {
+
+/// Solves the cubes of the command line or of a file. Each gives one line on out: the number of turns, then the turns.
+/// @param err  what is not a solution: errors, cubes whose solution is not proven to be a shortest one
+/// @return exit status: 0 all solved, 2 bad usage or a cube that is impossible
+int run_cube_solve(int argc, const char* const* argv, std::ostream& out, std::ostream& err);
+
+}  // namespace mrroc::rubik

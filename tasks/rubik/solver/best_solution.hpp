@@ -1,0 +1,39 @@
+// The shortest solution so far, for all threads of a search.
+#pragma once
+#include <atomic>
+#include <mutex>
+
+#include "tasks/rubik/cube/move.hpp"
+
+namespace mrroc::rubik {
+
+class BestSolution {
+ public:
+  /// Before there is a solution, one of this length is taken to be known.
+  static constexpr int kNone = 31;
+
+  /// @param good_enough  no need to search on when a solution has at most so many turns
+  explicit BestSolution(int good_enough) : good_enough_(good_enough) {}
+
+  [[nodiscard]] int length() const { return length_.load(std::memory_order_relaxed); }
+  [[nodiscard]] bool found() const { return length() < kNone; }
+  [[nodiscard]] bool good_enough() const { return length() <= good_enough_; }
+  /// Takes the solution if it is shorter.
+  void offer(const Moves& moves) {
+    const std::lock_guard guard(mutex_);
+    const int offered = static_cast<int>(moves.size());
+    if (offered >= length()) return;
+    moves_ = moves;
+    length_ = offered;
+  }
+  /// @return the solution; for when no other thread searches any more
+  [[nodiscard]] const Moves& moves() const { return moves_; }
+
+ private:
+  const int good_enough_;
+  std::atomic<int> length_{kNone};
+  std::mutex mutex_;
+  Moves moves_;
+};
+
+}  // namespace mrroc::rubik

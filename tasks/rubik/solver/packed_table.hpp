@@ -1,0 +1,65 @@
+// Small numbers, two or four bits each, in pages and rows.
+#pragma once
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace mrroc::rubik {
+
+/// How the entries of a table lie in memory. Rows begin at whole bytes.
+/// @tparam Bits  2 or 4 per entry
+template <int Bits>
+struct PackedLayout {
+  static constexpr int kPerByte = 8 / Bits;
+  static constexpr unsigned kMask = (1U << Bits) - 1;
+  /// Bytes that must be readable behind the last row.
+  static constexpr std::size_t kSlack = 8;
+
+  int rows;
+  int columns;
+
+  [[nodiscard]] constexpr std::size_t row_bytes() const {
+    return (static_cast<std::size_t>(columns) + kPerByte - 1) / kPerByte;
+  }
+  [[nodiscard]] constexpr std::size_t page_bytes() const { return row_bytes() * rows; }
+  [[nodiscard]] constexpr std::size_t bytes(int pages) const { return page_bytes() * pages + kSlack; }
+};
+
+/// @return entry number column of the row that begins there
+template <int Bits>
+[[nodiscard]] inline unsigned get_packed(const std::uint8_t* row, unsigned column) {
+  constexpr unsigned per_byte = PackedLayout<Bits>::kPerByte;
+  return (row[column / per_byte] >> (column % per_byte * Bits)) & PackedLayout<Bits>::kMask;
+}
+
+/// Sets an entry that is full of ones.
+template <int Bits>
+inline void set_packed(std::uint8_t* row, unsigned column, unsigned value) {
+  constexpr unsigned per_byte = PackedLayout<Bits>::kPerByte;
+  const unsigned hole = (PackedLayout<Bits>::kMask ^ value) << (column % per_byte * Bits);
+  row[column / per_byte] = static_cast<std::uint8_t>(row[column / per_byte] & ~hole);
+}
+
+/// Calls found(column) for each entry of the row that has the value.
+template <int Bits, class Found>
+inline void for_each_packed(const std::uint8_t* row, int columns, unsigned value, Found&& found) {
+  static_assert(std::endian::native == std::endian::little);
+  constexpr std::uint64_t ones = ~std::uint64_t{0} / PackedLayout<Bits>::kMask;
+  constexpr int per_word = 64 / Bits;
+  const std::uint64_t pattern = ones * value;
+  for (int first = 0; first < columns; first += per_word) {
+    std::uint64_t word;
+    std::memcpy(&word, row + first / PackedLayout<Bits>::kPerByte, sizeof word);
+    word ^= pattern;
+    word |= word >> 1;
+    if constexpr (Bits == 4) word |= word >> 2;
+    for (std::uint64_t equal = ~word & ones; equal != 0; equal &= equal - 1) {
+      const int column = first + std::countr_zero(equal) / Bits;
+      if (column >= columns) return;
+      found(column);
+    }
+  }
+}
+
+}  // namespace mrroc::rubik
