@@ -58,6 +58,7 @@ enum class FaultCode : std::uint16_t {
   sensor_silent,
   no_contact,
   contact_unstable,
+  object_not_seen,
   // processes and messages
   start_failed,
   not_ready,

@@ -82,6 +82,8 @@ inline constexpr std::array kFaultTable{
               "look at the surface, at the tool and at the sensor that should have told of the touch"),
   MRROC_FAULT(contact_unstable, non_fatal, "the contact force swings and does not die away; the arm was stopped",
               "lower B of the behaviour, or soften the contact: `ui_cli stability` tells by how much"),
+  MRROC_FAULT(object_not_seen, non_fatal, "no camera has seen the object for too long",
+              "bring the object into view of a camera, look at its light and its size in the configuration"),
 
   MRROC_FAULT(start_failed, system, "a process could not be started",
               "build with `./run build` and look at messages.log in the run folder"),

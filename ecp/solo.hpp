@@ -36,10 +36,12 @@ class SoloPort {
   }
   void read(typename A::X& x) const {
     x.e = links_.reply();
-    x.V = links_.reading();
+    if constexpr (std::is_same_v<decltype(x.V), SensorReading>) x.V = links_.reading();
     x.T = links_.order();
     x.i = links_.i() - stood_;
   }
+  /// @return what the port is made of, for ports that do more
+  [[nodiscard]] const ArmLinks& links() const { return links_; }
 
  private:
   [[nodiscard]] bool paused() const { return links_.order().m == static_cast<int>(SoloOrder::pause); }

@@ -1,0 +1,113 @@
+#include "tasks/visual_servo/servo.hpp"
+
+#include <algorithm>
+
+namespace mrroc::visual_servo {
+namespace {
+
+using X = Arm::X;
+
+/// Rotates a covariance along the axes of C into those of a frame in which C has this orientation.
+Matrix6 turned(const Matrix3& R, const Matrix6& covariance) {
+  Matrix6 J = Matrix6::Zero();
+  J.topLeftCorner<3, 3>() = R;
+  J.bottomRightCorner<3, 3>() = R;
+  return J * covariance * J.transpose();
+}
+
+/// What the reading says, made worse by what no camera knows: how well it is calibrated.
+Matrix6 covariance_of(const Parameters& k, const CameraReading& reading) {
+  Vector6 least;
+  least << Vector3::Constant(k.position_floor), Vector3::Constant(k.angle_floor);
+  return reading.covariance + Matrix6(least.cwiseAbs2().asDiagonal());
+}
+
+/// Covariance of xi in e exp(xi), see CameraError.
+Matrix6 covariance_of_error(const Parameters& k, const CameraReading& reading) {
+  const Pose T_GEd = k.T_EGd.inverse();
+  const Vector3 lever = reading.T_CG.R * T_GEd.p;  // from G to the desired E, along C
+  Matrix6 J = Matrix6::Identity();
+  J.topRightCorner<3, 3>() = -skew(lever);
+  const Matrix6 at_E = J * covariance_of(k, reading) * J.transpose();
+  return turned((reading.T_CG.R * T_GEd.R).transpose(), at_E);
+}
+
+/// (49), (51): e of one camera at the start of the command. The object goes on with its velocity from the image's
+/// instant until then.
+CameraError error_of(const X& x, Camera camera, const Start& start, const ObjectMotion& motion) {
+  const Parameters& k = x.c.k;
+  const Sighting seen = sighting(x, camera);
+  const Pose T_0G = carried(seen.T_0G, motion, static_cast<double>(start.step - seen.step) * k.pacing.dt);
+  const Pose T_EG = start.T_0E.inverse() * T_0G;
+  return {T_EG * k.T_EGd.inverse(), covariance_of_error(k, x.V.camera[index(camera)].reading)};
+}
+
+/// Takes new sightings into the track, the older picture first.
+void look(const X& x, Conclusion& c) {
+  std::array<Camera, kCameras> order{Camera::sac, Camera::eih};
+  const auto step = [&](Camera camera) { return x.V.camera[index(camera)].reading.step; };
+  std::ranges::stable_sort(order, {}, step);
+  for (const Camera camera : order) {
+    const std::size_t n = index(camera);
+    const std::int64_t frame = x.V.camera[n].reading.frame;
+    if (!c.sees[n] || frame <= c.taken[n]) continue;
+    c.track = see(x.c.k.track, c.track, sighting(x, camera), x.c.k.pacing.dt);
+    c.taken[n] = frame;
+  }
+}
+
+/// A displacement of the control step's steps, of so many of them.
+Pose part_of(const Pose& displacement, double share) {
+  return pose_from_angle_axis(share * angle_axis_from_pose(displacement));
+}
+
+/// The displacement of E during the control step that keeps it at rest against the moving object.
+Pose following(const Start& start, const Pose& T_0G, const ObjectMotion& motion, double duration) {
+  const Pose T_0G_end = carried(T_0G, motion, duration);
+  return start.T_0E.inverse() * (T_0G_end * T_0G.inverse()) * start.T_0E;
+}
+
+}  // namespace
+
+bool sees(const X& x, Camera camera) {
+  const CameraParameters& k = x.c.k.camera[index(camera)];
+  const CameraImage& image = x.V.camera[index(camera)];
+  const CameraReading& r = image.reading;
+  return k.used && image.there && r.seen && x.e.step - r.step <= x.c.k.max_age * k.period + k.latency;
+}
+
+Sighting sighting(const X& x, Camera camera) {
+  const CameraImage& image = x.V.camera[index(camera)];
+  const Pose& place = x.c.k.camera[index(camera)].place;
+  const Pose T_0C = camera == Camera::sac ? place : image.T_0E * place;
+  return {image.reading.step, T_0C * image.reading.T_CG, turned(T_0C.R, covariance_of(x.c.k, image.reading))};
+}
+
+Start start_of_command(const X& x) {
+  // x_ce was measured before the motion of its step, n_Q; the rest of that control step and the whole of the next one
+  // are still to come.
+  const int rest = x.c.k.pacing.n_s - x.c.k.pacing.n_Q + 1;
+  const Pose T_0E = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(x.e.T_0E.data()));
+  const double share = static_cast<double>(rest) / x.c.k.pacing.n_s;
+  return {x.e.step + rest + x.c.k.pacing.n_s, T_0E * part_of(x.c.before, share) * x.c.under_way};
+}
+
+Conclusion conclude(const X& x, const std::array<bool, kCameras>& uses) {
+  const Parameters& k = x.c.k;
+  Conclusion c{x.c.track, x.c.taken, {sees(x, Camera::sac), sees(x, Camera::eih)}, {}, {}};
+  look(x, c);
+  const bool sac = uses[index(Camera::sac)], eih = uses[index(Camera::eih)];
+  if (!sac && !eih) return c;
+  const Start start = start_of_command(x);
+  const ObjectMotion motion = k.feed_forward ? significant_motion(k.track, c.track) : ObjectMotion{};
+  const auto error = [&](Camera camera) { return error_of(x, camera, start, motion); };
+  c.e = sac && eih ? aggregate(k.aggregation, error(Camera::sac), error(Camera::eih)).e
+                   : error(sac ? Camera::sac : Camera::eih).e;
+  const double duration = k.pacing.macrostep_s();
+  const Pose T_0G = start.T_0E * c.e * k.T_EGd;
+  const Pose wanted = following(start, T_0G, motion, duration) * regulate(k.regulator, c.e, duration);
+  c.T_dc = smooth(k.regulator, wanted, x.c.under_way, duration);
+  return c;
+}
+
+}  // namespace mrroc::visual_servo
