@@ -81,6 +81,7 @@ void CameraLinks::tell(const Motion<Arm>& motion, const Arm::X& x, const Arm::Y&
     r.seen[n] = sees(x, static_cast<Camera>(n));
     r.frame[n] = x.V.camera[n].there ? x.V.camera[n].reading.frame : -1;
   }
+  std::ranges::copy(x.e.T_0E, r.T_0E);
   write(angle_axis_from_pose(y.c.e), r.e);
   write(angle_axis_from_pose(y.c.under_way), r.T_dc);
   const ObjectMotion motion_of_G = significant_motion(x.c.k.track, y.c.track);

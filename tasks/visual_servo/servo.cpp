@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/screw.hpp"
+
 namespace mrroc::visual_servo {
 namespace {
 
@@ -57,9 +59,7 @@ void look(const X& x, Conclusion& c) {
 }
 
 /// A displacement of the control step's steps, of so many of them.
-Pose part_of(const Pose& displacement, double share) {
-  return pose_from_angle_axis(share * angle_axis_from_pose(displacement));
-}
+Pose part_of(const Pose& displacement, double share) { return exp_screw(log_screw(displacement), share); }
 
 /// The displacement of E during the control step that keeps it at rest against the moving object.
 Pose following(const Start& start, const Pose& T_0G, const ObjectMotion& motion, double duration) {
