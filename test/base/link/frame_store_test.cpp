@@ -100,13 +100,13 @@ TEST_F(FrameStore, NeverGivesHalfOfOnePictureAndHalfOfAnother) {
       std::ranges::fill(image.data, static_cast<std::uint8_t>(k));
       writer.write(k, k, 0, image.view());
       newest = k;
-      if (k % 16 == 0) std::this_thread::sleep_for(1ms);
+      if (k % 4 == 0) std::this_thread::sleep_for(100us);
     }
   });
   int read = 0;
   Frame frame;
   while (read < 200) {
-    const std::int64_t k = newest;
+    const std::int64_t k = newest - 1;  // the one that will be written over next
     if (k < 0 || reader.read(static_cast<int>(k % 2), k, frame) != FrameFate::read) continue;
     ++read;
     const auto grey = static_cast<std::uint8_t>(k);
