@@ -28,19 +28,18 @@ std::shared_ptr<Image> white(int columns, int rows, int pixels) {
   return image;
 }
 
-/// @param T_UM  middle of the picture: x to the right, y down, z into the plate
-void add_plate(Scene& scene, double width, double height, const Pose& T_UM,
+void add_plate(Scene& scene, double width, double height, const Pose& T_UG,
                std::shared_ptr<const Image> texture) {
   Body plate;
   plate.size = {width, height, kThickness};
-  plate.T_UB = T_UM * Pose{Matrix3::Identity(), {0, 0, kGap + kThickness / 2}};
+  plate.T_UB = T_UG * Pose{Matrix3::Identity(), {0, 0, -kGap - kThickness / 2}};
   plate.colour = {0.85, 0.85, 0.85};
   plate.shine = 0.05;
   scene.bodies.push_back(plate);
   Body picture = plate;
   picture.shape = Shape::quad;
   picture.size.z() = 1;
-  picture.T_UB = T_UM * Pose{Vector3(1, -1, -1).asDiagonal(), Vector3::Zero()};
+  picture.T_UB = T_UG;
   picture.colour = {1, 1, 1};
   picture.casts_shadow = false;
   picture.texture = std::move(texture);
@@ -71,9 +70,8 @@ std::shared_ptr<const Image> tag_texture(int id, int margin, int pixels) {
 }
 
 void add_board(Scene& scene, const BoardSize& board, const Pose& T_UG) {
-  const Pose T_GM{Matrix3::Identity(), Vector3(board.columns - 1, board.rows - 1, 0) * (board.square / 2)};
   add_plate(scene, (board.columns + 1 + 2 * board.margin) * board.square,
-            (board.rows + 1 + 2 * board.margin) * board.square, T_UG * T_GM, board_texture(board));
+            (board.rows + 1 + 2 * board.margin) * board.square, T_UG, board_texture(board));
 }
 
 void add_tag(Scene& scene, int id, double edge, const Pose& T_UG) {

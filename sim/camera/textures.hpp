@@ -7,11 +7,12 @@
 
 namespace mrroc::camera {
 
-/// A chessboard: the object G of visual servoing. Frame G: origin at the inner corner nearest to the first square,
-/// x along the rows of corners, y along the columns away from that corner, z into the plate.
+/// A chessboard, with the frame G of whatever lies on a plate: origin in the middle, x to the right, y up when it is
+/// read, z out of it. The upper left square is black.
 struct BoardSize {
-  int columns{9};        ///< inner corners along x, > 1
-  int rows{6};           ///< inner corners along y, > 1
+  int columns{9};  ///< inner corners along x, > 1; odd when rows is even, and the other way round: the board
+                   ///< looks the same after half a turn otherwise
+  int rows{6};     ///< inner corners along y, > 1
   double square{0.025};  ///< [m]
   int margin{1};         ///< width of the white border [squares]
 };
@@ -21,7 +22,7 @@ inline constexpr std::uint8_t kPaperWhite = 235;
 inline constexpr std::uint8_t kPaperBlack = 18;
 
 /// @param pixels  of the picture along a square
-/// @return the board from above, x of G to the right, y of G down; the first square is black
+/// @return the board with its margin
 std::shared_ptr<const Image> board_texture(const BoardSize& board, int pixels = 64);
 
 /// Tags of the AprilTag family 36h11 that are known here, from 0.
@@ -33,11 +34,11 @@ inline constexpr int kKnownTags = 10;
 /// @throws std::invalid_argument  no such tag
 std::shared_ptr<const Image> tag_texture(int id, int margin = 2, int pixels = 64);
 
-/// Adds a plate with a chessboard on it. @param T_UG  see BoardSize
+/// Adds a plate with a chessboard on it. @param T_UG  its middle
 void add_board(Scene& scene, const BoardSize& board, const Pose& T_UG);
 
 /// Adds a plate with a tag on it.
-/// @param edge  length of the black border [m] @param T_UG  middle of the tag; x to the right, y down, z into it
+/// @param edge  length of the black border [m] @param T_UG  middle of the tag
 void add_tag(Scene& scene, int id, double edge, const Pose& T_UG);
 
 }  // namespace mrroc::camera
