@@ -71,6 +71,7 @@ enum class FaultCode : std::uint16_t {
   malformed_message,
   command_repeated_refused,
   cannot_write,
+  no_renderer,
   internal_error,
   // input
   bad_usage,

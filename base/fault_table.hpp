@@ -107,6 +107,8 @@ inline constexpr std::array kFaultTable{
               "look at the effector with `ui_cli status`"),
   MRROC_FAULT(cannot_write, system, "a file cannot be written",
               "look at the rights and the space left, or choose another --run-dir"),
+  MRROC_FAULT(no_renderer, system, "pictures of the simulated cameras cannot be drawn on this host",
+              "install Mesa's EGL: apt-get install libegl1 libegl-mesa0 libgl1-mesa-dri"),
   MRROC_FAULT(internal_error, system, "the program broke one of its own rules",
               "report it with the run folder"),
 
