@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/camera_config.hpp"
+
 namespace mrroc::visual_servo {
 namespace {
 
@@ -36,6 +38,20 @@ TrackParameters read_track(const Config& t) {
   return k;
 }
 
+/// @throws FaultError bad_configuration  the camera is mounted where c_1 cannot make use of it
+CameraParameters camera_of(const CameraSetup& setup, Camera camera) {
+  const CameraMount wanted = camera == Camera::sac ? CameraMount::base : CameraMount::end_effector;
+  if (setup.mount != wanted || setup.arm != kArm)
+    throw FaultError(FaultCode::bad_configuration, "cameras." + setup.key + ".mount: this task needs \"" +
+                                                       std::string(kArm) +
+                                                       (camera == Camera::sac ? ".base" : "") + "\"");
+  CameraParameters k;
+  k.place = setup.place;
+  k.period = setup.period;
+  k.latency = setup.latency;
+  return k;
+}
+
 std::int64_t control_steps(double seconds, const ecp::Pacing& pacing) {
   return std::llround(seconds / pacing.macrostep_s());
 }
@@ -61,11 +77,8 @@ Parameters read_parameters(const Config& config) {
   const Config t = config.section("task");
   const int used = t.choice("cameras", 3, {{"both", 3}, {"sac", 1}, {"eih", 2}});
   for (std::size_t n = 0; n < kCameras; ++n) {
-    CameraParameters& camera = k.camera[n];
-    const Config table = config.section("cameras." + std::string(kCameraNames[n]));
-    camera.used = (used >> n & 1) != 0;
-    camera.place = read_pose(table, "pose");
-    camera.latency = table.integer("latency", camera.latency, {0, 200}, "steps");
+    k.camera[n] = camera_of(read_camera(config, std::string(kCameraNames[n])), static_cast<Camera>(n));
+    k.camera[n].used = (used >> n & 1) != 0;
   }
   k.T_EGd = read_pose(t, "desired");
   k.aggregation = t.choice("aggregation", k.aggregation,

@@ -10,6 +10,8 @@
 
 namespace mrroc::visual_servo {
 
+/// Key of the arm.
+inline constexpr std::string_view kArm{"arm1"};
 /// Names of the cameras, in the order of Camera.
 inline constexpr std::array<std::string_view, kCameras> kCameraNames{"sac", "eih"};
 

@@ -161,7 +161,10 @@ TEST(ServoLoop, WorksWithOneCameraAlone) {
     CellParameters p = as_in_fig_28();
     p.hidden = [](auto&&...) { return false; };
     p.k.camera[without].used = false;
-    if (without == 0) p.T_0E.p = (p.object(0) * p.k.T_EGd.inverse()).p + Vector3(-0.05, 0.02, 0.15);
+    if (without == 0) {
+      p.T_0E = p.object(0) * p.k.T_EGd.inverse();
+      p.T_0E.p += Vector3(-0.05, 0.02, 0.15);
+    }
     SyntheticCell cell(p);
     ASSERT_EQ(cell.run(), Outcome::terminated);
     EXPECT_LE(cell.worst_mm(25), without == 0 ? 1 : 3);

@@ -15,9 +15,9 @@ namespace mrroc::visual_servo::test {
 inline constexpr double kDt = 0.002;
 inline constexpr double kPi = 3.14159265358979323846;
 
-/// The object lies in front of the arm, its z into the table as that of E.
+/// The object lies in front of the arm, its z upwards.
 inline Pose object_at(double x, double y, double z, double turn = 0) {
-  return {rotation_from_angle_axis({kPi, 0, 0}) * rotation_from_angle_axis({0, 0, turn}), {x, y, z}};
+  return {rotation_from_angle_axis({0, 0, turn}), {x, y, z}};
 }
 
 /// A camera above the table that looks down and is 1.8 m away from it, one in the hand, and a desired pose in which the
@@ -26,7 +26,7 @@ inline Parameters parameters() {
   Parameters k;
   k.camera[0].place = {rotation_from_angle_axis({kPi, 0, 0}), {0.95, 0, 1.85}};
   k.camera[1].place = {rotation_from_angle_axis({0, 0, kPi / 2}), {0.08, 0, -0.1}};
-  k.T_EGd = {rotation_from_angle_axis({0, 0, kPi / 2}), {0.14, -0.1, 0.25}};
+  k.T_EGd = {rotation_from_angle_axis({kPi, 0, 0}), {0.08, 0, 0.25}};
   k.duration = 200;
   return k;
 }
@@ -179,8 +179,8 @@ class SyntheticCell {
   /// The corners of a board of 10 x 7 squares of 25 mm are in the picture.
   static bool in_view(const Pose& T_CG) {
     const CameraModel camera;
-    for (const double x : {-0.025, 0.225})
-      for (const double y : {-0.025, 0.15}) {
+    for (const double x : {-0.125, 0.125})
+      for (const double y : {-0.0875, 0.0875}) {
         const Vector3 p = T_CG * Vector3(x, y, 0);
         if (p.z() < 0.1) return false;
         const Vector2 uv = project(camera, p);
