@@ -7,9 +7,9 @@
 namespace mrroc::vsp::chessboard {
 namespace {
 
-constexpr int kReach = 14;       // largest lattice that is grown, to either side of its first square
-constexpr int kRounds = 12;      // of growing
-constexpr double kWindow = 0.4;  // half the edge of the place in which a corner is located, in squares
+constexpr int kReach = 14;        // largest lattice that is grown, to either side of its first square
+constexpr int kRounds = 12;       // of growing
+constexpr double kWindow = 0.45;  // half the edge of the place in which a corner is located, in squares
 constexpr int kLargestWindow = 8;
 constexpr int kRoughSteps = 4;      // of locating corners while growing
 constexpr int kFineSteps = 20;      // and of the board's corners in the end
@@ -122,7 +122,7 @@ class Grid {
   }
 
   void locate(std::vector<cv::Point2f>& points, int steps) const {
-    const int window = std::clamp(static_cast<int>(kWindow * square_), 1, kLargestWindow);
+    const int window = std::clamp(static_cast<int>(std::lround(kWindow * square_)), 2, kLargestWindow);
     if (std::min(grey_.cols, grey_.rows) < 2 * window + 6) return;
     cv::cornerSubPix(grey_, points, {window, window}, {-1, -1},
                      {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, steps, 0.003});
