@@ -42,6 +42,10 @@ void read_mount(const Config& t, CameraSetup& camera) {
 
 }  // namespace
 
+CameraModel read_camera_model(const Config& config, const std::string& key) {
+  return read_model(config.section("cameras." + key));
+}
+
 std::vector<std::string> camera_keys(const Config& config) {
   auto keys = config.texts("cameras.order", std::vector<std::string>{});
   for (const std::string& key : keys)

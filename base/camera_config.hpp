@@ -38,6 +38,11 @@ struct CameraSetup {
 /// @throws ConfigError  a name that is no word of at most 16 letters, digits, - and _
 std::vector<std::string> camera_keys(const Config& config);
 
+/// @param key  of a camera
+/// @return what [cameras.KEY] says of its lens and pictures alone; what is not given has its default
+/// @throws ConfigError
+CameraModel read_camera_model(const Config& config, const std::string& key);
+
 /// @param key  one of camera_keys()
 /// @return [cameras.KEY]; the pose must be given, everything else has a default
 /// @throws ConfigError

@@ -79,6 +79,8 @@ enum class FaultCode : std::uint16_t {
   bad_drawing,
   bad_recording,
   bad_trajectory,
+  bad_picture,
+  bad_calibration,
   bad_script,
   bad_log,
   no_such_session,
