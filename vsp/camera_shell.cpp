@@ -100,17 +100,20 @@ void run_receptor(const ImageReceptor& receptor, link::Process& process, const C
     CameraReading reading;
     reading.frame = i;
     reading.step = m->step;
+    if (m->last != 0) {
+      camera_reading_t over = to_message(reading);  // no picture goes with the last announcement
+      over.last = 1;
+      readings->publish(over, i);
+      break;
+    }
     if (take(store, *m, process.lock_step(), frame)) {
       reading = detect(frame.image.view(), i, m->step);
       film.see(frame.image.view(), reading);
     } else {
       process.report_skipped(1);
     }
-    camera_reading_t told = to_message(reading);
-    told.last = m->last;
-    readings->publish(told, i);
+    readings->publish(to_message(reading), i);
     process.report_progress(i, m->step);
-    if (m->last != 0) break;
   }
   film.write();
   process.report_done();

@@ -36,32 +36,37 @@ CameraLinks::CameraLinks(link::Process& process, const CameraLinkNames& names, c
       k_(parameters),
       samples_in_(process.inbox<step_samples_t>(names.robot + ".samples")),
       report_out_(process.outbox<servo_report_t>(names.robot + ".servo")) {
-  sources_.push_back(samples_in_.get());
+  for (std::size_t n = 0; n < kCameras; ++n)
+    if (k_.camera[n].used) reading_in_[n] = process.inbox<camera_reading_t>(names.reading[n]);
+}
+
+ecp::OtherLinks CameraLinks::others() {
+  ecp::OtherLinks others{{samples_in_.get()},
+                         [this](std::int64_t i, std::int64_t step) { return here(i, step); }};
+  for (const auto& in : reading_in_)
+    if (in) others.sources.push_back(in.get());
+  return others;
+}
+
+bool CameraLinks::here(std::int64_t i, std::int64_t step) const {
+  if (!samples_in_->at(i)) return false;
   for (std::size_t n = 0; n < kCameras; ++n) {
-    if (!k_.camera[n].used) continue;
-    reading_in_[n] = process.inbox<camera_reading_t>(names.reading[n]);
-    sources_.push_back(reading_in_[n].get());
+    const std::int64_t frame = newest_frame(k_.camera[n], step);
+    if (reading_in_[n] && frame >= 0 && !reading_in_[n]->at(frame)) return false;
   }
+  return true;
 }
 
 void CameraLinks::read(Arm::X& x, std::int64_t stamp) {
-  const auto frame = [&](std::size_t n) { return newest_frame(k_.camera[n], x.e.step); };
-  const auto here = [&] {
-    if (!samples_in_->at(stamp)) return false;
-    for (std::size_t n = 0; n < kCameras; ++n)
-      if (reading_in_[n] && frame(n) >= 0 && !reading_in_[n]->at(frame(n))) return false;
-    return true;
-  };
-  if (process_.lock_step())
-    process_.await_from(sources_, FaultCode::peer_silent, [&] { return here() || process_.over(); });
   if (const step_samples_t* const m = samples_in_->at(stamp)) {
     const auto n = std::clamp<std::int32_t>(m->n, 0, static_cast<std::int32_t>(std::size(m->sample)));
     path_.add(x.e.step, {m->sample, static_cast<std::size_t>(n)});
   }
   for (std::size_t n = 0; n < kCameras; ++n) {
     if (!reading_in_[n]) continue;
-    const camera_reading_t* const m =
-        process_.lock_step() ? reading_in_[n]->at(frame(n)) : reading_in_[n]->newest();
+    const camera_reading_t* const m = process_.lock_step()
+                                          ? reading_in_[n]->at(newest_frame(k_.camera[n], x.e.step))
+                                          : reading_in_[n]->newest();
     if (m) take(x.V.camera[n], *m);
   }
 }

@@ -44,16 +44,19 @@ struct CameraLinkNames {
   std::array<std::string, kCameras> reading;  ///< channels CAMERA.OBJECT, e.g. "sac.board"
 };
 
-/// Receives x_cV and tells what c_1 decides. In lock-step the reading that must be visible is waited for; with the
-/// wall clock the newest one is taken, however old it is.
+/// Receives x_cV and tells what c_1 decides. In lock-step the reading that must be visible is taken; with the wall clock
+/// the newest one, however old it is.
 class CameraLinks {
  public:
   /// To be made before the process assembles.
   CameraLinks(link::Process& process, const CameraLinkNames& names, const Parameters& parameters);
 
+  /// @return what the agent has to wait for; must not outlive this
+  [[nodiscard]] ecp::OtherLinks others();
+
   /// Fills in x_cV of the control step whose x_ce is there.
   /// @param stamp  of that x_ce
-  /// @throws FaultError  peer_silent: a reading does not come, see link::Process::await_from()
+  /// @throws FaultError  malformed_message: a number is not finite
   void read(Arm::X& x, std::int64_t stamp);
 
   /// Tells what was decided in a control step, for the record.
@@ -61,6 +64,7 @@ class CameraLinks {
   void tell(const Motion<Arm>& motion, const Arm::X& x, const Arm::Y& y, std::int64_t stamp);
 
  private:
+  [[nodiscard]] bool here(std::int64_t i, std::int64_t step) const;
   void take(CameraImage& image, const camera_reading_t& m) const;
 
   link::Process& process_;
@@ -68,7 +72,6 @@ class CameraLinks {
   std::unique_ptr<link::Inbox<step_samples_t>> samples_in_;
   std::array<std::unique_ptr<link::Inbox<camera_reading_t>>, kCameras> reading_in_;
   std::unique_ptr<link::Outbox<servo_report_t>> report_out_;
-  link::Sources sources_;
   EffectorPath path_;
 };
 

@@ -1,5 +1,6 @@
 #include "tasks/visual_servo/config.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/camera_config.hpp"
@@ -75,10 +76,11 @@ Object read_object(const Config& config) {
 Parameters read_parameters(const Config& config) {
   Parameters k;
   const Config t = config.section("task");
-  const int used = t.choice("cameras", 3, {{"both", 3}, {"sac", 1}, {"eih", 2}});
+  const std::vector<std::string> present = camera_keys(config);
   for (std::size_t n = 0; n < kCameras; ++n) {
-    k.camera[n] = camera_of(read_camera(config, std::string(kCameraNames[n])), static_cast<Camera>(n));
-    k.camera[n].used = (used >> n & 1) != 0;
+    const std::string key(kCameraNames[n]);
+    k.camera[n] = camera_of(read_camera(config, key), static_cast<Camera>(n));
+    k.camera[n].used = std::ranges::find(present, key) != present.end();
   }
   k.T_EGd = read_pose(t, "desired");
   k.aggregation = t.choice("aggregation", k.aggregation,

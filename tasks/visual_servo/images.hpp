@@ -24,7 +24,7 @@ constexpr std::size_t index(Camera k) { return static_cast<std::size_t>(k); }
 
 /// One camera of the agent.
 struct CameraParameters {
-  bool used{true};           ///< false: it is never taken to see anything
+  bool used{true};           ///< false: there is none, and it never sees anything
   Pose place;                ///< sac: 0_C T; eih: E_C T
   std::int64_t period{20};   ///< steps from one picture to the next; picture n is taken at step n * period
   std::int64_t latency{20};  ///< steps until its reading is visible (rule R6)

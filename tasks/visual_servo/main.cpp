@@ -96,9 +96,11 @@ void say(const std::string& line) {
 }
 
 int run(const Options& o) {
-  const Setup s = prepare(o);
+  Setup s = prepare(o);
   const fs::path folder = mp::name_run_folder(o.task.run_dir, "visual_servo");
-  std::ignore = s.config.text("film.directory", fs::absolute(folder).string());
+  if (!s.config.has("film.directory"))
+    s.config.set(fmt::format("film.directory=\"{}\"", fs::absolute(folder).string()));
+  std::ignore = s.config.text("film.directory", "");
   sim::complete_config(s.config, o.task, folder, "");
   mp::make_run_folder(folder);
   mp::write_text(folder / "config.toml", s.config.dump());
@@ -140,7 +142,7 @@ void add_scenario_options(CLI::App& app, visual_servo::ScenarioOptions& o) {
       ->capture_default_str();
   app.add_option("--aggregation", o.aggregation, "How the errors of two cameras become one (default: mean)")
       ->check(CLI::IsMember({"mean", "switching", "weights"}));
-  app.add_option("--cameras", o.cameras, "Whose readings count (default: both)")
+  app.add_option("--cameras", o.cameras, "Which cameras there are (default: both)")
       ->check(CLI::IsMember({"both", "sac", "eih"}));
 }
 

@@ -36,7 +36,7 @@ std::vector<std::string> settings_of(const ScenarioOptions& o) {
   if (o.scenario == "wrong_board")
     settings.emplace_back(o.object == "apriltag" ? "object.tag=7" : "object.kind=wrong_board");
   if (!o.aggregation.empty()) settings.push_back("task.aggregation=" + o.aggregation);
-  if (!o.cameras.empty()) settings.push_back("task.cameras=" + o.cameras);
+  if (o.cameras == "sac" || o.cameras == "eih") settings.push_back("cameras.order=[\"" + o.cameras + "\"]");
   return settings;
 }
 

@@ -13,7 +13,7 @@ struct ScenarioOptions {
   std::string scenario{"rest"};
   std::string object{"chessboard"};
   std::string aggregation;  ///< empty: as the configuration says
-  std::string cameras;      ///< the same
+  std::string cameras;      ///< sac or eih alone; empty or both: as the configuration says
 };
 
 /// Names for --scenario, and what each is.
