@@ -82,6 +82,7 @@ void CameraLinks::tell(const Motion<Arm>& motion, const Arm::X& x, const Arm::Y&
   servo_report_t r{};
   r.step = x.e.step;
   r.m = motion.m;
+  r.refused = asked_too_much(x);
   for (std::size_t n = 0; n < kCameras; ++n) {
     r.seen[n] = sees(x, static_cast<Camera>(n));
     r.frame[n] = x.V.camera[n].there ? x.V.camera[n].reading.frame : -1;

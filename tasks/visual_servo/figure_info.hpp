@@ -16,6 +16,8 @@ inline constexpr std::array kFigures{
     mp::FigureInfo{.key = "line_lag_mm", .words = "behind an object on a line", .unit = "mm", .high = 10},
     mp::FigureInfo{.key = "follow_err_mm", .words = "error while the object moves", .unit = "mm"},
     mp::FigureInfo{.key = "unseen_pct", .words = "seen by no camera", .unit = "% of the steps"},
+    mp::FigureInfo{
+        .key = "refused_steps", .words = "asked more than the arm can do", .unit = "control steps"},
     mp::FigureInfo{.key = "arm_moved_mm", .words = "farthest that E went", .unit = "mm"},
     mp::FigureInfo{
         .key = "stop_steps_max", .words = "steps until the arm was at rest", .unit = "", .high = 100},

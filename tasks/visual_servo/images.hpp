@@ -52,8 +52,10 @@ struct Memory {
   ObjectTrack track;
   std::array<std::int64_t, kCameras> taken{-1, -1};  ///< frames that the track knows
   Pose e;                                            ///< error of the last control step; identity in idle
-  Pose under_way;        ///< displacement that is executed while x_c[i] is looked at
-  Pose before;           ///< displacement of the control step before that
+  Pose under_way;  ///< displacement that is executed while x_c[i] is looked at
+  Pose before;     ///< displacement of the control step before that
+  double ease{1};  ///< share of the regulator's speeds: less after the driver has refused a displacement
+  int refused{};   ///< displacements that it has refused in a row
   std::int64_t begun{};  ///< control step in which the task began
   std::int64_t
       seen_in{};  ///< last control step in which a camera saw the object, or the first one of the task

@@ -39,6 +39,8 @@ Memory remember(const X& x) {
   c.e = concluded.e;
   c.before = c.under_way;
   c.under_way = concluded.T_dc;
+  c.ease = concluded.ease;
+  c.refused = concluded.refused;
   if (!neither(x)) c.seen_in = x.i;
   return c;
 }
@@ -53,10 +55,14 @@ EffectorCommand hold(const X&) { return ecp::idle(); }  // (55)
 
 // --- f_cT ----------------------------------------------------------------------------------------------------
 
-/// The sensor's state is the cameras that see: 1 sac, 2 eih, 3 both.
+/// The sensor's state is the cameras that see: 1 sac, 2 eih, 3 both. What the driver could not do is told when it goes on.
 Report tell(const X& x) {
   Report r = ecp::report_of(x, 0);
   r.sensor = (sees(x, Camera::sac) ? 1 : 0) + (sees(x, Camera::eih) ? 2 : 0);
+  if (asked_too_much(x) && x.c.refused < kMostRefusals) {
+    r.verdict = Verdict::none;
+    r.fault = {};
+  }
   return r;
 }
 

@@ -16,6 +16,14 @@ AngleAxisPose clipped(const AngleAxisPose& r, double most, double most_angle) {
 
 }  // namespace
 
+RegulatorParameters eased(const RegulatorParameters& k, double ease) {
+  RegulatorParameters slower = k;
+  for (double* const speed :
+       {&slower.speed, &slower.angular_speed, &slower.top_speed, &slower.top_angular_speed})
+    *speed *= ease;
+  return slower;
+}
+
 Pose regulate(const RegulatorParameters& k, const Pose& e, double duration) {
   AngleAxisPose r = angle_axis_from_pose(e);
   r.head<3>() *= k.gain;

@@ -9,12 +9,16 @@ struct RegulatorParameters {
   double gain{0.3};                ///< share of X, Y, Z that one control step makes up for, 0 < gain <= 1
   double angular_gain{0.3};        ///< share of the angle
   double speed{0.2};               ///< clip of the correction's [X Y Z] [m/s]
-  double angular_speed{0.8};       ///< clip of the correction's angle [rad/s]
+  double angular_speed{0.5};       ///< clip of the correction's angle [rad/s]
   double top_speed{0.4};           ///< clip of correction and feed-forward together [m/s]
-  double top_angular_speed{1.5};   ///< the same [rad/s]
+  double top_angular_speed{0.6};   ///< the same [rad/s]
   double acceleration{2};          ///< clip of the change between two control steps [m/s^2]
   double angular_acceleration{8};  ///< the same [rad/s^2]
 };
+
+/// @param ease  0..1
+/// @return the same with that share of all speeds: for a robot that cannot follow as fast where it is
+[[nodiscard]] RegulatorParameters eased(const RegulatorParameters& k, double ease);
 
 /// R_T: e -> [X Y Z | axis, angle], axis kept, X Y Z and angle multiplied by the gain and clipped, the clip along the
 /// direction of [X Y Z]. Pure and real-time safe.

@@ -9,6 +9,9 @@ namespace {
 
 using X = Arm::X;
 
+// After a refusal the speeds are halved, and come back within half a second.
+constexpr double kEaseFall = 0.5, kEaseRise = 0.1, kLeastEase = 0.1;
+
 /// Rotates a covariance along the axes of C into those of a frame in which C has this orientation.
 Matrix6 turned(const Matrix3& R, const Matrix6& covariance) {
   Matrix6 J = Matrix6::Zero();
@@ -76,6 +79,14 @@ bool sees(const X& x, Camera camera) {
   return k.used && image.there && r.seen && x.e.step - r.step <= x.c.k.max_age * k.period + k.latency;
 }
 
+bool asked_too_much(const X& x) {
+  if (x.e.verdict != Verdict::refused && x.e.verdict != Verdict::failed) return false;
+  constexpr std::array kTooMuch{FaultCode::too_fast, FaultCode::excessive_acceleration,
+                                FaultCode::outside_workspace, FaultCode::unreachable_pose,
+                                FaultCode::joint_limit};
+  return std::ranges::find(kTooMuch, x.e.fault.code) != kTooMuch.end();
+}
+
 Sighting sighting(const X& x, Camera camera) {
   const CameraImage& image = x.V.camera[index(camera)];
   const Pose& place = x.c.k.camera[index(camera)].place;
@@ -88,14 +99,17 @@ Start start_of_command(const X& x) {
   // are still to come.
   const int rest = x.c.k.pacing.n_s - x.c.k.pacing.n_Q + 1;
   const Pose T_0E = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(x.e.T_0E.data()));
-  const double share = static_cast<double>(rest) / x.c.k.pacing.n_s;
+  const double share = asked_too_much(x) ? 0 : static_cast<double>(rest) / x.c.k.pacing.n_s;
   return {x.e.step + rest + x.c.k.pacing.n_s, T_0E * part_of(x.c.before, share) * x.c.under_way};
 }
 
 Conclusion conclude(const X& x, const std::array<bool, kCameras>& uses) {
   const Parameters& k = x.c.k;
-  Conclusion c{x.c.track, x.c.taken, {sees(x, Camera::sac), sees(x, Camera::eih)}, {}, {}};
+  Conclusion c{x.c.track, x.c.taken, {sees(x, Camera::sac), sees(x, Camera::eih)}, {}, {}, {}, {}};
   look(x, c);
+  const bool refused = asked_too_much(x);
+  c.refused = refused ? x.c.refused + 1 : has(x.e.parts, Part::arm) ? 0 : x.c.refused;
+  c.ease = refused ? std::max(kLeastEase, kEaseFall * x.c.ease) : std::min(1., x.c.ease + kEaseRise);
   const bool sac = uses[index(Camera::sac)], eih = uses[index(Camera::eih)];
   if (!sac && !eih) return c;
   const Start start = start_of_command(x);
@@ -105,8 +119,9 @@ Conclusion conclude(const X& x, const std::array<bool, kCameras>& uses) {
                    : error(sac ? Camera::sac : Camera::eih).e;
   const double duration = k.pacing.macrostep_s();
   const Pose T_0G = start.T_0E * c.e * k.T_EGd;
-  const Pose wanted = following(start, T_0G, motion, duration) * regulate(k.regulator, c.e, duration);
-  c.T_dc = smooth(k.regulator, wanted, x.c.under_way, duration);
+  const RegulatorParameters R_T = eased(k.regulator, c.ease);
+  const Pose wanted = following(start, T_0G, motion, duration) * regulate(R_T, c.e, duration);
+  c.T_dc = smooth(R_T, wanted, x.c.under_way, duration);
   return c;
 }
 

@@ -8,6 +8,12 @@ namespace mrroc::visual_servo {
 /// latency, at the step of x_ce.
 [[nodiscard]] bool sees(const Arm::X& x, Camera camera);
 
+/// The driver could not do what it was told - too fast for its motors, or beyond its reach - and the arm comes to rest
+/// instead. It is told again in the next control step, more slowly.
+[[nodiscard]] bool asked_too_much(const Arm::X& x);
+/// Refusals in a row after which that is a fault.
+inline constexpr int kMostRefusals = 50;
+
 /// The pose of the object that a camera saw, in the base, and with what uncertainty.
 [[nodiscard]] Sighting sighting(const Arm::X& x, Camera camera);
 
@@ -23,8 +29,10 @@ struct Conclusion {
   ObjectTrack track;
   std::array<std::int64_t, kCameras> taken;
   std::array<bool, kCameras> sees;
-  Pose e;     ///< aggregated error E T_d,c of the cameras that the behaviour uses; identity without any
-  Pose T_dc;  ///< E T_d,c': the effector's displacement; identity without any
+  Pose e;       ///< aggregated error E T_d,c of the cameras that the behaviour uses; identity without any
+  Pose T_dc;    ///< E T_d,c': the effector's displacement; identity without any
+  double ease;  ///< as Memory
+  int refused;  ///< as Memory
 };
 
 /// Pure: f_cc and f_ce are made of it.

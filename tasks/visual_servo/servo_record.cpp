@@ -69,6 +69,7 @@ ServoTable join(const std::vector<servo_report_t>& reports, const std::vector<ob
     row.behaviour = r.m == kIdle ? 0 : r.m;
     row.sac_seen = r.seen[0] != 0;
     row.eih_seen = r.seen[1] != 0;
+    row.refused = r.refused != 0;
     row.e = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(r.e));
     row.T_0E = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(r.T_0E));
     add_truth(truths, r.step, T_EGd, dt, row);

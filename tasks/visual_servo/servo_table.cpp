@@ -100,6 +100,8 @@ mp::ArmFigures figures_of(const ServoTable& table) {
   const auto blind = [](const ServoRow& r) { return !r.sac_seen && !r.eih_seen; };
   figures["unseen_pct"] =
       100. * static_cast<double>(std::ranges::count_if(table, blind)) / static_cast<double>(table.size());
+  if (const auto refused = std::ranges::count_if(table, &ServoRow::refused); refused > 0)
+    figures["refused_steps"] = static_cast<double>(refused);
   double moved = 0;
   for (const ServoRow& row : table) moved = std::max(moved, (row.T_0E.p - table.front().T_0E.p).norm());
   figures["arm_moved_mm"] = kMm * moved;

@@ -19,6 +19,7 @@ struct ServoRow {
   int behaviour{};   ///< of VS: 0 idle, 1 PB-SAC, 2 PB-EIH, 3 both
   bool sac_seen{};   ///< that camera sees
   bool eih_seen{};
+  bool refused{};              ///< the driver could not do what it was told two control steps before
   Pose e;                      ///< aggregated error, predicted for the start of the command; identity in idle
   Pose true_e;                 ///< true displacement of E to the desired pose, at t
   Pose T_0E;                   ///< at t
@@ -46,6 +47,7 @@ inline constexpr double kFollowing = 2;
 ///   follow_err_mm                 while the object moves: mean
 ///   line_lag_mm                   while the object moves on a straight line: mean component along the motion, positive
 ///                                 when E is behind
+///   refused_steps                 displacements that the driver could not do; missing when there are none
 ///   unseen_pct                    control steps without a camera that sees
 ///   arm_moved_mm                  farthest that E was from its first place
 [[nodiscard]] mp::ArmFigures figures_of(const ServoTable& table);

@@ -96,7 +96,7 @@ TEST(ObjectTrack, BelievesTheBetterCameraMore) {
 }
 
 TEST(ObjectTrack, ForgetsAnObjectThatJumpsOrWasAwayForLong) {
-  Filmed film({{0.1, 0, 0}, {}}, 1e-4, 1);
+  Filmed film({{0.1, 0, 0}, {0, 0, 0}}, 1e-4, 1);
   const ObjectTrack track = film.film({}, 30);
   Sighting far = film.picture(600);
   far.T_0G.p.y() += 0.2;

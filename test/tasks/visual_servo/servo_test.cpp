@@ -104,6 +104,16 @@ TEST(Servo, WithoutAnErrorItMovesWithTheObject) {
   EXPECT_GT(wanted.p.norm(), 4e-3);
 }
 
+TEST(Servo, ADisplacementThatWasRefusedIsNotTakenToBeOnItsWay) {
+  Truth truth;
+  truth.arm = Twist{{4e-4}};
+  X x = truth.image(980, 980);
+  const Pose before = start_of_command(x).T_0E;
+  x.e.verdict = Verdict::refused;
+  x.e.fault.code = FaultCode::unreachable_pose;
+  EXPECT_NEAR((start_of_command(x).T_0E.p - before.p).norm(), 2 * 4e-4, 1e-9) << "two steps of it were left";
+}
+
 TEST(Servo, LeadsTowardsTheGoal) {
   std::mt19937_64 random(2);
   for (int n = 0; n < 200; ++n) {

@@ -151,6 +151,30 @@ TEST(ServoTable, GivingUpTellsTheCoordinatorWhy) {
   EXPECT_EQ(kGiveUp.f_ce(x).instruction, Instruction::keep);
 }
 
+TEST(ServoTable, GoesOnMoreSlowlyWhenTheDriverRefusesAndTellsWhenItKeepsRefusing) {
+  X x = image({CameraCase{Told::seen, 30}, {}});
+  const double full = select(x).f_cc(x).under_way.p.norm();
+  for (int k = 0; k < 40; ++k) x.c.under_way = select(x).f_cc(x).under_way;  // up to speed
+  x.e.verdict = Verdict::refused;
+  x.e.fault.code = FaultCode::too_fast;
+  const Memory c = select(x).f_cc(x);
+  EXPECT_EQ(c.ease, 0.5);
+  EXPECT_EQ(c.refused, 1);
+  EXPECT_LT(c.under_way.p.norm(), x.c.under_way.p.norm());
+  EXPECT_GT(full, 0);
+  EXPECT_EQ(select(x).f_cT(x).verdict, Verdict::none) << "the task goes on";
+  x.c.refused = kMostRefusals;
+  EXPECT_EQ(select(x).f_cT(x).fault.code, FaultCode::too_fast);
+  x.c.refused = 0;
+  x.e.fault.code = FaultCode::over_current;
+  EXPECT_EQ(select(x).f_cT(x).fault.code, FaultCode::over_current) << "everything else is told at once";
+  x.e.verdict = Verdict::executed;
+  x.e.parts = static_cast<std::uint8_t>(Part::arm);
+  x.e.fault = {};
+  x.c.ease = 0.5;
+  EXPECT_NEAR(select(x).f_cc(x).ease, 0.6, 1e-12);
+}
+
 TEST(ServoTable, EveryFunctionDependsOnTheImageAlone) {
   for (const X& x : all_images()) {
     const X copy = x;
