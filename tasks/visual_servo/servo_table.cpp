@@ -14,6 +14,8 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 
 bool moves(const ServoRow& row) { return row.v != Vector3::Zero(); }
 
+bool blind(const ServoRow& row) { return !row.sac_seen && !row.eih_seen; }
+
 double angle_of(const Pose& e) { return angle_axis_from_rotation(e.R).norm(); }
 
 /// What is still to go, along the base.
@@ -54,8 +56,7 @@ void of_rest(const ServoTable& table, mp::ArmFigures& figures) {
   figures["final_err_deg"] =
       mean(table, last, [](const ServoRow& r) { return kDegrees * angle_of(r.true_e); });
   if (std::ranges::any_of(table, moves)) return;
-  const auto seen = std::ranges::find_if(table, [](const ServoRow& r) { return r.sac_seen || r.eih_seen; });
-  if (seen == table.end()) return;
+  const auto seen = std::ranges::find_if_not(table, blind);
   const auto first = static_cast<std::size_t>(seen - table.begin());
   figures["overshoot_pct"] = overshoot(table, first);
   figures["steps_to_2mm"] = steps_to_2mm(table, first);
@@ -97,7 +98,6 @@ void write_servo_table(const std::filesystem::path& file, const ServoTable& tabl
 mp::ArmFigures figures_of(const ServoTable& table) {
   mp::ArmFigures figures;
   if (table.empty()) return figures;
-  const auto blind = [](const ServoRow& r) { return !r.sac_seen && !r.eih_seen; };
   figures["unseen_pct"] =
       100. * static_cast<double>(std::ranges::count_if(table, blind)) / static_cast<double>(table.size());
   if (const auto refused = std::ranges::count_if(table, &ServoRow::refused); refused > 0)
@@ -105,6 +105,7 @@ mp::ArmFigures figures_of(const ServoTable& table) {
   double moved = 0;
   for (const ServoRow& row : table) moved = std::max(moved, (row.T_0E.p - table.front().T_0E.p).norm());
   figures["arm_moved_mm"] = kMm * moved;
+  if (std::ranges::all_of(table, blind)) return figures;
   if (std::ranges::any_of(table, moves)) of_motion(table, figures);
   if (table.back().object_there && !moves(table.back())) of_rest(table, figures);
   return figures;

@@ -38,7 +38,7 @@ inline constexpr double kEnd = 1;
 /// The last seconds of a motion of the object: what "while it moves" means; until then the arm catches up.
 inline constexpr double kFollowing = 2;
 
-/// @return figures of a run; those that it cannot have are missing. Of the true error:
+/// @return figures of a run; those that it cannot have are missing, as when nothing was ever seen. Of the true error:
 ///   final_err_mm, final_err_deg   mean over the last second, of an object that is at rest then
 ///   overshoot_pct                 farthest beyond the goal along the way from the first place, of that way; object at
 ///                                 rest

@@ -68,7 +68,8 @@ TEST(Aggregation, MeanLiesHalfwayAndTurnsHalfway) {
   const Pose a{rotation_from_angle_axis({0, 0, 0.2}), {0, 0, 0.1}};
   const Pose b{rotation_from_angle_axis({0, 0, 0.6}), {0, 0, 0.3}};
   const Pose half{rotation_from_angle_axis({0, 0, 0.4}), {0, 0, 0.2}};
-  EXPECT_LT(distance(aggregate(Aggregation::mean, {a, {}}, {b, {}}).e, half), 1e-12);
+  EXPECT_LT(distance(aggregate(Aggregation::mean, {a, Matrix6::Zero()}, {b, Matrix6::Zero()}).e, half),
+            1e-12);
 }
 
 TEST(Aggregation, SwitchingTakesTheSmallerError) {
