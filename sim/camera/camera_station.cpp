@@ -24,6 +24,15 @@ void put(double (&out)[12], const Pose& T) {
   }
 }
 
+/// A camera as the others see it, and as it casts a shadow: behind its own eye.
+camera::Body housing(const Pose& T_UC) {
+  camera::Body b;
+  b.size = {0.036, 0.036, 0.05};
+  b.T_UB = T_UC * Pose{Matrix3::Identity(), {0, 0, -0.027}};
+  b.colour = {0.1, 0.1, 0.11};
+  return b;
+}
+
 /// Steps of the instants of a picture, from its own.
 std::int64_t offset(const SimulatedCamera& k, int instant) {
   return k.instants == 1 ? 0 : instant * k.exposure / (k.instants - 1) - k.exposure / 2;
@@ -107,6 +116,7 @@ camera::Scene CameraStation::scene(std::int64_t step, const World& world) const 
   scene.light = light_;
   object_.add_to(scene, world_.arms[static_cast<std::size_t>(object_arm_)].T_UB,
                  object_.at(static_cast<double>(step) * kStep));
+  for (const Eye& eye : eyes_) scene.bodies.push_back(housing(place(eye, world)));
   return scene;
 }
 

@@ -247,6 +247,20 @@ TEST(CameraStation, LeavesNoStoreBehind) {
   EXPECT_FALSE(std::filesystem::exists(station.store().path())) << "its name is gone when all have opened it";
 }
 
+TEST(CameraStation, ShowsTheOtherCameras) {
+  CameraWorld k = one_camera();
+  k.cameras[0].profile.noise = 0;
+  Station alone(k);
+  alone.run(21);
+  k.cameras.push_back(small_camera());
+  k.cameras[1].setup.key = "eih";
+  k.cameras[1].setup.mount = CameraMount::end_effector;
+  k.cameras[1].setup.place = {Matrix3::Identity(), {0.12, 0.1, -0.1}};
+  Station two(k);
+  two.run(21);
+  EXPECT_NE(alone.seen().at(0).hash, two.seen().at(0).hash);
+}
+
 TEST(CameraStation, SeesTheArmHideTheObject) {
   // Straight from above, the wrist stands between the camera and the middle of the sheet.
   CameraWorld k = one_camera();

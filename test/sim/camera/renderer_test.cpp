@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cstdlib>
 #include <numbers>
 #include <thread>
 
+#include "base/fault.hpp"
 #include "test/sim/camera/scenes.hpp"
 #include "test/sim/statistics.hpp"
 
@@ -296,6 +298,21 @@ TEST(Renderer, ShowsTheTextureTheRightWayRound) {
       Renderer(CameraModel{}, p).render(scene, looking_at({0, 0, 1}, {0, 0, 0}, {0, 1, 0}), 0);
   EXPECT_NEAR(behind.view().at(150, 70, 2), 0.62 * 255, 1)
       << "a quad has no rear side: the background is seen";
+}
+
+TEST(RendererDeathTest, SaysWhatToInstallWhenThereIsNoEgl) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto draw = [] {
+    ::setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nowhere", 1);  // as if Mesa's part were not installed
+    try {
+      const Renderer renderer(CameraModel{}, {});
+    } catch (const FaultError& e) {
+      std::fputs(e.error_line().c_str(), stderr);
+      std::exit(e.fault().code == FaultCode::no_renderer ? 0 : 1);
+    }
+    std::exit(2);
+  };
+  EXPECT_EXIT(draw(), ::testing::ExitedWithCode(0), "apt-get install .*libegl-mesa0");
 }
 
 TEST(Renderer, RefusesWhatItCannotDraw) {
