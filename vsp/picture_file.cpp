@@ -5,6 +5,7 @@
 #include <cctype>
 #include <fstream>
 #include <iterator>
+#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 #include <string_view>
@@ -150,7 +151,8 @@ PictureSource::PictureSource(const fs::path& source) : source_(source) {
     files_ = {source};
   } else {
     film_ = std::make_unique<Film>();
-    if (!film_->capture.open(source.string()) || !film_->capture.isOpened())
+    cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);  // what it says is said below
+    if (!film_->capture.open(source.string(), cv::CAP_FFMPEG) || !film_->capture.isOpened())
       refuse(source, "it is neither a picture nor a film that can be read");
   }
 }

@@ -14,6 +14,19 @@ namespace {
 constexpr float kLight = 235;
 constexpr float kDark = 18;
 
+// A part of one field of noise, chosen by the seed: making a new one takes longer than a detection.
+cv::Mat unit_noise(cv::Size size, unsigned seed) {
+  constexpr int kRoom = 512;
+  static const cv::Mat kField = [] {
+    cv::Mat field(1024 + kRoom, 1280 + kRoom, CV_32F);
+    cv::RNG(7).fill(field, cv::RNG::NORMAL, 0, 1);
+    return field;
+  }();
+  const unsigned mixed = seed * 2654435761U;
+  const cv::Point at(static_cast<int>((mixed >> 8U) % kRoom), static_cast<int>((mixed >> 20U) % kRoom));
+  return kField({at, size});
+}
+
 }  // namespace
 
 PlaneCamera::PlaneCamera(const CameraModel& camera, int samples) : camera_(camera), samples_(samples) {
@@ -42,16 +55,16 @@ Image PlaneCamera::render(const Pose& T_CG, const Texture& texture, const Exposu
       row[u / samples_] += texture(T_GC.p.x() + way * direction.x(), T_GC.p.y() + way * direction.y());
     }
   }
-  sum *= exposure.gain / (samples_ * samples_);
-  sum += exposure.offset;
+  sum *= 1.0 / (samples_ * samples_);
+  return exposed(sum, exposure);
+}
+
+Image exposed(cv::Mat sum, const Exposure& exposure) {
+  sum = sum * exposure.gain + exposure.offset;
   if (exposure.blur > 0) cv::GaussianBlur(sum, sum, {0, 0}, exposure.blur);
-  if (exposure.noise > 0) {
-    cv::Mat noise(sum.size(), CV_32F);
-    cv::RNG(exposure.seed).fill(noise, cv::RNG::NORMAL, 0, exposure.noise);
-    sum += noise;
-  }
-  Image picture(camera_.width, camera_.height, 1);
-  cv::Mat bytes(camera_.height, camera_.width, CV_8U, picture.data.data());
+  if (exposure.noise > 0) sum += exposure.noise * unit_noise(sum.size(), exposure.seed);
+  Image picture(sum.cols, sum.rows, 1);
+  cv::Mat bytes(sum.rows, sum.cols, CV_8U, picture.data.data());
   sum.convertTo(bytes, CV_8U);
   return picture;
 }

@@ -9,6 +9,10 @@
 #include "base/camera.hpp"
 #include "base/image.hpp"
 
+namespace cv {
+class Mat;
+}
+
 namespace mrroc::test {
 
 /// What the pictures of a plane go through after the lens.
@@ -19,6 +23,9 @@ struct Exposure {
   double offset{0};  ///< added to it [grey levels]
   unsigned seed{1};
 };
+
+/// Adds noise and lets the picture become one of bytes. @param sum  32-bit floating point, one channel
+Image exposed(cv::Mat sum, const Exposure& exposure);
 
 /// Casts rays for one camera.
 class PlaneCamera {

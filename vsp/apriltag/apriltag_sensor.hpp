@@ -11,12 +11,15 @@ namespace mrroc::vsp {
 /// Thresholds of the detector.
 struct AprilTagParameters {
   double search_blur{
-      0.8};            ///< of the whole picture before it is searched: noise makes no outlines then [pixel]
-  double margin{20};   ///< least mean difference between a bit and its threshold [grey levels]
-  int contrast{15};    ///< least difference between light and dark next to an edge [grey levels]
-  double rms_px{0.7};  ///< no pose is delivered whose reprojection error is larger [pixel]
+      0.8};           ///< of the whole picture before it is searched: noise makes no outlines then [pixel]
+  double margin{20};  ///< least mean difference between a bit and its threshold [grey levels]
+  int contrast{15};   ///< least difference between light and dark next to an edge [grey levels]
+  double worst_blur{1.8};  ///< of the border's edges: beyond it the corners say too little [pixel]
+  double rms_px{0.2};      ///< no pose is delivered whose reprojection error is larger [pixel]
+  double worst_angle{
+      0.03};  ///< nor one whose orientation is more uncertain, standard deviation about an axis [rad]
   /// Four corners give two numbers more than a pose has, too few to estimate their noise.
-  PlanarPoseParameters pose{.noise_px = 0.05, .significance = 16, .same_angle = 0.03};
+  PlanarPoseParameters pose{.noise_px = 0.03, .significance = 100, .same_angle = 0.03};
 };
 
 /// Looks for one tag. The picture is freed of the lens's distortion first: the edges of the tag are located as straight
@@ -34,6 +37,8 @@ class AprilTagSensor {
   /// @param picture  1 or 3 channels, of the camera's size; anything else shows nothing
   /// @return pose of the tag's frame G (Tag::corners) in C; not seen and identity when there is none, or not one pose
   CameraReading detect(const ImageView& picture, std::int64_t frame, std::int64_t step);
+  /// The next picture has nothing to do with the last one.
+  void forget();
 
  private:
   class Search;

@@ -7,6 +7,7 @@ namespace mrroc::vsp::chessboard {
 namespace {
 
 constexpr std::size_t kMostLattices = 6;  // that are grown in one picture
+constexpr std::size_t kManySquares = 8;   // dark ones, which are no accident
 
 // From pixels of the enlarged part to pixels of the picture.
 void bring_home(std::vector<Quadrangle>& quadrangles, const Search& search) {
@@ -22,13 +23,30 @@ void bring_home(std::vector<Quadrangle>& quadrangles, const Search& search) {
   }
 }
 
-bool same(const InnerCorners& a, const InnerCorners& b) {
-  return (a.pixels.front() - b.pixels.front()).norm() < 0.5 * a.shortest;
+// Whether the lattice's middle is on the board.
+bool lies_on(const Lattice& lattice, const std::vector<Quadrangle>& quadrangles, const InnerCorners& board,
+             const Board& size) {
+  cv::Point2f middle(0, 0);
+  for (const Cell& cell : lattice)
+    middle += quadrangles[cell.quadrangle].centre / static_cast<float>(lattice.size());
+  const auto columns = static_cast<std::size_t>(size.columns);
+  std::vector<cv::Point2f> outline;
+  for (const std::size_t k :
+       {std::size_t{0}, columns - 1, board.pixels.size() - 1, board.pixels.size() - columns})
+    outline.emplace_back(static_cast<float>(board.pixels[k].x()), static_cast<float>(board.pixels[k].y()));
+  return cv::pointPolygonTest(outline, middle, false) >= 0;
 }
 
 }  // namespace
 
-std::vector<InnerCorners> boards(const cv::Mat& grey, const Search& search, const Board& board) {
+void add(std::vector<InnerCorners>& boards, const InnerCorners& board) {
+  const auto same = [&board](const InnerCorners& other) {
+    return (other.pixels.front() - board.pixels.front()).norm() < 0.5 * board.shortest;
+  };
+  if (std::ranges::none_of(boards, same)) boards.push_back(board);
+}
+
+SearchResult find_boards(const cv::Mat& grey, const Search& search, const Board& board) {
   cv::Mat part = grey({search.x, search.y, search.width, search.height});
   if (search.scale > 1) {
     cv::Mat enlarged;
@@ -36,15 +54,25 @@ std::vector<InnerCorners> boards(const cv::Mat& grey, const Search& search, cons
     part = enlarged;
   }
   const cv::Mat light = dilation(threshold(part, search.block, search.offset));
-  std::vector<Quadrangle> found = quadrangles(contours(light, search.limits), search.limits);
+  const auto outlines = contours(light, search.limits);
+  std::vector<Quadrangle> found = quadrangles(outlines, search.limits);
   bring_home(found, search);
-  std::vector<InnerCorners> result;
+  SearchResult result;
+  result.outlines = outlines.size();
   const std::vector<Lattice> all = lattices(found);
+  std::vector<const Lattice*> rest;
   for (std::size_t k = 0; k < std::min(all.size(), kMostLattices); ++k) {
     const auto corners = inner_corners(grey, found, all[k], board);
-    const auto again = [&](const InnerCorners& other) { return same(other, *corners); };
-    if (corners && std::ranges::none_of(result, again)) result.push_back(*corners);
+    if (corners)
+      add(result.boards, *corners);
+    else if (all[k].size() >= kManySquares)
+      rest.push_back(&all[k]);
   }
+  for (const Lattice* lattice : rest)
+    result.unresolved =
+        result.unresolved || std::ranges::none_of(result.boards, [&](const InnerCorners& known) {
+          return lies_on(*lattice, found, known, board);
+        });
   return result;
 }
 

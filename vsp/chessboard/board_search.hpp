@@ -19,9 +19,19 @@ struct Search {
   WorkLimits limits{};
 };
 
+/// What the chain found.
+struct SearchResult {
+  std::vector<InnerCorners> boards;
+  bool
+      unresolved{};  ///< elsewhere in the picture there are many dark squares in a lattice, which may be a board
+  std::size_t outlines{};  ///< of dark regions: how much there is to see in the picture
+};
+
+/// Adds a board unless it is one of them already.
+void add(std::vector<InnerCorners>& boards, const InnerCorners& board);
+
 /// Runs the chain. Inner corners are located in the picture itself, not in the enlarged part.
 /// @param grey  one channel
-/// @return the boards that were found
-std::vector<InnerCorners> boards(const cv::Mat& grey, const Search& search, const Board& board);
+SearchResult find_boards(const cv::Mat& grey, const Search& search, const Board& board);
 
 }  // namespace mrroc::vsp::chessboard

@@ -18,6 +18,11 @@ constexpr double kGoodSquare = 16;  // edge at which outlines of squares are eas
 constexpr int kLargestScale = 3;
 constexpr double kRegionMargin = 0.35;  // around the last place, in sizes of the board
 
+// Outlines in a picture beyond which it is not enlarged: it shows noise or a texture, and the work would grow with it.
+constexpr std::size_t kClutter = 1500;
+
+constexpr double kNoBoard = 4;  // in largest reprojection errors
+
 // How the whole picture is searched, one after the other: large squares need large surroundings, small ones small.
 struct Pass {
   int scale;
@@ -63,13 +68,24 @@ std::optional<chessboard::Search> ChessboardSensor::around(const Pose& T_CG) con
   return s;
 }
 
-std::vector<PlanarPoses> ChessboardSensor::poses(const cv::Mat& grey, const Search& search) const {
-  std::vector<PlanarPoses> found;
-  for (const InnerCorners& corners : chessboard::boards(grey, search, board_)) {
-    const auto pose = planar_pose(camera_, model_, corners.pixels, k_.pose);
-    if (pose && pose->best.rms_px <= k_.rms_px && pose->best.worst_px <= k_.worst_px) found.push_back(*pose);
+// One board whose pose explains the picture is the object.
+void ChessboardSensor::take(const std::vector<InnerCorners>& boards, CameraReading& reading) {
+  last_.reset();
+  std::vector<PlanarPoses> poses;
+  for (const InnerCorners& board : boards) {
+    const auto pose = planar_pose(camera_, model_, board.pixels, k_.pose);
+    // A lattice that no flat board explains at all is an accident; one that is explained badly may be a second board.
+    if (pose && pose->best.rms_px < kNoBoard * k_.rms_px) poses.push_back(*pose);
   }
-  return found;
+  if (poses.empty()) return;
+  const PlanarPose& best = poses.front().best;
+  reading.ambiguous = poses.size() > 1 || poses.front().ambiguous;
+  reading.reprojection_px = best.rms_px;
+  if (poses.size() == 1) last_ = best.T_CG;
+  if (reading.ambiguous || best.rms_px > k_.rms_px || best.worst_px > k_.worst_px) return;
+  reading.seen = true;
+  reading.T_CG = best.T_CG;
+  reading.covariance = best.covariance;
 }
 
 CameraReading ChessboardSensor::detect(const ImageView& picture, std::int64_t frame, std::int64_t step) {
@@ -78,23 +94,23 @@ CameraReading ChessboardSensor::detect(const ImageView& picture, std::int64_t fr
   reading.step = step;
   if (!fits(picture, camera_)) return reading;
   const cv::Mat brightness = grey(picture);
-  std::vector<PlanarPoses> found;
+  std::vector<InnerCorners> boards;
+  bool done = false;
+  bool cluttered = false;
+  const auto look = [&](const Search& search) {
+    const chessboard::SearchResult result = find_boards(brightness, search, board_);
+    for (const InnerCorners& board : result.boards) chessboard::add(boards, board);
+    // One board, and nothing that could be another.
+    done = boards.size() > 1 || (boards.size() == 1 && !result.unresolved);
+    cluttered = result.outlines > kClutter;
+  };
   if (last_)
-    if (const auto search = around(*last_)) found = poses(brightness, *search);
+    if (const auto search = around(*last_)) look(*search);
   for (const Pass& pass : kPasses) {
-    if (!found.empty() || (pass.scale > 1 && camera_.width > kWidest)) continue;
-    found = poses(brightness, {0, 0, camera_.width, camera_.height, pass.scale, pass.block, k_.offset});
+    if (done || (pass.scale > 1 && (cluttered || camera_.width > kWidest))) break;
+    look({0, 0, camera_.width, camera_.height, pass.scale, pass.block, k_.offset, {}});
   }
-  last_.reset();
-  if (found.empty()) return reading;
-  const PlanarPose& best = found.front().best;
-  reading.reprojection_px = best.rms_px;
-  reading.ambiguous = found.size() > 1 || found.front().ambiguous;
-  if (found.size() == 1) last_ = best.T_CG;
-  if (reading.ambiguous) return reading;
-  reading.seen = true;
-  reading.T_CG = best.T_CG;
-  reading.covariance = best.covariance;
+  take(boards, reading);
   return reading;
 }
 

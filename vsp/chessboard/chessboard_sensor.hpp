@@ -7,14 +7,11 @@
 #include "vsp/image_sensor.hpp"
 #include "vsp/planar_pose.hpp"
 
-namespace cv {
-class Mat;
-}
-
 namespace mrroc::vsp {
 namespace chessboard {
+struct InnerCorners;
 struct Search;
-}
+}  // namespace chessboard
 
 /// Thresholds of the detector.
 struct ChessboardParameters {
@@ -39,10 +36,12 @@ class ChessboardSensor {
   /// @return pose of the board's frame G (Board::corner) in C; not seen and identity when there is none, not all of it,
   ///         or not one pose
   CameraReading detect(const ImageView& picture, std::int64_t frame, std::int64_t step);
+  /// The next picture has nothing to do with the last one.
+  void forget() { last_.reset(); }
 
  private:
   [[nodiscard]] std::optional<chessboard::Search> around(const Pose& T_CG) const;
-  [[nodiscard]] std::vector<PlanarPoses> poses(const cv::Mat& grey, const chessboard::Search& search) const;
+  void take(const std::vector<chessboard::InnerCorners>& boards, CameraReading& reading);
 
   CameraModel camera_;
   Board board_;

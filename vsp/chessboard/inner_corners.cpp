@@ -33,8 +33,7 @@ class Grid {
   }
 
   [[nodiscard]] std::optional<InnerCorners> board(const Board& board) {
-    grow();
-    return whole(board);
+    return grow(board) ? whole(board) : std::nullopt;
   }
 
  private:
@@ -201,8 +200,10 @@ class Grid {
     return true;
   }
 
-  void grow() {
+  // @return false when the pattern is larger than the board
+  bool grow(const Board& board) {
     for (int round = 0; round < kRounds; ++round) {
+      if (extent().too_large_for(board)) return false;
       // What was refused is tried again with more neighbours known.
       for (Node& n : nodes_)
         if (n.state == State::refused) n.state = State::unknown;
@@ -223,23 +224,39 @@ class Grid {
       for (const Place a : candidates) progress = progress || known(a);
       if (!progress) break;
     }
+    return true;
   }
 
-  std::optional<InnerCorners> whole(const Board& board) {
+  // The corners that are known, and the rectangle of the lattice that they fill or not.
+  struct Extent {
     Place low{kReach + 1, kReach + 1};
     Place high{-kReach - 1, -kReach - 1};
-    int count = 0;
+    int count{};
+    [[nodiscard]] int ni() const { return high.i - low.i + 1; }
+    [[nodiscard]] int nj() const { return high.j - low.j + 1; }
+    [[nodiscard]] bool too_large_for(const Board& b) const {
+      return std::max(ni(), nj()) > std::max(b.columns, b.rows) ||
+             std::min(ni(), nj()) > std::min(b.columns, b.rows);
+    }
+  };
+
+  Extent extent() {
+    Extent e;
     for (int j = -kReach; j <= kReach; ++j)
       for (int i = -kReach; i <= kReach; ++i)
         if (known({i, j})) {
-          low = {std::min(low.i, i), std::min(low.j, j)};
-          high = {std::max(high.i, i), std::max(high.j, j)};
-          ++count;
+          e.low = {std::min(e.low.i, i), std::min(e.low.j, j)};
+          e.high = {std::max(e.high.i, i), std::max(e.high.j, j)};
+          ++e.count;
         }
-    const int ni = high.i - low.i + 1;
-    const int nj = high.j - low.j + 1;
-    const bool upright = ni == board.columns && nj == board.rows;
-    const bool lying = ni == board.rows && nj == board.columns;
+    return e;
+  }
+
+  std::optional<InnerCorners> whole(const Board& board) {
+    const Extent e = extent();
+    const auto& [low, high, count] = e;
+    const bool upright = e.ni() == board.columns && e.nj() == board.rows;
+    const bool lying = e.ni() == board.rows && e.nj() == board.columns;
     if (count != board.corners() || (!upright && !lying)) return std::nullopt;
     if (!ends_everywhere(low, high)) return std::nullopt;
     InnerCorners result = in_order(board, low, high, upright);
@@ -284,23 +301,35 @@ class Grid {
     return result;
   }
 
-  // The picture must show of every side that the pattern ends there, not only that it leaves the picture.
+  // The picture must show of every side that the light margin is there: beside most of the dark squares at the edge.
   bool ends_everywhere(Place low, Place high) {
-    const auto shown = [this](Place a) {
-      cv::Point2f p;
-      if (!predict(a, p)) return false;
-      return p.x >= 1 && p.y >= 1 && p.x <= static_cast<float>(grey_.cols - 2) &&
-             p.y <= static_cast<float>(grey_.rows - 2);
-    };
-    const auto side_ends = [&shown](Place from, Place step, int n) {
-      int seen = 0;
-      for (int k = 0; k < n; ++k) seen += shown({from.i + k * step.i, from.j + k * step.j}) ? 1 : 0;
-      return 2 * seen >= n;
-    };
-    const int ni = high.i - low.i + 1;
-    const int nj = high.j - low.j + 1;
-    return side_ends({low.i, low.j - 1}, {1, 0}, ni) && side_ends({low.i, high.j + 1}, {1, 0}, ni) &&
-           side_ends({low.i - 1, low.j}, {0, 1}, nj) && side_ends({high.i + 1, low.j}, {0, 1}, nj);
+    return margin_along({low.i, low.j}, {1, 0}, {0, -1}, high.i) &&
+           margin_along({low.i, high.j}, {1, 0}, {0, 1}, high.i) &&
+           margin_along({low.i, low.j}, {0, 1}, {-1, 0}, high.j) &&
+           margin_along({high.i, low.j}, {0, 1}, {1, 0}, high.j);
+  }
+
+  // From the outermost corner `from` along the side, where `out` leads away from the board.
+  bool margin_along(Place from, Place along, Place out, int last) {
+    constexpr float kSquare =
+        0.5F;  // middle of the square at the edge, and of the margin beside it [squares]
+    constexpr float kMargin = 1.25F;
+    int dark = 0;
+    int light = 0;
+    for (Place a = from; along.i != 0 ? a.i < last : a.j < last; a = a + along) {
+      const cv::Point2f p = at(a).p;
+      const cv::Point2f next = at(a + along).p;
+      const cv::Point2f outwards = 0.5F * (p - at(a - out).p + next - at(a + along - out).p);
+      const cv::Point2f middle = 0.5F * (p + next);
+      // Cell (i, j) has corner (i, j) at its upper left: the square at the edge lies beyond or before the corner.
+      const Place cell{a.i + (out.i < 0 ? -1 : 0), a.j + (out.j < 0 ? -1 : 0)};
+      if ((cell.i + cell.j) % 2 != 0) continue;
+      ++dark;
+      const double inside = brightness(middle + kSquare * outwards, 0);
+      const double outside = brightness(middle + kMargin * outwards, 0);
+      if (inside >= 0 && outside > inside + kLeastContrast) ++light;
+    }
+    return 2 * light > dark;
   }
 
   const cv::Mat& grey_;
