@@ -17,6 +17,8 @@ RegulatorParameters read_regulator(const Config& t) {
   RegulatorParameters k;
   k.gain = t.number("gain", k.gain, {0.01, 1}, "of X Y Z per control step");
   k.angular_gain = t.number("angular_gain", k.angular_gain, {0.01, 1}, "of the angle per control step");
+  k.quiet = t.number("quiet", k.quiet, {0.01, 1}, "of the gains");
+  k.significance = t.number("significance", k.significance, {0, 20}, "standard deviations");
   k.speed = t.number("speed", k.speed, {0.001, 0.4}, "m/s");
   k.angular_speed = t.number("angular_speed", k.angular_speed, {0.01, 1.5}, "rad/s");
   k.top_speed = t.number("top_speed", k.top_speed, {0.001, 0.45}, "m/s");

@@ -1,5 +1,10 @@
 #include "tasks/visual_servo/regulator.hpp"
 
+#include <Eigen/Cholesky>
+#include <algorithm>
+
+#include "base/screw.hpp"
+
 namespace mrroc::visual_servo {
 namespace {
 
@@ -22,6 +27,17 @@ RegulatorParameters eased(const RegulatorParameters& k, double ease) {
        {&slower.speed, &slower.angular_speed, &slower.top_speed, &slower.top_angular_speed})
     *speed *= ease;
   return slower;
+}
+
+RegulatorParameters quieted(const RegulatorParameters& k, const Pose& e, const Matrix6& covariance) {
+  const Vector6 xi = log_screw(e).vector();
+  const double square = xi.dot(covariance.llt().solve(xi));  // in standard deviations
+  const double beyond = square > 0 ? std::max(0., 1 - k.significance * k.significance / square) : 0;
+  const double share = k.quiet + (1 - k.quiet) * beyond;
+  RegulatorParameters result = k;
+  result.gain *= share;
+  result.angular_gain *= share;
+  return result;
 }
 
 Pose regulate(const RegulatorParameters& k, const Pose& e, double duration) {

@@ -115,11 +115,12 @@ Conclusion conclude(const X& x, const std::array<bool, kCameras>& uses) {
   const Start start = start_of_command(x);
   const ObjectMotion motion = k.feed_forward ? significant_motion(k.track, c.track) : ObjectMotion{};
   const auto error = [&](Camera camera) { return error_of(x, camera, start, motion); };
-  c.e = sac && eih ? aggregate(k.aggregation, error(Camera::sac), error(Camera::eih)).e
-                   : error(sac ? Camera::sac : Camera::eih).e;
+  const CameraError seen = sac && eih ? aggregate(k.aggregation, error(Camera::sac), error(Camera::eih))
+                                      : error(sac ? Camera::sac : Camera::eih);
+  c.e = seen.e;
   const double duration = k.pacing.macrostep_s();
   const Pose T_0G = start.T_0E * c.e * k.T_EGd;
-  const RegulatorParameters R_T = eased(k.regulator, c.ease);
+  const RegulatorParameters R_T = quieted(eased(k.regulator, c.ease), c.e, seen.covariance);
   const Pose wanted = following(start, T_0G, motion, duration) * regulate(R_T, c.e, duration);
   c.T_dc = smooth(R_T, wanted, x.c.under_way, duration);
   return c;

@@ -172,6 +172,22 @@ TEST(ServoLoop, WorksWithOneCameraAlone) {
   }
 }
 
+TEST(ServoLoop, AveragesOverNoise) {
+  const auto spread = [](double quiet) {
+    CellParameters p = as_in_fig_28();
+    p.position_noise = {3e-3, 1e-3};
+    p.angle_noise = {20e-3, 8e-3};  // as of a small tag
+    p.k.regulator.quiet = quiet;
+    SyntheticCell cell(p);
+    EXPECT_EQ(cell.run(), Outcome::terminated);
+    double sum = 0;
+    for (std::size_t k = cell.rows.size() - 100; k < cell.rows.size(); ++k) sum += cell.rows[k].true_mm;
+    return sum / 100;
+  };
+  EXPECT_LT(spread(0.25), 0.7 * spread(1));
+  EXPECT_LT(spread(0.25), 1);
+}
+
 TEST(ServoLoop, IsTheSameEveryTime) {
   SyntheticCell a(as_in_fig_28()), b(as_in_fig_28());
   ASSERT_EQ(a.run(), Outcome::terminated);

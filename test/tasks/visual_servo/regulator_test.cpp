@@ -35,6 +35,18 @@ TEST(Regulator, KeepsAxisAndDirectionAndClipsWhatIsTooLong) {
   }
 }
 
+TEST(Regulator, IsQuietWhenNoiseExplainsTheError) {
+  const RegulatorParameters k;
+  const Matrix6 covariance = 1e-6 * Matrix6::Identity();  // 1 mm, 1 mrad
+  const auto gain = [&](double mm) {
+    return quieted(k, {Matrix3::Identity(), {1e-3 * mm, 0, 0}}, covariance).gain;
+  };
+  EXPECT_EQ(gain(0), k.quiet * k.gain);
+  EXPECT_EQ(gain(2.9), k.quiet * k.gain);
+  EXPECT_GT(gain(4), gain(3.1));
+  EXPECT_NEAR(gain(100), k.gain, 1e-3);
+}
+
 TEST(Regulator, CommandsNothingWithoutAnError) {
   EXPECT_EQ(distance(smooth({}, regulate({}, {}, kStep), {}, kStep), Pose{}), 0);
 }
