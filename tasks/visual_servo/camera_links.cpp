@@ -103,6 +103,7 @@ void ServoPort::dispatch(const Motion<Arm>& motion, const Arm::Y& y) {
 
 void ServoPort::read(Arm::X& x) {
   arm_.read(x);
+  x.waiting = static_cast<int>(arm_.links().client().backlog());
   cameras_.read(x, arm_.links().i());
   seen_ = x;
 }

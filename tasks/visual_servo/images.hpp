@@ -52,8 +52,9 @@ struct Memory {
   ObjectTrack track;
   std::array<std::int64_t, kCameras> taken{-1, -1};  ///< frames that the track knows
   Pose e;                                            ///< error of the last control step; identity in idle
-  Pose under_way;  ///< displacement that is executed while x_c[i] is looked at
-  Pose before;     ///< displacement of the control step before that
+  Pose under_way;                                    ///< displacement of control step made_in + 1
+  Pose before;                                       ///< displacement of the control step before that
+  std::int64_t made_in{};                            ///< control step in which under_way was decided
   double ease{1};  ///< share of the regulator's speeds: less after the driver has refused a displacement
   int refused{};   ///< displacements that it has refused in a row
   std::int64_t begun{};  ///< control step in which the task began
@@ -80,6 +81,9 @@ struct Arm {
     EffectorReply e;  ///< its step is the instant at which x_c is looked at
     Receptors V;
     Order T;
+    /// Displacements that wait because the driver has missed one: none in lock-step. What is seen now does not know of
+    /// them yet, so none is added.
+    int waiting{};
     std::int64_t i{};
     std::int64_t i_0{};
   };

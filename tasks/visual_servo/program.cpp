@@ -39,6 +39,7 @@ Memory remember(const X& x) {
   c.e = concluded.e;
   c.before = c.under_way;
   c.under_way = concluded.T_dc;
+  c.made_in = x.i;
   c.ease = concluded.ease;
   c.refused = concluded.refused;
   if (!neither(x)) c.seen_in = x.i;
@@ -49,7 +50,7 @@ Memory remember(const X& x) {
 
 template <const Used& uses>
 EffectorCommand servo(const X& x) {  // (49), (51), (53)
-  return ecp::displace(conclude(x, uses).T_dc, x.c.k.pacing);
+  return x.waiting > 0 ? ecp::idle() : ecp::displace(conclude(x, uses).T_dc, x.c.k.pacing);
 }
 EffectorCommand hold(const X&) { return ecp::idle(); }  // (55)
 
@@ -104,7 +105,7 @@ bool in_vain(const X& x) { return x.c.k.patience > 0 && neither(x) && x.i - x.c.
 Memory begin(const Parameters& k, std::int64_t i) {
   Memory c;
   c.k = k;
-  c.begun = c.seen_in = i;
+  c.begun = c.seen_in = c.made_in = i;
   return c;
 }
 

@@ -61,6 +61,17 @@ void look(const X& x, Conclusion& c) {
   }
 }
 
+/// Displacements that the driver has been told for the present control step and the one before. With the wall clock
+/// control steps may have been passed over, in which it was told nothing.
+struct Commanded {
+  Pose now, before;
+};
+Commanded commanded_already(const X& x) {
+  const std::int64_t passed_over = x.i - x.c.made_in - 1;
+  if (passed_over <= 0) return {x.c.under_way, x.c.before};
+  return {{}, passed_over == 1 ? x.c.under_way : Pose{}};
+}
+
 /// A displacement of the control step's steps, of so many of them.
 Pose part_of(const Pose& displacement, double share) { return exp_screw(log_screw(displacement), share); }
 
@@ -95,12 +106,13 @@ Sighting sighting(const X& x, Camera camera) {
 }
 
 Start start_of_command(const X& x) {
+  const Commanded commanded = commanded_already(x);
   // x_ce was measured before the motion of its step, n_Q; the rest of that control step and the whole of the next one
   // are still to come.
   const int rest = x.c.k.pacing.n_s - x.c.k.pacing.n_Q + 1;
   const Pose T_0E = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(x.e.T_0E.data()));
   const double share = asked_too_much(x) ? 0 : static_cast<double>(rest) / x.c.k.pacing.n_s;
-  return {x.e.step + rest + x.c.k.pacing.n_s, T_0E * part_of(x.c.before, share) * x.c.under_way};
+  return {x.e.step + rest + x.c.k.pacing.n_s, T_0E * part_of(commanded.before, share) * commanded.now};
 }
 
 Conclusion conclude(const X& x, const std::array<bool, kCameras>& uses) {
@@ -122,7 +134,7 @@ Conclusion conclude(const X& x, const std::array<bool, kCameras>& uses) {
   const Pose T_0G = start.T_0E * c.e * k.T_EGd;
   const RegulatorParameters R_T = quieted(eased(k.regulator, c.ease), c.e, seen.covariance);
   const Pose wanted = following(start, T_0G, motion, duration) * regulate(R_T, c.e, duration);
-  c.T_dc = smooth(R_T, wanted, x.c.under_way, duration);
+  if (x.waiting == 0) c.T_dc = smooth(R_T, wanted, commanded_already(x).now, duration);
   return c;
 }
 

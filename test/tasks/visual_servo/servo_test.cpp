@@ -33,6 +33,7 @@ struct Truth {
     X x;
     x.c = begin(test::parameters(), 0);
     x.c.k.track.significance = 0;
+    x.i = 1;
     x.e.step = 1000;
     const AngleAxisPose r = angle_axis_from_pose(E(1000));
     std::ranges::copy(r, x.e.T_0E.begin());
@@ -102,6 +103,18 @@ TEST(Servo, WithoutAnErrorItMovesWithTheObject) {
   const Pose wanted = there.inverse() * truth.G(1044) * T_dE;
   EXPECT_LT(distance(T_dc, wanted), 1e-4);
   EXPECT_GT(wanted.p.norm(), 4e-3);
+}
+
+TEST(Servo, InControlStepsThatWerePassedOverNothingWasCommanded) {
+  Truth truth;
+  truth.arm = Twist{{4e-4}};
+  X x = truth.image(980, 980);
+  const auto still_to_come = [&] { return (start_of_command(x).T_0E.p - truth.E(1000).p).norm(); };
+  EXPECT_NEAR(still_to_come(), 23 * 4e-4, 1e-9);
+  ++x.i;
+  EXPECT_NEAR(still_to_come(), 2 * 4e-4, 1e-9) << "the rest of the last one";
+  ++x.i;
+  EXPECT_EQ(still_to_come(), 0);
 }
 
 TEST(Servo, ADisplacementThatWasRefusedIsNotTakenToBeOnItsWay) {

@@ -25,6 +25,7 @@ X image(const std::array<CameraCase, kCameras>& cameras) {
   X x;
   x.c = begin(test::parameters(), 100);
   x.i = 110;
+  x.c.made_in = 109;
   x.e.step = 5000;
   for (std::size_t n = 0; n < kCameras; ++n) {
     CameraImage& image = x.V.camera[n];
@@ -149,6 +150,13 @@ TEST(ServoTable, GivingUpTellsTheCoordinatorWhy) {
   EXPECT_NE(r.verdict, Verdict::none);
   EXPECT_NEAR(r.fault.value, r.fault.limit, 1e-9);
   EXPECT_EQ(kGiveUp.f_ce(x).instruction, Instruction::keep);
+}
+
+TEST(ServoTable, AddsNoDisplacementWhileTheDriverHasMissedOne) {
+  X x = image({CameraCase{Told::seen, 30}, {}});
+  x.waiting = 1;
+  EXPECT_EQ(select(x).f_ce(x).instruction, Instruction::keep);
+  EXPECT_EQ(select(x).f_cc(x).under_way.p, Vector3(0, 0, 0));
 }
 
 TEST(ServoTable, GoesOnMoreSlowlyWhenTheDriverRefusesAndTellsWhenItKeepsRefusing) {
