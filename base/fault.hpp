@@ -58,6 +58,7 @@ enum class FaultCode : std::uint16_t {
   sensor_silent,
   no_contact,
   contact_unstable,
+  object_not_seen,
   // processes and messages
   start_failed,
   not_ready,
@@ -70,6 +71,7 @@ enum class FaultCode : std::uint16_t {
   malformed_message,
   command_repeated_refused,
   cannot_write,
+  no_renderer,
   internal_error,
   // input
   bad_usage,
@@ -77,6 +79,8 @@ enum class FaultCode : std::uint16_t {
   bad_drawing,
   bad_recording,
   bad_trajectory,
+  bad_picture,
+  bad_calibration,
   bad_script,
   bad_log,
   bad_cube,

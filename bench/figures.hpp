@@ -30,4 +30,8 @@ Figures run_stability_group();
 /// @throws FaultError a run did not do what it should
 Figures run_drawing_group();
 
+/// Runs the visual servoing task several times in separate processes; part of the group vision. Takes about two minutes.
+/// @throws FaultError a run did not do what it should
+Figures visual_servo_figures();
+
 }  // namespace mrroc::bench

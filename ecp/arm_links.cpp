@@ -33,8 +33,10 @@ ArmLinks::ArmLinks(link::Process& process, const ArmLinkNames& names)
       report_out_(process.outbox<agent_report_t>(names.robot + ".report")),
       reply_in_(process.inbox<effector_reply_t>(names.robot + ".reply")),
       order_in_(process.inbox<agent_order_t>(names.robot + ".order")),
+      others_(names.others),
       client_(session_of(process.membership().name), process.lock_step() ? 0 : kLatePatience) {
   sources_ = {reply_in_.get(), order_in_.get()};
+  sources_.insert(sources_.end(), others_.sources.begin(), others_.sources.end());
   if (!has_sensor_) return;
   reading_in_ = process.inbox<sensor_reading_t>(names.sensor);
   sources_.push_back(reading_in_.get());
@@ -62,7 +64,8 @@ Outcome ArmLinks::receive() {
   const bool all = process_.lock_step();
   const auto here = [&] {
     if (!all) return reply_in_->newest() && reply_in_->newest()->header.stamp >= i_;
-    return reply_in_->at(i_) && (!has_sensor_ || reading_in_->at(i_)) && order_in_->at(i_);
+    return reply_in_->at(i_) && (!has_sensor_ || reading_in_->at(i_)) && order_in_->at(i_) &&
+           (!others_.here || others_.here(i_, reply_in_->at(i_)->step));
   };
   process_.await_from(sources_, FaultCode::peer_silent, [&] { return here() || stopped(); });
   if (stopped()) return Outcome::aborted;

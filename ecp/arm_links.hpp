@@ -1,6 +1,7 @@
 // The links of an embodied agent: to its effector driver, its virtual sensor and the coordinator.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -16,10 +17,19 @@
 
 namespace mrroc::ecp {
 
+/// Links of an agent that the agent reads itself, such as those of cameras with a clock of their own.
+struct OtherLinks {
+  link::Sources sources;
+  /// In lock-step: whether what macrostep i needs of them has come (rule R7). Empty: it needs nothing.
+  /// @param step  of the effector driver's reading in x_ce
+  std::function<bool(std::int64_t i, std::int64_t step)> here;
+};
+
 /// Names of an agent's links.
 struct ArmLinkNames {
-  std::string robot;   ///< channels ROBOT.command, .reply, .order, .report
-  std::string sensor;  ///< channel of the virtual sensor's readings; empty: the agent has none
+  std::string robot;    ///< channels ROBOT.command, .reply, .order, .report
+  std::string sensor;   ///< channel of the virtual sensor's readings; empty: the agent has none
+  OtherLinks others{};  ///< waited for as the others are, also while the agent is paused
 };
 
 /// Sends y and receives x once per macrostep. In lock-step every message of macrostep i is waited for (rule
@@ -62,6 +72,7 @@ class ArmLinks {
   std::unique_ptr<link::Inbox<sensor_reading_t>> reading_in_;
   std::unique_ptr<link::Inbox<agent_order_t>> order_in_;
   link::Sources sources_;
+  OtherLinks others_;
   EffectorClient client_;
   std::int64_t i_{};
   EffectorReply reply_;

@@ -12,6 +12,7 @@ namespace mrroc::ecp {
 /// Port of an agent whose images are
 ///     X { c; EffectorReply e; SensorReading V; Order T; int64 i, i_0 }   Y { c; EffectorCommand e; V; Report
 ///     T }
+/// A V of another type is left as it is: an agent with sensors of its own fills it in itself.
 template <Images A>
 class ArmPort {
  public:
@@ -21,7 +22,7 @@ class ArmPort {
   Outcome wait() { return links_.wait(); }
   void read(typename A::X& x) const {
     x.e = links_.reply();
-    x.V = links_.reading();
+    if constexpr (std::is_same_v<decltype(x.V), SensorReading>) x.V = links_.reading();
     x.T = links_.order();
     x.i = links_.i();
   }

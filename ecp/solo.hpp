@@ -36,10 +36,12 @@ class SoloPort {
   }
   void read(typename A::X& x) const {
     x.e = links_.reply();
-    x.V = links_.reading();
+    if constexpr (std::is_same_v<decltype(x.V), SensorReading>) x.V = links_.reading();
     x.T = links_.order();
     x.i = links_.i() - stood_;
   }
+  /// @return what the port is made of, for ports that do more
+  [[nodiscard]] const ArmLinks& links() const { return links_; }
 
  private:
   [[nodiscard]] bool paused() const { return links_.order().m == static_cast<int>(SoloOrder::pause); }
@@ -61,9 +63,10 @@ Outcome execute_rows(std::span<const Motion<A>> rows, typename A::X& x, Port& po
 /// Runs the ECP of an agent that works on its own, to its end.
 /// @param arm      key of the arm: channels, [robots.ARM] in the configuration
 /// @param program  Outcome program(X& x, SoloPort<A>& port): what the agent does
+/// @param others   links that the program reads itself
 template <Images A, class Program>
 void run_solo_ecp(link::Process& process, const Config& config, const link::PartArguments& arguments,
-                  Program program) {
+                  Program program, const OtherLinks& others = {}) {
   using X = typename A::X;
   constexpr auto done = [](const X& x) {
     Report r = tell<A>(x);
@@ -75,13 +78,14 @@ void run_solo_ecp(link::Process& process, const Config& config, const link::Part
   Motion<A> wait_for_end = row<A>(0, "done", at_rest<A>, [](const X& x) { return x.T.finished; });
   wait_for_end.f_cT = done;
   const Preparation prepare{.model = read_tool_model(config, arguments.arm)};
-  run_ecp<A>(process, {.robot = arguments.arm, .sensor = {}}, prepare, [&](X& x, ArmPort<A>& arm) {
-    SoloPort<A> port(arm.links());
-    Outcome o = move(wait_for_start, x, port);
-    if (o == Outcome::terminated) o = program(x, port);
-    if (o == Outcome::terminated) o = move(wait_for_end, x, port);
-    return o;
-  });
+  run_ecp<A>(process, {.robot = arguments.arm, .sensor = {}, .others = others}, prepare,
+             [&](X& x, ArmPort<A>& arm) {
+               SoloPort<A> port(arm.links());
+               Outcome o = move(wait_for_start, x, port);
+               if (o == Outcome::terminated) o = program(x, port);
+               if (o == Outcome::terminated) o = move(wait_for_end, x, port);
+               return o;
+             });
 }
 
 /// @param rows  of the agent's table, which must outlive the body

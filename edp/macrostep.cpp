@@ -3,24 +3,13 @@
 #include <cmath>
 
 #include "base/representation.hpp"
+#include "base/screw.hpp"
 #include "edp/control_law.hpp"
 #include "edp/deceleration.hpp"
 #include "edp/guard.hpp"
 
 namespace mrroc::edp {
 namespace {
-
-/// Pose after moving with a constant velocity, expressed in the moving frame itself.
-Pose travel(const Twist& v, double time) {
-  const Vector3 aa = v.angular() * time;
-  const double angle = aa.norm();
-  const Matrix3 S = skew(aa);
-  const bool small = angle < 1e-3;
-  const double b = small ? 0.5 : (1 - std::cos(angle)) / (angle * angle);
-  const double c = small ? 1. / 6 : (angle - std::sin(angle)) / (angle * angle * angle);
-  const Matrix3 V = Matrix3::Identity() + b * S + c * S * S;
-  return {rotation_from_angle_axis(aa), V * v.linear() * time};
-}
 
 /// Velocities of the axes that are not force controlled.
 Twist positional(const TaskFrameCommand& rows) {
@@ -122,7 +111,7 @@ Objection plan_tcim(const ArmCommand& command, const SetPoint& from, const Pose&
     if (const Objection wrong = check_velocity(v_d, rules.limits)) return wrong;
     v_end = xi_star(end.R.transpose() * from.T_0E.R, v_d);
   } else {
-    end = from.T_0E * travel(positional(command.frame), time);
+    end = from.T_0E * exp_screw(positional(command.frame), time);
     v_end = positional(command.frame);
   }
   AxisPositions to;

@@ -15,6 +15,9 @@ namespace mrroc::mp {
 /// A figure of a run: one number, or one per arm.
 using Figure = std::variant<double, std::vector<double>>;
 
+/// By their keys in summary.json.
+using Figures = std::map<std::string, Figure>;
+
 /// What summary.json says.
 struct Summary {
   std::string task;
@@ -23,7 +26,7 @@ struct Summary {
   double sim_s{};              ///< simulated time [s]
   double wall_s{};             ///< wall time of the same [s]
   std::uint64_t log_hash{};    ///< 0: unknown
-  std::map<std::string, Figure> figures;
+  Figures figures;
 };
 
 /// Names the folder of a run; makes nothing.

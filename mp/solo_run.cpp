@@ -98,6 +98,7 @@ void SoloRun::observe(bool working) {
     row.blocked = r.blocked;
     traces_[arm].push_back(row);
   }
+  if (k_.watch) k_.watch();
   show(working);
   run_.each_macrostep(i, static_cast<double>(i) * macrostep_s);
 }

@@ -20,6 +20,7 @@ struct SoloParameters {
   double dt{0.002};                     ///< duration of a step [s]
   int n_s{10};                          ///< steps of a macrostep
   bool gives_start{true};               ///< false: a person or a script gives it
+  std::function<void()> watch{};        ///< called in every macrostep; may be empty
 };
 
 /// The dormant coordinator.

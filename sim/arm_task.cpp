@@ -24,24 +24,6 @@ void write_tables(const fs::path& folder, const std::vector<mp::ArmTrace>& trace
     mp::write_arm_trace(folder / fmt::format("arm{}.csv", arm + 1), traces[arm]);
 }
 
-void draw(const fs::path& folder, const std::vector<Picture>& pictures) {
-  for (const Picture& p : pictures) {
-    const fs::path script = fs::path("plots") / (p.name + ".gp");
-    write_text_file(folder / script,
-                    fmt::format("# Run it in the run folder: gnuplot plots/{0}.gp\n"
-                                "set terminal pngcairo size 1000,620 font 'sans,12' background rgb 'white'\n"
-                                "set output 'plots/{0}.png'\nset datafile separator ','\n"
-                                "set border 3\nset tics nomirror\nset grid lc rgb '#e4e8ee'\n{1}",
-                                p.name, p.script));
-    const mp::GnuplotResult result = mp::run_gnuplot(folder, script);
-    if (result == mp::GnuplotResult::failed)
-      fmt::print("gnuplot could not draw {}.png; see plots/gnuplot.log\n", p.name);
-    if (result != mp::GnuplotResult::absent) continue;
-    fmt::print("gnuplot is not installed, so there are no pictures of the run\n");
-    return;
-  }
-}
-
 std::vector<fs::path> pictures_in(const fs::path& folder) {
   std::vector<fs::path> pictures;
   if (fs::is_directory(folder / "plots"))
@@ -140,6 +122,24 @@ std::vector<Picture> force_picture(Axis axis, double desired) {
                        "title 'measured; colour: behaviour', {2} with lines dt 2 lc rgb '#8a94a3' "
                        "title 'desired'\n",
                        "xyz"[static_cast<int>(axis)], kColumnOfForce + static_cast<int>(axis), desired)}};
+}
+
+void draw(const fs::path& folder, const std::vector<Picture>& pictures) {
+  for (const Picture& p : pictures) {
+    const fs::path script = fs::path("plots") / (p.name + ".gp");
+    write_text_file(folder / script,
+                    fmt::format("# Run it in the run folder: gnuplot plots/{0}.gp\n"
+                                "set terminal pngcairo size 1000,620 font 'sans,12' background rgb 'white'\n"
+                                "set output 'plots/{0}.png'\nset datafile separator ','\n"
+                                "set border 3\nset tics nomirror\nset grid lc rgb '#e4e8ee'\n{1}",
+                                p.name, p.script));
+    const mp::GnuplotResult result = mp::run_gnuplot(folder, script);
+    if (result == mp::GnuplotResult::failed)
+      fmt::print("gnuplot could not draw {}.png; see plots/gnuplot.log\n", p.name);
+    if (result != mp::GnuplotResult::absent) continue;
+    fmt::print("gnuplot is not installed, so there are no pictures of the run\n");
+    return;
+  }
 }
 
 int run_arm_task(const ArmTask& task, int argc, char** argv) {

@@ -1,5 +1,6 @@
 // The main of a task whose arms work on their own in the simulated cell: everything but the task itself.
 #pragma once
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -40,6 +41,10 @@ template <Axis axis, int desired>
 std::vector<Picture> force_picture(const std::vector<mp::ArmTrace>&, const Config&) {
   return force_picture(axis, desired);
 }
+
+/// Draws them as plots/NAME.png, and says so when gnuplot cannot.
+/// @param folder  of the run, with the tables
+void draw(const std::filesystem::path& folder, const std::vector<Picture>& pictures);
 
 /// Reads the command line, runs the task, leaves the run folder.
 /// @return exit status

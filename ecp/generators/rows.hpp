@@ -90,7 +90,7 @@ template <class X>
   Report r;
   r.m = m;
   r.ready = true;
-  r.sensor = x.V.state;
+  if constexpr (requires { r.sensor = x.V.state; }) r.sensor = x.V.state;
   r.driver_state = x.e.state;
   r.verdict = x.e.verdict;
   r.fault = x.e.fault;

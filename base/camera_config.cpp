@@ -1,0 +1,79 @@
+#include "base/camera_config.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cctype>
+
+namespace mrroc {
+namespace {
+
+constexpr std::size_t kLongestKey = 16;
+constexpr std::string_view kBase = ".base";
+
+[[noreturn]] void refuse(const std::string& key, const std::string& text) {
+  throw ConfigError({"cameras", 0, 0}, key, text);
+}
+
+bool is_word(const std::string& s) {
+  return !s.empty() && s.size() <= kLongestKey &&
+         std::ranges::all_of(s, [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; });
+}
+
+CameraModel read_model(const Config& t) {
+  CameraModel m;
+  m.width = t.integer("width", m.width, {16, 4096}, "pixels");
+  m.height = t.integer("height", m.height, {16, 4096}, "pixels");
+  m.fx = t.number("fx", m.fx, {10, 1e5}, "pixels");
+  m.fy = t.number("fy", m.fx, {10, 1e5}, "pixels");
+  m.cx = t.number("cx", (m.width - 1) / 2.0, {-1e4, 1e4}, "pixels");
+  m.cy = t.number("cy", (m.height - 1) / 2.0, {-1e4, 1e4}, "pixels");
+  m.distortion = t.numbers<5>("distortion", m.distortion, {-10, 10}, "k1, k2, p1, p2, k3");
+  return m;
+}
+
+void read_mount(const Config& t, CameraSetup& camera) {
+  const std::string mount = t.text("mount", "world");
+  if (mount == "world") return;
+  camera.mount = mount.ends_with(kBase) ? CameraMount::base : CameraMount::end_effector;
+  camera.arm = camera.mount == CameraMount::base ? mount.substr(0, mount.size() - kBase.size()) : mount;
+  if (!is_word(camera.arm))
+    refuse("cameras." + camera.key + ".mount", "'" + mount + "' is not \"world\", an arm, or an arm's .base");
+}
+
+}  // namespace
+
+CameraModel read_camera_model(const Config& config, const std::string& key) {
+  return read_model(config.section("cameras." + key));
+}
+
+std::vector<std::string> camera_keys(const Config& config) {
+  auto keys = config.texts("cameras.order", std::vector<std::string>{});
+  for (const std::string& key : keys)
+    if (!is_word(key))
+      refuse("cameras.order", "'" + key + "' is no name of a camera: letters, digits, - and _, at most 16");
+  return keys;
+}
+
+CameraSetup read_camera(const Config& config, const std::string& key) {
+  const Config t = config.section("cameras." + key);
+  CameraSetup camera;
+  camera.key = key;
+  read_mount(t, camera);
+  const auto pose = t.numbers<6>("pose", std::nullopt, {-10, 10}, "m, angle times axis in rad");
+  camera.place = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(pose.data()));
+  camera.model = read_model(t);
+  camera.period = t.integer<std::int64_t>("period", camera.period, {1, 1000}, "steps");
+  camera.latency = t.integer<std::int64_t>("latency", camera.latency, {0, 200}, "steps");
+  return camera;
+}
+
+Pose looking_at(const Vector3& eye, const Vector3& target, const Vector3& up) {
+  const Vector3 z = (target - eye).normalized();
+  const Vector3 x = z.cross(up).normalized();
+  Pose T;
+  T.R << x, z.cross(x), z;
+  T.p = eye;
+  return T;
+}
+
+}  // namespace mrroc

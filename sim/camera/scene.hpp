@@ -1,0 +1,49 @@
+// What a camera of the simulation can see: bodies of simple shapes with their poses, and the light. A value: it
+// can be taken from the world in one thread and be looked at in another.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "base/image.hpp"
+#include "base/pose.hpp"
+
+namespace mrroc::camera {
+
+/// Share of the light that is reflected, or its strength: red, green, blue; 1 is white.
+using Colour = std::array<double, 3>;
+
+/// Solids have their origin in the middle; a cylinder stands along z; a quad is the upper side (z > 0) of its xy
+/// plane and cannot be seen from below.
+enum class Shape : std::uint8_t { box, cylinder, sphere, quad };
+
+/// One rigid body.
+struct Body {
+  Shape shape{Shape::box};
+  Vector3 size{Vector3::Ones()};  ///< lengths along its own x, y, z [m], > 0; a quad has no third one
+  Pose T_UB;                      ///< its middle in the world
+  Colour colour{0.6, 0.6, 0.6};
+  double shine{0.2};        ///< strength of highlights, 0: dull
+  bool casts_shadow{true};  ///< what lies flat on another body needs to cast none
+  /// Picture on a quad, 3 channels: its first row lies at +y, its first column at -x. Multiplied by the colour.
+  /// None: of one colour. What it shows must not change any more; another picture is another object.
+  std::shared_ptr<const Image> texture{};
+};
+
+/// The light: a lamp far away, and what comes from everywhere.
+struct Light {
+  Vector3 direction{0.35, 0.25, 0.9};  ///< towards the lamp, in the world; any length but zero
+  Colour lamp{0.62, 0.62, 0.62};
+  Colour ambient{0.40, 0.40, 0.40};
+  double exposure{1};  ///< of the camera: everything is multiplied by it and cut off at white, > 0
+};
+
+/// Everything that can be seen at one instant.
+struct Scene {
+  std::vector<Body> bodies;
+  Light light;
+  Colour background{0.62, 0.66, 0.70};
+};
+
+}  // namespace mrroc::camera

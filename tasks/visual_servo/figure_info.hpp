@@ -1,0 +1,28 @@
+// The figures of visual servoing: what they mean and what is wanted.
+#pragma once
+#include <array>
+
+#include "mp/figure_table.hpp"
+
+namespace mrroc::visual_servo {
+
+/// In the order of the table. An error is the true one, of the pose of E relative to the object.
+inline constexpr std::array kFigures{
+    mp::FigureInfo{.key = "final_err_mm", .words = "error at the end", .unit = "mm", .high = 1},
+    mp::FigureInfo{.key = "final_err_deg", .words = "  of the orientation", .unit = "deg", .high = 0.1},
+    mp::FigureInfo{.key = "overshoot_pct", .words = "overshoot", .unit = "% of the way", .high = 10},
+    mp::FigureInfo{
+        .key = "steps_to_2mm", .words = "until it stays below 2 mm", .unit = "control steps", .high = 80},
+    mp::FigureInfo{.key = "line_lag_mm", .words = "behind an object on a line", .unit = "mm", .high = 10},
+    mp::FigureInfo{.key = "follow_err_mm", .words = "error while the object moves", .unit = "mm"},
+    mp::FigureInfo{.key = "unseen_pct", .words = "seen by no camera", .unit = "% of the steps"},
+    mp::FigureInfo{
+        .key = "refused_steps", .words = "asked more than the arm can do", .unit = "control steps"},
+    mp::FigureInfo{.key = "arm_moved_mm", .words = "farthest that E went", .unit = "mm"},
+    mp::FigureInfo{
+        .key = "stop_steps_max", .words = "steps until the arm was at rest", .unit = "", .high = 100},
+    mp::FigureInfo{
+        .key = "log_gaps", .words = "messages that the log missed", .unit = "", .low = 0, .high = 0},
+};
+
+}  // namespace mrroc::visual_servo

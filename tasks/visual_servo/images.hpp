@@ -1,0 +1,98 @@
+// Images of the agent a_1 of VS 3: its control subsystem c_1 sees one effector and two virtual receptors.
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "base/camera.hpp"
+#include "base/effector_command.hpp"
+#include "base/transmission.hpp"
+#include "ecp/generators/rows.hpp"
+#include "ecp/generators/virtual_effector.hpp"
+#include "tasks/visual_servo/aggregation.hpp"
+#include "tasks/visual_servo/object_track.hpp"
+#include "tasks/visual_servo/regulator.hpp"
+
+namespace mrroc::visual_servo {
+
+/// The receptors r_1,1 and r_1,2.
+enum class Camera : std::uint8_t {
+  sac,  ///< stands alone above the scene
+  eih,  ///< eye in hand
+};
+inline constexpr std::size_t kCameras = 2;
+constexpr std::size_t index(Camera k) { return static_cast<std::size_t>(k); }
+
+/// One camera of the agent.
+struct CameraParameters {
+  bool used{true};           ///< false: there is none, and it never sees anything
+  Pose place;                ///< sac: 0_C T; eih: E_C T
+  std::int64_t period{20};   ///< steps from one picture to the next; picture n is taken at step n * period
+  std::int64_t latency{20};  ///< steps until its reading is visible (rule R6)
+};
+
+/// Constants of c_1.
+struct Parameters {
+  std::array<CameraParameters, kCameras> camera;
+  Pose T_EGd;  ///< E_G T_d: the desired pose of the object in E
+  Aggregation aggregation{Aggregation::mean};
+  RegulatorParameters regulator;
+  TrackParameters track;
+  bool feed_forward{true};      ///< follow the object's velocity
+  double position_floor{3e-4};  ///< least standard deviation of what any camera says [m]: calibration
+  double angle_floor{1e-3};     ///< the same [rad]
+  int max_age{2};               ///< a reading of more frames ago is not believed
+  ecp::Pacing pacing{ecp::kDisplacementPacing};
+  std::int64_t duration{200};  ///< of the task [control steps]
+  std::int64_t patience{150};  ///< control steps without seeing anything until the task is given up; 0: none
+};
+
+/// c_c: what c_1 remembers.
+struct Memory {
+  Parameters k;
+  ObjectTrack track;
+  std::array<std::int64_t, kCameras> taken{-1, -1};  ///< frames that the track knows
+  Pose e;                                            ///< error of the last control step; identity in idle
+  Pose under_way;                                    ///< displacement of control step made_in + 1
+  Pose before;                                       ///< displacement of the control step before that
+  std::int64_t made_in{};                            ///< control step in which under_way was decided
+  double ease{1};  ///< share of the regulator's speeds: less after the driver has refused a displacement
+  int refused{};   ///< displacements that it has refused in a row
+  std::int64_t begun{};  ///< control step in which the task began
+  std::int64_t
+      seen_in{};  ///< last control step in which a camera saw the object, or the first one of the task
+};
+
+/// x_r of one camera: the newest reading that is visible, joined by its step with what the effector told.
+struct CameraImage {
+  bool there{};  ///< false: there has been none yet
+  CameraReading reading;
+  Pose T_0E;  ///< 0_E T_c at the image's instant
+};
+
+/// x_cV of c_1.
+struct Receptors {
+  std::array<CameraImage, kCameras> camera;
+};
+
+/// Agent a_1.
+struct Arm {
+  struct X {
+    Memory c;
+    EffectorReply e;  ///< its step is the instant at which x_c is looked at
+    Receptors V;
+    Order T;
+    /// Displacements that wait because the driver has missed one: none in lock-step. What is seen now does not know of
+    /// them yet, so none is added.
+    int waiting{};
+    std::int64_t i{};
+    std::int64_t i_0{};
+  };
+  struct Y {
+    Memory c;
+    EffectorCommand e;
+    ecp::None V;
+    Report T;
+  };
+};
+
+}  // namespace mrroc::visual_servo

@@ -1,0 +1,173 @@
+// The visual servoing task: an arm brings its tool to a pose before an object that cameras see, and follows it.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "mp/solo_run.hpp"
+#include "mp/summary_text.hpp"
+#include "mp/task_run.hpp"
+#include "sim/arm_task.hpp"
+#include "sim/camera/config.hpp"
+#include "tasks/visual_servo/config.hpp"
+#include "tasks/visual_servo/figure_info.hpp"
+#include "tasks/visual_servo/plots.hpp"
+#include "tasks/visual_servo/program.hpp"
+#include "tasks/visual_servo/scenario.hpp"
+#include "tasks/visual_servo/servo_record.hpp"
+#include "vsp/image_receptor.hpp"
+
+namespace {
+
+using namespace mrroc;
+namespace fs = std::filesystem;
+
+const std::vector<std::string> kArmKeys{std::string(visual_servo::kArm)};
+const std::vector<sim::CellArm> kArms{{kArmKeys[0], "irb6_postument"}};
+
+struct Options {
+  mp::TaskOptions task;
+  visual_servo::ScenarioOptions scenario;
+};
+
+/// Everything that is known before anything starts.
+struct Setup {
+  Config config;
+  visual_servo::Parameters k;
+  visual_servo::Object object{};
+};
+
+/// Reads every parameter of every process, so that a wrong one is found before anything starts.
+Setup prepare(const Options& o) {
+  mp::TaskOptions with_scenario = o.task;
+  const auto settings = visual_servo::settings_of(o.scenario);
+  with_scenario.settings.insert(with_scenario.settings.begin(), settings.begin(), settings.end());
+  Setup s;
+  s.config = sim::load_task_config(with_scenario, visual_servo::config(), "visual_servo");
+  s.k = visual_servo::read_parameters(s.config);
+  s.object = visual_servo::read_object(s.config);
+  sim::read_cell(s.config, kArms, o.task.seed);
+  sim::read_camera_world(s.config, kArmKeys);
+  const vsp::ImageReceptor& receptor =
+      s.object == visual_servo::Object::chessboard ? vsp::chessboard_receptor() : vsp::apriltag_receptor();
+  for (const std::string& key : camera_keys(s.config))
+    receptor.make(read_camera_model(s.config, key), s.config);
+  sim::check_task_options(o.task);
+  return s;
+}
+
+std::vector<mp::Part> parts_of(const Setup& s) {
+  auto parts = sim::cell_parts(s.config, kArms);
+  const bool board = s.object == visual_servo::Object::chessboard;
+  for (const std::string& key : camera_keys(s.config))
+    parts.push_back(sim::make_part(s.config, "vsp-" + key, board ? "vsp_chessboard" : "vsp_apriltag", nullptr,
+                                   board ? vsp::run_chessboard : vsp::run_apriltag));
+  parts.push_back(sim::make_part(s.config, "ecp-" + kArmKeys[0], "ecp_visual_servo", kArms.data(),
+                                 visual_servo::run_ecp));
+  return parts;
+}
+
+mp::SoloParameters solo_parameters(const Options& o, const Setup& s) {
+  mp::SoloParameters k;
+  k.arms = kArmKeys;
+  k.behaviours = {"PB-SAC", "PB-EIH", "PB-SAC and EIH", "idle", "give up"};
+  k.dt = s.k.pacing.dt;
+  k.n_s = s.k.pacing.n_s;
+  k.gives_start = !o.task.attended && o.task.script.empty();
+  return k;
+}
+
+/// Files, figures and pictures of a run that has ended.
+void finish(const Setup& s, const fs::path& folder, const mp::SoloRun& solo,
+            const visual_servo::ServoRecord& record, mp::Summary& summary) {
+  mp::write_arm_trace(folder / "arm1.csv", solo.traces()[0]);
+  const auto table = visual_servo::join(record.reports(), record.truths(), s.k.T_EGd, s.k.pacing.dt);
+  visual_servo::write_servo_table(folder / "servo.csv", table);
+  summary.figures.merge(visual_servo::figures_of(table));
+  mp::write_summary(folder, summary);
+  std::vector<sim::Picture> pictures;
+  for (const auto& [name, script] : visual_servo::plots()) pictures.push_back({name, script});
+  sim::draw(folder, pictures);
+}
+
+void say(const std::string& line) {
+  fmt::print("{}\n", line);
+  std::fflush(stdout);
+}
+
+int run(const Options& o) {
+  Setup s = prepare(o);
+  const fs::path folder = mp::name_run_folder(o.task.run_dir, "visual_servo");
+  if (!s.config.has("film.directory"))
+    s.config.set(fmt::format("film.directory=\"{}\"", fs::absolute(folder).string()));
+  std::ignore = s.config.text("film.directory", "");
+  sim::complete_config(s.config, o.task, folder, "");
+  mp::make_run_folder(folder);
+  mp::write_text(folder / "config.toml", s.config.dump());
+
+  mp::TaskRun run("visual_servo", o.task, folder, kArmKeys, parts_of(s));
+  visual_servo::ServoRecord record(run.process(), kArmKeys[0]);
+  mp::SoloParameters k = solo_parameters(o, s);
+  k.watch = [&record] { record.collect(); };
+  fmt::print("visual_servo, scenario {}, {}, session {}, seed {}{}\n", o.scenario.scenario, o.scenario.object,
+             run.session(), o.task.seed, k.gives_start ? "" : ", waits for the operator: `ui_cli start`");
+  mp::SoloRun solo(run, k, say);
+  run.start();
+  std::optional<Fault> fault;
+  if (run.process().assemble() && solo.execute() == Outcome::faulted) fault = solo.fault();
+  mp::Summary summary = run.end(fault);
+  record.collect();
+  try {
+    run.finish([&] { finish(s, folder, solo, record, summary); });
+  } catch (const FaultError& e) {  // what has been done is told all the same
+    if (!summary.fault) summary.fault = e.fault();
+  }
+  mp::print_summary(summary, mp::figure_table(summary.figures, visual_servo::kFigures, {}, !summary.fault));
+  std::fflush(stdout);
+  if (summary.fault) fmt::print(stderr, "{}\n", error_line(*summary.fault));
+  fmt::print("run folder: {}\n", folder.string());
+  return summary.fault ? exit_status(summary.fault->code) : 0;
+}
+
+void add_scenario_options(CLI::App& app, visual_servo::ScenarioOptions& o) {
+  std::vector<std::string> names;
+  std::string about = "What the object does:";
+  for (const auto& s : visual_servo::scenarios()) {
+    names.emplace_back(s.name);
+    about += fmt::format("\n{}: {}", s.name, s.about);
+  }
+  app.add_option("--scenario", o.scenario, about)->check(CLI::IsMember(names))->capture_default_str();
+  app.add_option("--object", o.object, "What is looked for")
+      ->check(CLI::IsMember({"chessboard", "apriltag"}))
+      ->capture_default_str();
+  app.add_option("--aggregation", o.aggregation, "How the errors of two cameras become one (default: mean)")
+      ->check(CLI::IsMember({"mean", "switching", "weights"}));
+  app.add_option("--cameras", o.cameras, "Which cameras there are (default: both)")
+      ->check(CLI::IsMember({"both", "sac", "eih"}));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options o;
+  CLI::App app{
+      "An arm brings its tool to a pose before an object and follows it when it moves; it sees the object\n"
+      "through a camera above the scene (SAC), one in the hand (EIH), or both."};
+  app.name("visual_servo");
+  add_scenario_options(app, o.scenario);
+  mp::add_task_options(app, o.task);
+  app.footer(
+      "Exit status: 0 done; 1 fault or stopped; 2 bad usage or input, nothing was started; 3 system error.");
+  if (const auto status = mp::parse_command_line(app, argc, argv)) return *status;
+  const auto complain = [](const FaultError& e) {
+    fmt::print(stderr, "{}\n", e.error_line());
+    return exit_status(e.fault().code);
+  };
+  try {
+    return run(o);
+  } catch (const FaultError& e) {
+    return complain(e);
+  } catch (const std::exception& e) {
+    return complain(FaultError(FaultCode::internal_error, e.what()));
+  }
+}

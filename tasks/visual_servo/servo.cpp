@@ -1,0 +1,141 @@
+#include "tasks/visual_servo/servo.hpp"
+
+#include <algorithm>
+
+#include "base/screw.hpp"
+
+namespace mrroc::visual_servo {
+namespace {
+
+using X = Arm::X;
+
+// After a refusal the speeds are halved, and come back within half a second.
+constexpr double kEaseFall = 0.5, kEaseRise = 0.1, kLeastEase = 0.1;
+
+/// Rotates a covariance along the axes of C into those of a frame in which C has this orientation.
+Matrix6 turned(const Matrix3& R, const Matrix6& covariance) {
+  Matrix6 J = Matrix6::Zero();
+  J.topLeftCorner<3, 3>() = R;
+  J.bottomRightCorner<3, 3>() = R;
+  return J * covariance * J.transpose();
+}
+
+/// What the reading says, made worse by what no camera knows: how well it is calibrated.
+Matrix6 covariance_of(const Parameters& k, const CameraReading& reading) {
+  Vector6 least;
+  least << Vector3::Constant(k.position_floor), Vector3::Constant(k.angle_floor);
+  return reading.covariance + Matrix6(least.cwiseAbs2().asDiagonal());
+}
+
+/// Covariance of xi in e exp(xi), see CameraError.
+Matrix6 covariance_of_error(const Parameters& k, const CameraReading& reading) {
+  const Pose T_GEd = k.T_EGd.inverse();
+  const Vector3 lever = reading.T_CG.R * T_GEd.p;  // from G to the desired E, along C
+  Matrix6 J = Matrix6::Identity();
+  J.topRightCorner<3, 3>() = -skew(lever);
+  const Matrix6 at_E = J * covariance_of(k, reading) * J.transpose();
+  return turned((reading.T_CG.R * T_GEd.R).transpose(), at_E);
+}
+
+/// (49), (51): e of one camera at the start of the command. The object goes on with its velocity from the image's
+/// instant until then.
+CameraError error_of(const X& x, Camera camera, const Start& start, const ObjectMotion& motion) {
+  const Parameters& k = x.c.k;
+  const Sighting seen = sighting(x, camera);
+  const Pose T_0G = carried(seen.T_0G, motion, static_cast<double>(start.step - seen.step) * k.pacing.dt);
+  const Pose T_EG = start.T_0E.inverse() * T_0G;
+  return {T_EG * k.T_EGd.inverse(), covariance_of_error(k, x.V.camera[index(camera)].reading)};
+}
+
+/// Takes new sightings into the track, the older picture first.
+void look(const X& x, Conclusion& c) {
+  std::array<Camera, kCameras> order{Camera::sac, Camera::eih};
+  const auto step = [&](Camera camera) { return x.V.camera[index(camera)].reading.step; };
+  std::ranges::stable_sort(order, {}, step);
+  for (const Camera camera : order) {
+    const std::size_t n = index(camera);
+    const std::int64_t frame = x.V.camera[n].reading.frame;
+    if (!c.sees[n] || frame <= c.taken[n]) continue;
+    c.track = see(x.c.k.track, c.track, sighting(x, camera), x.c.k.pacing.dt);
+    c.taken[n] = frame;
+  }
+}
+
+/// Displacements that the driver has been told for the present control step and the one before. With the wall clock
+/// control steps may have been passed over, in which it was told nothing.
+struct Commanded {
+  Pose now, before;
+};
+Commanded commanded_already(const X& x) {
+  const std::int64_t passed_over = x.i - x.c.made_in - 1;
+  if (passed_over <= 0) return {x.c.under_way, x.c.before};
+  return {{}, passed_over == 1 ? x.c.under_way : Pose{}};
+}
+
+/// A displacement of the control step's steps, of so many of them.
+Pose part_of(const Pose& displacement, double share) { return exp_screw(log_screw(displacement), share); }
+
+/// The displacement of E during the control step that keeps it at rest against the moving object.
+Pose following(const Start& start, const Pose& T_0G, const ObjectMotion& motion, double duration) {
+  const Pose T_0G_end = carried(T_0G, motion, duration);
+  return start.T_0E.inverse() * (T_0G_end * T_0G.inverse()) * start.T_0E;
+}
+
+}  // namespace
+
+bool sees(const X& x, Camera camera) {
+  const CameraParameters& k = x.c.k.camera[index(camera)];
+  const CameraImage& image = x.V.camera[index(camera)];
+  const CameraReading& r = image.reading;
+  return k.used && image.there && r.seen && x.e.step - r.step <= x.c.k.max_age * k.period + k.latency;
+}
+
+bool asked_too_much(const X& x) {
+  if (x.e.verdict != Verdict::refused && x.e.verdict != Verdict::failed) return false;
+  constexpr std::array kTooMuch{FaultCode::too_fast, FaultCode::excessive_acceleration,
+                                FaultCode::outside_workspace, FaultCode::unreachable_pose,
+                                FaultCode::joint_limit};
+  return std::ranges::find(kTooMuch, x.e.fault.code) != kTooMuch.end();
+}
+
+Sighting sighting(const X& x, Camera camera) {
+  const CameraImage& image = x.V.camera[index(camera)];
+  const Pose& place = x.c.k.camera[index(camera)].place;
+  const Pose T_0C = camera == Camera::sac ? place : image.T_0E * place;
+  return {image.reading.step, T_0C * image.reading.T_CG, turned(T_0C.R, covariance_of(x.c.k, image.reading))};
+}
+
+Start start_of_command(const X& x) {
+  const Commanded commanded = commanded_already(x);
+  // x_ce was measured before the motion of its step, n_Q; the rest of that control step and the whole of the next one
+  // are still to come.
+  const int rest = x.c.k.pacing.n_s - x.c.k.pacing.n_Q + 1;
+  const Pose T_0E = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(x.e.T_0E.data()));
+  const double share = asked_too_much(x) ? 0 : static_cast<double>(rest) / x.c.k.pacing.n_s;
+  return {x.e.step + rest + x.c.k.pacing.n_s, T_0E * part_of(commanded.before, share) * commanded.now};
+}
+
+Conclusion conclude(const X& x, const std::array<bool, kCameras>& uses) {
+  const Parameters& k = x.c.k;
+  Conclusion c{x.c.track, x.c.taken, {sees(x, Camera::sac), sees(x, Camera::eih)}, {}, {}, {}, {}};
+  look(x, c);
+  const bool refused = asked_too_much(x);
+  c.refused = refused ? x.c.refused + 1 : has(x.e.parts, Part::arm) ? 0 : x.c.refused;
+  c.ease = refused ? std::max(kLeastEase, kEaseFall * x.c.ease) : std::min(1., x.c.ease + kEaseRise);
+  const bool sac = uses[index(Camera::sac)], eih = uses[index(Camera::eih)];
+  if (!sac && !eih) return c;
+  const Start start = start_of_command(x);
+  const ObjectMotion motion = k.feed_forward ? significant_motion(k.track, c.track) : ObjectMotion{};
+  const auto error = [&](Camera camera) { return error_of(x, camera, start, motion); };
+  const CameraError seen = sac && eih ? aggregate(k.aggregation, error(Camera::sac), error(Camera::eih))
+                                      : error(sac ? Camera::sac : Camera::eih);
+  c.e = seen.e;
+  const double duration = k.pacing.macrostep_s();
+  const Pose T_0G = start.T_0E * c.e * k.T_EGd;
+  const RegulatorParameters R_T = quieted(eased(k.regulator, c.ease), c.e, seen.covariance);
+  const Pose wanted = following(start, T_0G, motion, duration) * regulate(R_T, c.e, duration);
+  if (x.waiting == 0) c.T_dc = smooth(R_T, wanted, commanded_already(x).now, duration);
+  return c;
+}
+
+}  // namespace mrroc::visual_servo

@@ -1,0 +1,89 @@
+#include "tasks/visual_servo/servo_record.hpp"
+
+#include <algorithm>
+
+#include "base/screw.hpp"
+#include "tasks/visual_servo/config.hpp"
+#include "tasks/visual_servo/program.hpp"
+
+namespace mrroc::visual_servo {
+namespace {
+
+/// Below this an object does not move [m/s].
+constexpr double kRest = 1e-4;
+
+/// Messages that may be missing before the next one is taken all the same: a lost one is sent again.
+constexpr std::int64_t kPatience = 8;
+
+template <class M>
+void take_all(const link::Inbox<M>& in, std::vector<M>& kept) {
+  const auto expected = [&] { return kept.empty() ? 0 : kept.back().header.stamp + 1; };
+  while (const M* const m = in.next(expected())) {
+    const bool gap = !kept.empty() && m->header.stamp > expected();
+    if (gap && in.newest() && in.newest()->header.stamp < expected() + kPatience) return;
+    kept.push_back(*m);
+  }
+}
+
+Pose pose_of(const double (&rows)[12]) {
+  Pose T;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) T.R(row, column) = rows[4 * row + column];
+    T.p[row] = rows[4 * row + 3];
+  }
+  return T;
+}
+
+Pose between(const Pose& a, const Pose& b, double share) {
+  return a * exp_screw(log_screw(a.inverse() * b), share);
+}
+
+/// Fills in what is true at a step, when there is a truth about it.
+void add_truth(const std::vector<object_truth_t>& truths, std::int64_t step, const Pose& T_EGd, double dt,
+               ServoRow& row) {
+  row.object_there = false;
+  const auto after = std::ranges::upper_bound(truths, step, {}, &object_truth_t::step);
+  if (after == truths.begin()) return;
+  const object_truth_t& a = *(after - 1);
+  const object_truth_t& b = after == truths.end() ? a : *after;
+  if (a.present == 0 || b.present == 0) return;
+  row.object_there = true;
+  const double steps = std::max<double>(1, static_cast<double>(b.step - a.step));
+  const double share = b.step == a.step ? 0 : static_cast<double>(step - a.step) / steps;
+  const Pose T_0G = between(pose_of(a.T_0G), pose_of(b.T_0G), share);
+  row.T_0E = between(pose_of(a.T_0E), pose_of(b.T_0E), share);
+  row.true_e = row.T_0E.inverse() * T_0G * T_EGd.inverse();
+  row.v = (pose_of(b.T_0G).p - pose_of(a.T_0G).p) / (steps * dt);
+  if (row.v.norm() < kRest) row.v.setZero();
+}
+
+}  // namespace
+
+ServoTable join(const std::vector<servo_report_t>& reports, const std::vector<object_truth_t>& truths,
+                const Pose& T_EGd, double dt) {
+  ServoTable table;
+  for (const servo_report_t& r : reports) {
+    ServoRow& row = table.emplace_back();
+    row.k = static_cast<std::int64_t>(table.size()) - 1;
+    row.t = static_cast<double>(r.step) * dt;
+    row.behaviour = r.m == kIdle ? 0 : r.m;
+    row.sac_seen = r.seen[0] != 0;
+    row.eih_seen = r.seen[1] != 0;
+    row.refused = r.refused != 0;
+    row.e = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(r.e));
+    row.T_0E = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(r.T_0E));
+    add_truth(truths, r.step, T_EGd, dt, row);
+  }
+  return table;
+}
+
+ServoRecord::ServoRecord(link::Process& process, const std::string& arm)
+    : report_in_(process.inbox<servo_report_t>(arm + ".servo")),
+      truth_in_(process.inbox<object_truth_t>("object.truth")) {}
+
+void ServoRecord::collect() {
+  take_all(*report_in_, reports_);
+  take_all(*truth_in_, truths_);
+}
+
+}  // namespace mrroc::visual_servo

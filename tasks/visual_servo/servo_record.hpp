@@ -1,0 +1,38 @@
+// Writes down what happens while the arm servoes, and joins it with the truth.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "base/link/process.hpp"
+#include "mrroc/object_truth_t.hpp"
+#include "mrroc/servo_report_t.hpp"
+#include "tasks/visual_servo/servo_table.hpp"
+
+namespace mrroc::visual_servo {
+
+/// @param reports  one per control step, in order
+/// @param truths   in order; between two of them the object and E move evenly
+/// @param T_EGd    E_G T_d @param dt  duration of a step [s]
+/// @return a row per report; without a truth about its step the object is not there
+[[nodiscard]] ServoTable join(const std::vector<servo_report_t>& reports,
+                              const std::vector<object_truth_t>& truths, const Pose& T_EGd, double dt);
+
+/// Collects the messages of a run. Used by MP's thread.
+class ServoRecord {
+ public:
+  /// To be made before the process assembles. @param arm  key
+  ServoRecord(link::Process& process, const std::string& arm);
+
+  /// Takes what has come; to be called at least every ten macrosteps.
+  void collect();
+  [[nodiscard]] const std::vector<servo_report_t>& reports() const { return reports_; }
+  [[nodiscard]] const std::vector<object_truth_t>& truths() const { return truths_; }
+
+ private:
+  std::unique_ptr<link::Inbox<servo_report_t>> report_in_;
+  std::unique_ptr<link::Inbox<object_truth_t>> truth_in_;
+  std::vector<servo_report_t> reports_;
+  std::vector<object_truth_t> truths_;
+};
+
+}  // namespace mrroc::visual_servo

@@ -1,0 +1,55 @@
+// servo.csv: what happened in every control step of a run, and the figures that are made of it.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/pose.hpp"
+#include "mp/arm_trace.hpp"
+
+namespace mrroc::visual_servo {
+
+/// One control step.
+struct ServoRow {
+  std::int64_t k{};  ///< control step, from 0
+  double t{};        ///< simulated time at which x_c was looked at [s]
+  int behaviour{};   ///< of VS: 0 idle, 1 PB-SAC, 2 PB-EIH, 3 both
+  bool sac_seen{};   ///< that camera sees
+  bool eih_seen{};
+  bool refused{};              ///< the driver could not do what it was told two control steps before
+  Pose e;                      ///< aggregated error, predicted for the start of the command; identity in idle
+  Pose true_e;                 ///< true displacement of E to the desired pose, at t
+  Pose T_0E;                   ///< at t
+  Vector3 v{Vector3::Zero()};  ///< true velocity of the object at t, along the base [m/s]; zero: at rest
+  bool object_there{true};     ///< at t
+};
+using ServoTable = std::vector<ServoRow>;
+
+/// Writes `k,t,behaviour,sac_seen,eih_seen,err_x,err_y,err_z,err_angle,true_err_mm,true_err_deg`; the errors of a step
+/// without one are nan.
+/// @throws FaultError cannot_write
+void write_servo_table(const std::filesystem::path& file, const ServoTable& table);
+
+/// The last second: what "at the end" means.
+inline constexpr double kEnd = 1;
+/// The last seconds of a motion of the object: what "while it moves" means; until then the arm catches up.
+inline constexpr double kFollowing = 2;
+
+/// @return figures of a run; those that it cannot have are missing, as when nothing was ever seen. Of the true error:
+///   final_err_mm, final_err_deg   mean over the last second, of an object that is at rest then
+///   overshoot_pct                 farthest beyond the goal along the way from the first place, of that way; object at
+///                                 rest
+///   steps_to_2mm                  control steps from the first one in which a camera saw it until it stays below 2 mm;
+///                                 object at rest
+///   follow_err_mm                 while the object moves: mean
+///   line_lag_mm                   while the object moves on a straight line: mean component along the motion, positive
+///                                 when E is behind
+///   refused_steps                 displacements that the driver could not do; missing when there are none
+///   unseen_pct                    control steps without a camera that sees
+///   arm_moved_mm                  farthest that E was from its first place
+[[nodiscard]] mp::Figures figures_of(const ServoTable& table);
+
+}  // namespace mrroc::visual_servo

@@ -1,0 +1,123 @@
+// The virtual effector e_1 of VS 3.2 on a driver: what B_1,1 and B_1,0 are made of keeps what the paper promises.
+#include "ecp/generators/virtual_effector.hpp"
+
+#include <gtest/gtest.h>
+
+#include "test/base/random_pose.hpp"
+#include "test/edp/rig.hpp"
+
+namespace mrroc::edp::test {
+namespace {
+
+using mrroc::test::distance;
+
+const Pose kAhead{rotation_from_angle_axis({0.01, 0, 0.02}), {0.002, -0.001, 0.003}};
+
+/// A rig that writes down its set point in every step.
+struct ServoedRig : Rig {
+  ServoedRig() {
+    synchronise();
+    after_each_step = [this] { set_points.push_back(driver.set_point()); };
+  }
+  EffectorReply displace(const Pose& T_dc) {
+    EffectorCommand c = ecp::displace(T_dc);
+    c.session = 7;
+    c.number = ++number;
+    return macrostep(c);
+  }
+  std::vector<SetPoint> set_points;
+};
+
+TEST(VirtualEffector, ADisplacementEndsAfter21StepsWhereItWasTold) {
+  ServoedRig rig;
+  const Pose start = rig.driver.set_point().T_0E;
+  EXPECT_EQ(rig.displace(kAhead).verdict, Verdict::executed);
+  EXPECT_EQ(rig.set_points.size(), 21u);
+  EXPECT_LT(distance(rig.driver.set_point().T_0E, start * kAhead), 1e-9);
+}
+
+TEST(VirtualEffector, EveryStepIsTheWayThatIsLeftOverTheStepsThatAreLeft) {
+  ServoedRig rig;
+  AxisVector m_c = rig.driver.set_point().axes.motors;
+  rig.displace(kAhead);
+  const AxisVector m_d = rig.set_points.back().axes.motors;
+  for (int iota = 0; iota < 21; ++iota) {
+    const SetPoint& now = rig.set_points[static_cast<std::size_t>(iota)];
+    EXPECT_LT((now.motor_increment - (m_d - m_c) / (21 - iota)).cwiseAbs().maxCoeff(), 1e-9) << iota;
+    m_c = now.axes.motors;
+  }
+}
+
+TEST(VirtualEffector, DisplacementsFollowOneAnotherWithoutAStop) {
+  ServoedRig rig;
+  for (int k = 0; k < 20; ++k) ASSERT_EQ(rig.displace(kAhead).verdict, Verdict::executed);
+  for (std::size_t k = 1; k < rig.set_points.size(); ++k) {
+    const AxisVector& before = rig.set_points[k - 1].motor_increment;
+    const AxisVector& now = rig.set_points[k].motor_increment;
+    EXPECT_GT(now.norm(), 0.5 * before.norm());
+    EXPECT_LT((now - before).norm(), 0.1 * before.norm()) << "at step " << k;
+  }
+}
+
+TEST(VirtualEffector, StartsFromTheSetPoseSoThatLagIsNotSubtracted) {
+  ServoedRig rig;
+  Pose told = rig.driver.set_point().T_0E;
+  for (int k = 0; k < 30; ++k) {
+    rig.displace(kAhead);
+    told = told * kAhead;
+  }
+  EXPECT_LT(distance(rig.driver.set_point().T_0E, told), 1e-6);
+}
+
+TEST(VirtualEffector, TellsThePoseOfEveryStepWithTheStepsNumber) {
+  ServoedRig rig;
+  rig.displace(kAhead);
+  std::vector<std::array<double, 6>> told;
+  std::vector<Pose> measured;
+  std::int64_t last = 0;
+  rig.after_each_step = [&] {
+    measured.push_back(
+        pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(rig.driver.samples().back().T_0E.data())));
+    if (!rig.driver.reply_due()) return;
+    for (const StepSample& s : rig.driver.samples()) told.push_back(s.T_0E);
+    const std::int64_t step = rig.driver.reply().step;
+    if (last != 0) {
+      EXPECT_EQ(step - last, static_cast<std::int64_t>(rig.driver.samples().size()));
+    }
+    last = step;
+  };
+  for (int k = 0; k < 5; ++k) rig.displace(kAhead);
+  rig.silence(5);
+  ASSERT_GE(told.size() + 2, measured.size());
+  for (std::size_t k = 1; k < told.size(); ++k)
+    EXPECT_LT(
+        distance(pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(told[k].data())), measured[k - 1]),
+        1e-12)
+        << "idle included";
+}
+
+TEST(VirtualEffector, IdleComesToRestSmoothlyHoldsAndGoesOnFromThere) {
+  ServoedRig rig;
+  for (int k = 0; k < 5; ++k) rig.displace(kAhead);
+  rig.set_points.clear();
+  rig.silence(20);
+  for (std::size_t k = 1; k < rig.set_points.size(); ++k)
+    EXPECT_LE(rig.set_points[k].motor_increment.norm(), rig.set_points[k - 1].motor_increment.norm() + 1e-12);
+  for (std::size_t k = 40; k < rig.set_points.size(); ++k)
+    EXPECT_EQ(rig.set_points[k].motor_increment.norm(), 0) << k;
+  const Pose held = rig.driver.set_point().T_0E;
+  EXPECT_EQ(rig.displace(kAhead).verdict, Verdict::executed);
+  EXPECT_LT(distance(rig.driver.set_point().T_0E, held * kAhead), 1e-9);
+}
+
+TEST(VirtualEffector, ADisplacementThatComesOneMacrostepLateIsExecutedFromWhereTheArmIsThen) {
+  ServoedRig rig;
+  rig.displace(kAhead);
+  rig.silence(1);  // on its way to rest
+  const Pose now = rig.driver.set_point().T_0E;
+  EXPECT_EQ(rig.displace(kAhead).verdict, Verdict::executed);
+  EXPECT_LT(distance(rig.driver.set_point().T_0E, now * kAhead), 1e-9);
+}
+
+}  // namespace
+}  // namespace mrroc::edp::test

@@ -1,0 +1,142 @@
+// The visual servoing task as a user starts it, with real renderings of the simulated scene.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "test/system/started_task.hpp"
+#include "test/system/tables.hpp"
+
+namespace mrroc::test {
+namespace {
+
+const std::string kServoHeading =
+    "k,t,behaviour,sac_seen,eih_seen,err_x,err_y,err_z,err_angle,true_err_mm,true_err_deg";
+/// Columns of servo.csv.
+enum ServoColumn {
+  kStep,
+  kTime,
+  kBehaviour,
+  kSacSeen,
+  kEihSeen,
+  kErrX,
+  kErrY,
+  kErrZ,
+  kErrAngle,
+  kTrueMm,
+  kTrueDeg
+};
+
+/// Without smooth edges and shadows: fast enough for tests of what is done with pictures, not of how good they are.
+const std::vector<std::string> kFast{"--processes", "one", "--set", "cameras.profile=fast"};
+
+struct Run {
+  explicit Run(const std::vector<std::string>& arguments, const std::string& name = "run")
+      : ended(run(folder, "visual_servo", words({arguments, {"--run-dir", (folder / name).string()}}))) {
+    if (std::filesystem::exists(folder / name / "servo.csv"))
+      table = read_table(folder / name / "servo.csv", kServoHeading);
+    if (std::filesystem::exists(folder / name / "summary.json")) told = summary(folder / name);
+  }
+  [[nodiscard]] double figure(const std::string& key) const {
+    const auto& figures = told["figures"];
+    return figures.contains(key) && figures[key].is_number() ? figures[key].get<double>() : NAN;
+  }
+  [[nodiscard]] std::vector<double> behaviours() const {
+    std::vector<double> order;
+    for (const Row& row : table)
+      if (order.empty() || order.back() != row[kBehaviour]) order.push_back(row[kBehaviour]);
+    return order;
+  }
+
+  Folder folder;
+  Ended ended;
+  std::vector<Row> table;
+  nlohmann::json told;
+};
+
+TEST(VisualServo, BringsTheToolToTheObjectAsInFig28) {
+  const Run r({"--processes", "one"});
+  ASSERT_EQ(r.ended.status, 0) << r.ended.all();
+  EXPECT_EQ(r.told["outcome"], "done");
+  EXPECT_LE(r.figure("final_err_mm"), 1);
+  EXPECT_LE(r.figure("final_err_deg"), 0.1);
+  EXPECT_LE(r.figure("overshoot_pct"), 10);
+  EXPECT_LE(r.figure("steps_to_2mm"), 80);
+  const auto order = r.behaviours();
+  ASSERT_GE(order.size(), 3u);
+  EXPECT_EQ(order.front(), 1) << "first the SAC alone";
+  EXPECT_EQ(order.back(), 2) << "in the end the arm hides the object from the SAC";
+  EXPECT_NE(std::ranges::find(order, 3), order.end()) << "and both in between";
+  for (const char* picture : {"error.png", "true_error.png"})
+    EXPECT_TRUE(std::filesystem::exists(r.folder / "run" / "plots" / picture)) << picture;
+}
+
+TEST(VisualServo, ReachesTheObjectWithEveryAggregation) {
+  for (const std::string method : {"mean", "switching", "weights"}) {
+    const Run r(words({kFast, {"--aggregation", method}}));
+    ASSERT_EQ(r.ended.status, 0) << r.ended.all();
+    EXPECT_LE(r.figure("steps_to_2mm"), 80) << method;
+    EXPECT_LE(r.figure("overshoot_pct"), 10) << method;
+  }
+}
+
+TEST(VisualServo, FollowsAnObjectOnALine) {
+  const Run r(words({kFast, {"--scenario", "line"}}));
+  ASSERT_EQ(r.ended.status, 0) << r.ended.all();
+  EXPECT_LE(std::abs(r.figure("line_lag_mm")), 10);
+  EXPECT_LE(r.figure("follow_err_mm"), 10);
+}
+
+TEST(VisualServo, HoldsWhileTheObjectIsHiddenAndGoesOn) {
+  const Run r(words({kFast, {"--scenario", "occluded"}}));
+  ASSERT_EQ(r.ended.status, 0) << r.ended.all();
+  const auto order = r.behaviours();
+  EXPECT_NE(std::ranges::find(order, 0), order.end());
+  EXPECT_LE(r.figure("final_err_mm"), 2);
+}
+
+TEST(VisualServo, WaitsForAnObjectThatIsAbsentAtFirst) {
+  const Run r(words({kFast, {"--scenario", "absent"}}));
+  ASSERT_EQ(r.ended.status, 0) << r.ended.all();
+  EXPECT_EQ(r.behaviours().front(), 0);
+  EXPECT_LE(r.figure("final_err_mm"), 2);
+}
+
+TEST(VisualServo, NeverMovesForAWrongBoardAndIsGivenUp) {
+  for (const std::string object : {"chessboard", "apriltag"}) {
+    const Run r(words({kFast, {"--scenario", "wrong_board", "--object", object}}));
+    EXPECT_EQ(r.ended.status, 1) << r.ended.all();
+    EXPECT_TRUE(r.ended.last_err().starts_with("error: object_not_seen: ")) << r.ended.last_err();
+    EXPECT_EQ(r.told["fault"]["code"], "object_not_seen");
+    EXPECT_EQ(r.behaviours(), std::vector<double>{0});
+    EXPECT_LT(r.figure("arm_moved_mm"), 0.5);
+  }
+}
+
+TEST(VisualServo, IsTheSameEveryTimeWhateverCarriesItsMessages) {
+  const std::vector<std::string> brief{"--set", "cameras.profile=fast", "--set", "task.duration=2"};
+  const Run one(words({brief, {"--processes", "one"}}));
+  ASSERT_EQ(one.ended.status, 0) << one.ended.all();
+  const Run again(words({brief, {"--processes", multicast() ? "separate" : "one"}}));
+  ASSERT_EQ(again.ended.status, 0) << again.ended.all();
+  EXPECT_EQ(one.told["log_hash"], again.told["log_hash"]);
+  const auto text = [](const Run& r) {
+    std::ifstream file(r.folder / "run" / "servo.csv");
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  EXPECT_EQ(text(one), text(again));
+}
+
+TEST(VisualServo, RefusesWhatItCannotDoBeforeAnythingStarts) {
+  for (const auto& [arguments, word] : {std::pair{words({{"--scenario", "dance"}}), "dance"},
+                                        {words({{"--set", "cameras.sac.mount=world"}}), "mount"},
+                                        {words({{"--set", "task.desired=[1]"}}), "task.desired"},
+                                        {words({{"--set", "task.sped=1"}}), "sped"}}) {
+    const Run r(arguments);
+    EXPECT_EQ(r.ended.status, 2) << r.ended.all();
+    EXPECT_NE(r.ended.last_err().find(word), std::string::npos) << r.ended.last_err();
+  }
+}
+
+}  // namespace
+}  // namespace mrroc::test

@@ -1,0 +1,37 @@
+// The chain of stages (35)-(40) over one part of a picture. Only for the sources of this folder, the calibration and
+// tests.
+#pragma once
+#include <vector>
+
+#include "vsp/chessboard/inner_corners.hpp"
+
+namespace mrroc::vsp::chessboard {
+
+/// Where to look, and how.
+struct Search {
+  int x{};       ///< left end of the part of the picture [pixel]
+  int y{};       ///< its upper end [pixel]
+  int width{};   ///< [pixel], > 0, inside of the picture
+  int height{};  ///< [pixel], > 0, inside of the picture
+  int scale{1};  ///< by which it is enlarged for the stages before the inner corners
+  int block{};   ///< surroundings for the threshold [pixel of the enlarged part], odd
+  int offset{};  ///< of the threshold [grey levels]
+  WorkLimits limits{};
+};
+
+/// What the chain found.
+struct SearchResult {
+  std::vector<InnerCorners> boards;
+  bool
+      unresolved{};  ///< elsewhere in the picture there are many dark squares in a lattice, which may be a board
+  std::size_t outlines{};  ///< of dark regions: how much there is to see in the picture
+};
+
+/// Adds a board unless it is one of them already.
+void add(std::vector<InnerCorners>& boards, const InnerCorners& board);
+
+/// Runs the chain. Inner corners are located in the picture itself, not in the enlarged part.
+/// @param grey  one channel
+SearchResult find_boards(const cv::Mat& grey, const Search& search, const Board& board);
+
+}  // namespace mrroc::vsp::chessboard

@@ -1,0 +1,54 @@
+// Virtual receptor of the chessboard: pose of the board from one picture (VS 35-42).
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "vsp/chessboard/board.hpp"
+#include "vsp/image_sensor.hpp"
+#include "vsp/planar_pose.hpp"
+
+namespace mrroc::vsp {
+namespace chessboard {
+struct InnerCorners;
+struct Search;
+}  // namespace chessboard
+
+/// Thresholds of the detector.
+struct ChessboardParameters {
+  int offset{6};       ///< how much darker than its surroundings a dark pixel is [grey levels]
+  double rms_px{0.5};  ///< no pose is delivered whose reprojection error is larger [pixel]
+  double worst_px{2};  ///< nor one with a corner farther off [pixel]
+  PlanarPoseParameters pose;
+};
+
+/// Looks for one board, first around the place where the last picture had it, then everywhere, then everywhere in the
+/// picture enlarged twice, which shows boards whose squares are only 5 pixels wide. Two boards in view are reported as
+/// ambiguous. For pictures whose whole width is more than kWidest pixels the enlarged search is left out.
+class ChessboardSensor {
+ public:
+  static constexpr int kWidest = 800;
+
+  /// @throws FaultError bad_configuration: the camera is not proper
+  explicit ChessboardSensor(const CameraModel& camera, const Board& board = kBoard,
+                            const ChessboardParameters& parameters = {});
+
+  /// @param picture  1 or 3 channels, of the camera's size; anything else shows nothing
+  /// @return pose of the board's frame G (Board::corner) in C; not seen and identity when there is none, not all of it,
+  ///         or not one pose
+  CameraReading detect(const ImageView& picture, std::int64_t frame, std::int64_t step);
+  /// The next picture has nothing to do with the last one.
+  void forget() { last_.reset(); }
+
+ private:
+  [[nodiscard]] std::optional<chessboard::Search> around(const Pose& T_CG) const;
+  void take(const std::vector<chessboard::InnerCorners>& boards, CameraReading& reading);
+
+  CameraModel camera_;
+  Board board_;
+  ChessboardParameters k_;
+  std::vector<Vector3> model_;
+  std::optional<Pose> last_;
+};
+static_assert(ImageSensor<ChessboardSensor>);
+
+}  // namespace mrroc::vsp

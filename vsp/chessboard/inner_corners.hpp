@@ -1,0 +1,29 @@
+// Stage (40) of the chain: from a lattice of dark squares to the inner corners of the board, sub-pixel. Only for the
+// sources of this folder and its tests.
+#pragma once
+#include <optional>
+
+#include "base/camera.hpp"
+#include "vsp/chessboard/board.hpp"
+#include "vsp/chessboard/chain.hpp"
+
+namespace mrroc::vsp::chessboard {
+
+/// Inner corners of a whole board, row by row as Board::corner() counts them.
+struct InnerCorners {
+  std::vector<Vector2> pixels;  ///< rows * columns of them [pixel]
+  double shortest{};            ///< the smallest distance between neighbours [pixel]
+};
+
+/// Takes the corners at which the lattice's squares meet, and grows them over all places of the picture where the
+/// pattern goes on: a corner is one where brightness changes like at the crossing of four squares. Squares that the
+/// stages before have lost (glare, dirt, a joined outline) are bridged in that way, and a larger board cannot pass for
+/// a part of itself. The ends of the board are told apart by the colours of its corner squares.
+/// @param grey         the picture in which corners are located
+/// @param quadrangles  in that picture's pixels
+/// @return nothing unless exactly the board's rows and columns are there, and the picture shows that the pattern ends
+///         on every side
+std::optional<InnerCorners> inner_corners(const cv::Mat& grey, const std::vector<Quadrangle>& quadrangles,
+                                          const Lattice& lattice, const Board& board);
+
+}  // namespace mrroc::vsp::chessboard

@@ -1,0 +1,113 @@
+#include "vsp/recorded.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "base/camera_config.hpp"
+#include "base/fault.hpp"
+#include "vsp/picture_file.hpp"
+
+namespace mrroc::vsp {
+namespace {
+
+CameraModel camera_from(const Config& config, const RecordedRun& run) {
+  const std::vector<std::string> keys = config.tables("cameras");
+  const std::string list = fmt::format("{}", fmt::join(keys, ", "));
+  const std::string file = run.camera.string();
+  if (keys.empty()) throw FaultError(FaultCode::bad_configuration, file + " has no table [cameras.NAME]");
+  if (run.key.empty() && keys.size() > 1)
+    throw FaultError(FaultCode::bad_configuration, file + " has several cameras: " + list,
+                     "choose one with --name");
+  if (!run.key.empty() && std::ranges::find(keys, run.key) == keys.end())
+    throw FaultError(FaultCode::bad_configuration,
+                     fmt::format("{} has no camera {}; it has {}", file, run.key, list));
+  return read_camera_model(config, run.key.empty() ? keys.front() : run.key);
+}
+
+nlohmann::json as_json(const CameraReading& r, const std::string& source) {
+  nlohmann::json line{{"frame", r.frame}, {"source", source}, {"seen", r.seen}, {"ambiguous", r.ambiguous}};
+  if (!r.seen) return line;
+  const AngleAxisPose pose = angle_axis_from_pose(r.T_CG);
+  line["p"] = {pose[0], pose[1], pose[2]};
+  line["aa"] = {pose[3], pose[4], pose[5]};
+  for (int k = 0; k < 6; ++k) line["sigma"].push_back(std::sqrt(r.covariance(k, k)));
+  line["reprojection_px"] = r.reprojection_px;
+  return line;
+}
+
+int run(const ImageReceptor& receptor, int argc, char** argv) {
+  CLI::App app{receptor.about + "\nHere on recorded pictures: prints a line of JSON for each."};
+  app.name(receptor.program);
+  RecordedRun r;
+  app.add_option("--source", r.source, "a picture, a folder of pictures, or a film")->required();
+  app.add_option("--camera", r.camera, "the camera's TOML file, as `calibrate` writes it")->required();
+  app.add_option("--name", r.key, "which camera of the file, when there are several");
+  app.add_option("--annotate", r.annotate, "folder for pictures with the detection drawn in");
+  app.add_option("--strip", r.strip, "PNG file with all of them side by side");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp& e) {
+    return app.exit(e);
+  } catch (const CLI::ParseError& e) {
+    throw FaultError(FaultCode::bad_usage, e.what());
+  }
+  run_recorded(receptor, r, stdout);
+  return 0;
+}
+
+}  // namespace
+
+void run_recorded(const ImageReceptor& receptor, const RecordedRun& run, std::FILE* out) {
+  const Config config = Config::load(run.camera);
+  const CameraModel camera = camera_from(config, run);
+  const ImageDetector detect = receptor.make(camera, config);
+  PictureSource source(run.source);
+  if (!run.annotate.empty()) {
+    std::error_code error;
+    std::filesystem::create_directories(run.annotate, error);
+    if (error) throw FaultError(FaultCode::cannot_write, "cannot make the folder " + run.annotate.string());
+  }
+  FilmStrip strip;
+  SourcePicture picture;
+  for (std::int64_t k = 0; source.next(picture); ++k) {
+    const Image& image = picture.image;
+    if (image.width != camera.width || image.height != camera.height)
+      throw FaultError(FaultCode::bad_picture,
+                       fmt::format("{}: it is {} x {}, the camera's pictures are {} x {}", picture.name,
+                                   image.width, image.height, camera.width, camera.height));
+    const CameraReading reading = detect(image.view(), k, k);
+    fmt::print(out, "{}\n", as_json(reading, picture.name).dump());
+    if (run.annotate.empty() && run.strip.empty()) continue;
+    annotate(picture.image, reading, camera, receptor.shape, fmt::format("{}", k));
+    if (!run.annotate.empty()) write_picture(run.annotate / fmt::format("{:06}.png", k), image.view());
+    if (!run.strip.empty() && strip.wants(k)) strip.add(image.view());
+  }
+  if (!run.strip.empty()) write_picture(run.strip, strip.picture().view());
+}
+
+int receptor_main(int argc, char** argv, const ImageReceptor& receptor, const link::PartBody& body) {
+  const bool recorded = std::any_of(argv + 1, argv + argc, [](const char* word) {
+    const std::string_view w = word;
+    return w == "--source" || w.starts_with("--source=");
+  });
+  if (!recorded)
+    return link::child_main(
+        argc, argv,
+        receptor.about + "\nFor recorded pictures: " + receptor.program +
+            " --source FILE|FOLDER|FILM --camera FILE.toml [--name CAMERA] [--annotate FOLDER] "
+            "[--strip FILE.png]",
+        body);
+  try {
+    return run(receptor, argc, argv);
+  } catch (const FaultError& e) {
+    fmt::print(stderr, "{}\n", e.error_line());
+    return exit_status(e.fault().code);
+  }
+}
+
+}  // namespace mrroc::vsp

@@ -1,0 +1,27 @@
+// Pictures freed of the lens's distortion. Only for the sources of this folder.
+#pragma once
+#include <opencv2/core.hpp>
+
+#include "base/camera.hpp"
+
+namespace mrroc::vsp {
+
+/// Maps the pictures of one camera to those of a camera without distortion that sees at least as much.
+class StraightPicture {
+ public:
+  explicit StraightPicture(const CameraModel& camera);
+
+  /// @return the camera that would take the straight pictures: same focal lengths, larger when the lens is a wide one
+  [[nodiscard]] const CameraModel& camera() const { return straight_; }
+  /// @param part  of the straight picture, inside of it
+  /// @return that part; black where the camera does not look
+  [[nodiscard]] cv::Mat part(const cv::Mat& grey, const cv::Rect& part) const;
+  [[nodiscard]] cv::Rect whole() const { return {0, 0, straight_.width, straight_.height}; }
+
+ private:
+  CameraModel straight_;
+  cv::Mat map_;
+  cv::Mat fraction_;
+};
+
+}  // namespace mrroc::vsp
