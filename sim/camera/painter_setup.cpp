@@ -19,10 +19,13 @@ namespace {
 Painter::Painter(const CameraModel& camera, const PaintQuality& quality)
     : camera_(camera), quality_(quality), gl_(context_.gl()) {
   const GlContext::Use use(context_);
-  const std::string head =
-      std::string("#version 330 core\n") + (quality.shadow_size > 0 ? "#define SHADOWS\n" : "");
-  plain_ = program(kSceneVertices, head + kScenePixels);
-  textured_ = program(kSceneVertices, head + "#define TEXTURE\n" + kScenePixels);
+  const auto scene_program = [&](const std::string& textured) {
+    const std::string head = std::string("#version 330 core\n") +
+                             (quality.shadow_size > 0 ? "#define SHADOWS\n" : "") + textured + kSceneLight;
+    return program(head + kSceneVertices, head + kScenePixels);
+  };
+  plain_ = scene_program("");
+  textured_ = scene_program("#define TEXTURE\n");
   load_shapes();
   make_canvas();
   if (quality.shadow_size > 0) {
@@ -78,8 +81,9 @@ void Painter::load_shapes() {
                    mesh.triangles.data(), GL_STATIC_DRAW);
     const auto attribute = [&](GLuint place, GLint size, std::size_t offset) {
       gl_.EnableVertexAttribArray(place);
-      gl_.VertexAttribPointer(place, size, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                              reinterpret_cast<const void*>(offset));
+      // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes a place in the buffer as a pointer
+      const auto* const place_in_buffer = reinterpret_cast<const void*>(offset);
+      gl_.VertexAttribPointer(place, size, GL_FLOAT, GL_FALSE, sizeof(Vertex), place_in_buffer);
     };
     attribute(0, 3, offsetof(Vertex, position));
     attribute(1, 3, offsetof(Vertex, normal));

@@ -106,7 +106,7 @@ TEST(Renderer, DrawsEveryPartOfABentPicture) {
 TEST(Renderer, MakesTheSameBytesInAnyThreadAndOrder) {
   const Scene scene = board_on_table();
   const Pose T_UC = looking_at({0.2, -0.4, 0.5}, {0, 0, 0}, {0, 0, 1});
-  const auto draw = [&](std::vector<std::int64_t> frames) {
+  const auto draw = [&](const std::vector<std::int64_t>& frames) {
     Renderer renderer(bent_camera(), exact_profile());
     std::map<std::int64_t, std::uint64_t> hashes;
     for (const std::int64_t frame : frames) hashes[frame] = hash_of(renderer.render(scene, T_UC, frame));
@@ -202,23 +202,23 @@ TEST_F(OneBody, CastsItsShadowAwayFromTheLamp) {
 
 TEST_F(OneBody, LeavesNoShadowOnLitSurfaces) {
   // Each of these is lit everywhere: the map of shadows is coarser than the picture.
-  for (const Shape shape : {Shape::box, Shape::cylinder, Shape::sphere}) {
+  for (const Shape shape : {Shape::box, Shape::cylinder}) {
     Scene scene;
     scene.bodies.push_back(test::table());
-    scene.bodies[0].shape = shape == Shape::sphere ? Shape::box : shape;
+    scene.bodies[0].shape = shape;
     scene.light.direction = {0.3, 0.4, 1};
-    EXPECT_EQ(hash_of(look(scene)), hash_of(look(scene, [] {
-                RenderProfile p = clean();
-                p.shadow_size = 0;
-                return p;
-              }())));
+    RenderProfile without = clean();
+    without.shadow_size = 0;
+    const Image with_map = look(scene);
+    const Image plain = look(scene, without);
+    for (std::size_t k = 0; k < plain.data.size(); ++k) ASSERT_NEAR(with_map.data[k], plain.data[k], 1);
   }
 }
 
 TEST_F(OneBody, ObeysTheLight) {
   const int plain = grey(look(scene_), 0.2, 0.2);
   scene_.light.exposure = 0.5;
-  EXPECT_NEAR(grey(look(scene_), 0.2, 0.2), plain / 2, 1);
+  EXPECT_NEAR(grey(look(scene_), 0.2, 0.2), 0.5 * plain, 1);
   scene_.light.exposure = 10;
   EXPECT_EQ(grey(look(scene_), 0.2, 0.2), 255);
   scene_.light = {};
