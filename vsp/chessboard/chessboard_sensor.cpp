@@ -18,17 +18,7 @@ constexpr double kGoodSquare = 16;  // edge at which outlines of squares are eas
 constexpr int kLargestScale = 3;
 constexpr double kRegionMargin = 0.35;  // around the last place, in sizes of the board
 
-// Outlines in a picture beyond which it is not enlarged: it shows noise or a texture, and the work would grow with it.
-constexpr std::size_t kClutter = 1500;
-
 constexpr double kNoBoard = 4;  // in largest reprojection errors
-
-// How the whole picture is searched, one after the other: large squares need large surroundings, small ones small.
-struct Pass {
-  int scale;
-  int block;
-};
-constexpr Pass kPasses[]{{1, 81}, {1, 21}, {2, 21}, {3, 21}};
 
 }  // namespace
 
@@ -96,20 +86,13 @@ CameraReading ChessboardSensor::detect(const ImageView& picture, std::int64_t fr
   const cv::Mat brightness = grey(picture);
   std::vector<InnerCorners> boards;
   bool done = false;
-  bool cluttered = false;
-  const auto look = [&](const Search& search) {
-    const chessboard::SearchResult result = find_boards(brightness, search, board_);
-    for (const InnerCorners& board : result.boards) chessboard::add(boards, board);
-    // One board, and nothing that could be another.
-    done = boards.size() > 1 || (boards.size() == 1 && !result.unresolved);
-    cluttered = result.outlines > kClutter;
-  };
   if (last_)
-    if (const auto search = around(*last_)) look(*search);
-  for (const Pass& pass : kPasses) {
-    if (done || (pass.scale > 1 && (cluttered || camera_.width > kWidest))) break;
-    look({0, 0, camera_.width, camera_.height, pass.scale, pass.block, k_.offset, {}});
-  }
+    if (const auto search = around(*last_)) {
+      const chessboard::SearchResult result = find_boards(brightness, *search, board_);
+      boards = result.boards;
+      done = result.is_one();
+    }
+  if (!done) find_everywhere(brightness, board_, k_.offset, boards);
   take(boards, reading);
   return reading;
 }

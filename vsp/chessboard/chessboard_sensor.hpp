@@ -26,8 +26,6 @@ struct ChessboardParameters {
 /// ambiguous. For pictures whose whole width is more than kWidest pixels the enlarged search is left out.
 class ChessboardSensor {
  public:
-  static constexpr int kWidest = 800;
-
   /// @throws FaultError bad_configuration: the camera is not proper
   explicit ChessboardSensor(const CameraModel& camera, const Board& board = kBoard,
                             const ChessboardParameters& parameters = {});
