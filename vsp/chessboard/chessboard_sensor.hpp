@@ -7,6 +7,10 @@
 #include "vsp/image_sensor.hpp"
 #include "vsp/planar_pose.hpp"
 
+namespace cv {
+class Mat;
+}
+
 namespace mrroc::vsp {
 namespace chessboard {
 struct InnerCorners;
@@ -39,7 +43,9 @@ class ChessboardSensor {
 
  private:
   [[nodiscard]] std::optional<chessboard::Search> around(const Pose& T_CG) const;
-  void take(const std::vector<chessboard::InnerCorners>& boards, CameraReading& reading);
+  [[nodiscard]] std::optional<PlanarPoses> pose(const cv::Mat& grey,
+                                                const chessboard::InnerCorners& board) const;
+  void take(const cv::Mat& grey, const std::vector<chessboard::InnerCorners>& boards, CameraReading& reading);
 
   CameraModel camera_;
   Board board_;
