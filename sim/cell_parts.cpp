@@ -9,6 +9,7 @@
 #include "mp/operator_desk.hpp"
 #include "robots/irb6/config.hpp"
 #include "robots/irb6/edp_body.hpp"
+#include "sim/camera/config.hpp"
 #include "sim/config.hpp"
 
 namespace mrroc::sim {
@@ -21,6 +22,7 @@ WorldParameters read_cell(const Config& config, const std::vector<CellArm>& arms
     throw FaultError(
         FaultCode::bad_configuration,
         fmt::format("robots.order: this task has the arms {}, in this order", fmt::join(keys, ", ")));
+  read_camera_world(config, keys);
   const World still(parameters, seed);
   for (std::size_t k = 0; k < arms.size(); ++k) {
     const AxisVector joints = still.start_joints(static_cast<int>(k));

@@ -127,8 +127,12 @@ void run_world_process(link::Process& process, const Config& config, const link:
   shell.folder = config.text("run.folder", std::nullopt);
   if (const std::string strokes = config.text("run.strokes", std::nullopt); !strokes.empty())
     shell.strokes = read_strokes(strokes);
-  World world(read_world(config), static_cast<std::uint64_t>(config.integer<std::int64_t>("seed", 1)));
-  run_world(process, world, shell);
+  const WorldParameters parameters = read_world(config);
+  World world(parameters, static_cast<std::uint64_t>(config.integer<std::int64_t>("seed", 1)));
+  const CameraWorld seen = read_camera_world(config, shell.robots);
+  std::optional<CameraStation> cameras;
+  if (!seen.cameras.empty()) cameras.emplace(process, seen, parameters, shell.robots);
+  run_world(process, world, shell, cameras ? &*cameras : nullptr);
 }
 
 }  // namespace mrroc::sim

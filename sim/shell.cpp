@@ -33,10 +33,11 @@ constexpr std::chrono::milliseconds kCatchUp{10};
 
 class Shell {
  public:
-  Shell(link::Process& process, World& world, const ShellParameters& parameters)
+  Shell(link::Process& process, World& world, const ShellParameters& parameters, CameraStation* cameras)
       : process_(process),
         world_(world),
         k_(parameters),
+        cameras_(cameras),
         state_out_(process.outbox<world_state_t>("world.state", Group::servo_state)),
         report_out_(process.outbox<hand_report_t>("hand.report")),
         order_in_(process.inbox<hand_order_t>("hand.order")),
@@ -50,19 +51,23 @@ class Shell {
 
   void run() {
     if (!process_.assemble()) return;
+    if (cameras_) cameras_->begin();
     pacer_.begin(Clock::now());
     for (std::int64_t step = 0; process_.phase() != Phase::finished; ++step) {
       if (step % k_.n_s == 0 && !begin_macrostep(step / k_.n_s)) break;
       if (!process_.lock_step() && finished_in_ != 0 && std::ranges::min(missed_) > kLeft) break;
       const double speed = !process_.lock_step() || paused_ ? 1 : k_.speed;
       const Clock::time_point due = pacer_.next(speed, Clock::now());
+      if (cameras_) cameras_->deliver(step);
       publish_state(step);
+      if (cameras_) cameras_->look(step, world_);
       await_commands(step, due);
       world_.step(commands_);
       watch(step);
       if (!process_.lock_step()) note_lateness(due);
       if (speed > 0) process_.await([] { return false; }, due);
     }
+    if (cameras_) cameras_->end();
     for (int arm = 0; arm < world_.arms(); ++arm) write_sheet(arm);
     if (late_ > 0)
       process_.say(fmt::format("{} periods ended late, the latest by {:.1f} ms", late_, 1e3 * latest_));
@@ -193,6 +198,7 @@ class Shell {
   link::Process& process_;
   World& world_;
   ShellParameters k_;
+  CameraStation* cameras_;
   std::unique_ptr<link::Outbox<world_state_t>> state_out_;
   std::unique_ptr<link::Outbox<hand_report_t>> report_out_;
   std::unique_ptr<link::Inbox<hand_order_t>> order_in_;
@@ -215,8 +221,9 @@ class Shell {
 
 }  // namespace
 
-void run_world(link::Process& process, World& world, const ShellParameters& parameters) {
-  Shell(process, world, parameters).run();
+void run_world(link::Process& process, World& world, const ShellParameters& parameters,
+               CameraStation* cameras) {
+  Shell(process, world, parameters, cameras).run();
 }
 
 }  // namespace mrroc::sim

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/link/process.hpp"
+#include "sim/camera/camera_station.hpp"
 #include "sim/world.hpp"
 
 namespace mrroc::sim {
@@ -20,6 +21,8 @@ struct ShellParameters {
 };
 
 /// Runs the world until the task is over or the system ends.
-void run_world(link::Process& process, World& world, const ShellParameters& parameters);
+/// @param cameras  null: there are none
+void run_world(link::Process& process, World& world, const ShellParameters& parameters,
+               CameraStation* cameras = nullptr);
 
 }  // namespace mrroc::sim

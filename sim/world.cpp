@@ -75,6 +75,7 @@ std::int64_t World::steps() const { return impl_->steps; }
 Hand& World::hand(int arm) { return impl_->arm(arm).hand(); }
 const AxisVector& World::start_joints(int arm) const { return impl_->arm(arm).start_joints(); }
 const ArmTruth& World::truth(int arm) const { return impl_->arm(arm).truth(); }
+std::vector<LinkShape> World::shapes(int arm) const { return impl_->arm(arm).shapes(); }
 const std::vector<InkPoint>& World::ink(int arm) const { return impl_->arm(arm).ink().points(); }
 void World::set_object(int arm, double width) { impl_->arm(arm).set_object(width); }
 void World::new_sheet(int arm) { impl_->arm(arm).ink().clear(); }

@@ -15,6 +15,7 @@
 #include "sim/force_sensor.hpp"
 #include "sim/hand.hpp"
 #include "sim/jaws.hpp"
+#include "sim/link_shape.hpp"
 #include "sim/motor.hpp"
 #include "sim/paper.hpp"
 #include "sim/plate.hpp"
@@ -128,6 +129,9 @@ class World {
 
   /// @return the true state, for tests and figures only
   [[nodiscard]] const ArmTruth& truth(int arm) const;
+
+  /// @return what the arm looks like at present, for pictures
+  [[nodiscard]] std::vector<LinkShape> shapes(int arm) const;
 
   /// @return the ink on the arm's sheet, for figures and run folders
   [[nodiscard]] const std::vector<InkPoint>& ink(int arm) const;

@@ -142,6 +142,16 @@ void SimulatedArm::add_pen() {
   scene_.dynamics().addCollisionObject(collider_.get(), kPenGroup, kPaperGroup);
 }
 
+std::vector<LinkShape> SimulatedArm::shapes() const {
+  std::vector<LinkShape> shapes;
+  shapes.reserve(arm_.shapes.size());
+  for (const BodyShape& s : arm_.shapes) {
+    const Pose T_UG = s.body < 0 ? p_.T_UB : link_pose(*arm_.body, s.body);
+    shapes.push_back({s.link, s.shape, s.size, T_UG * s.T_GV});
+  }
+  return shapes;
+}
+
 AxisVector SimulatedArm::joint_speeds() const {
   AxisVector speeds(arm_.joints);
   for (int k = 0; k < arm_.joints; ++k) speeds[k] = arm_.body->getJointVel(k);

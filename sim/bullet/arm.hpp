@@ -38,6 +38,8 @@ class SimulatedArm {
   [[nodiscard]] const HardwareReading& reading() const { return reading_; }
   [[nodiscard]] const ArmTruth& truth() const { return truth_; }
   [[nodiscard]] const AxisVector& start_joints() const { return start_joints_; }
+  /// @return what it looks like at present
+  [[nodiscard]] std::vector<LinkShape> shapes() const;
   Hand& hand() { return hand_; }
   Ink& ink() { return ink_; }
   void set_object(double width) {

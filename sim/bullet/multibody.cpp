@@ -25,7 +25,8 @@ struct LinkPlan {
 
 struct Plan {
   std::vector<LinkPlan> links;
-  Pose T_WS, T_WT, T_TE;  // W wrist, S sensor, T tool, E its tip
+  std::vector<BodyShape> shapes;  // T_GV is still in the frame of the description's link
+  Pose T_WS, T_WT, T_TE;          // W wrist, S sensor, T tool, E its tip
   int joints{};
 };
 
@@ -64,10 +65,35 @@ LinkPlan plan_link(const urdf::Joint& joint, const urdf::Link& link, const Pose&
   return plan;
 }
 
+/// @param T  of the link in the frame of the link `body` that it moves with
+void plan_shapes(Plan& plan, const urdf::Link& link, int body, const Pose& T) {
+  for (const auto& visual : link.visual_array) {
+    if (!visual || !visual->geometry) continue;
+    BodyShape s{link.name, body, {}, {}, T * pose_of(visual->origin)};
+    const urdf::Geometry& g = *visual->geometry;
+    if (g.type == urdf::Geometry::BOX) {
+      const auto& box = static_cast<const urdf::Box&>(g);
+      s.shape = camera::Shape::box;
+      s.size = {box.dim.x, box.dim.y, box.dim.z};
+    } else if (g.type == urdf::Geometry::CYLINDER) {
+      const auto& cylinder = static_cast<const urdf::Cylinder&>(g);
+      s.shape = camera::Shape::cylinder;
+      s.size = {2 * cylinder.radius, 2 * cylinder.radius, cylinder.length};
+    } else if (g.type == urdf::Geometry::SPHERE) {
+      s.shape = camera::Shape::sphere;
+      s.size.setConstant(2 * static_cast<const urdf::Sphere&>(g).radius);
+    } else {
+      refuse("the visual part of link " + link.name + " is no box, cylinder or sphere");
+    }
+    plan.shapes.push_back(s);
+  }
+}
+
 Plan plan_chain(const urdf::ModelInterface& model, const irb6::Lengths& lengths) {
   Plan plan;
   Pose T;  // of the present link in the last link that moves by itself
   bool at_tool = false;
+  plan_shapes(plan, *model.getRoot(), -1, T);
   for (auto link = model.getRoot(); !link->child_joints.empty(); link = link->child_links.front()) {
     if (link->child_joints.size() != 1) refuse("link " + link->name + " has several children");
     const urdf::Joint& joint = *link->child_joints.front();
@@ -76,12 +102,16 @@ Plan plan_chain(const urdf::ModelInterface& model, const irb6::Lengths& lengths)
     if (joint.name == "sensor") plan.T_WS = T;
     if (child.name == "tool") plan.T_WT = T;
     if (child.name == "pen_tip" && at_tool) plan.T_TE = T;
-    if (joint.type == urdf::Joint::FIXED && child.name != "tool") continue;
+    if (joint.type == urdf::Joint::FIXED && child.name != "tool") {
+      plan_shapes(plan, child, static_cast<int>(plan.links.size()) - 1, T);
+      continue;
+    }
     if (at_tool) refuse("joint " + joint.name + " is beyond the tool");
     at_tool = child.name == "tool";
     plan.links.push_back(plan_link(joint, child, T));
     plan.joints += !at_tool;
     T = Pose();
+    plan_shapes(plan, child, static_cast<int>(plan.links.size()) - 1, T);
   }
   if (!at_tool) refuse("there is no link named tool");
   return plan;
@@ -144,6 +174,9 @@ ArmBody build_arm(std::string_view urdf, const irb6::Lengths& lengths, const Pos
   const Pose T_TG{Matrix3::Identity(), plan.links.back().mass_centre};
   arm.T_GS = T_TG.inverse() * plan.T_WT.inverse() * plan.T_WS;
   arm.T_GE = T_TG.inverse() * plan.T_TE;
+  arm.shapes = std::move(plan.shapes);
+  for (BodyShape& s : arm.shapes)
+    if (s.body >= 0) s.T_GV.p -= mass_centre(plan, static_cast<std::size_t>(s.body));
   return arm;
 }
 

@@ -4,14 +4,25 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/axes.hpp"
 #include "base/pose.hpp"
 #include "robots/irb6/parameters.hpp"
+#include "sim/camera/scene.hpp"
 
 namespace mrroc::sim {
+
+/// A shape of the description's visual part.
+struct BodyShape {
+  std::string link;  ///< its name
+  int body{-1};      ///< index of the multibody's link that it moves with; -1: the base
+  camera::Shape shape{};
+  Vector3 size{Vector3::Zero()};  ///< [m]
+  Pose T_GV;                      ///< its middle in the frame of that link, whose origin is the mass centre
+};
 
 /// The multibody and the frames on it that matter. Links 0..joints-1 are moved by the joints in the order of
 /// the description, link `tool` is everything beyond the joint "sensor".
@@ -21,6 +32,7 @@ struct ArmBody {
   int tool{};    ///< index of the tool's link
   Pose T_GS;     ///< sensor in the frame of the tool's link; its origin G is the tool's mass centre
   Pose T_GE;     ///< tip of the tool in the frame of the tool's link
+  std::vector<BodyShape> shapes;  ///< what it looks like
 };
 
 /// Mass of a tool and its centre in W.

@@ -77,8 +77,8 @@ void Painter::paint(const Scene& scene, const Pose& T_UC, std::span<std::uint32_
   gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   gl_.Enable(GL_CULL_FACE);
   gl_.FrontFace(GL_CW);  // the picture's y points down: everything is mirrored
-  draw_bodies(plain_, scene, T_UC, to_lamp, false);
   draw_bodies(textured_, scene, T_UC, to_lamp, true);
+  draw_bodies(plain_, scene, T_UC, to_lamp, false);
   forget_unused_textures();
 
   if (resolved_ != canvas_) {
@@ -126,7 +126,9 @@ void Painter::draw_bodies(GLuint program, const Scene& scene, const Pose& T_UC, 
   gl_.BindTexture(GL_TEXTURE_2D, shadow_map_);
   gl_.ActiveTexture(GL_TEXTURE0);
   const Matrix4d to_camera = matrix(T_CU);
-  for (const Body& body : scene.bodies) {
+  // Floor and tables come first in a scene: drawn last, they cost nothing where something stands before them.
+  for (std::size_t k = scene.bodies.size(); k-- > 0;) {
+    const Body& body = scene.bodies[k];
     if ((body.texture != nullptr) != textured) continue;
     set(program, "to_camera", stretched(to_camera, body));
     set(program, "to_lamp", stretched(to_lamp, body));

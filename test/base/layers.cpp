@@ -40,6 +40,7 @@ struct Library {
 constexpr std::array kLibraries{
     Library{"lcm/", "base/link"},      Library{"bullet/", "sim"},          Library{"btBullet", "sim"},
     Library{"BulletDynamics/", "sim"}, Library{"BulletCollision/", "sim"}, Library{"LinearMath/", "sim"},
+    Library{"EGL/", "sim/camera"},     Library{"GL/", "sim/camera"},
 };
 
 bool is_in(std::string_view path, std::string_view folder) {

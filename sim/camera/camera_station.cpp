@@ -1,0 +1,154 @@
+#include "sim/camera/camera_station.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace mrroc::sim {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::int64_t kTruthPeriod = 20;  // steps
+
+int index_of(const std::string& arm, const std::vector<std::string>& arms) {
+  const auto it = std::ranges::find(arms, arm);
+  return it == arms.end() ? -1 : static_cast<int>(it - arms.begin());
+}
+
+void put(double (&out)[12], const Pose& T) {
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) out[4 * row + column] = T.R(row, column);
+    out[4 * row + 3] = T.p[row];
+  }
+}
+
+/// A camera as the others see it, and as it casts a shadow: behind its own eye.
+camera::Body housing(const Pose& T_UC) {
+  camera::Body b;
+  b.size = {0.036, 0.036, 0.05};
+  b.T_UB = T_UC * Pose{Matrix3::Identity(), {0, 0, -0.027}};
+  b.colour = {0.1, 0.1, 0.11};
+  return b;
+}
+
+/// Steps of the instants of a picture, from its own.
+std::int64_t offset(const SimulatedCamera& k, int instant) {
+  return k.instants == 1 ? 0 : instant * k.exposure / (k.instants - 1) - k.exposure / 2;
+}
+
+}  // namespace
+
+CameraStation::CameraStation(link::Process& process, const CameraWorld& parameters,
+                             const WorldParameters& world, const std::vector<std::string>& arms)
+    : process_(process),
+      world_(world),
+      cell_(world),
+      light_(parameters.light),
+      object_(parameters.object),
+      object_arm_(std::max(0, index_of(parameters.object.arm, arms))) {
+  for (const SimulatedCamera& k : parameters.cameras) {
+    Eye eye;
+    eye.k = k;
+    eye.arm = index_of(k.setup.arm, arms);
+    eye.worker = std::make_unique<CameraWorker>(k, process.membership());
+    eye.out = process.outbox<camera_frame_t>(k.setup.key + ".frame");
+    eyes_.push_back(std::move(eye));
+  }
+  if (parameters.object.kind != ObjectKind::none) truth_out_ = process.outbox<object_truth_t>("object.truth");
+}
+
+void CameraStation::begin() {
+  for (Eye& eye : eyes_) eye.worker->hide();
+}
+
+void CameraStation::deliver(std::int64_t step) {
+  for (Eye& eye : eyes_) {
+    if (!eye.worker->busy()) continue;
+    const std::int64_t due = eye.worker->step() + std::min(eye.k.setup.latency, eye.k.setup.period);
+    hand_over(eye, process_.lock_step() && step >= due);
+  }
+}
+
+void CameraStation::hand_over(Eye& eye, bool must) {
+  if (!eye.worker->busy()) return;
+  if (!eye.worker->ready()) {
+    if (!must) return;
+    ++eye.waits;
+  }
+  const auto before = Clock::now();
+  const auto [frame, message] = eye.worker->finish();
+  eye.waited += std::chrono::duration<double>(Clock::now() - before).count();
+  eye.told = frame;
+  eye.out->publish(message, frame);
+}
+
+void CameraStation::look(std::int64_t step, const World& world) {
+  for (Eye& eye : eyes_) look(eye, step, world);
+  if (truth_out_ && step % kTruthPeriod == 0) publish_truth(step, world);
+}
+
+void CameraStation::look(Eye& eye, std::int64_t step, const World& world) {
+  const std::int64_t period = eye.k.setup.period;
+  // The picture whose exposure this step may belong to.
+  const std::int64_t frame = (step + eye.k.exposure / 2) / period;
+  CameraJob& job = eye.next;
+  job.frame = frame;
+  job.step = frame * period;
+  for (int instant = 0; instant < eye.k.instants; ++instant)
+    if (job.step + offset(eye.k, instant) == step)
+      job.exposure.push_back({scene(step, world), place(eye, world)});
+  if (job.step + offset(eye.k, eye.k.instants - 1) != step) return;
+  if (eye.worker->busy()) {  // with the wall clock only
+    ++eye.left_out;
+    process_.report_skipped(1);
+    job.exposure.clear();
+    return;
+  }
+  ++eye.frames;
+  eye.worker->begin(std::exchange(job, {}));
+  if (process_.lock_step() && eye.k.setup.latency == 0) hand_over(eye, true);
+}
+
+camera::Scene CameraStation::scene(std::int64_t step, const World& world) const {
+  camera::Scene scene = cell_.take(world);
+  scene.light = light_;
+  object_.add_to(scene, world_.arms[static_cast<std::size_t>(object_arm_)].T_UB,
+                 object_.at(static_cast<double>(step) * kStep));
+  for (const Eye& eye : eyes_) scene.bodies.push_back(housing(place(eye, world)));
+  return scene;
+}
+
+Pose CameraStation::place(const Eye& eye, const World& world) const {
+  Pose T = eye.k.setup.place * eye.k.error;
+  if (eye.arm < 0) return T;
+  const Pose& T_UB = world_.arms[static_cast<std::size_t>(eye.arm)].T_UB;
+  return eye.k.setup.mount == CameraMount::base ? T_UB * T : T_UB * world.truth(eye.arm).T_0E * T;
+}
+
+void CameraStation::publish_truth(std::int64_t step, const World& world) {
+  const ObjectState state = object_.at(static_cast<double>(step) * kStep);
+  object_truth_t m{};
+  m.step = step;
+  m.present = state.present;
+  m.hidden = state.hidden;
+  put(m.T_0G, state.T_0G);
+  put(m.T_0E, world.truth(object_arm_).T_0E);
+  truth_out_->publish(m, step / kTruthPeriod);
+}
+
+void CameraStation::end() {
+  for (Eye& eye : eyes_) {
+    hand_over(eye, true);
+    camera_frame_t last{};
+    last.slot = -1;
+    last.last = 1;
+    eye.out->publish(last, eye.told + 1);
+    process_.say(
+        fmt::format("camera {}: {} pictures, {} left out; the world waited for {} of them, {:.2f} s in all",
+                    eye.k.setup.key, eye.frames, eye.left_out, eye.waits, eye.waited));
+  }
+}
+
+}  // namespace mrroc::sim

@@ -1,0 +1,119 @@
+// The world's cameras at work: takes snapshots when pictures are due, has them drawn beside the simulation, and hands
+// them to the receptors.
+#pragma once
+#include <condition_variable>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "base/link/frame_store.hpp"
+#include "base/link/process.hpp"
+#include "mrroc/camera_frame_t.hpp"
+#include "mrroc/object_truth_t.hpp"
+#include "sim/camera/cell_scene.hpp"
+#include "sim/camera/config.hpp"
+
+namespace mrroc::sim {
+
+/// A picture that is to be drawn, or has been.
+struct CameraJob {
+  std::int64_t frame{};
+  std::int64_t step{};
+  std::vector<camera::Instant> exposure;
+};
+
+/// One camera: a thread that draws, and the store into which it draws. What a picture shows depends on its snapshots,
+/// its number and the seed alone, whichever thread comes first.
+class CameraWorker {
+ public:
+  /// @throws FaultError no_renderer, cannot_write, session_in_use; std::invalid_argument  see camera::Renderer
+  CameraWorker(const SimulatedCamera& camera, const link::Membership& membership);
+  /// Waits for the picture that is being drawn.
+  ~CameraWorker();
+  CameraWorker(const CameraWorker&) = delete;
+  CameraWorker& operator=(const CameraWorker&) = delete;
+
+  /// Every receptor has opened the store.
+  void hide() { store_.hide(); }
+  /// Begins a picture. There must be none under way.
+  void begin(CameraJob job);
+  /// @return whether a picture has been begun and not been taken
+  [[nodiscard]] bool busy() const { return step_.has_value(); }
+  /// @return step of that picture
+  [[nodiscard]] std::int64_t step() const { return step_.value_or(0); }
+  /// @return whether that picture is ready: finish() will not wait
+  [[nodiscard]] bool ready();
+  /// Waits for the picture. @return what to tell about it @throws what drawing or storing it threw
+  [[nodiscard]] std::pair<std::int64_t, camera_frame_t> finish();
+
+ private:
+  void work(const std::stop_token& stop);
+
+  camera::Renderer renderer_;
+  link::FrameWriter store_;
+  std::optional<std::int64_t> step_;  // of the picture under way; only for the world's thread
+
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  std::optional<CameraJob> job_;  // begun, not ready
+  int slot_{-1};
+  std::int64_t frame_{};
+  std::exception_ptr error_;
+  std::jthread thread_;  // the last one: it uses everything above
+};
+
+/// All cameras of the world, the object that they look for, and the truth about it. Used by the world's thread.
+///
+/// Simulated time never outruns the cameras: in lock-step a picture is waited for when its reading is about to become
+/// visible, at the latest when the next one is due. With the wall clock a picture that is due while the one before is
+/// still being drawn is left out.
+class CameraStation {
+ public:
+  /// @param arms  keys of the world's arms, in their order
+  /// @throws FaultError as CameraWorker
+  CameraStation(link::Process& process, const CameraWorld& parameters, const WorldParameters& world,
+                const std::vector<std::string>& arms);
+
+  /// To be called when the system has assembled.
+  void begin();
+  /// Hands over pictures that are ready or have to be; before the state of that step is published.
+  void deliver(std::int64_t step);
+  /// Takes the snapshots that are due; at the same instant as the state of that step.
+  void look(std::int64_t step, const World& world);
+  /// Hands over the last pictures and says that no more will come.
+  void end();
+
+ private:
+  struct Eye {
+    SimulatedCamera k;
+    int arm{-1};  // index, -1: none
+    std::unique_ptr<CameraWorker> worker;
+    std::unique_ptr<link::Outbox<camera_frame_t>> out;
+    CameraJob next;           // whose snapshots are being taken
+    std::int64_t frames{};    // begun
+    std::int64_t left_out{};  // because the one before was not ready
+    std::int64_t waits{};     // of the world, and how long
+    double waited{};          // [s]
+    std::int64_t told{-1};    // number of the last frame
+  };
+
+  void look(Eye& eye, std::int64_t step, const World& world);
+  void hand_over(Eye& eye, bool must);
+  void publish_truth(std::int64_t step, const World& world);
+  [[nodiscard]] camera::Scene scene(std::int64_t step, const World& world) const;
+  [[nodiscard]] Pose place(const Eye& eye, const World& world) const;
+
+  link::Process& process_;
+  WorldParameters world_;
+  CellScene cell_;
+  camera::Light light_;
+  ObjectPath object_;
+  int object_arm_{};
+  std::vector<Eye> eyes_;
+  std::unique_ptr<link::Outbox<object_truth_t>> truth_out_;
+};
+
+}  // namespace mrroc::sim

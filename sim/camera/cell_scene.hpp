@@ -1,0 +1,25 @@
+// The simulated cell as cameras see it.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "sim/camera/scene.hpp"
+#include "sim/world.hpp"
+
+namespace mrroc::sim {
+
+/// Floor, tables, plates and paper, which never move; and the arms, whose every link is where the world has it. Ink is
+/// not drawn.
+class CellScene {
+ public:
+  explicit CellScene(const WorldParameters& world);
+
+  /// @return a picture of the world at this instant: a value that shares nothing which changes
+  [[nodiscard]] camera::Scene take(const World& world) const;
+
+ private:
+  std::vector<camera::Body> still_;
+  std::vector<ArmParameters> arms_;
+};
+
+}  // namespace mrroc::sim

@@ -1,0 +1,114 @@
+#include "sim/camera/config.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace mrroc::sim {
+namespace {
+
+using camera::Colour;
+using camera::RenderProfile;
+using std::numbers::pi;
+
+[[noreturn]] void refuse(const std::string& key, const std::string& text) {
+  throw ConfigError({"cameras", 0, 0}, key, text);
+}
+
+void check_arm(const std::string& arm, const std::vector<std::string>& arms, const std::string& key) {
+  if (std::ranges::find(arms, arm) == arms.end()) refuse(key, "there is no arm '" + arm + "'");
+}
+
+SimulatedCamera read_simulated(const Config& config, const std::string& key, const RenderProfile& profile) {
+  const Config t = config.section("cameras." + key);
+  SimulatedCamera c;
+  c.setup = read_camera(config, key);
+  c.profile = profile;
+  c.profile.channels = t.choice("picture", 3, {{"colour", 3}, {"grey", 1}});
+  c.profile.noise = t.number("noise", c.profile.noise, {0, 50}, "grey values");
+  c.profile.defocus = t.number("defocus", c.profile.defocus, {0, 10}, "pixels");
+  c.exposure = t.integer<std::int64_t>("exposure", 0, {0, 1000}, "steps");
+  c.instants = t.integer("instants", 1, {1, 64}, "of the exposure that are drawn");
+  if (c.exposure >= c.setup.period || c.exposure / 2 > std::min(c.setup.latency, c.setup.period - 1))
+    refuse("cameras." + key + ".exposure",
+           "the exposure must be shorter than the period, and half of it not longer than the latency");
+  const auto error = t.numbers<6>("calibration_error", {{}}, {-0.5, 0.5}, "m, angle times axis in rad");
+  c.error = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(error.data()));
+  return c;
+}
+
+camera::Light read_light(const Config& t) {
+  camera::Light light;
+  const auto d = t.numbers<3>("direction", {{light.direction.x(), light.direction.y(), light.direction.z()}},
+                              {-10, 10}, "towards the lamp, in the world");
+  light.direction = Eigen::Map<const Vector3>(d.data());
+  if (light.direction.norm() < 1e-3) refuse("cameras.light.direction", "it must not be zero");
+  light.lamp = t.numbers<3>("lamp", light.lamp, {0, 5}, "red, green, blue");
+  light.ambient = t.numbers<3>("ambient", light.ambient, {0, 5}, "red, green, blue");
+  light.exposure = t.number("exposure", light.exposure, {0.01, 10});
+  return light;
+}
+
+void read_motion(const Config& t, ObjectParameters& p) {
+  p.motion = t.choice("motion", p.motion,
+                      {{"rest", ObjectMotion::rest},
+                       {"line", ObjectMotion::line},
+                       {"circle", ObjectMotion::circle},
+                       {"hand", ObjectMotion::hand}});
+  p.start = t.number("start", p.start, {0, 1e4}, "s");
+  p.heading = t.number("heading", p.heading, {-pi, pi}, "rad");
+  p.speed = t.number("speed", p.speed, {0, 1}, "m/s");
+  p.acceleration = t.number("acceleration", p.acceleration, {0.01, 100}, "m/s^2");
+  p.length = t.number("length", p.length, {0, 2}, "m");
+  p.radius = t.number("radius", p.radius, {0.005, 1}, "m");
+  p.reach = t.number("reach", p.reach, {0, 0.5}, "m");
+  p.turn = t.number("turn", p.turn, {0, 3}, "rad");
+  p.pace = t.number("pace", p.pace, {0, 5}, "1/s");
+  p.absent_until = t.number("absent_until", p.absent_until, {0, 1e4}, "s");
+  p.hidden_from = t.number("hidden_from", p.hidden_from, {0, 1e4}, "s");
+  p.hidden_for = t.number("hidden_for", p.hidden_for, {0, 1e4}, "s");
+}
+
+ObjectParameters read_object(const Config& config, const std::vector<std::string>& arms) {
+  const Config t = config.section("object");
+  ObjectParameters p;
+  p.kind = t.choice("kind", p.kind,
+                    {{"none", ObjectKind::none},
+                     {"chessboard", ObjectKind::chessboard},
+                     {"apriltag", ObjectKind::apriltag},
+                     {"wrong_board", ObjectKind::wrong_board}});
+  p.arm = t.text("arm", "arm1");
+  const auto pose = t.numbers<6>("pose", {{0.9, 0, 0.93, 0, 0, 0}}, {-10, 10}, "m, angle times axis in rad");
+  p.T_0G = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(pose.data()));
+  p.board.columns = t.integer("columns", p.board.columns, {3, 20}, "inner corners");
+  p.board.rows = t.integer("rows", p.board.rows, {3, 20}, "inner corners");
+  p.board.square = t.number("square", p.board.square, {0.005, 0.1}, "m");
+  p.tag = t.integer("tag", p.tag, {0, camera::kKnownTags - 1});
+  p.tag_edge = t.number("tag_edge", p.tag_edge, {0.01, 0.5}, "m");
+  read_motion(t, p);
+  if (p.kind != ObjectKind::none) check_arm(p.arm, arms, "object.arm");
+  return p;
+}
+
+}  // namespace
+
+CameraWorld read_camera_world(const Config& config, const std::vector<std::string>& arms) {
+  CameraWorld w;
+  const std::vector<std::string> keys = camera_keys(config);
+  if (keys.empty()) return w;
+  const std::uint64_t seed = static_cast<std::uint64_t>(config.integer<std::int64_t>("seed", 1));
+  RenderProfile profile = config.choice("cameras.profile", 0, {{"exact", 0}, {"fast", 1}}) == 0
+                              ? camera::exact_profile()
+                              : camera::fast_profile();
+  for (const std::string& key : keys) {
+    profile.seed = 64 * seed + w.cameras.size();
+    w.cameras.push_back(read_simulated(config, key, profile));
+    if (!w.cameras.back().setup.arm.empty())
+      check_arm(w.cameras.back().setup.arm, arms, "cameras." + key + ".mount");
+  }
+  w.light = read_light(config.section("cameras.light"));
+  w.object = read_object(config, arms);
+  w.object.seed = seed;
+  return w;
+}
+
+}  // namespace mrroc::sim

@@ -1,0 +1,35 @@
+// The world's side of the cameras' configuration: how pictures are drawn, the light, and the object.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/camera_config.hpp"
+#include "base/config.hpp"
+#include "sim/camera/object_path.hpp"
+#include "sim/camera/renderer.hpp"
+
+namespace mrroc::sim {
+
+/// One camera of the world.
+struct SimulatedCamera {
+  CameraSetup setup;
+  camera::RenderProfile profile;
+  std::int64_t
+      exposure{};  ///< steps over which the light is gathered, half of them before the picture's step, half after
+  int instants{1};  ///< of the exposure that are drawn; 1: nothing is blurred by motion
+  Pose error;       ///< of the calibration: the true place is setup.place * error
+};
+
+/// Everything that the world's cameras need to know.
+struct CameraWorld {
+  std::vector<SimulatedCamera> cameras;
+  camera::Light light;
+  ObjectParameters object;
+};
+
+/// @return [cameras] and [object]; no cameras when `cameras.order` is not given
+/// @param arms  keys of the world's arms
+/// @throws ConfigError
+CameraWorld read_camera_world(const Config& config, const std::vector<std::string>& arms);
+
+}  // namespace mrroc::sim
