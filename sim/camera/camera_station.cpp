@@ -121,7 +121,7 @@ camera::Scene CameraStation::scene(std::int64_t step, const World& world) const 
 }
 
 Pose CameraStation::place(const Eye& eye, const World& world) const {
-  const Pose T = eye.k.setup.place * eye.k.error;
+  Pose T = eye.k.setup.place * eye.k.error;
   if (eye.arm < 0) return T;
   const Pose& T_UB = world_.arms[static_cast<std::size_t>(eye.arm)].T_UB;
   return eye.k.setup.mount == CameraMount::base ? T_UB * T : T_UB * world.truth(eye.arm).T_0E * T;

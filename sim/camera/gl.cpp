@@ -27,33 +27,33 @@ class Egl {
     return egl;
   }
 
-  decltype(&::eglGetProcAddress) GetProcAddress{};
-  decltype(&::eglInitialize) Initialize{};
-  decltype(&::eglBindAPI) BindAPI{};
-  decltype(&::eglChooseConfig) ChooseConfig{};
-  decltype(&::eglCreateContext) CreateContext{};
-  decltype(&::eglDestroyContext) DestroyContext{};
-  decltype(&::eglMakeCurrent) MakeCurrent{};
+  decltype(&::eglGetProcAddress) get_proc_address{};
+  decltype(&::eglInitialize) initialize{};
+  decltype(&::eglBindAPI) bind_api{};
+  decltype(&::eglChooseConfig) choose_config{};
+  decltype(&::eglCreateContext) create_context{};
+  decltype(&::eglDestroyContext) destroy_context{};
+  decltype(&::eglMakeCurrent) make_current{};
   EGLDisplay display{};
 
  private:
   Egl() {
     library_ = ::dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
     if (!library_ || !kOneThread) refuse("libEGL.so.1 cannot be loaded");
-    load(GetProcAddress, "eglGetProcAddress");
-    load(Initialize, "eglInitialize");
-    load(BindAPI, "eglBindAPI");
-    load(ChooseConfig, "eglChooseConfig");
-    load(CreateContext, "eglCreateContext");
-    load(DestroyContext, "eglDestroyContext");
-    load(MakeCurrent, "eglMakeCurrent");
+    load(get_proc_address, "eglGetProcAddress");
+    load(initialize, "eglInitialize");
+    load(bind_api, "eglBindAPI");
+    load(choose_config, "eglChooseConfig");
+    load(create_context, "eglCreateContext");
+    load(destroy_context, "eglDestroyContext");
+    load(make_current, "eglMakeCurrent");
     const auto get =
-        reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(GetProcAddress("eglGetPlatformDisplayEXT"));
+        reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(get_proc_address("eglGetPlatformDisplayEXT"));
     if (!get) refuse("EGL has no platforms");
     display = get(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     EGLint major{};
     EGLint minor{};
-    if (!display || !Initialize(display, &major, &minor))
+    if (!display || !initialize(display, &major, &minor))
       refuse("Mesa's EGL does not start without a display");
   }
 
@@ -67,12 +67,12 @@ class Egl {
 };
 
 EGLContext make_context(const Egl& egl) {
-  if (!egl.BindAPI(EGL_OPENGL_API)) refuse("EGL has no OpenGL");
+  if (!egl.bind_api(EGL_OPENGL_API)) refuse("EGL has no OpenGL");
   constexpr std::array<EGLint, 5> kKind{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
                                         EGL_OPENGL_BIT, EGL_NONE};
   EGLConfig config{};
   EGLint n{};
-  egl.ChooseConfig(egl.display, kKind.data(), &config, 1, &n);
+  egl.choose_config(egl.display, kKind.data(), &config, 1, &n);
   constexpr std::array<EGLint, 7> kVersion{EGL_CONTEXT_MAJOR_VERSION,
                                            3,
                                            EGL_CONTEXT_MINOR_VERSION,
@@ -80,15 +80,15 @@ EGLContext make_context(const Egl& egl) {
                                            EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                            EGL_NONE};
-  const EGLContext context =
-      egl.CreateContext(egl.display, n > 0 ? config : nullptr, EGL_NO_CONTEXT, kVersion.data());
+  EGLContext context =
+      egl.create_context(egl.display, n > 0 ? config : nullptr, EGL_NO_CONTEXT, kVersion.data());
   if (!context) refuse("EGL gives no context of OpenGL 3.3");
   return context;
 }
 
 template <class Function>
 void load(const Egl& egl, Function& function, const char* name) {
-  function = reinterpret_cast<Function>(egl.GetProcAddress(name));
+  function = reinterpret_cast<Function>(egl.get_proc_address(name));
   if (!function) refuse(std::string("OpenGL has no ") + name);
 }
 
@@ -101,18 +101,18 @@ GlContext::GlContext() : context_(make_context(Egl::instance())) {
 #undef MRROC_GL_LOAD
 }
 
-GlContext::~GlContext() { Egl::instance().DestroyContext(Egl::instance().display, context_); }
+GlContext::~GlContext() { Egl::instance().destroy_context(Egl::instance().display, context_); }
 
 GlContext::Use::Use(GlContext& context) : context_(context) {
   const Egl& egl = Egl::instance();
-  egl.BindAPI(EGL_OPENGL_API);  // a property of the thread
-  if (!egl.MakeCurrent(egl.display, EGL_NO_SURFACE, EGL_NO_SURFACE, context_.context_))
+  egl.bind_api(EGL_OPENGL_API);  // a property of the thread
+  if (!egl.make_current(egl.display, EGL_NO_SURFACE, EGL_NO_SURFACE, context_.context_))
     refuse("the context of OpenGL cannot be used in this thread");
 }
 
 GlContext::Use::~Use() {
   const Egl& egl = Egl::instance();
-  egl.MakeCurrent(egl.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  egl.make_current(egl.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
 }
 
 }  // namespace mrroc::camera

@@ -1,5 +1,6 @@
 #include "sim/camera/lens.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -32,7 +33,7 @@ std::uint32_t between(const std::uint32_t* upper, const std::uint32_t* lower, st
   const auto left = static_cast<std::uint16_t>(256 - right);
   const HalfWords mean = (left_half * left + right_half * right + 128) >> 8;
   const HalfBytes bytes = __builtin_convertvector(mean, HalfBytes);
-  std::uint32_t pixel;
+  std::uint32_t pixel{};
   std::memcpy(&pixel, &bytes, sizeof pixel);
   return pixel;
 }
@@ -65,7 +66,7 @@ Vector2 unproject(const CameraModel& camera, const Vector2& pixel) {
 Lens::Lens(const CameraModel& camera) : pinhole_(camera) {
   if (!bends(camera)) return;
   std::vector<Vector2> points;
-  points.reserve(static_cast<std::size_t>(camera.width * camera.height));
+  points.reserve(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));
   Eigen::AlignedBox2d area;
   for (int v = 0; v < camera.height; ++v)
     for (int u = 0; u < camera.width; ++u) {

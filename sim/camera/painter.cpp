@@ -1,7 +1,6 @@
 #include "sim/camera/painter.hpp"
 
 #include <Eigen/Geometry>
-#include <ranges>
 
 #include "base/fault.hpp"
 
@@ -128,7 +127,8 @@ void Painter::draw_bodies(GLuint program, const Scene& scene, const Pose& T_UC, 
   gl_.ActiveTexture(GL_TEXTURE0);
   const Matrix4d to_camera = matrix(T_CU);
   // Floor and tables come first in a scene: drawn last, they cost nothing where something stands before them.
-  for (const Body& body : scene.bodies | std::views::reverse) {
+  for (std::size_t k = scene.bodies.size(); k-- > 0;) {
+    const Body& body = scene.bodies[k];
     if ((body.texture != nullptr) != textured) continue;
     set(program, "to_camera", stretched(to_camera, body));
     set(program, "to_lamp", stretched(to_lamp, body));

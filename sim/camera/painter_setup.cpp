@@ -78,8 +78,9 @@ void Painter::load_shapes() {
                    mesh.triangles.data(), GL_STATIC_DRAW);
     const auto attribute = [&](GLuint place, GLint size, std::size_t offset) {
       gl_.EnableVertexAttribArray(place);
-      gl_.VertexAttribPointer(place, size, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                              reinterpret_cast<const void*>(offset));
+      // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes a place in the buffer as a pointer
+      const auto* const place_in_buffer = reinterpret_cast<const void*>(offset);
+      gl_.VertexAttribPointer(place, size, GL_FLOAT, GL_FALSE, sizeof(Vertex), place_in_buffer);
     };
     attribute(0, 3, offsetof(Vertex, position));
     attribute(1, 3, offsetof(Vertex, normal));

@@ -41,13 +41,13 @@ TEST(Lens, TakesEachPixelFromWhereItsLightPassesThePinhole) {
   for (int v = 0; v < pinhole.height; ++v)
     for (int u = 0; u < pinhole.width; ++u)
       seen.push_back(static_cast<std::uint32_t>(u / 4) | static_cast<std::uint32_t>(v / 4) << 8);
-  std::vector<std::uint32_t> bent(static_cast<std::size_t>(camera.width * camera.height));
+  std::vector<std::uint32_t> bent(640U * 480U);
   lens.bend(seen, bent);
   for (int v = 0; v < camera.height; v += 7)
     for (int u = 0; u < camera.width; u += 7) {
       const Vector2 x = unproject(camera, {u, v});
       const Vector2 source = project(pinhole, {x.x(), x.y(), 1});
-      const std::uint32_t pixel = bent[static_cast<std::size_t>(v * camera.width + u)];
+      const std::uint32_t pixel = bent.at(static_cast<std::size_t>(v) * 640 + static_cast<std::size_t>(u));
       EXPECT_NEAR(pixel & 0xff, source.x() / 4 - 0.375, 1);
       EXPECT_NEAR(pixel >> 8 & 0xff, source.y() / 4 - 0.375, 1);
     }

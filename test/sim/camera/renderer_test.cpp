@@ -106,7 +106,7 @@ TEST(Renderer, DrawsEveryPartOfABentPicture) {
 TEST(Renderer, MakesTheSameBytesInAnyThreadAndOrder) {
   const Scene scene = board_on_table();
   const Pose T_UC = looking_at({0.2, -0.4, 0.5}, {0, 0, 0}, {0, 0, 1});
-  const auto draw = [&](std::vector<std::int64_t> frames) {
+  const auto draw = [&](const std::vector<std::int64_t>& frames) {
     Renderer renderer(bent_camera(), exact_profile());
     std::map<std::int64_t, std::uint64_t> hashes;
     for (const std::int64_t frame : frames) hashes[frame] = hash_of(renderer.render(scene, T_UC, frame));
@@ -218,7 +218,7 @@ TEST_F(OneBody, LeavesNoShadowOnLitSurfaces) {
 TEST_F(OneBody, ObeysTheLight) {
   const int plain = grey(look(scene_), 0.2, 0.2);
   scene_.light.exposure = 0.5;
-  EXPECT_NEAR(grey(look(scene_), 0.2, 0.2), plain / 2, 1);
+  EXPECT_NEAR(grey(look(scene_), 0.2, 0.2), 0.5 * plain, 1);
   scene_.light.exposure = 10;
   EXPECT_EQ(grey(look(scene_), 0.2, 0.2), 255);
   scene_.light = {};
