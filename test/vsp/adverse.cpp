@@ -141,7 +141,7 @@ AdversePicture AdversePictures::next() {
   AdversePicture result;
   result.kind = kind;
   Exposure exposure;
-  exposure.seed = random_();
+  exposure.seed = static_cast<unsigned>(random_());
   exposure.noise = uniform(0, 6);
   exposure.blur = uniform(0, 1);
   Pose T = place(0.3, 1.6);

@@ -19,7 +19,7 @@ struct AprilTagParameters {
   double worst_angle{
       0.03};  ///< nor one whose orientation is more uncertain, standard deviation about an axis [rad]
   /// Four corners give two numbers more than a pose has, too few to estimate their noise.
-  PlanarPoseParameters pose{.noise_px = 0.03, .significance = 100, .same_angle = 0.03};
+  PlanarPoseParameters pose{.noise_px = 0.03, .significance = 49, .same_angle = 0.03};
 };
 
 /// Looks for one tag. The picture is freed of the lens's distortion first: the edges of the tag are located as straight

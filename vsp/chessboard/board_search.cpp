@@ -9,6 +9,9 @@ namespace {
 constexpr std::size_t kMostLattices = 6;  // that are grown in one picture
 constexpr std::size_t kManySquares = 8;   // dark ones, which are no accident
 
+// Outlines in a picture beyond which it is not enlarged: it shows noise or a texture, and the work would grow with it.
+constexpr std::size_t kClutter = 1500;
+
 // From pixels of the enlarged part to pixels of the picture.
 void bring_home(std::vector<Quadrangle>& quadrangles, const Search& search) {
   const auto scale = static_cast<float>(search.scale);
@@ -74,6 +77,24 @@ SearchResult find_boards(const cv::Mat& grey, const Search& search, const Board&
           return lies_on(*lattice, found, known, board);
         });
   return result;
+}
+
+void find_everywhere(const cv::Mat& grey, const Board& board, int offset, std::vector<InnerCorners>& known) {
+  struct Pass {
+    int scale;
+    int block;
+  };
+  // Large squares need large surroundings, small ones small.
+  const Pass passes[]{{1, std::max(21, (grey.cols / 8) | 1)}, {1, 21}, {2, 21}, {3, 21}};
+  bool cluttered = false;
+  for (const Pass& pass : passes) {
+    if (pass.scale > 1 && (cluttered || grey.cols > kWidest)) return;
+    const SearchResult result =
+        find_boards(grey, {0, 0, grey.cols, grey.rows, pass.scale, pass.block, offset, {}}, board);
+    for (const InnerCorners& found : result.boards) add(known, found);
+    if (known.size() > 1 || (known.size() == 1 && !result.unresolved)) return;
+    cluttered = result.outlines > kClutter;
+  }
 }
 
 }  // namespace mrroc::vsp::chessboard

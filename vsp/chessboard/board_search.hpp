@@ -25,6 +25,9 @@ struct SearchResult {
   bool
       unresolved{};  ///< elsewhere in the picture there are many dark squares in a lattice, which may be a board
   std::size_t outlines{};  ///< of dark regions: how much there is to see in the picture
+
+  /// @return whether there is one board and nothing that could be another
+  [[nodiscard]] bool is_one() const { return boards.size() == 1 && !unresolved; }
 };
 
 /// Adds a board unless it is one of them already.
@@ -33,5 +36,13 @@ void add(std::vector<InnerCorners>& boards, const InnerCorners& board);
 /// Runs the chain. Inner corners are located in the picture itself, not in the enlarged part.
 /// @param grey  one channel
 SearchResult find_boards(const cv::Mat& grey, const Search& search, const Board& board);
+
+/// Runs the chain over the whole picture, with large and small surroundings for the threshold, then, in pictures of at
+/// most kWidest pixels that show no noise or texture, over the picture enlarged; until one board is found and nothing
+/// else that could be one.
+/// @param known   what has been found before; is added to
+/// @param offset  of the threshold [grey levels]
+void find_everywhere(const cv::Mat& grey, const Board& board, int offset, std::vector<InnerCorners>& known);
+inline constexpr int kWidest = 800;
 
 }  // namespace mrroc::vsp::chessboard

@@ -18,17 +18,8 @@ constexpr double kGoodSquare = 16;  // edge at which outlines of squares are eas
 constexpr int kLargestScale = 3;
 constexpr double kRegionMargin = 0.35;  // around the last place, in sizes of the board
 
-// Outlines in a picture beyond which it is not enlarged: it shows noise or a texture, and the work would grow with it.
-constexpr std::size_t kClutter = 1500;
-
+constexpr double kSlid = 3;     // of a corner's distance to the root mean square of all: noise reaches 2.3
 constexpr double kNoBoard = 4;  // in largest reprojection errors
-
-// How the whole picture is searched, one after the other: large squares need large surroundings, small ones small.
-struct Pass {
-  int scale;
-  int block;
-};
-constexpr Pass kPasses[]{{1, 81}, {1, 21}, {2, 21}, {3, 21}};
 
 }  // namespace
 
@@ -68,14 +59,27 @@ std::optional<chessboard::Search> ChessboardSensor::around(const Pose& T_CG) con
   return s;
 }
 
+std::optional<PlanarPoses> ChessboardSensor::pose(const cv::Mat& grey, const InnerCorners& board) const {
+  auto first = planar_pose(camera_, model_, board.pixels, k_.pose);
+  if (!first || first->best.worst_px < kSlid * first->best.rms_px) return first;
+  // A corner has slid along an edge: all are located again, from where the pose has them.
+  InnerCorners again = board;
+  for (std::size_t k = 0; k < model_.size(); ++k)
+    again.pixels[k] = project(camera_, first->best.T_CG * model_[k]);
+  if (!chessboard::locate(grey, again)) return first;
+  const auto second = planar_pose(camera_, model_, again.pixels, k_.pose);
+  return second && second->best.rms_px < first->best.rms_px ? second : first;
+}
+
 // One board whose pose explains the picture is the object.
-void ChessboardSensor::take(const std::vector<InnerCorners>& boards, CameraReading& reading) {
+void ChessboardSensor::take(const cv::Mat& grey, const std::vector<InnerCorners>& boards,
+                            CameraReading& reading) {
   last_.reset();
   std::vector<PlanarPoses> poses;
   for (const InnerCorners& board : boards) {
-    const auto pose = planar_pose(camera_, model_, board.pixels, k_.pose);
+    const auto found = pose(grey, board);
     // A lattice that no flat board explains at all is an accident; one that is explained badly may be a second board.
-    if (pose && pose->best.rms_px < kNoBoard * k_.rms_px) poses.push_back(*pose);
+    if (found && found->best.rms_px < kNoBoard * k_.rms_px) poses.push_back(*found);
   }
   if (poses.empty()) return;
   const PlanarPose& best = poses.front().best;
@@ -96,21 +100,14 @@ CameraReading ChessboardSensor::detect(const ImageView& picture, std::int64_t fr
   const cv::Mat brightness = grey(picture);
   std::vector<InnerCorners> boards;
   bool done = false;
-  bool cluttered = false;
-  const auto look = [&](const Search& search) {
-    const chessboard::SearchResult result = find_boards(brightness, search, board_);
-    for (const InnerCorners& board : result.boards) chessboard::add(boards, board);
-    // One board, and nothing that could be another.
-    done = boards.size() > 1 || (boards.size() == 1 && !result.unresolved);
-    cluttered = result.outlines > kClutter;
-  };
   if (last_)
-    if (const auto search = around(*last_)) look(*search);
-  for (const Pass& pass : kPasses) {
-    if (done || (pass.scale > 1 && (cluttered || camera_.width > kWidest))) break;
-    look({0, 0, camera_.width, camera_.height, pass.scale, pass.block, k_.offset, {}});
-  }
-  take(boards, reading);
+    if (const auto search = around(*last_)) {
+      const chessboard::SearchResult result = find_boards(brightness, *search, board_);
+      boards = result.boards;
+      done = result.is_one();
+    }
+  if (!done) find_everywhere(brightness, board_, k_.offset, boards);
+  take(brightness, boards, reading);
   return reading;
 }
 

@@ -7,6 +7,10 @@
 #include "vsp/image_sensor.hpp"
 #include "vsp/planar_pose.hpp"
 
+namespace cv {
+class Mat;
+}
+
 namespace mrroc::vsp {
 namespace chessboard {
 struct InnerCorners;
@@ -26,8 +30,6 @@ struct ChessboardParameters {
 /// ambiguous. For pictures whose whole width is more than kWidest pixels the enlarged search is left out.
 class ChessboardSensor {
  public:
-  static constexpr int kWidest = 800;
-
   /// @throws FaultError bad_configuration: the camera is not proper
   explicit ChessboardSensor(const CameraModel& camera, const Board& board = kBoard,
                             const ChessboardParameters& parameters = {});
@@ -41,7 +43,9 @@ class ChessboardSensor {
 
  private:
   [[nodiscard]] std::optional<chessboard::Search> around(const Pose& T_CG) const;
-  void take(const std::vector<chessboard::InnerCorners>& boards, CameraReading& reading);
+  [[nodiscard]] std::optional<PlanarPoses> pose(const cv::Mat& grey,
+                                                const chessboard::InnerCorners& board) const;
+  void take(const cv::Mat& grey, const std::vector<chessboard::InnerCorners>& boards, CameraReading& reading);
 
   CameraModel camera_;
   Board board_;

@@ -11,9 +11,9 @@ constexpr int kReach = 14;        // largest lattice that is grown, to either si
 constexpr int kRounds = 12;       // of growing
 constexpr double kWindow = 0.45;  // half the edge of the place in which a corner is located, in squares
 constexpr int kLargestWindow = 8;
-constexpr int kRoughSteps = 4;      // of locating corners while growing
-constexpr int kFineSteps = 20;      // and of the board's corners in the end
-constexpr double kSmallHalf = 4.5;  // half a square that is too small to be looked at in two places [pixel]
+constexpr int kRoughSteps = 4;    // of locating corners while growing
+constexpr int kFineSteps = 20;    // and of the board's corners in the end
+constexpr double kSmallHalf = 6;  // half a square that is too small to be looked at in two places [pixel]
 constexpr double kLeastContrast = 14;  // between light and dark squares [grey levels]
 
 struct Place {
@@ -24,6 +24,13 @@ Place operator+(Place a, Place b) { return {a.i + b.i, a.j + b.j}; }
 Place operator-(Place a, Place b) { return {a.i - b.i, a.j - b.j}; }
 
 enum class State : char { unknown, refused, corner };
+
+void locate_points(const cv::Mat& grey, double square, int steps, std::vector<cv::Point2f>& points) {
+  const int window = std::clamp(static_cast<int>(std::lround(kWindow * square)), 2, kLargestWindow);
+  if (std::min(grey.cols, grey.rows) < 2 * window + 6) return;
+  cv::cornerSubPix(grey, points, {window, window}, {-1, -1},
+                   {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, steps, 0.003});
+}
 
 class Grid {
  public:
@@ -105,7 +112,7 @@ class Grid {
     for (const Place a : candidates) at(a).state = State::refused;
     for (const Place a : places) at(a).state = State::corner;
     if (places.empty()) return;
-    locate(points, kRoughSteps);
+    locate_points(grey_, square_, kRoughSteps, points);
     std::vector<char> good(points.size(), 0);
     for (std::size_t k = 0; k < points.size(); ++k) {
       const double moved = cv::norm(points[k] - at(places[k]).p);
@@ -118,13 +125,6 @@ class Grid {
       else
         at(places[k]).p = points[k];
     }
-  }
-
-  void locate(std::vector<cv::Point2f>& points, int steps) const {
-    const int window = std::clamp(static_cast<int>(std::lround(kWindow * square_)), 2, kLargestWindow);
-    if (std::min(grey_.cols, grey_.rows) < 2 * window + 6) return;
-    cv::cornerSubPix(grey_, points, {window, window}, {-1, -1},
-                     {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, steps, 0.003});
   }
 
   // Half of the vector to the next corner in that direction, from the nearest known ones; zero when there is none.
@@ -161,7 +161,7 @@ class Grid {
     const double half = std::min(cv::norm(u), cv::norm(v));
     if (half < 1) return false;
     if (half < kSmallHalf) return crosses_at(a, p, u, v, half < 2.5 ? 0 : 1);
-    return crosses_at(a, p, u, v, 1) && crosses_at(a, p, 0.6F * u, 0.6F * v, 1);
+    return crosses_at(a, p, 0.4F * u, 0.4F * v, 1) && crosses_at(a, p, 0.75F * u, 0.75F * v, 1);
   }
 
   bool crosses_at(Place a, cv::Point2f p, cv::Point2f u, cv::Point2f v, int reach) {
@@ -260,21 +260,7 @@ class Grid {
     if (count != board.corners() || (!upright && !lying)) return std::nullopt;
     if (!ends_everywhere(low, high)) return std::nullopt;
     InnerCorners result = in_order(board, low, high, upright);
-    return locate_finely(result) ? std::optional(result) : std::nullopt;
-  }
-
-  bool locate_finely(InnerCorners& corners) {
-    std::vector<cv::Point2f> points;
-    for (const Vector2& p : corners.pixels)
-      points.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()));
-    square_ = corners.shortest;
-    locate(points, kFineSteps);
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const Vector2 p(points[k].x, points[k].y);
-      if ((p - corners.pixels[k]).norm() > 0.5 * square_) return false;
-      corners.pixels[k] = p;
-    }
-    return true;
+    return locate(grey_, result) ? std::optional(result) : std::nullopt;
   }
 
   // The square at the upper left of corner 0, 0 is dark: that tells which way round.
@@ -343,6 +329,21 @@ std::optional<InnerCorners> inner_corners(const cv::Mat& grey, const std::vector
                                           const Lattice& lattice, const Board& board) {
   if (std::min(grey.cols, grey.rows) < 16) return std::nullopt;
   return Grid(grey, quadrangles, lattice).board(board);
+}
+
+bool locate(const cv::Mat& grey, InnerCorners& corners) {
+  std::vector<cv::Point2f> points;
+  for (const Vector2& p : corners.pixels) {
+    if (!(p.x() >= 0 && p.y() >= 0 && p.x() <= grey.cols - 1 && p.y() <= grey.rows - 1)) return false;
+    points.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()));
+  }
+  locate_points(grey, corners.shortest, kFineSteps, points);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Vector2 p(points[k].x, points[k].y);
+    if ((p - corners.pixels[k]).norm() > 0.5 * corners.shortest) return false;
+    corners.pixels[k] = p;
+  }
+  return true;
 }
 
 }  // namespace mrroc::vsp::chessboard

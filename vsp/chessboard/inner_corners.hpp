@@ -26,4 +26,9 @@ struct InnerCorners {
 std::optional<InnerCorners> inner_corners(const cv::Mat& grey, const std::vector<Quadrangle>& quadrangles,
                                           const Lattice& lattice, const Board& board);
 
+/// Locates corners sub-pixel, in a window that fits between neighbours.
+/// @param corners  pixels: where they are to within half a square; shortest decides the window
+/// @return false when one of them is farther away than that
+bool locate(const cv::Mat& grey, InnerCorners& corners);
+
 }  // namespace mrroc::vsp::chessboard

@@ -1,0 +1,49 @@
+// Calibrates a camera from pictures of the chessboard.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <map>
+
+#include "base/fault.hpp"
+#include "vsp/calibration/calibrate.hpp"
+
+int main(int argc, char** argv) {
+  using namespace mrroc;
+  CLI::App app{fmt::format(
+      "Calibrates a camera from pictures of a chessboard with {} x {} inner corners and squares of {:g} "
+      "mm:\nits lens, and with the robot's poses also where it is. Writes a TOML file that the "
+      "receptors and tasks read.",
+      vsp::kBoard.columns, vsp::kBoard.rows, 1e3 * vsp::kBoard.square)};
+  app.name("calibrate");
+  vsp::CalibrationOrder order;
+  app.add_option("--pictures", order.pictures, "folder of pictures: at least 8, from all sides")->required();
+  app.add_option("--output", order.output, "TOML file that is written")->required();
+  app.add_option("--camera", order.camera, "TOML file with a lens that is known already");
+  auto* poses = app.add_option("--poses", order.poses, "table of poses: picture,x,y,z,ax,ay,az in m and rad");
+  const std::map<std::string, vsp::Arrangement> arrangements{
+      {"eye_in_hand", vsp::Arrangement::eye_in_hand},
+      {"board_in_hand", vsp::Arrangement::board_in_hand},
+      {"known_board", vsp::Arrangement::known_board}};
+  app.add_option("--arrangement", order.arrangement,
+                 "eye_in_hand: camera in the hand, poses of the hand; board_in_hand: camera beside the "
+                 "robot, poses of the "
+                 "hand; known_board: camera beside the robot, poses of the board")
+      ->transform(CLI::CheckedTransformer(arrangements))
+      ->needs(poses);
+  app.add_option("--name", order.name, "of the camera in the file, e.g. sac or eih");
+  app.add_option("--arm", order.arm, "whose poses they are");
+  try {
+    app.parse(argc, argv);
+    vsp::calibrate(order, stdout);
+    return 0;
+  } catch (const CLI::CallForHelp& e) {
+    return app.exit(e);
+  } catch (const CLI::ParseError& e) {
+    const FaultError error(FaultCode::bad_usage, e.what());
+    fmt::print(stderr, "{}\n", error.error_line());
+    return 2;
+  } catch (const FaultError& e) {
+    fmt::print(stderr, "{}\n", e.error_line());
+    return exit_status(e.fault().code);
+  }
+}
