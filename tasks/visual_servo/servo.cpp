@@ -37,16 +37,6 @@ Matrix6 covariance_of_error(const Parameters& k, const CameraReading& reading) {
   return turned((reading.T_CG.R * T_GEd.R).transpose(), at_E);
 }
 
-/// (49), (51): e of one camera at the start of the command. The object goes on with its velocity from the image's
-/// instant until then.
-CameraError error_of(const X& x, Camera camera, const Start& start, const ObjectMotion& motion) {
-  const Parameters& k = x.c.k;
-  const Sighting seen = sighting(x, camera);
-  const Pose T_0G = carried(seen.T_0G, motion, static_cast<double>(start.step - seen.step) * k.pacing.dt);
-  const Pose T_EG = start.T_0E.inverse() * T_0G;
-  return {T_EG * k.T_EGd.inverse(), covariance_of_error(k, x.V.camera[index(camera)].reading)};
-}
-
 /// Takes new sightings into the track, the older picture first.
 void look(const X& x, Conclusion& c) {
   std::array<Camera, kCameras> order{Camera::sac, Camera::eih};
@@ -113,6 +103,14 @@ Start start_of_command(const X& x) {
   const Pose T_0E = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(x.e.T_0E.data()));
   const double share = asked_too_much(x) ? 0 : static_cast<double>(rest) / x.c.k.pacing.n_s;
   return {x.e.step + rest + x.c.k.pacing.n_s, T_0E * part_of(commanded.before, share) * commanded.now};
+}
+
+CameraError error_of(const X& x, Camera camera, const Start& start, const ObjectMotion& motion) {
+  const Parameters& k = x.c.k;
+  const Sighting seen = sighting(x, camera);
+  const Pose T_0G = carried(seen.T_0G, motion, static_cast<double>(start.step - seen.step) * k.pacing.dt);
+  const Pose T_EG = start.T_0E.inverse() * T_0G;
+  return {T_EG * k.T_EGd.inverse(), covariance_of_error(k, x.V.camera[index(camera)].reading)};
 }
 
 Conclusion conclude(const X& x, const std::array<bool, kCameras>& uses) {

@@ -24,6 +24,11 @@ struct Start {
 };
 [[nodiscard]] Start start_of_command(const Arm::X& x);
 
+/// (49), (51): e of one camera at the start of the command. The object goes on with its velocity from the image's
+/// instant until then.
+[[nodiscard]] CameraError error_of(const Arm::X& x, Camera camera, const Start& start,
+                                   const ObjectMotion& motion);
+
 /// What c_1 concludes from x_c.
 struct Conclusion {
   ObjectTrack track;

@@ -66,7 +66,7 @@ ServoTable join(const std::vector<servo_report_t>& reports, const std::vector<ob
     ServoRow& row = table.emplace_back();
     row.k = static_cast<std::int64_t>(table.size()) - 1;
     row.t = static_cast<double>(r.step) * dt;
-    row.behaviour = r.m == kIdle ? 0 : r.m;
+    row.behaviour = r.m == kIdle || r.m == kGiveUp.m ? 0 : r.m;
     row.sac_seen = r.seen[0] != 0;
     row.eih_seen = r.seen[1] != 0;
     row.refused = r.refused != 0;

@@ -30,8 +30,8 @@ enum ServoColumn {
 /// Without smooth edges and shadows: fast enough for tests of what is done with pictures, not of how good they are.
 const std::vector<std::string> kFast{"--processes", "one", "--set", "cameras.profile=fast"};
 
-struct Run {
-  explicit Run(const std::vector<std::string>& arguments, const std::string& name = "run")
+struct ServoRun {
+  explicit ServoRun(const std::vector<std::string>& arguments, const std::string& name = "run")
       : ended(run(folder, "visual_servo", words({arguments, {"--run-dir", (folder / name).string()}}))) {
     if (std::filesystem::exists(folder / name / "servo.csv"))
       table = read_table(folder / name / "servo.csv", kServoHeading);
@@ -55,7 +55,7 @@ struct Run {
 };
 
 TEST(VisualServo, BringsTheToolToTheObjectAsInFig28) {
-  const Run r({"--processes", "one"});
+  const ServoRun r({"--processes", "one"});
   ASSERT_EQ(r.ended.status, 0) << r.ended.all();
   EXPECT_EQ(r.told["outcome"], "done");
   EXPECT_LE(r.figure("final_err_mm"), 1);
@@ -73,7 +73,7 @@ TEST(VisualServo, BringsTheToolToTheObjectAsInFig28) {
 
 TEST(VisualServo, ReachesTheObjectWithEveryAggregation) {
   for (const std::string method : {"mean", "switching", "weights"}) {
-    const Run r(words({kFast, {"--aggregation", method}}));
+    const ServoRun r(words({kFast, {"--aggregation", method}}));
     ASSERT_EQ(r.ended.status, 0) << r.ended.all();
     EXPECT_LE(r.figure("steps_to_2mm"), 80) << method;
     EXPECT_LE(r.figure("overshoot_pct"), 10) << method;
@@ -81,14 +81,14 @@ TEST(VisualServo, ReachesTheObjectWithEveryAggregation) {
 }
 
 TEST(VisualServo, FollowsAnObjectOnALine) {
-  const Run r(words({kFast, {"--scenario", "line"}}));
+  const ServoRun r(words({kFast, {"--scenario", "line"}}));
   ASSERT_EQ(r.ended.status, 0) << r.ended.all();
   EXPECT_LE(std::abs(r.figure("line_lag_mm")), 10);
   EXPECT_LE(r.figure("follow_err_mm"), 10);
 }
 
 TEST(VisualServo, HoldsWhileTheObjectIsHiddenAndGoesOn) {
-  const Run r(words({kFast, {"--scenario", "occluded"}}));
+  const ServoRun r(words({kFast, {"--scenario", "occluded"}}));
   ASSERT_EQ(r.ended.status, 0) << r.ended.all();
   const auto order = r.behaviours();
   EXPECT_NE(std::ranges::find(order, 0), order.end());
@@ -96,7 +96,7 @@ TEST(VisualServo, HoldsWhileTheObjectIsHiddenAndGoesOn) {
 }
 
 TEST(VisualServo, WaitsForAnObjectThatIsAbsentAtFirst) {
-  const Run r(words({kFast, {"--scenario", "absent"}}));
+  const ServoRun r(words({kFast, {"--scenario", "absent"}}));
   ASSERT_EQ(r.ended.status, 0) << r.ended.all();
   EXPECT_EQ(r.behaviours().front(), 0);
   EXPECT_LE(r.figure("final_err_mm"), 2);
@@ -104,7 +104,7 @@ TEST(VisualServo, WaitsForAnObjectThatIsAbsentAtFirst) {
 
 TEST(VisualServo, NeverMovesForAWrongBoardAndIsGivenUp) {
   for (const std::string object : {"chessboard", "apriltag"}) {
-    const Run r(words({kFast, {"--scenario", "wrong_board", "--object", object}}));
+    const ServoRun r(words({kFast, {"--scenario", "wrong_board", "--object", object}}));
     EXPECT_EQ(r.ended.status, 1) << r.ended.all();
     EXPECT_TRUE(r.ended.last_err().starts_with("error: object_not_seen: ")) << r.ended.last_err();
     EXPECT_EQ(r.told["fault"]["code"], "object_not_seen");
@@ -115,12 +115,12 @@ TEST(VisualServo, NeverMovesForAWrongBoardAndIsGivenUp) {
 
 TEST(VisualServo, IsTheSameEveryTimeWhateverCarriesItsMessages) {
   const std::vector<std::string> brief{"--set", "cameras.profile=fast", "--set", "task.duration=2"};
-  const Run one(words({brief, {"--processes", "one"}}));
+  const ServoRun one(words({brief, {"--processes", "one"}}));
   ASSERT_EQ(one.ended.status, 0) << one.ended.all();
-  const Run again(words({brief, {"--processes", multicast() ? "separate" : "one"}}));
+  const ServoRun again(words({brief, {"--processes", multicast() ? "separate" : "one"}}));
   ASSERT_EQ(again.ended.status, 0) << again.ended.all();
   EXPECT_EQ(one.told["log_hash"], again.told["log_hash"]);
-  const auto text = [](const Run& r) {
+  const auto text = [](const ServoRun& r) {
     std::ifstream file(r.folder / "run" / "servo.csv");
     return std::string(std::istreambuf_iterator<char>(file), {});
   };
@@ -132,7 +132,7 @@ TEST(VisualServo, RefusesWhatItCannotDoBeforeAnythingStarts) {
                                         {words({{"--set", "cameras.sac.mount=world"}}), "mount"},
                                         {words({{"--set", "task.desired=[1]"}}), "task.desired"},
                                         {words({{"--set", "task.sped=1"}}), "sped"}}) {
-    const Run r(arguments);
+    const ServoRun r(arguments);
     EXPECT_EQ(r.ended.status, 2) << r.ended.all();
     EXPECT_NE(r.ended.last_err().find(word), std::string::npos) << r.ended.last_err();
   }

@@ -46,6 +46,14 @@ TEST(ServoRecord, JoinsReportsWithTheTruthOfTheirStep) {
   EXPECT_EQ(table[2].v, Vector3(0, 0, 0));
 }
 
+TEST(ServoRecord, NumbersBehavioursAsThePaperDoes) {
+  const auto table = join(
+      {report(0, kIdle), report(21, 1), report(42, 2), report(63, 3), report(84, kGiveUp.m)}, {}, {}, 0.002);
+  std::vector<int> numbers;
+  for (const ServoRow& row : table) numbers.push_back(row.behaviour);
+  EXPECT_EQ(numbers, (std::vector{0, 1, 2, 3, 0}));
+}
+
 TEST(ServoRecord, WithoutATruthTheObjectIsNotThere) {
   const auto table =
       join({report(50), report(110), report(500)}, {truth(100, 0, false), truth(120, 0)}, {}, 0.002);

@@ -127,6 +127,26 @@ TEST(Servo, ADisplacementThatWasRefusedIsNotTakenToBeOnItsWay) {
   EXPECT_NEAR((start_of_command(x).T_0E.p - before.p).norm(), 2 * 4e-4, 1e-9) << "two steps of it were left";
 }
 
+TEST(Servo, KnowsHowUnsureAnErrorIs) {
+  const Truth truth;
+  for (const Camera camera : {Camera::sac, Camera::eih})
+    for (int axis = 0; axis < 6; ++axis) {
+      X x = truth.image(980, 980);
+      x.c.k.position_floor = x.c.k.angle_floor = 0;
+      CameraReading& reading = x.V.camera[index(camera)].reading;
+      constexpr double kOff = 1e-5;
+      reading.covariance(axis, axis) = kOff * kOff;
+      const CameraError exact = error_of(x, camera, start_of_command(x), {});
+      Vector6 off = Vector6::Zero();
+      off[axis] = kOff;
+      reading.T_CG.p += off.head<3>();
+      reading.T_CG.R = rotation_from_angle_axis(off.tail<3>()) * reading.T_CG.R;
+      const Vector6 xi =
+          log_screw(exact.e.inverse() * error_of(x, camera, start_of_command(x), {}).e).vector();
+      EXPECT_LT((xi * xi.transpose() - exact.covariance).norm(), 1e-4 * exact.covariance.norm()) << axis;
+    }
+}
+
 TEST(Servo, LeadsTowardsTheGoal) {
   std::mt19937_64 random(2);
   for (int n = 0; n < 200; ++n) {
