@@ -30,4 +30,9 @@ Figures run_stability_group();
 /// @throws FaultError a run did not do what it should
 Figures run_drawing_group();
 
+/// Solvers of the cube, with default and with large tables. Takes about two minutes, and some more to make the tables
+/// when they are not in the cache.
+/// @throws FaultError a solution is wrong
+Figures run_solver_group();
+
 }  // namespace mrroc::bench
