@@ -33,5 +33,9 @@ Figures run_drawing_group();
 /// Runs the visual servoing task several times in separate processes; part of the group vision. Takes about two minutes.
 /// @throws FaultError a run did not do what it should
 Figures visual_servo_figures();
+/// Solvers of the cube, with default and with large tables. Takes about two minutes, and some more to make the tables
+/// when they are not in the cache.
+/// @throws FaultError a solution is wrong
+Figures run_solver_group();
 
 }  // namespace mrroc::bench

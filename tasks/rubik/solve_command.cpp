@@ -86,10 +86,10 @@ std::vector<Item> read_items(const Options& options) {
 
 std::string place_of(const Item& item) { return item.line > 0 ? fmt::format("line {}: ", item.line) : ""; }
 
-int solve_all(const Options& options, std::ostream& out, std::ostream& err) {
+int solve_all(const Options& options, TableSet standard, std::ostream& out, std::ostream& err) {
   const std::vector<Item> items = read_items(options);
   TableProgress progress(stderr);
-  const CubeSolver solver(options.tables == "large" ? TableSet::large : TableSet::standard,
+  const CubeSolver solver(options.tables == "large" ? TableSet::large : standard,
                           options.folder.empty() ? table_folder() : std::filesystem::path(options.folder),
                           options.threads, progress.watch());
   SearchLimits limits{.threads = options.threads};
@@ -116,7 +116,8 @@ int solve_all(const Options& options, std::ostream& out, std::ostream& err) {
 
 }  // namespace
 
-int run_cube_solve(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
+int run_cube_solve(int argc, const char* const* argv, std::ostream& out, std::ostream& err,
+                   TableSet standard) {
   CLI::App app{kAbout};
   app.name("cube_solve");
   app.footer(kFooter);
@@ -141,7 +142,7 @@ int run_cube_solve(int argc, const char* const* argv, std::ostream& out, std::os
     app.parse(argc, argv);
     if (options.file.empty() && options.words.empty())
       throw FaultError(FaultCode::bad_usage, "no cube was given");
-    return solve_all(options, out, err);
+    return solve_all(options, standard, out, err);
   } catch (const CLI::CallForHelp& e) {
     return app.exit(e, out, err);
   } catch (const CLI::ParseError& e) {

@@ -66,23 +66,10 @@ int Bounds::lower_bound(const CubePair& pair) const {
   for (const Cube* cube : {&pair.cube, &pair.inverse}) {
     const AxisCoordinates c = coordinates(*cube);
     for (int axis = 0; axis < kAxes; ++axis) {
-      const Probe p = probe(c, axis);
-      const int b = bound(p, 0);
-      largest = std::max(largest, b);
+      largest = std::max(largest, bound(probe(c, axis), 0));
     }
   }
   return largest;
-}
-
-bool Bounds::exceeds(const CubePair& pair, int turns) const {
-  for (const Cube* cube : {&pair.cube, &pair.inverse}) {
-    const AxisCoordinates c = coordinates(*cube);
-    std::array<Probe, kAxes> probes;
-    for (int axis = 0; axis < kAxes; ++axis) probes[axis] = probe(c, axis);
-    for (const Probe& p : probes)
-      if (bound(p, turns) > turns) return true;
-  }
-  return corner_bound(pair.cube) > turns;
 }
 
 }  // namespace mrroc::rubik

@@ -78,8 +78,6 @@ class Bounds {
   [[nodiscard]] int corner_bound(const Cube& cube) const;
   /// @return the largest of all bounds, below which the cube cannot be solved
   [[nodiscard]] int lower_bound(const CubePair& pair) const;
-  /// @return whether more turns are needed
-  [[nodiscard]] bool exceeds(const CubePair& pair, int turns) const;
   /// @return the largest bound that there is
   [[nodiscard]] int largest() const { return large_ ? kTwoBitBase + 3 : 11; }
 

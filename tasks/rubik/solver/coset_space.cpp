@@ -1,7 +1,5 @@
 #include "tasks/rubik/solver/coset_space.hpp"
 
-#include <bit>
-
 namespace mrroc::rubik {
 namespace {
 
@@ -36,12 +34,6 @@ CosetSpace::CosetSpace(const Coordinate& page, const SymmetryClasses& classes, c
       row_maps_(row != nullptr ? compose_maps(*row, moves, row_seen_)
                                : std::vector<std::uint16_t>(moves.size() * kAxisSymmetries, 0)),
       column_maps_(compose_maps(column, moves, column_seen_)) {}
-
-std::uint64_t CosetSpace::states() const {
-  std::uint64_t values = 0;
-  for (const std::uint16_t keeps : stabiliser_) values += kAxisSymmetries / std::popcount(keeps);
-  return values * rows_ * columns_;
-}
 
 CosetSpace::Place CosetSpace::place_of(const Cube& cube) const {
   const std::uint32_t member = classes_->member_of[page_->of(cube)];

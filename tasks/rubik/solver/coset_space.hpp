@@ -30,8 +30,6 @@ class CosetSpace {
   [[nodiscard]] int rows() const { return rows_; }
   [[nodiscard]] int columns() const { return columns_; }
   [[nodiscard]] int moves() const { return moves_; }
-  /// @return how many states there are, counting those that are equal by symmetry
-  [[nodiscard]] std::uint64_t states() const;
 
   /// @return where turn k brings the page
   [[nodiscard]] Step step(int page, int k) const {

@@ -13,21 +13,17 @@
 namespace mrroc::rubik {
 namespace {
 
-/// Most turns that can follow a turn, and the first one.
-constexpr int kMostChildren = 18;
-
 /// A state of the search. It can be continued at both ends: turns of the cube follow each other at the solution's
 /// beginning, turns of the inverse, undone, at its end. The side to turn next is always called cube.
 struct Node {
   CubePair pair;
-  std::array<AxisCoordinates, 2> coordinates;  ///< of cube and inverse
-  std::array<std::int8_t, kViews> bound;       ///< along the axes of the cube, then of the inverse
-  bool swapped;                                ///< cube is the inverse of the cube to solve
+  std::array<std::int8_t, kViews>
+      bound;     ///< along the axes of the cube, then of the inverse; 0: not looked at
+  bool swapped;  ///< cube is the inverse of the cube to solve
 };
 
 void swap_sides(Node& n) {
   std::swap(n.pair.cube, n.pair.inverse);
-  std::swap(n.coordinates[0], n.coordinates[1]);
   std::swap_ranges(n.bound.begin(), n.bound.begin() + kAxes, n.bound.begin() + kAxes);
   n.swapped = !n.swapped;
 }
@@ -58,12 +54,13 @@ class DepthSearch {
   struct Child {
     Node node;
     Move move;
+    AxisCoordinates coordinates;  ///< of the side that is looked at
     Probe probe;
   };
+  using Children = std::array<Child, kMoves>;
 
-  void look(Child& child, int view) const {
-    child.probe = bounds_.probe(child.node.coordinates[view / kAxes], view % kAxes);
-  }
+  static int make_children(const Node& node, const Move* last, Children& children);
+  int drop_hopeless(const Node& node, Children& children, int count, int left) const;
 
   const Bounds& bounds_;
   NodeCounter counter_;
@@ -71,57 +68,67 @@ class DepthSearch {
   std::uint64_t nodes_{};
 };
 
-bool DepthSearch::search(const Node& node, int turns) {
-  if (turns == 0) return node.pair.cube == Cube{};
-  if (counter_.count()) return false;
-  ++nodes_;
-  Moves& end = ends_[node.swapped ? 1 : 0];
-  const Move* const last = end.empty() ? nullptr : &end.back();
-  const int left = turns - 1;
-
-  std::array<Child, kMostChildren> children;
+/// @return how many children there are
+int DepthSearch::make_children(const Node& node, const Move* last, Children& children) {
   int count = 0;
   for (int m = 0; m < kMoves; ++m) {
     if (!may_follow(last, Move(m))) continue;
     Child& child = children[count++];
     child.move = Move(m);
-    child.node.pair = FastTurns::get().after(node.pair, Move(m));
+    child.node.pair = FastTurns::get().after(node.pair, child.move);
     child.node.swapped = node.swapped;
+    child.node.bound = {};
   }
-  if (left > 0 && left <= bounds_.largest()) {
-    for (Child* c = children.data(); c != children.data() + count; ++c)
-      c->node.coordinates[0] = bounds_.coordinates(c->node.pair.cube);
-    // The view with the largest bound before the turn is likely to cut off most.
-    std::array<int, kViews> views{0, 1, 2, 3, 4, 5};
-    const auto by_bound = [&node](int a, int b) { return node.bound[a] > node.bound[b]; };
-    std::sort(views.begin(), views.begin() + kAxes, by_bound);
-    std::sort(views.begin() + kAxes, views.end(), by_bound);
-    for (int v = 0; v < kViews && count > 0; ++v) {
-      const int view = views[v];
-      for (int k = 0; k < count; ++k) {
-        if (v == kAxes) children[k].node.coordinates[1] = bounds_.coordinates(children[k].node.pair.inverse);
-        look(children[k], view);
-      }
-      int kept = 0;
-      for (int k = 0; k < count; ++k) {
-        const int b = bounds_.bound(children[k].probe, left);
-        if (b > left) continue;
-        children[k].node.bound[view] = static_cast<std::int8_t>(b);
-        if (kept != k) children[kept] = children[k];
-        ++kept;
-      }
-      count = kept;
+  return count;
+}
+
+/// Leaves out children that so many turns cannot solve, and notes the others' bounds.
+/// @return how many are left
+int DepthSearch::drop_hopeless(const Node& node, Children& children, int count, int left) const {
+  // The view with the largest bound before the turn is likely to cut off most.
+  std::array<int, kViews> views{0, 1, 2, 3, 4, 5};
+  const auto by_bound = [&node](int a, int b) { return node.bound[a] > node.bound[b]; };
+  std::sort(views.begin(), views.begin() + kAxes, by_bound);
+  std::sort(views.begin() + kAxes, views.end(), by_bound);
+  for (int v = 0; v < kViews; ++v) {
+    for (int k = 0; k < count; ++k) {
+      Child& child = children[k];
+      const CubePair& pair = child.node.pair;
+      if (v % kAxes == 0) child.coordinates = bounds_.coordinates(v < kAxes ? pair.cube : pair.inverse);
+      child.probe = bounds_.probe(child.coordinates, views[v] % kAxes);
     }
-  } else {
-    for (int k = 0; k < count; ++k) children[k].node.bound = {};
+    int kept = 0;
+    for (int k = 0; k < count; ++k) {
+      const int bound = bounds_.bound(children[k].probe, left);
+      if (bound > left) continue;
+      children[k].node.bound[views[v]] = static_cast<std::int8_t>(bound);
+      if (kept != k) children[kept] = children[k];
+      ++kept;
+    }
+    count = kept;
   }
+  int kept = 0;
+  for (int k = 0; k < count; ++k)
+    if (bounds_.corner_bound(children[k].node.pair.cube) <= left) children[kept++] = children[k];
+  return kept;
+}
+
+bool DepthSearch::search(const Node& node, int turns) {
+  if (turns == 0) return node.pair.cube == Cube{};
+  if (counter_.count()) return false;
+  ++nodes_;
+  Moves& end = ends_[node.swapped ? 1 : 0];
+  const int left = turns - 1;
+  Children children;
+  int count = make_children(node, end.empty() ? nullptr : &end.back(), children);
+  if (left > 0 && left <= bounds_.largest()) count = drop_hopeless(node, children, count, left);
   for (int k = 0; k < count; ++k) {
     Node& next = children[k].node;
-    if (left > 0 && left <= bounds_.largest() && bounds_.corner_bound(next.pair.cube) > left) continue;
+    const auto middle = next.bound.begin() + kAxes;
+    const bool other_side =
+        std::accumulate(middle, next.bound.end(), 0) > std::accumulate(next.bound.begin(), middle, 0);
     end.push_back(children[k].move);
-    const auto cube_side = std::accumulate(next.bound.begin(), next.bound.begin() + kAxes, 0);
-    const auto inverse_side = std::accumulate(next.bound.begin() + kAxes, next.bound.end(), 0);
-    if (inverse_side > cube_side) swap_sides(next);
+    if (other_side) swap_sides(next);
     if (search(next, left)) return true;
     end.pop_back();
     if (counter_.over()) return false;
@@ -129,11 +136,7 @@ bool DepthSearch::search(const Node& node, int turns) {
   return false;
 }
 
-Node root_of(const Bounds& bounds, const Cube& cube) {
-  Node node{CubePair::of(cube), {}, {}, false};
-  node.coordinates = {bounds.coordinates(node.pair.cube), bounds.coordinates(node.pair.inverse)};
-  return node;
-}
+Node root_of(const Cube& cube) { return {CubePair::of(cube), {}, false}; }
 
 /// The states after two turns, for threads to share.
 struct Job {
@@ -141,12 +144,12 @@ struct Job {
   Node node;
 };
 
-std::vector<Job> make_jobs(const Bounds& bounds, const Cube& cube) {
+std::vector<Job> make_jobs(const Cube& cube) {
   std::vector<Job> jobs;
   for (int a = 0; a < kMoves; ++a)
     for (int b = 0; b < kMoves; ++b) {
       const Moves first{Move(a), Move(b)};
-      if (may_follow(first.data(), Move(b))) jobs.push_back({first, root_of(bounds, after(cube, first))});
+      if (may_follow(first.data(), Move(b))) jobs.push_back({first, root_of(after(cube, first))});
     }
   return jobs;
 }
@@ -157,12 +160,12 @@ std::optional<Moves> search_depth(const Bounds& bounds, const Cube& cube, int tu
   std::optional<Moves> found;
   if (threads == 1 || turns < 8) {
     DepthSearch search(bounds, watch);
-    if (search.search(root_of(bounds, cube), turns)) found = search.solution();
+    if (search.search(root_of(cube), turns)) found = search.solution();
     complete = !search.over();
     nodes += search.nodes();
     return found;
   }
-  const std::vector<Job> jobs = make_jobs(bounds, cube);
+  const std::vector<Job> jobs = make_jobs(cube);
   std::atomic<std::size_t> next{0};
   std::atomic<bool> all{true};
   std::atomic<bool> done{false};

@@ -15,11 +15,11 @@ constexpr std::uint32_t kVersion = 1;
 /// Longest distances that are told apart. In a search of the first phase for n turns, longer ones would cut only
 /// nodes at depth n - 10 or less, which are few; in the second phase longer ends are not searched.
 struct Depths {
-  int phase1, phase2;
+  int phase1, phase2, corners;
 };
-constexpr Depths kSmall{6, 6};
-constexpr Depths kStandard{9, 11};
 constexpr int kAll = 14;
+constexpr Depths kSmall{6, 6, 6};
+constexpr Depths kStandard{9, 11, kAll};
 
 /// Opens or makes one table after the other.
 class Opener {
@@ -106,8 +106,9 @@ Tables::Tables(TableSet set, const std::filesystem::path& folder, int threads, c
   corner_slice_ = opener.open(
       "corner-slice", kCornerSlice, corner_permutations.size(), kAll,
       space(kCornerPermutation, corner_permutations, nullptr, kSlicePermutation, kSecondPhaseMoves));
-  corners_ = opener.open("corners", kCornerTwists, corner_permutations.size(), kAll,
-                         space(kCornerPermutation, corner_permutations, nullptr, kTwist, all_moves()));
+  corners_ =
+      opener.open(fmt::format("corners{}", suffix), kCornerTwists, corner_permutations.size(), depths.corners,
+                  space(kCornerPermutation, corner_permutations, nullptr, kTwist, all_moves()));
   phase2_ = opener.open(
       fmt::format("phase2{}", suffix), kPhase2, corner_permutations.size(), depths.phase2,
       space(kCornerPermutation, corner_permutations, nullptr, kEdgePermutation, kSecondPhaseMoves));
