@@ -78,20 +78,20 @@ Report not_seen(const X& x) {
 }
 bool never(const X&) { return false; }
 
-constexpr auto retain = ecp::retain<Arm>;
-constexpr auto no_sensor = ecp::no_sensor<Arm>;
+constexpr auto kRetain = ecp::retain<Arm>;
+constexpr auto kNoSensor = ecp::no_sensor<Arm>;
 
 }  // namespace
 
 // clang-format off
 const std::array<Selectable, 4> kBehaviours{{
   // f_sigma    m      name              entry   memory           command       receptors  coordinator  f_tau
-  { neither,  { kIdle, "idle",           retain, remember<kNone>, hold,         no_sensor, tell,        one_step } },
-  { only_sac, { 1,     "PB-SAC",         retain, remember<kSac>,  servo<kSac>,  no_sensor, tell,        no_more<only_sac> } },
-  { only_eih, { 2,     "PB-EIH",         retain, remember<kEih>,  servo<kEih>,  no_sensor, tell,        no_more<only_eih> } },
-  { both,     { 3,     "PB-SAC and EIH", retain, remember<kBoth>, servo<kBoth>, no_sensor, tell,        no_more<both> } },
+  { neither,  { kIdle, "idle",           kRetain, remember<kNone>, hold,         kNoSensor, tell,        one_step } },
+  { only_sac, { 1,     "PB-SAC",         kRetain, remember<kSac>,  servo<kSac>,  kNoSensor, tell,        no_more<only_sac> } },
+  { only_eih, { 2,     "PB-EIH",         kRetain, remember<kEih>,  servo<kEih>,  kNoSensor, tell,        no_more<only_eih> } },
+  { both,     { 3,     "PB-SAC and EIH", kRetain, remember<kBoth>, servo<kBoth>, kNoSensor, tell,        no_more<both> } },
 }};
-const Motion<Arm> kGiveUp{ 5, "give up", retain, retain, hold, no_sensor, not_seen, never };
+const Motion<Arm> kGiveUp{ 5, "give up", kRetain, kRetain, hold, kNoSensor, not_seen, never };
 // clang-format on
 
 const Motion<Arm>& select(const X& x) {

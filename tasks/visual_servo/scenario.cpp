@@ -5,7 +5,7 @@
 namespace mrroc::visual_servo {
 
 const std::vector<Scenario>& scenarios() {
-  static const std::vector<Scenario> kScenarios{
+  static const std::vector<Scenario> all{
       {"rest", "the object lies still (VS fig. 28)", {}},
       {"hand", "somebody moves it about", {"object.motion=hand", "object.start=4", "task.duration=16"}},
       {"line",
@@ -24,7 +24,7 @@ const std::vector<Scenario>& scenarios() {
        "another board lies there: the arm never moves, and the task is given up",
        {"task.patience=3"}},
   };
-  return kScenarios;
+  return all;
 }
 
 std::vector<std::string> settings_of(const ScenarioOptions& o) {
