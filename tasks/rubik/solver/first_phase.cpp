@@ -16,6 +16,9 @@ constexpr std::size_t kBlock = 256;
 /// are worth a look.
 constexpr std::array kViewOrder{1, 2, 4, 5};
 
+/// With so few turns of the first phase left, going on costs no more than a look at the other axes.
+constexpr int kNotWorthALook = 2;
+
 constexpr std::uint32_t kAllTurns = (1U << kMoves) - 1;
 
 }  // namespace
@@ -121,10 +124,9 @@ void FirstPhase::drop_hopeless(Block& block, int spare) const {
 }
 
 /// The node is in the group: tries to end there.
-void FirstPhase::finish(const Node& node, int depth) {
-  const int longest = std::min(best_.length() - 1 - depth, kLongestSecondPhase);
+void FirstPhase::finish(const Node& node, const SecondPhase::State& begin, int depth) {
   const Move* const last = node.parent != nullptr ? &node.move : nullptr;
-  if (longest < 0 || !second_.solve(node.pair.cube, last, longest)) return;
+  if (!second_.solve(begin, last, longest_end(depth))) return;
   Moves moves;
   for (const Node* n = &node; n->parent != nullptr; n = n->parent) moves.push_back(n->move);
   std::ranges::reverse(moves);
@@ -132,28 +134,43 @@ void FirstPhase::finish(const Node& node, int depth) {
   best_.offer(variant_->solution(moves));
 }
 
+void FirstPhase::finish_all(const Block& block, int depth) {
+  std::array<std::optional<SecondPhase::State>, kBlock + kMoves> begins;
+  for (std::size_t k = 0; k < block.size(); ++k)
+    begins[k] = second_.start(block[k].pair.cube, longest_end(depth));
+  for (std::size_t k = 0; k < block.size() && !is_over(); ++k)
+    if (begins[k]) finish(block[k], *begins[k], depth);
+}
+
+/// @return turns of a second phase, behind so many, that make a solution shorter than the best one
+int FirstPhase::longest_end(int depth) const {
+  return std::min(best_.length() - 1 - depth, kLongestSecondPhase);
+}
+
+/// Counts a node. @return whether the search is to end
+bool FirstPhase::is_over() {
+  ++nodes_;
+  over_ = over_ || (counter_.count() && best_.found()) || best_.good_enough();
+  return over_;
+}
+
 /// Searches on from the block of the depth, with so many turns of the first phase left.
 void FirstPhase::descend(int depth, int left) {
   Block& block = blocks_[depth];
   const int spare = best_.length() - 1 - depth;
   if (spare < left) return;
-  if (spare < bounds_.largest() - 1) drop_hopeless(block, spare);
-  Block* const next = left > 0 ? &blocks_[depth + 1] : nullptr;
-  if (next != nullptr) next->clear();
+  if (left > kNotWorthALook && spare < bounds_.largest() - 1) drop_hopeless(block, spare);
+  if (left == 0) return finish_all(block, depth);
+  Block& next = blocks_[depth + 1];
+  next.clear();
   for (const Node& node : block) {
-    ++nodes_;
-    over_ = over_ || (counter_.count() && best_.found()) || best_.good_enough();
-    if (over_) return;
-    if (next == nullptr) {
-      finish(node, depth);
-      continue;
-    }
-    expand(node, left, *next);
-    if (next->size() < kBlock) continue;
+    if (is_over()) return;
+    expand(node, left, next);
+    if (next.size() < kBlock) continue;
     descend(depth + 1, left - 1);
-    next->clear();
+    next.clear();
   }
-  if (next != nullptr && !next->empty()) descend(depth + 1, left - 1);
+  if (!next.empty()) descend(depth + 1, left - 1);
 }
 
 void FirstPhase::search(const Variant& variant, int turns) {

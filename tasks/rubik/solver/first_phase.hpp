@@ -64,10 +64,13 @@ class FirstPhase {
   [[nodiscard]] State after(const State& s, int seen_move) const;
   void prefetch(const State& s) const;
   [[nodiscard]] std::uint32_t useful_turns(const State& s, int left) const;
+  bool is_over();
   void descend(int depth, int left);
   void expand(const Node& node, int left, Block& next) const;
   void drop_hopeless(Block& block, int spare) const;
-  void finish(const Node& node, int depth);
+  [[nodiscard]] int longest_end(int depth) const;
+  void finish_all(const Block& block, int depth);
+  void finish(const Node& node, const SecondPhase::State& begin, int depth);
 
   const Tables& tables_;
   const Bounds& bounds_;

@@ -4,14 +4,21 @@
 
 namespace mrroc::rubik {
 
+SecondPhase::Seen SecondPhase::seen(unsigned corners) const {
+  const std::uint32_t member = tables_.corner_permutations.member_of[corners];
+  return {member / kAxisSymmetries, member % kAxisSymmetries};
+}
+
+/// @return turns that corners and slice need
+unsigned SecondPhase::slice_bound(const Seen& seen, unsigned slice) const {
+  return tables_.corner_slice(seen.corner_class,
+                              tables_.slice_permutation_seen[slice * kAxisSymmetries + seen.symmetry]);
+}
+
 int SecondPhase::bound(const State& s) const {
-  const std::uint32_t member = tables_.corner_permutations.member_of[s.corners];
-  const std::uint32_t corner_class = member / kAxisSymmetries;
-  const std::uint32_t seen = member % kAxisSymmetries;
-  const unsigned edges = tables_.edge_permutation_seen[s.edges * kAxisSymmetries + seen];
-  const unsigned slice = tables_.slice_permutation_seen[s.slice * kAxisSymmetries + seen];
-  return static_cast<int>(
-      std::max(tables_.phase2(corner_class, edges), tables_.corner_slice(corner_class, slice)));
+  const Seen c = seen(s.corners);
+  const unsigned edges = tables_.edge_permutation_seen[s.edges * kAxisSymmetries + c.symmetry];
+  return static_cast<int>(std::max(tables_.phase2(c.corner_class, edges), slice_bound(c, s.slice)));
 }
 
 bool SecondPhase::search(const State& s, const Move* last, int turns) {
@@ -32,13 +39,21 @@ bool SecondPhase::search(const State& s, const Move* last, int turns) {
   return false;
 }
 
-bool SecondPhase::solve(const Cube& cube, const Move* last, int longest) {
-  const State s{static_cast<unsigned>(kCornerPermutation.of(cube)),
-                static_cast<unsigned>(kEdgePermutation.of(cube)),
-                static_cast<unsigned>(kSlicePermutation.of(cube))};
+std::optional<SecondPhase::State> SecondPhase::start(const Cube& cube, int longest) const {
+  State s{static_cast<unsigned>(kCornerPermutation.of(cube)), 0,
+          static_cast<unsigned>(kSlicePermutation.of(cube))};
+  const Seen c = seen(s.corners);
+  if (static_cast<int>(slice_bound(c, s.slice)) > longest) return std::nullopt;
+  s.edges = static_cast<unsigned>(kEdgePermutation.of(cube));
+  const unsigned edges = tables_.edge_permutation_seen[s.edges * kAxisSymmetries + c.symmetry];
+  __builtin_prefetch(tables_.phase2_address(c.corner_class, edges));
+  return s;
+}
+
+bool SecondPhase::solve(const State& begin, const Move* last, int longest) {
   end_.clear();
-  for (int turns = bound(s); turns <= longest; ++turns)
-    if (search(s, last, turns)) return true;
+  for (int turns = bound(begin); turns <= longest; ++turns)
+    if (search(begin, last, turns)) return true;
   return false;
 }
 

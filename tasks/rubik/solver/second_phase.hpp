@@ -1,5 +1,7 @@
 // The second phase of Kociemba's algorithm: from the group of kSecondPhaseMoves to the solved cube.
 #pragma once
+#include <optional>
+
 #include "tasks/rubik/cube/move.hpp"
 #include "tasks/rubik/solver/tables.hpp"
 
@@ -14,18 +16,30 @@ class SecondPhase {
   /// @param tables  outlives this object
   explicit SecondPhase(const Tables& tables) : tables_(tables) {}
 
-  /// Searches a shortest end.
-  /// @param cube  of the group
-  /// @param last  the turn before, which the end must not repeat; nullptr: none
-  /// @param longest  ends longer than this are of no use
-  /// @return whether there is one; then end() is it
-  bool solve(const Cube& cube, const Move* last, int longest);
-  [[nodiscard]] const Moves& end() const { return end_; }
-
- private:
+  /// Where an end begins.
   struct State {
     unsigned corners, edges, slice;
   };
+  /// @param cube  of the group
+  /// @param longest  ends longer than this are of no use
+  /// @return its state, and the memory that tells how far it is from solved is on its way; nothing when corners and
+  ///         slice alone need more turns
+  [[nodiscard]] std::optional<State> start(const Cube& cube, int longest) const;
+
+  /// Searches a shortest end.
+  /// @param last  the turn before, which the end must not repeat; nullptr: none
+  /// @param longest  ends longer than this are of no use
+  /// @return whether there is one; then end() is it
+  bool solve(const State& begin, const Move* last, int longest);
+  [[nodiscard]] const Moves& end() const { return end_; }
+
+ private:
+  /// A coordinate's class and the symmetry that leads to its representative.
+  struct Seen {
+    std::uint32_t corner_class, symmetry;
+  };
+  [[nodiscard]] Seen seen(unsigned corners) const;
+  [[nodiscard]] unsigned slice_bound(const Seen& seen, unsigned slice) const;
   [[nodiscard]] int bound(const State& s) const;
   bool search(const State& s, const Move* last, int turns);
 

@@ -18,7 +18,7 @@ struct Depths {
   int phase1, phase2, corners;
 };
 constexpr int kAll = 14;
-constexpr Depths kSmall{6, 6, 6};
+constexpr Depths kSmall{7, 8, 6};
 constexpr Depths kStandard{9, 11, kAll};
 
 /// Opens or makes one table after the other.

@@ -58,6 +58,10 @@ class Tables {
   [[nodiscard]] unsigned phase2(std::uint32_t corner_class, unsigned edges_seen_so) const {
     return get_packed<4>(phase2_.memory.data() + corner_class * kPhase2.page_bytes(), edges_seen_so);
   }
+  /// @return the byte that phase2() would read
+  [[nodiscard]] const std::uint8_t* phase2_address(std::uint32_t corner_class, unsigned edges_seen_so) const {
+    return phase2_.memory.data() + corner_class * kPhase2.page_bytes() + edges_seen_so / 2;
+  }
   /// @return turns to solve corners and edges of the slice, within the group
   [[nodiscard]] unsigned corner_slice(std::uint32_t corner_class, unsigned slice_seen_so) const {
     return get_packed<4>(corner_slice_.memory.data() + corner_class * kCornerSlice.page_bytes(),

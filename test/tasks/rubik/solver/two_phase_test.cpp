@@ -37,12 +37,12 @@ TEST(TwoPhase, ImprovesTheLongerItSearches) {
   for (int k = 0; k < 4; ++k) {
     const Cube cube = random_cube(random);
     std::size_t before = 99;
-    for (const std::uint64_t nodes : {1U, 500U, 5000U}) {
+    for (const std::uint64_t nodes : {1U, 1000U, 20000U}) {
       const Moves moves = solve_two_phase(test::small_bounds(), cube, {.nodes = nodes}).moves;
       ASSERT_EQ(after(cube, moves), Cube{});
       ASSERT_LE(moves.size(), before);
       before = moves.size();
-      (nodes == 1 ? first : last) += nodes == 500 ? 0 : moves.size();
+      (nodes == 1 ? first : last) += nodes == 1000 ? 0 : moves.size();
     }
   }
   EXPECT_LT(last, first);
