@@ -179,7 +179,9 @@ TEST(RulesOfTime, StopAtOnceEndsWhoeverWaits) {
   Ring ring([&hub](const std::string&) { return hub.open(); }, behaviours);
   ASSERT_TRUE(ring.boss.await([&] { return ring.boss.all(ProcessState::ready); }));
   ring.boss.say(Phase::running);
-  ring.boss.await([&] { return ring.boss.is("b", ProcessState::running); });
+  // Whoever is still assembling when the system stops ends without a word.
+  ASSERT_TRUE(ring.boss.await(
+      [&] { return ring.boss.is("b", ProcessState::running) && ring.boss.is("c", ProcessState::running); }));
   ring.boss.say(Phase::stopping, 0);
   const auto both = [&] {
     return ring.boss.is("b", ProcessState::done) && ring.boss.is("c", ProcessState::done);

@@ -113,8 +113,8 @@ TEST(TableFolder, FollowsTheVariablesOfTheDesktop) {
   ::setenv("XDG_CACHE_HOME", "/somewhere", 1);
   EXPECT_EQ(table_folder(), "/somewhere/mrroc");
   ::setenv("XDG_CACHE_HOME", "not/absolute", 1);
-  ::setenv("HOME", "/home/someone", 1);
-  EXPECT_EQ(table_folder(), "/home/someone/.cache/mrroc");
+  ::setenv("HOME", "/somebody", 1);
+  EXPECT_EQ(table_folder(), "/somebody/.cache/mrroc");
   ::unsetenv("XDG_CACHE_HOME");
   ::unsetenv("HOME");
   EXPECT_EQ(table_folder().filename(), "mrroc");
