@@ -37,7 +37,7 @@ TEST(TwoPhase, ImprovesTheLongerItSearches) {
   for (int k = 0; k < 4; ++k) {
     const Cube cube = random_cube(random);
     std::size_t before = 99;
-    for (const std::uint64_t nodes : {1U, 1000U, 20000U}) {
+    for (const std::uint64_t nodes : {1U, 1000U, 100000U}) {
       const Moves moves = solve_two_phase(test::small_bounds(), cube, {.nodes = nodes}).moves;
       ASSERT_EQ(after(cube, moves), Cube{});
       ASSERT_LE(moves.size(), before);
