@@ -19,10 +19,13 @@ namespace {
 Painter::Painter(const CameraModel& camera, const PaintQuality& quality)
     : camera_(camera), quality_(quality), gl_(context_.gl()) {
   const GlContext::Use use(context_);
-  const std::string head =
-      std::string("#version 330 core\n") + (quality.shadow_size > 0 ? "#define SHADOWS\n" : "");
-  plain_ = program(kSceneVertices, head + kScenePixels);
-  textured_ = program(kSceneVertices, head + "#define TEXTURE\n" + kScenePixels);
+  const auto scene_program = [&](const std::string& textured) {
+    const std::string head = std::string("#version 330 core\n") +
+                             (quality.shadow_size > 0 ? "#define SHADOWS\n" : "") + textured + kSceneLight;
+    return program(head + kSceneVertices, head + kScenePixels);
+  };
+  plain_ = scene_program("");
+  textured_ = scene_program("#define TEXTURE\n");
   load_shapes();
   make_canvas();
   if (quality.shadow_size > 0) {

@@ -14,7 +14,7 @@ namespace mrroc::camera {
 /// How much work a picture is worth.
 struct RenderProfile {
   int samples{4};             ///< per pixel, 1..4: smooth edges
-  int shadow_size{1024};      ///< edge of the shadows' map [texel]; 0: no shadows
+  int shadow_size{1024};      ///< edge of the shadows' map [texel]; 0: neither shadows nor highlights
   bool textures_sharp{true};  ///< pictures on bodies stay sharp when seen at a slant (anisotropic filter)
   int channels{3};            ///< 3: blue, green, red; 1: grey
   double noise{2};    ///< standard deviation in half-bright pixels [grey values]; less in dark ones; 0: none
@@ -24,7 +24,7 @@ struct RenderProfile {
 
 /// @return for tests and figures: smooth edges, shadows
 RenderProfile exact_profile();
-/// @return for watching: no smooth edges, no shadows
+/// @return for watching: no smooth edges, shadows, highlights
 RenderProfile fast_profile();
 
 /// One instant of an exposure.

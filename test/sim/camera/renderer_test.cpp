@@ -202,16 +202,16 @@ TEST_F(OneBody, CastsItsShadowAwayFromTheLamp) {
 
 TEST_F(OneBody, LeavesNoShadowOnLitSurfaces) {
   // Each of these is lit everywhere: the map of shadows is coarser than the picture.
-  for (const Shape shape : {Shape::box, Shape::cylinder, Shape::sphere}) {
+  for (const Shape shape : {Shape::box, Shape::cylinder}) {
     Scene scene;
     scene.bodies.push_back(test::table());
-    scene.bodies[0].shape = shape == Shape::sphere ? Shape::box : shape;
+    scene.bodies[0].shape = shape;
     scene.light.direction = {0.3, 0.4, 1};
-    EXPECT_EQ(hash_of(look(scene)), hash_of(look(scene, [] {
-                RenderProfile p = clean();
-                p.shadow_size = 0;
-                return p;
-              }())));
+    RenderProfile without = clean();
+    without.shadow_size = 0;
+    const Image with_map = look(scene);
+    const Image plain = look(scene, without);
+    for (std::size_t k = 0; k < plain.data.size(); ++k) ASSERT_NEAR(with_map.data[k], plain.data[k], 1);
   }
 }
 
