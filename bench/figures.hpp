@@ -26,6 +26,10 @@ Figures run_servo_group(const std::filesystem::path& plots);
 Figure stability_limit_figure();
 /// Predicted against simulated limits of stable contact. Takes about a minute.
 Figures run_stability_group();
+/// Pictures of the simulated cell: their time, the receptors' accuracy, adverse pictures, calibration; the visual
+/// servoing task. Takes about ten minutes, most of it for ten thousand adverse pictures and OpenCV's detector.
+/// @throws FaultError no_renderer
+Figures run_vision_group();
 /// Runs the drawing task several times in separate processes, and kills its parts. Takes about a minute.
 /// @throws FaultError a run did not do what it should
 Figures run_drawing_group();

@@ -20,8 +20,8 @@ const std::vector<std::pair<std::string, std::function<bench::Figures(const std:
     {"edp", [](const std::string&) { return bench::run_edp_group(); }},
     {"servo", [](const std::string& plots) { return bench::run_servo_group(plots); }},
     {"stability", [](const std::string&) { return bench::run_stability_group(); }},
+    {"vision", [](const std::string&) { return bench::run_vision_group(); }},
     {"drawing", [](const std::string&) { return bench::run_drawing_group(); }},
-    {"vision", [](const std::string&) { return bench::visual_servo_figures(); }},
     {"solver", [](const std::string&) { return bench::run_solver_group(); }},
 };
 
@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
   std::string file;
   std::string plots;
   bool resume = false;
-  app.add_option("group", groups, "edp, servo, stability, drawing, vision, solver (default: all)")
+  app.add_option("group", groups, "edp, servo, stability, vision, drawing, solver (default: all)")
       ->check(CLI::IsMember(group_names()));
   auto* json = app.add_option("--json", file, "writes {\"figures\": {KEY: number}, \"context\": {...}}");
   json->type_name("FILE");

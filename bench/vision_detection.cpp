@@ -1,0 +1,125 @@
+// What adverse pictures do to the receptors, and how much work pictures are, also against OpenCV's own detector.
+#include <algorithm>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "bench/vision.hpp"
+#include "sim/camera/renderer.hpp"
+#include "test/vsp/adverse.hpp"
+#include "vsp/apriltag/apriltag_sensor.hpp"
+#include "vsp/chessboard/chessboard_sensor.hpp"
+
+namespace mrroc::bench {
+namespace {
+
+using test::AdversePictures;
+
+struct Adverse {
+  int false_poses{};
+  double longest{};  // of any detection [ms]
+};
+
+template <class Sensor>
+void show(Sensor& sensor, const test::AdversePicture& picture, Adverse& result) {
+  sensor.forget();
+  const double begun = thread_ms();
+  const CameraReading reading = sensor.detect(picture.image.view(), 0, 0);
+  result.longest = std::max(result.longest, thread_ms() - begun);
+  result.false_poses += test::is_false(reading, picture) ? 1 : 0;
+}
+
+// Both receptors look at every picture; to one of them there is nothing to be seen at all.
+Adverse adverse_pictures(int pictures) {
+  const CameraModel model = web_camera();
+  vsp::ChessboardSensor chessboard(model);
+  vsp::AprilTagSensor apriltag(model);
+  Adverse result;
+  for (const auto object : {AdversePictures::Object::chessboard, AdversePictures::Object::apriltag}) {
+    AdversePictures source(model, object, 77);
+    for (int k = 0; k < pictures / 2; ++k) {
+      test::AdversePicture picture = source.next();
+      const auto own = picture.T_CG;
+      const bool board = object == AdversePictures::Object::chessboard;
+      picture.T_CG = board ? own : std::nullopt;
+      show(chessboard, picture, result);
+      picture.T_CG = board ? std::nullopt : own;
+      show(apriltag, picture, result);
+    }
+  }
+  return result;
+}
+
+struct Comparison {
+  double own{};    // [ms], sum
+  double stock{};  // [ms], sum
+  double own_found{};
+  double stock_found{};
+};
+
+void compare(vsp::ChessboardSensor& sensor, const Image& picture, Comparison& c) {
+  sensor.forget();
+  double begun = thread_ms();
+  const bool seen = sensor.detect(picture.view(), 0, 0).seen;
+  const double own = thread_ms() - begun;
+  begun = thread_ms();
+  cv::Mat all(picture.height, picture.width, CV_8UC(picture.channels),
+              const_cast<std::uint8_t*>(picture.data.data()));
+  cv::Mat grey = all;
+  if (picture.channels == 3) cv::cvtColor(all, grey, cv::COLOR_BGR2GRAY);
+  std::vector<cv::Point2f> corners;
+  const bool found = cv::findChessboardCorners(grey, {vsp::kBoard.columns, vsp::kBoard.rows}, corners);
+  if (found)
+    cv::cornerSubPix(grey, corners, {5, 5}, {-1, -1},
+                     {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 30, 0.01});
+  const double stock = thread_ms() - begun;
+  c.own += own;
+  c.stock += stock;
+  if (seen && found) {
+    c.own_found += own;
+    c.stock_found += stock;
+  }
+}
+
+// The pictures of a run: the board near and far, and now and then something else.
+Comparison against_opencv(double& longest) {
+  constexpr int kNear = 60;
+  constexpr int kFar = 12;
+  constexpr int kAdverse = 16;
+  const CameraModel model = web_camera();
+  const int threads = cv::getNumThreads();
+  cv::setNumThreads(1);
+  camera::Renderer renderer(model, camera::exact_profile());
+  ViewedCell cell(ViewedCell::Object::board, 31);
+  vsp::ChessboardSensor sensor(model);
+  Comparison c;
+  for (int k = 0; k < kNear + kFar; ++k) {
+    const Pose T = k < kNear ? cell.pose(model, 0.3, 1) : cell.pose(model, 1.5, 2);
+    const Image picture = renderer.render(cell.scene(), cell.camera(T), k);
+    const double before = c.own;
+    compare(sensor, picture, c);
+    longest = std::max(longest, c.own - before);
+  }
+  AdversePictures adverse(model, AdversePictures::Object::chessboard, 5);
+  for (int k = 0; k < kAdverse; ++k) compare(sensor, adverse.next().image, c);
+  cv::setNumThreads(threads);
+  return c;
+}
+
+}  // namespace
+
+Figures run_detection_figures() {
+  constexpr int kAdverse = 10'000;
+  Adverse adverse = adverse_pictures(kAdverse);
+  const Comparison c = against_opencv(adverse.longest);
+  return {
+      {"false_poses", static_cast<double>(adverse.false_poses), "",
+       "poses claimed falsely in 10,000 adverse pictures, by both receptors"},
+      {"detect_ms_max", adverse.longest, "ms", "processor time of the longest detection, found or not"},
+      {"detect_vs_opencv", c.own / c.stock, "",
+       "mean time against findChessboardCorners and cornerSubPix, same pictures"},
+      {"detect_vs_opencv_found", c.own_found / c.stock_found, "",
+       "the same over the pictures in which both found the board"},
+  };
+}
+
+}  // namespace mrroc::bench
