@@ -6,6 +6,7 @@
 namespace mrroc::rubik {
 
 /// The six faces, in the order of the facelets. Opposite faces are three apart.
+// NOLINTNEXTLINE(readability-identifier-naming): the letters of the notation
 enum class Face : std::uint8_t { U, R, F, D, L, B };
 inline constexpr int kFaces = 6;
 

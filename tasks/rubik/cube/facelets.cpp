@@ -83,9 +83,9 @@ FaceletReading find_pieces(std::string_view facelets, const std::array<std::arra
 }  // namespace
 
 std::string_view to_string(CubeRule rule) {
-  static constexpr std::array<std::string_view, 10> names{"none",  "length",    "letter", "centre", "count",
-                                                          "piece", "duplicate", "twist",  "flip",   "parity"};
-  return names[static_cast<std::size_t>(rule)];
+  static constexpr std::array<std::string_view, 10> kNames{
+      "none", "length", "letter", "centre", "count", "piece", "duplicate", "twist", "flip", "parity"};
+  return kNames[static_cast<std::size_t>(rule)];
 }
 
 FaceletReading read_facelets(std::string_view facelets) {

@@ -71,8 +71,8 @@ Move conjugate(Move m, const Symmetry& s) {
 }
 
 std::string to_string(Move m) {
-  static constexpr std::array<std::string_view, 3> suffix{"", "2", "'"};
-  return fmt::format("{}{}", letter(m.face()), suffix[m.quarters() - 1]);
+  static constexpr std::array<std::string_view, 3> kSuffix{"", "2", "'"};
+  return fmt::format("{}{}", letter(m.face()), kSuffix[m.quarters() - 1]);
 }
 
 std::string to_string(const Moves& moves) {
@@ -82,17 +82,17 @@ std::string to_string(const Moves& moves) {
 }
 
 Moves parse_moves(std::string_view text) {
-  static constexpr std::string_view letters = "URFDLB";
-  static constexpr std::string_view between = " ,\t\r\n";
+  static constexpr std::string_view kLetters = "URFDLB";
+  static constexpr std::string_view kBetween = " ,\t\r\n";
   Moves moves;
   std::size_t k = 0;
   const auto take = [&](char c) { return k < text.size() && text[k] == c ? ++k : 0; };
   while (k < text.size()) {
-    if (between.find(text[k]) != std::string_view::npos) {
+    if (kBetween.find(text[k]) != std::string_view::npos) {
       ++k;
       continue;
     }
-    const std::size_t face = letters.find(text[k]);
+    const std::size_t face = kLetters.find(text[k]);
     if (face == std::string_view::npos)
       throw FaultError(FaultCode::bad_cube, fmt::format("'{}' at character {} is no turn", text[k], k + 1),
                        "write turns as U, R, F, D, L or B, with 2 or ' behind it where needed");

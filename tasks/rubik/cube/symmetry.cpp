@@ -53,9 +53,9 @@ struct Group {
   std::array<std::uint8_t, kSymmetries> inverse;
 
   Group() {
-    static constexpr std::array<std::array<int, 3>, 6> axes{
+    static constexpr std::array<std::array<int, 3>, 6> kAxisOrders{
         {{0, 1, 2}, {0, 2, 1}, {1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {2, 1, 0}}};
-    for (int k = 0; k < kSymmetries; ++k) members[k] = make_symmetry(axes[k / 8], k % 8);
+    for (int k = 0; k < kSymmetries; ++k) members[k] = make_symmetry(kAxisOrders[k / 8], k % 8);
     for (int a = 0; a < kSymmetries; ++a)
       for (int b = 0; b < kSymmetries; ++b) {
         FaceMap map;
@@ -96,7 +96,7 @@ Symmetry rotation_about(Face face) {
     std::array<Face, 3> faces{a, b, c};
     const auto first = std::ranges::find(faces, face);
     if (first == faces.end()) continue;
-    std::ranges::rotate(faces, first);
+    std::rotate(faces.begin(), first, faces.end());
     FaceMap map;
     map[number(face)] = face;
     map[number(opposite(face))] = opposite(face);

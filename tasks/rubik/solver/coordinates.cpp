@@ -13,10 +13,10 @@ constexpr int kSliceSlots = 0b111100000000;
 constexpr int kFirstSliceEdge = 8;
 
 /// Sets of four out of N slots: their numbers, and the sets by number.
-template <int N, int Count>
+template <int N, int count>
 struct Sets {
   std::array<std::uint16_t, 1 << N> rank{};
-  std::array<std::uint16_t, Count> mask{};
+  std::array<std::uint16_t, count> mask{};
 
   constexpr Sets() {
     int n = 0;
@@ -140,18 +140,18 @@ Cube cube_of_corner_permutation(int value) {
   return cube;
 }
 
-template <int First, int Count>
+template <int first, int count>
 int edge_permutation_of(const Cube& cube) {
-  std::array<std::uint8_t, Count> p;
-  for (int k = 0; k < Count; ++k) p[k] = static_cast<std::uint8_t>(cube.edges[First + k] / 2 - First);
+  std::array<std::uint8_t, count> p;
+  for (int k = 0; k < count; ++k) p[k] = static_cast<std::uint8_t>(cube.edges[first + k] / 2 - first);
   return rank_of(p);
 }
 
-template <int First, int Count>
+template <int first, int count>
 Cube cube_of_edge_permutation(int value) {
   Cube cube;
-  const auto p = permutation_of<Count>(value);
-  for (int k = 0; k < Count; ++k) cube.edges[First + k] = static_cast<std::uint8_t>(2 * (First + p[k]));
+  const auto p = permutation_of<count>(value);
+  for (int k = 0; k < count; ++k) cube.edges[first + k] = static_cast<std::uint8_t>(2 * (first + p[k]));
   return cube;
 }
 

@@ -29,32 +29,32 @@ struct PackedLayout {
 /// @return entry number column of the row that begins there
 template <int Bits>
 [[nodiscard]] inline unsigned get_packed(const std::uint8_t* row, unsigned column) {
-  constexpr unsigned per_byte = PackedLayout<Bits>::kPerByte;
-  return (row[column / per_byte] >> (column % per_byte * Bits)) & PackedLayout<Bits>::kMask;
+  constexpr unsigned kEach = PackedLayout<Bits>::kPerByte;
+  return (row[column / kEach] >> (column % kEach * Bits)) & PackedLayout<Bits>::kMask;
 }
 
 /// Sets an entry that is full of ones.
 template <int Bits>
 inline void set_packed(std::uint8_t* row, unsigned column, unsigned value) {
-  constexpr unsigned per_byte = PackedLayout<Bits>::kPerByte;
-  const unsigned hole = (PackedLayout<Bits>::kMask ^ value) << (column % per_byte * Bits);
-  row[column / per_byte] = static_cast<std::uint8_t>(row[column / per_byte] & ~hole);
+  constexpr unsigned kEach = PackedLayout<Bits>::kPerByte;
+  const unsigned hole = (PackedLayout<Bits>::kMask ^ value) << (column % kEach * Bits);
+  row[column / kEach] = static_cast<std::uint8_t>(row[column / kEach] & ~hole);
 }
 
 /// Calls found(column) for each entry of the row that has the value.
 template <int Bits, class Found>
 inline void for_each_packed(const std::uint8_t* row, int columns, unsigned value, Found&& found) {
   static_assert(std::endian::native == std::endian::little);
-  constexpr std::uint64_t ones = ~std::uint64_t{0} / PackedLayout<Bits>::kMask;
-  constexpr int per_word = 64 / Bits;
-  const std::uint64_t pattern = ones * value;
-  for (int first = 0; first < columns; first += per_word) {
-    std::uint64_t word;
+  constexpr std::uint64_t kOnes = ~std::uint64_t{0} / PackedLayout<Bits>::kMask;
+  constexpr int kPerWord = 64 / Bits;
+  const std::uint64_t pattern = kOnes * value;
+  for (int first = 0; first < columns; first += kPerWord) {
+    std::uint64_t word = 0;
     std::memcpy(&word, row + first / PackedLayout<Bits>::kPerByte, sizeof word);
     word ^= pattern;
     word |= word >> 1;
     if constexpr (Bits == 4) word |= word >> 2;
-    for (std::uint64_t equal = ~word & ones; equal != 0; equal &= equal - 1) {
+    for (std::uint64_t equal = ~word & kOnes; equal != 0; equal &= equal - 1) {
       const int column = first + std::countr_zero(equal) / Bits;
       if (column >= columns) return;
       found(column);

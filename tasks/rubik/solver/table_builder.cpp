@@ -196,9 +196,9 @@ Found Builder<Bits>::look_back(int page, unsigned from, unsigned to, Entries& en
 /// Two bits: all distances so far become "up to kTwoBitBase".
 template <int Bits>
 void Builder<Bits>::forget_small_distances() {
-  constexpr std::uint8_t ones = 0x55;
+  constexpr std::uint8_t kOnes = 0x55;
   for (std::size_t k = 0; k < layout_.page_bytes() * space_.pages(); ++k) {
-    const unsigned unset = table_[k] & (table_[k] >> 1U) & ones;
+    const unsigned unset = table_[k] & (table_[k] >> 1U) & kOnes;
     table_[k] = static_cast<std::uint8_t>(unset * 3);
   }
 }
