@@ -138,6 +138,12 @@ bool Config::has(std::string_view key) const {
   return store_->entries.contains(fmt::format("{}{}", prefix_, key));
 }
 
+Config Config::copy() const {
+  Config other = *this;
+  other.store_ = std::make_shared<ConfigStore>(*store_);
+  return other;
+}
+
 void Config::check_all_used() const {
   std::string unknown;
   ConfigPlace where;

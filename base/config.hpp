@@ -157,6 +157,9 @@ class Config {
   ///         it gives the same values
   [[nodiscard]] std::string dump() const;
 
+  /// @return the same configuration with a memory of its own of what is asked for: another thread may read it
+  [[nodiscard]] Config copy() const;
+
  private:
   struct Asked;
   template <class T>

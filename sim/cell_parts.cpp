@@ -67,7 +67,7 @@ mp::Part make_part(const Config& config, const std::string& name, const std::str
   mp::Part p{name, program, {"--name", name}, {}};
   const std::string key = arm ? arm->key : "";
   if (arm) p.arguments.insert(p.arguments.end(), {"--arm", arm->key, "--robot", arm->model});
-  p.body = [config, key, body](link::Process& process) { body(process, config, {key}); };
+  p.body = [config = config.copy(), key, body](link::Process& process) { body(process, config, {key}); };
   return p;
 }
 

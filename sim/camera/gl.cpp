@@ -10,11 +10,6 @@
 
 #include "base/fault.hpp"
 
-#ifdef __SANITIZE_THREAD__
-// Mesa is not instrumented: the thread sanitizer sees its memory, but not how its threads agree on it.
-extern "C" const char* __tsan_default_suppressions() { return "race:swrast_dri.so\n"; }
-#endif
-
 namespace mrroc::camera {
 namespace {
 

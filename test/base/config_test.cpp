@@ -329,5 +329,14 @@ TEST(Config, LoadsFiles) {
   std::filesystem::remove(file);
 }
 
+TEST(Config, CopyKnowsTheSameAndRemembersForItself) {
+  const Config config = Config::parse("[a]\nx = 1\ny = 2\n", "test");
+  const Config copy = config.copy();
+  EXPECT_EQ(copy.number("a.x", 0), 1);
+  EXPECT_EQ(copy.number("a.y", 0), 2);
+  EXPECT_NO_THROW(copy.check_all_used());
+  EXPECT_THROW(config.check_all_used(), ConfigError);
+}
+
 }  // namespace
 }  // namespace mrroc::test
