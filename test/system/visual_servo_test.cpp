@@ -55,6 +55,7 @@ struct ServoRun {
 };
 
 TEST(VisualServo, BringsTheToolToTheObjectAsInFig28) {
+  if (kSanitized) GTEST_SKIP() << "too long";
   const ServoRun r({"--processes", "one"});
   ASSERT_EQ(r.ended.status, 0) << r.ended.all();
   EXPECT_EQ(r.told["outcome"], "done");
@@ -72,6 +73,7 @@ TEST(VisualServo, BringsTheToolToTheObjectAsInFig28) {
 }
 
 TEST(VisualServo, ReachesTheObjectWithEveryAggregation) {
+  if (kSanitized) GTEST_SKIP() << "too long";
   for (const std::string method : {"mean", "switching", "weights"}) {
     const ServoRun r(words({kFast, {"--aggregation", method}}));
     ASSERT_EQ(r.ended.status, 0) << r.ended.all();
@@ -81,6 +83,7 @@ TEST(VisualServo, ReachesTheObjectWithEveryAggregation) {
 }
 
 TEST(VisualServo, FollowsAnObjectOnALine) {
+  if (kSanitized) GTEST_SKIP() << "too long";
   const ServoRun r(words({kFast, {"--scenario", "line"}}));
   ASSERT_EQ(r.ended.status, 0) << r.ended.all();
   EXPECT_LE(std::abs(r.figure("line_lag_mm")), 10);
@@ -88,6 +91,7 @@ TEST(VisualServo, FollowsAnObjectOnALine) {
 }
 
 TEST(VisualServo, HoldsWhileTheObjectIsHiddenAndGoesOn) {
+  if (kSanitized) GTEST_SKIP() << "too long";
   const ServoRun r(words({kFast, {"--scenario", "occluded"}}));
   ASSERT_EQ(r.ended.status, 0) << r.ended.all();
   const auto order = r.behaviours();
@@ -96,6 +100,7 @@ TEST(VisualServo, HoldsWhileTheObjectIsHiddenAndGoesOn) {
 }
 
 TEST(VisualServo, WaitsForAnObjectThatIsAbsentAtFirst) {
+  if (kSanitized) GTEST_SKIP() << "too long";
   const ServoRun r(words({kFast, {"--scenario", "absent"}}));
   ASSERT_EQ(r.ended.status, 0) << r.ended.all();
   EXPECT_EQ(r.behaviours().front(), 0);
@@ -114,6 +119,7 @@ TEST(VisualServo, NeverMovesForAWrongBoardAndIsGivenUp) {
 }
 
 TEST(VisualServo, IsTheSameEveryTimeWhateverCarriesItsMessages) {
+  if (kSanitized) GTEST_SKIP() << "too long";
   const std::vector<std::string> brief{"--set", "cameras.profile=fast", "--set", "task.duration=2"};
   const ServoRun one(words({brief, {"--processes", "one"}}));
   ASSERT_EQ(one.ended.status, 0) << one.ended.all();
