@@ -89,7 +89,7 @@ class Edge {
   [[nodiscard]] Vector2 foot(int n) const {
     return from_ + (kEnds + (1 - 2 * kEnds) * (n + 0.5) / lines_) * along_;
   }
-  [[nodiscard]] double way(int k) const { return (k - points_ / 2) * kStep; }
+  [[nodiscard]] double way(int k) const { return k * kStep - 0.5 * (points_ - 1) * kStep; }
   [[nodiscard]] double at(int n, int k) const { return values_.at<unsigned char>(n * points_ + k); }
 
   static double middle_of(std::vector<double> values) {
