@@ -79,6 +79,7 @@ enum class FaultCode : std::uint16_t {
   bad_trajectory,
   bad_script,
   bad_log,
+  bad_cube,
   no_such_session,
   // the operator
   operator_stop,

@@ -122,6 +122,8 @@ inline constexpr std::array kFaultTable{
               "correct the line named"),
   MRROC_FAULT(bad_log, non_fatal, "the log of a run cannot be used",
               "name the events.lcmlog of a run folder"),
+  MRROC_FAULT(bad_cube, non_fatal, "the cube cannot be solved, or its description cannot be read",
+              "look at the stickers named, or at the turns"),
   MRROC_FAULT(no_such_session, non_fatal, "no task, or more than one, runs to attach to",
               "start a task, or name one with --session"),
 
