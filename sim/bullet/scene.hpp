@@ -12,9 +12,12 @@
 
 namespace mrroc::sim {
 
-// Who may touch whom: pens touch paper, nothing else touches anything.
+// Who may touch whom: pens touch paper, grippers and the floor touch a cube, nothing else touches anything.
 inline constexpr int kPenGroup = 64;
 inline constexpr int kPaperGroup = 128;
+inline constexpr int kGripperGroup = 256;
+inline constexpr int kCubeGroup = 512;
+inline constexpr int kFloorGroup = 1024;
 
 /// Gravity, contacts and the solver. Bodies of arms are added to dynamics() by their owners, who outlive no
 /// scene.
@@ -34,6 +37,10 @@ class Scene {
   /// @param T_UP  of the table, as above
   void add_plate(const Pose& T_UP, const PlateParameters& plate);
 
+  /// Adds the floor, for a cube to fall on, and takes friction in two directions: in one alone a held cube turns in
+  /// its pads.
+  void prepare_for_cube();
+
   /// Integrates once. @param h [s]
   void integrate(double h) { dynamics_.stepSimulation(h, 0, h); }
 
@@ -41,7 +48,8 @@ class Scene {
   [[nodiscard]] Vector3 gravity() const;
 
  private:
-  void add_body(std::unique_ptr<btCollisionShape> shape, const Pose& T_U);
+  void add_body(std::unique_ptr<btCollisionShape> shape, const Pose& T_U, int group = kPaperGroup,
+                int mask = kPenGroup);
 
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
