@@ -1,0 +1,86 @@
+#include "sim/cube_cell.hpp"
+
+#include <Eigen/Geometry>
+#include <array>
+#include <stdexcept>
+
+#include "base/pose.hpp"
+#include "robots/irb6/arm.hpp"
+
+namespace mrroc::sim {
+namespace {
+
+// The result of the search.
+const Vector3 kPlace{0.373, 1.292, 1.281};  // of the cube in the world [m]
+constexpr double kAzimuth = 1.105;          // of its axis out of U [rad]
+constexpr double kElevation = 0.791;
+constexpr double kTurned = 0.230;  // about that axis
+const std::array<std::vector<double>, 2> kNear{{{-0.9494, -1.6953, 0.1376, -0.4440, 4.0401, 0.7052},
+                                                {0.3916, 1.1953, -1.5479, 0.2417, 0.5134, 1.6346, 3.3068}}};
+constexpr double kSqueezed = 0.0002;  // by which the pads of a firm grip give way together [m]
+
+std::vector<double> joints_at(const ArmParameters& arm, int number, const Pose& T_UE) {
+  const auto robot = irb6::make_arm(arm.model == ArmModel::irb6_track ? "irb6_track" : "irb6_postument");
+  const auto& near = kNear[static_cast<std::size_t>(number)];
+  const auto solution =
+      robot->inverse(arm.T_UB.inverse() * T_UE * robot->tool_in_wrist().inverse(),
+                     Eigen::Map<const Eigen::VectorXd>(near.data(), static_cast<Eigen::Index>(near.size())));
+  if (!solution.reached) throw std::invalid_argument("cube cell: an arm does not reach the cube");
+  return {solution.joints.begin(), solution.joints.end()};
+}
+
+}  // namespace
+
+Pose meeting_place() {
+  const Vector3 z(std::cos(kElevation) * std::cos(kAzimuth), std::cos(kElevation) * std::sin(kAzimuth),
+                  std::sin(kElevation));
+  Matrix3 R;
+  R.col(2) = z;
+  R.col(0) = Vector3::UnitZ().cross(z).normalized();
+  R.col(1) = z.cross(R.col(0));
+  return {R * rotation_from_angle_axis({0, 0, kTurned}), kPlace};
+}
+
+Pose grip(int arm) {
+  if (arm == kTrack) return {Matrix3::Identity(), {0, 0, -kTwoLayers}};
+  return {Eigen::DiagonalMatrix<double, 3>(-1, 1, -1), {0, 0, kOneLayer}};
+}
+
+WorldParameters cube_cell(const CubeCellParameters& c) {
+  WorldParameters world;
+  world.substeps = 4;
+  world.cube.emplace();
+  world.cube->state = c.state;
+  world.cube->faces = c.faces;
+  world.cube->held_by = kTrack;
+  world.cube->T_EC = grip(kTrack).inverse();
+
+  for (int k = 0; k < 2; ++k) {
+    ArmParameters& arm = world.arms[static_cast<std::size_t>(k)];
+    arm.gripper.emplace();
+    arm.jaws.emplace();
+    Pose T_CE = grip(k);
+    if (k == kTrack) {
+      arm.gripper->palm = world.cube->edge / 2 - kTwoLayers;
+      arm.gripper->pad_depth = 0.034;
+      arm.jaws->start = world.cube->edge - kSqueezed;
+    } else {
+      T_CE = T_CE * pose_from_angle_axis((AngleAxisPose() << c.grasp_error.x(), c.grasp_error.y(),
+                                          -c.distance, 0, 0, c.turn_error)
+                                             .finished());
+    }
+    arm.start = joints_at(arm, k, meeting_place() * T_CE);
+  }
+  return world;
+}
+
+LoadedTool tool_with_cube(int arm, const CubeParameters& cube) {
+  const auto robot = irb6::make_arm(arm == kTrack ? "irb6_track" : "irb6_postument");
+  const irb6::ArmParameters& p = robot->parameters();
+  const double added = cube.mass * 9.81;
+  const Vector3 place = robot->tool_in_wrist() * grip(arm).inverse().p;
+  const Vector3 own = Eigen::Map<const Vector3>(p.tool_mass_centre.data());
+  return {p.tool_weight + added, (p.tool_weight * own + added * place) / (p.tool_weight + added)};
+}
+
+}  // namespace mrroc::sim

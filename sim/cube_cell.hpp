@@ -1,0 +1,50 @@
+// The cell in which two arms handle a cube: where they meet, and what their grippers are like.
+#pragma once
+#include <cstdint>
+
+#include "sim/world.hpp"
+
+namespace mrroc::sim {
+
+/// Numbers of the arms in this cell.
+inline constexpr int kPostument = 0;
+inline constexpr int kTrack = 1;
+
+/// Depth of a grip: how far E is from the middle of the cube, towards the arm, when the palm lies on the cube [m]. The
+/// track arm's long fingers hold two layers, those of the arm on the pedestal one: so it is always that one which
+/// turns.
+inline constexpr double kOneLayer = 0.019;
+inline constexpr double kTwoLayers = 0.0095;
+
+/// Where the cube is held while a face is turned: U towards the arm on the pedestal, D towards the track arm. Found by
+/// a search over places, directions, turns about them and positions of the track: the least distance from a limit of
+/// joint or motor or from the wrist's singularity, as a share of half the range, is 0.41 over both arms' grips in all
+/// four quarter turns, their retreats by 0.1 m, and a grip of the track arm from a side of the cube.
+Pose meeting_place();
+
+/// @param arm  kPostument or kTrack
+/// @return T_CE of the grip of that arm at the meeting place
+Pose grip(int arm);
+
+/// What differs from one turn to another.
+struct CubeCellParameters {
+  rubik::Cube state;
+  FaceFrictionSpread faces;
+  double distance{0.01};                 ///< of the worker's palm from the cube [m]
+  Vector3 grasp_error{Vector3::Zero()};  ///< of the worker across its approach [m]: x, y of E; z: none
+  double turn_error{};                   ///< of the worker about its approach [rad]
+};
+
+/// @return the track arm holds the cube, the arm on the pedestal stands before it
+/// @throws std::invalid_argument  the arms do not reach each other
+WorldParameters cube_cell(const CubeCellParameters& parameters);
+
+/// Weight and mass centre of a tool with the cube in its hand, for SET FORCE_TOOL.
+struct LoadedTool {
+  double weight{};                       ///< [N]
+  Vector3 mass_centre{Vector3::Zero()};  ///< W_G P [m]
+};
+/// @param arm  as above @param cube  of the world
+LoadedTool tool_with_cube(int arm, const CubeParameters& cube);
+
+}  // namespace mrroc::sim
