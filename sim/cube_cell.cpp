@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <numbers>
 #include <stdexcept>
 
 #include "base/pose.hpp"
@@ -46,6 +47,26 @@ Pose grip(int arm) {
   return {Eigen::DiagonalMatrix<double, 3>(-1, 1, -1), {0, 0, kOneLayer}};
 }
 
+Pose cube_with(rubik::Face face) {
+  using rubik::Face;
+  constexpr double kQuarter = std::numbers::pi / 2;
+  switch (face) {
+    case Face::U:
+      return {};
+    case Face::D:
+      return {rotation_from_angle_axis({2 * kQuarter, 0, 0}), Vector3::Zero()};
+    case Face::R:
+      return {rotation_from_angle_axis({0, -kQuarter, 0}), Vector3::Zero()};
+    case Face::L:
+      return {rotation_from_angle_axis({0, kQuarter, 0}), Vector3::Zero()};
+    case Face::B:
+      return {rotation_from_angle_axis({kQuarter, 0, 0}), Vector3::Zero()};
+    case Face::F:
+      break;
+  }
+  return {rotation_from_angle_axis({-kQuarter, 0, 0}), Vector3::Zero()};
+}
+
 WorldParameters cube_cell(const CubeCellParameters& c) {
   WorldParameters world;
   world.substeps = 4;
@@ -53,25 +74,32 @@ WorldParameters cube_cell(const CubeCellParameters& c) {
   world.cube->state = c.state;
   world.cube->faces = c.faces;
   world.cube->held_by = kTrack;
-  world.cube->T_EC = grip(kTrack).inverse();
+  world.cube->T_EC = grip(kTrack).inverse() * cube_with(c.face);
 
   for (int k = 0; k < 2; ++k) {
     ArmParameters& arm = world.arms[static_cast<std::size_t>(k)];
     arm.gripper.emplace();
     arm.jaws.emplace();
-    Pose T_CE = grip(k);
+    Pose T_ME = grip(k);
     if (k == kTrack) {
       arm.gripper->palm = world.cube->edge / 2 - kTwoLayers;
       arm.gripper->pad_depth = 0.034;
       arm.jaws->start = world.cube->edge - kSqueezed;
     } else {
-      T_CE = T_CE * pose_from_angle_axis((AngleAxisPose() << c.grasp_error.x(), c.grasp_error.y(),
+      arm.jaws->start = c.jaws;
+      T_ME = T_ME * pose_from_angle_axis((AngleAxisPose() << c.grasp_error.x(), c.grasp_error.y(),
                                           -c.distance, 0, 0, c.turn_error)
                                              .finished());
     }
-    arm.start = joints_at(arm, k, meeting_place() * T_CE);
+    arm.start = joints_at(arm, k, meeting_place() * T_ME);
   }
   return world;
+}
+
+edp::Limits cube_limits() {
+  edp::Limits limits;
+  limits.motor_acceleration = 1e5;
+  return limits;
 }
 
 LoadedTool tool_with_cube(int arm, const CubeParameters& cube) {

@@ -14,8 +14,8 @@ struct GripperBodyParameters {
   double palm_width{0.024};     ///< edge of the square palm [m]
   double friction{0.8};         ///< of the pads
   double palm_friction{0.3};    ///< of the palm
-  double pad_stiffness{2e5};    ///< of each of the four points of contact of a pad [N/m]
-  double palm_stiffness{2e4};   ///< the same of the palm
+  double pad_stiffness{8e5};    ///< of a pad, all its points of contact together [N/m]
+  double palm_stiffness{8e4};   ///< the same of the palm
   double relaxation{0.002};     ///< damping of the contacts over their stiffness [s]
   double jaw_mass{0.1};         ///< of each jaw with its finger [kg]
   double jaw_force{1000};       ///< that the screw of a jaw bears [N]

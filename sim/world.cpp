@@ -43,6 +43,9 @@ struct World::Impl {
     }
     if (!p.cube) return;
     scene.prepare_for_cube();
+    scene.on_contacts([this] {
+      for (const auto& each : arms) each->share_stiffness();
+    });
     cube = std::make_unique<CubeBody>(*p.cube, this->arm(p.cube->held_by).T_UE() * p.cube->T_EC, scene,
                                       kStep / p.substeps);
   }
@@ -94,6 +97,7 @@ const CubeTruth* World::cube() const { return impl_->cube ? &impl_->cube->truth(
 void World::set_face_friction(rubik::Face face, const FaceFriction& friction) {
   if (impl_->cube) impl_->cube->set_friction(face, friction);
 }
+bool World::lay_cube(int axis) { return impl_->cube && impl_->cube->lay(axis); }
 Pose World::effector(int arm) const { return impl_->arm(arm).T_UE(); }
 void World::new_sheet(int arm) { impl_->arm(arm).ink().clear(); }
 

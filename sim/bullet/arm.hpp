@@ -39,6 +39,10 @@ class SimulatedArm {
   [[nodiscard]] const HardwareReading& reading() const { return reading_; }
   [[nodiscard]] const ArmTruth& truth() const { return truth_; }
   [[nodiscard]] const AxisVector& start_joints() const { return start_joints_; }
+  /// After contacts have been found.
+  void share_stiffness() {
+    if (gripper_) gripper_->share_stiffness();
+  }
   /// @return E in the world
   [[nodiscard]] Pose T_UE() const { return load_.motion().T_UG * arm_.T_GE; }
   Hand& hand() { return hand_; }

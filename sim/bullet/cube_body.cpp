@@ -1,5 +1,6 @@
 #include "sim/bullet/cube_body.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,8 +13,10 @@ namespace {
 using rubik::Face;
 
 constexpr double kQuarter = std::numbers::pi / 2;
-constexpr double kGap = 1e-4;  // between layers [m]
-constexpr int kPatience = 5;   // steps in which another axis must be wanted
+constexpr double kGap = 1e-4;    // between layers [m]
+constexpr int kPatience = 2;     // steps in which another axis must be wanted ...
+constexpr double kMore = 1.3;    // compared with the present axis
+constexpr double kWanted = 0.5;  // ... which is that a layer is turned by so much of its breakaway
 constexpr std::array kSides{1., -1.};
 
 // Faces out of which the axes of C come, and those opposite.
@@ -182,19 +185,17 @@ void CubeBody::add_contacts(double share) {
 }
 
 int CubeBody::wanted_axis() const {
-  int wanted = axis_;
-  double most = 1;
+  std::array<double, 3> share{};  // of the breakaway that is nearest to being reached
   for (int axis = 0; axis < 3; ++axis)
     for (int side = 0; side < 2; ++side) {
-      const double moment =
-          std::abs(moments_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(side)]);
-      const double share =
-          moment / frictions_[static_cast<std::size_t>(rubik::number(face(axis, side)))].breakaway;
-      if (axis == axis_ ? share < most : share <= most) continue;
-      most = share;
-      wanted = axis;
+      const double moment = moments_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(side)];
+      const auto number = static_cast<std::size_t>(rubik::number(face(axis, side)));
+      double& most = share[static_cast<std::size_t>(axis)];
+      most = std::max(most, std::abs(moment) / frictions_[number].breakaway);
     }
-  return wanted;
+  const auto wanted = std::ranges::max_element(share) - share.begin();
+  const double least = std::max(kWanted, kMore * share[static_cast<std::size_t>(axis_)]);
+  return share[static_cast<std::size_t>(wanted)] > least ? static_cast<int>(wanted) : axis_;
 }
 
 void CubeBody::end_step() {

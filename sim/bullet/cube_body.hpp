@@ -13,7 +13,7 @@ namespace mrroc::sim {
 
 /// At any time the layers can turn about one of the three axes: a floating multibody of the middle layer, to which the
 /// core belongs, and the two outer layers. When all faces are in their seats and something turns a layer of another
-/// axis by more than its breakaway, the body is made anew with that axis; pose and speed stay. The 26 pieces are
+/// axis, by half of its breakaway at least, the body is made anew with that axis; pose and speed stay. The 26 pieces are
 /// the numbers of rubik::Cube.
 class CubeBody {
  public:

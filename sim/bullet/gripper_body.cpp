@@ -1,5 +1,6 @@
 #include "sim/bullet/gripper_body.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/bullet/convert.hpp"
@@ -18,6 +19,7 @@ GripperBody::GripperBody(const GripperBodyParameters& p, const ArmBody& arm, Sce
       h_(h),
       pad_box_(btVector3(p.pad_width / 2, p.pad_thickness / 2, p.pad_depth / 2)),
       palm_box_(btVector3(p.palm_width / 2, p.palm_width / 2, kPalmThickness / 2)),
+      stiffness_{p.pad_stiffness, p.pad_stiffness, p.palm_stiffness},
       drives_(std::make_unique<JointDrives>(*arm.body, arm.tool + 1, h)) {
   double mass = 0;
   for (int link = arm.tool; link < arm.body->getNumLinks(); ++link) mass += arm.body->getLink(link).m_mass;
@@ -71,6 +73,27 @@ void GripperBody::push(double distance) {
   }
   for (int jaw = 0; jaw < 2; ++jaw)
     drives_->drive(jaw, (distance / 2 - arm_.body->getJointPos(arm_.tool + 1 + jaw)) / h_, p_.jaw_force);
+}
+
+void GripperBody::share_stiffness() {
+  btDispatcher& dispatcher = *scene_.dynamics().getDispatcher();
+  for (std::size_t k = 0; k < colliders_.size(); ++k) {
+    const auto each_point = [&](auto take) {
+      for (int m = 0; m < dispatcher.getNumManifolds(); ++m) {
+        btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(m);
+        if (manifold.getBody0() != colliders_[k].get() && manifold.getBody1() != colliders_[k].get())
+          continue;
+        for (int i = 0; i < manifold.getNumContacts(); ++i) take(manifold.getContactPoint(i));
+      }
+    };
+    int touching = 0;
+    each_point([&](const btManifoldPoint& point) { touching += point.getDistance() < 0; });
+    const double share = stiffness_[k] / std::max(touching, 1);
+    each_point([&](btManifoldPoint& point) {
+      point.m_combinedContactStiffness1 = share;
+      point.m_combinedContactDamping1 = share * p_.relaxation;
+    });
+  }
 }
 
 // Both jaws close by half of what the distance shrinks, so the force that belongs to the distance is their mean.

@@ -26,6 +26,9 @@ class GripperBody {
   void place(double distance);
   /// Before each integration. @param distance  between the jaws, as the screw has it now [m]
   void push(double distance);
+  /// Divides the stiffness of pads and palm among their points of contact, however many Bullet has found: a pad on two
+  /// layers of a cube has twice as many as on one. Call after contacts have been found.
+  void share_stiffness();
   /// @return force that opens the jaws, in the last integration [N]: positive when they press on something
   [[nodiscard]] double force();
   /// @return distance between the pads [m]
@@ -44,6 +47,7 @@ class GripperBody {
   std::array<btCompoundShape, 2> pads_;
   btCompoundShape palm_;
   std::array<std::unique_ptr<btMultiBodyLinkCollider>, 3> colliders_;
+  std::array<double, 3> stiffness_;  // [N/m]
   std::unique_ptr<JointDrives> drives_;
 };
 

@@ -4,6 +4,7 @@
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 #include <btBulletDynamicsCommon.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -18,6 +19,19 @@ inline constexpr int kPaperGroup = 128;
 inline constexpr int kGripperGroup = 256;
 inline constexpr int kCubeGroup = 512;
 inline constexpr int kFloorGroup = 1024;
+
+/// The dynamics with a word in between: after contacts have been found, before forces are.
+class ObservedDynamics final : public btMultiBodyDynamicsWorld {
+ public:
+  using btMultiBodyDynamicsWorld::btMultiBodyDynamicsWorld;
+  std::function<void()> contacts_found;
+
+ protected:
+  void calculateSimulationIslands() override {
+    if (contacts_found) contacts_found();
+    btMultiBodyDynamicsWorld::calculateSimulationIslands();
+  }
+};
 
 /// Gravity, contacts and the solver. Bodies of arms are added to dynamics() by their owners, who outlive no
 /// scene.
@@ -45,6 +59,8 @@ class Scene {
   void integrate(double h) { dynamics_.stepSimulation(h, 0, h); }
 
   btMultiBodyDynamicsWorld& dynamics() { return dynamics_; }
+  /// Calls in every integration after contacts have been found, before forces are.
+  void on_contacts(std::function<void()> call) { dynamics_.contacts_found = std::move(call); }
   [[nodiscard]] Vector3 gravity() const;
 
  private:
@@ -55,7 +71,7 @@ class Scene {
   btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broadphase_;
   btMultiBodyConstraintSolver solver_;
-  btMultiBodyDynamicsWorld dynamics_;
+  ObservedDynamics dynamics_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btCollisionObject>> bodies_;
 };

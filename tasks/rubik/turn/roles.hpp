@@ -18,7 +18,7 @@ class Role {
   Arm::Y step(Arm::X& x) {
     if (m_ == 0) enter(1, x);
     while (!done() && row().f_tau(x)) enter(m_ + 1, x);
-    if (done()) return {.c = x.c};
+    if (done()) return {x.c, {}, {}, {}};
     Arm::Y y{row().f_cc(x), row().f_ce(x), row().f_cV(x), row().f_cT(x)};
     x.c = y.c;
     return y;
