@@ -69,7 +69,7 @@ Pose cube_with(rubik::Face face) {
 
 WorldParameters cube_cell(const CubeCellParameters& c) {
   WorldParameters world;
-  world.substeps = 4;
+  world.substeps = c.substeps;
   world.cube.emplace();
   world.cube->state = c.state;
   world.cube->faces = c.faces;

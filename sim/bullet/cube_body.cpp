@@ -58,7 +58,8 @@ void CubeBody::build(const Pose& T_UC, const Vector3& velocity, const Vector3& t
   Vector3 edges = Vector3::Constant(p_.edge);
   edges[axis_] = layer - kGap;
   const btVector3 inertia = box_inertia(mass, edges, p_.added_inertia);
-  const btVector3 to_layer = to_bullet(Vector3(axis * layer / 2));
+  const btVector3 to_joint = to_bullet(Vector3(axis * layer / 2));
+  const btVector3 to_layer = to_bullet(Vector3(axis * (layer + kGap) / 2));  // its outside is that of the cube
 
   body_ = std::make_unique<btMultiBody>(2, mass, inertia, false, false);
   body_->setBasePos(to_bullet(T_UC.p));
@@ -66,7 +67,7 @@ void CubeBody::build(const Pose& T_UC, const Vector3& velocity, const Vector3& t
   for (int side = 0; side < 2; ++side) {
     const double out = kSides[static_cast<std::size_t>(side)];
     body_->setupRevolute(side, mass, inertia, -1, btQuaternion(0, 0, 0, 1), to_bullet(Vector3(out * axis)),
-                         out * to_layer, out * to_layer, true);
+                         out * to_joint, out * to_layer, true);
   }
   body_->finalizeMultiDof();
   body_->setBaseVel(to_bullet(velocity));
