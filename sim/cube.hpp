@@ -9,10 +9,13 @@
 
 namespace mrroc::sim {
 
+/// Edge of the original's cube [m].
+inline constexpr double kCubeEdge = 0.057;
+
 /// The frame of the cube, C, is fixed to its core: origin in the middle, x out of face R, z out of face U, so y comes
 /// out of face B. At the beginning an arm holds it.
 struct CubeParameters {
-  double edge{0.057};          ///< [m]
+  double edge{kCubeEdge};      ///< [m]
   double mass{0.1};            ///< [kg]
   double added_inertia{1e-3};  ///< of each layer, for the solver's sake (docs/plant.md) [kg m^2]
   double friction{1};          ///< of the stickers; that of a contact is the product with the pad's

@@ -18,6 +18,8 @@ constexpr double kElevation = 0.791;
 constexpr double kTurned = 0.230;  // about that axis
 const std::array<std::vector<double>, 2> kNear{{{-0.9494, -1.6953, 0.1376, -0.4440, 4.0401, 0.7052},
                                                 {0.3916, 1.1953, -1.5479, 0.2417, 0.5134, 1.6346, 3.3068}}};
+constexpr double kClearance =
+    0.001;  // of the palm behind long fingers [m]: the hand that comes has no such palm
 constexpr double kSqueezed = 0.0002;  // by which the pads of a firm grip give way together [m]
 
 std::vector<double> joints_at(const ArmParameters& arm, int number, const Pose& T_UE) {
@@ -31,6 +33,19 @@ std::vector<double> joints_at(const ArmParameters& arm, int number, const Pose& 
 }
 
 }  // namespace
+
+GripperBodyParameters gripper_with(Fingers fingers) {
+  GripperBodyParameters p;
+  if (fingers == Fingers::one_layer) return p;
+  p.palm = kCubeEdge / 2 - kTwoLayers + kClearance;
+  p.pad_depth = 0.034;
+  return p;
+}
+
+Pose cube_in_hand(Fingers fingers, rubik::Face face) {
+  return Pose{Matrix3::Identity(), {0, 0, fingers == Fingers::one_layer ? kOneLayer : kTwoLayers}} *
+         cube_with(face);
+}
 
 Pose meeting_place() {
   const Vector3 z(std::cos(kElevation) * std::cos(kAzimuth), std::cos(kElevation) * std::sin(kAzimuth),
@@ -74,16 +89,14 @@ WorldParameters cube_cell(const CubeCellParameters& c) {
   world.cube->state = c.state;
   world.cube->faces = c.faces;
   world.cube->held_by = kTrack;
-  world.cube->T_EC = grip(kTrack).inverse() * cube_with(c.face);
+  world.cube->T_EC = cube_in_hand(Fingers::two_layers, c.face);
 
   for (int k = 0; k < 2; ++k) {
     ArmParameters& arm = world.arms[static_cast<std::size_t>(k)];
-    arm.gripper.emplace();
+    arm.gripper = gripper_with(k == kTrack ? Fingers::two_layers : Fingers::one_layer);
     arm.jaws.emplace();
     Pose T_ME = grip(k);
     if (k == kTrack) {
-      arm.gripper->palm = world.cube->edge / 2 - kTwoLayers;
-      arm.gripper->pad_depth = 0.034;
       arm.jaws->start = world.cube->edge - kSqueezed;
     } else {
       arm.jaws->start = c.jaws;

@@ -17,6 +17,14 @@ inline constexpr int kTrack = 1;
 inline constexpr double kOneLayer = 0.019;
 inline constexpr double kTwoLayers = 0.0095;
 
+/// How many layers of a cube the fingers of a gripper cover.
+enum class Fingers : std::uint8_t { one_layer, two_layers };
+/// @return a gripper with such fingers, whose palm lies on the cube when they cover it
+GripperBodyParameters gripper_with(Fingers fingers);
+/// @param face  that points away from the palm
+/// @return T_EC of a cube in such a hand
+Pose cube_in_hand(Fingers fingers, rubik::Face face);
+
 /// Where the cube is held while a face is turned, the frame M: origin in the middle of the cube, z out of the face that
 /// the arm on the pedestal turns, away from the track arm. Found by
 /// a search over places, directions, turns about them and positions of the track: the least distance from a limit of

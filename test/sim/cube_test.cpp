@@ -81,15 +81,28 @@ TEST_F(HeldCube, DoesNotNoticeThatItsLayersAreChosenAnew) {
   EXPECT_EQ(cube().state, rubik::after({}, rubik::parse_moves("R U' F2")));
 }
 
-TEST_F(HeldCube, FallsWhenTheJawsOpen) {
+TEST_F(HeldCube, LiesLooseInTheHandWhenTheJawsOpen) {
   run(15);
+  const Pose before = in_hand();
+  run(60, {}, 0.075);
+  EXPECT_FALSE(cell.reply(kTrack).blocked);
+  EXPECT_GT((before.inverse() * in_hand()).p.norm(), 0.005) << "it lies on the lower finger";
   EXPECT_FALSE(cube().on_floor);
-  run(50, {}, 0.075);
-  EXPECT_FALSE(cube().on_floor) << "it lies on the lower finger";
-  run(150, {.az = u(0.5)}, 0.075);
-  for (int k = 0; k < 50 && !cube().on_floor; ++k) run(1, {}, 0.075);
-  EXPECT_TRUE(cube().on_floor);
-  EXPECT_LT(cube().T_UC.p.z(), 0.1);
+}
+
+TEST(CubeCell, ACubeThatNothingHoldsFallsOnTheFloor) {
+  CubeCellParameters c;
+  c.distance = 0.08;
+  c.substeps = 2;
+  WorldParameters p = cube_cell(c);
+  p.cube->T_EC.p.z() = 0.08;  // before the fingers
+  World world(p, 1);
+  for (int k = 0; k < 500 && !world.cube()->on_floor; ++k) world.step({});
+  EXPECT_TRUE(world.cube()->on_floor);
+  const double seconds = static_cast<double>(world.steps()) * kStep;
+  EXPECT_NEAR(seconds, std::sqrt(2 * (1.3 - 0.04) / 9.81), 0.03);
+  EXPECT_LT(world.cube()->T_UC.p.z(), 0.06);
+  EXPECT_EQ(world.cube()->state, rubik::Cube{});
 }
 
 TEST(CubeCell, IsTheSameFromRunToRun) {
