@@ -30,4 +30,8 @@ Figures run_stability_group();
 /// @throws FaultError a run did not do what it should
 Figures run_drawing_group();
 
+/// Turns of a face of the cube by two arms. Takes some minutes.
+/// @throws FaultError a driver refused to start
+Figures run_cube_group();
+
 }  // namespace mrroc::bench

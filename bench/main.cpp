@@ -21,6 +21,7 @@ const std::vector<std::pair<std::string, std::function<bench::Figures(const std:
     {"servo", [](const std::string& plots) { return bench::run_servo_group(plots); }},
     {"stability", [](const std::string&) { return bench::run_stability_group(); }},
     {"drawing", [](const std::string&) { return bench::run_drawing_group(); }},
+    {"cube", [](const std::string&) { return bench::run_cube_group(); }},
 };
 
 std::vector<std::string> group_names() {
@@ -50,7 +51,7 @@ int main(int argc, char** argv) {
   std::string file;
   std::string plots;
   bool resume = false;
-  app.add_option("group", groups, "edp, servo, stability, drawing (default: all)")
+  app.add_option("group", groups, "edp, servo, stability, drawing, cube (default: all)")
       ->check(CLI::IsMember(group_names()));
   auto* json = app.add_option("--json", file, "writes {\"figures\": {KEY: number}, \"context\": {...}}");
   json->type_name("FILE");
