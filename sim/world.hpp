@@ -1,4 +1,5 @@
-// The simulated work cell: arms with drives, wrist sensors and pens, their sheets, and the operators' hands.
+// The simulated work cell: arms with drives, wrist sensors, pens or grippers, their sheets, the operators' hands, and a
+// cube.
 // One step of the world is one step of the effector drivers. The only code that knows Bullet is behind it.
 #pragma once
 #include <array>

@@ -13,9 +13,11 @@ namespace {
 using rubik::Face;
 
 constexpr double kQuarter = std::numbers::pi / 2;
-constexpr double kGap = 1e-4;    // between layers [m]
-constexpr int kPatience = 2;     // steps in which another axis must be wanted ...
-constexpr double kMore = 1.3;    // compared with the present axis
+constexpr double kGap = 1e-4;  // between layers [m]
+constexpr double kAligned =
+    1e-3;                      // largest angle of a layer that is forgotten when layers are chosen anew [rad]
+constexpr int kPatience = 2;   // steps in which another axis must be wanted ...
+constexpr double kMore = 1.3;  // compared with the present axis
 constexpr double kWanted = 0.5;  // ... which is that a layer is turned by so much of its breakaway
 constexpr std::array kSides{1., -1.};
 
@@ -59,7 +61,8 @@ void CubeBody::build(const Pose& T_UC, const Vector3& velocity, const Vector3& t
   edges[axis_] = layer - kGap;
   const btVector3 inertia = box_inertia(mass, edges, p_.added_inertia);
   const btVector3 to_joint = to_bullet(Vector3(axis * layer / 2));
-  const btVector3 to_layer = to_bullet(Vector3(axis * (layer + kGap) / 2));  // its outside is that of the cube
+  const btVector3 to_layer =
+      to_bullet(Vector3(axis * (layer + kGap) / 2));  // its outside is that of the cube
 
   body_ = std::make_unique<btMultiBody>(2, mass, inertia, false, false);
   body_->setBasePos(to_bullet(T_UC.p));
@@ -118,9 +121,9 @@ void CubeBody::set_friction(Face f, const FaceFriction& friction) {
 }
 
 bool CubeBody::lay(int axis) {
-  for (const FaceDrive& f : faces_)
-    if (!f.seated()) return false;
   observe();
+  for (std::size_t side = 0; side < faces_.size(); ++side)
+    if (!faces_[side].seated() || std::abs(truth_.angle[side]) > kAligned) return false;
   settled_ = truth_.state;
   const Vector3 velocity = from_bullet(body_->getBaseVel());
   const Vector3 turning = from_bullet(body_->getBaseOmega());

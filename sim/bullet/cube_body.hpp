@@ -34,7 +34,8 @@ class CubeBody {
   [[nodiscard]] const CubeTruth& truth() const { return truth_; }
   /// From now on a face has this friction.
   void set_friction(rubik::Face face, const FaceFriction& friction);
-  /// Makes the body anew with another axis, if all layers are in their seats. @param axis 0..2 @return whether
+  /// Makes the body anew with another axis, if all layers are in the middle of their seats: what they are off is
+  /// forgotten, and must be little for what holds them. @param axis 0..2 @return whether
   bool lay(int axis);
 
   /// Calls take(double) with every number of the mechanical state.
