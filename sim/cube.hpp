@@ -34,8 +34,8 @@ struct CubeTruth {
       angle{};  ///< of the layers in positive and negative direction of that axis, from the seats
                 ///< that `state` has them in; positive: counterclockwise seen from outside [rad]
   std::array<double, 2> torque{};  ///< which the friction of these faces bears [N m]
-  double squeeze{};                ///< largest force of a pad or palm on it, mean over the step [N]
-  int layings{};                   ///< how often the layers have been chosen anew
+  double squeeze{};  ///< largest force with which one pad, palm or the floor pressed on it in the step [N]
+  int layings{};     ///< how often the layers have been chosen anew
   bool on_floor{};
 };
 

@@ -36,6 +36,23 @@ Face face(int axis, int side) {
   return kFaces[static_cast<std::size_t>(axis)][static_cast<std::size_t>(side)];
 }
 
+/// What presses on the cube, and how much: a pad may lie on several layers.
+struct Pressing {
+  const btCollisionObject* by;
+  double force;  // [N]
+};
+constexpr std::size_t kMostPressing = 8;  // two hands with two pads and a palm each, and the floor
+
+/// @return force of that body with what is added
+double add(std::array<Pressing, kMostPressing>& all, const btCollisionObject* by, double force) {
+  for (Pressing& p : all) {
+    if (p.by && p.by != by) continue;
+    p.by = by;
+    return p.force += force;
+  }
+  return force;
+}
+
 int quarters(double angle) { return static_cast<int>(std::lround(angle / kQuarter)); }
 
 }  // namespace
@@ -161,9 +178,9 @@ void CubeBody::add_contacts(double share) {
   btDispatcher& dispatcher = *scene_.dynamics().getDispatcher();
   const btTransform T_CU = body_->getBaseWorldTransform().inverse();
   truth_.on_floor = false;
+  std::array<Pressing, kMostPressing> pressing{};
   for (int m = 0; m < dispatcher.getNumManifolds(); ++m) {
     const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(m);
-    double squeeze = 0;
     for (int k = 0; k < manifold.getNumContacts(); ++k) {
       const btManifoldPoint& point = manifold.getContactPoint(k);
       const bool first = is_mine(manifold.getBody0());
@@ -180,11 +197,10 @@ void CubeBody::add_contacts(double share) {
         if (std::abs(place[axis]) < p_.edge / 6) continue;
         moments_[static_cast<std::size_t>(axis)][place[axis] > 0 ? 0 : 1] += share * moment[axis];
       }
-      squeeze += point.m_appliedImpulse / h_;
       const auto* other = first ? manifold.getBody1() : manifold.getBody0();
+      truth_.squeeze = std::max(truth_.squeeze, add(pressing, other, point.m_appliedImpulse / h_));
       truth_.on_floor |= other->getBroadphaseHandle()->m_collisionFilterGroup == kFloorGroup;
     }
-    truth_.squeeze = std::max(truth_.squeeze, squeeze);
   }
 }
 
