@@ -41,5 +41,8 @@ Figures visual_servo_figures();
 /// when they are not in the cache.
 /// @throws FaultError a solution is wrong
 Figures run_solver_group();
+/// Turns of a face of the cube by two arms. Takes some minutes.
+/// @throws FaultError a driver refused to start
+Figures run_cube_group();
 
 }  // namespace mrroc::bench

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "sim/cube_config.hpp"
 #include "sim/shell.hpp"
 #include "sim/strokes_file.hpp"
 
@@ -97,6 +98,7 @@ ArmParameters read_arm(const Config& config, const std::string& key, ArmModel fa
   arm.start_height = sim.number("start_height", arm.start_height, {0.005, 0.1}, "m");
   read_switches(robot.section("switches"), arm.switches);
   if (robot.choice("gripper", false, {{"none", false}, {"two_jaw", true}})) arm.jaws = JawParameters{};
+  read_fingers(robot, arm);
   arm.object = robot.number("object", 0, {0, 0.09}, "m between the jaws, 0: nothing");
   arm.lines.loop_back = robot.flag("lines.loop_back", arm.lines.loop_back);
   arm.lines.inputs = static_cast<std::uint16_t>(robot.integer("lines.inputs", 0, {0, 65535}, "bit mask"));
@@ -113,8 +115,10 @@ WorldParameters read_world(const Config& config) {
   w.substeps = config.integer("sim.substeps", w.substeps, {1, 16}, "per step");
   w.solver_iterations = config.integer("sim.solver_iterations", w.solver_iterations, {10, 1000});
   w.arms.clear();
-  for (const std::string& key : config.texts("robots.order", std::vector<std::string>{"arm1", "arm2"}))
+  const auto keys = config.texts("robots.order", std::vector<std::string>{"arm1", "arm2"});
+  for (const std::string& key : keys)
     w.arms.push_back(read_arm(config, key, w.arms.empty() ? ArmModel::irb6_postument : ArmModel::irb6_track));
+  w.cube = read_cube(config, keys);
   return w;
 }
 

@@ -34,6 +34,9 @@ class Jaws {
   /// Puts an object between the jaws, or takes it away. @param width [m], 0: none
   void set_object(double width) { object_ = width; }
 
+  /// Force with which bodies between the pads push the jaws open [N], until the next call.
+  void set_load(double force) { load_ = force; }
+
   /// Begins the mean of the current.
   void begin_step() { current_ = 0; }
 
@@ -52,14 +55,14 @@ class Jaws {
     motor_ += h_ * speed_;
   }
 
-  /// @return force that opens the jaws, from object and stops [N]; negative at the stop of the opening
+  /// @return force that opens the jaws, from object, bodies and stops [N]; negative at the stop of the opening
   [[nodiscard]] double force() const {
     const double d = distance();
     const double opening = gripper::slope(motor_) * speed_;  // [m/s]
     const auto pressed = [&](double depth, double closing) {
       return depth > 0 ? std::max(0.0, depth + p_.relaxation * closing) : 0;
     };
-    return p_.object_stiffness * pressed(object_ - d, -opening) +
+    return load_ + p_.object_stiffness * pressed(object_ - d, -opening) +
            p_.stop_stiffness * (pressed(gripper::distance(gripper::kClosedStop) - d, -opening) -
                                 pressed(d - gripper::distance(gripper::kOpenStop), opening));
   }
@@ -79,6 +82,7 @@ class Jaws {
   double speed_{};  // [rad/s]
   double current_{};
   double object_{};
+  double load_{};
   ShaftFriction friction_;
 };
 

@@ -1,4 +1,5 @@
-// The simulated work cell: arms with drives, wrist sensors and pens, their sheets, and the operators' hands.
+// The simulated work cell: arms with drives, wrist sensors, pens or grippers, their sheets, the operators' hands, and a
+// cube.
 // One step of the world is one step of the effector drivers. The only code that knows Bullet is behind it.
 #pragma once
 #include <array>
@@ -12,7 +13,9 @@
 #include "base/hardware.hpp"
 #include "base/pose.hpp"
 #include "robots/irb6/parameters.hpp"
+#include "sim/cube.hpp"
 #include "sim/force_sensor.hpp"
+#include "sim/gripper_body.hpp"
 #include "sim/hand.hpp"
 #include "sim/jaws.hpp"
 #include "sim/link_shape.hpp"
@@ -53,7 +56,9 @@ struct ArmParameters {
   PlateParameters plate;
   HandParameters hand;
   std::optional<JawParameters> jaws;  ///< none: a tool without motor-driven jaws
-  double object{};                    ///< width of what is between the jaws after reset() [m], 0: nothing
+  std::optional<GripperBodyParameters>
+      gripper;      ///< jaws and palm that touch a cube, instead of the pen; needs jaws
+  double object{};  ///< width of what is between the jaws after reset() [m], 0: nothing
   std::array<SwitchParameters, kMaxAxes> switches{};  ///< for homing, one per motor
   LineParameters lines;
   std::vector<double> start;  ///< joints after reset() [rad], track [m], one per axis; empty: the pen stands
@@ -73,8 +78,9 @@ struct WorldParameters {
   /// Arm 1 (index 0) on its pedestal, arm 2 on its track, 2.1 m apart.
   std::vector<ArmParameters> arms{arm_parameters(ArmModel::irb6_postument),
                                   arm_parameters(ArmModel::irb6_track)};
-  int substeps{2};             ///< integration steps per step, at least 1
-  int solver_iterations{100};  ///< of the contact and friction solver
+  std::optional<CubeParameters> cube;  ///< none: there is no cube
+  int substeps{2};                     ///< integration steps per step, at least 1
+  int solver_iterations{100};          ///< of the contact and friction solver
 };
 
 /// What a test or a figure may know and a driver may not.
@@ -91,7 +97,8 @@ struct ArmTruth {
 };
 
 /// The simulation. Single-threaded and deterministic: the same parameters, seed and calls give the same bits.
-/// step() does not throw; after construction it allocates only for ink.
+/// step() does not throw; after construction it allocates only for ink and when a cube's layers are
+/// chosen anew.
 class World {
  public:
   /// @throws std::invalid_argument  a parameter is out of range; the text says which
@@ -138,6 +145,16 @@ class World {
 
   /// Puts something between the jaws of the arm, or takes it away. @param width [m], 0: nothing
   void set_object(int arm, double width);
+
+  /// @return the true state of the cube; null: there is none
+  [[nodiscard]] const CubeTruth* cube() const;
+  /// From now on a face of the cube has this friction. Without a cube nothing happens.
+  void set_face_friction(rubik::Face face, const FaceFriction& friction);
+  /// Lays the cube's layers anew, as a turn about another axis does. @param axis 0 x, 1 y, 2 z of the cube
+  /// @return whether they are in their seats, so that it can be done; false without a cube
+  bool lay_cube(int axis);
+  /// @return where E of an arm is, in the world
+  [[nodiscard]] Pose effector(int arm) const;
 
   /// Puts a clean sheet before the arm.
   void new_sheet(int arm);

@@ -87,6 +87,7 @@ DriverSetup read_driver(const Config& config, const std::string& key, std::strin
       table.integer("force_stuck_after", kStuckAfter, {0, 10'000}, "equal readings, 0: never");
   d.T_WE = read_pose(table, "tool.pose", s.arm->tool_in_wrist());
   if (table.choice("gripper", false, {{"none", false}, {"two_jaw", true}})) d.gripper = gripper::two_jaw();
+  if (d.gripper) d.jaws = table.number("jaws", d.jaws, {0.053, 0.09}, "m at SYNCHRO");
   d.homing = homing_of(s.arm->parameters());
   using enum edp::Synchronisation;
   d.synchronisation = table.choice("synchro", synchro_joints.empty() ? homing : known_pose,

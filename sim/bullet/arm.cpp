@@ -28,6 +28,7 @@ std::unique_ptr<irb6::Arm> checked_robot(const ArmParameters& p) {
       refuse("a motor has a resistance, inertia, presliding or brake torque that is not positive");
   if (!(p.paper.stiffness > 0 && p.paper.size > 0 && p.pen_radius > 0))
     refuse("the paper's stiffness and size and the pen's radius must be positive");
+  if (p.gripper && !p.jaws) refuse("a gripper's body needs jaws");
   return robot;
 }
 
@@ -91,7 +92,7 @@ SimulatedArm::SimulatedArm(const ArmParameters& p, Scene& scene, double h, int s
       start_joints_(sim::start_joints(*robot_, p)),
       start_motors_(robot_->motors_from_joints(start_joints_)),
       arm_(build_arm(robot_description(p.model), robot_->parameters().lengths, p.T_UB,
-                     reflected_inertia(*robot_, p, start_joints_), tool_mass(p, scene))),
+                     reflected_inertia(*robot_, p, start_joints_), tool_mass(p, scene), p.gripper)),
       brakes_(std::make_unique<Brakes>(*arm_.body, brake_torques(p), h)),
       load_(arm_, scene.gravity(), h),
       jaw_encoder_(gripper::two_jaw().increments_per_rad, 0.5),
@@ -108,24 +109,27 @@ SimulatedArm::SimulatedArm(const ArmParameters& p, Scene& scene, double h, int s
   if (p.jaws) jaws_.emplace(*p.jaws, h);
   set_object(p.object);
   scene_.dynamics().addMultiBody(arm_.body.get());
-  add_pen();
+  if (p.gripper) {
+    gripper_ = std::make_unique<GripperBody>(*p.gripper, arm_, scene, h);
+    gripper_->place(jaws_->distance());
+  } else {
+    add_pen();
+  }
   set_joints(*arm_.body, start_joints_);
   load_.reset();
   scene_.dynamics().addMultiBodyConstraint(brakes_.get());
   brakes_->finalizeMultiDof();
   begin_step(nullptr);
 
-  // At rest the sensor feels the weight of the tool.
-  const Pose& T_UG = load_.motion().T_UG;
-  const Vector3 weight = arm_.body->getLink(arm_.tool).m_mass * scene.gravity();
-  truth_.S_F = xi_F(arm_.T_GS.inverse(), Wrench::from(T_UG.R.transpose() * weight, Vector3::Zero()));
+  truth_.S_F = load_.weight();
   measure(0);
   observe();
 }
 
 SimulatedArm::~SimulatedArm() {
   scene_.dynamics().removeMultiBodyConstraint(brakes_.get());
-  scene_.dynamics().removeCollisionObject(collider_.get());
+  if (collider_) scene_.dynamics().removeCollisionObject(collider_.get());
+  gripper_.reset();
   scene_.dynamics().removeMultiBody(arm_.body.get());
 }
 
@@ -196,11 +200,12 @@ void SimulatedArm::push() {
   for (int k = 0; k < arm_.joints; ++k) arm_.body->addJointTorque(k, joint_torques[k]);
 
   if (jaws_) jaws_->step(jaw_pwm_, jaws_enabled_, share_);
+  if (gripper_) gripper_->push(jaws_->distance());
 
   const ToolMotion& tool = load_.motion();
   const Vector3 tip_B = T_BU_ * (tool.T_UG * arm_.T_GE.p);
   const Vector3 tip_velocity_B = T_BU_.R * tool.velocity_of(arm_.T_GE.p);
-  const bool on_paper = load_.contact_force().dot(paper_normal_) > 0;
+  const bool on_paper = !gripper_ && load_.contact_force().dot(paper_normal_) > 0;
   const Vector3 force_B = hand_.step(h_, tip_B, tip_velocity_B, on_paper);
   hand_force_ = p_.T_UB.R * force_B;
   truth_.hand_force += share_ * force_B;
@@ -211,7 +216,10 @@ void SimulatedArm::push() {
 
 void SimulatedArm::follow() {
   truth_.S_F += share_ * load_.step(hand_force_);
-  truth_.paper_force += share_ * load_.contact_force().dot(paper_normal_);
+  if (gripper_)
+    jaws_->set_load(gripper_->force());
+  else
+    truth_.paper_force += share_ * load_.contact_force().dot(paper_normal_);
 }
 
 void SimulatedArm::end_step(std::int64_t step) {

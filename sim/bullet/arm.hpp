@@ -8,6 +8,7 @@
 
 #include "robots/irb6/arm.hpp"
 #include "sim/bullet/brakes.hpp"
+#include "sim/bullet/gripper_body.hpp"
 #include "sim/bullet/multibody.hpp"
 #include "sim/bullet/scene.hpp"
 #include "sim/bullet/tool_load.hpp"
@@ -40,6 +41,12 @@ class SimulatedArm {
   [[nodiscard]] const AxisVector& start_joints() const { return start_joints_; }
   /// @return what it looks like at present
   [[nodiscard]] std::vector<LinkShape> shapes() const;
+  /// After contacts have been found.
+  void share_stiffness() {
+    if (gripper_) gripper_->share_stiffness();
+  }
+  /// @return E in the world
+  [[nodiscard]] Pose T_UE() const { return load_.motion().T_UG * arm_.T_GE; }
   Hand& hand() { return hand_; }
   Ink& ink() { return ink_; }
   void set_object(double width) {
@@ -53,6 +60,11 @@ class SimulatedArm {
       take(arm_.body->getJointPos(k));
       take(arm_.body->getJointVel(k));
       take(friction_[static_cast<std::size_t>(k)].deflection());
+    }
+    for (int k = arm_.joints; gripper_ && k < arm_.body->getNumLinks(); ++k) {
+      if (k == arm_.tool) continue;  // it has no joint
+      take(arm_.body->getJointPos(k));
+      take(arm_.body->getJointVel(k));
     }
   }
 
@@ -86,6 +98,7 @@ class SimulatedArm {
   btSphereShape ball_;
   btCompoundShape pen_;
   std::unique_ptr<btMultiBodyLinkCollider> collider_;
+  std::unique_ptr<GripperBody> gripper_;
 
   HardwareCommand command_{};
   double jaw_pwm_{};

@@ -15,9 +15,13 @@
 namespace mrroc::sim {
 namespace {
 
+constexpr double kSliderMass = 0.02;     // of a link that only gives way [kg]
+constexpr double kSliderInertia = 1e-4;  // of it and of a jaw [kg m^2]
+
 struct LinkPlan {
   bool fixed{}, prismatic{};
-  Pose T_PL;  // link frame in that of the link before, joint at zero
+  int back{1};  // the parent is so many links before
+  Pose T_PL;    // link frame in that of the link before, joint at zero
   Vector3 axis{Vector3::Zero()};
   double mass{};
   Vector3 mass_centre{Vector3::Zero()}, inertia{Vector3::Zero()};
@@ -117,23 +121,54 @@ Plan plan_chain(const urdf::ModelInterface& model, const irb6::Lengths& lengths)
   return plan;
 }
 
-Vector3 mass_centre(const Plan& plan, std::size_t link) { return plan.links[link].mass_centre; }
+LinkPlan slider(const Vector3& axis, const Vector3& place, double mass, int back) {
+  LinkPlan link;
+  link.prismatic = true;
+  link.back = back;
+  link.T_PL.p = place;
+  link.axis = axis;
+  link.mass = mass;
+  link.inertia.setConstant(kSliderInertia);
+  return link;
+}
+
+/// Lets the tool give way, and gives it jaws.
+void add_gripper(Plan& plan, const GripperBodyParameters& p) {
+  LinkPlan tool = plan.links.back();
+  plan.links.pop_back();
+  const Pose T_PW = tool.T_PL;
+  for (const Vector3 axis : {Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()})
+    plan.links.push_back(slider(axis, Vector3::Zero(), kSliderMass, 1));
+  plan.links[plan.links.size() - ArmBody::kWristAxes].T_PL = T_PW;
+
+  const Vector3 jaws = 2 * p.jaw_mass * plan.T_TE.p;
+  if (!(tool.mass > 2 * p.jaw_mass)) refuse("the jaws are heavier than the tool");
+  tool.mass_centre = (tool.mass * tool.mass_centre - jaws) / (tool.mass - 2 * p.jaw_mass);
+  tool.mass -= 2 * p.jaw_mass;
+  tool.T_PL = Pose();
+  plan.links.push_back(tool);
+  const Vector3 pad(0, p.pad_thickness / 2, 0);
+  plan.links.push_back(slider(Vector3::UnitY(), plan.T_TE.p + pad, p.jaw_mass, 1));
+  plan.links.push_back(slider(-Vector3::UnitY(), plan.T_TE.p - pad, p.jaw_mass, 2));
+}
 
 void set_up_link(btMultiBody& body, const Plan& plan, std::size_t k, double rotor_inertia) {
   const LinkPlan& link = plan.links[k];
   const int index = static_cast<int>(k);
+  const int parent = index - link.back;
   const btQuaternion to_link = quaternion(link.T_PL.R.transpose());
-  const Vector3 from_parent = k == 0 ? link.T_PL.p : link.T_PL.p - mass_centre(plan, k - 1);
+  const Vector3 from_parent =
+      parent < 0 ? link.T_PL.p : link.T_PL.p - plan.links[static_cast<std::size_t>(parent)].mass_centre;
   const btVector3 pivot = to_bullet(from_parent);
   const btVector3 centre = to_bullet(link.mass_centre);
   if (link.fixed) {
-    body.setupFixed(index, link.mass, to_bullet(link.inertia), index - 1, to_link, pivot, centre);
+    body.setupFixed(index, link.mass, to_bullet(link.inertia), parent, to_link, pivot, centre);
   } else if (link.prismatic) {
-    body.setupPrismatic(index, link.mass + rotor_inertia, to_bullet(link.inertia), index - 1, to_link,
+    body.setupPrismatic(index, link.mass + rotor_inertia, to_bullet(link.inertia), parent, to_link,
                         to_bullet(link.axis), pivot, centre, true);
   } else {
     const Vector3 inertia = link.inertia + rotor_inertia * link.axis.cwiseAbs2();
-    body.setupRevolute(index, link.mass, to_bullet(inertia), index - 1, to_link, to_bullet(link.axis), pivot,
+    body.setupRevolute(index, link.mass, to_bullet(inertia), parent, to_link, to_bullet(link.axis), pivot,
                        centre, true);
   }
 }
@@ -141,7 +176,8 @@ void set_up_link(btMultiBody& body, const Plan& plan, std::size_t k, double roto
 }  // namespace
 
 ArmBody build_arm(std::string_view urdf, const irb6::Lengths& lengths, const Pose& T_UB,
-                  const AxisVector& rotor_inertia, const std::optional<ToolMass>& tool) {
+                  const AxisVector& rotor_inertia, const std::optional<ToolMass>& tool,
+                  const std::optional<GripperBodyParameters>& gripper) {
   const auto model = urdf::parseURDF(std::string(urdf));
   if (!model) refuse("it is not URDF");
   Plan plan = plan_chain(*model, lengths);
@@ -152,11 +188,12 @@ ArmBody build_arm(std::string_view urdf, const irb6::Lengths& lengths, const Pos
     link.mass = tool->mass;
     link.mass_centre = tool->centre;  // the tool's frame is W
   }
+  if (gripper) add_gripper(plan, *gripper);
   if (plan.joints != rotor_inertia.size()) refuse("it has another number of joints than the robot");
 
   ArmBody arm;
   arm.joints = plan.joints;
-  arm.tool = plan.joints;
+  arm.tool = plan.joints + (gripper ? ArmBody::kWristAxes : 0);
   const int links = static_cast<int>(plan.links.size());
   arm.body = std::make_unique<btMultiBody>(links, 0, btVector3(0, 0, 0), true, false);
   arm.body->setBasePos(to_bullet(T_UB.p));
@@ -171,12 +208,14 @@ ArmBody build_arm(std::string_view urdf, const irb6::Lengths& lengths, const Pos
   arm.body->setLinearDamping(0);
   arm.body->setAngularDamping(0);
 
-  const Pose T_TG{Matrix3::Identity(), plan.links.back().mass_centre};
+  const Pose T_TG{Matrix3::Identity(), plan.links[static_cast<std::size_t>(arm.tool)].mass_centre};
   arm.T_GS = T_TG.inverse() * plan.T_WT.inverse() * plan.T_WS;
   arm.T_GE = T_TG.inverse() * plan.T_TE;
   arm.shapes = std::move(plan.shapes);
-  for (BodyShape& s : arm.shapes)
-    if (s.body >= 0) s.T_GV.p -= mass_centre(plan, static_cast<std::size_t>(s.body));
+  for (BodyShape& s : arm.shapes) {
+    if (s.body == arm.joints) s.body = arm.tool;
+    if (s.body >= 0) s.T_GV.p -= plan.links[static_cast<std::size_t>(s.body)].mass_centre;
+  }
   return arm;
 }
 

@@ -12,6 +12,7 @@
 #include "base/pose.hpp"
 #include "robots/irb6/parameters.hpp"
 #include "sim/camera/scene.hpp"
+#include "sim/gripper_body.hpp"
 
 namespace mrroc::sim {
 
@@ -25,13 +26,16 @@ struct BodyShape {
 };
 
 /// The multibody and the frames on it that matter. Links 0..joints-1 are moved by the joints in the order of
-/// the description, link `tool` is everything beyond the joint "sensor".
+/// the description, link `tool` is everything beyond the joint "sensor". With a gripper three links of the elastic wrist
+/// lie before the tool, which give way along z, y and x of W counted from the tool, and the two jaws behind it.
 struct ArmBody {
+  static constexpr int kWristAxes = 3;
+
   std::unique_ptr<btMultiBody> body;
   int joints{};  ///< number of moving joints
   int tool{};    ///< index of the tool's link
   Pose T_GS;     ///< sensor in the frame of the tool's link; its origin G is the tool's mass centre
-  Pose T_GE;     ///< tip of the tool in the frame of the tool's link
+  Pose T_GE;     ///< tip of the tool, or E of the gripper, in the frame of the tool's link
   std::vector<BodyShape> shapes;  ///< what it looks like
 };
 
@@ -50,9 +54,11 @@ struct ToolMass {
 /// (along)
 ///                       the joint's axis
 /// @param tool  instead of the described mass of the tool; its inertia grows with its mass
+/// @param gripper  its jaws are part of the tool's mass; none: the tool has no jaws that touch anything
 /// @throws std::invalid_argument  the description is not such a chain
 ArmBody build_arm(std::string_view urdf, const irb6::Lengths& lengths, const Pose& T_UB,
-                  const AxisVector& rotor_inertia, const std::optional<ToolMass>& tool = {});
+                  const AxisVector& rotor_inertia, const std::optional<ToolMass>& tool = {},
+                  const std::optional<GripperBodyParameters>& gripper = {});
 
 /// Moves the joints and everything that is computed from them; at rest.
 /// @param joints [rad, track m]

@@ -25,13 +25,20 @@ void Scene::add_table(const Pose& T_UP, double edge) {
            T_UP * Pose{Matrix3::Identity(), {0, 0, -kTableThickness / 2}});
 }
 
-void Scene::add_body(std::unique_ptr<btCollisionShape> shape, const Pose& T_U) {
+void Scene::prepare_for_cube() {
+  constexpr double kEdge = 10;  // [m]
+  add_body(std::make_unique<btBoxShape>(btVector3(kEdge / 2, kEdge / 2, kEdge / 2)),
+           Pose{Matrix3::Identity(), {0, 0, -kEdge / 2}}, kFloorGroup, kCubeGroup);
+  dynamics_.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+}
+
+void Scene::add_body(std::unique_ptr<btCollisionShape> shape, const Pose& T_U, int group, int mask) {
   shapes_.push_back(std::move(shape));
   auto body = std::make_unique<btCollisionObject>();
   body->setCollisionShape(shapes_.back().get());
   body->setWorldTransform(to_bullet(T_U));
   body->setFriction(1);
-  dynamics_.addCollisionObject(body.get(), kPaperGroup, kPenGroup);
+  dynamics_.addCollisionObject(body.get(), group, mask);
   bodies_.push_back(std::move(body));
 }
 

@@ -4,6 +4,7 @@
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 #include <btBulletDynamicsCommon.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -12,9 +13,25 @@
 
 namespace mrroc::sim {
 
-// Who may touch whom: pens touch paper, nothing else touches anything.
+// Who may touch whom: pens touch paper, grippers and the floor touch a cube, nothing else touches anything.
 inline constexpr int kPenGroup = 64;
 inline constexpr int kPaperGroup = 128;
+inline constexpr int kGripperGroup = 256;
+inline constexpr int kCubeGroup = 512;
+inline constexpr int kFloorGroup = 1024;
+
+/// The dynamics with a word in between: after contacts have been found, before forces are.
+class ObservedDynamics final : public btMultiBodyDynamicsWorld {
+ public:
+  using btMultiBodyDynamicsWorld::btMultiBodyDynamicsWorld;
+  std::function<void()> contacts_found;
+
+ protected:
+  void calculateSimulationIslands() override {
+    if (contacts_found) contacts_found();
+    btMultiBodyDynamicsWorld::calculateSimulationIslands();
+  }
+};
 
 /// Gravity, contacts and the solver. Bodies of arms are added to dynamics() by their owners, who outlive no
 /// scene.
@@ -34,20 +51,27 @@ class Scene {
   /// @param T_UP  of the table, as above
   void add_plate(const Pose& T_UP, const PlateParameters& plate);
 
+  /// Adds the floor, for a cube to fall on, and takes friction in two directions: in one alone a held cube turns in
+  /// its pads.
+  void prepare_for_cube();
+
   /// Integrates once. @param h [s]
   void integrate(double h) { dynamics_.stepSimulation(h, 0, h); }
 
   btMultiBodyDynamicsWorld& dynamics() { return dynamics_; }
+  /// Calls in every integration after contacts have been found, before forces are.
+  void on_contacts(std::function<void()> call) { dynamics_.contacts_found = std::move(call); }
   [[nodiscard]] Vector3 gravity() const;
 
  private:
-  void add_body(std::unique_ptr<btCollisionShape> shape, const Pose& T_U);
+  void add_body(std::unique_ptr<btCollisionShape> shape, const Pose& T_U, int group = kPaperGroup,
+                int mask = kPenGroup);
 
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broadphase_;
   btMultiBodyConstraintSolver solver_;
-  btMultiBodyDynamicsWorld dynamics_;
+  ObservedDynamics dynamics_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btCollisionObject>> bodies_;
 };

@@ -1,0 +1,62 @@
+#include "sim/cube_config.hpp"
+
+#include <algorithm>
+#include <random>
+
+#include "sim/cube_cell.hpp"
+#include "tasks/rubik/cube/facelets.hpp"
+#include "tasks/rubik/cube/move.hpp"
+
+namespace mrroc::sim {
+namespace {
+
+using rubik::Face;
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw FaultError(FaultCode::bad_configuration, "cube: " + what);
+}
+
+rubik::Cube read_state(const Config& t, std::uint64_t seed) {
+  const std::string state = t.text("state", "");
+  const std::string scramble = t.text("scramble", "");
+  const int turns = t.integer("random_turns", 0, {0, 100});
+  if (!state.empty() + !scramble.empty() + (turns > 0) > 1)
+    refuse("give one of state, scramble and random_turns");
+  if (!state.empty()) return rubik::cube_from_facelets(state);
+  std::mt19937_64 random(seed);
+  return rubik::after({}, turns > 0 ? rubik::random_moves(turns, random) : rubik::parse_moves(scramble));
+}
+
+}  // namespace
+
+void read_fingers(const Config& robot, ArmParameters& arm) {
+  const int layers = robot.choice("fingers", 0, {{"none", 0}, {"one_layer", 1}, {"two_layers", 2}});
+  if (layers > 0) arm.gripper = gripper_with(layers == 1 ? Fingers::one_layer : Fingers::two_layers);
+  if (arm.jaws) arm.jaws->start = robot.number("jaws", arm.jaws->start, {0.053, 0.09}, "m");
+}
+
+std::optional<CubeParameters> read_cube(const Config& config, const std::vector<std::string>& arms) {
+  const Config t = config.section("cube");
+  const std::string holder = t.text("held_by", "");
+  if (holder.empty()) return {};
+  const auto found = std::ranges::find(arms, holder);
+  if (found == arms.end()) refuse("held_by: there is no arm " + holder);
+
+  CubeParameters p;
+  p.held_by = static_cast<int>(found - arms.begin());
+  const auto seed =
+      static_cast<std::uint64_t>(t.integer<std::int64_t>("seed", config.integer<std::int64_t>("seed", 1)));
+  p.state = read_state(t, seed);
+  p.faces.seed = seed;
+  p.faces.mean.breakaway = t.number("breakaway", p.faces.mean.breakaway, {0.1, 50}, "N m");
+  p.faces.mean.kinetic = t.number("kinetic", p.faces.mean.kinetic, {0, 50}, "N m");
+  p.faces.jam = t.number("jam", p.faces.jam, {0, 50}, "N m");
+  const Face facing = t.choice(
+      "facing", Face::U,
+      {{"U", Face::U}, {"R", Face::R}, {"F", Face::F}, {"D", Face::D}, {"L", Face::L}, {"B", Face::B}});
+  const bool two = config.section("robots." + holder).text("fingers", "none") == "two_layers";
+  p.T_EC = cube_in_hand(two ? Fingers::two_layers : Fingers::one_layer, facing);
+  return p;
+}
+
+}  // namespace mrroc::sim

@@ -1,0 +1,208 @@
+#include "sim/cube_turn.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "base/representation.hpp"
+#include "tasks/rubik/turn/coordination.hpp"
+#include "tasks/rubik/turn/roles.hpp"
+
+namespace mrroc::sim {
+namespace {
+
+using std::numbers::pi;
+
+constexpr int kClosing = 20;     // macrosteps in which the holder presses before it rests
+constexpr int kResting = 60;     // most macrosteps until both rest
+constexpr double kSteady = 0.5;  // [s] from which the preload of the approach has died away
+
+class Spread {
+ public:
+  void add(const Vector3& x) {
+    ++n_;
+    sum_ += x;
+    squares_ += x.cwiseAbs2();
+  }
+  /// @return largest standard deviation of the components
+  [[nodiscard]] double largest() const {
+    if (n_ == 0) return 0;
+    return (squares_ / n_ - (sum_ / n_).cwiseAbs2()).cwiseMax(0).cwiseSqrt().maxCoeff();
+  }
+
+ private:
+  int n_{};
+  Vector3 sum_{Vector3::Zero()}, squares_{Vector3::Zero()};
+};
+
+/// Follows one turn and makes its figures.
+class Observer {
+ public:
+  Observer(DrivenCell& cell, const TurnPlan& plan) : cell_(cell), plan_(plan) {
+    cell_.watch([this] { figures_.squeeze = std::max(figures_.squeeze, cell_.world().cube()->squeeze); });
+  }
+  ~Observer() { cell_.watch({}); }
+
+  void macrostep(int m) {
+    if (m != m_) enter(m);
+    const Wrench& F_worker = cell_.reply(kPostument).F_a;
+    const double F_z = F_worker[Axis::z];
+    if (m <= 2) figures_.approach_peak = std::max(figures_.approach_peak, F_z);
+    if (m == 2 && ++settling_ > rubik::kSettling / 2) {
+      settled_ += F_z;
+      figures_.approach_settled = settled_ / ++settled_count_;
+    }
+    if (m == 5) turning();
+  }
+
+  /// @param state  of the cube before
+  TurnFigures finish(int m, const rubik::Cube& state) {
+    const CubeTruth& cube = *cell_.world().cube();
+    figures_.m = m;
+    figures_.turned = cube.state == state * rubik::turn(move_of(plan_));
+    figures_.dropped = cube.on_floor;
+    figures_.lateral_std = all_.largest();
+    figures_.steady_std = steady_.largest();
+    if (m > 5) figures_.turn_s = begun_[6] - begun_[5];
+    figures_.cycle_s = now() - begun_[1];
+    return figures_;
+  }
+
+ private:
+  [[nodiscard]] double now() const { return static_cast<double>(cell_.world().steps()) * kStep; }
+  [[nodiscard]] Pose in_holder() const {
+    return cell_.world().effector(kTrack).inverse() * cell_.world().cube()->T_UC;
+  }
+
+  void enter(int m) {
+    m_ = m;
+    begun_[static_cast<std::size_t>(m)] = now();
+    if (m != 5) return;
+    held_ = in_holder();
+    T_UE_ = cell_.world().effector(kTrack);
+    T_UF_ = cell_.world().effector(kPostument);
+  }
+
+  void turning() {
+    const Wrench& F = cell_.reply(kTrack).F_a;
+    all_.add(F.linear());
+    if (now() - begun_[5] >= kSteady) steady_.add(F.linear());
+    figures_.lateral_peak = std::max(figures_.lateral_peak, F.linear().cwiseAbs().maxCoeff());
+    figures_.torque_peak = std::max(figures_.torque_peak, std::abs(F[Axis::az]));
+    figures_.slip = std::max(figures_.slip, (in_holder().p - held_.p).norm());
+
+    const Matrix3 R = T_UE_.R.transpose() * cell_.world().effector(kTrack).R;
+    const double tool = std::abs(std::atan2(R(1, 0), R(0, 0)));
+    // From 45 degrees on the face's angle counts from the seat to which it goes.
+    const double left =
+        std::ranges::max(cell_.world().cube()->angle, {}, [](double a) { return std::abs(a); });
+    if (tool > pi / 4 + 0.1 && std::abs(left) > kDetent)
+      figures_.angle_error = std::max(figures_.angle_error, std::abs(tool - (pi / 2 - std::abs(left))));
+  }
+
+  DrivenCell& cell_;
+  const TurnPlan& plan_;
+  TurnFigures figures_;
+  Spread all_, steady_;
+  std::array<double, 8> begun_{};
+  int m_{}, settled_count_{};
+  std::int64_t settling_{};
+  double settled_{};
+  Pose held_, T_UE_, T_UF_;
+};
+
+bool resting(const DrivenCell& cell) {
+  return cell.reply(kPostument).state == DriverState::holding &&
+         cell.reply(kTrack).state == DriverState::holding;
+}
+
+Fault fault_of(const DrivenCell& cell) {
+  for (const int arm : {kPostument, kTrack})
+    if (cell.reply(arm).verdict == Verdict::refused || cell.reply(arm).verdict == Verdict::failed)
+      return cell.reply(arm).fault;
+  return {};
+}
+
+/// The holder presses, both come to rest and are told what hangs on their sensors.
+void prepare(DrivenCell& cell, const CubeParameters& cube) {
+  const auto wait = [&] {
+    if (cell.wait() == Outcome::faulted) throw FaultError(fault_of(cell));
+  };
+  EffectorCommand grip = ecp::move_arm(rubik::kStill, rubik::kPacing);
+  grip.arm.gripper = rubik::kClosest;
+  for (int k = 0; k < kClosing; ++k) {
+    cell.send(kTrack, grip);
+    wait();
+  }
+  for (int k = 0; k < kResting && !(k > 3 && resting(cell)); ++k) wait();
+  const LoadedTool tool = tool_with_cube(kTrack, cube);
+  cell.send(kTrack, ecp::change_force_tool(tool.weight, tool.mass_centre));
+  cell.send(kPostument, ecp::bias_force());
+  for (int k = 0; k < 4; ++k) wait();
+}
+
+}  // namespace
+
+rubik::Move move_of(const TurnPlan& plan) {
+  // The worker keeps the face, the holder turns the rest about z, which comes out of the face: the other way round.
+  return {plan.cell.face, plan.order.torque > 0 ? 1 : 3};
+}
+
+TurnFigures turn_face(const TurnPlan& plan, std::uint64_t seed,
+                      const std::function<void(DrivenCell&, int m)>& watch) {
+  const WorldParameters world = cube_cell(plan.cell);
+  DrivenCell cell(world, seed, cube_limits());
+  prepare(cell, *world.cube);
+
+  Observer observer(cell, plan);
+  std::array roles{rubik::Role(rubik::kWorker), rubik::Role(rubik::kHolder)};
+  std::array<rubik::Arm::X, 2> x;
+  x[kTrack].c.turn = plan.order;
+  rubik::Coordination a_0;
+  Fault fault;
+  const auto end = cell.world().steps() + static_cast<std::int64_t>(plan.patience / kStep);
+  while (a_0.m <= 6 && cell.world().steps() < end) {
+    std::array<Report, 2> reports;
+    for (const int arm : {kPostument, kTrack}) {
+      const auto k = static_cast<std::size_t>(arm);
+      x[k].e = cell.reply(arm);
+      x[k].i = cell.i();
+      x[k].T = rubik::order(a_0);
+      const rubik::Arm::Y y = roles[k].step(x[k]);
+      cell.send(arm, y.e);
+      reports[k] = y.T;
+    }
+    observer.macrostep(a_0.m);
+    if (watch) watch(cell, a_0.m);
+    const Outcome outcome = cell.wait();
+    if (outcome == Outcome::faulted) {
+      fault = fault_of(cell);
+      break;
+    }
+    a_0 = rubik::coordinate(a_0, reports);
+  }
+  TurnFigures figures = observer.finish(a_0.m, world.cube->state);
+  figures.fault = fault;
+  return figures;
+}
+
+TurnPlan random_turn(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto uniform = [&](double most) {
+    return most * (2 * static_cast<double>(random() >> 11) * 0x1p-53 - 1);
+  };
+  TurnPlan plan;
+  plan.cell.faces.seed = random();
+  plan.cell.state = rubik::random_cube(random);
+  plan.cell.face = static_cast<rubik::Face>(random() % 6);
+  plan.order.torque = random() % 2 ? 5 : -5;
+  const double direction = uniform(pi);
+  const double off = std::abs(uniform(0.001));
+  plan.cell.grasp_error = {off * std::cos(direction), off * std::sin(direction), 0};
+  plan.cell.turn_error = uniform(pi / 180);
+  return plan;
+}
+
+}  // namespace mrroc::sim

@@ -1,0 +1,52 @@
+// One turn of a face of the cube by two driven arms, m = 1..6 of MG 9, and what is measured of it.
+#pragma once
+#include <functional>
+
+#include "base/fault.hpp"
+#include "sim/cube_cell.hpp"
+#include "sim/driven_cell.hpp"
+#include "tasks/rubik/cube/move.hpp"
+#include "tasks/rubik/turn/arm.hpp"
+
+namespace mrroc::sim {
+
+/// Figures of a turn. "Lateral" are x, y and z of the holder while it turns.
+struct TurnFigures {
+  int m{};                    ///< behaviour at the end, 7: all six have ended
+  Fault fault{};              ///< why an arm stopped; none: m = 7, or time ran out
+  bool turned{};              ///< the face is where it should be, all others are where they were
+  bool dropped{};             ///< the cube is on the floor
+  double approach_peak{};     ///< F_z of the worker in m = 1, 2, largest [N]
+  double approach_settled{};  ///< the same, mean over the second half of m = 2 [N]
+  double lateral_std{};       ///< largest of the three standard deviations [N]
+  double steady_std{};        ///< the same from 0.5 s on: the 4 N of the approach have died away [N]
+  double lateral_peak{};      ///< [N]
+  double torque_peak{};       ///< about z [N m]
+  double
+      angle_error{};  ///< by which the face is behind the tool, largest between 45 degrees and its seat [rad]
+  double slip{};      ///< of the cube in the holder's jaws, largest during the turn [m]
+  double squeeze{};   ///< largest force of a pad or palm on the cube [N]
+  double turn_s{};    ///< duration of m = 5 [s]
+  double cycle_s{};   ///< of m = 1..6 [s]
+};
+
+/// What is to be done.
+struct TurnPlan {
+  CubeCellParameters cell;
+  rubik::TurnOrder order{.mobility = 0.1};
+  double patience{40};  ///< longest cycle [s]
+};
+
+/// @return the turn of the face that the plan stands for, as seen by the cube
+rubik::Move move_of(const TurnPlan& plan);
+
+/// @param seed   of the world's sensors
+/// @param watch  called after every macrostep with the cell and the behaviour; may be empty
+/// @throws FaultError  a driver refused to start
+TurnFigures turn_face(const TurnPlan& plan, std::uint64_t seed,
+                      const std::function<void(DrivenCell&, int m)>& watch = {});
+
+/// @return a plan with a face, a direction, friction and grasp errors (up to 1 mm and 1 degree) drawn from the seed
+TurnPlan random_turn(std::uint64_t seed);
+
+}  // namespace mrroc::sim

@@ -1,0 +1,108 @@
+#include "tasks/rubik/turn/tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/representation.hpp"
+
+namespace mrroc::rubik {
+namespace {
+
+using X = Arm::X;
+using std::numbers::pi;
+
+Pose pose_of(const EffectorReply& e) {
+  return pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(e.T_0E.data()));
+}
+
+/// dg(m) of the jaws. @tparam sign  -1: they close
+template <const TaskFrameCommand& frame, int sign>
+EffectorCommand row(const X& x) {
+  return command(x, frame, sign * kJawStep);
+}
+
+/// tab. 7(a) with what the order has for it.
+EffectorCommand turn(const X& x) {
+  TaskFrameCommand frame = kTurn;
+  frame.az = c(x.c.turn.torque, kTurn.az.inertia, x.c.turn.mobility);
+  return command(x, frame, 0);
+}
+
+/// y_cT: m of the event, once it is seen. (62)
+template <int m, bool (*seen)(const X&)>
+Report event(const X& x) {
+  Report r = ecp::report_of(x, m);
+  r.event = seen(x) ? m : 0;
+  return r;
+}
+
+/// f_tau: element l of what the coordinator sends. (60)
+template <int l>
+bool told(const X& x) {
+  return x.T.go_on[l - 1];
+}
+
+constexpr auto kRetain = ecp::retain<Arm>;
+constexpr auto kNoSensor = ecp::no_sensor<Arm>;
+
+}  // namespace
+
+EffectorCommand command(const X& x, const TaskFrameCommand& frame, double dg) {
+  EffectorCommand out = ecp::move_arm(frame, kPacing);
+  if (dg != 0) out.arm.gripper = std::clamp(x.e.gripper + dg, kClosest, kWidest);
+  return out;
+}
+
+bool pushing(const X& x) { return x.e.F_a[Axis::z] > kApproachForce; }
+bool settled(const X& x) { return ecp::age(x) >= kSettling; }
+bool narrow(const X& x) { return x.e.gripper <= kNarrow; }
+bool gripped(const X& x) { return x.e.blocked; }
+bool turned(const X& x) {
+  return std::copysign(1.0, x.c.turn.torque) * track_angle(x).angle >= x.c.turn.angle;
+}
+bool released(const X& x) { return x.e.gripper - x.c.gap >= kRelease; }
+bool nothing(const X&) { return false; }
+
+Memory keep_gap(const X& x) {
+  Memory c = x.c;
+  c.gap = x.e.gripper;
+  return c;
+}
+
+Memory keep_pose(const X& x) {
+  Memory c = x.c;
+  c.T_0E = pose_of(x.e);
+  c.angle = 0;
+  return c;
+}
+
+Memory track_angle(const X& x) {
+  Memory c = x.c;
+  const Matrix3 R = c.T_0E.R.transpose() * pose_of(x.e).R;
+  const double angle = std::atan2(R(1, 0) - R(0, 1), R(0, 0) + R(1, 1));
+  c.angle = angle + 2 * pi * std::round((c.angle - angle) / (2 * pi));
+  return c;
+}
+
+// clang-format off
+const std::array<Motion<Arm>, 6> kWorker{{
+  // m  name        entry      memory       command           sensors    event                terminal condition
+  {  1, "approach", kRetain,   kRetain,     row<kApproach, 0>, kNoSensor, event<1, pushing>,  told<1>},
+  {  2, "settle",   kRetain,   kRetain,     row<kApproach, 0>, kNoSensor, event<2, settled>,  told<2>},
+  {  3, "close y",  kRetain,   kRetain,     row<kCloseY, -1>,  kNoSensor, event<3, narrow>,   told<1>},
+  {  4, "close xy", kRetain,   kRetain,     row<kCloseXY, -1>, kNoSensor, event<4, gripped>,  told<2>},
+  {  5, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<5, nothing>,  told<1>},
+  {  6, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<6, nothing>,  told<2>},
+}};
+const std::array<Motion<Arm>, 6> kHolder{{
+  {  1, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<1, nothing>,  told<1>},
+  {  2, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<2, nothing>,  told<2>},
+  {  3, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<3, nothing>,  told<1>},
+  {  4, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<4, nothing>,  told<2>},
+  {  5, "turn",     keep_pose, track_angle, turn,              kNoSensor, event<5, turned>,   told<1>},
+  {  6, "open",     keep_gap,  kRetain,     row<kStill, 1>,    kNoSensor, event<6, released>, told<2>},
+}};
+// clang-format on
+
+}  // namespace mrroc::rubik

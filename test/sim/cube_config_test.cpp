@@ -1,0 +1,62 @@
+// The section [cube], and what it refuses.
+#include "sim/cube_config.hpp"
+
+#include <gtest/gtest.h>
+
+#include "sim/config.hpp"
+#include "tasks/rubik/cube/facelets.hpp"
+#include "tasks/rubik/cube/move.hpp"
+
+namespace mrroc::sim {
+namespace {
+
+constexpr std::string_view kArms = R"(
+[robots]
+order = ["arm1", "arm2"]
+[robots.arm2]
+gripper = "two_jaw"
+fingers = "two_layers"
+jaws = 0.0568
+[cube]
+held_by = "arm2"
+)";
+
+WorldParameters read(const std::string& cube) {
+  return read_world(Config::parse(std::string(kArms) + cube, "test.toml"));
+}
+
+TEST(CubeConfig, WithoutAHolderThereIsNoCube) {
+  EXPECT_FALSE(read_world(Config::parse("[robots]\norder = [\"arm1\"]\n", "test.toml")).cube);
+}
+
+TEST(CubeConfig, TakesAScrambleOrFaceletsOrRandomTurns) {
+  const rubik::Cube scrambled = rubik::after({}, rubik::parse_moves("R U' F2"));
+  EXPECT_EQ(read("scramble = \"R U' F2\"").cube->state, scrambled);
+  EXPECT_EQ(read("state = \"" + rubik::to_facelets(scrambled) + "\"").cube->state, scrambled);
+  const rubik::Cube random = read("random_turns = 20\nseed = 3").cube->state;
+  EXPECT_NE(random, rubik::Cube{});
+  EXPECT_EQ(read("random_turns = 20\nseed = 3").cube->state, random);
+  EXPECT_NE(read("random_turns = 20\nseed = 4").cube->state, random);
+}
+
+TEST(CubeConfig, PutsTheCubeIntoTheHandThatHoldsIt) {
+  const WorldParameters w = read("facing = \"F\"\nseed = 9");
+  EXPECT_EQ(w.cube->held_by, 1);
+  EXPECT_EQ(w.cube->faces.seed, 9u);
+  EXPECT_NEAR((w.cube->T_EC.R * Vector3(0, -1, 0)).z(), 1, 1e-12) << "F points away from the palm";
+  ASSERT_TRUE(w.arms[1].gripper);
+  EXPECT_EQ(w.arms[1].jaws->start, 0.0568);
+  EXPECT_FALSE(w.arms[0].gripper);
+  EXPECT_NO_THROW(World(w, 1));
+}
+
+TEST(CubeConfig, RefusesWhatContradictsItselfOrCannotBe) {
+  EXPECT_THROW(read("scramble = \"R\"\nrandom_turns = 3"), FaultError);
+  EXPECT_THROW(read("scramble = \"R Q\""), FaultError);
+  EXPECT_THROW(read("state = \"UUU\""), FaultError);
+  EXPECT_THROW(read("facing = \"X\""), FaultError);
+  EXPECT_THROW(read_world(Config::parse("[cube]\nheld_by = \"arm3\"\n", "test.toml")), FaultError);
+}
+
+}  // namespace
+}  // namespace mrroc::sim

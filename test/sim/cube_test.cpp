@@ -1,0 +1,138 @@
+// A cube in a hand: held without slip, its layers chosen anew while it is held, dropped when let go.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "ecp/generators/rows.hpp"
+#include "sim/cube_cell.hpp"
+#include "sim/driven_cell.hpp"
+#include "tasks/rubik/cube/move.hpp"
+#include "tasks/rubik/turn/tables.hpp"
+
+namespace mrroc::sim {
+namespace {
+
+class HeldCube : public testing::Test {
+ protected:
+  static WorldParameters parameters() {
+    CubeCellParameters p;
+    p.state = rubik::after({}, rubik::parse_moves("R U' F2"));
+    p.substeps = 2;
+    p.distance = 0.08;  // out of the way
+    return cube_cell(p);
+  }
+  /// The track arm moves with a velocity of E, its jaws press.
+  void run(int macrosteps, const TaskFrameCommand& frame = {}, double jaws = rubik::kClosest) {
+    for (int k = 0; k < macrosteps; ++k) {
+      EffectorCommand command = ecp::move_arm(frame, rubik::kPacing);
+      command.arm.gripper = jaws;
+      cell.send(kTrack, command);
+      ASSERT_EQ(cell.wait(), Outcome::terminated) << FaultError(cell.reply(kTrack).fault).what();
+      squeeze = std::max(squeeze, cube().squeeze);
+    }
+  }
+  [[nodiscard]] const CubeTruth& cube() const { return *cell.world().cube(); }
+  [[nodiscard]] Pose in_hand() const { return cell.world().effector(kTrack).inverse() * cube().T_UC; }
+
+  DrivenCell cell{parameters(), 1, cube_limits()};
+  double squeeze{};
+};
+
+TEST_F(HeldCube, StaysInTheHandThatMoves) {
+  run(25);
+  const Pose before = in_hand();
+  for (int k = 0; k < 40; ++k) {
+    const double v = std::sin(2 * std::numbers::pi * k / 40);
+    run(1, {.x = u(0.08 * v), .y = u(-0.08 * v), .z = u(-0.05 * v), .az = u(0.5 * v)});
+  }
+  run(10);
+  const Pose change = before.inverse() * in_hand();
+  EXPECT_LT(change.p.norm(), 1e-4);
+  EXPECT_LT(angle_axis_from_rotation(change.R).norm(), 2e-3);
+  EXPECT_TRUE(cell.reply(kTrack).blocked);
+  EXPECT_NEAR(cell.world().truth(kTrack).jaw_force, 80, 15);
+  EXPECT_LT(squeeze, 150) << "not crushed";
+  EXPECT_EQ(cube().state, rubik::after({}, rubik::parse_moves("R U' F2")));
+}
+
+TEST_F(HeldCube, IsFeltByTheSensorAsItsWeight) {
+  run(30);
+  const double with_cube = cell.world().truth(kTrack).S_F.linear().norm();
+  const auto robot = irb6::make_arm("irb6_track");
+  EXPECT_NEAR(with_cube, robot->parameters().tool_weight + 0.1 * 9.81, 0.15);
+  EXPECT_NEAR(cell.world().truth(kPostument).S_F.linear().norm(), 10.8, 0.05) << "nothing is in that hand";
+}
+
+TEST_F(HeldCube, DoesNotNoticeThatItsLayersAreChosenAnew) {
+  run(40);
+  const Pose before = in_hand();
+  for (const int axis : {0, 1, 2, 0, 2, 1}) {
+    ASSERT_TRUE(cell.world().lay_cube(axis));
+    EXPECT_EQ(cube().axis, axis);
+    run(1);
+    EXPECT_GT(cell.world().truth(kTrack).jaw_force, 50) << axis;
+    run(5);
+    const Pose change = before.inverse() * in_hand();
+    EXPECT_LT(change.p.norm(), 5e-5) << axis;
+    EXPECT_LT(angle_axis_from_rotation(change.R).norm(), 2e-3) << axis;
+  }
+  EXPECT_LT(squeeze, 150);
+  EXPECT_EQ(cube().state, rubik::after({}, rubik::parse_moves("R U' F2")));
+}
+
+TEST_F(HeldCube, LiesLooseInTheHandWhenTheJawsOpen) {
+  run(15);
+  const Pose before = in_hand();
+  run(60, {}, 0.075);
+  EXPECT_FALSE(cell.reply(kTrack).blocked);
+  EXPECT_GT((before.inverse() * in_hand()).p.norm(), 0.005) << "it lies on the lower finger";
+  EXPECT_FALSE(cube().on_floor);
+}
+
+TEST(CubeCell, ACubeThatNothingHoldsFallsOnTheFloor) {
+  CubeCellParameters c;
+  c.distance = 0.08;
+  c.substeps = 2;
+  WorldParameters p = cube_cell(c);
+  p.cube->T_EC.p.x() = 0.2;  // beside the hand
+  World world(p, 1);
+  const double height = world.cube()->T_UC.p.z();
+  for (int k = 0; k < 500 && !world.cube()->on_floor; ++k) world.step({});
+  EXPECT_TRUE(world.cube()->on_floor);
+  const double seconds = static_cast<double>(world.steps()) * kStep;
+  EXPECT_NEAR(seconds, std::sqrt(2 * (height - 0.035) / 9.81), 0.02);
+  EXPECT_LT(world.cube()->T_UC.p.z(), 0.06);
+  EXPECT_EQ(world.cube()->state, rubik::Cube{});
+}
+
+TEST(CubeCell, IsTheSameFromRunToRun) {
+  const auto hash = [] {
+    CubeCellParameters p;
+    p.substeps = 2;
+    World world(cube_cell(p), 7);
+    for (int k = 0; k < 200; ++k) world.step({});
+    world.lay_cube(0);
+    for (int k = 0; k < 50; ++k) world.step({});
+    return world.state_hash();
+  };
+  EXPECT_EQ(hash(), hash());
+}
+
+TEST(CubeCell, BringsEveryFaceBeforeTheWorker) {
+  using rubik::Face;
+  const std::array<Vector3, 6> outwards{Vector3{0, 0, 1},  Vector3{1, 0, 0},  Vector3{0, -1, 0},
+                                        Vector3{0, 0, -1}, Vector3{-1, 0, 0}, Vector3{0, 1, 0}};
+  for (int k = 0; k < rubik::kFaces; ++k)
+    EXPECT_NEAR((cube_with(static_cast<Face>(k)).R * outwards[static_cast<std::size_t>(k)]).z(), 1, 1e-12)
+        << k;
+}
+
+TEST(CubeCell, RefusesACubeThatNoGripperHolds) {
+  WorldParameters p;
+  p.cube.emplace();
+  EXPECT_THROW(World world(p), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace mrroc::sim

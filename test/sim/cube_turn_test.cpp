@@ -1,0 +1,57 @@
+// One turn of a face between two grippers, and a face that does not turn.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "sim/cube_turn.hpp"
+
+namespace mrroc::sim {
+namespace {
+
+TurnPlan quick(std::uint64_t seed) {
+  TurnPlan plan = random_turn(seed);
+  plan.cell.substeps = 2;
+  plan.cell.distance = 0.003;
+  plan.cell.jaws = 0.0615;
+  return plan;
+}
+
+TEST(CubeTurn, TurnsTheFaceByContactAndHandsTheCubeOver) {
+  TurnPlan plan = quick(5);
+  bool laid = false, behind = false;
+  const TurnFigures f = turn_face(plan, 5, [&](DrivenCell& cell, int m) {
+    const auto& angle = cell.world().cube()->angle;
+    const bool on_its_way = m == 5 && std::max(std::abs(angle[0]), std::abs(angle[1])) > 0.3;
+    behind |= on_its_way;
+    laid |= on_its_way && cell.world().lay_cube(0);
+  });
+  EXPECT_EQ(f.m, 7) << FaultError(f.fault).what();
+  EXPECT_TRUE(f.turned);
+  EXPECT_TRUE(behind);
+  EXPECT_FALSE(laid) << "a face on its way keeps its layers";
+  EXPECT_FALSE(f.dropped);
+  EXPECT_NEAR(f.approach_settled, 4, 0.2);
+  EXPECT_LT(f.approach_peak, 8);
+  EXPECT_LT(f.steady_std, 0.5);
+  EXPECT_LT(f.lateral_peak, 12);
+  EXPECT_GT(f.torque_peak, 2);
+  EXPECT_LT(f.angle_error, 2 * std::numbers::pi / 180);
+  EXPECT_LT(f.slip, 2e-3);
+  EXPECT_LT(f.squeeze, 250);
+}
+
+TEST(CubeTurn, AFaceThatJamsEndsInANamedFaultWithTheCubeHeld) {
+  TurnPlan plan = quick(6);
+  plan.patience = 6;
+  plan.cell.faces.mean.breakaway = 30;
+  const TurnFigures f = turn_face(plan, 6);
+  EXPECT_EQ(f.m, 5);
+  EXPECT_EQ(f.fault.code, FaultCode::force_limit);
+  EXPECT_FALSE(f.turned);
+  EXPECT_FALSE(f.dropped);
+  EXPECT_LT(f.torque_peak, 6);
+  EXPECT_LT(f.squeeze, 250);
+}
+
+}  // namespace
+}  // namespace mrroc::sim

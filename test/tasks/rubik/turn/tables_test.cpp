@@ -1,0 +1,171 @@
+// Behaviours and predicates of a turn by value: tables 4-8 and (66)-(77) of MG.
+#include "tasks/rubik/turn/tables.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace mrroc::rubik {
+namespace {
+
+using X = Arm::X;
+using std::numbers::pi;
+
+X at(double angle_about_z, const Pose& T_0E = {}) {
+  X x;
+  const Pose T = T_0E * Pose{rotation_from_angle_axis({0, 0, angle_about_z}), Vector3::Zero()};
+  const AngleAxisPose r = angle_axis_from_pose(T);
+  std::ranges::copy(r, x.e.T_0E.begin());
+  return x;
+}
+
+/// What rows command for an image.
+EffectorCommand commanded(const std::array<Motion<Arm>, 6>& rows, int m, const X& x = {}) {
+  return rows[static_cast<std::size_t>(m - 1)].f_ce(x);
+}
+
+TEST(RubikTables, TheWorkerApproachesGuardedAndSettlesAt4N) {
+  for (const int m : {1, 2}) {
+    const EffectorCommand y = commanded(kWorker, m);
+    EXPECT_EQ(y.arm.frame.z, g(0.01, 5, 0.0025));
+    EXPECT_EQ(y.arm.frame.y, u());
+    EXPECT_EQ(y.arm.gripper, 0) << "the jaws stay";
+    EXPECT_EQ(y.arm.mu, Interpolation::tcim_velocity);
+    EXPECT_EQ(y.arm.n_Q, y.arm.n_s - 1);
+  }
+  EXPECT_DOUBLE_EQ(kApproach.z.velocity / kApproach.z.mobility, 4);
+}
+
+TEST(RubikTables, TheWorkerClosesCompliantAlongYThenAlongXAndY) {
+  X x;
+  x.e.gripper = 0.07;
+  EffectorCommand y = commanded(kWorker, 3, x);
+  EXPECT_EQ(y.arm.frame.y, c(0, 20, 0.005));
+  EXPECT_EQ(y.arm.frame.x, u());
+  EXPECT_DOUBLE_EQ(y.arm.gripper, 0.069);
+  y = commanded(kWorker, 4, x);
+  EXPECT_EQ(y.arm.frame.x, c(0, 20, 0.005));
+  EXPECT_EQ(y.arm.frame.y, c(0, 20, 0.005));
+  x.e.gripper = 0.0535;
+  EXPECT_EQ(commanded(kWorker, 4, x).arm.gripper, kClosest) << "never beyond the stops";
+}
+
+TEST(RubikTables, TheHolderTurnsWithTheOrdersTorqueAndNoForceElsewhere) {
+  X x;
+  EXPECT_EQ(commanded(kHolder, 5, x).arm.frame, kTurn) << "without an order: the table";
+  x.c.turn = {.torque = -5, .mobility = 0.1};
+  const TaskFrameCommand frame = commanded(kHolder, 5, x).arm.frame;
+  EXPECT_EQ(frame.az, c(-5, 0.5, 0.1));
+  for (const Axis a : {Axis::x, Axis::y, Axis::z}) EXPECT_EQ(frame[a], c(0, 20, 0.005));
+  for (const Axis a : {Axis::ax, Axis::ay}) EXPECT_EQ(frame[a], u());
+}
+
+TEST(RubikTables, TheHolderOpensStandingStill) {
+  X x;
+  x.e.gripper = 0.057;
+  const EffectorCommand y = commanded(kHolder, 6, x);
+  EXPECT_EQ(y.arm.frame, kStill);
+  EXPECT_DOUBLE_EQ(y.arm.gripper, 0.058);
+}
+
+TEST(RubikTables, OneArmActsWhileTheOtherStands) {
+  for (int m = 1; m <= 6; ++m) {
+    const auto& still = m <= 4 ? kHolder : kWorker;
+    EXPECT_EQ(commanded(still, m).arm.frame, kStill) << m;
+    EXPECT_EQ(commanded(still, m).arm.gripper, 0) << m;
+    EXPECT_EQ(kWorker[static_cast<std::size_t>(m - 1)].m, m);
+    EXPECT_EQ(kHolder[static_cast<std::size_t>(m - 1)].m, m);
+  }
+}
+
+TEST(RubikTables, EachEventIsTaggedWithItsBehaviourAndSeenByOneArm) {
+  X x = at(2);
+  x.e.F_a[Axis::z] = 10;
+  x.e.gripper = 0.058;
+  x.e.blocked = true;
+  x.i = 1000;
+  x.c.gap = 0.03;
+  for (int m = 1; m <= 6; ++m) {
+    const auto k = static_cast<std::size_t>(m - 1);
+    EXPECT_EQ(kWorker[k].f_cT(x).event, m <= 4 ? m : 0);
+    EXPECT_EQ(kHolder[k].f_cT(x).event, m >= 5 ? m : 0);
+    EXPECT_EQ(kWorker[k].f_cT({}).event, m == 3 ? 3 : 0) << "jaws that read zero are narrow";
+    EXPECT_EQ(kHolder[k].f_cT({}).event, 0);
+  }
+}
+
+TEST(RubikTables, OddBehavioursEndByElement1EvenOnesByElement2) {
+  for (int m = 1; m <= 6; ++m)
+    for (const auto* rows : {&kWorker, &kHolder}) {
+      X x;
+      const auto& row = (*rows)[static_cast<std::size_t>(m - 1)];
+      EXPECT_FALSE(row.f_tau(x));
+      x.T.go_on[m % 2 == 1 ? 1 : 0] = true;
+      EXPECT_FALSE(row.f_tau(x)) << m;
+      x.T.go_on = {m % 2 == 1, m % 2 == 0};
+      EXPECT_TRUE(row.f_tau(x)) << m;
+    }
+}
+
+TEST(RubikPredicates, ContactIsNineTenthsOfTheForceAtWhichTheApproachSettles) {
+  X x;
+  x.e.F_a[Axis::z] = 3.59;
+  EXPECT_FALSE(pushing(x));
+  x.e.F_a[Axis::z] = 3.61;
+  EXPECT_TRUE(pushing(x));
+}
+
+TEST(RubikPredicates, SettlingCountsFromEntry) {
+  X x;
+  x.i_0 = 100;
+  x.i = 100 + kSettling - 1;
+  EXPECT_FALSE(settled(x));
+  ++x.i;
+  EXPECT_TRUE(settled(x));
+}
+
+TEST(RubikPredicates, ReleaseCountsFromTheDistanceAtEntry) {
+  X x;
+  x.e.gripper = 0.0568;
+  x.c = keep_gap(x);
+  EXPECT_FALSE(released(x));
+  x.e.gripper = 0.0767;
+  EXPECT_FALSE(released(x));
+  x.e.gripper = 0.0769;
+  EXPECT_TRUE(released(x));
+}
+
+TEST(RubikPredicates, TheAngleIsSignedAndUnwrappedFromAnyOrientation) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> number(-3, 3);
+  for (int k = 0; k < 50; ++k) {
+    const Pose start{rotation_from_angle_axis({number(random), number(random), number(random)}),
+                     {0.3, 1, 1.2}};
+    for (const double sign : {1., -1.}) {
+      X x = at(0, start);
+      x.c.turn = {.torque = 5 * sign, .angle = 2 * pi + 0.5};
+      x.c = keep_pose(x);
+      for (double angle = 0; angle < 7.2; angle += 0.1) {
+        x.e = at(sign * angle, start).e;
+        const bool done = turned(x);
+        EXPECT_EQ(done, angle >= x.c.turn.angle - 1e-9) << angle;
+        x.c = track_angle(x);
+        EXPECT_NEAR(x.c.angle, sign * angle, 1e-9);
+      }
+    }
+  }
+}
+
+TEST(RubikPredicates, ATurnTheWrongWayDoesNotEnd) {
+  X x = at(0);
+  x.c.turn = {.torque = 5};
+  x.c = keep_pose(x);
+  x.e = at(-1.7).e;
+  EXPECT_FALSE(turned(x));
+}
+
+}  // namespace
+}  // namespace mrroc::rubik
