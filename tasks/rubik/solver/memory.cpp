@@ -11,7 +11,7 @@
 namespace mrroc::rubik {
 
 // Searches read at random places: with large pages, where the system has them, nearly all addresses are found in the
-// processor's address cache, and a search is up to twice as fast.
+// processor's address cache.
 
 Memory::Memory(std::size_t bytes) : size_(bytes) {
   void* const p = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
