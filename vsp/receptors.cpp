@@ -31,15 +31,15 @@ ImageDetector make_apriltag(const CameraModel& camera, const Config& config) {
 }  // namespace
 
 const ImageReceptor& chessboard_receptor() {
-  static const ImageReceptor kReceptor{"vsp_chessboard", "Virtual receptor (VSP) of a chessboard's pose.",
+  static const ImageReceptor receptor{"vsp_chessboard", "Virtual receptor (VSP) of a chessboard's pose.",
                                        "board", shape_of(kBoard), make_chessboard};
-  return kReceptor;
+  return receptor;
 }
 
 const ImageReceptor& apriltag_receptor() {
-  static const ImageReceptor kReceptor{"vsp_apriltag", "Virtual receptor (VSP) of an AprilTag's pose.", "tag",
+  static const ImageReceptor receptor{"vsp_apriltag", "Virtual receptor (VSP) of an AprilTag's pose.", "tag",
                                        shape_of(kTag), make_apriltag};
-  return kReceptor;
+  return receptor;
 }
 
 void run_chessboard(link::Process& process, const Config& config, const link::PartArguments& /*arguments*/) {

@@ -85,7 +85,8 @@ AdversePictures::Texture AdversePictures::scrambled() {
     const int u = static_cast<int>(std::floor(x / cell)) + 10;
     const int v = static_cast<int>(std::floor((y + shift) / cell)) + 10;
     if (u < 0 || v < 0 || u >= 20 || v >= 20) return whole(x, y);
-    return wrong[static_cast<std::size_t>(20 * v + u)] != 0 ? 255 - whole(x, y) : whole(x, y);
+    return wrong[20 * static_cast<std::size_t>(v) + static_cast<std::size_t>(u)] != 0 ? 255 - whole(x, y)
+                                                                                      : whole(x, y);
   };
 }
 
@@ -95,7 +96,7 @@ AdversePictures::Texture AdversePictures::cloth() {
   const auto light = static_cast<float>(uniform(130, 250));
   const auto dark = static_cast<float>(uniform(0, 110));
   return [=](double x, double y) {
-    const auto n = static_cast<long>(std::floor(x / a)) + static_cast<long>(std::floor(y / b));
+    const int n = static_cast<int>(std::floor(x / a)) + static_cast<int>(std::floor(y / b));
     return n % 2 == 0 ? dark : light;
   };
 }

@@ -15,8 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 const test::PlaneCamera& web_camera() {
-  static const test::PlaneCamera kCamera(test::web_camera(), 2);
-  return kCamera;
+  static const test::PlaneCamera camera(test::web_camera(), 2);
+  return camera;
 }
 
 // Exact corners with a little noise: what is tested is what comes after finding them.

@@ -17,10 +17,10 @@ constexpr int kDarkSquares = 35;
 class ChainTest : public testing::Test {
  protected:
   static const Image& picture() {
-    static const Image kPicture =
+    static const Image picture_of_board =
         test::PlaneCamera(CameraModel{}, 2)
             .render(test::facing(0.5, 0, 0, 0.2), test::chessboard_texture(9, 6, 0.025, 0.025));
-    return kPicture;
+    return picture_of_board;
   }
   // The table around the plate is a dark quadrangle, too.
   static std::vector<Quadrangle> small_ones(const cv::Mat& binary) {
@@ -93,11 +93,11 @@ TEST_F(ChainTest, InnerCornersLieWhereTheLensProjectsThem) {
   ASSERT_TRUE(result.is_one());
   const Pose T = test::facing(0.5, 0, 0, 0.2);
   double squares = 0;
+  std::size_t n = 0;
   for (int r = 0; r < kBoard.rows; ++r)
     for (int c = 0; c < kBoard.columns; ++c)
-      squares += (project(CameraModel{}, T * kBoard.corner(r, c)) -
-                  result.boards[0].pixels[static_cast<std::size_t>(r * kBoard.columns + c)])
-                     .squaredNorm();
+      squares +=
+          (project(CameraModel{}, T * kBoard.corner(r, c)) - result.boards[0].pixels[n++]).squaredNorm();
   EXPECT_LT(std::sqrt(squares / kBoard.corners()), 0.1);
 }
 

@@ -19,12 +19,12 @@ using test::AdversePictures;
 using test::facing;
 
 const test::PlaneCamera& web_camera() {
-  static const test::PlaneCamera kCamera(test::web_camera(), 2);
-  return kCamera;
+  static const test::PlaneCamera camera(test::web_camera(), 2);
+  return camera;
 }
 const test::PlaneCamera& smooth_camera() {
-  static const test::PlaneCamera kCamera(test::web_camera(), 3);
-  return kCamera;
+  static const test::PlaneCamera camera(test::web_camera(), 3);
+  return camera;
 }
 
 struct Chessboard {

@@ -27,8 +27,8 @@ class PictureFileTest : public testing::Test {
   ~PictureFileTest() override { fs::remove_all(folder_); }
 
   static Image board_picture(double roll) {
-    static const test::PlaneCamera kCamera(test::web_camera(), 2);
-    return kCamera.render(test::facing(0.6, 0.3, 0.4, roll), test::chessboard_texture(9, 6, 0.025, 0.025));
+    static const test::PlaneCamera camera(test::web_camera(), 2);
+    return camera.render(test::facing(0.6, 0.3, 0.4, roll), test::chessboard_texture(9, 6, 0.025, 0.025));
   }
   static std::string refusal(const std::function<void()>& action, FaultCode code = FaultCode::bad_picture) {
     try {

@@ -22,7 +22,7 @@ constexpr double kRegionMargin = 0.5;  // around the tag, in its own sizes
 constexpr int kLeastMargin = 24;       // [pixel]
 // Share of pixels on an edge beyond which a picture shows noise or a texture. It is searched at half the resolution,
 // since the work grows with the edges.
-constexpr double kClutter = 0.2;
+constexpr double kClutter = 0.1;
 
 struct DeleteDetector {
   void operator()(apriltag_detector_t* d) const { apriltag_detector_destroy(d); }

@@ -14,6 +14,7 @@ constexpr double kLongestReach = 3;  // of a line across to either side [pixel]
 constexpr double kStep = 0.5;        // between points on such a line [pixel]
 constexpr double kEnds = 0.12;  // of the edge that are left out at either end, where the corners are blurred
 constexpr double kLeastContrast = 12;
+constexpr double kAlike = 0.6;       // contrast of the faintest edge to that of the strongest
 constexpr double kUneven = 0.35;     // of the contrast along an edge
 constexpr int kRounds = 3;           // of leaving out points that lie off
 constexpr double kLeastShare = 0.7;  // of the lines across that must agree
@@ -23,6 +24,7 @@ struct Line {
   Vector2 n;
   double d{};
   double sigma{};
+  double contrast{};
 };
 
 struct Crossing {
@@ -66,6 +68,7 @@ class Edge {
       if (near.size() == crossings.size() || round == kRounds - 1) {
         // Of the line at its ends, where it is twice as uncertain as in the middle.
         fit.sigma = 2 * std::sqrt(squares) / static_cast<double>(std::max<std::size_t>(1, near.size()));
+        for (const Crossing& c : near) fit.contrast += c.contrast / static_cast<double>(near.size());
         return fit;
       }
       crossings = std::move(near);
@@ -132,7 +135,7 @@ class Edge {
     for (const Crossing& c : crossings) scatter += (c.p - mean) * (c.p - mean).transpose();
     const double angle = 0.5 * std::atan2(2 * scatter(0, 1), scatter(0, 0) - scatter(1, 1));
     const Vector2 n(-std::sin(angle), std::cos(angle));
-    return {n, n.dot(mean), 0};
+    return {n, n.dot(mean), 0, 0};
   }
 
   Vector2 from_;
@@ -169,6 +172,8 @@ std::optional<Border> locate_border(const cv::Mat& grey, const Corners& rough) {
       border.sigma = std::max(border.sigma, line->sigma);
       border.blur = std::max(border.blur, edge.blur());
     }
+    const auto [faint, strong] = std::ranges::minmax(lines, {}, &Line::contrast);
+    if (faint.contrast < kAlike * strong.contrast) return std::nullopt;
     for (std::size_t k = 0; k < 4; ++k) {
       const auto corner = meeting(lines[(k + 3) % 4], lines[k]);
       if (!corner || (*corner - rough[k]).norm() > 4) return std::nullopt;
