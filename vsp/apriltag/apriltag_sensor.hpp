@@ -14,7 +14,7 @@ struct AprilTagParameters {
       0.8};           ///< of the whole picture before it is searched: noise makes no outlines then [pixel]
   double margin{20};  ///< least mean difference between a bit and its threshold [grey levels]
   int contrast{15};   ///< least difference between light and dark next to an edge [grey levels]
-  double worst_blur{1.8};     ///< of the border's edges: beyond it the corners say too little [pixel]
+  double worst_blur{1.4};     ///< of the border's edges: beyond it the corners say too little [pixel]
   double rms_px{0.2};         ///< no pose is delivered whose reprojection error is larger [pixel]
   double worst_angle{0.012};  ///< nor one whose orientation is less certain, standard deviation [rad]
   /// Four corners give two numbers more than a pose has, too few to estimate their noise.
