@@ -1,5 +1,5 @@
 // Cameras as images and readings need them: the model of the lens, and what a virtual receptor tells of an object.
-// Staniak & Zielinski, "Structures of visual servos" (VS), sec. 3.
+// Kornuta & Zielinski, VS, sec. 3.
 #pragma once
 #include <array>
 #include <cstdint>

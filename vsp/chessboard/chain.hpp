@@ -1,4 +1,4 @@
-// The paper's chain from a picture to inner corners, one function a stage (Staniak & Zielinski, VS 35-40). Only for
+// The paper's chain from a picture to inner corners, one function a stage (Kornuta & Zielinski, VS (35)-(40)). Only for
 // the sources of this folder and its tests.
 #pragma once
 #include <array>
