@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdio>
+#include <cstdlib>
 #include <map>
 
 #include "base/link/text.hpp"
@@ -22,7 +24,6 @@ constexpr auto kAssembling = 60s;  // until everybody must be there
 constexpr auto kTellSkipped = 3s;  // between lines about lateness, of each process
 constexpr auto kHang = 10s;        // without a sign of life
 constexpr auto kComeToRest = 20s;  // for arms to come to rest after a stop
-constexpr auto kLeave = 5s;        // for processes to end by themselves
 
 #ifdef MRROC_SANITIZED
 constexpr bool kWatchHangs = false;  // sanitizers slow processes down without a bound
@@ -51,10 +52,12 @@ struct Supervisor::Watched {
   std::jthread thread;
 };
 
-Supervisor::Supervisor(link::Process& mp, std::vector<Part> parts, const std::filesystem::path& messages)
+Supervisor::Supervisor(link::Process& mp, std::vector<Part> parts, const std::filesystem::path& messages,
+                       std::chrono::milliseconds leave)
     : mp_(mp),
       out_(mp.bus(), mp.route("supervisor"), mp.membership().session_id),
       begun_(Clock::now()),
+      leave_(leave),
       messages_(messages) {
   watched_.push_back(std::make_unique<Watched>(mp, Part{mp.membership().name, {}, {}, {}}));
   for (Part& p : parts) watched_.push_back(std::make_unique<Watched>(mp, std::move(p)));
@@ -62,6 +65,10 @@ Supervisor::Supervisor(link::Process& mp, std::vector<Part> parts, const std::fi
 }
 
 Supervisor::~Supervisor() {
+  if (abandons_threads_) {  // they use what would be destroyed now
+    std::fflush(nullptr);
+    std::_Exit(exit_status(FaultCode::process_hung));
+  }
   mp_.on_service = nullptr;
   if (said_.phase != static_cast<int>(Phase::finished)) {
     said_.phase = static_cast<int>(Phase::finished);
@@ -136,9 +143,7 @@ void Supervisor::hear() {
         std::ranges::copy(s->stop_steps, stop_steps_.begin());
       }
       if (news && state == ProcessState::faulted) {
-        const Fault fault = from_message(s->fault);
-        if (fault_) log(w->part.name, describe(fault), fault.code);  // the first one is told by stop()
-        stop(fault, 0);
+        tell(from_message(s->fault));
       }
     }
   }
@@ -224,6 +229,12 @@ void Supervisor::stop(const Fault& reason, std::int64_t as_of) {
   publish();
 }
 
+void Supervisor::tell(const Fault& fault) {
+  if (fault_)
+    log(std::string(fault.process.view()), describe(fault), fault.code);  // the first one is told by stop()
+  stop(fault, 0);
+}
+
 void Supervisor::publish() {
   last_said_ = Clock::now();
   out_.publish(said_, 0);
@@ -254,13 +265,27 @@ void Supervisor::end() {
       return (!w->child || w->child->ended()) && (!w->thread.joinable() || w->thread_ended);
     });
   };
-  mp_.await(gone, Clock::now() + kLeave);
-  for (auto& w : watched_)
-    if (w->child) w->child->kill();
-  mp_.await(gone, Clock::now() + kLeave);
-  for (auto& w : watched_)
-    if (w->thread.joinable()) w->thread.join();
+  if (!mp_.await(gone, Clock::now() + leave_)) {
+    for (auto& w : watched_)
+      if (w->child) w->child->kill();
+    mp_.await(gone, Clock::now() + leave_);
+  }
+  end_threads();
   hear();
+}
+
+void Supervisor::end_threads() {
+  for (auto& w : watched_) {
+    if (!w->thread.joinable()) continue;
+    if (w->thread_ended) {
+      w->thread.join();
+      continue;
+    }
+    abandons_threads_ = true;
+    tell({.code = FaultCode::process_hung,
+          .process = w->part.name,
+          .text = fmt::format("the thread {} does not end", w->part.name)});
+  }
 }
 
 std::vector<PartStatus> Supervisor::parts() const {

@@ -39,7 +39,10 @@ class Supervisor {
  public:
   /// @param mp        MP's own connection; its roster names MP first, then the parts in order
   /// @param messages  file for all processes' lines
-  Supervisor(link::Process& mp, std::vector<Part> parts, const std::filesystem::path& messages);
+  /// @param leave     time for processes and threads to end by themselves
+  Supervisor(link::Process& mp, std::vector<Part> parts, const std::filesystem::path& messages,
+             std::chrono::milliseconds leave = std::chrono::seconds(5));
+  /// A thread that does not end cannot be ended: then the whole process ends here, with the status of process_hung.
   ~Supervisor();
   Supervisor(const Supervisor&) = delete;
   Supervisor& operator=(const Supervisor&) = delete;
@@ -59,7 +62,7 @@ class Supervisor {
   void stop(const Fault& reason, std::int64_t as_of);
 
   /// Waits until the parts have done their work (after the task's end) or the arms are at rest (after a
-  /// stop), and ends everything that still runs.
+  /// stop), and ends everything that still runs. A thread that does not end is told of as process_hung.
   void end();
 
   [[nodiscard]] const std::optional<Fault>& fault() const { return fault_; }
@@ -84,6 +87,8 @@ class Supervisor {
   void watch_hangs();
   void lead();
   void publish();
+  void end_threads();
+  void tell(const Fault& fault);  // of a part
   void declare_dead(Watched& part, const Fault& fault);
   void tell_dead(const Watched& part);  // the others do not wait for it any more
   [[nodiscard]] bool all(link::ProcessState at_least) const;
@@ -96,6 +101,7 @@ class Supervisor {
   Clock::time_point last_said_{};
   Clock::time_point last_look_{};
   Clock::time_point begun_;
+  std::chrono::milliseconds leave_;
   std::ofstream messages_;
   std::string last_message_;
   FaultCode last_code_{FaultCode::none};
@@ -103,6 +109,7 @@ class Supervisor {
   std::array<int, 4> stop_steps_{-1, -1, -1, -1};
   bool at_rest_{};
   bool ending_{};
+  bool abandons_threads_{};
 };
 
 }  // namespace mrroc::mp

@@ -11,6 +11,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::int64_t kTruthPeriod = 20;  // steps
+constexpr std::chrono::milliseconds kMoment{20};
 
 int index_of(const std::string& arm, const std::vector<std::string>& arms) {
   const auto it = std::ranges::find(arms, arm);
@@ -73,15 +74,31 @@ void CameraStation::deliver(std::int64_t step) {
 
 void CameraStation::hand_over(Eye& eye, bool must) {
   if (!eye.worker->busy()) return;
-  if (!eye.worker->ready()) {
+  if (!eye.worker->ready_within({})) {
     if (!must) return;
-    ++eye.waits;
+    wait_for(eye);
   }
-  const auto before = Clock::now();
   const auto [frame, message] = eye.worker->finish();
-  eye.waited += std::chrono::duration<double>(Clock::now() - before).count();
   eye.told = frame;
   eye.out->publish(message, frame);
+}
+
+/// The other threads and processes hear meanwhile that the world lives, and wait no longer than for other messages.
+void CameraStation::wait_for(Eye& eye) {
+  const auto begun = Clock::now();
+  const auto waited = [&] { return Clock::now() - begun; };
+  const std::chrono::milliseconds patience = process_.membership().patience;
+  while (!eye.worker->ready_within(kMoment)) {
+    process_.poll();
+    if (patience.count() == 0 || waited() < patience) continue;
+    const std::string text =
+        fmt::format("camera {}: the picture of step {} has not been drawn for {:.0f} s", eye.k.setup.key,
+                    eye.worker->step(), std::chrono::duration<double>(patience).count());
+    process_.say(text, FaultCode::no_renderer);  // the thread that draws may hold up the end of this one
+    throw FaultError(FaultCode::no_renderer, text);
+  }
+  ++eye.waits;
+  eye.waited += std::chrono::duration<double>(waited()).count();
 }
 
 void CameraStation::look(std::int64_t step, const World& world) {

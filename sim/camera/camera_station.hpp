@@ -1,6 +1,7 @@
 // The world's cameras at work: takes snapshots when pictures are due, has them drawn beside the simulation, and hands
 // them to the receptors.
 #pragma once
+#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <memory>
@@ -44,8 +45,8 @@ class CameraWorker {
   [[nodiscard]] bool busy() const { return step_.has_value(); }
   /// @return step of that picture
   [[nodiscard]] std::int64_t step() const { return step_.value_or(0); }
-  /// @return whether that picture is ready: finish() will not wait
-  [[nodiscard]] bool ready();
+  /// @return whether that picture is ready, or gets ready in that time: finish() will not wait
+  [[nodiscard]] bool ready_within(std::chrono::milliseconds time);
   /// Waits for the picture. @return what to tell about it @throws what drawing or storing it threw
   [[nodiscard]] std::pair<std::int64_t, camera_frame_t> finish();
 
@@ -102,6 +103,7 @@ class CameraStation {
 
   void look(Eye& eye, std::int64_t step, const World& world);
   void hand_over(Eye& eye, bool must);
+  void wait_for(Eye& eye);
   void publish_truth(std::int64_t step, const World& world);
   [[nodiscard]] camera::Scene scene(std::int64_t step, const World& world) const;
   [[nodiscard]] Pose place(const Eye& eye, const World& world) const;

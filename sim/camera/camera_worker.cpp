@@ -21,9 +21,9 @@ void CameraWorker::begin(CameraJob job) {
   changed_.notify_all();
 }
 
-bool CameraWorker::ready() {
-  const std::lock_guard lock(mutex_);
-  return step_.has_value() && !job_.has_value();
+bool CameraWorker::ready_within(std::chrono::milliseconds time) {
+  std::unique_lock lock(mutex_);
+  return step_.has_value() && changed_.wait_for(lock, time, [this] { return !job_.has_value(); });
 }
 
 std::pair<std::int64_t, camera_frame_t> CameraWorker::finish() {

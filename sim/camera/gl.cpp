@@ -13,9 +13,10 @@
 namespace mrroc::camera {
 namespace {
 
-// Mesa's threads draw for all contexts of a process, one picture after the other; more than two hardly help. It reads
-// their number once, and the environment must not change while other threads look at it: so it is set before main().
-const bool kTwoThreads = ::setenv("LP_NUM_THREADS", "2", 0) == 0;
+// Each camera has a thread that draws; with threads of Mesa's own besides, which serve all of them, nothing is gained.
+// It reads their number once, and the environment must not change while other threads look at it: so it is set before
+// main().
+const bool kDrawsItself = ::setenv("LP_NUM_THREADS", "0", 0) == 0;
 
 [[noreturn]] void refuse(const std::string& why) { throw FaultError(FaultCode::no_renderer, why); }
 
@@ -39,7 +40,7 @@ class Egl {
  private:
   Egl() {
     library_ = ::dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
-    if (!library_ || !kTwoThreads) refuse("libEGL.so.1 cannot be loaded");
+    if (!library_ || !kDrawsItself) refuse("libEGL.so.1 cannot be loaded");
     load(get_proc_address, "eglGetProcAddress");
     load(initialize, "eglInitialize");
     load(bind_api, "eglBindAPI");

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <fstream>
+#include <future>
 #include <random>
 
 #include "mrroc/operator_order_t.hpp"
@@ -44,11 +46,12 @@ class SupervisorTest : public ::testing::Test {
 
   /// A system with MP in this thread.
   struct System {
-    System(std::vector<Part> parts, const fs::path& messages, std::int64_t session_id = 1)
+    System(std::vector<Part> parts, const fs::path& messages, std::int64_t session_id = 1,
+           std::chrono::milliseconds leave = std::chrono::seconds(5))
         : bus(hub.open()),
           mp(*bus, member(parts, session_id)),
           beat(mp.outbox<operator_order_t>("beat")),
-          supervisor(mp, parts, messages) {}
+          supervisor(mp, parts, messages, leave) {}
     static link::Membership member(const std::vector<Part>& parts, std::int64_t session_id) {
       link::Membership m;
       m.session = "test";
@@ -198,6 +201,23 @@ TEST_F(SupervisorTest, DestructionEndsThreadsThatStillWait) {
   System s({{"one", {}, {}, counts(1000)}}, messages());
   s.supervisor.start_threads(s.hub);
   EXPECT_TRUE(s.mp.assemble());
+}
+
+TEST_F(SupervisorTest, AThreadThatDoesNotEndIsNamedAndDoesNotHoldUpTheEnd) {
+  const auto hangs = [](Process& p) {
+    p.assemble();
+    std::promise<void>().get_future().wait();
+  };
+  const auto run = [&] {
+    System s({{"stuck", {}, {}, hangs}}, messages(), 1, std::chrono::milliseconds(50));
+    s.supervisor.start_threads(s.hub);
+    s.mp.assemble();
+    s.supervisor.stop({.code = FaultCode::operator_stop}, 0);
+    s.mp.report_done();
+    s.supervisor.end();
+  };
+  EXPECT_EXIT(run(), testing::ExitedWithCode(exit_status(FaultCode::process_hung)), "");
+  EXPECT_NE(logged().find("the thread stuck does not end"), std::string::npos) << logged();
 }
 
 TEST_F(SupervisorTest, RandomStatusesOfAStrangerDoNoHarm) {

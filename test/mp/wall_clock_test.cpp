@@ -25,7 +25,7 @@ TEST_P(Interrupted, GoesOnAndTheTaskComesToItsEnd) {
   chain.rests = GetParam();
   chain.rest_for = std::chrono::milliseconds(400);  // more than the inboxes hold of the servo's messages
   EXPECT_EQ(run(chain), Outcome::terminated) << chain.links.fault().text.view();
-  EXPECT_FALSE(chain.supervisor.fault());
+  EXPECT_FALSE(chain.supervisor.fault()) << chain.lines();
   EXPECT_NE(chain.lines().find("skipped"), std::string::npos) << chain.lines();
 }
 INSTANTIATE_TEST_SUITE_P(WallClock, Interrupted, ::testing::Values("world", "edp-arm1", "ecp-arm1"),
