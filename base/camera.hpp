@@ -35,11 +35,12 @@ bool is_proper(const CameraModel& camera);
 
 /// What a virtual receptor r_1,k found in one frame. There is one for every frame, also when nothing was seen.
 struct CameraReading {
-  std::int64_t frame{};                  ///< 0, 1, 2... of the camera
-  std::int64_t step{};                   ///< of the effector drivers at which the picture was taken
-  bool seen{};                           ///< the object was found, and the pose may be used
-  bool ambiguous{};                      ///< two poses explain the picture alike; then not seen
-  Pose T_CG;                             ///< object G in the camera C; identity when not seen
+  std::int64_t frame{};  ///< 0, 1, 2... of the camera
+  std::int64_t step{};   ///< of the effector drivers at which the picture was taken
+  double t{};            ///< when it was taken: simulated time, or from the beginning of a film [s]
+  bool seen{};           ///< the object was found, and the pose may be used
+  bool ambiguous{};      ///< two poses explain the picture alike; then not seen
+  Pose T_CG;             ///< object G in the camera C; identity when not seen
   Matrix6 covariance = Matrix6::Zero();  ///< of the error's components x y z [m], ax ay az [rad], along C
   double reprojection_px{};              ///< root mean square over the points used [pixel]
 };

@@ -8,6 +8,9 @@ namespace mrroc {
 namespace {
 
 constexpr std::size_t kLongestKey = 16;
+// A picture's slot is needed until its reading is visible, and for some macrosteps more until it has been used.
+constexpr std::int64_t kReadingKept = 60;  // [steps]
+constexpr std::int64_t kPicturesKept = 8;  // slots of a frame store
 constexpr std::string_view kBase = ".base";
 
 [[noreturn]] void refuse(const std::string& key, const std::string& text) {
@@ -62,8 +65,13 @@ CameraSetup read_camera(const Config& config, const std::string& key) {
   const auto pose = t.numbers<6>("pose", std::nullopt, {-10, 10}, "m, angle times axis in rad");
   camera.place = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(pose.data()));
   camera.model = read_model(t);
-  camera.period = t.integer<std::int64_t>("period", camera.period, {1, 1000}, "steps");
+  camera.period = t.integer<std::int64_t>("period", camera.period, {1, 250}, "steps");
   camera.latency = t.integer<std::int64_t>("latency", camera.latency, {0, 200}, "steps");
+  if (camera.latency + kReadingKept > kPicturesKept * camera.period)
+    refuse("cameras." + key + ".period",
+           "so many pictures would be under way that some are written over before they have been looked at: "
+           "the period must "
+           "be at least an eighth of the latency and 60 steps");
   return camera;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <fstream>
@@ -19,18 +20,23 @@ void Report::resume() {
   if (!stream) return;
   const json old = json::parse(stream, nullptr, false);
   try {
-    for (const auto& [key, value] : old.at("figures").items()) figures_[key] = value.get<double>();
-    for (const json& group : old.at("context").at("groups")) groups_.insert(group.get<std::string>());
+    for (const json& group : old.at("groups"))
+      groups_.emplace_back(group.at("name").get<std::string>(),
+                           group.at("figures").get<std::map<std::string, double>>());
   } catch (const json::exception&) {
     throw FaultError(FaultCode::bad_usage, file_.string() + " is not a report of the benchmarks");
   }
 }
 
+bool Report::has(const std::string& group) const {
+  return std::ranges::any_of(groups_, [&](const auto& g) { return g.first == group; });
+}
+
 void Report::add(const std::string& group, const Figures& figures) {
-  groups_.insert(group);
-  fmt::print("\n{}\n", group);
+  auto& [name, values] = groups_.emplace_back(group, std::map<std::string, double>{});
+  fmt::print("\n{}\n", name);
   for (const Figure& f : figures) {
-    figures_[f.key] = f.value;
+    values[f.key] = f.value;
     fmt::print("  {:22} {:>10.4g} {:6} {}\n", f.key, f.value, f.unit, f.about);
   }
   std::fflush(stdout);
@@ -38,10 +44,16 @@ void Report::add(const std::string& group, const Figures& figures) {
 }
 
 void Report::write() const {
+  std::map<std::string, double> figures;
+  json groups = json::array();
+  for (const auto& [name, values] : groups_) {
+    figures.insert(values.begin(), values.end());
+    groups.push_back({{"name", name}, {"figures", values}});
+  }
   json report;
-  report["figures"] = figures_;
-  report["context"] = {{"groups", groups_},
-                       {"compiler", MRROC_COMPILER},
+  report["figures"] = figures;
+  report["groups"] = groups;
+  report["context"] = {{"compiler", MRROC_COMPILER},
                        {"build_type", MRROC_BUILD_TYPE},
                        {"flags", MRROC_FLAGS},
                        {"cores", std::thread::hardware_concurrency()},

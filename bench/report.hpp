@@ -2,14 +2,16 @@
 #pragma once
 #include <filesystem>
 #include <map>
-#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "bench/figures.hpp"
 
 namespace mrroc::bench {
 
-/// Figures of all groups and what they were measured with.
+/// Figures of all groups and what they were measured with. Two groups may have figures of the same key: the file has the
+/// first one under "figures", and all of them by group under "groups".
 class Report {
  public:
   /// @param file where write() writes; empty: nowhere
@@ -19,7 +21,7 @@ class Report {
   /// @throws FaultError bad_usage the file is something else
   void resume();
   /// @return whether the figures of this group are there already
-  [[nodiscard]] bool has(const std::string& group) const { return groups_.count(group) > 0; }
+  [[nodiscard]] bool has(const std::string& group) const;
   /// Adds a group's figures, prints their table and writes the file.
   /// @throws FaultError cannot_write
   void add(const std::string& group, const Figures& figures);
@@ -28,8 +30,7 @@ class Report {
   void write() const;
 
   std::filesystem::path file_;
-  std::set<std::string> groups_;
-  std::map<std::string, double> figures_;
+  std::vector<std::pair<std::string, std::map<std::string, double>>> groups_;  // as they were measured
 };
 
 }  // namespace mrroc::bench

@@ -55,7 +55,10 @@ Pose ViewedCell::pose(const CameraModel& camera, double nearest, double farthest
     T.R = about(tilt * Vector3(std::cos(azimuth), std::sin(azimuth), 0)) * about({std::numbers::pi, 0, 0}) *
           about({0, 0, uniform(0, 2 * std::numbers::pi)});
     T.p = {uniform(-0.5, 0.5) * d, uniform(-0.4, 0.4) * d, d};
-    if (visible(camera, T)) return T;
+    if (visible(camera, T) && (poses_ % 2 == 0 || shows_arm(camera, T))) {
+      ++poses_;
+      return T;
+    }
   }
 }
 
@@ -77,14 +80,30 @@ bool ViewedCell::visible(const CameraModel& camera, const Pose& T_CG) const {
   return true;
 }
 
+bool ViewedCell::shows_arm(const CameraModel& camera, const Pose& T_CG) const {
+  const Pose T_CU = this->camera(T_CG).inverse();
+  return std::any_of(scene_.bodies.begin(), scene_.bodies.begin() + static_cast<std::ptrdiff_t>(arms_end_),
+                     [&](const camera::Body& body) {
+                       if (!belongs_to_an_arm(body)) return false;
+                       const Vector3 q = T_CU * body.T_UB.p;
+                       if (q.z() < 0.1) return false;
+                       const Vector2 p = project(camera, q);
+                       return p.x() > 0 && p.y() > 0 && p.x() < camera.width && p.y() < camera.height;
+                     });
+}
+
+// Floor, paper and tables lie below the plate.
+bool ViewedCell::belongs_to_an_arm(const camera::Body& body) const {
+  const double height = 0.5 * body.T_UB.R.row(2).cwiseAbs().dot(body.size);
+  return body.shape != camera::Shape::quad && body.T_UB.p.z() + height >= T_UG_.p.z();
+}
+
 // Whether a body that is not below the plate comes near the ray; bodies are taken as large as the balls around them.
 bool ViewedCell::hidden(const Vector3& eye, const Vector3& point) const {
   const Vector3 ray = point - eye;
   return std::any_of(scene_.bodies.begin(), scene_.bodies.begin() + static_cast<std::ptrdiff_t>(arms_end_),
                      [&](const camera::Body& body) {
-                       if (body.shape == camera::Shape::quad) return false;  // floor and paper
-                       const double height = 0.5 * body.T_UB.R.row(2).cwiseAbs().dot(body.size);
-                       if (body.T_UB.p.z() + height < T_UG_.p.z()) return false;  // tables
+                       if (!belongs_to_an_arm(body)) return false;
                        const double radius = 0.5 * body.size.norm();
                        const double way =
                            std::clamp(ray.dot(body.T_UB.p - eye) / ray.squaredNorm(), 0.0, 0.97);
@@ -94,8 +113,8 @@ bool ViewedCell::hidden(const Vector3& eye, const Vector3& point) const {
 
 Figures run_vision_group() {
   Figures all;
-  for (const auto part : {run_render_figures, run_pose_figures, run_calibration_figures,
-                          run_detection_figures, visual_servo_figures}) {
+  for (const auto part : {visual_servo_figures, run_render_figures, run_pose_figures, run_calibration_figures,
+                          run_detection_figures}) {
     const Figures figures = part();
     all.insert(all.end(), figures.begin(), figures.end());
   }

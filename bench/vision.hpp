@@ -18,7 +18,7 @@ class ViewedCell {
   ViewedCell(Object object, unsigned seed);
 
   /// @return T_CG with the whole plate in the picture of the camera, no part of the arms before it, and its face tilted
-  ///         by at most 45 degrees against the optical axis
+  ///         by at most 45 degrees against the optical axis; every second picture shows a part of an arm
   Pose pose(const CameraModel& camera, double nearest, double farthest);
   [[nodiscard]] const camera::Scene& scene() const { return scene_; }
   /// @return camera in the world when the object is there in the camera
@@ -26,6 +26,8 @@ class ViewedCell {
 
  private:
   [[nodiscard]] bool visible(const CameraModel& camera, const Pose& T_CG) const;
+  [[nodiscard]] bool shows_arm(const CameraModel& camera, const Pose& T_CG) const;
+  [[nodiscard]] bool belongs_to_an_arm(const camera::Body& body) const;
   [[nodiscard]] bool hidden(const Vector3& eye, const Vector3& point) const;
 
   Object object_;
@@ -33,6 +35,7 @@ class ViewedCell {
   std::size_t arms_end_{};
   Pose T_UG_;
   std::mt19937 random_;
+  int poses_{};
 };
 
 /// A web camera: 640x480, with its lens.

@@ -12,6 +12,7 @@ namespace mrroc::vsp {
 namespace {
 
 constexpr std::string_view kPrefix = "vsp-";
+constexpr std::chrono::seconds kStoreMade{60};  // as long as a system may take to assemble
 
 std::string camera_of(const link::Process& process) {
   const std::string& name = process.membership().name;
@@ -24,30 +25,51 @@ std::string camera_of(const link::Process& process) {
 class Film {
  public:
   Film(const ImageReceptor& receptor, const CameraModel& camera, const Config& config, const std::string& key)
-      : receptor_(receptor), camera_(camera), key_(key), directory_(config.text("film.directory", "")) {}
+      : shape_(receptor.shape(config)),
+        camera_(camera),
+        key_(key),
+        object_(receptor.object),
+        directory_(config.text("film.directory", "")) {}
 
   void see(const ImageView& picture, const CameraReading& reading) {
     if (directory_.empty() || !strip_.wants(reading.frame)) return;
     Image drawn = in_colour(picture);
     const double distance = reading.T_CG.p.norm();
-    annotate(drawn, reading, camera_, receptor_.shape,
+    annotate(drawn, reading, camera_, shape_,
              reading.seen ? fmt::format("{} {}  {:.3f} m", key_, reading.frame, distance)
                           : fmt::format("{} {}", key_, reading.frame));
     strip_.add(drawn.view());
   }
   void write() const {
     if (strip_.empty()) return;
-    const auto file = directory_ / fmt::format("{}_{}.png", key_, receptor_.object);
+    const auto file = directory_ / fmt::format("{}_{}.png", key_, object_);
     write_picture(file, strip_.picture().view());
   }
 
  private:
-  const ImageReceptor& receptor_;
+  ObjectShape shape_;
   CameraModel camera_;
   std::string key_;
+  std::string object_;
   std::filesystem::path directory_;
   FilmStrip strip_;
 };
+
+/// Waits for the world to make the store; it may have shaders to compile first.
+link::FrameReader open_store(link::Process& process, const std::string& key) {
+  const link::Membership& member = process.membership();
+  const link::FrameStoreName name{.session = member.session, .session_id = member.session_id, .camera = key};
+  std::optional<link::FrameReader> store;
+  process.await(
+      [&] {
+        store = link::FrameReader::open(name);
+        return store.has_value() || process.over();
+      },
+      link::Process::Clock::now() + kStoreMade);
+  if (!store)
+    throw FaultError(FaultCode::hardware_silent, fmt::format("camera {} has no store of frames", key));
+  return std::move(*store);
+}
 
 /// Takes the announced picture out of the store.
 /// @return false when it came too late, which happens with the wall clock only
@@ -80,8 +102,7 @@ void run_receptor(const ImageReceptor& receptor, link::Process& process, const C
   const auto frames = process.inbox<camera_frame_t>(key + ".frame");
   const link::Sources sources{frames.get()};
   const auto readings = process.outbox<camera_reading_t>(key + "." + receptor.object);
-  const link::Membership& member = process.membership();
-  link::FrameReader store({.session = member.session, .session_id = member.session_id, .camera = key});
+  link::FrameReader store = open_store(process, key);
   if (store.shape().width != camera.width || store.shape().height != camera.height)
     throw FaultError(FaultCode::bad_configuration,
                      fmt::format("the pictures of camera {} are {} x {}, its model says {} x {}", key,
@@ -108,6 +129,7 @@ void run_receptor(const ImageReceptor& receptor, link::Process& process, const C
     }
     if (take(store, *m, process.lock_step(), frame)) {
       reading = detect(frame.image.view(), i, m->step);
+      reading.t = frame.t;
       film.see(frame.image.view(), reading);
     } else {
       process.report_skipped(1);

@@ -27,17 +27,17 @@ ImageDetector as_detector(S sensor) {
 
 /// One kind of receptor.
 struct ImageReceptor {
-  std::string program;  ///< e.g. "vsp_chessboard"
-  std::string about;    ///< one sentence for --help
-  std::string object;   ///< last part of the channel's name, e.g. "board"
-  ObjectShape shape;    ///< for drawing
+  std::string program;                  ///< e.g. "vsp_chessboard"
+  std::string about;                    ///< one sentence for --help
+  std::string object;                   ///< last part of the channel's name, e.g. "board"
+  ObjectShape (*shape)(const Config&);  ///< what it looks for, for drawing. @throws ConfigError
   /// Makes the sensor of one camera; thresholds from the configuration. @throws ConfigError
   std::function<ImageDetector(const CameraModel&, const Config&)> make;
 };
 
-/// The chessboard kBoard; thresholds in [chessboard].
+/// The chessboard; what it is, and thresholds, in [chessboard].
 const ImageReceptor& chessboard_receptor();
-/// The tag kTag; thresholds in [apriltag].
+/// The tag; which it is, and thresholds, in [apriltag].
 const ImageReceptor& apriltag_receptor();
 
 /// Body of a receptor's process: for every picture of its camera one reading, also when nothing was seen, until the

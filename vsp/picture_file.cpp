@@ -19,6 +19,8 @@ namespace {
 
 constexpr std::uintmax_t kLargestFile = 256U << 20U;  // [bytes]
 constexpr int kLargestEdge = 8192;                    // [pixel]
+constexpr std::size_t kJpegTail = 4096;               // what cameras write behind a picture [bytes]
+constexpr double kLeastShare = 0.95;                  // of the pictures that a film promises
 constexpr std::array<std::string_view, 8> kEndings{".png", ".jpg",  ".jpeg", ".bmp",
                                                    ".tif", ".tiff", ".pgm",  ".ppm"};
 
@@ -56,7 +58,9 @@ void check_complete(const fs::path& file, std::string_view bytes) {
       bytes.substr(bytes.size() - std::min<std::size_t>(bytes.size(), 64)).find("IEND") ==
           std::string_view::npos)
     refuse(file, "it is cut short");
-  if (starts("\xFF\xD8") && bytes.rfind("\xFF\xD9") == std::string_view::npos)
+  // A small picture inside of the file ends with the same mark.
+  if (starts("\xFF\xD8") && bytes.substr(bytes.size() - std::min(bytes.size(), kJpegTail)).find("\xFF\xD9") ==
+                                std::string_view::npos)
     refuse(file, "it is cut short");
 }
 
@@ -168,14 +172,22 @@ bool PictureSource::next(SourcePicture& picture) {
     ++number_;
     return true;
   }
+  const double t = 1e-3 * film_->capture.get(cv::CAP_PROP_POS_MSEC);
   cv::Mat frame;
   if (!film_->capture.read(frame) || frame.empty()) {
     if (number_ == 0) refuse(source_, "there is no picture in the film");
+    // Containers tell the number of pictures, some of them roughly.
+    const double told = film_->capture.get(cv::CAP_PROP_FRAME_COUNT);
+    const auto seen = static_cast<double>(number_);
+    if (told > 0 && seen < kLeastShare * told)
+      refuse(source_, "it breaks off after " + std::to_string(number_) + " of " +
+                          std::to_string(static_cast<long>(told)) + " pictures");
     return false;
   }
   if (frame.type() != CV_8UC3) refuse(source_, "its pictures are not of 8 bits and three colours");
   picture.name = source_.string() + ":" + std::to_string(number_++);
   picture.image = to_image(frame);
+  picture.t = t;
   return true;
 }
 

@@ -27,6 +27,7 @@ std::vector<std::filesystem::path> pictures_in(const std::filesystem::path& fold
 struct SourcePicture {
   std::string name;  ///< of its file, or film:number
   Image image;       ///< 3 channels
+  double t{};        ///< of a film: from its beginning [s]
 };
 
 /// A picture, a folder of pictures, or a film: one picture after the other.
@@ -38,7 +39,7 @@ class PictureSource {
   PictureSource& operator=(PictureSource&&) noexcept;
   ~PictureSource();
 
-  /// @return false at the end @throws FaultError bad_picture
+  /// @return false at the end @throws FaultError bad_picture, also when a film breaks off
   bool next(SourcePicture& picture);
 
  private:

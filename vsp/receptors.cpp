@@ -1,6 +1,7 @@
 #include "vsp/apriltag/apriltag_sensor.hpp"
 #include "vsp/chessboard/chessboard_sensor.hpp"
 #include "vsp/image_receptor.hpp"
+#include "vsp/looked_for.hpp"
 
 namespace mrroc::vsp {
 namespace {
@@ -12,7 +13,7 @@ ImageDetector make_chessboard(const CameraModel& camera, const Config& config) {
   p.rms_px = t.number("rms", p.rms_px, {0.01, 10}, "pixels");
   p.worst_px = t.number("worst", p.worst_px, {0.01, 50}, "pixels");
   p.pose.significance = t.number("significance", p.pose.significance, {0, 1e6}, "variances");
-  return as_detector(ChessboardSensor(camera, kBoard, p));
+  return as_detector(ChessboardSensor(camera, read_board(config), p));
 }
 
 ImageDetector make_apriltag(const CameraModel& camera, const Config& config) {
@@ -25,20 +26,23 @@ ImageDetector make_apriltag(const CameraModel& camera, const Config& config) {
   p.rms_px = t.number("rms", p.rms_px, {0.01, 10}, "pixels");
   p.worst_angle = t.number("worst_angle", p.worst_angle, {0.001, 1}, "rad");
   p.pose.significance = t.number("significance", p.pose.significance, {0, 1e6}, "variances");
-  return as_detector(AprilTagSensor(camera, kTag, p));
+  return as_detector(AprilTagSensor(camera, read_tag(config), p));
 }
+
+ObjectShape board_shape(const Config& config) { return shape_of(read_board(config)); }
+ObjectShape tag_shape(const Config& config) { return shape_of(read_tag(config)); }
 
 }  // namespace
 
 const ImageReceptor& chessboard_receptor() {
   static const ImageReceptor receptor{"vsp_chessboard", "Virtual receptor (VSP) of a chessboard's pose.",
-                                       "board", shape_of(kBoard), make_chessboard};
+                                      "board", board_shape, make_chessboard};
   return receptor;
 }
 
 const ImageReceptor& apriltag_receptor() {
   static const ImageReceptor receptor{"vsp_apriltag", "Virtual receptor (VSP) of an AprilTag's pose.", "tag",
-                                       shape_of(kTag), make_apriltag};
+                                      tag_shape, make_apriltag};
   return receptor;
 }
 

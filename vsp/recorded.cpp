@@ -30,7 +30,8 @@ CameraModel camera_from(const Config& config, const RecordedRun& run) {
 }
 
 nlohmann::json as_json(const CameraReading& r, const std::string& source) {
-  nlohmann::json line{{"frame", r.frame}, {"source", source}, {"seen", r.seen}, {"ambiguous", r.ambiguous}};
+  nlohmann::json line{
+      {"frame", r.frame}, {"t", r.t}, {"source", source}, {"seen", r.seen}, {"ambiguous", r.ambiguous}};
   if (!r.seen) return line;
   const AngleAxisPose pose = angle_axis_from_pose(r.T_CG);
   line["p"] = {pose[0], pose[1], pose[2]};
@@ -66,6 +67,7 @@ void run_recorded(const ImageReceptor& receptor, const RecordedRun& run, std::FI
   const Config config = Config::load(run.camera);
   const CameraModel camera = camera_from(config, run);
   const ImageDetector detect = receptor.make(camera, config);
+  const ObjectShape shape = receptor.shape(config);
   PictureSource source(run.source);
   if (!run.annotate.empty()) {
     std::error_code error;
@@ -80,10 +82,11 @@ void run_recorded(const ImageReceptor& receptor, const RecordedRun& run, std::FI
       throw FaultError(FaultCode::bad_picture,
                        fmt::format("{}: it is {} x {}, the camera's pictures are {} x {}", picture.name,
                                    image.width, image.height, camera.width, camera.height));
-    const CameraReading reading = detect(image.view(), k, k);
+    CameraReading reading = detect(image.view(), k, k);
+    reading.t = picture.t;
     fmt::print(out, "{}\n", as_json(reading, picture.name).dump());
     if (run.annotate.empty() && run.strip.empty()) continue;
-    annotate(picture.image, reading, camera, receptor.shape, fmt::format("{}", k));
+    annotate(picture.image, reading, camera, shape, fmt::format("{}", k));
     if (!run.annotate.empty()) write_picture(run.annotate / fmt::format("{:06}.png", k), image.view());
     if (!run.strip.empty() && strip.wants(k)) strip.add(image.view());
   }
@@ -107,6 +110,9 @@ int receptor_main(int argc, char** argv, const ImageReceptor& receptor, const li
   } catch (const FaultError& e) {
     fmt::print(stderr, "{}\n", e.error_line());
     return exit_status(e.fault().code);
+  } catch (const std::exception& e) {  // of OpenCV
+    fmt::print(stderr, "{}\n", FaultError(FaultCode::bad_picture, e.what()).error_line());
+    return exit_status(FaultCode::bad_picture);
   }
 }
 

@@ -9,7 +9,6 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <thread>
 #include <utility>
 
 #include "base/fault.hpp"
@@ -159,32 +158,26 @@ int FrameWriter::write(std::int64_t frame, std::int64_t step, double t, const Im
   return slot;
 }
 
-FrameReader::FrameReader(const FrameStoreName& name, std::chrono::milliseconds patience) {
+FrameReader::FrameReader(FileHandle file, const FrameStoreShape& shape)
+    : file_(std::move(file)), shape_(shape), scratch_(shape.width, shape.height, shape.channels) {}
+
+std::optional<FrameReader> FrameReader::open(const FrameStoreName& name) {
   const fs::path path = name.path();
   const auto refuse = [&](const char* why) {
     throw FaultError(FaultCode::malformed_message, fmt::format("{}: {}", path.string(), why));
   };
-  const auto deadline = std::chrono::steady_clock::now() + patience;
+  FileHandle file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
   StoreHead head;
   // A store that is being made has no head yet.
-  while (true) {
-    file_ = FileHandle(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
-    if (file_.get() >= 0 && read_all(file_.get(), &head, sizeof head, 0) &&
-        head.magic != decltype(head.magic){})
-      break;
-    if (std::chrono::steady_clock::now() >= deadline)
-      throw FaultError(FaultCode::hardware_silent,
-                       fmt::format("camera {} has no store of frames", name.camera));
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
+  if (file.get() < 0 || !read_all(file.get(), &head, sizeof head, 0) || head.magic == decltype(head.magic){})
+    return std::nullopt;
   struct stat s {};
-  if (::fstat(file_.get(), &s) != 0 || !S_ISREG(s.st_mode) || s.st_uid != ::geteuid())
+  if (::fstat(file.get(), &s) != 0 || !S_ISREG(s.st_mode) || s.st_uid != ::geteuid())
     refuse("it belongs to somebody else");
   if (head.magic != kMagic) refuse("it is no store of frames of this version");
   if (head.session_id != name.session_id) refuse("it belongs to another session");
   if (!legal(head.shape) || s.st_size != store_size(head.shape)) refuse("its sizes do not agree");
-  shape_ = head.shape;
-  scratch_ = Image(shape_.width, shape_.height, shape_.channels);
+  return FrameReader(std::move(file), head.shape);
 }
 
 FrameFate FrameReader::read(int slot, std::int64_t frame, Frame& into) {

@@ -7,9 +7,9 @@
 // Nothing stays behind: a store has a name only until the system has assembled (hide()), and then lives as long as its
 // users. One whose writer was killed before that is recognised by its missing lock, and removed by the next writer.
 #pragma once
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "base/image.hpp"
@@ -91,11 +91,10 @@ class FrameWriter {
 /// A receptor's end. Used by one thread at a time.
 class FrameReader {
  public:
-  /// Opens a store, waiting for it to be made. To be called before the system has assembled.
-  /// @throws FaultError hardware_silent: there is none in time; malformed_message: it is no store of this version,
-  ///         belongs to another user, or its sizes do not agree
-  explicit FrameReader(const FrameStoreName& name,
-                       std::chrono::milliseconds patience = std::chrono::seconds(10));
+  /// Opens a store if it has been made. To be called before the system has assembled.
+  /// @throws FaultError malformed_message: it is no store of this version, belongs to another user, or its sizes do not
+  ///         agree
+  static std::optional<FrameReader> open(const FrameStoreName& name);
 
   [[nodiscard]] const FrameStoreShape& shape() const { return shape_; }
 
@@ -105,6 +104,8 @@ class FrameReader {
   FrameFate read(int slot, std::int64_t frame, Frame& into);
 
  private:
+  FrameReader(FileHandle file, const FrameStoreShape& shape);
+
   FileHandle file_;
   FrameStoreShape shape_;
   Image scratch_;

@@ -288,6 +288,7 @@ SensorReading from_message(const sensor_reading_t& m) {
 camera_reading_t to_message(const CameraReading& r) {
   camera_reading_t m{};
   m.step = r.step;
+  m.t = r.t;
   m.seen = r.seen;
   m.ambiguous = r.ambiguous;
   for (int row = 0; row < 3; ++row) {
@@ -303,6 +304,7 @@ CameraReading from_message(const camera_reading_t& m) {
   CameraReading r;
   r.frame = m.header.stamp;
   r.step = m.step;
+  r.t = m.t;
   r.seen = m.seen != 0;
   r.ambiguous = m.ambiguous != 0;
   for (int row = 0; row < 3; ++row) {

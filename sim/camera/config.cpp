@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "vsp/looked_for.hpp"
+
 namespace mrroc::sim {
 namespace {
 
@@ -28,7 +30,8 @@ SimulatedCamera read_simulated(const Config& config, const std::string& key, con
   c.profile.defocus = t.number("defocus", c.profile.defocus, {0, 10}, "pixels");
   c.exposure = t.integer<std::int64_t>("exposure", 0, {0, 1000}, "steps");
   c.instants = t.integer("instants", 1, {1, 64}, "of the exposure that are drawn");
-  if (c.exposure >= c.setup.period || c.exposure / 2 > std::min(c.setup.latency, c.setup.period - 1))
+  const std::int64_t after = c.exposure - c.exposure / 2;  // the picture's own step
+  if (c.exposure >= c.setup.period || after > std::min(c.setup.latency, c.setup.period - 1))
     refuse("cameras." + key + ".exposure",
            "the exposure must be shorter than the period, and half of it not longer than the latency");
   const auto error = t.numbers<6>("calibration_error", {{}}, {-0.5, 0.5}, "m, angle times axis in rad");
@@ -79,11 +82,13 @@ ObjectParameters read_object(const Config& config, const std::vector<std::string
   p.arm = t.text("arm", "arm1");
   const auto pose = t.numbers<6>("pose", {{0.9, 0, 0.93, 0, 0, 0}}, {-10, 10}, "m, angle times axis in rad");
   p.T_0G = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(pose.data()));
-  p.board.columns = t.integer("columns", p.board.columns, {3, 20}, "inner corners");
-  p.board.rows = t.integer("rows", p.board.rows, {3, 20}, "inner corners");
-  p.board.square = t.number("square", p.board.square, {0.005, 0.1}, "m");
-  p.tag = t.integer("tag", p.tag, {0, camera::kKnownTags - 1});
-  p.tag_edge = t.number("tag_edge", p.tag_edge, {0.01, 0.5}, "m");
+  const vsp::Board board = vsp::read_board(config);
+  p.board.columns = t.integer("columns", board.columns, {3, 20}, "inner corners");
+  p.board.rows = t.integer("rows", board.rows, {3, 20}, "inner corners");
+  p.board.square = t.number("square", board.square, {0.005, 0.1}, "m");
+  const vsp::Tag tag = vsp::read_tag(config);
+  p.tag = t.integer("tag", tag.id, {0, camera::kKnownTags - 1}, "tags that can be drawn");
+  p.tag_edge = t.number("tag_edge", tag.edge, {0.01, 0.5}, "m");
   read_motion(t, p);
   if (p.kind != ObjectKind::none) check_arm(p.arm, arms, "object.arm");
   return p;

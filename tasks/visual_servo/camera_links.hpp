@@ -25,7 +25,7 @@ namespace mrroc::visual_servo {
 class EffectorPath {
  public:
   /// Steps that are kept: the age of any reading that is believed.
-  static constexpr std::int64_t kKept = 256;
+  static constexpr std::int64_t kKept = kPosesKept;
 
   /// @param last  step of the last pose @param poses  of steps in succession: x y z [m], angle-axis [rad]
   void add(std::int64_t last, std::span<const step_sample_t> poses);

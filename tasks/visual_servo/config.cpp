@@ -99,6 +99,12 @@ Parameters read_parameters(const Config& config) {
   const int n_s = config.integer("time.n_s", k.pacing.n_s, {2, 32}, "steps");
   k.pacing.n_s = static_cast<std::uint16_t>(n_s);
   k.pacing.n_Q = static_cast<std::uint16_t>(n_s - 1);
+  for (const CameraParameters& camera : k.camera)
+    if (k.max_age * camera.period + camera.latency > kPosesKept - n_s)
+      throw ConfigError(
+          {"task", 0, 0}, "task.max_age",
+          "where the arm was so long ago is not known any more: max_age * period + latency must be at most " +
+              std::to_string(kPosesKept - n_s) + " steps");
   k.duration = control_steps(t.number("duration", 8, {0.1, 3600}, "s"), k.pacing);
   k.patience = control_steps(t.number("patience", 6, {0, 3600}, "s, 0: for ever"), k.pacing);
   return k;

@@ -22,6 +22,9 @@ enum class Camera : std::uint8_t {
 inline constexpr std::size_t kCameras = 2;
 constexpr std::size_t index(Camera k) { return static_cast<std::size_t>(k); }
 
+/// Steps for which it is remembered where E was.
+inline constexpr std::int64_t kPosesKept = 256;
+
 /// One camera of the agent.
 struct CameraParameters {
   bool used{true};           ///< false: there is none, and it never sees anything

@@ -25,6 +25,8 @@ class AdversePictures {
   AdversePictures(const CameraModel& camera, Object object, unsigned seed, int rays = 1);
 
   AdversePicture next();
+  /// @return a faultless picture of the object where the last one showed something: what a receptor may have seen before
+  [[nodiscard]] Image faultless();
   /// @return number of kinds; next() goes through all of them in turn
   static int kinds();
 
@@ -44,6 +46,7 @@ class AdversePictures {
   PlaneCamera camera_;
   Object object_;
   std::mt19937 random_;
+  Pose last_;
   int number_{};
 };
 

@@ -23,7 +23,8 @@ struct AprilTagParameters {
 
 /// Looks for one tag. The picture is freed of the lens's distortion first: the edges of the tag are located as straight
 /// lines. The tag is searched for in a blurred picture, around its last place first, and then located in the unblurred
-/// part that shows it. Two tags with the same number in view are reported as ambiguous; so are two poses of one tag.
+/// part that shows it. Two tags with the same number in the searched part are reported as
+/// ambiguous; so are two poses of one tag.
 class AprilTagSensor {
  public:
   /// @throws FaultError bad_configuration: the camera is not proper, or the tag is not in the family

@@ -19,7 +19,7 @@ struct Pictures {
   int height{};
 };
 
-Pictures look_at(const std::filesystem::path& folder, std::FILE* out) {
+Pictures look_at(const std::filesystem::path& folder, const Board& board, std::FILE* out) {
   Pictures result;
   for (const auto& file : pictures_in(folder)) {
     const Image picture = read_picture(file, 1);
@@ -32,7 +32,7 @@ Pictures look_at(const std::filesystem::path& folder, std::FILE* out) {
       throw FaultError(FaultCode::bad_picture,
                        fmt::format("{}: it is {} x {}, the first one {} x {}", file.string(), picture.width,
                                    picture.height, result.width, result.height));
-    if (auto corners = find_corners(picture.view()))
+    if (auto corners = find_corners(picture.view(), board))
       result.views.push_back({name, std::move(*corners)});
     else
       fmt::print(out, "{:32} no board, or not one whole board: left out\n", name);
@@ -48,7 +48,7 @@ void tell(std::FILE* out, const std::string& what, const std::vector<BoardView>&
 
 CameraModel lens_of(const CalibrationOrder& order, const Pictures& pictures, std::FILE* out) {
   if (order.camera.empty()) {
-    const LensCalibration lens = calibrate_lens(pictures.width, pictures.height, pictures.views);
+    const LensCalibration lens = calibrate_lens(pictures.width, pictures.height, pictures.views, order.board);
     tell(out, "lens", pictures.views, lens.view_px);
     fmt::print(out, "lens: {:.3f} px over {} pictures, focal length {:.2f} +- {:.2f} pixels\n", lens.rms_px,
                pictures.views.size(), lens.model.fx, lens.sigma_f * lens.model.fx);
@@ -82,7 +82,7 @@ PlaceCalibration place_of(const CalibrationOrder& order, const CameraModel& mode
     views.push_back({v, pose->second});
     used.push_back(v);
   }
-  PlaceCalibration place = calibrate_place(model, order.arrangement, views);
+  PlaceCalibration place = calibrate_place(model, order.arrangement, views, order.board);
   tell(out, "place", used, place.view_px);
   fmt::print(out, "place: {:.3f} px over {} pictures, position +- {:.2f} mm\n", place.rms_px, used.size(),
              1e3 * place.sigma_m);
@@ -130,11 +130,11 @@ std::string as_toml(const CalibrationOrder& order, const CameraModel& m,
 }
 
 void calibrate(const CalibrationOrder& order, std::FILE* out) {
-  const Pictures pictures = look_at(order.pictures, out);
+  const Pictures pictures = look_at(order.pictures, order.board, out);
   if (pictures.views.empty())
     throw FaultError(FaultCode::bad_calibration,
-                     fmt::format("no picture shows the whole board of {} x {} inner corners", kBoard.columns,
-                                 kBoard.rows));
+                     fmt::format("no picture shows the whole board of {} x {} inner corners",
+                                 order.board.columns, order.board.rows));
   const CameraModel model = lens_of(order, pictures, out);
   std::optional<PlaceCalibration> place;
   if (!order.poses.empty()) place = place_of(order, model, pictures, out);

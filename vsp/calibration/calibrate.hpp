@@ -19,6 +19,7 @@ struct CalibrationOrder {
   std::string name{"camera"};    ///< key of the camera in the file that is written
   std::string arm{"arm1"};       ///< key of the arm
   std::filesystem::path output;  ///< TOML file
+  Board board{kBoard};           ///< in the pictures
 };
 
 /// Poses of a table: a line `picture,x,y,z,ax,ay,az` for each - file name, position [m], angle times axis [rad]; lines

@@ -6,14 +6,14 @@
 
 #include "base/fault.hpp"
 #include "vsp/calibration/calibrate.hpp"
+#include "vsp/looked_for.hpp"
 
 int main(int argc, char** argv) {
   using namespace mrroc;
-  CLI::App app{fmt::format(
-      "Calibrates a camera from pictures of a chessboard with {} x {} inner corners and squares of {:g} "
-      "mm:\nits lens, and with the robot's poses also where it is. Writes a TOML file that the "
-      "receptors and tasks read.",
-      vsp::kBoard.columns, vsp::kBoard.rows, 1e3 * vsp::kBoard.square)};
+  CLI::App app{
+      "Calibrates a camera from pictures of a chessboard: its lens, and with the robot's poses also where it "
+      "is.\n"
+      "Writes a TOML file that the receptors and tasks read."};
   app.name("calibrate");
   vsp::CalibrationOrder order;
   app.add_option("--pictures", order.pictures, "folder of pictures: at least 8, from all sides")->required();
@@ -32,8 +32,14 @@ int main(int argc, char** argv) {
       ->needs(poses);
   app.add_option("--name", order.name, "of the camera in the file, e.g. sac or eih");
   app.add_option("--arm", order.arm, "whose poses they are");
+  std::string board;
+  app.add_option("--board", board,
+                 "TOML file whose [chessboard] says columns, rows and square of the board (default: 9 x 6 "
+                 "inner corners, "
+                 "25 mm)");
   try {
     app.parse(argc, argv);
+    if (!board.empty()) order.board = vsp::read_board(Config::load(board));
     vsp::calibrate(order, stdout);
     return 0;
   } catch (const CLI::CallForHelp& e) {
@@ -45,5 +51,8 @@ int main(int argc, char** argv) {
   } catch (const FaultError& e) {
     fmt::print(stderr, "{}\n", e.error_line());
     return exit_status(e.fault().code);
+  } catch (const std::exception& e) {  // of OpenCV
+    fmt::print(stderr, "{}\n", FaultError(FaultCode::bad_calibration, e.what()).error_line());
+    return exit_status(FaultCode::bad_calibration);
   }
 }

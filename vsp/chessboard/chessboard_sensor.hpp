@@ -26,8 +26,9 @@ struct ChessboardParameters {
 };
 
 /// Looks for one board, first around the place where the last picture had it, then everywhere, then everywhere in the
-/// picture enlarged twice, which shows boards whose squares are only 5 pixels wide. Two boards in view are reported as
-/// ambiguous. For pictures whose whole width is more than kWidest pixels the enlarged search is left out.
+/// picture enlarged two and three times, which shows boards whose squares are only 5 pixels wide. Two boards in the
+/// part that is searched are reported as ambiguous; one that is followed stays the one that is meant, whatever comes
+/// into view elsewhere. For pictures whose whole width is more than kWidest pixels the enlarged search is left out.
 class ChessboardSensor {
  public:
   /// @throws FaultError bad_configuration: the camera is not proper

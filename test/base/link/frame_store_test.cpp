@@ -9,6 +9,7 @@
 #include <fstream>
 #include <random>
 #include <thread>
+#include <tuple>
 
 #include "base/fault.hpp"
 
@@ -53,7 +54,7 @@ class FrameStore : public ::testing::Test {
 
 TEST_F(FrameStore, GivesEveryPictureBackWithItsStepAndTime) {
   FrameWriter writer(name_, shape_);
-  FrameReader reader(name_, 0ms);
+  FrameReader reader = FrameReader::open(name_).value();
   EXPECT_EQ(reader.shape(), shape_);
   Frame frame;
   for (int k = 0; k < 11; ++k) {
@@ -69,7 +70,7 @@ TEST_F(FrameStore, GivesEveryPictureBackWithItsStepAndTime) {
 
 TEST_F(FrameStore, KeepsAsManyPicturesAsItHasSlots) {
   FrameWriter writer(name_, shape_);
-  FrameReader reader(name_, 0ms);
+  FrameReader reader = FrameReader::open(name_).value();
   std::vector<int> slots;
   for (int k = 0; k < 6; ++k) slots.push_back(writer.write(k, k, 0, picture(k, shape_).view()));
   Frame frame;
@@ -80,7 +81,7 @@ TEST_F(FrameStore, KeepsAsManyPicturesAsItHasSlots) {
 
 TEST_F(FrameStore, TellsOfSlotsThatAreNotThereOrEmpty) {
   FrameWriter writer(name_, shape_);
-  FrameReader reader(name_, 0ms);
+  FrameReader reader = FrameReader::open(name_).value();
   Frame frame;
   EXPECT_EQ(reader.read(-1, 0, frame), FrameFate::malformed);
   EXPECT_EQ(reader.read(shape_.slots, 0, frame), FrameFate::malformed);
@@ -92,7 +93,7 @@ TEST_F(FrameStore, TellsOfSlotsThatAreNotThereOrEmpty) {
 TEST_F(FrameStore, NeverGivesHalfOfOnePictureAndHalfOfAnother) {
   const FrameStoreShape shape{640, 480, 1, 2};
   FrameWriter writer(name_, shape);
-  FrameReader reader(name_, 0ms);
+  FrameReader reader = FrameReader::open(name_).value();
   std::atomic<std::int64_t> newest{-1};
   std::jthread camera([&](const std::stop_token& stop) {
     Image image(shape.width, shape.height, 1);
@@ -117,7 +118,7 @@ TEST_F(FrameStore, NeverGivesHalfOfOnePictureAndHalfOfAnother) {
 TEST_F(FrameStore, LivesOnWithoutItsNameAndLeavesNothing) {
   {
     FrameWriter writer(name_, shape_);
-    FrameReader reader(name_, 0ms);
+    FrameReader reader = FrameReader::open(name_).value();
     EXPECT_EQ(files(), 1U);
     writer.hide();
     EXPECT_EQ(files(), 0U);
@@ -125,19 +126,18 @@ TEST_F(FrameStore, LivesOnWithoutItsNameAndLeavesNothing) {
     const Image image = picture(1, shape_);
     EXPECT_EQ(reader.read(writer.write(5, 100, 0.2, image.view()), 5, frame), FrameFate::read);
     EXPECT_EQ(frame.image, image);
-    EXPECT_EQ(code_of([&] { FrameReader late(name_, 0ms); }), FaultCode::hardware_silent);
+    EXPECT_FALSE(FrameReader::open(name_));
   }
   { FrameWriter writer(name_, shape_); }
   EXPECT_EQ(files(), 0U);
 }
 
-TEST_F(FrameStore, IsWaitedFor) {
-  std::optional<FrameWriter> writer;
-  const std::jthread late([&] {
-    std::this_thread::sleep_for(30ms);
-    writer.emplace(name_, shape_);
-  });
-  EXPECT_EQ(FrameReader(name_, 5s).shape(), shape_);
+TEST_F(FrameStore, ThatIsBeingMadeIsNotThereYet) {
+  EXPECT_FALSE(FrameReader::open(name_));
+  FrameWriter writer(name_, shape_);
+  EXPECT_TRUE(FrameReader::open(name_));
+  std::filesystem::resize_file(name_.path(), 3);
+  EXPECT_FALSE(FrameReader::open(name_));
 }
 
 TEST_F(FrameStore, OfAKilledRunIsSweptAwayAndThatOfALivingOneIsNot) {
@@ -164,7 +164,7 @@ TEST_F(FrameStore, RefusesWhatIsNoStore) {
   const auto refused = [&](auto spoil) {
     FrameWriter writer(name_, shape_);
     spoil(name_.path());
-    return code_of([&] { FrameReader reader(name_, 0ms); });
+    return code_of([&] { std::ignore = FrameReader::open(name_); });
   };
   const auto overwrite = [](const std::filesystem::path& path, int place, std::uint8_t byte) {
     std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
@@ -176,14 +176,13 @@ TEST_F(FrameStore, RefusesWhatIsNoStore) {
   EXPECT_EQ(refused([](Path p) { std::filesystem::resize_file(p, 20'000); }), FaultCode::malformed_message);
   EXPECT_EQ(refused([](Path p) { std::filesystem::resize_file(p, 10'000'000); }),
             FaultCode::malformed_message);
-  EXPECT_EQ(refused([](Path p) { std::filesystem::resize_file(p, 3); }), FaultCode::hardware_silent);
   for (const int place : {0, 7, 8, 11, 12, 16, 20, 24})  // magic, width, height, channels, slots, session
     EXPECT_EQ(refused([&](Path p) { overwrite(p, place, 0x7f); }), FaultCode::malformed_message) << place;
 }
 
 TEST_F(FrameStore, ThatIsCutShortIsToldOfAndCrashesNobody) {
   FrameWriter writer(name_, shape_);
-  FrameReader reader(name_, 0ms);
+  FrameReader reader = FrameReader::open(name_).value();
   const int slot = writer.write(0, 0, 0, picture(0, shape_).view());
   std::filesystem::resize_file(name_.path(), 4096);
   Frame frame;

@@ -234,7 +234,7 @@ TEST(Convert, EverythingElseSurvivesTheWire) {
     SensorReading reading{bits<int>(), flag(), {}};
     fill(reading.value);
     expect_round_trip(reading, [](const sensor_reading_t& m) { return from_message(m); });
-    CameraReading seen{0, bits<std::int64_t>(), flag(), flag(), {}, {}, number()};
+    CameraReading seen{0, bits<std::int64_t>(), number(), flag(), flag(), {}, {}, number()};
     std::ranges::generate(seen.T_CG.R.reshaped(), number);
     std::ranges::generate(seen.T_CG.p, number);
     std::ranges::generate(seen.covariance.reshaped(), number);

@@ -31,7 +31,9 @@ class Station {
         station_(world_process_, k, parameters_, {"arm1", "arm2"}),
         frames_(receptor_.inbox<camera_frame_t>(k.cameras.at(0).setup.key + ".frame")),
         truth_(receptor_.inbox<object_truth_t>("object.truth")),
-        store_({membership_.session, membership_.session_id, k.cameras.at(0).setup.key}, 0ms) {
+        store_(
+            link::FrameReader::open({membership_.session, membership_.session_id, k.cameras.at(0).setup.key})
+                .value()) {
     station_.begin();
   }
 
