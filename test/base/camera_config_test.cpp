@@ -40,8 +40,8 @@ TEST(CameraConfig, ReadsPoseAndModelWithTheAxisInTheMiddleUnlessToldOtherwise) {
 TEST(CameraConfig, RefusesWhatIsNoCamera) {
   for (const char* bad : {"", "pose = [0, 0, 0]", "pose = [0, 0, 0, 0, 0, 'a']"})
     EXPECT_THROW(read_camera(with("[cameras.sac]\n" + std::string(bad)), "sac"), ConfigError) << bad;
-  for (const char* bad :
-       {"width = 0", "fx = -1", "fy = inf", "latency = -1", "period = 0", "distortion = [1]"})
+  for (const char* bad : {"width = 0", "fx = -1", "fy = inf", "latency = -1", "period = 0",
+                          "distortion = [1]", "period = 9", "latency = 101"})
     EXPECT_THROW(read_camera(with("[cameras.sac]\n" + kPose + bad), "sac"), ConfigError) << bad;
 }
 

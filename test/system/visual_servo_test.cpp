@@ -90,6 +90,36 @@ TEST(VisualServo, FollowsAnObjectOnALine) {
   EXPECT_LE(r.figure("follow_err_mm"), 10);
 }
 
+TEST(VisualServo, FollowsAnObjectThatGoesInACircleOrIsMovedByHand) {
+  if (kSanitized) GTEST_SKIP() << "too long";
+  for (const std::string scenario : {"circle", "hand"}) {
+    const ServoRun r(words({kFast, {"--scenario", scenario}}));
+    ASSERT_EQ(r.ended.status, 0) << r.ended.all();
+    EXPECT_LE(r.figure("follow_err_mm"), 10) << scenario;
+  }
+}
+
+TEST(VisualServo, ReachesATagWithEitherCameraAloneAndLeavesTheirPictures) {
+  if (kSanitized) GTEST_SKIP() << "too long";
+  const auto settings = words({kFast, {"--object", "apriltag"}});
+  const ServoRun sac(words({settings, {"--cameras", "sac", "--set", "task.duration=6"}}));
+  ASSERT_EQ(sac.ended.status, 0) << sac.ended.all();
+  for (const double m : sac.behaviours()) EXPECT_LE(m, 1) << "PB-SAC or idle";
+  EXPECT_TRUE(std::filesystem::exists(sac.folder / "run" / "sac_tag.png"));
+  EXPECT_FALSE(std::filesystem::exists(sac.folder / "run" / "eih_tag.png"));
+  const ServoRun both(settings);
+  ASSERT_EQ(both.ended.status, 0) << both.ended.all();
+  EXPECT_LE(both.figure("final_err_mm"), 2);
+  EXPECT_LE(both.figure("steps_to_2mm"), 80);
+}
+
+TEST(VisualServo, LooksForTheBoardThatTheConfigurationDescribes) {
+  if (kSanitized) GTEST_SKIP() << "too long";
+  const ServoRun r(words({kFast, {"--set", "chessboard.columns=7", "--set", "chessboard.square=0.023"}}));
+  ASSERT_EQ(r.ended.status, 0) << r.ended.all();
+  EXPECT_LE(r.figure("final_err_mm"), 1);
+}
+
 TEST(VisualServo, HoldsWhileTheObjectIsHiddenAndGoesOn) {
   if (kSanitized) GTEST_SKIP() << "too long";
   const ServoRun r(words({kFast, {"--scenario", "occluded"}}));

@@ -34,8 +34,8 @@ TEST(CameraWorldConfig, GivesEveryCameraTheProfileAndNoiseOfItsOwn) {
 }
 
 TEST(CameraWorldConfig, RefusesWhatCannotBe) {
-  for (const char* bad :
-       {"mount = 'arm3'", "exposure = 20", "exposure = 15\nlatency = 5", "noise = -1", "picture = 'red'"})
+  for (const char* bad : {"mount = 'arm3'", "exposure = 20", "exposure = 15\nlatency = 5",
+                          "exposure = 5\nlatency = 2", "noise = -1", "picture = 'red'"})
     EXPECT_THROW(read("[cameras]\norder = ['a']\n[cameras.a]\npose = [0,0,0,0,0,0]\n" + std::string(bad)),
                  ConfigError)
         << bad;
