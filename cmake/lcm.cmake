@@ -17,5 +17,6 @@ function(mrroc_messages)
   add_library(mrroc_msg INTERFACE)
   add_dependencies(mrroc_msg mrroc_generated)
   # Generated code is not held to the project's warnings.
-  target_include_directories(mrroc_msg SYSTEM INTERFACE ${MRROC_GENERATED})
+  target_include_directories(mrroc_msg SYSTEM INTERFACE $<BUILD_INTERFACE:${MRROC_GENERATED}>
+                                                        $<INSTALL_INTERFACE:include/mrroc>)
 endfunction()

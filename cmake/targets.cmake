@@ -1,22 +1,26 @@
-# mrroc_library(NAME sources...)  a library target of one folder, with the project's warnings
-# mrroc_program(NAME sources...)  a program in bin/
-# mrroc_test(NAME [THREADS] sources...)  a gtest suite that mirrors one folder; THREADS: it has more than one
+# What all targets have in common, and mrroc_test(NAME [THREADS] sources...)  a gtest suite that mirrors one folder;
+# THREADS: it has more than one
 include(GoogleTest)
+include(functions)
 
 # What ./run builds for a task, and what it builds for the tests.
 add_custom_target(programs)
 add_custom_target(tests)
 
 add_library(mrroc_options INTERFACE)
-target_include_directories(mrroc_options INTERFACE ${CMAKE_SOURCE_DIR})
-target_compile_options(mrroc_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
-                                               -Wnon-virtual-dtor -Wno-sign-conversion)
+target_compile_features(mrroc_options INTERFACE cxx_std_20)
+target_include_directories(mrroc_options INTERFACE $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}> $<INSTALL_INTERFACE:include/mrroc>)
+# Who uses the installed libraries has warnings of his own.
+function(mrroc_compile_options)
+  target_compile_options(mrroc_options INTERFACE "$<BUILD_INTERFACE:${ARGN}>")
+endfunction()
+mrroc_compile_options(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Wno-sign-conversion)
 # g++ 12 sees overlaps and overruns in inlined std::string operations that are not there (GCC bugs 105329, 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  target_compile_options(mrroc_options INTERFACE -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow)
+  mrroc_compile_options(-Wno-restrict -Wno-array-bounds -Wno-stringop-overflow)
 endif()
 if(MRROC_WERROR)
-  target_compile_options(mrroc_options INTERFACE -Werror)
+  mrroc_compile_options(-Werror)
 endif()
 if(MRROC_SANITIZE STREQUAL "address")
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
@@ -28,9 +32,9 @@ elseif(MRROC_SANITIZE)
   message(FATAL_ERROR "MRROC_SANITIZE is '${MRROC_SANITIZE}'; give address or thread, or leave it empty")
 endif()
 if(MRROC_SANITIZE)
-  target_compile_definitions(mrroc_options INTERFACE MRROC_SANITIZED)
+  target_compile_definitions(mrroc_options INTERFACE $<BUILD_INTERFACE:MRROC_SANITIZED>)
   # The instrumentation hides from g++ that variables are initialised.
-  target_compile_options(mrroc_options INTERFACE -Wno-maybe-uninitialized)
+  mrroc_compile_options(-Wno-maybe-uninitialized)
 endif()
 
 # Headers that most files need, compiled once for the libraries and programs, and once for the tests, which are
@@ -55,19 +59,6 @@ if(MRROC_TESTS)
                             <fstream> <functional> <map> <optional> <random> <sstream> <string> <vector>)
 endif()
 
-function(mrroc_library name)
-  add_library(${name} STATIC ${ARGN})
-  target_link_libraries(${name} PUBLIC mrroc_options Eigen3::Eigen)
-  target_precompile_headers(${name} REUSE_FROM mrroc_headers)
-endfunction()
-
-function(mrroc_program name)
-  add_executable(${name} ${ARGN})
-  add_dependencies(programs ${name})
-  target_link_libraries(${name} PRIVATE mrroc_options)
-  target_precompile_headers(${name} REUSE_FROM mrroc_headers)
-endfunction()
-
 function(mrroc_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "THREADS" "" "")
   add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
@@ -80,20 +71,4 @@ function(mrroc_test name)
   endif()
   add_dependencies(tests ${name})
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 900)
-endfunction()
-
-# mrroc_arm_task(NAME sources...)  a task of arms that work on their own (sim/arm_task.hpp): library mrroc_NAME with
-# NAME.toml as mrroc::NAME::config(), programs NAME and ecp_NAME from main.cpp and main_ecp.cpp
-function(mrroc_arm_task name)
-  file(READ ${name}.toml MRROC_TOML)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}.toml)
-  set(MRROC_TASK ${name})
-  configure_file(${CMAKE_SOURCE_DIR}/cmake/task_config.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/task_config.cpp @ONLY)
-  mrroc_library(mrroc_${name} ${ARGN} ${CMAKE_CURRENT_BINARY_DIR}/task_config.cpp)
-  target_link_libraries(mrroc_${name} PUBLIC mrroc_ecp mrroc_mp)
-  mrroc_program(ecp_${name} main_ecp.cpp)
-  target_link_libraries(ecp_${name} PRIVATE mrroc_${name})
-  mrroc_program(${name} main.cpp)
-  target_link_libraries(${name} PRIVATE mrroc_${name} mrroc_arm_task)
-  add_dependencies(${name} ecp_${name} edp_irb6 world)
 endfunction()

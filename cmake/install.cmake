@@ -1,0 +1,35 @@
+# `cmake --install` and `cpack`: programs, headers, libraries, and a CMake package for robots and tasks outside of this
+# tree: find_package(mrroc), then mrroc_arm_task() and the other functions of cmake/functions.cmake.
+include(CMakePackageConfigHelpers)
+
+install(TARGETS mrroc_options mrroc_msg EXPORT mrroc)
+install(EXPORT mrroc FILE mrroc-targets.cmake DESTINATION ${MRROC_PACKAGE})
+configure_package_config_file(cmake/mrroc-config.cmake.in ${CMAKE_BINARY_DIR}/mrroc-config.cmake
+                              INSTALL_DESTINATION ${MRROC_PACKAGE} PATH_VARS MRROC_PROGRAMS)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/mrroc-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/mrroc-config.cmake ${CMAKE_BINARY_DIR}/mrroc-config-version.cmake
+              cmake/dependencies.cmake cmake/functions.cmake cmake/task_config.cpp.in
+        DESTINATION ${MRROC_PACKAGE})
+
+foreach(folder base edp ecp mp vsp ui_cli robots tasks sim)
+  install(DIRECTORY ${folder} DESTINATION include/mrroc FILES_MATCHING PATTERN "*.hpp")
+endforeach()
+install(DIRECTORY ${MRROC_GENERATED}/mrroc DESTINATION include/mrroc FILES_MATCHING PATTERN "*.hpp")
+install(PROGRAMS cmake/mrroc.sh DESTINATION bin RENAME mrroc)
+install(FILES README.md LICENSE CHANGELOG.md DESTINATION share/doc/mrroc)
+install(DIRECTORY docs DESTINATION share/doc/mrroc)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME mrroc)
+set(CPACK_PACKAGE_CONTACT "the project authors <mrroc@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# What the libraries' users link, and what a run calls.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libeigen3-dev, libfmt-dev, liblcm-dev, libglib2.0-dev, libbullet-dev, liburdfdom-dev, \
+liborocos-kdl-dev, libtomlplusplus-dev, libcli11-dev, nlohmann-json3-dev, libpugixml-dev, libncurses-dev, libopencv-dev, \
+libapriltag-dev")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++, cmake, gnuplot-nox, libegl-mesa0, libgl1-mesa-dri, python3-numpy")
+include(CPack)
