@@ -19,7 +19,7 @@ namespace {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(3);  // the parent has died already
   ::setpgid(0, 0);                        // a Ctrl-C in the terminal is the parent's business
-  ::execv(program, arguments);
+  ::execvp(program, arguments);           // a path with a slash is not searched for
   const int reason = errno;
   [[maybe_unused]] const auto written = ::write(error_pipe, &reason, sizeof reason);
   ::_exit(3);
@@ -27,8 +27,10 @@ namespace {
 
 }  // namespace
 
-Child::Child(const std::filesystem::path& program, const std::vector<std::string>& arguments) {
-  std::vector<std::string> words{program.string()};
+Child::Child(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+             const std::vector<std::string>& start) {
+  std::vector<std::string> words = start;
+  words.push_back(program.string());
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& w : words) argv.push_back(w.data());

@@ -12,9 +12,11 @@ namespace mrroc::mp {
 /// A started program. It ends when this process ends, however that happens.
 class Child {
  public:
-  /// @param program    path of the executable
+  /// @param program  path of the executable
+  /// @param start    words before it that make it run elsewhere; their first one is searched for in PATH
   /// @throws FaultError start_failed
-  Child(const std::filesystem::path& program, const std::vector<std::string>& arguments);
+  Child(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+        const std::vector<std::string>& start = {});
   ~Child();
   Child(Child&& other) noexcept;
   Child& operator=(Child&&) = delete;

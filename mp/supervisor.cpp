@@ -59,7 +59,7 @@ Supervisor::Supervisor(link::Process& mp, std::vector<Part> parts, const std::fi
       begun_(Clock::now()),
       leave_(leave),
       messages_(messages) {
-  watched_.push_back(std::make_unique<Watched>(mp, Part{mp.membership().name, {}, {}, {}}));
+  watched_.push_back(std::make_unique<Watched>(mp, Part{mp.membership().name, {}, {}, {}, {}}));
   for (Part& p : parts) watched_.push_back(std::make_unique<Watched>(mp, std::move(p)));
   mp_.on_service = [this] { poll(); };
 }
@@ -81,7 +81,7 @@ void Supervisor::start_processes(const std::vector<std::string>& common) {
     if (w->part.program.empty()) continue;
     std::vector<std::string> arguments = common;
     arguments.insert(arguments.end(), w->part.arguments.begin(), w->part.arguments.end());
-    w->child.emplace(program_folder() / w->part.program, arguments);
+    w->child.emplace(program_folder() / w->part.program, arguments, w->part.start);
     w->heard = Clock::now();
   }
 }

@@ -24,6 +24,7 @@ struct Part {
   std::string program;                       ///< file beside the task's program
   std::vector<std::string> arguments;        ///< beyond those that every part gets
   std::function<void(link::Process&)> body;  ///< what the program does, for a system in one process
+  std::vector<std::string> start{};          ///< words before the program: make it run on another host
 };
 
 /// What the supervisor knows of a process.

@@ -9,6 +9,9 @@
 #include <cmath>
 #include <future>
 
+#include "base/link/lossy_bus.hpp"
+#include "mp/hosts.hpp"
+
 namespace mrroc::mp {
 namespace {
 
@@ -41,7 +44,12 @@ TaskRun::TaskRun(const std::string& task, const TaskOptions& options, const std:
       folder_(folder),
       session_(options.session.empty() ? link::unique_session_name(task) : options.session),
       separate_(options.separate) {
-  open_bus(options);
+  const Config config = Config::load(folder / "config.toml");
+  open_bus(options, assign_hosts(read_hosts(config), parts));
+  if (const double loss = link::read_loss(config); loss > 0) {
+    lossless_ = std::move(bus_);
+    bus_ = std::make_unique<link::LossyBus>(*lossless_, link::loses(loss, options.seed));
+  }
   link::Membership membership{.session = session_,
                               .session_id = link::random_id(),
                               .name = "mp",
@@ -86,9 +94,19 @@ TaskRun::~TaskRun() {
   }
 }
 
-void TaskRun::open_bus(const TaskOptions& options) {
-  const link::LcmAddress address =
+void TaskRun::open_bus(const TaskOptions& options, bool several_hosts) {
+  link::LcmAddress address =
       options.url.empty() ? link::address_for(session_) : link::LcmAddress::parse(options.url);
+  if (several_hosts) {
+    if (!separate_)
+      throw FaultError(FaultCode::bad_usage,
+                       "some processes are to run on other hosts, which --processes one does not allow");
+    if (options.url.empty()) address.ttl = 1;
+    if (address.ttl == 0)
+      throw FaultError(FaultCode::bad_usage,
+                       "nothing leaves this host with " + options.url + ", and some processes run on others",
+                       "give --url with ttl=1, or none");
+  }
   if (separate_ && !link::multicast_works(address)) {
     if (options.separate_asked)
       throw FaultError(FaultCode::no_multicast,

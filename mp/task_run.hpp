@@ -24,7 +24,7 @@ class TaskRun {
   /// @param folder   run folder, exists; holds config.toml
   /// @param arms     keys of the arms, e.g. arm1, arm2
   /// @param parts    every other process
-  /// @throws FaultError session_in_use, no_multicast, bad_script, cannot_write
+  /// @throws FaultError session_in_use, no_multicast, bad_script, cannot_write; ConfigError: hosts or losses
   TaskRun(const std::string& task, const TaskOptions& options, const std::filesystem::path& folder,
           const std::vector<std::string>& arms, std::vector<Part> parts);
   ~TaskRun();
@@ -58,7 +58,7 @@ class TaskRun {
   Summary end(const std::optional<Fault>& fault);
 
  private:
-  void open_bus(const TaskOptions& options);
+  void open_bus(const TaskOptions& options, bool several_hosts);
   [[nodiscard]] Fault stop_reason() const;
   void look_after_orders();
 
@@ -69,6 +69,7 @@ class TaskRun {
   bool separate_{};
   std::unique_ptr<link::SessionFile> session_file_;
   std::unique_ptr<link::MemoryHub> hub_;
+  std::unique_ptr<link::Bus> lossless_;  // below bus_, when messages are to be lost
   std::unique_ptr<link::Bus> bus_;
   std::unique_ptr<link::EventLog> log_;
   std::unique_ptr<link::Process> process_;

@@ -5,7 +5,9 @@
 
 #include <tuple>
 
+#include "base/link/lossy_bus.hpp"
 #include "base/link/session.hpp"
+#include "mp/hosts.hpp"
 #include "mp/operator_desk.hpp"
 #include "robots/irb6/config.hpp"
 #include "robots/irb6/edp_body.hpp"
@@ -39,6 +41,8 @@ Config load_task_config(const mp::TaskOptions& options, std::string_view built_i
                                               : Config::load(options.config_file);
   for (const std::string& s : options.settings) config.set(s);
   config.set(fmt::format("seed={}", options.seed));
+  mp::read_hosts(config);  // who starts the processes reads them again
+  link::read_loss(config);
   return config;
 }
 

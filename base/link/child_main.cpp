@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "base/link/lcm_bus.hpp"
+#include "base/link/lossy_bus.hpp"
 #include "base/link/real_time.hpp"
 
 namespace mrroc::link {
@@ -31,8 +32,11 @@ int run(const Membership& membership, const std::string& url, const std::string&
   // Before the bus: its thread is to be scheduled like this one.
   const std::string real_time =
       membership.clock == ClockKind::wall ? become_real_time(priority_of(membership.name)) : "";
-  const auto bus = open_lcm(LcmAddress::parse(url));
-  Process process(*bus, membership);
+  const auto network = open_lcm(LcmAddress::parse(url));
+  const double loss = read_loss(config);
+  LossyBus lossy(*network, loses(loss, std::hash<std::string>{}(membership.name)));
+  Bus& bus = loss > 0 ? static_cast<Bus&>(lossy) : *network;
+  Process process(bus, membership);
   if (!real_time.empty()) process.say("real time: " + real_time);
   try {
     body(process, config, arguments);

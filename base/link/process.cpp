@@ -16,6 +16,7 @@ using namespace std::chrono_literals;
 constexpr auto kRepeat = 100ms;
 constexpr auto kStatusPeriod = 500ms;  // between signs of life
 constexpr auto kReadyPeriod = 20ms;    // the same while assembling
+constexpr int kOrphaned = 5;           // times the patience without a word of the supervisor
 
 }  // namespace
 
@@ -83,6 +84,21 @@ void Process::service(Clock::time_point deadline) {
   if (now - last_status_ > (assembling ? std::chrono::milliseconds(kReadyPeriod) : kStatusPeriod))
     send_status();
   if (on_service) on_service();
+  check_supervisor();
+}
+
+// A child on this host ends with its parent; on another host nobody tells it.
+void Process::check_supervisor() {
+  const bool leads = membership_.roster.empty() || membership_.name == membership_.roster.front();
+  if (leads || membership_.patience.count() == 0) return;
+  const Counters& c = supervisor_in_.counters();
+  const auto now = Clock::now();
+  if (const auto heard = c.received + c.repeated; heard != heard_) {
+    heard_ = heard;
+    supervisor_heard_ = now;
+  }
+  if (now - supervisor_heard_ > kOrphaned * membership_.patience)
+    throw FaultError(FaultCode::peer_silent, "nothing has been heard of the supervisor");
 }
 
 void Process::poll() {

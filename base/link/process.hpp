@@ -150,6 +150,7 @@ class Process {
   void service(Clock::time_point deadline);
   void send_status();
   void say_counters();
+  void check_supervisor();
 
   Bus& bus_;
   Membership membership_;
@@ -161,6 +162,8 @@ class Process {
   process_status_t status_{};
   Clock::time_point last_status_{};
   Clock::time_point waiting_since_{};  // or since own messages were repeated
+  Clock::time_point supervisor_heard_{Clock::now()};
+  std::int64_t heard_{};  // messages of the supervisor
 };
 
 }  // namespace mrroc::link

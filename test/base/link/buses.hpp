@@ -1,6 +1,5 @@
-// Transports for tests of one thread: one that delivers at once, and one that loses what it is told to.
+// A transport for tests of one thread that delivers at once.
 #pragma once
-#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -35,24 +34,6 @@ class DirectBus final : public Bus {
  private:
   std::map<std::string, std::vector<Sink*>> sinks_;
   std::vector<std::pair<std::string, Sink*>> all_;
-};
-
-/// Passes on what is not lost.
-class LossyBus final : public Bus {
- public:
-  /// @param lost  asked once per publication
-  LossyBus(Bus& under, std::function<bool()> lost) : under_(under), lost_(std::move(lost)) {}
-
-  void publish(const Route& route, std::span<const std::uint8_t> bytes) override {
-    if (!lost_()) under_.publish(route, bytes);
-  }
-  void subscribe(const Route& route, Sink& sink) override { under_.subscribe(route, sink); }
-  void subscribe_all(const std::string& prefix, Sink& sink) override { under_.subscribe_all(prefix, sink); }
-  bool wait(std::chrono::milliseconds timeout) override { return under_.wait(timeout); }
-
- private:
-  Bus& under_;
-  std::function<bool()> lost_;
 };
 
 }  // namespace mrroc::link::test

@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "base/link/lossy_bus.hpp"
 #include "mrroc/operator_order_t.hpp"
 #include "mrroc/sensor_reading_t.hpp"
 #include "test/base/link/buses.hpp"
@@ -14,7 +15,6 @@ namespace {
 
 using test::Bytes;
 using test::DirectBus;
-using test::LossyBus;
 using M = operator_order_t;
 
 const Route kRoute{Group::agents, "s.a"};

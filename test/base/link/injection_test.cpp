@@ -7,6 +7,7 @@
 #include <random>
 
 #include "base/link/channel.hpp"
+#include "base/link/lossy_bus.hpp"
 #include "mrroc/operator_order_t.hpp"
 #include "test/base/link/buses.hpp"
 
@@ -117,7 +118,7 @@ TEST(Injection, RealLossUnderneathChangesNothing) {
   const Injection injection{.loss = 0.1, .duplication = 0.1, .delay = 0.2, .seed = 8};
   test::DirectBus bus;
   std::mt19937 random(4);
-  test::LossyBus lossy(bus, [&] { return random() % 3 != 0; });
+  LossyBus lossy(bus, [&] { return random() % 3 != 0; });
   const Route route{Group::agents, "s.a"};
   Inbox<operator_order_t> in(bus, route, 1);
   Outbox<operator_order_t> out(lossy, route, 1);

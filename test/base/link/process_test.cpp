@@ -6,6 +6,7 @@
 #include <atomic>
 
 #include "base/link/lcm_bus.hpp"
+#include "base/link/lossy_bus.hpp"
 #include "base/link/memory_bus.hpp"
 #include "base/link/session.hpp"
 #include "test/base/link/buses.hpp"
@@ -96,7 +97,7 @@ class OwnLossyBus final : public Bus {
  private:
   std::unique_ptr<Bus> under_;
   int n_{};
-  test::LossyBus lossy_;
+  LossyBus lossy_;
 };
 
 TEST(RulesOfTime, R5_RealLossIsRepairedAndNeverChangesARun) {
@@ -114,7 +115,7 @@ TEST(RulesOfTime, R5_LossIsRepairedThoughOtherMessagesKeepComing) {
   MemoryHub hub;
   const auto bus_a = hub.open(), bus_b = hub.open(), bus_chatter = hub.open();
   int publications = 0;
-  test::LossyBus lossy(*bus_a, [&] { return ++publications == 1; });
+  LossyBus lossy(*bus_a, [&] { return ++publications == 1; });
   Process a(lossy, member("a"));
   Process b(*bus_b, member("b"));
   const auto out = a.outbox<operator_order_t>("a.out");
@@ -214,6 +215,21 @@ TEST(RulesOfTime, R4_ADeadPeerIsSilentFromItsLastMessageOnAndTheOthersGoOn) {
     EXPECT_EQ(ring.traces["c"].silent_in, 0);
     values.push_back(ring.traces["c"].value);
     EXPECT_EQ(values.back(), values.front());
+  }
+}
+
+TEST(Process, EndsWhenNothingIsHeardOfTheSupervisor) {
+  MemoryHub hub;
+  const auto bus = hub.open();
+  Membership orphan = member("b");
+  orphan.roster = {"a", "b"};
+  orphan.patience = std::chrono::milliseconds(10);
+  Process b(*bus, orphan);
+  try {
+    b.assemble();
+    FAIL() << "it waited for ever";
+  } catch (const FaultError& e) {
+    EXPECT_EQ(e.fault().code, FaultCode::peer_silent);
   }
 }
 
