@@ -1,6 +1,6 @@
 // The drawing task as a user runs it: figures, repeatability, speed, and what happens when parts are killed.
 #include <fmt/format.h>
-#include <signal.h>
+#include <csignal>
 
 #include <algorithm>
 #include <chrono>

@@ -24,7 +24,6 @@ using Clock = std::chrono::steady_clock;
 constexpr int kMacrosteps = 6000;
 constexpr int kWarmUp = 200;  // macrosteps that are not measured
 constexpr long kRoundTripPoses = 1'000'000;
-constexpr double kDt = 0.002;
 
 double median(std::vector<double> x) {
   const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);

@@ -8,7 +8,7 @@ thread_local bool counting = false;
 thread_local long allocations = 0;
 }  // namespace
 
-// NOLINTBEGIN(bugprone-reserved-identifier): glibc's own names
+// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming): glibc's own names
 extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
@@ -32,7 +32,7 @@ void* aligned_alloc(std::size_t alignment, std::size_t size) {
   return __libc_memalign(alignment, size);
 }
 }
-// NOLINTEND(bugprone-reserved-identifier)
+// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
 
 namespace mrroc::bench {
 

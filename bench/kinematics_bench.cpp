@@ -43,13 +43,13 @@ struct Poses {
 };
 
 const Arm& arm_of(const benchmark::State& state) {
-  static const Arm kArms[]{Arm(kPostument), Arm(kTrack)};
-  return kArms[state.range(0)];
+  static const Arm arms[]{Arm(kPostument), Arm(kTrack)};
+  return arms[state.range(0)];
 }
 
 const Poses& poses_of(const benchmark::State& state) {
-  static const Poses kAll[]{Poses(Arm(kPostument)), Poses(Arm(kTrack))};
-  return kAll[state.range(0)];
+  static const Poses all[]{Poses(Arm(kPostument)), Poses(Arm(kTrack))};
+  return all[state.range(0)];
 }
 
 template <class Function>

@@ -23,7 +23,6 @@ constexpr std::array kFrictions{0.0, 0.010, 0.015, 0.020, 0.030, 0.040, 0.050}; 
 constexpr double kFriction = 0.015;                                              // of the documented plant
 constexpr std::array kStiffnesses{1e4, 2e4};             // paper, and twice as stiff [N/m]
 constexpr std::array kSpeeds{0.0001, 0.001, 0.01, 0.1};  // of the tip [m/s]
-constexpr double kAtRest = 0.0005;                       // [m/s]
 
 struct Contact {
   Statistics rest, slide;  // true force on the paper [N]

@@ -49,7 +49,7 @@ double mean_length(const CubeSolver& solver, const std::vector<Cube>& cubes,
 double mean_optimal_time(const CubeSolver& solver, const std::vector<Cube>& cubes) {
   const steady_clock::time_point begin = steady_clock::now();
   for (const Cube& cube : cubes)
-    if (const Solution s = solver.solve_optimally(cube, {}); verified(cube, s).size() > 0 && !s.optimal())
+    if (const Solution s = solver.solve_optimally(cube, {}); !verified(cube, s).empty() && !s.optimal())
       throw FaultError(FaultCode::internal_error, "a solution is not proven to be a shortest one");
   return seconds_since(begin) / static_cast<double>(cubes.size());
 }

@@ -92,15 +92,15 @@ inline constexpr std::array<StateRow, kDriverStates> kAutomaton = [] {
   using enum Event;
   using F = FaultCode;
   using table::Row;
-  constexpr auto any = [](DriverState s) {
+  const auto any = [](DriverState s) {
     return Row(s).go(faulted, trip).stay(reset, reset_unknown, abandoned);
   };
-  constexpr auto standing = [any](DriverState s) {
+  const auto standing = [any](DriverState s) {
     return any(s)
         .stay(get, tool, kinematic_model, servo_algorithm, force_tool, outputs, silence)
         .go(executing, arm, jog);
   };
-  constexpr auto moving = [any](DriverState s) {
+  const auto moving = [any](DriverState s) {
     return any(s)
         .stay(get, tool, servo_algorithm, outputs)
         .go(executing, arm, jog)

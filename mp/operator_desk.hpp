@@ -58,7 +58,7 @@ class OperatorDesk {
   [[nodiscard]] bool stop_accepted() const;
 
  private:
-  void answer(const operator_order_t& order);
+  void answer(const operator_order_t& m);
   [[nodiscard]] std::optional<std::string> objection(OperatorOrder order) const;
   void obey(OperatorOrder order, std::int64_t i);
 

@@ -8,8 +8,8 @@
 
 #include "base/link/process.hpp"
 
-namespace CLI {
-class App;  // declared only: the whole header takes seconds to compile
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
+class App;       // declared only: the whole header takes seconds to compile
 }  // namespace CLI
 
 namespace mrroc::mp {

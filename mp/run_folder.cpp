@@ -34,7 +34,7 @@ nlohmann::ordered_json to_json(const Figure& figure) {
 }  // namespace
 
 fs::path name_run_folder(const fs::path& wanted, const std::string& task) {
-  const fs::path folder = wanted.empty() ? fresh_name(task) : wanted;
+  fs::path folder = wanted.empty() ? fresh_name(task) : wanted;
   if (fs::exists(folder / "config.toml"))
     throw FaultError(FaultCode::bad_usage, fmt::format("{} holds a run already", folder.string()),
                      "choose another --run-dir or delete it");

@@ -53,11 +53,11 @@ Coordinates nearest_coordinates(Representation space, const Coordinates& pose, c
 std::vector<Coordinates> accumulated(Representation space, const std::vector<Coordinates>& increments) {
   std::vector<Coordinates> poses;
   if (increments.empty()) return poses;
-  poses.push_back(Coordinates::Zero(increments.front().size()));
+  poses.emplace_back(Coordinates::Zero(increments.front().size()));
   Pose T;
   for (const Coordinates& increment : increments) {
     if (per_axis(space)) {
-      poses.push_back(poses.back() + increment);
+      poses.emplace_back(poses.back() + increment);
       continue;
     }
     T = T * pose_from_numbers(space, numbers_from_axes(increment)).value_or(Pose{});

@@ -47,10 +47,10 @@ class Family {
 };
 
 std::unique_ptr<Arm> make_arm(std::string_view name, int model) {
-  static const Family kPostuments{kPostument, kPostumentCalibrated};
-  static const Family kTracks{kTrack, kTrackCalibrated};
-  if (name == kPostument.name) return kPostuments.copy(model);
-  if (name == kTrack.name) return kTracks.copy(model);
+  static const Family postuments{kPostument, kPostumentCalibrated};
+  static const Family tracks{kTrack, kTrackCalibrated};
+  if (name == kPostument.name) return postuments.copy(model);
+  if (name == kTrack.name) return tracks.copy(model);
   return nullptr;
 }
 

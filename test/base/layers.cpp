@@ -40,7 +40,7 @@ struct Library {
 constexpr std::array kLibraries{
     Library{"lcm/", "base/link"},      Library{"bullet/", "sim"},          Library{"btBullet", "sim"},
     Library{"BulletDynamics/", "sim"}, Library{"BulletCollision/", "sim"}, Library{"LinearMath/", "sim"},
-    Library{"EGL/", "sim/camera"},     Library{"GL/", "sim/camera"},         Library{"opencv2/", "vsp"},
+    Library{"EGL/", "sim/camera"},     Library{"GL/", "sim/camera"},       Library{"opencv2/", "vsp"},
     Library{"apriltag/", "vsp"},
 };
 

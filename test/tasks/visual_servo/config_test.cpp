@@ -33,8 +33,9 @@ TEST(ServoConfig, RefusesACameraWhoseMountIsOfNoUse) {
 }
 
 TEST(ServoConfig, RefusesWhatMakesNoSense) {
-  for (const char* bad : {"task.regulator.gain=0", "task.regulator.gain=1.5", "task.aggregation=median",
-                          "task.duration=-1", "task.max_age=-1", "task.max_age=11", "task.desired=[1, 2]", "time.n_s=40"})
+  for (const char* bad :
+       {"task.regulator.gain=0", "task.regulator.gain=1.5", "task.aggregation=median", "task.duration=-1",
+        "task.max_age=-1", "task.max_age=11", "task.desired=[1, 2]", "time.n_s=40"})
     EXPECT_THROW((void)read_parameters(built_in({bad})), ConfigError) << bad;
 }
 

@@ -50,7 +50,7 @@ TEST(Facelets, NameTheRuleThatIsBroken) {
   facelets = kSolved;
   facelets[0] = 'R';
   EXPECT_EQ(rule_of(facelets), CubeRule::count);
-  EXPECT_EQ(rule_of(exchanged(kSolved, 0, 29)), CubeRule::piece);  // a corner with D and D
+  EXPECT_EQ(rule_of(exchanged(kSolved, 0, 29)), CubeRule::piece);       // a corner with D and D
   EXPECT_EQ(rule_of(exchanged(kSolved, 10, 25)), CubeRule::duplicate);  // UR to UF, DF to DR
 }
 
