@@ -1,4 +1,5 @@
-# mrroc_library(NAME sources...)  a library target of one folder, with the project's warnings
+# mrroc_library(NAME [SERVO_STEP] sources...)  a library target of one folder, with the project's warnings;
+#                                 SERVO_STEP: it works in every step of a driver and is optimised for that
 # mrroc_program(NAME sources...)  a program in bin/
 # mrroc_test(NAME [THREADS] sources...)  a gtest suite that mirrors one folder; THREADS: it has more than one
 include(GoogleTest)
@@ -40,8 +41,15 @@ target_compile_options(mrroc_options INTERFACE -pthread)
 file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/empty.cpp CONTENT "")
 add_library(mrroc_headers STATIC ${CMAKE_BINARY_DIR}/empty.cpp)
 target_link_libraries(mrroc_headers PRIVATE mrroc_options Eigen3::Eigen)
-target_precompile_headers(mrroc_headers PRIVATE <Eigen/Dense> <algorithm> <array> <chrono> <filesystem> <fstream>
-                          <functional> <map> <memory> <optional> <random> <set> <sstream> <string> <variant> <vector>)
+set(MRROC_HEADERS <Eigen/Dense> <algorithm> <array> <chrono> <filesystem> <fstream> <functional> <map> <memory>
+                  <optional> <random> <set> <sstream> <string> <variant> <vector>)
+target_precompile_headers(mrroc_headers PRIVATE ${MRROC_HEADERS})
+# A precompiled header brings its own optimisation with it.
+set(MRROC_SERVO_STEP $<$<CONFIG:Release>:-O3>)
+add_library(mrroc_servo_step_headers STATIC ${CMAKE_BINARY_DIR}/empty.cpp)
+target_compile_options(mrroc_servo_step_headers PRIVATE ${MRROC_SERVO_STEP})
+target_link_libraries(mrroc_servo_step_headers PRIVATE mrroc_options Eigen3::Eigen)
+target_precompile_headers(mrroc_servo_step_headers PRIVATE ${MRROC_HEADERS})
 if(MRROC_TESTS)
   find_package(GTest REQUIRED)
   add_library(mrroc_test_options INTERFACE)
@@ -56,9 +64,15 @@ if(MRROC_TESTS)
 endif()
 
 function(mrroc_library name)
-  add_library(${name} STATIC ${ARGN})
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SERVO_STEP" "" "")
+  add_library(${name} STATIC ${arg_UNPARSED_ARGUMENTS})
   target_link_libraries(${name} PUBLIC mrroc_options Eigen3::Eigen)
-  target_precompile_headers(${name} REUSE_FROM mrroc_headers)
+  if(arg_SERVO_STEP)
+    target_compile_options(${name} PRIVATE ${MRROC_SERVO_STEP})
+    target_precompile_headers(${name} REUSE_FROM mrroc_servo_step_headers)
+  else()
+    target_precompile_headers(${name} REUSE_FROM mrroc_headers)
+  endif()
 endfunction()
 
 function(mrroc_program name)
