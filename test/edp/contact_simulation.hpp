@@ -132,6 +132,15 @@ double limit_between(double low, double high, double precision, Unstable unstabl
   return std::sqrt(low * high);
 }
 
+/// Where a contact stiffer than the first unstable one may be stable again.
+/// @return the smallest unstable stiffness from low on, high when there is none
+template <class Unstable>
+double first_limit(double low, double high, double precision, Unstable unstable) {
+  constexpr double kStride = 1.05;
+  while (low < high && !unstable(low)) low *= kStride;
+  return low < high ? limit_between(low / kStride, low, precision, unstable) : high;
+}
+
 /// @return a loop as tasks might have it
 template <class Random>
 ContactLoop random_loop(Random& random) {
