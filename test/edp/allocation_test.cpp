@@ -124,7 +124,7 @@ TEST(Allocation, JawsNeverAllocate) {
     EXPECT_TRUE(check_distance(p, 0.2));
     pwm = jaws.step();
     if (jaws.known() && k % 1000 == 0) jaws.set_distance(k % 2000 == 0 ? 0.06 : 0.085);
-    if (k % 3000 == 2999) jaws.braked();
+    if (jaws.known() && k % 3000 == 2999) jaws.braked();
     allocations += heap.count();
   }
   EXPECT_TRUE(jaws.known());
