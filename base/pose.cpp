@@ -51,16 +51,6 @@ Matrix3 orthonormal(const Matrix3& R) {
   return 0.5 * R * (3 * Matrix3::Identity() - R.transpose() * R);
 }
 
-Twist xi_V(const Pose& T_UQ, const Twist& v_Q) {
-  const Vector3 w = T_UQ.R * v_Q.angular();
-  return Twist::from(T_UQ.R * v_Q.linear() + T_UQ.p.cross(w), w);
-}
-
-Wrench xi_F(const Pose& T_UQ, const Wrench& F_Q) {
-  const Vector3 f = T_UQ.R * F_Q.linear();
-  return Wrench::from(f, T_UQ.p.cross(f) + T_UQ.R * F_Q.angular());
-}
-
 bool is_proper(const Pose& T) {
   return T.R.allFinite() && T.p.allFinite() &&
          (T.R.transpose() * T.R - Matrix3::Identity()).cwiseAbs().maxCoeff() < 1e-6 && T.R.determinant() > 0;

@@ -1,6 +1,8 @@
 // Homogeneous matrices, the operator A_A and the re-expression of velocities and forces.
 // Zielinski & Winiarski, "Motion Generation in the MRROC++ Robot Programming Framework" (MG), sec. 6.
 #pragma once
+#include <Eigen/Geometry>
+
 #include "base/spatial.hpp"
 
 namespace mrroc {
@@ -53,11 +55,17 @@ Spatial<Tag> xi_star(const Matrix3& R_UQ, const Spatial<Tag>& in_Q) {
 
 /// U_Q xi_V (MG 24): velocity of the rigidly bound frame U, in U.
 /// @param v_Q velocity of frame Q expressed in Q
-Twist xi_V(const Pose& T_UQ, const Twist& v_Q);
+inline Twist xi_V(const Pose& T_UQ, const Twist& v_Q) {
+  const Vector3 w = T_UQ.R * v_Q.angular();
+  return Twist::from(T_UQ.R * v_Q.linear() + T_UQ.p.cross(w), w);
+}
 
 /// U_Q xi_F (MG 25): the force acting at Q, reduced to the origin of U and expressed in U.
 /// @param F_Q force acting at the origin of Q expressed in Q
-Wrench xi_F(const Pose& T_UQ, const Wrench& F_Q);
+inline Wrench xi_F(const Pose& T_UQ, const Wrench& F_Q) {
+  const Vector3 f = T_UQ.R * F_Q.linear();
+  return Wrench::from(f, T_UQ.p.cross(f) + T_UQ.R * F_Q.angular());
+}
 
 /// @return whether every element is finite and R is a rotation matrix to within 1e-6
 bool is_proper(const Pose& T);

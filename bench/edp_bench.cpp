@@ -9,12 +9,12 @@
 #include "base/fault.hpp"
 #include "bench/figures.hpp"
 #include "bench/force_bench.hpp"
-#include "bench/heap.hpp"
 #include "bench/kinematics_bench.hpp"
 #include "bench/round_trip.hpp"
 #include "edp/driver.hpp"
 #include "robots/irb6/arm.hpp"
 #include "test/edp/guard_count.hpp"
+#include "test/heap.hpp"
 
 namespace mrroc::bench {
 namespace {
@@ -138,7 +138,7 @@ StepCost measure_step() {
       const AxisVector near = rig.driver().set_point().axes.joints;
       double us = 0;
       {
-        const AllocationCounter heap;
+        const mrroc::test::AllocationCounter heap;
         us = timed_us([&] { rig.step(); });
         allocations += heap.count();
       }

@@ -34,6 +34,8 @@ Figures run_vision_group();
 /// @throws FaultError a run did not do what it should
 Figures run_drawing_group();
 
+/// The drawing task over the stiffness of paper and hand: worst figures. Takes about a minute.
+Figures run_robustness_group();
 /// Runs the visual servoing task several times in separate processes; part of the group vision. Takes about two minutes.
 /// @throws FaultError a run did not do what it should
 Figures visual_servo_figures();

@@ -22,6 +22,7 @@ const std::vector<std::pair<std::string, std::function<bench::Figures(const std:
     {"stability", [](const std::string&) { return bench::run_stability_group(); }},
     {"vision", [](const std::string&) { return bench::run_vision_group(); }},
     {"drawing", [](const std::string&) { return bench::run_drawing_group(); }},
+    {"robustness", [](const std::string&) { return bench::run_robustness_group(); }},
     {"solver", [](const std::string&) { return bench::run_solver_group(); }},
     {"cube", [](const std::string&) { return bench::run_cube_group(); }},
 };
@@ -53,7 +54,8 @@ int main(int argc, char** argv) {
   std::string file;
   std::string plots;
   bool resume = false;
-  app.add_option("group", groups, "edp, servo, stability, vision, drawing, solver, cube (default: all)")
+  app.add_option("group", groups,
+                 "edp, servo, stability, vision, drawing, robustness, solver, cube (default: all)")
       ->check(CLI::IsMember(group_names()));
   auto* json = app.add_option("--json", file, "writes {\"figures\": {KEY: number}, \"context\": {...}}");
   json->type_name("FILE");

@@ -1,4 +1,5 @@
-# mrroc_library(NAME sources...)  a library target of one folder, with the project's warnings
+# mrroc_library(NAME [SERVO_STEP] sources...)  a library target of one folder, with the project's warnings;
+#                                 SERVO_STEP: it works in every step of a driver and is optimised for that
 # mrroc_program(NAME sources...)  a program in bin/
 # mrroc_arm_task(NAME sources...)  a task of arms that work on their own (sim/arm_task.hpp): library mrroc_NAME with
 # NAME.toml as mrroc::NAME::config(), programs NAME and ecp_NAME from main.cpp and main_ecp.cpp
@@ -15,10 +16,16 @@ function(mrroc_is_installed answer)
 endfunction()
 
 function(mrroc_library name)
-  add_library(${name} STATIC ${ARGN})
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SERVO_STEP" "" "")
+  add_library(${name} STATIC ${arg_UNPARSED_ARGUMENTS})
   target_link_libraries(${name} PUBLIC mrroc_options Eigen3::Eigen)
+  set(headers mrroc_headers)
+  if(arg_SERVO_STEP)
+    target_compile_options(${name} PRIVATE ${MRROC_SERVO_STEP})
+    set(headers mrroc_servo_step_headers)
+  endif()
   if(PROJECT_NAME STREQUAL "mrroc")
-    target_precompile_headers(${name} REUSE_FROM mrroc_headers)
+    target_precompile_headers(${name} REUSE_FROM ${headers})
   endif()
   mrroc_is_installed(installed)
   if(installed)

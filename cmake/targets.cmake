@@ -44,8 +44,15 @@ target_compile_options(mrroc_options INTERFACE -pthread)
 file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/empty.cpp CONTENT "")
 add_library(mrroc_headers STATIC ${CMAKE_BINARY_DIR}/empty.cpp)
 target_link_libraries(mrroc_headers PRIVATE mrroc_options Eigen3::Eigen)
-target_precompile_headers(mrroc_headers PRIVATE <Eigen/Dense> <algorithm> <array> <chrono> <filesystem> <fstream>
-                          <functional> <map> <memory> <optional> <random> <set> <sstream> <string> <variant> <vector>)
+set(MRROC_HEADERS <Eigen/Dense> <algorithm> <array> <chrono> <filesystem> <fstream> <functional> <map> <memory>
+                  <optional> <random> <set> <sstream> <string> <variant> <vector>)
+target_precompile_headers(mrroc_headers PRIVATE ${MRROC_HEADERS})
+# A precompiled header brings its own optimisation with it.
+set(MRROC_SERVO_STEP $<$<CONFIG:Release>:-O3>)
+add_library(mrroc_servo_step_headers STATIC ${CMAKE_BINARY_DIR}/empty.cpp)
+target_compile_options(mrroc_servo_step_headers PRIVATE ${MRROC_SERVO_STEP})
+target_link_libraries(mrroc_servo_step_headers PRIVATE mrroc_options Eigen3::Eigen)
+target_precompile_headers(mrroc_servo_step_headers PRIVATE ${MRROC_HEADERS})
 if(MRROC_TESTS)
   find_package(GTest REQUIRED)
   add_library(mrroc_test_options INTERFACE)

@@ -38,6 +38,15 @@ struct CompensationCoefficients {
   double observer{};   ///< of the observer: its triple pole [rad/s], positive
 };
 
+/// What a CompensatingRegulator works with, in encoder increments, steps and 1/255 of the supply.
+struct CompensationGains {
+  double alpha;          ///< model: share of the speed that is kept in a step without current
+  double beta;           ///< its way in that step, per speed
+  double gain;           ///< speed per duty cycle
+  double k_p, k_v;       ///< of the regulator
+  double l_p, l_v, l_d;  ///< of the observer
+};
+
 /// Position regulator with feed-forward of speed, preload and compensation of friction.
 ///
 /// With p and v the position and speed of the shaft, Set the sum of all set increments r before this step, and
@@ -78,6 +87,11 @@ class CompensatingRegulator {
   void restart() noexcept;
   /// Forgets the past: the shaft stands where it is set to be, without load.
   void reset() noexcept;
+
+  /// @return what the regulator is, but for friction and what clips it
+  [[nodiscard]] CompensationGains gains() const noexcept {
+    return {alpha_, beta_, gain_, k_p_, k_v_, l_p_, l_v_, l_d_};
+  }
 
  private:
   double alpha_{}, beta_{}, gain_{};  // model: speed kept in a step, its way [steps], speed per duty cycle

@@ -52,7 +52,7 @@ Driver::Driver(const Robot& robot, const DriverParameters& parameters)
       servo_(robot, parameters.dt),
       homing_(robot, parameters.homing, parameters.dt) {
   const AxisVector zero = AxisVector::Zero(robot.axes());
-  measured_ = {zero, zero, zero, p_.dt, {}, {}, {}};
+  measured_ = {zero, zero, p_.dt, {}, {}, {}};
   if (p_.gripper) {
     if (robot.axes() >= kMaxAxes)
       throw FaultError(FaultCode::bad_configuration, "driver: there is no room for the motor of the jaws");
@@ -122,7 +122,7 @@ void Driver::drive_jaws(HardwareCommand& command) noexcept {
 AxisVector Driver::preload() noexcept {
   if (!position_known_) return AxisVector::Zero(robot_->axes());
   preload_share_ = std::min(1., preload_share_ + kPreloadRise);
-  return preload_share_ * robot_->gravity(generator_.set_point().axes.joints);
+  return preload_share_ * robot_->gravity(generator_.set_point().axes.motors);
 }
 
 void Driver::begin_macrostep(const HardwareReading& reading) noexcept {
@@ -167,8 +167,7 @@ void Driver::measure(const HardwareReading& reading) noexcept {
     reset();
   }
   if (!position_known_) return;
-  measured_.joints = robot_->joints_from_motors(measured_.motors);
-  measured_.T_0W = robot_->forward(measured_.joints);
+  measured_.T_0W = robot_->forward_from_motors(measured_.motors);
   measured_.T_0E = measured_.T_0W * generator_.tool();
 }
 

@@ -21,6 +21,14 @@
 
 namespace mrroc::edp {
 
+/// What was measured in one step.
+struct MeasuredStep {
+  Pose T_0E;   ///< measured
+  Wrench F_a;  ///< adjusted force in E
+  /// @return the same as messages have it
+  [[nodiscard]] StepSample sample() const noexcept;
+};
+
 /// Effector driver of one robot.
 ///
 /// Macrosteps follow one another without a gap. Each begins at a boundary; there the command for it is taken,
@@ -84,7 +92,7 @@ class Driver {
   ///         to QUERY it is the reply stored then. Its macrostep is 0: the shell stamps it.
   [[nodiscard]] const EffectorReply& reply() const noexcept { return reply_; }
   /// @return readings of all steps since the reply before, the last one at the end; valid until the next step
-  [[nodiscard]] std::span<const StepSample> samples() const noexcept {
+  [[nodiscard]] std::span<const MeasuredStep> samples() const noexcept {
     return {samples_.data(), sample_count_};
   }
   [[nodiscard]] DriverState state() const noexcept { return state_; }
@@ -104,7 +112,6 @@ class Driver {
   /// What is measured in a step.
   struct Measured {
     AxisVector motors;     // [rad]
-    AxisVector joints;     // [rad, m]
     AxisVector increment;  // since the step before [encoder increments]
     double time{};         // since the step before [s]
     Pose T_0W;
@@ -148,6 +155,8 @@ class Driver {
   // What is set in step n_Q, which is known after its motion only; what is measured stays that of its beginning.
   void complete_answer() noexcept;
   void move() noexcept;
+  // [rad, m]; 0 while the positions of the motors are not known.
+  [[nodiscard]] AxisVector measured_joints() const noexcept;
   void report_pose(EffectorReply& reply) const noexcept;
   void report_model(EffectorReply& reply) const noexcept;
   void stand_where_measured() noexcept;
@@ -197,7 +206,7 @@ class Driver {
 
   EffectorReply reply_{};
   bool reply_due_{};
-  std::array<StepSample, kMaxSamples> samples_{};
+  std::array<MeasuredStep, kMaxSamples> samples_{};
   std::size_t sample_count_{};
 };
 

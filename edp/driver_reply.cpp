@@ -5,21 +5,18 @@
 #include "edp/driver.hpp"
 
 namespace mrroc::edp {
-namespace {
 
-std::array<double, 6> six(const Pose& T) {
-  const Vector6 r = angle_axis_from_pose(T);
-  return {r[0], r[1], r[2], r[3], r[4], r[5]};
+StepSample MeasuredStep::sample() const noexcept {
+  const AngleAxisPose r = angle_axis_from_pose(T_0E);
+  return {{r[0], r[1], r[2], r[3], r[4], r[5]}, F_a};
 }
-
-}  // namespace
 
 void Driver::add_sample() noexcept {
   if (sample_count_ == samples_.size()) {
     std::move(samples_.begin() + 1, samples_.end(), samples_.begin());
     --sample_count_;
   }
-  samples_[sample_count_++] = {six(measured_.T_0E), measured_.F_a};
+  samples_[sample_count_++] = {measured_.T_0E, measured_.F_a};
 }
 
 void Driver::answer(const HardwareReading& reading) noexcept {
@@ -39,9 +36,10 @@ void Driver::answer(const HardwareReading& reading) noexcept {
   if (reply_.fault.code == fault_.code) fault_told_ = true;
   reply_.state = state_;
   reply_.parts = answer_.parts;
-  reply_.T_0E = samples_[sample_count_ - 1].T_0E;
+  reply_.T_0E = samples_[sample_count_ - 1].sample().T_0E;
   reply_.F_a = measured_.F_a;
-  std::copy_n(measured_.joints.data(), measured_.joints.size(), reply_.joints.begin());
+  const AxisVector joints = measured_joints();
+  std::copy_n(joints.data(), joints.size(), reply_.joints.begin());
   std::copy_n(measured_.motors.data(), measured_.motors.size(), reply_.motors.begin());
   reply_.current = current;
   if (gripper_) {
@@ -61,6 +59,11 @@ void Driver::complete_answer() noexcept {
   if (answer_.store) protocol_.store(reply_);
 }
 
+AxisVector Driver::measured_joints() const noexcept {
+  if (!position_known_) return AxisVector::Zero(robot_->axes());
+  return robot_->joints_from_motors(measured_.motors);
+}
+
 void Driver::report_pose(EffectorReply& reply) const noexcept {
   const SetPoint& set = generator_.set_point();
   const bool wants_set = answer_.feedback == Feedback::set_value;
@@ -70,7 +73,7 @@ void Driver::report_pose(EffectorReply& reply) const noexcept {
       reply.pose = numbers_from_axes(wants_set ? set.axes.motors : measured_.motors);
       break;
     case Representation::joints:
-      reply.pose = numbers_from_axes(wants_set ? set.axes.joints : measured_.joints);
+      reply.pose = numbers_from_axes(wants_set ? set.axes.joints : measured_joints());
       break;
     case Representation::frame:
     case Representation::xyz_euler_zyz:

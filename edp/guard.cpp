@@ -31,6 +31,12 @@ bool within(double value, double limit) { return std::abs(value) <= limit; }
 /// @return whether 0 <= value <= limit; false for NaN
 bool between_0_and(double limit, double value) { return value >= 0 && value <= limit; }
 
+/// @return whether |v| <= limit; false for NaN
+bool no_longer_than(const Vector3& v, double limit) {
+  const double longest = limit * (1 + kRounding);
+  return v.squaredNorm() <= longest * longest;
+}
+
 /// Lowest and highest position to go to: legal ones, and those no farther away than where the axis is.
 Range range_from(const Range& legal, double start) {
   return {std::min(legal.lower, start) - kRounding, std::max(legal.upper, start) + kRounding};
@@ -167,11 +173,10 @@ Objection check_model(const RobotModel& model, const Robot& robot, const Limits&
 
 Objection check_velocity(const Twist& v, const Limits& limits) noexcept {
   const auto check = [](const Vector3& part, double limit, int first, std::string_view text) -> Objection {
-    const double length = part.norm();
-    if (length <= limit * (1 + kRounding)) return {};
+    if (no_longer_than(part, limit)) return {};
     int worst{};
     part.cwiseAbs().maxCoeff(&worst);
-    return make_fault(FaultCode::too_fast, text, first + worst, length, limit);
+    return make_fault(FaultCode::too_fast, text, first + worst, part.norm(), limit);
   };
   if (const Objection wrong = check(v.linear(), limits.linear_velocity, 0, "speed [m/s]")) return wrong;
   return check(v.angular(), limits.angular_velocity, 3, "speed [rad/s]");
@@ -190,6 +195,39 @@ Objection check_range(const Robot& robot, const AxisPositions& from, const AxisP
       return beyond(axis.joint, from.joints[k], joint, k, "joint [rad], [m]");
   }
   return {};
+}
+
+AxisRanges::AxisRanges(const Robot& robot, double dt, double motor_acceleration) noexcept
+    : axes_(robot.axes()), most_change_(motor_acceleration * dt * dt) {
+  for (int k = 0; k < axes_; ++k) {
+    const AxisProperties& axis = robot.axis(k);
+    const auto i = static_cast<std::size_t>(k);
+    motor_lower_[i] = axis.motor.lower;
+    motor_upper_[i] = axis.motor.upper;
+    joint_lower_[i] = axis.joint.lower;
+    joint_upper_[i] = axis.joint.upper;
+    most_[i] = axis.max_motor_speed * dt;
+  }
+}
+
+bool AxisRanges::contain(const AxisPositions& axes) const noexcept {
+  const double* motor = axes.motors.data();
+  const double* joint = axes.joints.data();
+  bool inside = true;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(axes_); ++k) {
+    inside &= motor[k] >= motor_lower_[k] && motor[k] <= motor_upper_[k];
+    inside &= joint[k] >= joint_lower_[k] && joint[k] <= joint_upper_[k];
+  }
+  return inside;
+}
+
+bool AxisRanges::allow(const AxisVector& before, const AxisVector& after) const noexcept {
+  bool allowed = true;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(axes_); ++k) {
+    allowed &= std::abs(after.data()[k]) <= most_[k];
+    allowed &= std::abs(after.data()[k] - before.data()[k]) <= most_change_;
+  }
+  return allowed;
 }
 
 Objection check_motor_speed(const Robot& robot, const AxisVector& from, const AxisVector& to,
@@ -219,11 +257,10 @@ Objection check_acceleration(const Twist& before, const Twist& after, double dt,
                              const Limits& limits) noexcept {
   const auto check = [dt](const Vector3& change, double limit, int first,
                           std::string_view text) -> Objection {
-    const double a = change.norm() / dt;
-    if (a <= limit * (1 + kRounding)) return {};
+    if (no_longer_than(change, limit * dt)) return {};
     int worst{};
     change.cwiseAbs().maxCoeff(&worst);
-    return make_fault(FaultCode::excessive_acceleration, text, first + worst, a, limit);
+    return make_fault(FaultCode::excessive_acceleration, text, first + worst, change.norm() / dt, limit);
   };
   const Twist change = after - before;
   if (const Objection wrong = check(change.linear(), limits.linear_acceleration, 0, "acceleration [m/s^2]"))

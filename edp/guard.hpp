@@ -1,5 +1,6 @@
 // Checks of commands and of set points. Pure functions: nothing is executed that they have not passed.
 #pragma once
+#include <array>
 #include <optional>
 #include <string_view>
 
@@ -39,6 +40,27 @@ using Objection = std::optional<Fault>;
 /// @param stop_way way of the stop, as a multiple of the motion from `from` to `to`; 0: no stop follows
 [[nodiscard]] Objection check_range(const Robot& robot, const AxisPositions& from, const AxisPositions& to,
                                     double stop_way) noexcept;
+
+/// Ranges and largest motions of all axes side by side: nearly every step is legal, and this tells it in one pass.
+/// What is not plainly legal is for the checks to judge and to name.
+class AxisRanges {
+ public:
+  /// @param dt duration of a step [s] @param motor_acceleration largest one [rad/s^2]
+  AxisRanges(const Robot& robot, double dt, double motor_acceleration) noexcept;
+
+  /// @return whether all joints and motors are in their ranges; false for NaN
+  [[nodiscard]] bool contain(const AxisPositions& axes) const noexcept;
+  /// @param before, after motions of the motors in two steps that follow one another [rad]
+  /// @return whether speeds and accelerations of all motors are allowed; false for NaN
+  [[nodiscard]] bool allow(const AxisVector& before, const AxisVector& after) const noexcept;
+
+ private:
+  using Numbers = std::array<double, kMaxAxes>;
+  int axes_;
+  Numbers motor_lower_{}, motor_upper_{}, joint_lower_{}, joint_upper_{};
+  Numbers most_{};      // motion in a step [rad]
+  double most_change_;  // of that from step to step [rad]
+};
 
 /// Motor speeds of a motion. @param time that it takes [s]
 [[nodiscard]] Objection check_motor_speed(const Robot& robot, const AxisVector& from, const AxisVector& to,

@@ -39,7 +39,7 @@ StepRecord record_of(const Driver& driver, const HardwareReading& reading,
   r.pwm = command.pwm;
   r.set_position = three(set.T_0E.p);
   if (const auto samples = driver.samples(); !samples.empty()) {
-    std::copy_n(samples.back().T_0E.begin(), 3, r.position.begin());
+    r.position = three(samples.back().T_0E.p);
     r.F_a = samples.back().F_a;
   }
   r.S_F_m = reading.S_F_m;

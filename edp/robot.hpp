@@ -66,13 +66,18 @@ class Robot {
   [[nodiscard]] virtual InverseSolution inverse(const Pose& T_0W, const AxisVector& near) const noexcept = 0;
   /// Transmission. @param joints [rad], track [m] @return motor positions [rad]
   [[nodiscard]] virtual AxisVector motors_from_joints(const AxisVector& joints) const noexcept = 0;
-  /// Torques of the motors that hold the arm with its usual tool still against gravity. Nominal: what is wrong
-  /// or missing here is left to the servo. @param joints [rad], track [m] @return [N m], per motor
-  [[nodiscard]] virtual AxisVector gravity(const AxisVector& joints) const noexcept {
-    return AxisVector::Zero(joints.size());
-  }
   /// Transmission, inverse. @param motors [rad] @return joints [rad], track [m]
   [[nodiscard]] virtual AxisVector joints_from_motors(const AxisVector& motors) const noexcept = 0;
+  /// Direct kinematics and inverse transmission at once, which a robot may know how to do with less.
+  /// @param motors [rad] @return T_0W, wrist in the base
+  [[nodiscard]] virtual Pose forward_from_motors(const AxisVector& motors) const noexcept {
+    return forward(joints_from_motors(motors));
+  }
+  /// Torques of the motors that hold the arm with its usual tool still against gravity. Nominal: what is wrong
+  /// or missing here is left to the servo. @param motors [rad] @return [N m], per motor
+  [[nodiscard]] virtual AxisVector gravity(const AxisVector& motors) const noexcept {
+    return AxisVector::Zero(motors.size());
+  }
 };
 
 }  // namespace mrroc::edp

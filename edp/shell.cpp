@@ -135,7 +135,7 @@ class Shell {
   void end_of_reading() {
     reply_out_->publish(to_message(driver_.reply()), macrostep_ + 1);
     step_samples_t samples{};
-    for (const StepSample& s : driver_.samples()) samples.sample[samples.n++] = to_message(s);
+    for (const MeasuredStep& s : driver_.samples()) samples.sample[samples.n++] = to_message(s.sample());
     samples.last = released_ && macrostep_ > released_in_;
     samples_out_->publish(samples, macrostep_ + 1);
     if (const std::filesystem::path file = record_.write(); !file.empty())

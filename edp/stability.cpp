@@ -60,6 +60,21 @@ Plant plant_of(const RegulatedDrive& drive, double K, double D) {
   return p;
 }
 
+Plant plant_of(const CompensatedDrive& drive, double K, double D) {
+  RegulatedDrive motor;
+  motor.speed_gain = drive.model.speed_per_pwm();
+  motor.time_constant = drive.model.time_constant() * drive.inertia / drive.model.inertia;
+  motor.inertia = drive.inertia;
+  motor.lever = drive.lever;
+  return plant_of(motor, K, D);
+}
+
+/// Numbers of the state behind `last_x`: what the servo remembers.
+int memory_of(const ServoModel& servo) {
+  if (std::holds_alternative<RegulatedDrive>(servo)) return 4;
+  return std::holds_alternative<CompensatedDrive>(servo) ? 5 : 0;
+}
+
 /// The loop as a map of its state from step to step. The map is linear, so its matrix is what it makes of the
 /// unit vectors. Forces in it are per stiffness: numbers of one size let the eigenvalues be found exactly.
 class StepMap {
@@ -77,11 +92,14 @@ class StepMap {
     M(n_, n_ + 1) = D_ * plant_.dx_input;
     M.row(n_) /= loop.dt;
     over_step_ = MatrixXd(M * loop.dt).exp();
+    if (const auto* drive = std::get_if<CompensatedDrive>(&loop.servo))
+      gains_ =
+          CompensatingRegulator(drive->regulator, drive->model, drive->increments_per_rad, loop.dt).gains();
   }
 
   [[nodiscard]] MatrixXd matrix() const {
-    const int size =
-        n_ + history_ + (std::holds_alternative<RegulatedDrive>(loop_.servo) ? kRegulated : last_x);
+    const int memory = memory_of(loop_.servo);
+    const int size = n_ + history_ + (memory > 0 ? own + memory : last_x);
     MatrixXd A(size, size);
     for (int k = 0; k < size; ++k) A.col(k) = step(VectorXd::Unit(size, k));
     return A;
@@ -89,8 +107,8 @@ class StepMap {
 
  private:
   // What the state holds behind the plant and the readings, these with the newest first. A regulator has the
-  // whole of it, other servos the first two.
-  enum Rest { filtered, velocity, last_x, error, delta, u1, u2, kRegulated };
+  // whole of it, with its own memory at the end, other servos the first two.
+  enum Rest { filtered, velocity, last_x, own };
 
   [[nodiscard]] VectorXd step(VectorXd s) const {
     const auto rest = [&](Rest r) -> double& { return s[n_ + history_ + r]; };
@@ -103,7 +121,12 @@ class StepMap {
     if (const auto* drive = std::get_if<RegulatedDrive>(&loop_.servo)) {
       const double increments = drive->increments_per_rad / drive->lever;
       const double e = (rest(velocity) * loop_.dt - (s[plant_.x] - rest(last_x))) * increments;
-      input = regulate(drive->regulator, e, &rest(error));
+      input = regulate(drive->regulator, e, &rest(own));
+      rest(last_x) = s[plant_.x];
+    } else if (const auto* known = std::get_if<CompensatedDrive>(&loop_.servo)) {
+      const double increments = known->increments_per_rad / known->lever;
+      input = compensate(gains_, rest(velocity) * loop_.dt * increments,
+                         (s[plant_.x] - rest(last_x)) * increments, &rest(own));
       rest(last_x) = s[plant_.x];
     }
 
@@ -129,12 +152,41 @@ class StepMap {
     return u;
   }
 
+  /// CompensatingRegulator::step without friction and limits.
+  /// @param moved motion of the shaft in the step before @param m error, then its p, v, d, r
+  static double compensate(const CompensationGains& k, double set_increment, double moved, double* m) {
+    const double behind = m[0] - moved;
+    double &p = m[1], &v = m[2], &d = m[3], &r = m[4];
+    const double surprise = -behind - p;
+    p += k.l_p * surprise;
+    v += k.l_v * surprise;
+    d += k.l_d * surprise;
+    const double u =
+        (set_increment - k.alpha * r) / ((1 - k.alpha) * k.gain) + k.k_p * (-r / 2 - p) + k.k_v * (r - v) - d;
+    const double driving = k.gain * (u + d);
+    p += k.beta * v + (1 - k.beta) * driving - set_increment;
+    v = k.alpha * v + (1 - k.alpha) * driving;
+    r = set_increment;
+    m[0] = behind + set_increment;
+    return u;
+  }
+
   ContactLoop loop_;
+  CompensationGains gains_{};
   double K_, D_;
   Plant plant_;
   int n_{}, history_{};
   MatrixXd over_step_;
 };
+
+void check(const CompensatedDrive& drive) {
+  const bool good = drive.regulator.bandwidth > 0 && drive.regulator.observer > 0 &&
+                    drive.model.resistance > 0 && drive.model.inertia > 0 && drive.increments_per_rad > 0 &&
+                    drive.inertia > 0 && drive.lever != 0;
+  if (!good)
+    throw FaultError(FaultCode::out_of_limits,
+                     "stability: a drive needs its regulator, model, increments, inertia and lever");
+}
 
 void check(const ContactLoop& loop) {
   const auto demand = [](bool good, const char* what) {
@@ -158,6 +210,7 @@ void check(const ContactLoop& loop) {
     demand(drive->increments_per_rad > 0 && drive->speed_gain > 0 && drive->time_constant > 0 &&
                drive->inertia > 0 && drive->lever != 0,
            "a drive needs increments, gain, time constant, inertia and lever");
+  if (const auto* drive = std::get_if<CompensatedDrive>(&loop.servo)) check(*drive);
 }
 
 ContactMode mode_of(const ContactLoop& loop, double K) {

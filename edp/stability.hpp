@@ -7,6 +7,7 @@
 #pragma once
 #include <variant>
 
+#include "edp/compensating_regulator.hpp"
 #include "edp/regulator.hpp"
 
 namespace mrroc::edp {
@@ -37,7 +38,17 @@ struct RegulatedDrive {
   double lever{};               ///< path of the tip per angle of the shaft [m/rad]; may be negative
 };
 
-using ServoModel = std::variant<IdealServo, LagServo, RegulatedDrive>;
+/// CompensatingRegulator with such a motor. Friction and its compensation are left out: they are not linear, and where
+/// they are alike they cancel.
+struct CompensatedDrive {
+  CompensationCoefficients regulator;
+  DriveModel model;             ///< what the regulator knows of the motor
+  double increments_per_rad{};  ///< of the encoder on the shaft
+  double inertia{};             ///< true one of all that turns with the shaft, at the shaft [kg m^2]
+  double lever{};               ///< path of the tip per angle of the shaft [m/rad]; may be negative
+};
+
+using ServoModel = std::variant<IdealServo, LagServo, RegulatedDrive, CompensatedDrive>;
 
 /// One axis under law (28) that presses against a spring. Rotational axes in N m, rad, kg m^2, s/(kg m^2).
 struct ContactLoop {

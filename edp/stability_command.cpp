@@ -24,7 +24,7 @@ std::string servo_text(const ServoModel& servo) {
     return fmt::format("second order, {:.3g} Hz, damping {:.2g}, feed-forward {:.0f} %", lag->bandwidth,
                        lag->damping, 100 * lag->feed_forward);
   }
-  return std::holds_alternative<IdealServo>(servo) ? "ideal" : "regulated drive";
+  return std::holds_alternative<IdealServo>(servo) ? "ideal" : "drive with its regulator";
 }
 
 std::string loop_text(const ContactLoop& l) {

@@ -2,12 +2,15 @@
 
 #include "edp/control_law.hpp"
 #include "edp/deceleration.hpp"
-#include "edp/guard.hpp"
 
 namespace mrroc::edp {
 
 StepGenerator::StepGenerator(const MotionRules& rules, const Pose& T_WE) noexcept
-    : rules_(rules), T_WE_(T_WE), T_EW_(T_WE.inverse()), R_0W_(Matrix3::Identity()) {
+    : rules_(rules),
+      ranges_(*rules.robot, rules.dt, rules.limits.motor_acceleration),
+      T_WE_(T_WE),
+      T_EW_(T_WE.inverse()),
+      R_0W_(Matrix3::Identity()) {
   stand_at(AxisVector::Zero(rules.robot->axes()));
 }
 
@@ -22,6 +25,7 @@ void StepGenerator::stand_at(const AxisVector& motors) noexcept {
 
 void StepGenerator::set_robot(const Robot& robot) noexcept {
   rules_.robot = &robot;
+  ranges_ = AxisRanges(robot, rules_.dt, rules_.limits.motor_acceleration);
   stand_at(AxisVector(set_.axes.motors));
 }
 
@@ -107,7 +111,7 @@ std::optional<Fault> StepGenerator::passive_step() noexcept {
   return {};
 }
 
-std::optional<Fault> StepGenerator::execute(const Wrench& F_a, Candidate& next) const noexcept {
+std::optional<Fault> StepGenerator::execute(const Wrench& F_a, Candidate& next) noexcept {
   const double dt = rules_.dt;
   if (macrostep_.mu == Interpolation::mim) {
     const double part = static_cast<double>(k_) / macrostep_.n_s;
@@ -117,16 +121,16 @@ std::optional<Fault> StepGenerator::execute(const Wrench& F_a, Candidate& next) 
     if (std::optional<Fault> wrong = check_velocity(v_E, rules_.limits)) return wrong;
     return check_contact_force(F_a, v_E, rules_.limits);
   }
-  TaskFrameCommand frame = macrostep_.frame;
   if (macrostep_.mu == Interpolation::tcim_pose) {
     const Twist v_d = xi_star(set_.T_0E.R.transpose(), macrostep_.v_d);
-    for (const Axis a : kAxes) frame[a].velocity = v_d[a];
+    for (const Axis a : kAxes) macrostep_.frame[a].velocity = v_d[a];
   }
   const Twist v_before = previous_velocity();
-  const Twist v_c = step_velocity(frame, F_a, v_before, dt);
+  const Twist v_c = step_velocity(macrostep_.frame, F_a, v_before, dt);
   if (std::optional<Fault> wrong = check_velocity(v_c, rules_.limits)) return wrong;
   if (std::optional<Fault> wrong = check_contact_force(F_a, v_c, rules_.limits)) return wrong;
-  if (std::optional<Fault> wrong = check_acceleration(velocity_of_E(set_, T_EW_), v_c, dt, rules_.limits))
+  const bool stood = set_.motor_increment.isZero(0);
+  if (std::optional<Fault> wrong = check_acceleration(stood ? Twist{} : v_before, v_c, dt, rules_.limits))
     return wrong;
   return follow(v_c, next);
 }
@@ -167,6 +171,8 @@ void StepGenerator::place(const AxisVector& motors, Candidate& next) const noexc
 
 std::optional<Fault> StepGenerator::check(const Candidate& next) const noexcept {
   const Robot& robot = *rules_.robot;
+  const bool in_ranges = !rules_.position_known || ranges_.contain(next.axes);
+  if (in_ranges && ranges_.allow(set_.motor_increment, next.axes.motors - set_.axes.motors)) return {};
   if (rules_.position_known)
     if (std::optional<Fault> wrong = check_range(robot, set_.axes, next.axes, 0)) return wrong;
   if (std::optional<Fault> wrong = check_motor_speed(robot, set_.axes.motors, next.axes.motors, rules_.dt))
@@ -182,7 +188,8 @@ std::optional<Fault> StepGenerator::check_stop(const Candidate& next, double way
   AxisPositions end;
   end.motors = next.axes.motors + way * (next.axes.motors - set_.axes.motors);
   end.joints = robot.joints_from_motors(end.motors);
-  if (std::optional<Fault> wrong = check_range(robot, set_.axes, end, 0)) return wrong;
+  if (!ranges_.contain(end))
+    if (std::optional<Fault> wrong = check_range(robot, set_.axes, end, 0)) return wrong;
   if (!rules_.limits.workspace) return {};
   return check_workspace(set_.T_0E, robot.forward(end.joints) * T_WE_, rules_.limits);
 }

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "base/effector_command.hpp"
+#include "edp/guard.hpp"
 #include "edp/macrostep.hpp"
 #include "edp/robot.hpp"
 #include "edp/set_point.hpp"
@@ -69,7 +70,7 @@ class StepGenerator {
   [[nodiscard]] Twist previous_velocity() const noexcept;
   [[nodiscard]] std::optional<Fault> follow(const Twist& v_E, Candidate& next) const noexcept;
   void place(const AxisVector& motors, Candidate& next) const noexcept;
-  [[nodiscard]] std::optional<Fault> execute(const Wrench& F_a, Candidate& next) const noexcept;
+  [[nodiscard]] std::optional<Fault> execute(const Wrench& F_a, Candidate& next) noexcept;
   [[nodiscard]] std::optional<Fault> active_step(const Wrench& F_a) noexcept;
   [[nodiscard]] std::optional<Fault> passive_step() noexcept;
   [[nodiscard]] std::optional<Fault> check(const Candidate& next) const noexcept;
@@ -84,6 +85,7 @@ class StepGenerator {
   void stand() noexcept;
 
   MotionRules rules_;
+  AxisRanges ranges_;
   Pose T_WE_;
   Pose T_EW_;
   SetPoint set_;

@@ -20,7 +20,8 @@ constexpr std::size_t kMaxTraceBytes = 1'000'000'000;
 double largest_force(const ArmTrace& trace, Axis axis, std::initializer_list<int> m) {
   double largest = std::nan("");
   for (const ArmRow& row : trace)
-    if (std::ranges::find(m, row.m) != m.end()) largest = std::fmax(largest, row.F[axis]);
+    if (std::ranges::find(m, row.m) != m.end())
+      largest = std::fmax(largest, row.F_most ? (*row.F_most)[axis] : row.F[axis]);
   return largest;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,14 +19,18 @@ struct ArmRow {
   int m{};                        ///< behaviour, MS tables 1-4
   Vector6 pose{Vector6::Zero()};  ///< of E in the arm's base: x, y, z [m], angle-axis [rad]
   Wrench F{};                     ///< F_a in E: x, y, z [N], moments [N m]
-  double gap{};                   ///< of the gripper's jaws [m]
-  bool blocked{};                 ///< whether the jaws hold something
+  /// Largest F_a along and about each axis in the steps since the row before; nothing: the steps are not known. Not
+  /// in the table.
+  std::optional<Wrench> F_most{};
+  double gap{};    ///< of the gripper's jaws [m]
+  bool blocked{};  ///< whether the jaws hold something
 };
 
 using ArmTrace = std::vector<ArmRow>;
 
 /// @param m     behaviours that count
-/// @return largest F_a along or about an axis of E [N], [N m]; NaN without a row
+/// @return largest F_a along or about an axis of E, of every step where the steps are known [N], [N m]; NaN without a
+///         row
 [[nodiscard]] double largest_force(const ArmTrace& trace, Axis axis, std::initializer_list<int> m);
 /// @param last  time at the end of behaviour m that counts [s]
 /// @return mean F_a along or about an axis of E [N], [N m]; NaN without a row

@@ -11,6 +11,7 @@
 #include "mp/figure_table.hpp"
 #include "mp/gnuplot.hpp"
 #include "mp/solo_run.hpp"
+#include "mp/step_forces.hpp"
 #include "mp/summary_text.hpp"
 #include "mp/task_run.hpp"
 
@@ -59,9 +60,11 @@ constexpr std::array kEveryRun{
 /// Files, figures and pictures of a run that has ended.
 /// @param known  gets what the figures mean, in the order of the table
 void finish(const ArmTask& task, const Config& config, const fs::path& folder,
-            const std::vector<mp::ArmTrace>& traces, mp::Summary& summary,
-            std::vector<mp::FigureInfo>& known) {
+            std::vector<mp::ArmTrace> traces, mp::Summary& summary, std::vector<mp::FigureInfo>& known) {
   write_tables(folder, traces);
+  const link::LogReader log(folder / "events.lcmlog");
+  for (std::size_t arm = 0; arm < traces.size(); ++arm)
+    mp::add_step_forces(traces[arm], log, task.arms[arm].key);
   if (task.figures)
     for (mp::TaskFigure& figure : task.figures(traces, config)) {
       known.push_back(figure.info);
@@ -105,6 +108,7 @@ int run(const ArmTask& task, const mp::TaskOptions& options) {
   mp::print_summary(summary,
                     mp::figure_table(summary.figures, known, columns, !summary.fault && !summary.stopped));
   std::fflush(stdout);
+  if (task.result && !summary.fault && !summary.stopped) fmt::print("{}", task.result(solo.traces()));
   if (summary.fault) fmt::print(stderr, "{}\n", error_line(*summary.fault));
   for (const fs::path& picture : pictures_in(folder)) fmt::print("picture: {}\n", picture.string());
   fmt::print("run folder: {}\n", folder.string());

@@ -30,6 +30,8 @@ struct ArmTask {
   std::function<mp::TaskFigures(const std::vector<mp::ArmTrace>&, const Config&)> figures{};
   /// Pictures, which read arm1.csv and so on. May be empty.
   std::function<std::vector<Picture>(const std::vector<mp::ArmTrace>&, const Config&)> pictures{};
+  /// What the run is for, in words, for the end of the output. May be empty.
+  std::function<std::string(const std::vector<mp::ArmTrace>&)> result{};
   int n_s{10};  ///< steps of a macrostep, as the rows command it; all arms have the same
   std::vector<CellArm> arms{{"arm1", "irb6_postument"}};
 };

@@ -1,86 +1,13 @@
-// What the rows of a Move table are made of: effector commands, reports, and f' and f_tau of common
-// behaviours. For images X { c; EffectorReply e; ...; i, i_0 } of an embodied agent.
+// What the rows of a Move table are made of, besides commands: reports, and f' and f_tau of common behaviours.
 #pragma once
-#include "base/effector_command.hpp"
 #include "base/motion.hpp"
-#include "base/pose.hpp"
-#include "base/transmission.hpp"
-#include "ecp/generators/trajectory.hpp"
+#include "ecp/generators/commands.hpp"
+#include "ecp/generators/images.hpp"
 
 namespace mrroc::ecp {
 
-/// A part of an image that an agent does not have.
-struct None {};
-
-/// Images of an agent whose memory is C. An agent of a task is `struct Arm : ArmAgent<Memory> {}`.
-template <class C>
-struct ArmAgent {
-  struct X {
-    C c{};
-    EffectorReply e;
-    SensorReading V;
-    Order T;
-    std::int64_t i{};
-    std::int64_t i_0{};
-  };
-  struct Y {
-    C c{};
-    EffectorCommand e;
-    None V;
-    Report T;
-  };
-};
-
 /// The answer to a command is read so many macrosteps after the macrostep in which the command was made.
 inline constexpr std::int64_t kAnswerDelay = 2;
-
-// --- y_ce -----------------------------------------------------------------------------------------------
-
-/// @return SET_GET ARM
-[[nodiscard]] constexpr EffectorCommand move_arm(const ArmCommand& arm) {
-  EffectorCommand command{.instruction = Instruction::set_get};
-  command.set = static_cast<std::uint8_t>(Part::arm);
-  command.get = static_cast<std::uint8_t>(Part::arm);
-  command.arm = arm;
-  return command;
-}
-
-/// @return SET_GET ARM, TCIM-VELOCITY, with these rows of the task frame
-[[nodiscard]] constexpr EffectorCommand move_arm(const TaskFrameCommand& frame, const Pacing& pacing = {}) {
-  ArmCommand arm;
-  arm.frame = frame;
-  arm.n_s = pacing.n_s;
-  arm.n_Q = pacing.n_Q;
-  return move_arm(arm);
-}
-
-/// @return nothing: the arm comes to rest and holds, which biasing and changing the force tool need
-[[nodiscard]] constexpr EffectorCommand rest() { return {}; }
-
-/// @return SET force_bias: the adjusted force is zero from now on; at rest and without contact
-[[nodiscard]] constexpr EffectorCommand bias_force() {
-  EffectorCommand command{.instruction = Instruction::set};
-  command.set = static_cast<std::uint8_t>(Part::force_bias);
-  return command;
-}
-
-/// @return SET ROBOT_MODEL FORCE_TOOL, which biases anew; at rest and without contact
-/// @param w  weight of everything beyond the sensor [N]  @param P  its mass centre W_G P [m]
-[[nodiscard]] EffectorCommand change_force_tool(double w, const Vector3& P);
-
-/// @return the command with SET ROBOT_MODEL TOOL added; the wrist stays where it is
-/// @param T_WE  task frame in the wrist
-[[nodiscard]] EffectorCommand with_tool(EffectorCommand command, const Pose& T_WE);
-
-/// @return the command of a pause: a motion by velocity stands and keeps its forces, any other comes to rest
-[[nodiscard]] EffectorCommand standing(EffectorCommand command);
-
-/// f_ce of the transparent behaviour (MS 36): the coordinator's order, as it is. A late one is kept back: the
-/// arm comes to rest and holds until an order comes.
-template <class X>
-[[nodiscard]] EffectorCommand copied_order(const X& x) {
-  return x.T.late ? EffectorCommand{} : move_arm(x.T.arm);
-}
 
 // --- y_cT -----------------------------------------------------------------------------------------------
 

@@ -30,6 +30,21 @@ void check(const std::vector<Knot>& knots) {
   }
 }
 
+/// The knots by whole numbers: pose p(k), and the time h(k) from there to the next one.
+class Track {
+ public:
+  /// @throws FaultError bad_trajectory
+  explicit Track(const std::vector<Knot>& knots) : knots_(knots) { check(knots); }
+  [[nodiscard]] int knots() const { return static_cast<int>(knots_.size()); }
+  [[nodiscard]] Eigen::Index axes() const { return p(0).size(); }
+  [[nodiscard]] const Coordinates& p(int k) const { return knots_[static_cast<std::size_t>(k)].pose; }
+  [[nodiscard]] double h(int k) const { return time(k + 1) - time(k); }
+
+ private:
+  [[nodiscard]] double time(int k) const { return knots_[static_cast<std::size_t>(k)].t; }
+  const std::vector<Knot>& knots_;
+};
+
 std::vector<double> times_of(const std::vector<Knot>& knots) {
   std::vector<double> times;
   for (const Knot& k : knots) times.push_back(k.t);
@@ -74,15 +89,12 @@ CurvePtr linear_spline(const std::vector<Knot>& knots) {
 }
 
 CurvePtr cubic_spline(const std::vector<Knot>& knots) {
-  check(knots);
-  const auto n = static_cast<int>(knots.size());
-  const auto axes = knots[0].pose.size();
-  const auto h = [&](int k) {
-    return knots[static_cast<std::size_t>(k + 1)].t - knots[static_cast<std::size_t>(k)].t;
-  };
-  const auto p = [&](int k) -> const Coordinates& { return knots[static_cast<std::size_t>(k)].pose; };
+  const Track track(knots);
+  const int n = track.knots();
+  const auto h = [&](int k) { return track.h(k); };
+  const auto p = [&](int k) -> const Coordinates& { return track.p(k); };
   Entries entries{{0, 0, 1}, {n - 1, n - 1, 1}};
-  Values right = Values::Zero(n, axes);
+  Values right = Values::Zero(n, track.axes());
   for (int k = 1; k + 1 < n; ++k) {
     entries.insert(entries.end(),
                    {{k, k - 1, 1 / h(k - 1)}, {k, k, 2 / h(k - 1) + 2 / h(k)}, {k, k + 1, 1 / h(k)}});
@@ -94,7 +106,7 @@ CurvePtr cubic_spline(const std::vector<Knot>& knots) {
     const Coordinates v0 = v.row(k).transpose();
     const Coordinates v1 = v.row(k + 1).transpose();
     const Coordinates slope = (p(k + 1) - p(k)) / h(k);
-    Coefficients c = Coefficients::Zero(axes, 6);
+    Coefficients c = Coefficients::Zero(track.axes(), 6);
     c.col(0) = p(k);
     c.col(1) = v0;
     c.col(2) = (3 * slope - 2 * v0 - v1) / h(k);
@@ -105,17 +117,14 @@ CurvePtr cubic_spline(const std::vector<Knot>& knots) {
 }
 
 CurvePtr quintic_spline(const std::vector<Knot>& knots) {
-  check(knots);
-  const auto n = static_cast<int>(knots.size());
-  const auto axes = knots[0].pose.size();
-  const auto h = [&](int k) {
-    return knots[static_cast<std::size_t>(k + 1)].t - knots[static_cast<std::size_t>(k)].t;
-  };
-  const auto p = [&](int k) -> const Coordinates& { return knots[static_cast<std::size_t>(k)].pose; };
+  const Track track(knots);
+  const int n = track.knots();
+  const auto h = [&](int k) { return track.h(k); };
+  const auto p = [&](int k) -> const Coordinates& { return track.p(k); };
   // Unknown 2k is the velocity at knot k, 2k + 1 the acceleration.
   const int last = 2 * n - 2;
   Entries entries{{0, 0, 1}, {1, 1, 1}, {last, last, 1}, {last + 1, last + 1, 1}};
-  Values right = Values::Zero(2 * n, axes);
+  Values right = Values::Zero(2 * n, track.axes());
   for (int k = 1; k + 1 < n; ++k) {
     const double a = h(k - 1);
     const double b = h(k);

@@ -51,8 +51,12 @@ class Arm final : public edp::Robot {
     return transmission_.joints(motors).value;
   }
 
-  [[nodiscard]] AxisVector gravity(const AxisVector& joints) const noexcept override {
-    return gravity_.torques(joints, transmission_);
+  [[nodiscard]] Pose forward_from_motors(const AxisVector& motors) const noexcept override {
+    return kinematics_.forward(transmission_.directions(motors));
+  }
+
+  [[nodiscard]] AxisVector gravity(const AxisVector& motors) const noexcept override {
+    return gravity_.torques(motors, transmission_);
   }
 
   /// @return the table behind the arm

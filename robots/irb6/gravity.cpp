@@ -1,7 +1,5 @@
 #include "robots/irb6/gravity.hpp"
 
-#include <cmath>
-
 namespace mrroc::irb6 {
 namespace {
 
@@ -25,18 +23,15 @@ Gravity::Gravity(const ArmParameters& arm) noexcept : first_(arm.first()), count
   g5_ = kG * (moment(m.wrist_body) + moment(m.wrist)) + arm.tool_weight * arm.tool_mass_centre[2];
 }
 
-AxisVector Gravity::torques(const AxisVector& joints, const Transmission& transmission) const noexcept {
+AxisVector Gravity::torques(const AxisVector& motors, const Transmission& transmission) const noexcept {
   AxisVector torque = AxisVector::Zero(count_);
   const int k = first_;
-  const double theta2 = joints[k + 1];
-  const double beyond = theta2 + joints[k + 2];  // theta3 = beyond + pi/2
-  const double c2 = std::cos(theta2), s2 = std::sin(theta2);
-  const double c3 = -std::sin(beyond), s3 = std::cos(beyond);
-  const double s4 = std::cos(beyond + joints[k + 3]), c4 = -std::sin(beyond + joints[k + 3]);
-  const double s5 = std::sin(joints[k + 4]), c5 = std::cos(joints[k + 4]);
+  const Pitches links = transmission.pitches(motors);
+  const auto [c4, s4] = links.theta4;
+  const auto [c5, s5] = links.q5;
   const double roll = g5_ * c4 * c5 / gear_V_;  // of V, which turns along with T
-  torque[k + 1] = -g2_ * c2 / transmission.lower_arm_gear(c2, s2);
-  torque[k + 2] = -g3_ * c3 / transmission.upper_arm_gear(c3, s3);
+  torque[k + 1] = -g2_ * links.theta2.c / transmission.lower_arm_gear(links.theta2);
+  torque[k + 2] = -g3_ * links.theta3.c / transmission.upper_arm_gear(links.theta3);
   torque[k + 3] = (-g4_ * c4 - g5_ * s4 * s5) / gear_T_ - roll;
   torque[k + 4] = roll;
   return torque;

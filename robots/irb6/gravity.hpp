@@ -31,9 +31,9 @@ class Gravity {
   explicit Gravity(const ArmParameters& arm) noexcept;
 
   /// Torques of the motors that hold the arm still: grad V through the transmission. Real-time safe.
-  /// @param joints [rad, track m], inside the domain of the linkages  @param transmission of the same arm
+  /// @param motors [rad], inside the domain of the linkages  @param transmission of the same arm
   /// @return [N m] at the shafts
-  [[nodiscard]] AxisVector torques(const AxisVector& joints, const Transmission& transmission) const noexcept;
+  [[nodiscard]] AxisVector torques(const AxisVector& motors, const Transmission& transmission) const noexcept;
 
  private:
   int first_;

@@ -1,5 +1,6 @@
 #include "robots/irb6/kinematics.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -97,13 +98,20 @@ Kinematics::Angles Kinematics::angles(const AxisVector& joints) const noexcept {
 
 Pose Kinematics::forward(const AxisVector& joints) const noexcept {
   const Angles a = angles(joints);
-  const double s1 = std::sin(a.theta1), c1 = std::cos(a.theta1);
-  const double s2 = std::sin(a.theta2), c2 = std::cos(a.theta2);
-  const double s3 = std::sin(a.theta3), c3 = std::cos(a.theta3);
-  const double s4 = std::sin(a.theta4), c4 = std::cos(a.theta4);
-  const double s5 = std::sin(a.q5), c5 = std::cos(a.q5);
-  const double s6 = std::sin(a.q6), c6 = std::cos(a.q6);
+  return forward(Directions{
+      {Direction::of(a.theta2), Direction::of(a.theta3), Direction::of(a.theta4), Direction::of(a.q5)},
+      Direction::of(a.theta1),
+      Direction::of(a.q6),
+      first_ == 1 ? joints[0] : 0});
+}
 
+Pose Kinematics::forward(const Directions& links) const noexcept {
+  const auto [c1, s1] = links.theta1;
+  const auto [c2, s2] = links.theta2;
+  const auto [c3, s3] = links.theta3;
+  const auto [c4, s4] = links.theta4;
+  const auto [c5, s5] = links.q5;
+  const auto [c6, s6] = links.q6;
   Pose T;
   T.R << (c1 * s4 * c5 + s1 * s5) * c6 + c1 * c4 * s6, -(c1 * s4 * c5 + s1 * s5) * s6 + c1 * c4 * c6,
       c1 * s4 * s5 - s1 * c5,  //
@@ -111,8 +119,7 @@ Pose Kinematics::forward(const AxisVector& joints) const noexcept {
       s1 * s4 * s5 + c1 * c5,  //
       c4 * c5 * c6 - s4 * s6, -c4 * c5 * s6 - s4 * c6, c4 * s5;
   const double radius = k_.a2 * c2 + k_.a3 * c3 + k_.d5 * c4;
-  const double y_track = first_ == 1 ? joints[0] : 0;
-  T.p << c1 * radius, s1 * radius + y_track, k_.z_offset - k_.a2 * s2 - k_.a3 * s3 - k_.d5 * s4;
+  T.p << c1 * radius, s1 * radius + links.track, k_.z_offset - k_.a2 * s2 - k_.a3 * s3 - k_.d5 * s4;
   return T;
 }
 

@@ -3,6 +3,7 @@
 #include "base/axes.hpp"
 #include "base/pose.hpp"
 #include "edp/robot.hpp"
+#include "robots/irb6/directions.hpp"
 #include "robots/irb6/parameters.hpp"
 
 namespace mrroc::irb6 {
@@ -22,6 +23,7 @@ class Kinematics {
   /// @param joints [rad, track m], as many as the arm has axes; what is not finite gives a pose that is not
   /// @return T_0W, the wrist in the base; z = 0 is the floor
   [[nodiscard]] Pose forward(const AxisVector& joints) const noexcept;
+  [[nodiscard]] Pose forward(const Directions& links) const noexcept;
 
   /// The manipulator Jacobian: d(0_W v)/d(dq/dt).
   /// @param joints [rad, track m], as many as the arm has axes

@@ -41,7 +41,15 @@ double Transmission::Screw::angle(double l, bool& inside) const noexcept {
   return -std::acos(std::clamp((side * side - sl) / r, -1., 1.)) - phi;
 }
 
-double Transmission::Screw::slope(double c, double s) const noexcept {
+Direction Transmission::Screw::direction(double l) const noexcept {
+  const double side = std::clamp(l, l_min, l_max);
+  const double c = std::clamp((side * side - sl) / r, -1., 1.);  // of theta + phi, whose sine is negative
+  const double s = -std::sqrt(1 - c * c);
+  return {(c * mi + s * ni) / r, (s * mi - c * ni) / r};
+}
+
+double Transmission::Screw::slope(Direction theta) const noexcept {
+  const auto [c, s] = theta;
   return std::max(-(mi * s + ni * c), kDeadCentre * r) / (2 * std::sqrt(sl + mi * c - ni * s));
 }
 
@@ -87,12 +95,28 @@ Converted Transmission::joints(const AxisVector& motors) const noexcept {
   return q;
 }
 
-double Transmission::lower_arm_gear(double c2, double s2) const noexcept {
-  return drive_[static_cast<std::size_t>(first_) + 1].gear * lower_.slope(c2, s2);
+Pitches Transmission::pitches(const AxisVector& motors) const noexcept {
+  const Drive* d = &drive_[static_cast<std::size_t>(first_)];
+  const double* m = motors.data() + first_;
+  return {.theta2 = lower_.direction(output_at(d[1], m[1])),
+          .theta3 = upper_.direction(output_at(d[2], m[2])),
+          .theta4 = Direction::of(output_at(d[3], m[3])),
+          .q5 = Direction::of(output_at(d[4], m[4] - (m[3] - d[3].synchro)))};
 }
 
-double Transmission::upper_arm_gear(double c3, double s3) const noexcept {
-  return drive_[static_cast<std::size_t>(first_) + 2].gear * upper_.slope(c3, s3);
+Directions Transmission::directions(const AxisVector& motors) const noexcept {
+  const Drive* d = &drive_[static_cast<std::size_t>(first_)];
+  const double* m = motors.data() + first_;
+  return {pitches(motors), Direction::of(output_at(d[0], m[0])), Direction::of(output_at(d[5], m[5])),
+          first_ == 1 ? output_at(drive_[0], motors[0]) : 0};
+}
+
+double Transmission::lower_arm_gear(Direction theta2) const noexcept {
+  return drive_[static_cast<std::size_t>(first_) + 1].gear * lower_.slope(theta2);
+}
+
+double Transmission::upper_arm_gear(Direction theta3) const noexcept {
+  return drive_[static_cast<std::size_t>(first_) + 2].gear * upper_.slope(theta3);
 }
 
 AxisMatrix Transmission::jacobian(const AxisVector& joints) const noexcept {
@@ -102,10 +126,10 @@ AxisMatrix Transmission::jacobian(const AxisVector& joints) const noexcept {
   const int k = first_;
 
   const double theta3 = q[1] + q[2] + pi / 2;
-  const double upper = upper_arm_gear(std::cos(theta3), std::sin(theta3));
+  const double upper = upper_arm_gear(Direction::of(theta3));
   if (first_ == 1) J(0, 0) = drive_[0].gear;
   J(k, k) = d[0].gear;
-  J(k + 1, k + 1) = lower_arm_gear(std::cos(q[1]), std::sin(q[1]));
+  J(k + 1, k + 1) = lower_arm_gear(Direction::of(q[1]));
   J(k + 2, k + 1) = J(k + 2, k + 2) = upper;
   J(k + 3, k + 1) = J(k + 3, k + 2) = J(k + 3, k + 3) = d[3].gear;
   J.row(k + 4) = J.row(k + 3);

@@ -1,6 +1,7 @@
 // Motors to joints and back: gears, ball screws with linkages, and the axes that move each other.
 #pragma once
 #include "base/axes.hpp"
+#include "robots/irb6/directions.hpp"
 #include "robots/irb6/parameters.hpp"
 
 namespace mrroc::irb6 {
@@ -30,16 +31,21 @@ class Transmission {
   /// @param motors [rad], as many as the arm has axes @return joints [rad, track m]
   [[nodiscard]] Converted joints(const AxisVector& motors) const noexcept;
 
+  /// Where the links point, without the way over the joints. Clamped like joints().
+  /// @param motors [rad], as many as the arm has axes
+  [[nodiscard]] Pitches pitches(const AxisVector& motors) const noexcept;
+  [[nodiscard]] Directions directions(const AxisVector& motors) const noexcept;
+
   /// The matrix J = d motors / d joints. Speeds: dm = J dq; torques: tau_joint = J^T tau_motor.
   /// @param joints [rad, track m], inside the domain of the linkages
   /// @return [rad of the motor per rad or m of the joint], square
   [[nodiscard]] AxisMatrix jacobian(const AxisVector& joints) const noexcept;
 
   /// The gears of the ball screws, which change with the angle of the link: d m_1 / d theta2, d m_2 / d theta3.
-  /// @param c2,s2 cosine and sine of theta2  @param c3,s3 of theta3; inside the domain of the linkages
+  /// @param theta2,theta3 inside the domain of the linkages
   /// @return [rad of the motor per rad of the link]
-  [[nodiscard]] double lower_arm_gear(double c2, double s2) const noexcept;
-  [[nodiscard]] double upper_arm_gear(double c3, double s3) const noexcept;
+  [[nodiscard]] double lower_arm_gear(Direction theta2) const noexcept;
+  [[nodiscard]] double upper_arm_gear(Direction theta3) const noexcept;
 
  private:
   // l^2 = sl + r cos(theta + phi) with theta + phi in [-pi, 0]: there l grows with theta.
@@ -50,8 +56,10 @@ class Transmission {
     double length(double theta, bool& inside) const noexcept;
     // Absolute angle [rad] at a length; lowers inside when the length is clamped.
     double angle(double l, bool& inside) const noexcept;
-    // dl / dtheta [mm/rad] at the angle with this cosine and sine; next to 0 beyond the dead centre.
-    double slope(double c, double s) const noexcept;
+    // Cosine and sine of that angle.
+    Direction direction(double l) const noexcept;
+    // dl / dtheta [mm/rad] at an angle; next to 0 beyond the dead centre.
+    double slope(Direction theta) const noexcept;
   };
 
   int first_;

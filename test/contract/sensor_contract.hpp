@@ -15,7 +15,7 @@
 #include "vsp/shell.hpp"
 
 #ifndef MRROC_SANITIZED
-#include "bench/heap.hpp"
+#include "test/heap.hpp"
 #endif
 
 namespace mrroc::contract {
@@ -167,7 +167,7 @@ TYPED_TEST_P(SensorContract, NeverAllocates) {
 #ifndef MRROC_SANITIZED
   auto sensor = TypeParam::make();
   SampleTrace trace(10);
-  const bench::AllocationCounter heap;
+  const mrroc::test::AllocationCounter heap;
   for (int k = 0; k < 5000; ++k) {
     sensor.step(trace.next());
     if (k % this->kMacrostep == 0) (void)sensor.reading();

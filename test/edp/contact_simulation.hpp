@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <numbers>
+#include <optional>
 #include <random>
 
 #include "edp/control_law.hpp"
@@ -15,9 +17,14 @@ namespace mrroc::edp::test {
 /// How a contact develops after a small push.
 class ContactSimulation {
  public:
-  /// @param loop with a LagServo
-  ContactSimulation(const ContactLoop& loop, double stiffness)
-      : l_(loop), servo_(std::get<LagServo>(loop.servo)), K_(stiffness) {
+  /// @param loop with a LagServo or a CompensatedDrive, whose regulator is the real one
+  ContactSimulation(const ContactLoop& loop, double stiffness) : l_(loop), K_(stiffness) {
+    if (const auto* drive = std::get_if<CompensatedDrive>(&loop.servo)) {
+      drive_ = *drive;
+      regulator_ = {drive->regulator, drive->model, drive->increments_per_rad, loop.dt};
+    } else {
+      servo_ = std::get<LagServo>(loop.servo);
+    }
     // It rests with the desired force, but for a hundredth of it.
     r_ = x_ = 1.01 * kForce / K_;
     readings_.assign(static_cast<std::size_t>(l_.delay + l_.average), 1.01 * kForce);
@@ -50,6 +57,7 @@ class ContactSimulation {
     const double keep = l_.low_pass > 0 ? std::exp(-2 * std::numbers::pi * l_.low_pass * l_.dt) : 0;
     filtered_ = keep * filtered_ + (1 - keep) * mean;
     v_ = axis_velocity(c(kForce, l_.inertia, l_.mobility), filtered_, v_, l_.dt);
+    if (drive_) regulate();
     const double h = l_.dt / kSubsteps;
     double sum = 0;
     for (int k = 0; k < kSubsteps; ++k) {
@@ -63,8 +71,26 @@ class ContactSimulation {
 
   [[nodiscard]] double push() const { return std::max(0.0, K_ * x_ + K_ * l_.contact_damping * w_); }
 
+  /// The regulator is told the load of the desired force.
+  void regulate() {
+    const double increments = drive_->increments_per_rad / drive_->lever;
+    if (set_ == 0) set_ = x_;
+    pwm_ = regulator_.step(v_ * l_.dt * increments, (set_ - x_) * increments, kForce * drive_->lever);
+    set_ += v_ * l_.dt;
+  }
+
+  /// Speed first: it does not make an undamped contact swing more.
+  void drive(double h) {
+    const DriveModel& m = drive_->model;
+    const double torque = (m.speed_per_pwm() * pwm_ - w_ / drive_->lever) * m.torque_constant *
+                          m.torque_constant / m.resistance;
+    w_ += h * (torque - push() * drive_->lever) / drive_->inertia * drive_->lever;
+    x_ += h * w_;
+  }
+
   /// Midpoint rule.
   void move(double h) {
+    if (drive_) return drive(h);
     const double r = r_ + v_ * h / 2;
     if (servo_.order == 1) {
       const double omega = 2 * std::numbers::pi * servo_.bandwidth;
@@ -86,6 +112,9 @@ class ContactSimulation {
 
   ContactLoop l_;
   LagServo servo_;
+  std::optional<CompensatedDrive> drive_;
+  CompensatingRegulator regulator_;
+  double set_{}, pwm_{};
   double K_;
   double r_{}, x_{}, w_{}, v_{};
   double reading_{}, filtered_{};
@@ -101,6 +130,15 @@ double limit_between(double low, double high, double precision, Unstable unstabl
     (unstable(middle) ? high : low) = middle;
   }
   return std::sqrt(low * high);
+}
+
+/// Where a contact stiffer than the first unstable one may be stable again.
+/// @return the smallest unstable stiffness from low on, high when there is none
+template <class Unstable>
+double first_limit(double low, double high, double precision, Unstable unstable) {
+  constexpr double kStride = 1.05;
+  while (low < high && !unstable(low)) low *= kStride;
+  return low < high ? limit_between(low / kStride, low, precision, unstable) : high;
 }
 
 /// @return a loop as tasks might have it
@@ -120,6 +158,17 @@ ContactLoop random_loop(Random& random) {
   l.mean_of_step = whole(0, 3) > 0;
   l.contact_damping = whole(0, 1) * between(1e-4, 2e-3);
   l.servo = LagServo{between(5, 50), whole(1, 2), between(0.4, 1.2), between(1e-3, 1)};
+  return l;
+}
+
+/// @return such a loop with the drive that an arm's table has: regulator and model as they are, another inertia
+template <class Random>
+ContactLoop random_loop(Random& random, CompensatedDrive drive) {
+  ContactLoop l = random_loop(random);
+  drive.inertia *= std::uniform_real_distribution<>(0.7, 1.4)(random);
+  drive.model.friction = 0;
+  drive.model.max_current = std::numeric_limits<double>::infinity();
+  l.servo = drive;
   return l;
 }
 

@@ -260,16 +260,16 @@ TEST(DriverMotion, SamplesAreTheReadingsOfAllStepsSinceTheReplyBefore) {
   rig.after_each_step = [&] {
     if (!rig.driver.reply_due()) return;
     const auto samples = rig.driver.samples();
-    EXPECT_EQ(samples.back().T_0E, rig.driver.reply().T_0E);
+    EXPECT_EQ(samples.back().sample().T_0E, rig.driver.reply().T_0E);
     EXPECT_EQ(samples.back().F_a, rig.driver.reply().F_a);
     if (++replies > 2) {  // by now the arm moves steadily
       EXPECT_EQ(samples.size(), 10u);
-      for (const StepSample& sample : samples) {
-        EXPECT_NEAR(sample.T_0E[0] - last, 1e-4, 1e-5) << "0.1 mm per step, to the encoder's resolution";
-        last = sample.T_0E[0];
+      for (const MeasuredStep& sample : samples) {
+        EXPECT_NEAR(sample.T_0E.p.x() - last, 1e-4, 1e-5) << "0.1 mm per step, to the encoder's resolution";
+        last = sample.T_0E.p.x();
       }
     }
-    last = samples.back().T_0E[0];
+    last = samples.back().T_0E.p.x();
   };
   rig.repeat(rig.velocity(forward), 8);
   rig.after_each_step = nullptr;
@@ -277,9 +277,9 @@ TEST(DriverMotion, SamplesAreTheReadingsOfAllStepsSinceTheReplyBefore) {
   do rig.step();
   while (!rig.driver.reply_due());
   EXPECT_EQ(rig.driver.samples().size(), Driver::kMaxSamples);
-  EXPECT_EQ(rig.driver.samples().back().T_0E, rig.driver.reply().T_0E);
+  EXPECT_EQ(rig.driver.samples().back().sample().T_0E, rig.driver.reply().T_0E);
   for (std::size_t k = 1; k < Driver::kMaxSamples; ++k)
-    EXPECT_NEAR(rig.driver.samples()[k].T_0E[0] - rig.driver.samples()[k - 1].T_0E[0], 1e-4, 1e-5)
+    EXPECT_NEAR(rig.driver.samples()[k].T_0E.p.x() - rig.driver.samples()[k - 1].T_0E.p.x(), 1e-4, 1e-5)
         << "the newest are kept, none is left out";
 }
 

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "base/fault.hpp"
+#include "robots/irb6/parameters.hpp"
 #include "test/edp/contact_simulation.hpp"
 
 namespace mrroc::edp {
@@ -70,6 +71,38 @@ TEST(Stability, PredictedLimitIsThatOfTheTimeDomain) {
     EXPECT_FALSE(test::ContactSimulation(l, 0.95 * limit).unstable()) << "run " << run;
     EXPECT_TRUE(test::ContactSimulation(l, 1.05 * limit).unstable()) << "run " << run;
   }
+}
+
+/// @return the upper arm's drive with its standard regulator, pressing with a pen
+CompensatedDrive upper_arm() {
+  const AxisProperties& axis = irb6::kPostument.axes[2].properties;
+  return {.regulator = axis.servo.compensating[0],
+          .model = axis.servo.drive,
+          .increments_per_rad = axis.increments_per_rad,
+          .inertia = axis.servo.drive.inertia,
+          .lever = 0.67 / 172};
+}
+
+TEST(Stability, PredictedLimitOfTheCompensatingRegulatorIsThatOfTheTimeDomain) {
+  std::mt19937_64 random(1);
+  int judged = 0;
+  for (int run = 0; run < 40; ++run) {
+    const ContactLoop l = test::random_loop(random, upper_arm());
+    const double limit = stiffness_limit(l);
+    if (limit == 0 || limit > 1e7) continue;
+    ++judged;
+    EXPECT_FALSE(test::ContactSimulation(l, 0.9 * limit).unstable()) << "run " << run;
+    EXPECT_TRUE(test::ContactSimulation(l, 1.1 * limit).unstable()) << "run " << run;
+  }
+  EXPECT_GT(judged, 10);
+}
+
+TEST(Stability, CompensatedDriveFollowsWithoutContact) {
+  EXPECT_LE(contact_mode(loop_of(20, 0.005, upper_arm()), 0).radius, 1 + 1e-9);
+  EXPECT_GT(contact_mode(loop_of(20, 0.005, upper_arm()), 1e3).damping, 0.5) << "as an ideal servo does";
+  CompensatedDrive no_drive = upper_arm();
+  no_drive.lever = 0;
+  EXPECT_THROW((void)stiffness_limit(loop_of(20, 0.005, no_drive)), FaultError);
 }
 
 TEST(Stability, WhatDelaysTheForceCostsStiffness) {

@@ -76,10 +76,9 @@ TEST(VirtualEffector, TellsThePoseOfEveryStepWithTheStepsNumber) {
   std::vector<Pose> measured;
   std::int64_t last = 0;
   rig.after_each_step = [&] {
-    measured.push_back(
-        pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(rig.driver.samples().back().T_0E.data())));
+    measured.push_back(rig.driver.samples().back().T_0E);
     if (!rig.driver.reply_due()) return;
-    for (const StepSample& s : rig.driver.samples()) told.push_back(s.T_0E);
+    for (const MeasuredStep& s : rig.driver.samples()) told.push_back(s.sample().T_0E);
     const std::int64_t step = rig.driver.reply().step;
     if (last != 0) {
       EXPECT_EQ(step - last, static_cast<std::int64_t>(rig.driver.samples().size()));

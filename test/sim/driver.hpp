@@ -45,7 +45,7 @@ class Driver {
       turned[k] = reading.encoder[i] - encoder_[i];
     }
     HardwareCommand out{.step = reading.step, .enabled = true};
-    out.pwm = servo_.step(motors - motors_, turned, robot_->gravity(joints_));
+    out.pwm = servo_.step(motors - motors_, turned, robot_->gravity(motors));
     motors_ = motors;
     encoder_ = reading.encoder;
     return out;

@@ -81,6 +81,14 @@ TEST_P(ArmTable, JointLimitsOnlyCutTheFoldOfTheArm) {
   }
 }
 
+TEST_P(ArmTable, PoseOfTheMotorsIsThePoseOfTheirJoints) {
+  for (int k = 0; k < kCases / 10; ++k) {
+    const AxisVector m = random_motors();
+    ASSERT_LE(difference(arm_.forward_from_motors(m), arm_.forward(arm_.joints_from_motors(m))), 1e-12)
+        << m.transpose();
+  }
+}
+
 TEST_P(ArmTable, EncodersAndSpeedsAreTheDrives) {
   for (int k = 0; k < arm_.axes(); ++k) {
     const bool last = k == arm_.axes() - 1;

@@ -1,7 +1,7 @@
 // Counts what goes to the heap.
 #pragma once
 
-namespace mrroc::bench {
+namespace mrroc::test {
 
 /// Counts the allocations of this thread while it lives; one at a time.
 class AllocationCounter {
@@ -15,4 +15,4 @@ class AllocationCounter {
   [[nodiscard]] long count() const noexcept;
 };
 
-}  // namespace mrroc::bench
+}  // namespace mrroc::test

@@ -1,5 +1,5 @@
 // Every way to the heap leads through malloc and its relatives, which are replaced here for the whole program.
-#include "bench/heap.hpp"
+#include "test/heap.hpp"
 
 #include <cstddef>
 
@@ -34,7 +34,7 @@ void* aligned_alloc(std::size_t alignment, std::size_t size) {
 }
 // NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
 
-namespace mrroc::bench {
+namespace mrroc::test {
 
 AllocationCounter::AllocationCounter() noexcept {
   allocations = 0;
@@ -43,4 +43,4 @@ AllocationCounter::AllocationCounter() noexcept {
 AllocationCounter::~AllocationCounter() { counting = false; }
 long AllocationCounter::count() const noexcept { return allocations; }
 
-}  // namespace mrroc::bench
+}  // namespace mrroc::test

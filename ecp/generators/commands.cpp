@@ -1,4 +1,4 @@
-#include "ecp/generators/rows.hpp"
+#include "ecp/generators/commands.hpp"
 
 #include "base/representation.hpp"
 

@@ -1,0 +1,14 @@
+// Forces of every step of a run, which a table with a row per macrostep does not have.
+#pragma once
+#include <string>
+
+#include "base/link/log_reader.hpp"
+#include "mp/arm_trace.hpp"
+
+namespace mrroc::mp {
+
+/// Sets ArmRow::F_most from what the driver has told of its steps.
+/// @param log  of the run that the rows are of @param arm  key of the arm, "arm1"
+void add_step_forces(ArmTrace& trace, const link::LogReader& log, const std::string& arm);
+
+}  // namespace mrroc::mp

@@ -1,0 +1,26 @@
+// Where the links of an arm point.
+#pragma once
+#include <cmath>
+
+namespace mrroc::irb6 {
+
+/// Cosine and sine of an angle.
+struct Direction {
+  double c, s;
+  /// Real-time safe. @param angle [rad]
+  [[nodiscard]] static Direction of(double angle) noexcept { return {std::cos(angle), std::sin(angle)}; }
+};
+
+/// Links that gravity turns, by their absolute angles (Kinematics) without the angles: the linkages give cosines, and
+/// weights and poses need no more.
+struct Pitches {
+  Direction theta2, theta3, theta4, q5;
+};
+
+/// All links of an arm.
+struct Directions : Pitches {
+  Direction theta1, q6;
+  double track;  ///< [m], 0 without a track
+};
+
+}  // namespace mrroc::irb6
