@@ -102,6 +102,13 @@ void DrawingRun::observe(const Motion<Coordinator>& motion, const X& x) {
   note_rows(x);
   show(motion, x);
   run_.each_macrostep(x.i, now);
+  if (operator_.in_vain() && !run_.process().over())
+    run_.supervisor().stop({.code = FaultCode::no_contact,
+                            .process = "vsp-arm1",
+                            .text = "the hand has led the pen along the whole drawing, and the pen-state "
+                                    "sensor did not tell of the paper; on soft "
+                                    "paper raise pen_state.impact_time"},
+                           0);
 }
 
 void DrawingRun::note_rows(const X& x) {

@@ -60,11 +60,12 @@ OperatorImage HandOperator::image(std::int64_t i) {
 
 void HandOperator::decide(const hand_report_t& report) {
   progress_ = report.progress[0];
-  done_ = m_ == 2 ? report.done[0] != 0 : m_ == 3 ? report.done[0] && report.done[1] : false;
+  const bool led = m_ == 3 ? report.done[0] && report.done[1] : report.done[0] != 0;
+  done_ = led && (m_ == 2 || m_ == 3);
+  steady_ = led ? steady_ + 1 : 0;
   if (!plan_.gives_orders) return;
   if (desk_.state() == TaskState::waiting_for_start) desk_.give(OperatorOrder::start);
-  steady_ = done_ ? steady_ + 1 : 0;
-  if (steady_ < plan_.steady || triggered_ || desk_.state() != TaskState::running) return;
+  if (!done_ || steady_ < plan_.steady || triggered_ || desk_.state() != TaskState::running) return;
   triggered_ = desk_.give(OperatorOrder::trigger);
 }
 

@@ -35,6 +35,8 @@ class HandOperator final : public mp::OperatorAgent {
   [[nodiscard]] double progress() const { return progress_; }
   /// @return whether the hands have done what the present behaviour's trigger ends
   [[nodiscard]] bool done() const { return done_; }
+  /// @return whether the hand has led the pen along the whole drawing, and nobody has felt the paper
+  [[nodiscard]] bool in_vain() const { return m_ == 1 && steady_ > plan_.steady; }
   /// @return whether somebody else gives the orders: a person, or a script
   [[nodiscard]] bool waits_for_orders() const { return !plan_.gives_orders; }
 
@@ -48,7 +50,7 @@ class HandOperator final : public mp::OperatorAgent {
   std::unique_ptr<link::Outbox<operator_image_t>> image_out_;  // for the log
   std::unique_ptr<link::Inbox<hand_report_t>> report_in_;
   int m_{};           // behaviour of the last order
-  int steady_{};      // macrosteps since the hands are done in this behaviour
+  int steady_{};      // macrosteps since the hands are done in this behaviour; m = 1 should have ended before
   bool triggered_{};  // in this behaviour
   bool paused_{};
   double progress_{};

@@ -158,6 +158,21 @@ TEST(HandOperator, KnowsWhetherATriggerWouldComeEarly) {
   EXPECT_TRUE(s.human.done());
 }
 
+TEST(HandOperator, KnowsWhenThePenWasLedAlongWithoutFeelingThePaper) {
+  Scene s({.steady = 3});
+  s.running();
+  s.macrostep(1, false, false);
+  for (int k = 0; k < 3; ++k) {
+    s.macrostep(1, true, false);
+    EXPECT_FALSE(s.human.in_vain()) << "the sensor may still tell of it";
+  }
+  s.macrostep(1, true, false);
+  EXPECT_TRUE(s.human.in_vain());
+  EXPECT_FALSE(s.human.done());
+  s.macrostep(2, true, false);
+  EXPECT_FALSE(s.human.in_vain());
+}
+
 TEST(HandOperator, LeavesOrdersToAPersonWhenThereIsOne) {
   Scene s({.steady = 1, .gives_orders = false});
   s.desk.set_state(TaskState::waiting_for_start, false);
