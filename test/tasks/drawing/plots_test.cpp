@@ -168,7 +168,7 @@ TEST(Plots, ADamagedTableIsNamed) {
 
 TEST(ArmTrace, ReadsBack) {
   const Folder folder;
-  mp::ArmRow row{7, 0.14, 5, {}, {{1, 2, 3, 0.1, 0.2, 0.3}}, 0.05, true};
+  mp::ArmRow row{7, 0.14, 5, {}, {{1, 2, 3, 0.1, 0.2, 0.3}}, std::nullopt, 0.05, true};
   row.pose << 0.9, -0.1, 0.1234567, 0.1, 3.1, 0;
   mp::write_arm_trace(folder / "a.csv", {row});
   const mp::ArmTrace read = mp::read_arm_trace(folder / "a.csv");
