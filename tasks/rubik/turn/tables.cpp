@@ -40,7 +40,7 @@ Report event(const X& x) {
 /// f_tau: element l of what the coordinator sends. (60)
 template <int l>
 bool told(const X& x) {
-  return x.T.go_on[l - 1];
+  return x.T.go_on[l - 1] || x.T.m == kBreakOff;
 }
 
 constexpr auto kRetain = ecp::retain<Arm>;
@@ -77,6 +77,12 @@ Memory keep_pose(const X& x) {
   return c;
 }
 
+Memory begin_turn(const X& x) {
+  Memory c = keep_pose(x);
+  c.turn = turn_of(x.T);
+  return c;
+}
+
 Memory track_angle(const X& x) {
   Memory c = x.c;
   const Matrix3 R = c.T_0E.R.transpose() * pose_of(x.e).R;
@@ -100,7 +106,7 @@ const std::array<Motion<Arm>, 6> kHolder{{
   {  2, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<2, nothing>,  told<2>},
   {  3, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<3, nothing>,  told<1>},
   {  4, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<4, nothing>,  told<2>},
-  {  5, "turn",     keep_pose, track_angle, turn,              kNoSensor, event<5, turned>,   told<1>},
+  {  5, "turn",     begin_turn, track_angle, turn,              kNoSensor, event<5, turned>,   told<1>},
   {  6, "open",     keep_gap,  kRetain,     row<kStill, 1>,    kNoSensor, event<6, released>, told<2>},
 }};
 // clang-format on

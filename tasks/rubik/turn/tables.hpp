@@ -46,6 +46,7 @@ bool nothing(const Arm::X& x);   ///< the other arm looks for the event
 
 Memory keep_gap(const Arm::X& x);     ///< (76), on entry
 Memory keep_pose(const Arm::X& x);    ///< (74), on entry
+Memory begin_turn(const Arm::X& x);   ///< the same, and what is ordered
 Memory track_angle(const Arm::X& x);  ///< follows the angle over whole turns
 
 /// m = 1..6, index m - 1. An arm ends behaviour m when it is told to by element 1 (odd m) or 2 (even m) of what the
