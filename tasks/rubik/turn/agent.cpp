@@ -15,15 +15,15 @@ constexpr double kJawsThere = 0.0015;   // [m]
 // --- memory ----------------------------------------------------------------------------------------------------
 
 /// A way begins with its point 0.
-Memory begin_way(const X& x) {
-  Memory c = x.c;
+ArmMemory begin_way(const X& x) {
+  ArmMemory c = x.c;
   c.way = {};
   return c;
 }
 
 /// Points come in their order; one that has been taken is sent again until the coordinator knows.
-Memory take_point(const X& x) {
-  Memory c = x.c;
+ArmMemory take_point(const X& x) {
+  ArmMemory c = x.c;
   const auto& joints = x.T.arm.pose;
   const bool sound = std::ranges::all_of(joints, [](double q) { return std::isfinite(q); });
   if (x.T.m == kTakeWay && x.T.variant == c.way.count && sound) c.way.add(joints);
@@ -31,8 +31,8 @@ Memory take_point(const X& x) {
   return c;
 }
 
-Memory plan_path(const X& x) {
-  Memory c = x.c;
+ArmMemory plan_path(const X& x) {
+  ArmMemory c = x.c;
   c.path = {};
   if (c.way.count == 0) return c;
   const Eigen::Index axes = c.limits.velocity.size();
@@ -51,8 +51,8 @@ Memory plan_path(const X& x) {
   return c;
 }
 
-Memory not_weighed(const X& x) {
-  Memory c = x.c;
+ArmMemory not_weighed(const X& x) {
+  ArmMemory c = x.c;
   c.weighed = 0;
   return c;
 }
@@ -62,8 +62,8 @@ bool may_weigh(const X& x) {
          (x.e.state == DriverState::holding || x.e.state == DriverState::ready);
 }
 
-Memory weigh_once(const X& x) {
-  Memory c = x.c;
+ArmMemory weigh_once(const X& x) {
+  ArmMemory c = x.c;
   if (may_weigh(x)) c.weighed = x.i;
   return c;
 }
@@ -125,9 +125,12 @@ const std::array<Motion<Arm>, 4> kBetween{{
 const Motion<Arm>& select(const X& x) {
   const Motion<Arm>* row = &kBetween[0];
   if (x.T.m >= 1 && x.T.m <= 6) {
-    const auto& rows = x.T.variant == static_cast<int>(RoleOf::worker) ? kWorker : kHolder;
+    // The worker acts in m = 1..4, the holder in 5 and 6.
+    const bool worker = (x.T.m <= 4) == (x.T.variant == kActs);
+    const auto& rows = worker ? kWorker : kHolder;
     row = &rows[static_cast<std::size_t>(x.T.m - 1)];
-  } else if (const auto found = std::ranges::find(kBetween, x.T.m, &Motion<Arm>::m); found != kBetween.end()) {
+  } else if (const auto found = std::ranges::find(kBetween, x.T.m, &Motion<Arm>::m);
+             found != kBetween.end()) {
     row = &*found;
   }
   return row != &kBetween[0] && row->f_tau(x) ? kBetween[0] : *row;

@@ -1,4 +1,4 @@
-// What an arm of the cube's task does: the behaviours of a cycle in the role it is given, and between cycles free motions
+// What an arm of the cube's task does: the behaviours of a cycle, acting or standing, and between cycles free motions
 // along ways and the weighing of what hangs on its sensor.
 #pragma once
 #include <array>

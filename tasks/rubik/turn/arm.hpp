@@ -8,15 +8,15 @@
 
 namespace mrroc::rubik {
 
-/// Order::m besides the behaviours of a cycle, 1..6.
-inline constexpr int kBreakOff = -1;  ///< the cycle is broken off
-inline constexpr int kWait = 0;       ///< come to rest, the jaws stay
-inline constexpr int kTakeWay = 7;    ///< remember the point number `variant` of a way: joints, jaws
-inline constexpr int kGo = 8;         ///< go along the way
-inline constexpr int kWeigh = 9;      ///< force tool and bias: pose[0] is w [N], pose[1..3] P [m]
+/// Order::m besides the behaviours of a cycle, 1..6, which any of them ends.
+inline constexpr int kTakeWay = 7;  ///< remember the point number `variant` of a way: joints, jaws
+inline constexpr int kGo = 8;       ///< go along the way
+inline constexpr int kWeigh = 9;    ///< force tool and bias: pose[0] is w [N], pose[1..3] P [m]
+inline constexpr int kWait = 10;    ///< come to rest, the jaws stay
 
-/// Order::variant of the behaviours of a cycle.
-enum class RoleOf : std::uint8_t { worker, holder };
+/// Order::variant of the behaviours of a cycle: the arm looks for the event, or it stands.
+inline constexpr int kStands = 0;
+inline constexpr int kActs = 1;
 
 /// What the holder is to do with the face that the worker has gripped. Part of the memory.
 struct TurnOrder {
@@ -31,7 +31,7 @@ struct TurnOrder {
 void put_turn(const TurnOrder& turn, Order& order);
 
 /// c_c of an arm: what the entry functions memorise, and the order.
-struct Memory {
+struct ArmMemory {
   ecp::MotionLimits limits;  ///< of free motions in joints; as many coordinates as the arm has axes
   Way way;                   ///< of the next free motion, as far as it is known
   ecp::Trajectory path;      ///< of the present free motion
@@ -43,7 +43,7 @@ struct Memory {
 };
 
 /// An arm, holder or worker. The report's `event` is y_cT, tagged with m.
-struct Arm : ecp::ArmAgent<Memory> {};
+struct Arm : ecp::ArmAgent<ArmMemory> {};
 
 /// Steps of a macrostep: n_Q = n_s - 1.
 inline constexpr ecp::Pacing kPacing{.n_s = 10, .n_Q = 9};

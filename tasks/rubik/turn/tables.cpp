@@ -37,10 +37,10 @@ Report event(const X& x) {
   return r;
 }
 
-/// f_tau: element l of what the coordinator sends. (60)
+/// f_tau: element l of what the coordinator sends (60), or it has left the cycle.
 template <int l>
 bool told(const X& x) {
-  return x.T.go_on[l - 1] || x.T.m == kBreakOff;
+  return x.T.go_on[l - 1] || x.T.m > 6 || x.T.finished;
 }
 
 constexpr auto kRetain = ecp::retain<Arm>;
@@ -64,30 +64,34 @@ bool turned(const X& x) {
 bool released(const X& x) { return x.e.gripper - x.c.gap >= kRelease; }
 bool nothing(const X&) { return false; }
 
-Memory keep_gap(const X& x) {
-  Memory c = x.c;
+ArmMemory keep_gap(const X& x) {
+  ArmMemory c = x.c;
   c.gap = x.e.gripper;
   return c;
 }
 
-Memory keep_pose(const X& x) {
-  Memory c = x.c;
+ArmMemory keep_pose(const X& x) {
+  ArmMemory c = x.c;
   c.T_0E = pose_of(x.e);
   c.angle = 0;
   return c;
 }
 
-Memory begin_turn(const X& x) {
-  Memory c = keep_pose(x);
+ArmMemory begin_turn(const X& x) {
+  ArmMemory c = keep_pose(x);
   c.turn = turn_of(x.T);
   return c;
 }
 
-Memory track_angle(const X& x) {
-  Memory c = x.c;
-  const Matrix3 R = c.T_0E.R.transpose() * pose_of(x.e).R;
+double angle_about_z(const Pose& from, const Pose& to, double last) {
+  const Matrix3 R = from.R.transpose() * to.R;
   const double angle = std::atan2(R(1, 0) - R(0, 1), R(0, 0) + R(1, 1));
-  c.angle = angle + 2 * pi * std::round((c.angle - angle) / (2 * pi));
+  return angle + 2 * pi * std::round((last - angle) / (2 * pi));
+}
+
+ArmMemory track_angle(const X& x) {
+  ArmMemory c = x.c;
+  c.angle = angle_about_z(c.T_0E, pose_of(x.e), c.angle);
   return c;
 }
 

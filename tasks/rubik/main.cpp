@@ -1,0 +1,172 @@
+// The task of the cube: two arms read a scrambled cube, find a solution and turn its faces until it is solved.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <numbers>
+
+#include "mp/summary_text.hpp"
+#include "mp/task_run.hpp"
+#include "sim/arm_task.hpp"
+#include "sim/cube_cell.hpp"
+#include "tasks/rubik/config.hpp"
+#include "tasks/rubik/figure_info.hpp"
+#include "tasks/rubik/plots.hpp"
+#include "tasks/rubik/results.hpp"
+#include "tasks/rubik/rubik_run.hpp"
+#include "tasks/rubik/solver/solver.hpp"
+
+namespace {
+
+using namespace mrroc;
+namespace fs = std::filesystem;
+
+const std::vector<sim::CellArm> kArms{{rubik::kArmKeys[0], "irb6_postument"},
+                                      {rubik::kArmKeys[1], "irb6_track"}};
+const std::vector<std::string> kKeys{rubik::kArmKeys[0], rubik::kArmKeys[1]};
+
+struct Options {
+  mp::TaskOptions task;
+  std::string scramble, state, eyes{"none"};
+};
+
+/// Everything that is known before anything starts.
+struct Setup {
+  Config config;
+  rubik::Parameters k;
+  sim::WorldParameters world;
+};
+
+std::string joints_setting(const std::string& arm, const std::vector<double>& joints) {
+  return fmt::format("robots.{}.start_joints=[{:.6f}]", arm, fmt::join(joints, ", "));
+}
+
+Setup prepare(const Options& o) {
+  Setup s;
+  mp::TaskOptions with = o.task;
+  std::vector<std::string> settings;
+  if (!o.scramble.empty()) settings.push_back(fmt::format("cube.scramble=\"{}\"", o.scramble));
+  if (!o.state.empty()) settings.push_back(fmt::format("cube.state=\"{}\"", o.state));
+  if (settings.empty()) settings.emplace_back("cube.random_turns=20");
+  const sim::WorldParameters cell = sim::cube_cell({});
+  for (std::size_t arm = 0; arm < kKeys.size(); ++arm)
+    settings.push_back(joints_setting(kKeys[arm], cell.arms[arm].start));
+  with.settings.insert(with.settings.begin(), settings.begin(), settings.end());
+  s.config = sim::load_task_config(with, rubik::config(), "rubik");
+  s.world = sim::read_cell(s.config, kArms, o.task.seed);
+  s.k = rubik::read_parameters(s.config);
+  for (std::size_t arm = 0; arm < kKeys.size(); ++arm)
+    rubik::read_motion_limits(s.config, kKeys[arm], static_cast<int>(s.world.arms[arm].start.size()));
+  sim::check_task_options(o.task);
+  return s;
+}
+
+std::vector<mp::Part> parts_of(const Config& config) {
+  auto parts = sim::cell_parts(config, kArms);
+  for (const sim::CellArm& arm : kArms)
+    parts.push_back(sim::make_part(config, "ecp-" + arm.key, "ecp_rubik", &arm, rubik::run_ecp));
+  return parts;
+}
+
+AxisVector axes(const std::vector<double>& q) {
+  return Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
+}
+
+rubik::Brain make_brain(const Setup& s) {
+  rubik::Brain brain;
+  brain.known = s.world.cube->state;
+  brain.start.grasp = {.hand = rubik::Hand::track, .palm = rubik::Face::D, .jaw = rubik::Face::B};
+  brain.start.joints = {axes(s.world.arms[0].start), axes(s.world.arms[1].start)};
+  brain.solve = [](const rubik::Cube& cube) {
+    const rubik::CubeSolver solver(rubik::TableSet::small, {}, 1);
+    return solver.solve(cube, {.nodes = 1'000'000, .threads = 1}).moves;
+  };
+  brain.plan = [](const rubik::PlanStart& start, const rubik::Moves& moves) {
+    rubik::Planned p;
+    rubik::Plan plan;
+    rubik::Step step;
+    step.comes = rubik::Hand::postument;
+    step.leaves = rubik::Hand::track;
+    step.turn = moves.at(0);
+    step.angle = (moves.at(0).quarters() == 3 ? -1 : moves.at(0).quarters()) * std::numbers::pi / 2;
+    step.before_grasp = step.grasp = start.grasp;
+    step.after_grasp = {.hand = rubik::Hand::postument};
+    plan.steps = {step};
+    plan.turns = moves;
+    p.plan = plan;
+    return p;
+  };
+  return brain;
+}
+
+void say(const std::string& line) {
+  fmt::print("{}\n", line);
+  std::fflush(stdout);
+}
+
+/// Files, figures and pictures of a run that has ended.
+void finish(const fs::path& folder, const rubik::RubikRun& rubik, mp::Summary& summary) {
+  summary.figures.merge(rubik::write_results(folder, rubik.record(), rubik.truth()));
+  mp::write_summary(folder, summary);
+  std::vector<sim::Picture> pictures;
+  for (const auto& [name, script] : rubik::plots(rubik.record())) pictures.push_back({name, script});
+  sim::draw(folder, pictures);
+}
+
+int run(const Options& o) {
+  Setup s = prepare(o);
+  const fs::path folder = mp::name_run_folder(o.task.run_dir, "rubik");
+  sim::complete_config(s.config, o.task, folder, "");
+  mp::make_run_folder(folder);
+  mp::write_text(folder / "config.toml", s.config.dump());
+  mp::TaskRun run("rubik", o.task, folder, kKeys, parts_of(s.config));
+  const bool gives_start = !o.task.attended && o.task.script.empty();
+  fmt::print("rubik, session {}, seed {}{}\n", run.session(), o.task.seed,
+             gives_start ? "" : ", waits for the operator: `ui_cli start`");
+  rubik::RubikRun rubik(run, s.k, make_brain(s), gives_start, say);
+  run.start();
+  std::optional<Fault> fault;
+  if (run.process().assemble() && rubik.execute() == Outcome::faulted) fault = rubik.fault();
+  mp::Summary summary = run.end(fault);
+  rubik.truth().collect();
+  try {
+    run.finish([&] { finish(folder, rubik, summary); });
+  } catch (const FaultError& e) {  // what has been done is told all the same
+    if (!summary.fault) summary.fault = e.fault();
+  }
+  mp::print_summary(summary, mp::figure_table(summary.figures, rubik::kFigures, {}, !summary.fault));
+  std::fflush(stdout);
+  if (summary.fault) fmt::print(stderr, "{}\n", error_line(*summary.fault));
+  fmt::print("run folder: {}\n", folder.string());
+  return summary.fault ? exit_status(summary.fault->code) : 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options o;
+  CLI::App app{"Two simulated IRb-6 arms solve a Rubik's cube: one holds it, the other one turns its faces."};
+  app.name("rubik");
+  app.add_option("--scramble", o.scramble,
+                 "Turns that scramble the cube, such as \"R U' F2\" (default: 20 by the seed)");
+  app.add_option("--state", o.state, "The cube as 54 facelets, U R F D L B")->excludes("--scramble");
+  app.add_option("--eyes", o.eyes, "How the state becomes known: camera, or none: it is told")
+      ->check(CLI::IsMember({"camera", "none"}))
+      ->capture_default_str();
+  mp::add_task_options(app, o.task);
+  app.footer(
+      "Exit status: 0 done; 1 fault or stopped; 2 bad usage or input, nothing was started; 3 system error.");
+  if (const auto status = mp::parse_command_line(app, argc, argv)) return *status;
+  const auto complain = [](const FaultError& e) {
+    fmt::print(stderr, "{}\n", e.error_line());
+    return exit_status(e.fault().code);
+  };
+  try {
+    return run(o);
+  } catch (const FaultError& e) {
+    return complain(e);
+  } catch (const std::exception& e) {
+    return complain(FaultError(FaultCode::internal_error, e.what()));
+  }
+}
