@@ -28,7 +28,8 @@ class Planner {
   Planner(const Planner&) = delete;
   Planner& operator=(const Planner&) = delete;
 
-  /// @param moves  to be turned, in this order; opposite faces that follow each other may be exchanged
+  /// @param moves  to be turned, in this order. But opposite faces that follow each other may be exchanged, and turns of
+  ///        one face with nothing or only such between them are taken together
   [[nodiscard]] Planned make_plan(const PlanStart& start, std::span<const Move> moves,
                                   const PlanOptions& options = {}) const;
   /// @return a plan in which each face is shown to the camera once
