@@ -27,6 +27,14 @@ inline constexpr double kRetreatDistance = 0.1;
 /// Distance between the jaws of an empty hand while it moves, at most [m].
 inline constexpr double kOpenJaws = 0.08;
 
+/// Estimates of what is not free motion, from tables 4-8 of MG and the friction of a face.
+struct CycleTimes {
+  double grip{4};         ///< m = 1..4, and the rests before and after, when sensors are biased [s]
+  double turn_rate{0.3};  ///< of m = 5 with B = 0.1 s/(kg m^2) [rad/s]
+  double open{0.5};       ///< m = 6 [s]
+  double look{0.5};       ///< of the camera at a face, at rest [s]
+};
+
 /// A free motion of one arm while the other one stands: straight lines in joint space from point to point, all axes in
 /// step, at rest at the first and the last one. Every line has been found free of collisions with a margin that
 /// leaves room for passing the inner points without a stop.
