@@ -20,14 +20,14 @@ const std::array<std::vector<double>, 2> kNear{{{-0.9494, -1.6953, 0.1376, -0.44
                                                 {0.3916, 1.1953, -1.5479, 0.2417, 0.5134, 1.6346, 3.3068}}};
 constexpr double kClearance =
     0.001;  // of the palm behind long fingers [m]: the hand that comes has no such palm
+constexpr double kNarrowPalm =
+    0.018;  // of long fingers [m]: beside it there is room for the other hand's finger
 constexpr double kSqueezed = 0.0002;  // by which the pads of a firm grip give way together [m]
 
 std::vector<double> joints_at(const ArmParameters& arm, int number, const Pose& T_UE) {
   const auto robot = irb6::make_arm(arm.model == ArmModel::irb6_track ? "irb6_track" : "irb6_postument");
-  const auto& near = kNear[static_cast<std::size_t>(number)];
   const auto solution =
-      robot->inverse(arm.T_UB.inverse() * T_UE * robot->tool_in_wrist().inverse(),
-                     Eigen::Map<const Eigen::VectorXd>(near.data(), static_cast<Eigen::Index>(near.size())));
+      robot->inverse(arm.T_UB.inverse() * T_UE * robot->tool_in_wrist().inverse(), meeting_joints(number));
   if (!solution.reached) throw std::invalid_argument("cube cell: an arm does not reach the cube");
   return {solution.joints.begin(), solution.joints.end()};
 }
@@ -38,6 +38,7 @@ GripperBodyParameters gripper_with(Fingers fingers) {
   GripperBodyParameters p;
   if (fingers == Fingers::one_layer) return p;
   p.palm = kCubeEdge / 2 - kTwoLayers + kClearance;
+  p.palm_width = kNarrowPalm;
   p.pad_depth = 0.034;
   return p;
 }
@@ -55,6 +56,11 @@ Pose meeting_place() {
   R.col(0) = Vector3::UnitZ().cross(z).normalized();
   R.col(1) = z.cross(R.col(0));
   return {R * rotation_from_angle_axis({0, 0, kTurned}), kPlace};
+}
+
+AxisVector meeting_joints(int arm) {
+  const auto& near = kNear[static_cast<std::size_t>(arm)];
+  return Eigen::Map<const Eigen::VectorXd>(near.data(), static_cast<Eigen::Index>(near.size()));
 }
 
 Pose grip(int arm) {

@@ -1,42 +1,47 @@
 // What the planner knows of the arms and of what stands around: an interface, since tasks do not depend on robots.
 #pragma once
-#include <span>
-#include <vector>
+#include <array>
+#include <optional>
 
 #include "tasks/rubik/plan/plan.hpp"
 
 namespace mrroc::rubik {
 
-/// Speeds of one arm.
-struct JointLimits {
-  AxisVector lower, upper;            ///< that free motions keep [rad, track m]: within those of the robot
-  AxisVector velocity, acceleration;  ///< [rad/s, m/s] and [rad/s^2, m/s^2]
-};
-
-/// Two gripping arms, their grips and a cube, for a collision check.
+/// Two arms and a cube at one instant.
 struct CellState {
   ArmJoints joints;
   std::array<double, 2> jaws{};  ///< distances [m], by index(Hand)
-  Hand carrier{};                ///< hand in which the cube is
-  Grasp grasp;                   ///< of that hand
+  Grasp grasp;                   ///< of the hand in which the cube is
+  bool touched{};                ///< the other hand is about to grip it or has let go: it may touch the cube
 };
 
-/// Constant; functions may be called by one thread at a time.
+/// Where faces are turned. The frame M has its origin in the middle of the cube and z out of the face that the postument
+/// keeps, away from the track arm.
+struct Meeting {
+  Pose T_UM;         ///< in the world
+  ArmJoints joints;  ///< of both arms there, with their E's aligned with M: the branch that is meant
+};
+
+/// Constant; used by one thread at a time.
 class PlanCell {
  public:
   virtual ~PlanCell() = default;
 
-  /// @return limits of an arm
+  /// @return where the arms meet
+  [[nodiscard]] virtual const Meeting& meeting() const = 0;
+  /// @return what free motions of an arm keep to
   [[nodiscard]] virtual const JointLimits& limits(Hand hand) const = 0;
   /// @return T_UE, E of a hand in the world
   [[nodiscard]] virtual Pose forward(Hand hand, const AxisVector& joints) const = 0;
-  /// @return joints with E there, on the branch of `near` and nearest to it, the track as there; within the limits.
-  ///         Nothing: out of reach
+  /// @param near  decides the branch, the turns of the angles and the place on the track
+  /// @return joints with E there; nothing: out of reach
   [[nodiscard]] virtual std::optional<AxisVector> inverse(Hand hand, const Pose& T_UE,
                                                           const AxisVector& near) const = 0;
-  /// @return distances from limits and from the wrist's singularity, smallest, as a share of half the range: 0..1
-  [[nodiscard]] virtual double margin(Hand hand, const AxisVector& joints) const = 0;
-  /// @return whether nothing is nearer to anything than it should be
+  /// @return distance from the nearest limit of a joint or motor, as a share of half its range; negative: beyond
+  [[nodiscard]] virtual double reserve(Hand hand, const AxisVector& joints) const = 0;
+  /// @return how far the wrist is from its singularity: 0 at it, 1 farthest away
+  [[nodiscard]] virtual double dexterity(Hand hand, const AxisVector& joints) const = 0;
+  /// @return whether nothing comes nearer to anything than it should
   [[nodiscard]] virtual bool is_free(const CellState& state) const = 0;
 };
 

@@ -14,6 +14,12 @@ namespace mrroc::rubik {
 /// Joints of both arms, by index(Hand) [rad, track m].
 using ArmJoints = std::array<AxisVector, 2>;
 
+/// Speeds of one arm in free motions, such that any combination is possible for its motors.
+struct JointLimits {
+  AxisVector velocity;      ///< [rad/s], track [m/s]
+  AxisVector acceleration;  ///< [rad/s^2], track [m/s^2]
+};
+
 /// Distance of the palm from the cube where a guarded approach begins [m].
 inline constexpr double kApproachDistance = 0.01;
 /// How far a hand draws back straight along its z after it has opened [m].
@@ -21,14 +27,23 @@ inline constexpr double kRetreatDistance = 0.1;
 /// Distance between the jaws of an empty hand while it moves, at most [m].
 inline constexpr double kOpenJaws = 0.08;
 
+/// Estimates of what is not free motion, from tables 4-8 of MG and the friction of a face.
+struct CycleTimes {
+  double grip{4};         ///< m = 1..4, and the rests before and after, when sensors are biased [s]
+  double turn_rate{0.3};  ///< of m = 5 with B = 0.1 s/(kg m^2) [rad/s]
+  double open{0.5};       ///< m = 6 [s]
+  double look{0.5};       ///< of the camera at a face, at rest [s]
+};
+
 /// A free motion of one arm while the other one stands: straight lines in joint space from point to point, all axes in
 /// step, at rest at the first and the last one. Every line has been found free of collisions with a margin that
 /// leaves room for passing the inner points without a stop.
 struct FreeMotion {
   Hand hand{};
-  std::vector<AxisVector> points;  ///< from where the arm is according to the plan; at least two
-  bool carries{};                  ///< the hand holds the cube
-  double seconds{};                ///< estimate
+  /// At least two; the first is where the arm stands according to the plan: force control will have moved it a little.
+  std::vector<AxisVector> points;
+  bool carries{};    ///< the hand holds the cube
+  double seconds{};  ///< estimate
 };
 
 /// One cycle: an arm comes and grips, a face may be turned, an arm lets go. Or, with `shows`, a look at a face: only
@@ -61,17 +76,17 @@ struct Plan {
   std::vector<Step> steps;
   Grasp start, end;
   ArmJoints start_joints, end_joints;
-  Moves turns;       ///< in the order of execution: that asked for, but for opposite faces
-  int regrasps{};    ///< steps without turn
-  int grips{};       ///< steps in which an arm comes and grips
-  double seconds{};  ///< estimate for all steps
+  std::array<JointLimits, 2> limits;  ///< of the free motions, by index(Hand); the estimates keep to them
+  Moves turns;                        ///< in the order of execution
+  int regrasps{};                     ///< steps without turn
+  int grips{};                        ///< steps in which an arm comes and grips
+  double seconds{};                   ///< estimate for all steps
 };
 
 /// Why there is no plan.
 enum class NoPlan : std::uint8_t {
   none,       ///< there is one
   bad_start,  ///< the start is no grip, or joints do not match the arms, or the arms are not where they hold it so
-  bad_turns,    ///< a face is turned twice in succession
   collision,    ///< the arms touch something at the start
   unreachable,  ///< no sequence of grips that both arms reach within their limits
   blocked       ///< there are such sequences, but every one has a way on which something collides

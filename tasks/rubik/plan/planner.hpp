@@ -16,7 +16,8 @@ struct PlanStart {
 
 /// How it is searched.
 struct PlanOptions {
-  double regrasp_penalty{2};  ///< what a grip costs besides its time [s]: each one can fail
+  CycleTimes times;
+  double grip_penalty{2};  ///< what a grip costs besides its time [s]: each one can fail
 };
 
 /// Plans in one cell. Paths that have been found are kept, so that later plans cost less.
@@ -28,11 +29,12 @@ class Planner {
   Planner(const Planner&) = delete;
   Planner& operator=(const Planner&) = delete;
 
-  /// @param moves  to be turned, in this order; opposite faces that follow each other may be exchanged
+  /// @param moves  to be turned, in this order. But opposite faces that follow each other may be exchanged, and turns of
+  ///        one face with nothing or only such between them are taken together
   [[nodiscard]] Planned make_plan(const PlanStart& start, std::span<const Move> moves,
-                                  const PlanOptions& options = {}) const;
+                                  const PlanOptions& options = {});
   /// @return a plan in which each face is shown to the camera once
-  [[nodiscard]] Planned make_reading_plan(const PlanStart& start, const PlanOptions& options = {}) const;
+  [[nodiscard]] Planned make_reading_plan(const PlanStart& start, const PlanOptions& options = {});
 
  private:
   struct Impl;
