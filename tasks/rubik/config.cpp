@@ -42,14 +42,10 @@ Parameters read_parameters(const Config& config) {
 }
 
 ecp::MotionLimits read_motion_limits(const Config& config, const std::string& arm, int axes) {
-  // The track, then column, shoulder and elbow, then the wrist.
-  const std::array velocity{0.15, 0.3, 0.3, 0.3, 0.9, 0.9, 1.4};
-  const std::array acceleration{0.3, 0.6, 0.6, 0.6, 2.0, 2.0, 3.0};
-  const auto last = [axes](const auto& all) { return std::vector<double>(all.end() - axes, all.end()); };
   const Config t = config.section("robots." + arm + ".motion");
   const auto n = static_cast<std::size_t>(axes);
-  const auto v = t.list("velocity", last(velocity), {0.001, 3}, "rad/s, m/s", n);
-  const auto a = t.list("acceleration", last(acceleration), {0.001, 20}, "rad/s^2, m/s^2", n);
+  const auto v = t.list("velocity", Config::kRequired, {0.001, 3}, "rad/s, m/s", n);
+  const auto a = t.list("acceleration", Config::kRequired, {0.001, 20}, "rad/s^2, m/s^2", n);
   return {Eigen::Map<const Eigen::VectorXd>(v.data(), axes),
           Eigen::Map<const Eigen::VectorXd>(a.data(), axes)};
 }

@@ -4,18 +4,19 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <numbers>
 
 #include "mp/summary_text.hpp"
 #include "mp/task_run.hpp"
 #include "sim/arm_task.hpp"
 #include "sim/cube_cell.hpp"
+#include "sim/plan_cell.hpp"
 #include "tasks/rubik/config.hpp"
 #include "tasks/rubik/figure_info.hpp"
 #include "tasks/rubik/plots.hpp"
 #include "tasks/rubik/results.hpp"
 #include "tasks/rubik/rubik_run.hpp"
 #include "tasks/rubik/solver/solver.hpp"
+#include "tasks/rubik/solver/table_progress.hpp"
 
 namespace {
 
@@ -38,8 +39,10 @@ struct Setup {
   sim::WorldParameters world;
 };
 
-std::string joints_setting(const std::string& arm, const std::vector<double>& joints) {
-  return fmt::format("robots.{}.start_joints=[{:.6f}]", arm, fmt::join(joints, ", "));
+template <class Numbers>
+std::string setting(const std::string& arm, const char* key, const Numbers& numbers) {
+  return fmt::format("robots.{}.{}=[{:.6f}]", arm, key,
+                     fmt::join(numbers.data(), numbers.data() + numbers.size(), ", "));
 }
 
 Setup prepare(const Options& o) {
@@ -49,9 +52,16 @@ Setup prepare(const Options& o) {
   if (!o.scramble.empty()) settings.push_back(fmt::format("cube.scramble=\"{}\"", o.scramble));
   if (!o.state.empty()) settings.push_back(fmt::format("cube.state=\"{}\"", o.state));
   if (settings.empty()) settings.emplace_back("cube.random_turns=20");
-  const sim::WorldParameters cell = sim::cube_cell({});
-  for (std::size_t arm = 0; arm < kKeys.size(); ++arm)
-    settings.push_back(joints_setting(kKeys[arm], cell.arms[arm].start));
+  sim::CubeCellParameters retreated;
+  retreated.distance = rubik::kRetreatDistance;
+  const sim::WorldParameters cell = sim::cube_cell(retreated);
+  const sim::CubePlanCell limits(cell);
+  for (const rubik::Hand hand : rubik::kHands) {
+    const std::string& arm = kKeys[rubik::index(hand)];
+    settings.push_back(setting(arm, "start_joints", cell.arms[rubik::index(hand)].start));
+    settings.push_back(setting(arm, "motion.velocity", limits.limits(hand).velocity));
+    settings.push_back(setting(arm, "motion.acceleration", limits.limits(hand).acceleration));
+  }
   with.settings.insert(with.settings.begin(), settings.begin(), settings.end());
   s.config = sim::load_task_config(with, rubik::config(), "rubik");
   s.world = sim::read_cell(s.config, kArms, o.task.seed);
@@ -73,29 +83,39 @@ AxisVector axes(const std::vector<double>& q) {
   return Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
 }
 
-rubik::Brain make_brain(const Setup& s) {
+/// What the coordinator thinks with.
+struct Head {
+  explicit Head(const Setup& s)
+      : cell(s.world),
+        planner(cell),
+        solver(s.config.choice("task.tables", rubik::TableSet::standard,
+                               {{"small", rubik::TableSet::small},
+                                {"default", rubik::TableSet::standard},
+                                {"large", rubik::TableSet::large}}),
+               rubik::table_folder(), kThreads, progress.watch()) {}
+
+  /// A short solution, the same in every run.
+  [[nodiscard]] rubik::Moves solve(const rubik::Cube& cube) const {
+    return solver.solve(cube, {.nodes = kNodes, .threads = 1}).moves;
+  }
+
+  static constexpr int kThreads = 2;
+  static constexpr std::uint64_t kNodes = 3'000'000;
+  rubik::TableProgress progress{stderr};
+  sim::CubePlanCell cell;
+  rubik::Planner planner;
+  rubik::CubeSolver solver;
+};
+
+rubik::Brain make_brain(const Setup& s, Head& head) {
   rubik::Brain brain;
   brain.known = s.world.cube->state;
-  brain.start.grasp = {.hand = rubik::Hand::track, .palm = rubik::Face::D, .jaw = rubik::Face::B};
+  const auto hand = static_cast<rubik::Hand>(s.world.cube->held_by);
+  brain.start.grasp = rubik::grasp_from(hand, s.world.cube->T_EC.R);
   brain.start.joints = {axes(s.world.arms[0].start), axes(s.world.arms[1].start)};
-  brain.solve = [](const rubik::Cube& cube) {
-    const rubik::CubeSolver solver(rubik::TableSet::small, {}, 1);
-    return solver.solve(cube, {.nodes = 1'000'000, .threads = 1}).moves;
-  };
-  brain.plan = [](const rubik::PlanStart& start, const rubik::Moves& moves) {
-    rubik::Planned p;
-    rubik::Plan plan;
-    rubik::Step step;
-    step.comes = rubik::Hand::postument;
-    step.leaves = rubik::Hand::track;
-    step.turn = moves.at(0);
-    step.angle = (moves.at(0).quarters() == 3 ? -1 : moves.at(0).quarters()) * std::numbers::pi / 2;
-    step.before_grasp = step.grasp = start.grasp;
-    step.after_grasp = {.hand = rubik::Hand::postument};
-    plan.steps = {step};
-    plan.turns = moves;
-    p.plan = plan;
-    return p;
+  brain.solve = [&head](const rubik::Cube& cube) { return head.solve(cube); };
+  brain.plan = [&head](const rubik::PlanStart& start, const rubik::Moves& moves) {
+    return head.planner.make_plan(start, moves);
   };
   return brain;
 }
@@ -116,6 +136,7 @@ void finish(const fs::path& folder, const rubik::RubikRun& rubik, mp::Summary& s
 
 int run(const Options& o) {
   Setup s = prepare(o);
+  Head head(s);
   const fs::path folder = mp::name_run_folder(o.task.run_dir, "rubik");
   sim::complete_config(s.config, o.task, folder, "");
   mp::make_run_folder(folder);
@@ -124,7 +145,7 @@ int run(const Options& o) {
   const bool gives_start = !o.task.attended && o.task.script.empty();
   fmt::print("rubik, session {}, seed {}{}\n", run.session(), o.task.seed,
              gives_start ? "" : ", waits for the operator: `ui_cli start`");
-  rubik::RubikRun rubik(run, s.k, make_brain(s), gives_start, say);
+  rubik::RubikRun rubik(run, s.k, make_brain(s, head), gives_start, say);
   run.start();
   std::optional<Fault> fault;
   if (run.process().assemble() && rubik.execute() == Outcome::faulted) fault = rubik.fault();

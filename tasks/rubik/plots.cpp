@@ -46,8 +46,10 @@ std::string script(const std::string& table, Axis axis, const Rows& shown, const
 std::vector<Mark> marks_of_approach(const Rows& worker) {
   const Rows approach = of(worker, 1), settling = of(worker, 2);
   std::vector<Mark> marks;
-  const auto touch = std::ranges::find_if(approach, [](const auto& r) { return r.F[Axis::z] > 0.5; });
-  if (touch != approach.end()) marks.push_back({'A', touch->t, touch->F[Axis::z]});
+  // The last row before the force begins to rise for good.
+  const auto free = std::ranges::find_if(approach.rbegin(), approach.rend(),
+                                         [](const auto& r) { return r.F[Axis::z] < 0.5; });
+  if (free != approach.rend()) marks.push_back({'A', free->t, free->F[Axis::z]});
   const auto settled = std::ranges::find_if(settling, [&](const auto& r) {
     return std::all_of(&r, &settling.back() + 1,
                        [](const auto& s) { return std::abs(s.F[Axis::z] - 4) < 1; });
@@ -68,9 +70,10 @@ std::vector<Mark> marks_of_turn(const Rows& turning) {
     const auto broken = std::ranges::max_element(turn.begin(), half, {}, size);
     mark('D', *broken);
     const auto dropped = std::ranges::min_element(broken, half, {}, size);
-    const auto most = std::ranges::max_element(dropped, turn.end(), {}, size);
+    const auto seat = turn.begin() + static_cast<std::ptrdiff_t>(0.85 * static_cast<double>(turn.size()));
+    const auto most = std::ranges::max_element(dropped, seat, {}, size);
     mark('E', *most);
-    mark('F', *std::ranges::min_element(most, turn.end(), {}, size));
+    mark('F', *std::ranges::min_element(most, seat, {}, size));
     mark('G', turn.back());
   }
   if (const Rows open = of(turning, 6); !open.empty()) mark('H', open.back());
