@@ -4,7 +4,7 @@
 
 #include "edp/limits.hpp"
 #include "sim/world.hpp"
-#include "tasks/rubik/plan/grasp.hpp"
+#include "tasks/rubik/plan/cell.hpp"
 
 namespace mrroc::sim {
 
@@ -36,6 +36,11 @@ Pose meeting_place();
 /// @param arm  kPostument or kTrack
 /// @return joints of that arm there, as good as it gets: a start for the inverse kinematics [rad, track m]
 AxisVector meeting_joints(int arm);
+
+/// Where the cube is shown to the camera: its middle stays at the meeting place, the face looks up at the camera by 20
+/// degrees, away from the arms' row. Of 1008 places and directions it is the one in which both arms can show the face
+/// opposite to the palm and the two that are free of fingers with the least motion.
+rubik::Viewing viewing_place();
 
 /// @param arm  kPostument or kTrack
 /// @return T_ME of the grip of that arm

@@ -30,8 +30,8 @@ double share(double x, const edp::Range& range) {
 
 }  // namespace
 
-CubePlanCell::CubePlanCell(const WorldParameters& world)
-    : collision_(std::make_unique<CellCollision>(world)) {
+CubePlanCell::CubePlanCell(const WorldParameters& world, const std::optional<rubik::Viewing>& viewing)
+    : viewing_(viewing), collision_(std::make_unique<CellCollision>(world, viewing)) {
   for (std::size_t k = 0; k < 2; ++k) {
     const ArmParameters& p = world.arms[k];
     Side& s = sides_[k];

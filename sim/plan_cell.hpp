@@ -13,12 +13,14 @@ class CellCollision;
 /// Kinematics and limits of the arms of a world, and collisions by Bullet.
 class CubePlanCell final : public rubik::PlanCell {
  public:
-  /// @param world  as made by cube_cell()
+  /// @param world    as made by cube_cell()
+  /// @param viewing  where faces are shown to a camera, if there is one
   /// @throws std::invalid_argument  its arms are others
-  explicit CubePlanCell(const WorldParameters& world);
+  explicit CubePlanCell(const WorldParameters& world, const std::optional<rubik::Viewing>& viewing = {});
   ~CubePlanCell() override;
 
   [[nodiscard]] const rubik::Meeting& meeting() const override { return meeting_; }
+  [[nodiscard]] const rubik::Viewing* viewing() const override { return viewing_ ? &*viewing_ : nullptr; }
   [[nodiscard]] const rubik::JointLimits& limits(rubik::Hand hand) const override;
   [[nodiscard]] Pose forward(rubik::Hand hand, const AxisVector& joints) const override;
   [[nodiscard]] std::optional<AxisVector> inverse(rubik::Hand hand, const Pose& T_UE,
@@ -40,6 +42,7 @@ class CubePlanCell final : public rubik::PlanCell {
 
   std::array<Side, 2> sides_;
   rubik::Meeting meeting_;
+  std::optional<rubik::Viewing> viewing_;
   std::unique_ptr<CellCollision> collision_;
 };
 

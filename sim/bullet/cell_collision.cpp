@@ -23,6 +23,9 @@ constexpr int kFarJoints = 3;  // nearer links of one arm touch each other by co
 // To which part of the cell a shape belongs.
 constexpr int kCube = 2;
 constexpr int kSurroundings = 3;
+constexpr int kView = 4;
+constexpr double kAboveFace = 0.004;  // [m]
+constexpr double kCamera = 0.08;      // its housing [m]
 
 struct Item {
   std::string name;
@@ -55,7 +58,7 @@ struct ArmShapes {
 }  // namespace
 
 struct CellCollision::Impl {
-  explicit Impl(const WorldParameters& world) {
+  Impl(const WorldParameters& world, const std::optional<rubik::Viewing>& viewing) {
     if (world.arms.size() != 2 || world.arms[0].model != ArmModel::irb6_postument ||
         world.arms[1].model != ArmModel::irb6_track)
       throw std::invalid_argument("collisions: the arms are not the postument's and the track's");
@@ -69,7 +72,24 @@ struct CellCollision::Impl {
     }
     const std::size_t floor = add("floor", kSurroundings, 0, false, box({10, 10, 1}, 0));
     place(floor, {Matrix3::Identity(), {0, 0, -0.5}});
+    if (viewing) {
+      place(add("camera", kSurroundings, 0, false, box(Vector3::Constant(kCamera), kLinkSkin)),
+            viewing->T_UG * Pose{Matrix3::Identity(), {0, 0, viewing->distance + kCamera / 2}});
+      // The last one, so that it is the second one of every pair.
+      place(add("view", kView, 0, false, pyramid(viewing->distance, edge)), viewing->T_UG);
+    }
     choose_pairs();
+  }
+
+  /// What the camera sees of a face, from the lens down to just above the stickers.
+  static std::unique_ptr<btConvexShape> pyramid(double distance, double edge) {
+    auto hull = std::make_unique<btConvexHullShape>();
+    hull->setMargin(0);
+    hull->addPoint({0, 0, distance}, false);
+    for (const double x : {-0.5, 0.5})
+      for (const double y : {-0.5, 0.5}) hull->addPoint({x * edge, y * edge, kAboveFace}, false);
+    hull->recalcLocalAabb();
+    return hull;
   }
 
   static std::unique_ptr<btConvexShape> box(const Vector3& size, double skin) {
@@ -133,7 +153,8 @@ struct CellCollision::Impl {
         // Carriage and column stand on the floor.
         const bool standing = (i.owner < kCube && i.place < kFarJoints && j.owner == kSurroundings) ||
                               (j.owner < kCube && j.place < kFarJoints && i.owner == kSurroundings);
-        if (!fixed && !near && !standing) pairs.emplace_back(a, b);
+        const bool seen = j.owner == kView && (i.owner == kCube || i.owner == kSurroundings);
+        if (!fixed && !near && !standing && !seen) pairs.emplace_back(a, b);
       }
   }
 
@@ -167,6 +188,7 @@ struct CellCollision::Impl {
     for (const auto& [a, b] : pairs) {
       if (!TestAabbAgainstAabb2(low[a], high[a], low[b], high[b])) continue;
       const Item &i = *items[a], &j = *items[b];
+      if (j.owner == kView && !state.looked_at) continue;
       if (i.owner == kCube || j.owner == kCube) {
         const Item& it = i.owner == kCube ? j : i;
         // The flange of the hand that holds it is as far as it is.
@@ -201,7 +223,8 @@ struct CellCollision::Impl {
   std::array<std::string, 2> touching;
 };
 
-CellCollision::CellCollision(const WorldParameters& world) : impl_(std::make_unique<Impl>(world)) {}
+CellCollision::CellCollision(const WorldParameters& world, const std::optional<rubik::Viewing>& viewing)
+    : impl_(std::make_unique<Impl>(world, viewing)) {}
 CellCollision::~CellCollision() = default;
 bool CellCollision::is_free(const rubik::CellState& state) { return impl_->is_free(state); }
 const std::array<std::string, 2>& CellCollision::touching() const { return impl_->touching; }

@@ -16,7 +16,7 @@ class CellCollision {
  public:
   /// @param world  its arms are the postument's and the track's, with grippers
   /// @throws std::invalid_argument  they are not
-  explicit CellCollision(const WorldParameters& world);
+  CellCollision(const WorldParameters& world, const std::optional<rubik::Viewing>& viewing);
   ~CellCollision();
   CellCollision(const CellCollision&) = delete;
   CellCollision& operator=(const CellCollision&) = delete;

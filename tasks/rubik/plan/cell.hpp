@@ -13,6 +13,15 @@ struct CellState {
   std::array<double, 2> jaws{};  ///< distances [m], by index(Hand)
   Grasp grasp;                   ///< of the hand in which the cube is
   bool touched{};                ///< the other hand is about to grip it or has let go: it may touch the cube
+  bool looked_at{};              ///< nothing may stand between the camera and the place of the shown face
+};
+
+/// Where faces are shown to a camera.
+struct Viewing {
+  /// The frame G of the shown face: origin in its middle, z out of it, towards the camera; x and y along the edges of
+  /// the face. Which way up the face is does not matter.
+  Pose T_UG;
+  double distance{0.45};  ///< of the camera from the face, along z of G [m]
 };
 
 /// Where faces are turned. The frame M has its origin in the middle of the cube and z out of the face that the postument
@@ -29,6 +38,8 @@ class PlanCell {
 
   /// @return where the arms meet
   [[nodiscard]] virtual const Meeting& meeting() const = 0;
+  /// @return where faces are shown; null: nowhere
+  [[nodiscard]] virtual const Viewing* viewing() const = 0;
   /// @return what free motions of an arm keep to
   [[nodiscard]] virtual const JointLimits& limits(Hand hand) const = 0;
   /// @return T_UE, E of a hand in the world

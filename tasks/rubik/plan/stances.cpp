@@ -35,6 +35,21 @@ void add_turns(std::vector<Stance>& stances, const PlanCell& cell, Hand hand, Pl
   }
 }
 
+/// @return T_GE of a hand that shows the face out of which a direction of E points, its jaws at an angle to x of G
+Pose shown_hand(Hand hand, const Vector3& shown, double angle) {
+  Matrix3 R_GE;
+  R_GE.col(1) = Vector3(std::cos(angle), std::sin(angle), 0);
+  const Vector3 z = Vector3::UnitZ();
+  if (shown.z() > 0) {
+    R_GE.col(2) = z;
+    R_GE.col(0) = R_GE.col(1).cross(z);
+  } else {
+    R_GE.col(0) = shown.x() * z;
+    R_GE.col(2) = R_GE.col(0).cross(R_GE.col(1));
+  }
+  return {R_GE, Vector3(0, 0, -kEdge / 2) - depth(hand) * R_GE.col(2)};
+}
+
 /// A hand comes from the side to a cube that the other one holds in front.
 struct SideGrip {
   AxisVector comes, offers;
@@ -121,6 +136,47 @@ class SideSearch {
   SideGrip best_;
 };
 
+/// Adds for each face that is free of palm and fingers the quickest posture that shows it.
+void add_shown(std::vector<Stance>& stances, const PlanCell& cell, Hand hand,
+               const StanceReserves& reserves) {
+  const Viewing& viewing = *cell.viewing();
+  const AxisVector& start = cell.meeting().joints[index(hand)];
+  CellState state;
+  state.joints[index(other(hand))] = cell.meeting().joints[index(other(hand))];
+  const auto drawn_back = find_way(cell, other(hand), state.joints[index(other(hand))], reserves);
+  if (!drawn_back) return;
+  state.joints[index(other(hand))] = drawn_back->front();
+  state.jaws[index(hand)] = kEdge;
+  state.jaws[index(other(hand))] = kOpenJaws;
+  state.grasp = {hand, Face::D, Face::B};
+  state.looked_at = true;
+  const auto is_good = [&](const AxisVector& joints) {
+    state.joints[index(hand)] = joints;
+    return cell.reserve(hand, joints) >= reserves.limits &&
+           cell.dexterity(hand, joints) >= reserves.dexterity && cell.is_free(state);
+  };
+  for (const Vector3& shown : {Vector3(0, 0, 1), Vector3(1, 0, 0), Vector3(-1, 0, 0)}) {
+    std::optional<AxisVector> best;
+    double least = 1e9;
+    // Jaws along an edge of the place; which one does not matter.
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      const Pose T_GE = shown_hand(hand, shown, quarter * pi / 2);
+      AxisVector near = start;
+      const bool on_track = near.size() > 6;
+      for (int k = on_track ? -kTrackSteps : 0; k <= (on_track ? kTrackSteps : 0); ++k) {
+        if (on_track) near[0] = start[0] + k * kTrackStep;
+        const auto joints = cell.inverse(hand, viewing.T_UG * T_GE, near);
+        if (!joints) continue;
+        const double seconds = seconds_along({start, *joints}, cell.limits(hand));
+        if (seconds >= least || !is_good(*joints)) continue;
+        best = joints;
+        least = seconds;
+      }
+    }
+    if (best) stances.push_back({Place::shown, *best, {*best}, shown});
+  }
+}
+
 }  // namespace
 
 Pose front_grip(const Meeting& meeting, Hand hand) {
@@ -156,6 +212,7 @@ std::vector<Stance> find_stances(const PlanCell& cell, Hand hand, const StanceRe
     add_turns(stances, cell, hand, Place::side, grip->comes, pi, reserves);
   if (const auto grip = SideSearch(cell, other(hand), reserves).find())
     add_turns(stances, cell, hand, Place::offered, grip->offers, pi, reserves);
+  if (cell.viewing()) add_shown(stances, cell, hand, reserves);
   return stances;
 }
 
