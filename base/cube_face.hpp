@@ -33,6 +33,12 @@ inline constexpr int kStickerColours = 6;
 /// @return e.g. "white"
 std::string_view to_string(StickerColour colour);
 
+/// The tint of a colour as two numbers that tell colours apart whatever the light: coloured light shifts all of them
+/// alike, brightness does not change them.
+/// @param rgb  red, green, blue, 0..255
+/// @return logarithms of red and of blue over green, all with a little grey added, as dark channels are mostly noise
+std::array<double, 2> tint(const std::array<double, 3>& rgb);
+
 /// Why the colour of a sticker is not to be relied on.
 enum class StickerFlaw : std::uint8_t {
   none,
@@ -50,6 +56,8 @@ struct StickerReading {
   /// when nothing could be measured.
   std::array<double, 3> rgb{};
   double deviation{};  ///< of the pixels from it, robust standard deviation [grey values]
+  /// @return variances of its tint that come from the deviation
+  [[nodiscard]] std::array<double, 2> tint_variance() const;
   /// What it is called under light of an unknown, not too strong tint; decided from this face alone. Which stickers of
   /// a cube have the same colour is better told by all six faces together (tasks/rubik/reading/state_reading.hpp).
   StickerColour colour{};

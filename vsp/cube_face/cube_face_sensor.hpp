@@ -11,13 +11,13 @@ namespace mrroc::vsp {
 struct CubeFaceParameters {
   double place_error{0.006};  ///< by which a face may be off its place, along each axis [m]
   double angle_error{0.06};   ///< likewise, about each axis [rad]
-  double contrast{12};        ///< least change from the black plastic to a sticker at its edge [grey levels]
+  double contrast{6};         ///< least change from the black plastic to a sticker at its edge [grey levels]
   double rms_px{0.6};         ///< no face is delivered whose reprojection error is larger [pixel]
   double edge_share{
       0.6};  ///< of every edge of a sticker must be where it has to be, or the sticker is hidden
   double glare_share{0.7};  ///< largest part of a sticker that may be as bright as the camera can tell
-  double dark{10};          ///< least brightness of the brightest channel of a sticker [grey levels]
-  double uniform{0.12};     ///< largest deviation of a sticker's pixels from its colour, as a share of it
+  double dark{8};           ///< least brightness of the brightest channel of a sticker [grey levels]
+
   double confidence{0.95};  ///< least one of every sticker of a valid reading
 };
 

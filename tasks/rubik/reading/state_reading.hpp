@@ -14,9 +14,9 @@ namespace mrroc::rubik {
 struct StateReadingParameters {
   /// Least cost, in variances, that any exchange of the sticker's colour for another one must have.
   double margin{16};
-  double least_deviation{0.08};   ///< of colours that are the same, in units of the logarithm of their ratios
-  double brightness_weight{0.3};  ///< of a sticker's brightness beside its tint: faces may be lit differently
-  int most_completed{6};          ///< stickers without a certain colour that the rules of the cube may decide
+  double least_deviation{0.12};  ///< standard deviation of the tints (base/cube_face.hpp) of one colour
+  double strange{36};            ///< variances by which a sticker may differ from the others of its colour
+  int most_completed{6};         ///< stickers without a certain colour that the rules of the cube may decide
 };
 
 /// What six faces tell.
@@ -32,8 +32,7 @@ struct StateReading {
 };
 
 /// Sorts 54 stickers by colour without knowing the light: stickers that look like a centre have its colour, nine of
-/// each, by the assignment of least cost (Kuhn, 1955). A colour is compared by the logarithms of the ratios of its
-/// channels, which coloured and dim light only shift. Then the rules of the cube are checked. Stickers with a
+/// each, by the assignment of least cost (Kuhn, 1955). Then the rules of the cube are checked. Stickers with a
 /// flaw or whose colour is ambiguous get the one that makes a possible cube, if there is exactly one such way.
 /// @param views  the six faces, each once, in any order
 /// @throws std::invalid_argument  a face is missing. Allocates; not for the servo step
