@@ -1,0 +1,111 @@
+#include "vsp/cube_face/sticker_colour.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace mrroc::vsp {
+namespace {
+
+using Rgb = std::array<double, 3>;
+
+constexpr int kParts = 3;           // along an edge of the inside
+constexpr int kSamples = 6;         // along an edge of a part
+constexpr double kInside = 0.66;    // of the sticker's edge: blurred borders stay outside
+constexpr double kSaturated = 250;  // [grey levels]
+constexpr int kLeastParts = 3;      // without glare
+
+struct Part {
+  Rgb rgb{};
+  [[nodiscard]] double least() const { return *std::ranges::min_element(rgb); }
+};
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+/// Takes the medians of one part of the sticker. @return share of its pixels that are as bright as can be
+double measure(const cv::Mat& colours, const CameraModel& camera, const Pose& T_CG, const Vector3& middle,
+               double edge, Part& part) {
+  std::array<std::vector<double>, 3> values;
+  int saturated = 0;
+  for (int i = 0; i < kSamples; ++i)
+    for (int j = 0; j < kSamples; ++j) {
+      const Vector3 offset((i + 0.5) / kSamples - 0.5, (j + 0.5) / kSamples - 0.5, 0);
+      const Vector2 p = project(camera, T_CG * Vector3(middle + edge * offset));
+      const int x = static_cast<int>(std::clamp(std::round(p.x()), 0.0, colours.cols - 1.0));
+      const int y = static_cast<int>(std::clamp(std::round(p.y()), 0.0, colours.rows - 1.0));
+      const auto& bgr = colours.at<cv::Vec3b>(y, x);
+      if (std::max({bgr[0], bgr[1], bgr[2]}) >= kSaturated) {
+        ++saturated;
+        continue;
+      }
+      for (int c = 0; c < 3; ++c) values[static_cast<std::size_t>(c)].push_back(bgr[2 - c]);
+    }
+  constexpr double kAll = kSamples * kSamples;
+  if (saturated < kAll)
+    for (std::size_t c = 0; c < 3; ++c) part.rgb[c] = median(values[c]);
+  return saturated / kAll;
+}
+
+/// Whether a part is the same colour with more light on it: more of the same, as beside a shadow, and some of the lamp's
+/// own, mirrored by the gloss.
+bool is_same(const Part& part, const Rgb& rgb) {
+  constexpr double kTolerance = 4;    // [grey levels]
+  constexpr double kRelative = 0.08;  // of the brightness
+  constexpr double kTint = 0.3;       // of the mirrored light: lamps have colours
+  const Eigen::Map<const Vector3> colour(rgb.data());
+  const Vector3 more = Eigen::Map<const Vector3>(part.rgb.data()) - colour;
+  Eigen::Matrix<double, 3, 2> basis;
+  basis << colour, Vector3::Ones();
+  basis.col(0) /= colour.maxCoeff() + 1;
+  // A little of both is preferred: white stickers are as grey as the light.
+  const Eigen::Matrix2d normal = basis.transpose() * basis + 1e-3 * Eigen::Matrix2d::Identity();
+  const Eigen::Vector2d share = normal.inverse() * (basis.transpose() * more);
+  const double tolerance = kTolerance + kRelative * colour.maxCoeff();
+  const double unexplained = (more - basis * share).cwiseAbs().maxCoeff();
+  return share.minCoeff() > -tolerance && unexplained < tolerance + kTint * std::max(0.0, share[1]);
+}
+
+}  // namespace
+
+StickerReading measure_sticker(const cv::Mat& colours, const CameraModel& camera, const Pose& T_CG,
+                               const CubeFaceShape& shape, int sticker, const CubeFaceParameters& k) {
+  StickerReading reading;
+  std::vector<Part> parts;
+  double glaring = 0;
+  const double edge = kInside * shape.sticker / kParts;
+  for (int i = 0; i < kParts * kParts; ++i) {
+    Part part;
+    const Vector3 middle = shape.middle(sticker) + edge * Vector3(i % kParts - 1, i / kParts - 1, 0);
+    const double share = measure(colours, camera, T_CG, middle, edge, part);
+    glaring += share / (kParts * kParts);
+    if (share < 0.5) parts.push_back(part);
+  }
+  if (parts.size() < kLeastParts || glaring > k.glare_share) {
+    reading.flaw = StickerFlaw::glaring;
+    return reading;
+  }
+  std::ranges::sort(parts, {}, &Part::least);
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t n = 0; n < kLeastParts; ++n) reading.rgb[c] += parts[n].rgb[c] / kLeastParts;
+  double sum = 0;
+  int others = 0;
+  for (const Part& part : parts) {
+    double most = 0;
+    for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(part.rgb[c] - reading.rgb[c]));
+    sum += most * most;
+    others += is_same(part, reading.rgb) ? 0 : 1;
+  }
+  reading.deviation = std::sqrt(sum / static_cast<double>(parts.size()));
+  if (others > 0)
+    reading.flaw = StickerFlaw::mixed;
+  else if (*std::ranges::max_element(reading.rgb) < k.dark)
+    reading.flaw = StickerFlaw::dark;
+  return reading;
+}
+
+}  // namespace mrroc::vsp
