@@ -17,6 +17,9 @@ using Orders = std::array<Order, kArms>;
 /// Macrosteps until an order shows in a report (MG 11-15), and none of an earlier behaviour is left.
 constexpr std::int64_t kLoop = 4;
 
+constexpr std::int64_t kStillBeforeLook = 25;  // macrosteps until the arms have come to rest
+constexpr std::int64_t kLongestLook = 100;     // macrosteps after which what there is must do
+
 Pose pose_of(const Report& r) { return pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(r.T_0E.data())); }
 
 /// @return the hand that acts in behaviour m of the cycle
@@ -147,6 +150,12 @@ Orders weigh(const X& x) {
 // --- terminal conditions ---------------------------------------------------------------------------------------
 
 bool may_start(const X& x) { return x.T.h.started && x.T.agent[0].ready && x.T.agent[1].ready; }
+/// A picture that was taken when the arms had been at rest for a while, and shows the face well; or the last of some.
+bool has_seen(const X& x) {
+  const CubeFaceReading& r = x.V.reading;
+  if (!x.V.there || r.step < (x.i_0 + kStillBeforeLook) * kPacing.n_s) return false;
+  return r.valid || ecp::age(x) >= kLongestLook;
+}
 bool has_thought(const X& x) { return ecp::age(x) >= kThinking; }
 bool goes_on(const X& x) { return !x.T.h.paused; }
 
@@ -189,6 +198,7 @@ const Motion<Coordinator> kMoveAlong   { kGo, "go",           retain,      watch
 const Motion<Coordinator> kWeighBoth   { kWeigh, "weigh",     retain,      retain,     nothing, nothing, weigh,           weighed};
 const Motion<Coordinator> kStopBoth    { kWait, "break off",     retain,      retain,     nothing, nothing, both<kWait>, resting};
 const Motion<Coordinator> kThink       { 12, "think",         retain,      retain,     nothing, nothing, both<kWait>,     has_thought};
+const Motion<Coordinator> kLook        { 13, "look",          retain,      retain,     nothing, nothing, both<kWait>,     has_seen};
 const Motion<Coordinator> kResume      { 11, "pause",         retain,      retain,     nothing, nothing, both<kWait>,     goes_on};
 // clang-format on
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "base/cube_face.hpp"
 #include "base/operator.hpp"
 #include "tasks/rubik/plan/grasp.hpp"
 #include "tasks/rubik/turn/arm.hpp"
@@ -56,8 +57,13 @@ struct Cycle {
   TurnOrder turn;               ///< m = 5, of the track arm
 };
 
-/// a_0: has neither effector nor virtual sensors.
+/// a_0: has no effector.
 struct Coordinator {
+  /// x_cV0: the camera's newest reading that is visible.
+  struct Seen {
+    bool there{};  ///< false: there has been none yet
+    CubeFaceReading reading;
+  };
   /// c_c0
   struct Memory {
     Parameters k;
@@ -81,7 +87,7 @@ struct Coordinator {
   struct X {
     Memory c;
     ecp::None e;
-    ecp::None V;
+    Seen V;
     Transmission T;
     std::int64_t i{};
     std::int64_t i_0{};
@@ -104,6 +110,7 @@ extern const Motion<Coordinator> kMoveAlong;  ///< c.mover goes along it; c.trou
 extern const Motion<Coordinator> kWeighBoth;  ///< both arms at rest, without contact; c.loaded
 extern const Motion<Coordinator> kStopBoth;   ///< a cycle is broken off; both come to rest
 extern const Motion<Coordinator> kThink;      ///< the arms wait for kThinking macrosteps
+extern const Motion<Coordinator> kLook;       ///< at rest until there is a picture of that
 extern const Motion<Coordinator> kResume;     ///< nothing happens while the operator has a pause
 
 /// @return name of the trouble for people

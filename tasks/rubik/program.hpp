@@ -28,7 +28,7 @@ class Program {
     x_.c.trouble = Trouble::none;
     journal_.push_back({.comes = step.comes, .leaves = step.leaves, .turn = step.turn, .begun = x_.i});
     Outcome o = go_along(step);
-    if (o == Outcome::terminated && !step.shows) o = cycle(step);
+    if (well(o)) o = step.shows ? behaviour(kLook) : cycle(step);
     journal_.back().ended = x_.i;
     if (o == Outcome::terminated && x_.c.trouble == Trouble::none) return o;
     const Trouble trouble = x_.c.trouble;

@@ -16,6 +16,9 @@ constexpr std::size_t kLoopDelay = 3;
 /// Wall time that a macrostep of thinking may take.
 constexpr std::chrono::seconds kPatienceOfOthers{3};
 
+constexpr int kReadings = 2;  // of a cube that cannot be, before it is a fault
+constexpr int kRounds = 2;    // of solving, when the cube is found not to be solved in the end
+
 }  // namespace
 
 FaultCode code_of(Trouble trouble) {
@@ -44,6 +47,7 @@ RubikRun::RubikRun(mp::TaskRun& run, const Parameters& parameters, Brain brain, 
       brain_(std::move(brain)),
       operator_(run.process(), run.desk(), gives_start),
       links_(run.process(), {kArmKeys[0], kArmKeys[1]}, operator_),
+      eyes_(run.process(), brain_.camera),
       truth_(run.process()),
       announce_(std::move(announce)) {}
 
@@ -52,7 +56,8 @@ double RubikRun::seconds(std::int64_t macrosteps) const {
 }
 
 Outcome RubikRun::execute() {
-  Port port(links_, [this](const auto& motion, const X& x) { observe(motion, x); });
+  Links links(links_, [this](const auto& motion, const X& x) { observe(motion, x); });
+  Port port(links, eyes_);
   X x;
   x.c.k = k_;
   Outcome o = links_.begin({.m = kWait});
@@ -77,45 +82,82 @@ Outcome RubikRun::think(X& x, Port& port, std::function<T()> work, std::optional
 }
 
 Outcome RubikRun::work(X& x, Port& port) {
-  Program<Port> program(x, port, record_.journal);
   doing_ = "wait for start";
-  Outcome o = program.wait_for_start();
-  if (o != Outcome::terminated) return o;
+  Outcome o = move(kWaitForStart, x, port);
+  PlanStart now = brain_.start;
+  std::optional<Cube> cube = brain_.known;
+  for (int round = 0; o == Outcome::terminated; ++round) {
+    if (brain_.camera) o = read_cube(x, port, now, cube);
+    if (o != Outcome::terminated || (round > 0 && cube == Cube{})) break;
+    if (round == kRounds)
+      return fail(FaultCode::cube_misread, "the cube is not solved by what should solve it");
+    o = solve(x, port, now, *cube);
+    if (!brain_.camera) break;
+  }
+  return o;
+}
 
+Outcome RubikRun::read_cube(X& x, Port& port, PlanStart& now, std::optional<Cube>& cube) {
+  Program<Port> program(x, port, record_.journal);
+  for (int attempt = 0; attempt < kReadings; ++attempt) {
+    doing_ = "thinking of how to look";
+    std::optional<Planned> planned;
+    Outcome o = think<Planned>(
+        x, port, [&] { return brain_.plan_reading(now); }, planned);
+    if (o != Outcome::terminated) return o;
+    if (!planned->plan) return plan_failed(*planned);
+    o = execute_plan(*planned->plan, x, program);
+    if (o != Outcome::terminated) return o;
+    now = {planned->plan->end, planned->plan->end_joints};
+    record_.readings.push_back(read_state(views_));
+    const StateReading& reading = record_.readings.back();
+    say(fmt::format("read {}{}{}", reading.facelets, reading.text.empty() ? "" : ": ", reading.text));
+    cube = reading.cube;
+    if (cube) return o;
+  }
+  return fail(FaultCode::cube_misread, record_.readings.back().text);
+}
+
+Outcome RubikRun::solve(X& x, Port& port, PlanStart& now, const Cube& cube) {
   struct Thought {
     Moves solution;
     Planned planned;
   };
-  doing_ = "thinking";
+  doing_ = "thinking of a solution";
   std::optional<Thought> thought;
-  o = think<Thought>(
-      x, port,
-      [this] {
-        Thought t;
-        t.solution = brain_.solve(*brain_.known);
-        t.planned = brain_.plan(brain_.start, t.solution);
-        return t;
-      },
-      thought);
+  const auto find = [&] {
+    Thought t{brain_.solve(cube), {}};
+    t.planned = brain_.plan(now, t.solution);
+    return t;
+  };
+  Outcome o = think<Thought>(x, port, find, thought);
   if (o != Outcome::terminated) return o;
-  if (!thought->planned.plan) return fail(FaultCode::no_plan, thought->planned.text);
-  record_.solution = thought->solution;
+  if (!thought->planned.plan) return plan_failed(thought->planned);
   const Plan& plan = *thought->planned.plan;
+  record_.solution = plan.turns;
+  record_.planned_s = plan.seconds;
   say(fmt::format("solution: {} turns: {}; {} re-grasps, about {:.0f} s", plan.turns.size(),
                   to_string(plan.turns), plan.regrasps, plan.seconds));
-  record_.planned_s = plan.seconds;
-  return execute_plan(plan, x, program);
+  Program<Port> program(x, port, record_.journal);
+  record_.solving = x.i;
+  o = execute_plan(plan, x, program);
+  if (o == Outcome::terminated) record_.solved = x.i;
+  now = {plan.end, plan.end_joints};
+  return o;
+}
+
+Outcome RubikRun::plan_failed(const Planned& planned) {
+  return fail(FaultCode::no_plan, fmt::format("{}: {}", to_string(planned.why), planned.text));
 }
 
 Outcome RubikRun::execute_plan(const Plan& plan, X& x, Program<Port>& program) {
-  record_.solving = x.i;
   std::size_t turn = 0;
   for (const Step& step : plan.steps) {
     if (step.turn) ++turn;
     progress_ = plan.seconds > 0 ? static_cast<double>(turn) / static_cast<double>(plan.turns.size() + 1) : 0;
     doing_ = step.turn    ? fmt::format("move {} of {}: {}", turn, plan.turns.size(), to_string(*step.turn))
              : step.shows ? fmt::format("show {}", letter(*step.shows))
-                          : fmt::format("re-grasp before move {}", turn + 1);
+                          : "re-grasp";
     say(doing_);
     const Outcome o = program.execute(step);
     const CycleNote& note = record_.journal.back();
@@ -124,10 +166,17 @@ Outcome RubikRun::execute_plan(const Plan& plan, X& x, Program<Port>& program) {
     if (o == Outcome::faulted && program.trouble() != Trouble::none)
       return fail(code_of(program.trouble()), fmt::format("{}: {}", doing_, to_string(program.trouble())));
     if (o != Outcome::terminated) return o;
+    if (step.shows) note_view(step, x.V.reading);
   }
-  record_.solved = x.i;
   progress_ = 1;
   return Outcome::terminated;
+}
+
+void RubikRun::note_view(const Step& step, const CubeFaceReading& reading) {
+  FaceView& view = views_[static_cast<std::size_t>(number(*step.shows))];
+  view.shown = brain_.shown(step);
+  view.stickers = reading.stickers;
+  if (!reading.valid) say(fmt::format("face {} is not seen well", letter(*step.shows)));
 }
 
 Outcome RubikRun::fail(FaultCode code, const std::string& text) {

@@ -12,8 +12,10 @@
 #include "mp/dormant_operator.hpp"
 #include "mp/task_run.hpp"
 #include "tasks/rubik/cube_record.hpp"
+#include "tasks/rubik/eyes.hpp"
 #include "tasks/rubik/plan/planner.hpp"
 #include "tasks/rubik/program.hpp"
+#include "tasks/rubik/reading/state_reading.hpp"
 
 namespace mrroc::rubik {
 
@@ -21,14 +23,18 @@ namespace mrroc::rubik {
 struct Brain {
   std::function<Moves(const Cube&)> solve;
   std::function<Planned(const PlanStart&, const Moves&)> plan;
-  PlanStart start;            ///< how the cube is held at the beginning, and where the arms are
-  std::optional<Cube> known;  ///< the cube as it is told; none: it is read
+  std::function<Planned(const PlanStart&)> plan_reading;  ///< shows all six faces
+  std::function<ShownFace(const Step&)> shown;            ///< which face a step shows, and which way up
+  PlanStart start;                    ///< how the cube is held at the beginning, and where the arms are
+  std::optional<Cube> known;          ///< the cube as it is told; none: it is read
+  std::optional<CameraSetup> camera;  ///< that looks at faces which are shown
 };
 
 /// What a run has left.
 struct RunRecord {
   std::array<mp::ArmTrace, kArms> traces;  ///< a row per macrostep
   Journal journal;
+  std::vector<StateReading> readings;  ///< of all six faces, each time
   Moves solution;
   double planned_s{};      ///< estimate of the plan [s]
   std::int64_t solving{};  ///< macrostep in which the first turn of the solution was begun
@@ -54,10 +60,16 @@ class RubikRun {
  private:
   using X = Coordinator::X;
   using Observer = std::function<void(const Motion<Coordinator>&, const X&)>;
-  using Port = mp::CoordinatorPort<Coordinator, Observer>;
+  using Links = mp::CoordinatorPort<Coordinator, Observer>;
+  using Port = SeeingPort<Links>;
 
   Outcome work(X& x, Port& port);
+  /// Shows all faces to the camera. @param now  how the cube is held; changed
+  Outcome read_cube(X& x, Port& port, PlanStart& now, std::optional<Cube>& cube);
+  Outcome solve(X& x, Port& port, PlanStart& now, const Cube& cube);
   Outcome execute_plan(const Plan& plan, X& x, Program<Port>& program);
+  void note_view(const Step& step, const CubeFaceReading& reading);
+  Outcome plan_failed(const Planned& planned);
   /// Thinks for a fixed simulated time, however long it takes. @throws what work throws
   template <class T>
   Outcome think(X& x, Port& port, std::function<T()> work, std::optional<T>& result);
@@ -74,13 +86,15 @@ class RubikRun {
   Brain brain_;
   mp::DormantOperator operator_;
   mp::CoordinatorLinks links_;
+  Eyes eyes_;
   CubeRecord truth_;
   std::function<void(const std::string&)> announce_;
   RunRecord record_;
   Fault fault_;
   std::function<bool()> thought_;  // while there is thinking: whether it has ended
-  std::deque<int> ordered_;        // m of the last orders, newest first
-  std::string doing_;              // for the operator
+  std::array<FaceView, kFaces> views_;
+  std::deque<int> ordered_;  // m of the last orders, newest first
+  std::string doing_;        // for the operator
   double progress_{};
   std::int64_t i_{};
 };
