@@ -36,6 +36,7 @@ Parameters read_parameters(const Config& config) {
   k.held = config.number("task.held", k.held, {0.053, 0.09}, "m: jaws nearer than that hold nothing");
   k.slip = config.number("task.slip", k.slip, {0.001, 0.1}, "m that the cube may be off");
   k.open = config.number("task.open", k.open, {0.06, 0.08}, "m between the jaws of an empty hand");
+  k.jaw_step = config.number("task.jaw_step", k.jaw_step, {0.0005, 0.01}, "m per macrostep; MG 59: 0.001");
   const double cube = config.number("task.cube_weight", 0.981, {0, 10}, "N");
   for (const Hand hand : kHands) k.load[index(hand)] = read_loads(config, hand, cube);
   return k;

@@ -112,6 +112,7 @@ Orders cycle(const X& x) {
     o = order(x.c.coordination);
     o.variant = actor(x.c.cycle, m) == hand ? kActs : kStands;
     put_turn(x.c.cycle.turn, o);
+    o.arm.gripper = x.c.k.jaw_step;
   }
   return orders;
 }

@@ -25,4 +25,6 @@ void put_turn(const TurnOrder& turn, Order& order) {
   order.arm.pose[kAngle] = turn.angle;
 }
 
+double jaw_step_of(const Order& order) { return order.arm.gripper > 0 ? order.arm.gripper : kJawStep; }
+
 }  // namespace mrroc::rubik

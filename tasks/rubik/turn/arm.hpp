@@ -29,6 +29,8 @@ struct TurnOrder {
 [[nodiscard]] TurnOrder turn_of(const Order& order);
 /// Puts it into an order.
 void put_turn(const TurnOrder& turn, Order& order);
+/// @return dg of jaws that touch nothing, per macrostep [m]: gripper of the order's command; without one the tables'
+[[nodiscard]] double jaw_step_of(const Order& order);
 
 /// c_c of an arm: what the entry functions memorise, and the order.
 struct ArmMemory {

@@ -22,6 +22,12 @@ EffectorCommand row(const X& x) {
   return command(x, frame, sign * kJawStep);
 }
 
+/// The same while the jaws touch nothing: as quickly as is ordered.
+template <const TaskFrameCommand& frame, int sign>
+EffectorCommand freely(const X& x) {
+  return command(x, frame, sign * jaw_step_of(x.T));
+}
+
 /// tab. 7(a) with what the order has for it.
 EffectorCommand turn(const X& x) {
   TaskFrameCommand frame = kTurn;
@@ -100,7 +106,7 @@ const std::array<Motion<Arm>, 6> kWorker{{
   // m  name        entry      memory       command           sensors    event                terminal condition
   {  1, "approach", kRetain,   kRetain,     row<kApproach, 0>, kNoSensor, event<1, pushing>,  told<1>},
   {  2, "settle",   kRetain,   kRetain,     row<kApproach, 0>, kNoSensor, event<2, settled>,  told<2>},
-  {  3, "close y",  kRetain,   kRetain,     row<kCloseY, -1>,  kNoSensor, event<3, narrow>,   told<1>},
+  {  3, "close y",  kRetain,   kRetain,     freely<kCloseY, -1>, kNoSensor, event<3, narrow>,   told<1>},
   {  4, "close xy", kRetain,   kRetain,     row<kCloseXY, -1>, kNoSensor, event<4, gripped>,  told<2>},
   {  5, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<5, nothing>,  told<1>},
   {  6, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<6, nothing>,  told<2>},
@@ -111,7 +117,7 @@ const std::array<Motion<Arm>, 6> kHolder{{
   {  3, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<3, nothing>,  told<1>},
   {  4, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<4, nothing>,  told<2>},
   {  5, "turn",     begin_turn, track_angle, turn,              kNoSensor, event<5, turned>,   told<1>},
-  {  6, "open",     keep_gap,  kRetain,     row<kStill, 1>,    kNoSensor, event<6, released>, told<2>},
+  {  6, "open",     keep_gap,  kRetain,     freely<kStill, 1>,   kNoSensor, event<6, released>, told<2>},
 }};
 // clang-format on
 
