@@ -5,9 +5,11 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "base/representation.hpp"
 #include "mp/summary_text.hpp"
 #include "mp/task_run.hpp"
 #include "sim/arm_task.hpp"
+#include "sim/camera/config.hpp"
 #include "sim/cube_cell.hpp"
 #include "sim/plan_cell.hpp"
 #include "tasks/rubik/config.hpp"
@@ -17,6 +19,7 @@
 #include "tasks/rubik/rubik_run.hpp"
 #include "tasks/rubik/solver/solver.hpp"
 #include "tasks/rubik/solver/table_progress.hpp"
+#include "vsp/cube_face/receptor.hpp"
 
 namespace {
 
@@ -25,11 +28,12 @@ namespace fs = std::filesystem;
 
 const std::vector<sim::CellArm> kArms{{rubik::kArmKeys[0], "irb6_postument"},
                                       {rubik::kArmKeys[1], "irb6_track"}};
+const std::string kCamera = "cube";
 const std::vector<std::string> kKeys{rubik::kArmKeys[0], rubik::kArmKeys[1]};
 
 struct Options {
   mp::TaskOptions task;
-  std::string scramble, state, eyes{"none"};
+  std::string scramble, state, eyes{"camera"};
 };
 
 /// Everything that is known before anything starts.
@@ -37,12 +41,27 @@ struct Setup {
   Config config;
   rubik::Parameters k;
   sim::WorldParameters world;
+  std::optional<CameraSetup> camera;
 };
 
 template <class Numbers>
 std::string setting(const std::string& arm, const char* key, const Numbers& numbers) {
   return fmt::format("robots.{}.{}=[{:.6f}]", arm, key,
                      fmt::join(numbers.data(), numbers.data() + numbers.size(), ", "));
+}
+
+std::string pose_setting(const char* key, const Pose& T) {
+  const AngleAxisPose r = angle_axis_from_pose(T);
+  return fmt::format("{}=[{:.9f}]", key, fmt::join(r.data(), r.data() + r.size(), ", "));
+}
+
+/// The camera looks straight at the place where faces are shown.
+std::vector<std::string> camera_settings() {
+  const rubik::Viewing viewing = sim::viewing_place();
+  const Pose T_GC{Eigen::DiagonalMatrix<double, 3>(1, -1, -1), {0, 0, viewing.distance}};
+  return {fmt::format("cameras.order=[\"{}\"]", kCamera), "cameras.cube.mount=world",
+          "cameras.cube.period=100", pose_setting("cameras.cube.pose", viewing.T_UG * T_GC),
+          pose_setting("cube_face.places.shown.pose", viewing.T_UG)};
 }
 
 Setup prepare(const Options& o) {
@@ -52,6 +71,10 @@ Setup prepare(const Options& o) {
   if (!o.scramble.empty()) settings.push_back(fmt::format("cube.scramble=\"{}\"", o.scramble));
   if (!o.state.empty()) settings.push_back(fmt::format("cube.state=\"{}\"", o.state));
   if (settings.empty()) settings.emplace_back("cube.random_turns=20");
+  if (o.eyes == "camera") {
+    const auto camera = camera_settings();
+    settings.insert(settings.end(), camera.begin(), camera.end());
+  }
   sim::CubeCellParameters retreated;
   retreated.distance = rubik::kRetreatDistance;
   const sim::WorldParameters cell = sim::cube_cell(retreated);
@@ -68,12 +91,21 @@ Setup prepare(const Options& o) {
   s.k = rubik::read_parameters(s.config);
   for (std::size_t arm = 0; arm < kKeys.size(); ++arm)
     rubik::read_motion_limits(s.config, kKeys[arm], static_cast<int>(s.world.arms[arm].start.size()));
+  if (o.eyes == "camera") {
+    sim::read_camera_world(s.config, kKeys);
+    s.camera = read_camera(s.config, kCamera);
+    vsp::make_cube_face_sensor(s.config, kCamera);
+  }
   sim::check_task_options(o.task);
   return s;
 }
 
-std::vector<mp::Part> parts_of(const Config& config) {
+std::vector<mp::Part> parts_of(const Setup& s) {
+  const Config& config = s.config;
   auto parts = sim::cell_parts(config, kArms);
+  if (s.camera)
+    parts.push_back(
+        sim::make_part(config, "vsp-" + s.camera->key, "vsp_cube_face", nullptr, vsp::run_cube_face));
   for (const sim::CellArm& arm : kArms)
     parts.push_back(sim::make_part(config, "ecp-" + arm.key, "ecp_rubik", &arm, rubik::run_ecp));
   return parts;
@@ -86,7 +118,7 @@ AxisVector axes(const std::vector<double>& q) {
 /// What the coordinator thinks with.
 struct Head {
   explicit Head(const Setup& s)
-      : cell(s.world),
+      : cell(s.world, s.camera ? std::optional(sim::viewing_place()) : std::nullopt),
         planner(cell),
         solver(s.config.choice("task.tables", rubik::TableSet::standard,
                                {{"small", rubik::TableSet::small},
@@ -109,13 +141,23 @@ struct Head {
 
 rubik::Brain make_brain(const Setup& s, Head& head) {
   rubik::Brain brain;
-  brain.known = s.world.cube->state;
+  brain.camera = s.camera;
+  if (!s.camera) brain.known = s.world.cube->state;
   const auto hand = static_cast<rubik::Hand>(s.world.cube->held_by);
   brain.start.grasp = rubik::grasp_from(hand, s.world.cube->T_EC.R);
   brain.start.joints = {axes(s.world.arms[0].start), axes(s.world.arms[1].start)};
   brain.solve = [&head](const rubik::Cube& cube) { return head.solve(cube); };
   brain.plan = [&head](const rubik::PlanStart& start, const rubik::Moves& moves) {
     return head.planner.make_plan(start, moves);
+  };
+  brain.plan_reading = [&head](const rubik::PlanStart& start) {
+    return head.planner.make_reading_plan(start);
+  };
+  brain.shown = [&head](const rubik::Step& step) {
+    const rubik::Hand holder = step.before_grasp.hand;
+    const Matrix3 R_UE = head.cell.forward(holder, step.contact[rubik::index(holder)]).R;
+    return rubik::shown_face(sim::viewing_place().T_UG.R.transpose() * R_UE *
+                             rubik::cube_in_hand(step.before_grasp).R);
   };
   return brain;
 }
@@ -138,10 +180,13 @@ int run(const Options& o) {
   Setup s = prepare(o);
   Head head(s);
   const fs::path folder = mp::name_run_folder(o.task.run_dir, "rubik");
+  if (s.camera && !s.config.has("film.directory"))
+    s.config.set(fmt::format("film.directory=\"{}\"", fs::absolute(folder).string()));
+  std::ignore = s.config.text("film.directory", "");
   sim::complete_config(s.config, o.task, folder, "");
   mp::make_run_folder(folder);
   mp::write_text(folder / "config.toml", s.config.dump());
-  mp::TaskRun run("rubik", o.task, folder, kKeys, parts_of(s.config));
+  mp::TaskRun run("rubik", o.task, folder, kKeys, parts_of(s));
   const bool gives_start = !o.task.attended && o.task.script.empty();
   fmt::print("rubik, session {}, seed {}{}\n", run.session(), o.task.seed,
              gives_start ? "" : ", waits for the operator: `ui_cli start`");

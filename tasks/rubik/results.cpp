@@ -135,6 +135,8 @@ mp::Figures write_results(const std::filesystem::path& folder, const RunRecord& 
     mp::write_text(folder / "cube_start.txt", cube.rows().front().facelets + "\n");
     mp::write_text(folder / "cube_end.txt", cube.rows().back().facelets + "\n");
   }
+  if (!record.readings.empty())
+    mp::write_text(folder / "cube_read.txt", record.readings.front().facelets + "\n");
   return figures_of(record, cube, turns);
 }
 
