@@ -1,11 +1,23 @@
 #include "tasks/rubik/plan/motions.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace mrroc::rubik {
 namespace {
 
 constexpr double kHolding = 0.057;  // distance between the jaws at the cube [m]
+
+constexpr std::array kKinds{MotionKind::carry, MotionKind::reach, MotionKind::turn, MotionKind::retreat};
+
+/// @return turns of the last joint from one posture to the other
+double turns_between(const Stance& a, const Stance& b) {
+  const Eigen::Index last = a.hold.size() - 1;
+  return (b.hold[last] - a.hold[last]) / (2 * std::numbers::pi);
+}
+bool is_whole(double turns) { return std::abs(turns - std::round(turns)) < 1e-3; }
 
 std::size_t at(MotionKind kind) { return static_cast<std::size_t>(kind); }
 
@@ -25,48 +37,124 @@ void Motions::start_at(const ArmJoints& joints) {
     return m.from == start(m.hand) || m.others == start(other(m.hand));
   });
   for (const Hand hand : kHands) {
-    const std::size_t h = index(hand);
-    stances_[h].back().hold = joints[h];
-    stances_[h].back().way = {joints[h]};
-    R_UE_[h].clear();
-    for (const Stance& s : stances_[h]) R_UE_[h].push_back(cell_.forward(hand, s.hold).R);
-    const int count = static_cast<int>(stances_[h].size());
-    for (const MotionKind kind :
-         {MotionKind::carry, MotionKind::reach, MotionKind::turn, MotionKind::retreat}) {
-      auto& table = straight_[at(kind)][h];
-      table.clear();
+    Stance& s = stances_[index(hand)].back();
+    s.hold = joints[index(hand)];
+    s.way = {s.hold};
+    sort_into_classes(hand);
+    R_UE_[index(hand)].clear();
+    for (const auto& members : classes(hand))
+      R_UE_[index(hand)].push_back(cell_.forward(hand, stance(hand, members.front()).hold).R);
+  }
+  for (const MotionKind kind : kKinds)
+    for (const Hand hand : kHands) {
+      Table& table = tables_[at(kind)][index(hand)];
+      table = {};
+      for (int from = 0; from <= start(hand); ++from)
+        for (int to = 0; to <= start(hand); ++to) table.lines.push_back(line_seconds(kind, hand, from, to));
+      const int count = static_cast<int>(classes(hand).size());
+      const int others = static_cast<int>(classes(other(hand)).size());
       for (int from = 0; from < count; ++from)
-        for (int to = 0; to < count; ++to) table.push_back(straight_seconds({kind, hand, from, to, 0}));
+        for (int to = 0; to < count; ++to)
+          for (int k = 0; k < others; ++k)
+            table.classes.push_back(least_of_members({kind, hand, from, to, k}));
     }
+}
+
+void Motions::sort_into_classes(Hand hand) {
+  const auto& stances = stances_[index(hand)];
+  auto& classes = classes_[index(hand)];
+  auto& class_of = class_of_[index(hand)];
+  classes.clear();
+  class_of.clear();
+  for (int k = 0; k < static_cast<int>(stances.size()); ++k) {
+    const Stance& s = stances[static_cast<std::size_t>(k)];
+    int found = 0;
+    for (; found < static_cast<int>(classes.size()); ++found) {
+      const Stance& example = this->example(hand, found);
+      const bool fixed = s.place == Place::start || s.place == Place::shown;
+      if (!fixed && example.place == s.place && is_whole(turns_between(example, s))) break;
+    }
+    if (found == static_cast<int>(classes.size())) classes.emplace_back();
+    classes[static_cast<std::size_t>(found)].push_back(k);
+    class_of.push_back(found);
   }
 }
 
-double Motions::straight_seconds(const Motion& m) const {
-  const Stance &from = stance(m.hand, m.from), &to = stance(m.hand, m.to);
+std::optional<int> Motions::turned_class(int of_class, int quarters) const {
+  const Stance& from = example(Hand::track, of_class);
+  const int count = static_cast<int>(classes(Hand::track).size());
+  for (int k = 0; k < count; ++k) {
+    const Stance& to = example(Hand::track, k);
+    if (from.place == Place::front && to.place == Place::front &&
+        is_whole(turns_between(from, to) - quarters / 4.0))
+      return k;
+  }
+  return {};
+}
+
+double Motions::line_seconds(MotionKind kind, Hand hand, int number, int target) const {
+  const Stance &from = stance(hand, number), &to = stance(hand, target);
   std::vector<AxisVector> points;
-  if (m.kind == MotionKind::reach) {
+  if (kind == MotionKind::reach) {
     points = to.way;
     points.insert(points.begin(), from.back());
-  } else if (m.kind == MotionKind::retreat) {
+  } else if (kind == MotionKind::retreat) {
     points = {from.hold, from.back()};
   } else {
     points = {from.hold, to.hold};
   }
-  return seconds_along(points, cell_.limits(m.hand));
+  return seconds_along(points, cell_.limits(hand));
 }
 
 double Motions::seconds(const Motion& m) const {
-  if (!known_.empty()) {
-    if (const auto found = known_.find(m); found != known_.end())
-      return found->second ? found->second->seconds : std::numeric_limits<double>::infinity();
-  }
-  return straight_[at(m.kind)][index(m.hand)][static_cast<std::size_t>(m.from) * stances(m.hand).size() +
-                                              static_cast<std::size_t>(m.to)];
+  if (const auto found = known_.find(m); found != known_.end())
+    return found->second ? found->second->seconds : std::numeric_limits<double>::infinity();
+  return tables_[at(m.kind)][index(m.hand)]
+      .lines[static_cast<std::size_t>(m.from * (start(m.hand) + 1) + m.to)];
+}
+
+std::size_t Motions::slot(const Motion& m) const {
+  const auto count = classes(m.hand).size(), others = classes(other(m.hand)).size();
+  const auto row = static_cast<std::size_t>(m.from) * count + static_cast<std::size_t>(m.to);
+  return row * others + static_cast<std::size_t>(m.others);
+}
+
+double Motions::class_seconds(const Motion& motion) const {
+  return tables_[at(motion.kind)][index(motion.hand)].classes[slot(motion)];
+}
+
+double Motions::least_of_members(const Motion& m) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const int from : classes(m.hand)[static_cast<std::size_t>(m.from)])
+    for (const int to : classes(m.hand)[static_cast<std::size_t>(m.to)])
+      for (const int others : classes(other(m.hand))[static_cast<std::size_t>(m.others)])
+        least = std::min(least, seconds({m.kind, m.hand, from, to, others}));
+  return least;
+}
+
+double Motions::straight_seconds(MotionKind kind, Hand hand, int from, int to) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const int a : classes(hand)[static_cast<std::size_t>(from)])
+    for (const int b : classes(hand)[static_cast<std::size_t>(to)])
+      least = std::min(
+          least, tables_[at(kind)][index(hand)].lines[static_cast<std::size_t>(a * (start(hand) + 1) + b)]);
+  return least;
+}
+
+Motion Motions::classified(const Motion& m) const {
+  const auto& own = class_of_[index(m.hand)];
+  const auto& others = class_of_[index(other(m.hand))];
+  return {m.kind, m.hand, own[static_cast<std::size_t>(m.from)], own[static_cast<std::size_t>(m.to)],
+          others[static_cast<std::size_t>(m.others)]};
 }
 
 const FreeMotion* Motions::find(const Motion& m) {
   auto [place, is_new] = known_.try_emplace(m);
-  if (is_new) place->second = look_for(m);
+  if (is_new) {
+    place->second = look_for(m);
+    const Motion of_classes = classified(m);
+    tables_[at(m.kind)][index(m.hand)].classes[slot(of_classes)] = least_of_members(of_classes);
+  }
   return place->second ? &*place->second : nullptr;
 }
 
@@ -118,8 +206,8 @@ std::optional<FreeMotion> Motions::look_for(const Motion& m) const {
   return FreeMotion{m.hand, std::move(points), carries, seconds};
 }
 
-Grasp Motions::seen_from(Hand hand, int stance, const Grasp& grasp, int others) const {
-  const Matrix3& R_UE = R_UE_[index(hand)][static_cast<std::size_t>(stance)];
+Grasp Motions::seen_from(Hand hand, int of_class, const Grasp& grasp, int others) const {
+  const Matrix3& R_UE = R_UE_[index(hand)][static_cast<std::size_t>(of_class)];
   const Matrix3& R_UO = R_UE_[index(grasp.hand)][static_cast<std::size_t>(others)];
   return grasp_from(hand, R_UE.transpose() * R_UO * cube_in_hand(grasp).R);
 }

@@ -30,7 +30,8 @@ struct Motion {
 };
 
 /// Postures of both hands, and what is known of the motions between them. Ways are looked for when they are asked for,
-/// and kept.
+/// and kept. Postures that differ by whole turns of the last joint are of one class; for a motion between classes the
+/// best of their members counts.
 class Motions {
  public:
   /// @param cell  outlives this object
@@ -43,25 +44,53 @@ class Motions {
   [[nodiscard]] const Stance& stance(Hand hand, int number) const {
     return stances(hand)[static_cast<std::size_t>(number)];
   }
+  /// @return number of the posture, and of the class, where the arm is at the beginning
   [[nodiscard]] int start(Hand hand) const { return static_cast<int>(stances(hand).size()) - 1; }
+  [[nodiscard]] int start_class(Hand hand) const { return class_of_[index(hand)].back(); }
+
+  /// @return the postures of each class of a hand
+  [[nodiscard]] const std::vector<std::vector<int>>& classes(Hand hand) const {
+    return classes_[index(hand)];
+  }
+  /// @return one of the class
+  [[nodiscard]] const Stance& example(Hand hand, int of_class) const {
+    return stance(hand, classes(hand)[static_cast<std::size_t>(of_class)].front());
+  }
+  /// @return the class of the track arm's posture after so many quarter turns; nothing: it is not at a face
+  [[nodiscard]] std::optional<int> turned_class(int of_class, int quarters) const;
 
   /// @return duration [s]: of the way if it has been found, infinite if there is none, else of the straight line
   [[nodiscard]] double seconds(const Motion& motion) const;
+  /// @param motion  with numbers of classes @return the least duration of a member
+  [[nodiscard]] double class_seconds(const Motion& motion) const;
+  /// @return duration of the straight line, whatever is in the way, between classes [s]
+  [[nodiscard]] double straight_seconds(MotionKind kind, Hand hand, int from, int to) const;
   /// Looks for the way. @return null: there is none
   [[nodiscard]] const FreeMotion* find(const Motion& motion);
-  /// @return the cube in the one hand when the other one holds it so, both in these postures
-  [[nodiscard]] Grasp seen_from(Hand hand, int stance, const Grasp& grasp, int others) const;
+  /// @return the cube in the one hand when the other one holds it so, both in postures of these classes
+  [[nodiscard]] Grasp seen_from(Hand hand, int of_class, const Grasp& grasp, int others) const;
 
  private:
   [[nodiscard]] std::optional<FreeMotion> look_for(const Motion& motion) const;
-  [[nodiscard]] double straight_seconds(const Motion& motion) const;
+  [[nodiscard]] double line_seconds(MotionKind kind, Hand hand, int from, int to) const;
+  void sort_into_classes(Hand hand);
+  [[nodiscard]] Motion classified(const Motion& motion) const;
+  [[nodiscard]] std::size_t slot(const Motion& of_classes) const;
+  [[nodiscard]] double least_of_members(const Motion& of_classes) const;
+
+  /// Durations of one kind of motion of one hand.
+  struct Table {
+    std::vector<double> lines;    // by posture from, to
+    std::vector<double> classes;  // by class from, to, and of the other hand
+  };
 
   const PlanCell& cell_;
   Paths paths_;
   std::array<std::vector<Stance>, 2> stances_;
-  std::array<std::vector<Matrix3>, 2> R_UE_;  // of the grips
-  // By kind (carry, reach, turn, retreat), hand, from, to.
-  std::array<std::array<std::vector<double>, 2>, 4> straight_;
+  std::array<std::vector<std::vector<int>>, 2> classes_;
+  std::array<std::vector<int>, 2> class_of_;
+  std::array<std::vector<Matrix3>, 2> R_UE_;    // of the grips, by class
+  std::array<std::array<Table, 2>, 4> tables_;  // by kind and hand
   std::map<Motion, std::optional<FreeMotion>> known_;
 };
 

@@ -55,6 +55,9 @@ struct Step {
   std::optional<Face>
       shows;  ///< the holder stands so that the camera sees this face; nothing below happens then
 
+  Matrix3 R_GC{
+      Matrix3::Identity()};  ///< `shows`: how the core stands in the frame G of the shown face (Viewing)
+
   Hand comes{};              ///< worker of m = 1..4: approaches along its z and grips; the other arm holds
   std::optional<Move> turn;  ///< m = 5: the track arm turns about its z, whichever arm came
   double angle{};            ///< signed angle of that turn about z of the track arm's E [rad], +-pi/2 or +-pi
@@ -65,6 +68,7 @@ struct Step {
   Grasp grasp;         ///< of `comes`, when it has gripped, before the turn
   Grasp after_grasp;   ///< of the arm that holds at the end
   ArmJoints contact;   ///< nominal joints of both arms when both hold; `shows`: when the camera looks
+  ArmJoints after;     ///< nominal joints at the end, when `leaves` has drawn back
   double seconds{};    ///< estimate for all of it
 
   /// @return the cube changes hands and no face is turned

@@ -4,13 +4,14 @@
 #include <numbers>
 #include <utility>
 
-#include "tasks/rubik/plan/search.hpp"
+#include "tasks/rubik/plan/windings.hpp"
 
 namespace mrroc::rubik {
 namespace {
 
-constexpr int kMostTries = 200;  // searches, each after one more motion is known to be blocked
-constexpr double kHolding = 0.057;
+constexpr int kMostTries = 200;     // searches, each after one more motion is known to be blocked
+constexpr double kHolding = 0.057;  // distance between the jaws at the cube [m]
+constexpr double kSurprise = 0.1;   // by which a way may be longer than the straight line [s]
 
 Planned refused(NoPlan why, std::string text) { return {{}, why, std::move(text)}; }
 
@@ -54,71 +55,79 @@ struct Planner::Impl {
   Planned plan(const PlanStart& start, Order order, const PlanOptions& options) {
     if (Planned no = check(start); no.why != NoPlan::none) return no;
     motions.start_at(start.joints);
-    const Node node{start.grasp, {motions.start(Hand::postument), motions.start(Hand::track)}, 0};
+    const Node node{start.grasp, {motions.start_class(Hand::postument), motions.start_class(Hand::track)}, 0};
+    const std::array<int, 2> postures{motions.start(Hand::postument), motions.start(Hand::track)};
     const GraspSearch search(motions, options, std::move(order));
     for (int k = 0; k < kMostTries; ++k) {
       const auto edges = search.run(node);
-      if (!edges)
+      const auto steps = edges ? wind(motions, node, postures, *edges) : std::nullopt;
+      if (!steps)
         return k == 0 ? refused(NoPlan::unreachable, "no sequence of grips that both arms reach")
                       : refused(NoPlan::blocked, "on every sequence of grips something is in the way");
-      if (auto plan = follow(search, node, *edges, options)) {
-        plan->start = start.grasp;
-        plan->start_joints = start.joints;
-        return {std::move(plan), NoPlan::none, {}};
-      }
+      if (!look_for_ways(*steps)) continue;
+      Plan plan = assemble(start, *edges, *steps, options);
+      return {std::move(plan), NoPlan::none, {}};
     }
     return refused(NoPlan::blocked, "no way was found past what is in the way");
   }
 
-  /// @return the plan; nothing: a motion was found to be blocked or longer, so that another sequence may be better
-  std::optional<Plan> follow(const GraspSearch& search, Node node, const std::vector<Edge>& edges,
-                             const PlanOptions& options) {
+  /// @return whether all ways are free and take the time that was expected: else another sequence may be better
+  bool look_for_ways(const std::vector<WoundStep>& steps) {
     bool as_expected = true;
-    for (Node at = node; const Edge& edge : edges) {
-      for (const Motion& m : search.motions_of(at, edge)) {
+    for (const WoundStep& step : steps)
+      for (const Motion& m : step.motions) {
         const double expected = motions.seconds(m);
         const FreeMotion* found = motions.find(m);
-        as_expected = as_expected && found && found->seconds < expected + 0.1;
+        as_expected = as_expected && found && found->seconds < expected + kSurprise;
       }
-      at = edge.to;
-    }
-    if (!as_expected) return {};
+    return as_expected;
+  }
+
+  Plan assemble(const PlanStart& start, const std::vector<Edge>& edges, const std::vector<WoundStep>& wound,
+                const PlanOptions& options) {
     Plan plan;
-    for (const Edge& edge : edges) {
-      plan.steps.push_back(step(search, node, edge, options));
-      node = edge.to;
-      const Step& s = plan.steps.back();
+    plan.start = plan.end = start.grasp;
+    plan.start_joints = plan.end_joints = start.joints;
+    for (const Hand hand : kHands) plan.limits[index(hand)] = cell.limits(hand);
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const Step s = step(plan.end, edges[k], wound[k], options);
+      plan.end = s.after_grasp;
+      plan.end_joints = s.shows ? s.contact : s.after;
       plan.seconds += s.seconds;
       plan.regrasps += s.regrasp();
       plan.grips += !s.shows;
       if (s.turn) plan.turns.push_back(*s.turn);
-    }
-    plan.end = node.grasp;
-    for (const Hand hand : kHands) {
-      const Stance& s = motions.stance(hand, node.stances[index(hand)]);
-      plan.end_joints[index(hand)] = hand == node.grasp.hand ? s.hold : s.back();
-      plan.limits[index(hand)] = cell.limits(hand);
+      plan.steps.push_back(s);
     }
     return plan;
   }
 
-  Step step(const GraspSearch& search, const Node& from, const Edge& edge, const PlanOptions& options) {
-    const Hand h = from.grasp.hand, w = other(h);
+  Step step(const Grasp& held, const Edge& edge, const WoundStep& wound, const PlanOptions& options) {
+    const Hand h = held.hand, w = other(h);
+    const StepStances& at = wound.stances;
     Step s;
     s.shows = edge.shows;
     s.comes = w;
     s.leaves = edge.comer_leaves ? w : h;
     s.turn = edge.turn;
-    s.angle = edge.quarters * std::numbers::pi / 2;
-    s.before_grasp = from.grasp;
-    s.grasp = edge.shows ? from.grasp : motions.seen_from(w, edge.comer, from.grasp, edge.holder);
+    s.angle = wound.quarters * std::numbers::pi / 2;
+    s.before_grasp = held;
+    s.grasp = edge.shows ? held : motions.seen_from(w, edge.comer, held, edge.holder);
     s.after_grasp = edge.to.grasp;
-    s.contact[index(h)] = motions.stance(h, edge.holder).hold;
-    s.contact[index(w)] =
-        edge.shows ? motions.stance(w, from.stances[index(w)]).back() : motions.stance(w, edge.comer).hold;
+    for (const Hand hand : kHands)
+      s.contact[index(hand)] = motions.stance(hand, at.meeting[index(hand)]).hold;
+    if (edge.shows) {
+      s.contact[index(w)] = motions.stance(w, at.before[index(w)]).back();
+      s.R_GC =
+          cell.viewing()->T_UG.R.transpose() * cell.forward(h, s.contact[index(h)]).R * cube_in_hand(held).R;
+    }
+    for (const Hand hand : kHands) {
+      const Stance& after = motions.stance(hand, at.after[index(hand)]);
+      s.after[index(hand)] = hand == s.leaves ? after.back() : after.hold;
+    }
     const CycleTimes& times = options.times;
     s.seconds = edge.shows ? times.look : times.grip + times.open;
-    for (const Motion& m : search.motions_of(from, edge)) {
+    for (const Motion& m : wound.motions) {
       const FreeMotion& motion = *motions.find(m);
       if (m.kind == MotionKind::turn) {
         s.seconds += std::abs(s.angle) / times.turn_rate;

@@ -14,6 +14,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr int kPerGroup = 4;
+constexpr double kNever = 1e6;  // [s]
 constexpr int kAllFaces = (1 << kFaces) - 1;
 
 std::uint64_t key(const Node& n) {
@@ -31,10 +32,10 @@ struct Record {
 
 struct Open {
   double estimate{};
-  std::uint64_t number{};  // of two with one estimate the older one comes first
+  std::uint64_t number{};  // of two with one estimate the newer one comes first: it is farther
   std::uint64_t key{};
   bool operator<(const Open& o) const {
-    return estimate > o.estimate || (estimate == o.estimate && number > o.number);
+    return estimate > o.estimate || (estimate == o.estimate && number < o.number);
   }
 };
 
@@ -67,80 +68,100 @@ bool GraspSearch::is_done(const Node& node) const {
                          : node.done == kPerGroup * static_cast<int>(order_.groups.size());
 }
 
-double GraspSearch::least_rest(const Node& node) const {
+double GraspSearch::least(MotionKind kind, Hand hand, std::optional<Place> from, Place to) const {
+  const int count = static_cast<int>(motions_.classes(hand).size());
+  double least = kNever;
+  for (int a = 0; a < count; ++a)
+    for (int b = 0; b < count; ++b)
+      if ((!from || motions_.example(hand, a).place == *from) && motions_.example(hand, b).place == to)
+        least = std::min(least, motions_.straight_seconds(kind, hand, a, b));
+  return least;
+}
+
+GraspSearch::GraspSearch(const Motions& motions, const PlanOptions& options, Order order)
+    : motions_(motions), options_(options), order_(std::move(order)) {
   const CycleTimes& times = options_.times;
-  if (order_.show_all) return (kFaces - std::popcount(static_cast<unsigned>(node.done))) * times.look;
-  // Both hands have to grip anew for every face, but for the first one, which one or both of them may hold.
-  const double grip = times.grip + times.open + options_.grip_penalty;
-  double rest = 0;
-  bool first = true;
-  const std::size_t begun = static_cast<std::size_t>(node.done / kPerGroup);
-  for (std::size_t g = begun; g < order_.groups.size(); ++g)
-    for (std::size_t k = 0; k < order_.groups[g].moves.size(); ++k) {
-      if (g == begun && (node.done % kPerGroup & (1 << k))) continue;
-      const int quarters = order_.groups[g].moves[k].quarters();
-      rest += (first ? 1 : 2) * grip + (quarters == 2 ? pi : pi / 2) / times.turn_rate;
-      first = false;
-    }
+  double retreat = kNever, visit = kNever;
+  for (const Hand hand : kHands) {
+    for (int k = 0; k < motions_.start_class(hand); ++k)
+      retreat = std::min(retreat, motions_.straight_seconds(MotionKind::retreat, hand, k, k));
+    // While hands meet in front only, their palms stay on the same pair of opposite faces. So one of them has to grip
+    // from the side, and to come back to the front, with the cube or without.
+    visit = std::min(visit, least(MotionKind::reach, hand, Place::front, Place::side) +
+                                std::min(least(MotionKind::carry, hand, Place::side, Place::front),
+                                         least(MotionKind::reach, hand, Place::side, Place::front)));
+  }
+  grip_ = times.grip + times.open + options_.grip_penalty + retreat;
+  // Both palms change, and one of them comes to the front.
+  new_face_ = 2 * grip_ + visit +
+              std::min(least(MotionKind::reach, Hand::postument, {}, Place::front),
+                       least(MotionKind::reach, Hand::track, {}, Place::front));
+  // The palm that is to come where the other one was has to wait for it to go: three grips at least.
+  opposite_ = grip_;
+
+  rest_.assign(order_.groups.size() + 1, 0);
+  for (std::size_t g = order_.groups.size(); g-- > 0;) {
+    const auto& moves = order_.groups[g].moves;
+    rest_[g] = rest_[g + 1] + (g + 1 < order_.groups.size() ? new_face_ : 0);
+    for (const Move m : moves) rest_[g] += turning(m);
+    if (moves.size() == 2) rest_[g] += new_face_ + opposite_;
+  }
+}
+
+double GraspSearch::turning(Move m) const {
+  return (m.quarters() == 2 ? pi : pi / 2) / options_.times.turn_rate;
+}
+
+double GraspSearch::least_rest(const Node& node) const {
+  if (order_.show_all)
+    return (kFaces - std::popcount(static_cast<unsigned>(node.done))) * options_.times.look;
+  const auto g = static_cast<std::size_t>(node.done / kPerGroup);
+  if (g >= order_.groups.size()) return 0;
+  double rest = grip_ + rest_[g];
+  const auto& moves = order_.groups[g].moves;
+  for (std::size_t k = 0; k < moves.size(); ++k)
+    if (node.done % kPerGroup & (1 << k)) rest -= turning(moves[k]);
+  // One of two opposite faces has been turned: what lies between them may have been paid.
+  if (node.done % kPerGroup != 0) rest -= new_face_ + opposite_;
   return rest;
 }
 
 std::vector<int> GraspSearch::holder_stances(const Node& node, Place place) const {
   const Hand holder = node.grasp.hand;
-  const auto& stances = motions_.stances(holder);
   const int now = node.stances[index(holder)];
-  const Stance& at = motions_.stance(holder, now);
+  if (motions_.example(holder, now).place == place) return {now};
   std::vector<int> found;
-  for (int k = 0; k < static_cast<int>(stances.size()); ++k) {
-    const Stance& s = stances[static_cast<std::size_t>(k)];
-    if (s.place != place) continue;
-    // Where it stands in the right place already, it only winds back.
-    const Eigen::Index last = s.hold.size() - 1;
-    const double turn = s.hold[last] - at.hold[last];
-    if (at.place == place && std::abs(turn - 2 * pi * std::round(turn / (2 * pi))) > 0.1) continue;
-    found.push_back(k);
-  }
+  const int count = static_cast<int>(motions_.classes(holder).size());
+  for (int k = 0; k < count; ++k)
+    if (motions_.example(holder, k).place == place) found.push_back(k);
   return found;
 }
 
-std::optional<int> GraspSearch::turned_stance(int stance, int quarters) const {
-  const Stance& from = motions_.stance(Hand::track, stance);
-  const Eigen::Index last = from.hold.size() - 1;
-  const auto& stances = motions_.stances(Hand::track);
-  for (int k = 0; k < static_cast<int>(stances.size()); ++k) {
-    const Stance& s = stances[static_cast<std::size_t>(k)];
-    if (s.place == Place::front && std::abs(s.hold[last] - from.hold[last] - quarters * pi / 2) < 1e-6)
-      return k;
-  }
-  return {};
-}
-
-std::vector<Motion> GraspSearch::motions_of(const Node& from, const Edge& e) const {
-  const Hand h = from.grasp.hand, w = other(h);
-  std::vector<Motion> all{{MotionKind::carry, h, from.stances[index(h)], e.holder, from.stances[index(w)]}};
+std::vector<Motion> motions_of(Hand holder, const Edge& e, const StepStances& s) {
+  const Hand h = holder, w = other(h);
+  std::vector<Motion> all{
+      {MotionKind::carry, h, s.before[index(h)], s.meeting[index(h)], s.before[index(w)]}};
   if (e.shows) return all;
-  all.push_back({MotionKind::reach, w, from.stances[index(w)], e.comer, e.holder});
-  std::array<int, 2> at{};
-  at[index(h)] = e.holder;
-  at[index(w)] = e.comer;
-  if (e.turn) {
-    const int turned = e.to.stances[index(Hand::track)];
-    const std::size_t T = index(Hand::track);
-    all.push_back({MotionKind::turn, Hand::track, at[T], turned, at[index(Hand::postument)]});
-    at[T] = turned;
-  }
+  all.push_back({MotionKind::reach, w, s.before[index(w)], s.meeting[index(w)], s.meeting[index(h)]});
+  const std::size_t T = index(Hand::track), P = index(Hand::postument);
+  if (e.turn) all.push_back({MotionKind::turn, Hand::track, s.meeting[T], s.after[T], s.meeting[P]});
   const Hand leaves = e.comer_leaves ? w : h;
-  all.push_back(
-      {MotionKind::retreat, leaves, at[index(leaves)], at[index(leaves)], at[index(other(leaves))]});
+  const int from = s.after[index(leaves)];
+  all.push_back({MotionKind::retreat, leaves, from, from, s.after[index(other(leaves))]});
   return all;
 }
 
 void GraspSearch::add(std::vector<Edge>& edges, const Node& node, Edge edge) const {
   const CycleTimes& times = options_.times;
+  const Hand h = node.grasp.hand;
+  StepStances stances{node.stances, {}, edge.to.stances};
+  stances.meeting[index(h)] = edge.holder;
+  stances.meeting[index(other(h))] = edge.shows ? node.stances[index(other(h))] : edge.comer;
   edge.cost = edge.shows ? times.look : times.grip + times.open + options_.grip_penalty;
-  for (const Motion& m : motions_of(node, edge))
-    edge.cost += m.kind == MotionKind::turn ? 0 : motions_.seconds(m);
-  if (edge.turn) edge.cost += std::abs(edge.quarters) * pi / 2 / times.turn_rate;
+  for (const Motion& m : motions_of(h, edge, stances)) {
+    const double seconds = motions_.class_seconds(m);
+    edge.cost += m.kind == MotionKind::turn && std::isfinite(seconds) ? turning(*edge.turn) : seconds;
+  }
   if (std::isfinite(edge.cost)) edges.push_back(std::move(edge));
 }
 
@@ -155,33 +176,29 @@ void GraspSearch::add_turns(std::vector<Edge>& edges, const Node& node, const Ed
   for (std::size_t k = 0; k < moves.size(); ++k) {
     const int done = node.done | (1 << k);
     if (done == node.done || moves[k].face() != keeps.palm) continue;
-    std::vector<int> ways{moves[k].quarters() == 3 ? -1 : moves[k].quarters()};
-    if (ways[0] == 2) ways.push_back(-2);
-    for (const int quarters : ways) {
-      const int from = w == Hand::track ? meeting.comer : meeting.holder;
-      const auto to = turned_stance(from, quarters);
-      if (!to) continue;
-      for (const bool comer_leaves : {false, true}) {
-        Edge e = meeting;
-        e.turn = moves[k];
-        e.quarters = quarters;
-        e.comer_leaves = comer_leaves;
-        e.to.stances[index(Hand::track)] = *to;
-        const bool postument_stays = (w == Hand::postument) != comer_leaves;
-        e.to.grasp = postument_stays ? turned(keeps, quarters) : turns;
-        const int all = (1 << moves.size()) - 1;
-        e.to.done = (done % kPerGroup) == all ? kPerGroup * static_cast<int>(g + 1) : done;
-        add(edges, node, std::move(e));
-      }
+    const int quarters = moves[k].quarters() == 3 ? -1 : moves[k].quarters();
+    const auto to = motions_.turned_class(w == Hand::track ? meeting.comer : meeting.holder, quarters);
+    if (!to) continue;
+    for (const bool comer_leaves : {false, true}) {
+      Edge e = meeting;
+      e.turn = moves[k];
+      e.quarters = quarters;
+      e.comer_leaves = comer_leaves;
+      e.to.stances[index(Hand::track)] = *to;
+      const bool postument_stays = (w == Hand::postument) != comer_leaves;
+      e.to.grasp = postument_stays ? turned(keeps, quarters) : turns;
+      const int all = (1 << moves.size()) - 1;
+      e.to.done = (done % kPerGroup) == all ? kPerGroup * static_cast<int>(g + 1) : done;
+      add(edges, node, std::move(e));
     }
   }
 }
 
 void GraspSearch::add_meetings(std::vector<Edge>& edges, const Node& node, int holder, Place comes) const {
   const Hand h = node.grasp.hand, w = other(h);
-  const auto& stances = motions_.stances(w);
-  for (int k = 0; k < static_cast<int>(stances.size()); ++k) {
-    if (stances[static_cast<std::size_t>(k)].place != comes) continue;
+  const int count = static_cast<int>(motions_.classes(w).size());
+  for (int k = 0; k < count; ++k) {
+    if (motions_.example(w, k).place != comes) continue;
     Edge e;
     e.holder = holder;
     e.comer = k;
@@ -198,9 +215,9 @@ void GraspSearch::add_meetings(std::vector<Edge>& edges, const Node& node, int h
 void GraspSearch::add_looks(std::vector<Edge>& edges, const Node& node) const {
   const Hand h = node.grasp.hand;
   const Matrix3 R_CE = cube_in_hand(node.grasp).R.transpose();
-  const auto& stances = motions_.stances(h);
-  for (int k = 0; k < static_cast<int>(stances.size()); ++k) {
-    const Stance& s = stances[static_cast<std::size_t>(k)];
+  const int count = static_cast<int>(motions_.classes(h).size());
+  for (int k = 0; k < count; ++k) {
+    const Stance& s = motions_.example(h, k);
     if (s.place != Place::shown) continue;
     const Face face = face_along(R_CE * s.shown);
     if (node.done & (1 << number(face))) continue;
