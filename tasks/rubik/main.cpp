@@ -153,12 +153,6 @@ rubik::Brain make_brain(const Setup& s, Head& head) {
   brain.plan_reading = [&head](const rubik::PlanStart& start) {
     return head.planner.make_reading_plan(start);
   };
-  brain.shown = [&head](const rubik::Step& step) {
-    const rubik::Hand holder = step.before_grasp.hand;
-    const Matrix3 R_UE = head.cell.forward(holder, step.contact[rubik::index(holder)]).R;
-    return rubik::shown_face(sim::viewing_place().T_UG.R.transpose() * R_UE *
-                             rubik::cube_in_hand(step.before_grasp).R);
-  };
   return brain;
 }
 

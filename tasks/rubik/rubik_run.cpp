@@ -174,7 +174,7 @@ Outcome RubikRun::execute_plan(const Plan& plan, X& x, Program<Port>& program) {
 
 void RubikRun::note_view(const Step& step, const CubeFaceReading& reading) {
   FaceView& view = views_[static_cast<std::size_t>(number(*step.shows))];
-  view.shown = brain_.shown(step);
+  view.shown = shown_face(step.R_GC);
   view.stickers = reading.stickers;
   if (!reading.valid) say(fmt::format("face {} is not seen well", letter(*step.shows)));
 }

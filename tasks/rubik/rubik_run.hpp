@@ -24,7 +24,6 @@ struct Brain {
   std::function<Moves(const Cube&)> solve;
   std::function<Planned(const PlanStart&, const Moves&)> plan;
   std::function<Planned(const PlanStart&)> plan_reading;  ///< shows all six faces
-  std::function<ShownFace(const Step&)> shown;            ///< which face a step shows, and which way up
   PlanStart start;                    ///< how the cube is held at the beginning, and where the arms are
   std::optional<Cube> known;          ///< the cube as it is told; none: it is read
   std::optional<CameraSetup> camera;  ///< that looks at faces which are shown
