@@ -55,8 +55,7 @@ struct StickerReading {
   /// Red, green, blue as the camera gives them, 0..255: the median over the sticker's inside without its glare. Zeros
   /// when nothing could be measured.
   std::array<double, 3> rgb{};
-  /// Root mean square, over parts of the sticker, of the mirrored light that was left out and of what is not explained:
-  /// as much may still be in rgb [grey values].
+  /// How much light that the gloss mirrors, or that nothing explains, may still be in rgb [grey values].
   double deviation{};
   /// @return variances of its tint, if a light of a lamp's colour, as strong as the deviation, were in rgb
   [[nodiscard]] std::array<double, 2> tint_variance() const;

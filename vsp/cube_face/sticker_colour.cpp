@@ -15,6 +15,9 @@ constexpr int kSamples = 6;         // along an edge of a part
 constexpr double kInside = 0.66;    // of the sticker's edge: blurred borders stay outside
 constexpr double kSaturated = 250;  // [grey levels]
 constexpr int kLeastParts = 3;      // without glare
+// A lamp's image is broader than a sticker: what is mirrored changes less over the sticker than there is of it.
+constexpr double kUnseen = 6;
+constexpr double kMirroredNoise = 1.5;  // change of it that noise makes [grey levels]
 
 struct Part {
   Rgb rgb{};
@@ -98,15 +101,17 @@ StickerReading measure_sticker(const cv::Mat& colours, const CameraModel& camera
   constexpr double kRelative = 0.08;  // of the brightness
   constexpr double kTint = 0.3;       // of mirrored light: lamps have colours
   const double tolerance = kTolerance + kRelative * *std::ranges::max_element(reading.rgb);
-  double sum = 0;
+  double mirrored = 0;
+  double unexplained = 0;
   bool same = true;
   for (const Part& part : parts) {
     const MoreLight more = more_light(part, reading.rgb);
-    sum += more.mirrored * more.mirrored + more.unexplained * more.unexplained;
+    mirrored += more.mirrored * more.mirrored / static_cast<double>(parts.size());
+    unexplained += more.unexplained * more.unexplained / static_cast<double>(parts.size());
     same = same && more.mirrored > -tolerance &&
            more.unexplained < tolerance + kTint * std::max(0.0, more.mirrored);
   }
-  reading.deviation = std::sqrt(sum / static_cast<double>(parts.size()));
+  reading.deviation = kUnseen * std::max(0.0, std::sqrt(mirrored) - kMirroredNoise) + std::sqrt(unexplained);
   if (!same)
     reading.flaw = StickerFlaw::mixed;
   else if (*std::ranges::max_element(reading.rgb) < k.dark)
