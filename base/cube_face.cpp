@@ -26,11 +26,14 @@ std::array<double, 2> tint(const std::array<double, 3>& rgb) {
 }
 
 std::array<double, 2> StickerReading::tint_variance() const {
-  const auto square = [&](double channel) {
-    const double relative = deviation / (channel + added(rgb));
-    return relative * relative;
+  constexpr double kLampTint = 0.1;  // variance of a lamp's colour
+  const double grey = added(rgb);
+  const auto variance = [&](double channel) {
+    const double one = deviation / (channel + grey);
+    const double other = deviation / (rgb[1] + grey);
+    return (one - other) * (one - other) + kLampTint * (one * one + other * other);
   };
-  return {square(rgb[0]) + square(rgb[1]), square(rgb[2]) + square(rgb[1])};
+  return {variance(rgb[0]), variance(rgb[2])};
 }
 
 std::string_view to_string(StickerFlaw flaw) {

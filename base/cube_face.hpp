@@ -55,8 +55,9 @@ struct StickerReading {
   /// Red, green, blue as the camera gives them, 0..255: the median over the sticker's inside without its glare. Zeros
   /// when nothing could be measured.
   std::array<double, 3> rgb{};
-  double deviation{};  ///< of the pixels from it, robust standard deviation [grey values]
-  /// @return variances of its tint that come from the deviation
+  /// How much light that the gloss mirrors, or that nothing explains, may still be in rgb [grey values].
+  double deviation{};
+  /// @return variances of its tint, if a light of a lamp's colour, as strong as the deviation, were in rgb
   [[nodiscard]] std::array<double, 2> tint_variance() const;
   /// What it is called under light of an unknown, not too strong tint; decided from this face alone. Which stickers of
   /// a cube have the same colour is better told by all six faces together (tasks/rubik/reading/state_reading.hpp).

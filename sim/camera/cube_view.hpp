@@ -19,8 +19,8 @@ struct StickerLook {
                                                        {0.90, 0.36, 0.06},
                                                        {0.05, 0.19, 0.58}}};
   camera::Colour plastic{0.035, 0.035, 0.04};  ///< of the pieces
-  double shine{0.5};                           ///< strength of the mirror image
-  double gloss{6000};                          ///< its sharpness (camera::Body)
+  double shine{0.8};                           ///< strength of the mirror image
+  double gloss{15000};                         ///< its sharpness (camera::Body)
 };
 
 /// Adds the 26 pieces and 54 stickers, every layer as far turned as it is.

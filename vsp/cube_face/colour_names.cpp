@@ -15,11 +15,11 @@ constexpr std::array<Rgb, kStickerColours> kPalette{{{0.86, 0.86, 0.84},
                                                      {0.84, 0.74, 0.07},
                                                      {0.92, 0.36, 0.06},
                                                      {0.05, 0.20, 0.60}}};
-constexpr double kLikeness = 0.2;  // of stickers of one name, standard deviation of the ratios
-constexpr double kTint = 0.25;     // of lamps, likewise
+constexpr double kLikeness = 0.15;  // of stickers of one name, standard deviation of the ratios
+constexpr double kTint = 0.25;      // of lamps, likewise
 constexpr double kTintStep = 0.075;
 constexpr int kTintSteps = 10;     // to either side
-constexpr double kStrange = 1e-5;  // density of colours without a name
+constexpr double kStrange = 1e-4;  // density of colours without a name
 
 /// One sticker against all names.
 class Evidence {

@@ -15,6 +15,9 @@ constexpr int kSamples = 6;         // along an edge of a part
 constexpr double kInside = 0.66;    // of the sticker's edge: blurred borders stay outside
 constexpr double kSaturated = 250;  // [grey levels]
 constexpr int kLeastParts = 3;      // without glare
+// A lamp's image is broader than a sticker: what is mirrored changes less over the sticker than there is of it.
+constexpr double kUnseen = 6;
+constexpr double kMirroredNoise = 1.5;  // change of it that noise makes [grey levels]
 
 struct Part {
   Rgb rgb{};
@@ -51,23 +54,25 @@ double measure(const cv::Mat& colours, const CameraModel& camera, const Pose& T_
   return saturated / kAll;
 }
 
-/// Whether a part is the same colour with more light on it: more of the same, as beside a shadow, and some of the lamp's
-/// own, mirrored by the gloss.
-bool is_same(const Part& part, const Rgb& rgb) {
-  constexpr double kTolerance = 4;    // [grey levels]
-  constexpr double kRelative = 0.08;  // of the brightness
-  constexpr double kTint = 0.3;       // of the mirrored light: lamps have colours
+/// What the light on a part has more than that on the least bright parts.
+struct MoreLight {
+  double mirrored{};     // by the gloss, mean over the channels [grey levels]
+  double unexplained{};  // largest of a channel [grey levels]
+};
+
+/// Explains a part as the same colour with more light on it, as beside a shadow, and some of the lamp's own light, mirrored
+/// by the gloss.
+MoreLight more_light(const Part& part, const Rgb& rgb) {
   const Eigen::Map<const Vector3> colour(rgb.data());
   const Vector3 more = Eigen::Map<const Vector3>(part.rgb.data()) - colour;
   Eigen::Matrix<double, 3, 2> basis;
   basis << colour, Vector3::Ones();
   basis.col(0) /= colour.maxCoeff() + 1;
-  // A little of both is preferred: white stickers are as grey as the light.
-  const Eigen::Matrix2d normal = basis.transpose() * basis + 1e-3 * Eigen::Matrix2d::Identity();
+  // A little of both is preferred: a white sticker is as grey as the lamp.
+  constexpr double kRidge = 0.03;
+  const Eigen::Matrix2d normal = basis.transpose() * basis + kRidge * Eigen::Matrix2d::Identity();
   const Eigen::Vector2d share = normal.inverse() * (basis.transpose() * more);
-  const double tolerance = kTolerance + kRelative * colour.maxCoeff();
-  const double unexplained = (more - basis * share).cwiseAbs().maxCoeff();
-  return share.minCoeff() > -tolerance && unexplained < tolerance + kTint * std::max(0.0, share[1]);
+  return {share[1], (more - basis * share).cwiseAbs().maxCoeff()};
 }
 
 }  // namespace
@@ -92,16 +97,22 @@ StickerReading measure_sticker(const cv::Mat& colours, const CameraModel& camera
   std::ranges::sort(parts, {}, &Part::least);
   for (std::size_t c = 0; c < 3; ++c)
     for (std::size_t n = 0; n < kLeastParts; ++n) reading.rgb[c] += parts[n].rgb[c] / kLeastParts;
-  double sum = 0;
-  int others = 0;
+  constexpr double kTolerance = 4;    // [grey levels]
+  constexpr double kRelative = 0.08;  // of the brightness
+  constexpr double kTint = 0.3;       // of mirrored light: lamps have colours
+  const double tolerance = kTolerance + kRelative * *std::ranges::max_element(reading.rgb);
+  double mirrored = 0;
+  double unexplained = 0;
+  bool same = true;
   for (const Part& part : parts) {
-    double most = 0;
-    for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(part.rgb[c] - reading.rgb[c]));
-    sum += most * most;
-    others += is_same(part, reading.rgb) ? 0 : 1;
+    const MoreLight more = more_light(part, reading.rgb);
+    mirrored += more.mirrored * more.mirrored / static_cast<double>(parts.size());
+    unexplained += more.unexplained * more.unexplained / static_cast<double>(parts.size());
+    same = same && more.mirrored > -tolerance &&
+           more.unexplained < tolerance + kTint * std::max(0.0, more.mirrored);
   }
-  reading.deviation = std::sqrt(sum / static_cast<double>(parts.size()));
-  if (others > 0)
+  reading.deviation = kUnseen * std::max(0.0, std::sqrt(mirrored) - kMirroredNoise) + std::sqrt(unexplained);
+  if (!same)
     reading.flaw = StickerFlaw::mixed;
   else if (*std::ranges::max_element(reading.rgb) < k.dark)
     reading.flaw = StickerFlaw::dark;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "tasks/rubik/reading/colour_sorting.hpp"
 
@@ -29,15 +30,27 @@ std::string names_of(const std::vector<int>& facelets) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-Stickers by_facelet(const std::array<FaceView, kFaces>& views) {
+/// @return whether a sticker is seen better than another time
+bool is_better(const StickerReading& one, const StickerReading& other) {
+  if (one.flaw != StickerFlaw::none || other.flaw != StickerFlaw::none)
+    return one.flaw == StickerFlaw::none && other.flaw != StickerFlaw::none;
+  const auto a = one.tint_variance();
+  const auto b = other.tint_variance();
+  return a[0] + a[1] < b[0] + b[1];
+}
+
+Stickers by_facelet(std::span<const FaceView> views) {
   Stickers stickers;
   std::array<bool, kFaces> there{};
   for (const FaceView& view : views) {
-    there[at(number(view.shown.face))] = true;
-    for (int k = 0; k < kStickers; ++k) stickers[at(facelet(view.shown, k))] = view.stickers[at(k)];
+    const bool first = !std::exchange(there[at(number(view.shown.face))], true);
+    for (int k = 0; k < kStickers; ++k) {
+      StickerReading& kept = stickers[at(facelet(view.shown, k))];
+      if (first || is_better(view.stickers[at(k)], kept)) kept = view.stickers[at(k)];
+    }
   }
   if (std::ranges::count(there, true) != kFaces)
-    throw std::invalid_argument("cube reading: every face must be there once");
+    throw std::invalid_argument("cube reading: a face is missing");
   return stickers;
 }
 
@@ -181,7 +194,7 @@ class Reader {
 
 }  // namespace
 
-StateReading read_state(const std::array<FaceView, kFaces>& views, const StateReadingParameters& parameters) {
+StateReading read_state(std::span<const FaceView> views, const StateReadingParameters& parameters) {
   const Stickers stickers = by_facelet(views);
   return Reader(stickers, parameters).read();
 }

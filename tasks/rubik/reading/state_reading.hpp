@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,9 +35,10 @@ struct StateReading {
 /// Sorts 54 stickers by colour without knowing the light: stickers that look like a centre have its colour, nine of
 /// each, by the assignment of least cost (Kuhn, 1955). Then the rules of the cube are checked. Stickers with a
 /// flaw or whose colour is ambiguous get the one that makes a possible cube, if there is exactly one such way.
-/// @param views  the six faces, each once, in any order
+/// @param views  the six faces in any order; of a face that is there more often, as after another look at it, every
+///               sticker counts where it is seen best
 /// @throws std::invalid_argument  a face is missing. Allocates; not for the servo step
-[[nodiscard]] StateReading read_state(const std::array<FaceView, kFaces>& views,
+[[nodiscard]] StateReading read_state(std::span<const FaceView> views,
                                       const StateReadingParameters& parameters = {});
 
 }  // namespace mrroc::rubik
