@@ -44,5 +44,8 @@ Figures run_solver_group();
 /// Turns of a face of the cube by two arms. Takes some minutes.
 /// @throws FaultError a driver refused to start
 Figures run_cube_group();
+/// Plans of grasps for solutions of 100 cubes, beside the original's fixed table. Takes about a minute.
+/// @throws FaultError a plan is wrong, or there is none
+Figures run_plan_group();
 
 }  // namespace mrroc::bench

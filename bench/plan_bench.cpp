@@ -1,8 +1,9 @@
 // Plans of grasps for solutions of random cubes, beside the fixed table of face changes that the original used.
+#include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <random>
-#include <thread>
 
 #include "base/fault.hpp"
 #include "bench/figures.hpp"
@@ -20,6 +21,7 @@ using std::chrono::steady_clock;
 
 constexpr int kCubes = 100;
 constexpr int kScramble = 20;
+constexpr std::uint64_t kNodes = 200000;  // of the solver's search: some milliseconds
 
 /// What the original does for one solution: the arm on the pedestal has the cube with its palm on `front`. A face change
 /// brings another face there: the arm on the track takes the cube from a side, the other one comes to it anew.
@@ -40,7 +42,7 @@ class OriginalTable {
         // A change, a turn by nothing, and the face is up or down.
         change(kLeftToFront);
         ++empty_turns;
-        change(where == kFront ? kUpToFront : kDownToFront);
+        return change(where == kFront ? kUpToFront : kDownToFront);
     }
   }
 
@@ -78,9 +80,8 @@ struct Mean {
 
 Figures run_plan_group() {
   TableProgress progress(stderr);
-  const CubeSolver solver(TableSet::standard, table_folder(),
-                          static_cast<int>(std::max(1u, std::thread::hardware_concurrency())),
-                          [&](const TableEvent& event) { progress(event); });
+  constexpr int kThreadsForTables = 2;
+  const CubeSolver solver(TableSet::standard, table_folder(), kThreadsForTables, progress.watch());
   const sim::WorldParameters world = sim::cube_cell({});
   const sim::CubePlanCell cell(world, sim::viewing_place());
   Planner planner(cell);
@@ -94,7 +95,7 @@ Figures run_plan_group() {
   for (int k = 0; k < kCubes; ++k) {
     std::mt19937_64 random(static_cast<std::uint64_t>(k + 1));
     const Cube cube = after({}, random_moves(kScramble, random));
-    const Moves moves = solver.solve(cube, {.nodes = 200000}).moves;
+    const Moves moves = solver.solve(cube, {.nodes = kNodes}).moves;
     const auto begin = steady_clock::now();
     const Planned planned = planner.make_plan(start, moves);
     wall.add(std::chrono::duration<double>(steady_clock::now() - begin).count());
@@ -121,10 +122,12 @@ Figures run_plan_group() {
               original.empty_turns * hand_over.value());
 
   const Planned reading = planner.make_reading_plan(start);
-  if (!reading.plan) throw FaultError(FaultCode::internal_error, "no plan to show all faces: " + reading.text);
+  if (!reading.plan)
+    throw FaultError(FaultCode::internal_error, "no plan to show all faces: " + reading.text);
   return {
       {"plan_turns", turns.value(), "", "mean over 100 cubes of 20 random turns, solved in two phases"},
-      {"plan_regrasps", regrasps.value(), "", "steps in which the cube changes hands and nothing is turned, mean"},
+      {"plan_regrasps", regrasps.value(), "",
+       "steps in which the cube changes hands and nothing is turned, mean"},
       {"plan_regrasps_table", changes.value(), "", "the same with the original's table of face changes"},
       {"plan_s", seconds.value(), "s", "estimated time of a solution, mean"},
       {"plan_table_s", table.value(), "s", "the same with the original's table"},
