@@ -26,6 +26,7 @@ const std::vector<
         {"drawing", [](const std::string&, bool) { return bench::run_drawing_group(); }},
         {"solver", [](const std::string&, bool) { return bench::run_solver_group(); }},
         {"cube", [](const std::string&, bool) { return bench::run_cube_group(); }},
+        {"plan", [](const std::string&, bool) { return bench::run_plan_group(); }},
         {"rubik", [](const std::string&, bool resume) { return bench::run_rubik_group(resume); }},
     };
 
@@ -59,9 +60,10 @@ int main(int argc, char** argv) {
   std::string file;
   std::string plots;
   bool resume = false;
-  app.add_option("group", groups,
-                 "edp, servo, stability, vision, drawing, solver, cube, rubik (default: all but\nrubik, "
-                 "which takes hours)")
+  app.add_option(
+         "group", groups,
+         "edp, servo, stability, vision, drawing, solver, cube, plan, rubik (default: all but\nrubik, "
+         "which takes hours)")
       ->check(CLI::IsMember(group_names()));
   auto* json = app.add_option("--json", file, "writes {\"figures\": {KEY: number}, \"context\": {...}}");
   json->type_name("FILE");

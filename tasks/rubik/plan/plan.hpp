@@ -89,8 +89,8 @@ struct Plan {
 
 /// Why there is no plan.
 enum class NoPlan : std::uint8_t {
-  none,       ///< there is one
-  bad_start,  ///< the start is no grip, or joints do not match the arms, or the arms are not where they hold it so
+  none,         ///< there is one
+  bad_start,    ///< the start is no grip, or the joints are not those of the arms, or beyond their limits
   collision,    ///< the arms touch something at the start
   unreachable,  ///< no sequence of grips that both arms reach within their limits
   blocked       ///< there are such sequences, but every one has a way on which something collides

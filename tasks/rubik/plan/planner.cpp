@@ -52,12 +52,12 @@ struct Planner::Impl {
     return {};
   }
 
-  Planned plan(const PlanStart& start, Order order, const PlanOptions& options) {
+  Planned plan(const PlanStart& start, PlanGoal goal, const PlanOptions& options) {
     if (Planned no = check(start); no.why != NoPlan::none) return no;
     motions.start_at(start.joints);
     const Node node{start.grasp, {motions.start_class(Hand::postument), motions.start_class(Hand::track)}, 0};
     const std::array<int, 2> postures{motions.start(Hand::postument), motions.start(Hand::track)};
-    const GraspSearch search(motions, options, std::move(order));
+    const GraspSearch search(motions, options, std::move(goal));
     for (int k = 0; k < kMostTries; ++k) {
       const auto edges = search.run(node);
       const auto steps = edges ? wind(motions, node, postures, *edges) : std::nullopt;

@@ -41,31 +41,9 @@ struct Open {
 
 }  // namespace
 
-std::vector<TurnGroup> grouped(std::span<const Move> moves) {
-  std::vector<TurnGroup> groups;
-  for (const Move m : moves) {
-    if (groups.empty() ||
-        (groups.back().moves[0].face() != m.face() && groups.back().moves[0].face() != opposite(m.face()))) {
-      groups.push_back({{m}});
-      continue;
-    }
-    auto& group = groups.back().moves;
-    const auto same = std::ranges::find(group, m.face(), &Move::face);
-    if (same == group.end()) {
-      group.push_back(m);
-    } else if (const int quarters = (same->quarters() + m.quarters()) % 4; quarters > 0) {
-      *same = Move(m.face(), quarters);
-    } else {
-      group.erase(same);
-      if (group.empty()) groups.pop_back();
-    }
-  }
-  return groups;
-}
-
 bool GraspSearch::is_done(const Node& node) const {
-  return order_.show_all ? node.done == kAllFaces
-                         : node.done == kPerGroup * static_cast<int>(order_.groups.size());
+  return goal_.show_all ? node.done == kAllFaces
+                        : node.done == kPerGroup * static_cast<int>(goal_.groups.size());
 }
 
 double GraspSearch::least(MotionKind kind, Hand hand, std::optional<Place> from, Place to) const {
@@ -78,8 +56,8 @@ double GraspSearch::least(MotionKind kind, Hand hand, std::optional<Place> from,
   return least;
 }
 
-GraspSearch::GraspSearch(const Motions& motions, const PlanOptions& options, Order order)
-    : motions_(motions), options_(options), order_(std::move(order)) {
+GraspSearch::GraspSearch(const Motions& motions, const PlanOptions& options, PlanGoal goal)
+    : motions_(motions), options_(options), goal_(std::move(goal)) {
   const CycleTimes& times = options_.times;
   double retreat = kNever, visit = kNever;
   for (const Hand hand : kHands) {
@@ -99,10 +77,10 @@ GraspSearch::GraspSearch(const Motions& motions, const PlanOptions& options, Ord
   // The palm that is to come where the other one was has to wait for it to go: three grips at least.
   opposite_ = grip_;
 
-  rest_.assign(order_.groups.size() + 1, 0);
-  for (std::size_t g = order_.groups.size(); g-- > 0;) {
-    const auto& moves = order_.groups[g].moves;
-    rest_[g] = rest_[g + 1] + (g + 1 < order_.groups.size() ? new_face_ : 0);
+  rest_.assign(goal_.groups.size() + 1, 0);
+  for (std::size_t g = goal_.groups.size(); g-- > 0;) {
+    const auto& moves = goal_.groups[g].moves;
+    rest_[g] = rest_[g + 1] + (g + 1 < goal_.groups.size() ? new_face_ : 0);
     for (const Move m : moves) rest_[g] += turning(m);
     if (moves.size() == 2) rest_[g] += new_face_ + opposite_;
   }
@@ -113,12 +91,11 @@ double GraspSearch::turning(Move m) const {
 }
 
 double GraspSearch::least_rest(const Node& node) const {
-  if (order_.show_all)
-    return (kFaces - std::popcount(static_cast<unsigned>(node.done))) * options_.times.look;
+  if (goal_.show_all) return (kFaces - std::popcount(static_cast<unsigned>(node.done))) * options_.times.look;
   const auto g = static_cast<std::size_t>(node.done / kPerGroup);
-  if (g >= order_.groups.size()) return 0;
+  if (g >= goal_.groups.size()) return 0;
   double rest = grip_ + rest_[g];
-  const auto& moves = order_.groups[g].moves;
+  const auto& moves = goal_.groups[g].moves;
   for (std::size_t k = 0; k < moves.size(); ++k)
     if (node.done % kPerGroup & (1 << k)) rest -= turning(moves[k]);
   // One of two opposite faces has been turned: what lies between them may have been paid.
@@ -168,11 +145,11 @@ void GraspSearch::add(std::vector<Edge>& edges, const Node& node, Edge edge) con
 void GraspSearch::add_turns(std::vector<Edge>& edges, const Node& node, const Edge& meeting,
                             const Grasp& comer) const {
   const std::size_t g = static_cast<std::size_t>(node.done / kPerGroup);
-  if (order_.show_all || g >= order_.groups.size()) return;
+  if (goal_.show_all || g >= goal_.groups.size()) return;
   const Hand w = comer.hand;
   const Grasp keeps = w == Hand::postument ? comer : node.grasp;
   const Grasp turns = w == Hand::postument ? node.grasp : comer;
-  const auto& moves = order_.groups[g].moves;
+  const auto& moves = goal_.groups[g].moves;
   for (std::size_t k = 0; k < moves.size(); ++k) {
     const int done = node.done | (1 << k);
     if (done == node.done || moves[k].face() != keeps.palm) continue;
@@ -236,7 +213,7 @@ std::vector<Edge> GraspSearch::edges(const Node& node) const {
   for (const int holder : holder_stances(node, Place::front)) add_meetings(edges, node, holder, Place::front);
   for (const int holder : holder_stances(node, Place::offered))
     add_meetings(edges, node, holder, Place::side);
-  if (order_.show_all) add_looks(edges, node);
+  if (goal_.show_all) add_looks(edges, node);
   return edges;
 }
 

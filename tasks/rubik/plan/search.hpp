@@ -1,28 +1,14 @@
-// A* over grips, postures and what has been done of the order.
+// A* over grips, postures and what has been done of the goal.
 #pragma once
 #include <array>
 #include <optional>
-#include <span>
-#include <string>
 #include <vector>
 
+#include "tasks/rubik/plan/goal.hpp"
 #include "tasks/rubik/plan/motions.hpp"
 #include "tasks/rubik/plan/planner.hpp"
 
 namespace mrroc::rubik {
-
-/// Turns of one face, or of two opposite ones, whose order does not matter.
-struct TurnGroup {
-  std::vector<Move> moves;  ///< one or two
-};
-/// @return the turns so grouped; those of one face are taken together, and what cancels is left out
-[[nodiscard]] std::vector<TurnGroup> grouped(std::span<const Move> moves);
-
-/// What is to be done: turns, or faces to be shown.
-struct Order {
-  std::vector<TurnGroup> groups;
-  bool show_all{};
-};
 
 /// A state between two steps: one hand holds, the other one is drawn back.
 struct Node {
@@ -56,9 +42,9 @@ struct StepStances {
 /// Finds cheapest sequences. Motions whose ways are not known count as straight lines.
 class GraspSearch {
  public:
-  GraspSearch(const Motions& motions, const PlanOptions& options, Order order);
+  GraspSearch(const Motions& motions, const PlanOptions& options, PlanGoal goal);
 
-  /// @return edges from the node to the end of the order; nothing: there is no way
+  /// @return edges from the node to the goal; nothing: there is no way
   [[nodiscard]] std::optional<std::vector<Edge>> run(const Node& start) const;
 
  private:
@@ -76,7 +62,7 @@ class GraspSearch {
 
   const Motions& motions_;
   PlanOptions options_;
-  Order order_;
+  PlanGoal goal_;
   double grip_{};      // least cost of a step in which an arm comes, without the way to the cube
   double new_face_{};  // least cost of what lies between turns of two faces
   double opposite_{};  // what it costs more if they are opposite

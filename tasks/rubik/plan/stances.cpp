@@ -75,10 +75,14 @@ class SideSearch {
     const Pose offering = front_grip(meeting, other(hand_));
     const Vector3 z = offering.R.col(2);
     const Vector3 direction = meeting.T_UM.R * Vector3(std::cos(angle), std::sin(angle), 0);
-    // The fingers of the hand that offers lie before and behind the hand that comes; those of the latter beside both.
+    // The fingers of the postument cover one layer only, so they fit before and behind the narrow palm of the track arm,
+    // whichever of the two hands comes; those of the track arm lie beside both hands.
+    const bool track_comes = hand_ == Hand::track;
+    const Vector3 beside = z.cross(direction);
+    const Vector3 y_offers = track_comes ? direction : beside, y_comes = track_comes ? beside : z;
     Matrix3 R_offers, R_comes;
-    R_offers << direction.cross(z), direction, z;
-    R_comes << z.cross(direction).cross(direction), z.cross(direction), direction;
+    R_offers << y_offers.cross(z), y_offers, z;
+    R_comes << y_comes.cross(direction), y_comes, direction;
     const Pose T_UO{R_offers, meeting.T_UM.p - depth(other(hand_)) * z};
     const Pose T_UE{R_comes, meeting.T_UM.p - depth(hand_) * direction};
 
