@@ -9,6 +9,7 @@ namespace mrroc::rubik {
 /// In the order of the table.
 inline constexpr std::array kFigures{
     mp::FigureInfo{.key = "solved", .words = "the cube is solved", .unit = "", .low = 1},
+    mp::FigureInfo{.key = "verified", .words = "  and is seen to be", .unit = "", .low = 1},
     mp::FigureInfo{.key = "moves", .words = "turns of a face", .unit = ""},
     mp::FigureInfo{.key = "regrasps", .words = "re-grasps without a turn", .unit = ""},
     mp::FigureInfo{.key = "retries", .words = "attempts at a grip or turn besides the first", .unit = ""},

@@ -118,6 +118,7 @@ mp::Figures figures_of(const RunRecord& record, const CubeRecord& cube, const st
     if (record.solved > 0)
       f["sim_s_per_turn"] = seconds(record.solved - record.solving) / static_cast<double>(turns.size());
   }
+  if (record.readings.size() > 1) f["verified"] = record.readings.back().cube == Cube{} ? 1. : 0.;
   if (!cube.rows().empty()) {
     f["squeeze_N"] = std::ranges::max(cube.rows(), {}, &CubeRow::squeeze).squeeze;
     f["solved"] = cube.rows().back().facelets == to_facelets(Cube{}) ? 1. : 0.;

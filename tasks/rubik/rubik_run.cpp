@@ -62,8 +62,13 @@ Outcome RubikRun::execute() {
   x.c.k = k_;
   Outcome o = links_.begin({.m = kWait});
   if (o == Outcome::terminated) {
-    port.read(x);
-    o = work(x, port);
+    try {
+      port.read(x);
+      o = work(x, port);
+    } catch (const FaultError& e) {
+      fault_ = e.fault();
+      o = Outcome::faulted;
+    }
   }
   if (o == Outcome::terminated) links_.send(std::vector<Order>(kArms, Order{.m = kWait, .finished = true}));
   if (o == Outcome::faulted && !fault_) fault_ = links_.fault();
