@@ -59,6 +59,13 @@ enum class FaultCode : std::uint16_t {
   no_contact,
   contact_unstable,
   object_not_seen,
+  // the cube
+  no_plan,
+  grasp_missed,
+  face_jammed,
+  cube_slipped,
+  cube_dropped,
+  cube_misread,
   // processes and messages
   start_failed,
   not_ready,

@@ -10,6 +10,7 @@ namespace mrroc {
 /// y_cT_0j = x_cT_j0: coordinator -> embodied agent. Trivially copyable.
 struct Order {
   int m{};                      ///< behaviour of the coordinator
+  int variant{};                ///< form of that behaviour, as the task says: a role, the number of a point
   std::array<bool, 2> go_on{};  ///< told<1>, told<2>: end your behaviour (MG 60)
   bool finished{};              ///< the task is over: release the effector
   ArmCommand arm{};  ///< continuous coordination: the effector's command, copied by the agent (MS 33)

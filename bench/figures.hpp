@@ -46,5 +46,13 @@ Figures run_solver_group();
 /// Turns of a face of the cube by two arms. Takes some minutes.
 /// @throws FaultError a driver refused to start
 Figures run_cube_group();
+/// Plans of grasps for solutions of 100 cubes, beside the original's fixed table. Takes about a minute.
+/// @throws FaultError a plan is wrong, or there is none
+Figures run_plan_group();
+/// The task of the cube over twenty seeds, in separate processes. Takes hours. Summaries are kept in
+/// runs/bench-rubik below the working directory.
+/// @param resume  cubes whose summary is there already are not solved again
+/// @throws FaultError start_failed, cannot_write
+Figures run_rubik_group(bool resume);
 
 }  // namespace mrroc::bench

@@ -114,7 +114,7 @@ bool ViewedCell::hidden(const Vector3& eye, const Vector3& point) const {
 Figures run_vision_group() {
   Figures all;
   for (const auto part : {visual_servo_figures, run_render_figures, run_pose_figures, run_calibration_figures,
-                          run_detection_figures}) {
+                          run_detection_figures, run_cube_face_figures}) {
     const Figures figures = part();
     all.insert(all.end(), figures.begin(), figures.end());
   }

@@ -49,6 +49,8 @@ double quantile(std::vector<double> values, double share);
 Figures run_pose_figures();
 /// false_poses, detect_ms_max, detect_vs_opencv*: adverse pictures, and the work that pictures take.
 Figures run_detection_figures();
+/// cube_misread, cube_flagged*, cube_completed, cube_face_*: colours of the cube in four kinds of light.
+Figures run_cube_face_figures();
 /// calib_reproj_px, handeye_mm, sac_place_mm.
 Figures run_calibration_figures();
 

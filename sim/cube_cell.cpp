@@ -18,16 +18,30 @@ constexpr double kElevation = 0.791;
 constexpr double kTurned = 0.230;  // about that axis
 const std::array<std::vector<double>, 2> kNear{{{-0.9494, -1.6953, 0.1376, -0.4440, 4.0401, 0.7052},
                                                 {0.3916, 1.1953, -1.5479, 0.2417, 0.5134, 1.6346, 3.3068}}};
+// The same of the search for a place before the camera.
+constexpr double kViewAzimuth = 0.349;  // of the way to the camera [rad]
+constexpr double kViewElevation = 0.349;
+constexpr double kViewDistance = 0.45;  // [m]
 constexpr double kClearance =
     0.001;  // of the palm behind long fingers [m]: the hand that comes has no such palm
+constexpr double kNarrowPalm =
+    0.018;  // of long fingers [m]: beside it there is room for the other hand's finger
 constexpr double kSqueezed = 0.0002;  // by which the pads of a firm grip give way together [m]
+
+/// @return z in the given direction, x level
+Matrix3 level(double azimuth, double elevation) {
+  Matrix3 R;
+  R.col(2) = Vector3(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+                     std::sin(elevation));
+  R.col(0) = Vector3::UnitZ().cross(R.col(2)).normalized();
+  R.col(1) = R.col(2).cross(R.col(0));
+  return R;
+}
 
 std::vector<double> joints_at(const ArmParameters& arm, int number, const Pose& T_UE) {
   const auto robot = irb6::make_arm(arm.model == ArmModel::irb6_track ? "irb6_track" : "irb6_postument");
-  const auto& near = kNear[static_cast<std::size_t>(number)];
   const auto solution =
-      robot->inverse(arm.T_UB.inverse() * T_UE * robot->tool_in_wrist().inverse(),
-                     Eigen::Map<const Eigen::VectorXd>(near.data(), static_cast<Eigen::Index>(near.size())));
+      robot->inverse(arm.T_UB.inverse() * T_UE * robot->tool_in_wrist().inverse(), meeting_joints(number));
   if (!solution.reached) throw std::invalid_argument("cube cell: an arm does not reach the cube");
   return {solution.joints.begin(), solution.joints.end()};
 }
@@ -38,6 +52,7 @@ GripperBodyParameters gripper_with(Fingers fingers) {
   GripperBodyParameters p;
   if (fingers == Fingers::one_layer) return p;
   p.palm = kCubeEdge / 2 - kTwoLayers + kClearance;
+  p.palm_width = kNarrowPalm;
   p.pad_depth = 0.034;
   return p;
 }
@@ -48,13 +63,17 @@ Pose cube_in_hand(Fingers fingers, rubik::Face face) {
 }
 
 Pose meeting_place() {
-  const Vector3 z(std::cos(kElevation) * std::cos(kAzimuth), std::cos(kElevation) * std::sin(kAzimuth),
-                  std::sin(kElevation));
-  Matrix3 R;
-  R.col(2) = z;
-  R.col(0) = Vector3::UnitZ().cross(z).normalized();
-  R.col(1) = z.cross(R.col(0));
-  return {R * rotation_from_angle_axis({0, 0, kTurned}), kPlace};
+  return {level(kAzimuth, kElevation) * rotation_from_angle_axis({0, 0, kTurned}), kPlace};
+}
+
+AxisVector meeting_joints(int arm) {
+  const auto& near = kNear[static_cast<std::size_t>(arm)];
+  return Eigen::Map<const Eigen::VectorXd>(near.data(), static_cast<Eigen::Index>(near.size()));
+}
+
+rubik::Viewing viewing_place() {
+  const Matrix3 R = level(kViewAzimuth, kViewElevation);
+  return {{R, kPlace + kCubeEdge / 2 * R.col(2)}, kViewDistance};
 }
 
 Pose grip(int arm) {

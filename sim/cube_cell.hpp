@@ -4,6 +4,7 @@
 
 #include "edp/limits.hpp"
 #include "sim/world.hpp"
+#include "tasks/rubik/plan/cell.hpp"
 
 namespace mrroc::sim {
 
@@ -14,8 +15,8 @@ inline constexpr int kTrack = 1;
 /// Depth of a grip: how far E is from the middle of the cube, towards the arm, when the palm lies on the cube [m]. The
 /// track arm's long fingers hold two layers, those of the arm on the pedestal one: so it is always that one which
 /// turns.
-inline constexpr double kOneLayer = 0.019;
-inline constexpr double kTwoLayers = 0.0095;
+inline constexpr double kOneLayer = rubik::depth(rubik::Hand::postument);
+inline constexpr double kTwoLayers = rubik::depth(rubik::Hand::track);
 
 /// How many layers of a cube the fingers of a gripper cover.
 enum class Fingers : std::uint8_t { one_layer, two_layers };
@@ -31,6 +32,15 @@ Pose cube_in_hand(Fingers fingers, rubik::Face face);
 /// joint or motor or from the wrist's singularity, as a share of half the range, is 0.41 over both arms' grips in all
 /// four quarter turns, their retreats by 0.1 m, and a grip of the track arm from a side of the cube.
 Pose meeting_place();
+
+/// @param arm  kPostument or kTrack
+/// @return joints of that arm there, as good as it gets: a start for the inverse kinematics [rad, track m]
+AxisVector meeting_joints(int arm);
+
+/// Where the cube is shown to the camera: its middle stays at the meeting place, the face looks up at the camera by 20
+/// degrees, away from the arms' row. Of 1008 places and directions it is the one in which both arms can show the face
+/// opposite to the palm and the two that are free of fingers with the least motion.
+rubik::Viewing viewing_place();
 
 /// @param arm  kPostument or kTrack
 /// @return T_ME of the grip of that arm

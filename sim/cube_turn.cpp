@@ -159,7 +159,6 @@ TurnFigures turn_face(const TurnPlan& plan, std::uint64_t seed,
   Observer observer(cell, plan);
   std::array roles{rubik::Role(rubik::kWorker), rubik::Role(rubik::kHolder)};
   std::array<rubik::Arm::X, 2> x;
-  x[kTrack].c.turn = plan.order;
   rubik::Coordination a_0;
   Fault fault;
   const auto end = cell.world().steps() + static_cast<std::int64_t>(plan.patience / kStep);
@@ -170,6 +169,7 @@ TurnFigures turn_face(const TurnPlan& plan, std::uint64_t seed,
       x[k].e = cell.reply(arm);
       x[k].i = cell.i();
       x[k].T = rubik::order(a_0);
+      rubik::put_turn(plan.order, x[k].T);
       const rubik::Arm::Y y = roles[k].step(x[k]);
       cell.send(arm, y.e);
       reports[k] = y.T;

@@ -11,10 +11,12 @@
 #include "base/hand.hpp"
 #include "base/msg/convert.hpp"
 #include "base/msg/finite.hpp"
+#include "mrroc/cube_truth_t.hpp"
 #include "mrroc/hand_order_t.hpp"
 #include "mrroc/hand_report_t.hpp"
 #include "mrroc/world_state_t.hpp"
 #include "sim/rest_watch.hpp"
+#include "tasks/rubik/cube/facelets.hpp"
 
 namespace mrroc::sim {
 namespace {
@@ -44,6 +46,7 @@ class Shell {
         commands_(static_cast<std::size_t>(world.arms())),
         missed_(static_cast<std::size_t>(world.arms())),
         sheets_(static_cast<std::size_t>(world.arms())) {
+    if (world_.cube()) cube_out_ = process.outbox<cube_truth_t>("cube.truth");
     for (const std::string& robot : k_.robots)
       drive_in_.push_back(process.inbox<drive_command_t>(robot + ".drive", Group::servo_command));
     for (const auto& in : drive_in_) drive_sources_.push_back(in.get());
@@ -60,6 +63,7 @@ class Shell {
       const Clock::time_point due = pacer_.next(speed, Clock::now());
       if (cameras_) cameras_->deliver(step);
       publish_state(step);
+      if (cube_out_ && step % k_.n_s == 0) publish_cube(step / k_.n_s);
       if (cameras_) cameras_->look(step, world_);
       await_commands(step, due);
       world_.step(commands_);
@@ -146,6 +150,22 @@ class Shell {
     state_out_->publish(state, step);
   }
 
+  void publish_cube(std::int64_t i) {
+    const CubeTruth& cube = *world_.cube();
+    cube_truth_t m{};
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 3; ++column) m.T_UC[4 * row + column] = cube.T_UC.R(row, column);
+      m.T_UC[4 * row + 3] = cube.T_UC.p[row];
+    }
+    std::ranges::copy(rubik::to_facelets(cube.state), m.facelets);
+    m.axis = cube.axis;
+    std::ranges::copy(cube.angle, m.angle);
+    std::ranges::copy(cube.torque, m.torque);
+    m.squeeze = cube.squeeze;
+    m.on_floor = cube.on_floor;
+    cube_out_->publish(m, i);
+  }
+
   void await_commands(std::int64_t step, Clock::time_point due) {
     const auto here = [&](std::size_t arm) {
       return drive_in_[arm]->at(step) || process_.dead(k_.drivers[arm]) ||
@@ -201,6 +221,7 @@ class Shell {
   CameraStation* cameras_;
   std::unique_ptr<link::Outbox<world_state_t>> state_out_;
   std::unique_ptr<link::Outbox<hand_report_t>> report_out_;
+  std::unique_ptr<link::Outbox<cube_truth_t>> cube_out_;  // none: there is no cube
   std::unique_ptr<link::Inbox<hand_order_t>> order_in_;
   std::vector<std::unique_ptr<link::Inbox<drive_command_t>>> drive_in_;
   std::vector<HardwareCommand> commands_;

@@ -15,7 +15,7 @@
 namespace mrroc::vsp {
 namespace {
 
-CameraModel camera_from(const Config& config, const RecordedRun& run) {
+std::string key_of_camera(const Config& config, const RecordedRun& run) {
   const std::vector<std::string> keys = config.tables("cameras");
   const std::string list = fmt::format("{}", fmt::join(keys, ", "));
   const std::string file = run.camera.string();
@@ -26,24 +26,23 @@ CameraModel camera_from(const Config& config, const RecordedRun& run) {
   if (!run.key.empty() && std::ranges::find(keys, run.key) == keys.end())
     throw FaultError(FaultCode::bad_configuration,
                      fmt::format("{} has no camera {}; it has {}", file, run.key, list));
-  return read_camera_model(config, run.key.empty() ? keys.front() : run.key);
+  return run.key.empty() ? keys.front() : run.key;
 }
 
-nlohmann::json as_json(const CameraReading& r, const std::string& source) {
-  nlohmann::json line{
-      {"frame", r.frame}, {"t", r.t}, {"source", source}, {"seen", r.seen}, {"ambiguous", r.ambiguous}};
-  if (!r.seen) return line;
-  const AngleAxisPose pose = angle_axis_from_pose(r.T_CG);
-  line["p"] = {pose[0], pose[1], pose[2]};
-  line["aa"] = {pose[3], pose[4], pose[5]};
-  for (int k = 0; k < 6; ++k) line["sigma"].push_back(std::sqrt(r.covariance(k, k)));
-  line["reprojection_px"] = r.reprojection_px;
-  return line;
+RecordedTool tool_of(const ImageReceptor& receptor) {
+  const auto make = [&receptor](const CameraModel& camera, const Config& config, const std::string& /*key*/) {
+    return [detect = receptor.make(camera, config)](const ImageView& picture, std::int64_t number,
+                                                    const std::string& source) {
+      const CameraReading reading = detect(picture, number, number);
+      return RecordedAnswer{as_json(reading, source), reading, ""};
+    };
+  };
+  return {receptor.program, receptor.about, receptor.shape, make};
 }
 
-int run(const ImageReceptor& receptor, int argc, char** argv) {
-  CLI::App app{receptor.about + "\nHere on recorded pictures: prints a line of JSON for each."};
-  app.name(receptor.program);
+int run(const RecordedTool& tool, int argc, char** argv) {
+  CLI::App app{tool.about + "\nHere on recorded pictures: prints a line of JSON for each."};
+  app.name(tool.program);
   RecordedRun r;
   app.add_option("--source", r.source, "a picture, a folder of pictures, or a film")->required();
   app.add_option("--camera", r.camera, "the camera's TOML file, as `calibrate` writes it")->required();
@@ -57,17 +56,29 @@ int run(const ImageReceptor& receptor, int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     throw FaultError(FaultCode::bad_usage, e.what());
   }
-  run_recorded(receptor, r, stdout);
+  run_recorded(tool, r, stdout);
   return 0;
 }
 
 }  // namespace
 
-void run_recorded(const ImageReceptor& receptor, const RecordedRun& run, std::FILE* out) {
+nlohmann::json as_json(const CameraReading& r, const std::string& source) {
+  nlohmann::json line{{"frame", r.frame}, {"source", source}, {"seen", r.seen}, {"ambiguous", r.ambiguous}};
+  if (!r.seen) return line;
+  const AngleAxisPose pose = angle_axis_from_pose(r.T_CG);
+  line["p"] = {pose[0], pose[1], pose[2]};
+  line["aa"] = {pose[3], pose[4], pose[5]};
+  for (int k = 0; k < 6; ++k) line["sigma"].push_back(std::sqrt(r.covariance(k, k)));
+  line["reprojection_px"] = r.reprojection_px;
+  return line;
+}
+
+void run_recorded(const RecordedTool& tool, const RecordedRun& run, std::FILE* out) {
   const Config config = Config::load(run.camera);
-  const CameraModel camera = camera_from(config, run);
-  const ImageDetector detect = receptor.make(camera, config);
-  const ObjectShape shape = receptor.shape(config);
+  const std::string key = key_of_camera(config, run);
+  const CameraModel camera = read_camera_model(config, key);
+  const RecordedDetector detect = tool.make(camera, config, key);
+  const ObjectShape shape = tool.shape(config);
   PictureSource source(run.source);
   if (!run.annotate.empty()) {
     std::error_code error;
@@ -82,18 +93,19 @@ void run_recorded(const ImageReceptor& receptor, const RecordedRun& run, std::FI
       throw FaultError(FaultCode::bad_picture,
                        fmt::format("{}: it is {} x {}, the camera's pictures are {} x {}", picture.name,
                                    image.width, image.height, camera.width, camera.height));
-    CameraReading reading = detect(image.view(), k, k);
-    reading.t = picture.t;
-    fmt::print(out, "{}\n", as_json(reading, picture.name).dump());
+    RecordedAnswer answer = detect(image.view(), k, picture.name);
+    answer.line["t"] = picture.t;
+    fmt::print(out, "{}\n", answer.line.dump());
     if (run.annotate.empty() && run.strip.empty()) continue;
-    annotate(picture.image, reading, camera, shape, fmt::format("{}", k));
+    annotate(picture.image, answer.reading, camera, shape,
+             answer.text.empty() ? fmt::format("{}", k) : fmt::format("{}  {}", k, answer.text));
     if (!run.annotate.empty()) write_picture(run.annotate / fmt::format("{:06}.png", k), image.view());
     if (!run.strip.empty() && strip.wants(k)) strip.add(image.view());
   }
   if (!run.strip.empty()) write_picture(run.strip, strip.picture().view());
 }
 
-int receptor_main(int argc, char** argv, const ImageReceptor& receptor, const link::PartBody& body) {
+int recorded_main(int argc, char** argv, const RecordedTool& tool, const link::PartBody& body) {
   const bool recorded = std::any_of(argv + 1, argv + argc, [](const char* word) {
     const std::string_view w = word;
     return w == "--source" || w.starts_with("--source=");
@@ -101,12 +113,12 @@ int receptor_main(int argc, char** argv, const ImageReceptor& receptor, const li
   if (!recorded)
     return link::child_main(
         argc, argv,
-        receptor.about + "\nFor recorded pictures: " + receptor.program +
+        tool.about + "\nFor recorded pictures: " + tool.program +
             " --source FILE|FOLDER|FILM --camera FILE.toml [--name CAMERA] [--annotate FOLDER] "
             "[--strip FILE.png]",
         body);
   try {
-    return run(receptor, argc, argv);
+    return run(tool, argc, argv);
   } catch (const FaultError& e) {
     fmt::print(stderr, "{}\n", e.error_line());
     return exit_status(e.fault().code);
@@ -114,6 +126,14 @@ int receptor_main(int argc, char** argv, const ImageReceptor& receptor, const li
     fmt::print(stderr, "{}\n", FaultError(FaultCode::bad_picture, e.what()).error_line());
     return exit_status(FaultCode::bad_picture);
   }
+}
+
+void run_recorded(const ImageReceptor& receptor, const RecordedRun& run, std::FILE* out) {
+  run_recorded(tool_of(receptor), run, out);
+}
+
+int receptor_main(int argc, char** argv, const ImageReceptor& receptor, const link::PartBody& body) {
+  return recorded_main(argc, argv, tool_of(receptor), body);
 }
 
 }  // namespace mrroc::vsp

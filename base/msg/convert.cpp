@@ -222,6 +222,7 @@ StepSample from_message(const step_sample_t& m) {
 agent_order_t to_message(const Order& o) {
   agent_order_t m{};
   m.m = o.m;
+  m.variant = o.variant;
   copy(o.go_on, m.go_on);
   m.finished = o.finished;
   m.arm = to_message(o.arm);
@@ -231,6 +232,7 @@ agent_order_t to_message(const Order& o) {
 Order from_message(const agent_order_t& m) {
   Order o;
   o.m = m.m;
+  o.variant = m.variant;
   o.go_on = {m.go_on[0] != 0, m.go_on[1] != 0};
   o.finished = m.finished != 0;
   o.arm = from_message(m.arm);

@@ -4,6 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "sim/camera/cube_view.hpp"
+
 namespace mrroc::sim {
 namespace {
 
@@ -66,6 +68,10 @@ void add_arm(std::vector<Body>& bodies, const World& world, int arm, const ArmPa
     bodies.push_back(body(s.shape, s.size, s.T_UV, is_dark(s.link) ? kDark : kOrange, 0.35));
   const ArmTruth& truth = world.truth(arm);
   const Pose T_UE = parameters.T_UB * truth.T_0E;
+  if (parameters.jaws && parameters.gripper) {
+    add_gripper(bodies, *parameters.gripper, T_UE, truth.jaws);
+    return;
+  }
   if (!parameters.jaws) {
     bodies.push_back(body(Shape::cylinder, {0.008, 0.008, kPenLength}, shifted(T_UE, {0, 0, -kPenLength / 2}),
                           kSteel, 0.3));
@@ -81,6 +87,7 @@ void add_arm(std::vector<Body>& bodies, const World& world, int arm, const ArmPa
 }  // namespace
 
 CellScene::CellScene(const WorldParameters& world) : arms_(world.arms) {
+  if (world.cube) shape_.edge = world.cube->edge;
   Body floor = body(Shape::quad, {kFloorEdge, kFloorEdge, 1}, Pose{}, kFloor, 0);
   floor.casts_shadow = false;
   still_.push_back(floor);
@@ -92,6 +99,7 @@ Scene CellScene::take(const World& world) const {
   scene.bodies = still_;
   for (int arm = 0; arm < world.arms(); ++arm)
     add_arm(scene.bodies, world, arm, arms_[static_cast<std::size_t>(arm)]);
+  if (const CubeTruth* const cube = world.cube()) add_cube(scene.bodies, *cube, shape_);
   return scene;
 }
 

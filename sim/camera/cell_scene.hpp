@@ -3,13 +3,14 @@
 #include <span>
 #include <vector>
 
+#include "base/cube_face.hpp"
 #include "sim/camera/scene.hpp"
 #include "sim/world.hpp"
 
 namespace mrroc::sim {
 
-/// Floor, tables, plates and paper, which never move; and the arms, whose every link is where the world has it. Ink is
-/// not drawn.
+/// Floor, tables, plates and paper, which never move; and the arms, whose every link is where the world has it, with
+/// their grippers, and the cube. Ink is not drawn.
 class CellScene {
  public:
   explicit CellScene(const WorldParameters& world);
@@ -20,6 +21,7 @@ class CellScene {
  private:
   std::vector<camera::Body> still_;
   std::vector<ArmParameters> arms_;
+  CubeFaceShape shape_;
 };
 
 }  // namespace mrroc::sim

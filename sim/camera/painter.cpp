@@ -135,6 +135,7 @@ void Painter::draw_bodies(GLuint program, const Scene& scene, const Pose& T_UC, 
     set(program, "turn", Matrix3(T_CU.R * body.T_UB.R * body.size.cwiseInverse().asDiagonal()));
     set(program, "colour", vector(body.colour));
     set(program, "shine", body.shine);
+    set(program, "gloss", body.gloss);
     if (textured) gl_.BindTexture(GL_TEXTURE_2D, texture(body.texture));
     draw(body);
   }

@@ -25,6 +25,7 @@ struct Body {
   Pose T_UB;                      ///< its middle in the world
   Colour colour{0.6, 0.6, 0.6};
   double shine{0.2};        ///< strength of highlights, 0: dull
+  double gloss{40};         ///< their sharpness: Blinn's exponent
   bool casts_shadow{true};  ///< what lies flat on another body needs to cast none
   /// Picture on a quad, 3 channels: its first row lies at +y, its first column at -x. Multiplied by the colour.
   /// None: of one colour. What it shows must not change any more; another picture is another object.

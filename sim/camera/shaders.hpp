@@ -42,7 +42,7 @@ void main() {
 inline constexpr const char* kScenePixels = R"(
 in vec2 place;
 uniform vec3 colour;
-uniform float shine, exposure;
+uniform float shine, gloss, exposure;
 uniform sampler2D picture;
 out vec4 seen;
 #ifdef SHADOWS
@@ -60,7 +60,7 @@ void main() {
   vec3 n = normalize(normal_in_camera);
   float lit = max(dot(n, lamp_direction), 0.0) * texture(shadows, in_lamp);
   vec3 half_way = normalize(lamp_direction - normalize(in_camera));
-  float highlight = lit > 0.0 ? shine * pow(max(dot(n, half_way), 0.0), 40.0) * lit : 0.0;
+  float highlight = lit > 0.0 ? shine * pow(max(dot(n, half_way), 0.0), gloss) * lit : 0.0;
   seen = vec4(exposure * (surface * light_on(n, lit) + lamp * highlight), 1.0);
 #else
   seen = vec4(exposure * surface * light, 1.0);

@@ -22,6 +22,12 @@ EffectorCommand row(const X& x) {
   return command(x, frame, sign * kJawStep);
 }
 
+/// The same while the jaws touch nothing: as quickly as is ordered.
+template <const TaskFrameCommand& frame, int sign>
+EffectorCommand freely(const X& x) {
+  return command(x, frame, sign * jaw_step_of(x.T));
+}
+
 /// tab. 7(a) with what the order has for it.
 EffectorCommand turn(const X& x) {
   TaskFrameCommand frame = kTurn;
@@ -37,10 +43,10 @@ Report event(const X& x) {
   return r;
 }
 
-/// f_tau: element l of what the coordinator sends. (60)
+/// f_tau: element l of what the coordinator sends (60), or it has left the cycle.
 template <int l>
 bool told(const X& x) {
-  return x.T.go_on[l - 1];
+  return x.T.go_on[l - 1] || x.T.m > 6 || x.T.finished;
 }
 
 constexpr auto kRetain = ecp::retain<Arm>;
@@ -64,24 +70,34 @@ bool turned(const X& x) {
 bool released(const X& x) { return x.e.gripper - x.c.gap >= kRelease; }
 bool nothing(const X&) { return false; }
 
-Memory keep_gap(const X& x) {
-  Memory c = x.c;
+ArmMemory keep_gap(const X& x) {
+  ArmMemory c = x.c;
   c.gap = x.e.gripper;
   return c;
 }
 
-Memory keep_pose(const X& x) {
-  Memory c = x.c;
+ArmMemory keep_pose(const X& x) {
+  ArmMemory c = x.c;
   c.T_0E = pose_of(x.e);
   c.angle = 0;
   return c;
 }
 
-Memory track_angle(const X& x) {
-  Memory c = x.c;
-  const Matrix3 R = c.T_0E.R.transpose() * pose_of(x.e).R;
+ArmMemory begin_turn(const X& x) {
+  ArmMemory c = keep_pose(x);
+  c.turn = turn_of(x.T);
+  return c;
+}
+
+double angle_about_z(const Pose& from, const Pose& to, double last) {
+  const Matrix3 R = from.R.transpose() * to.R;
   const double angle = std::atan2(R(1, 0) - R(0, 1), R(0, 0) + R(1, 1));
-  c.angle = angle + 2 * pi * std::round((c.angle - angle) / (2 * pi));
+  return angle + 2 * pi * std::round((last - angle) / (2 * pi));
+}
+
+ArmMemory track_angle(const X& x) {
+  ArmMemory c = x.c;
+  c.angle = angle_about_z(c.T_0E, pose_of(x.e), c.angle);
   return c;
 }
 
@@ -90,7 +106,7 @@ const std::array<Motion<Arm>, 6> kWorker{{
   // m  name        entry      memory       command           sensors    event                terminal condition
   {  1, "approach", kRetain,   kRetain,     row<kApproach, 0>, kNoSensor, event<1, pushing>,  told<1>},
   {  2, "settle",   kRetain,   kRetain,     row<kApproach, 0>, kNoSensor, event<2, settled>,  told<2>},
-  {  3, "close y",  kRetain,   kRetain,     row<kCloseY, -1>,  kNoSensor, event<3, narrow>,   told<1>},
+  {  3, "close y",  kRetain,   kRetain,     freely<kCloseY, -1>, kNoSensor, event<3, narrow>,   told<1>},
   {  4, "close xy", kRetain,   kRetain,     row<kCloseXY, -1>, kNoSensor, event<4, gripped>,  told<2>},
   {  5, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<5, nothing>,  told<1>},
   {  6, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<6, nothing>,  told<2>},
@@ -100,8 +116,8 @@ const std::array<Motion<Arm>, 6> kHolder{{
   {  2, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<2, nothing>,  told<2>},
   {  3, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<3, nothing>,  told<1>},
   {  4, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<4, nothing>,  told<2>},
-  {  5, "turn",     keep_pose, track_angle, turn,              kNoSensor, event<5, turned>,   told<1>},
-  {  6, "open",     keep_gap,  kRetain,     row<kStill, 1>,    kNoSensor, event<6, released>, told<2>},
+  {  5, "turn",     begin_turn, track_angle, turn,              kNoSensor, event<5, turned>,   told<1>},
+  {  6, "open",     keep_gap,  kRetain,     freely<kStill, 1>,   kNoSensor, event<6, released>, told<2>},
 }};
 // clang-format on
 

@@ -44,9 +44,13 @@ bool turned(const Arm::X& x);    ///< (75) the unwrapped angle about z since ent
 bool released(const Arm::X& x);  ///< (77) the jaws have opened by kRelease since entry
 bool nothing(const Arm::X& x);   ///< the other arm looks for the event
 
-Memory keep_gap(const Arm::X& x);     ///< (76), on entry
-Memory keep_pose(const Arm::X& x);    ///< (74), on entry
-Memory track_angle(const Arm::X& x);  ///< follows the angle over whole turns
+ArmMemory keep_gap(const Arm::X& x);     ///< (76), on entry
+ArmMemory keep_pose(const Arm::X& x);    ///< (74), on entry
+ArmMemory begin_turn(const Arm::X& x);   ///< the same, and what is ordered
+ArmMemory track_angle(const Arm::X& x);  ///< follows the angle over whole turns
+/// @param last  of the same angle a moment ago [rad]
+/// @return signed angle about z from one pose to the other, unwrapped [rad] (75)
+double angle_about_z(const Pose& from, const Pose& to, double last);
 
 /// m = 1..6, index m - 1. An arm ends behaviour m when it is told to by element 1 (odd m) or 2 (even m) of what the
 /// coordinator sends, (60).

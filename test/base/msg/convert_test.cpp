@@ -223,7 +223,7 @@ TEST(Convert, EverythingElseSurvivesTheWire) {
     fill(sample.T_0E);
     fill(sample.F_a.v);
     expect_round_trip(sample, [](const step_sample_t& m) { return from_message(m); });
-    const Order order{bits<int>(), {flag(), flag()}, flag(), random_arm()};
+    const Order order{bits<int>(), bits<int>(), {flag(), flag()}, flag(), random_arm()};
     expect_round_trip(order, [](const agent_order_t& m) { return from_message(m); });
     Report report{bits<int>(),     bits<int>(),    flag(), bits<int>(), bits<DriverState>(),
                   bits<Verdict>(), random_fault(), {},     {},          number(),

@@ -1,0 +1,226 @@
+// Transition functions and terminal conditions of a_0.
+#include "tasks/rubik/coordinator.hpp"
+
+#include <cmath>
+
+#include "base/representation.hpp"
+#include "tasks/rubik/plan/plan.hpp"
+#include "tasks/rubik/turn/tables.hpp"
+
+namespace mrroc::rubik {
+namespace {
+
+using X = Coordinator::X;
+using Memory0 = Coordinator::Memory;
+using Orders = std::array<Order, kArms>;
+
+/// Macrosteps until an order shows in a report (MG 11-15), and none of an earlier behaviour is left.
+constexpr std::int64_t kLoop = 4;
+
+constexpr std::int64_t kStillBeforeLook = 25;  // macrosteps until the arms have come to rest
+constexpr std::int64_t kLongestLook = 100;     // macrosteps after which what there is must do
+
+Pose pose_of(const Report& r) { return pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(r.T_0E.data())); }
+
+/// @return the hand that acts in behaviour m of the cycle
+Hand actor(const Cycle& cycle, int m) {
+  if (m <= 4) return cycle.comes;
+  return m == 5 ? Hand::track : cycle.leaves;
+}
+
+const Report& report(const X& x, Hand hand) { return x.T.agent[index(hand)]; }
+
+bool empty(const X& x, Hand hand) { return report(x, hand).ready && report(x, hand).gripper < x.c.k.held; }
+
+// --- memory ----------------------------------------------------------------------------------------------------
+
+Memory0 retain(const X& x) { return x.c; }
+
+template <int m>
+Memory0 begin(const X& x) {
+  Memory0 c = x.c;
+  c.begun = pose_of(report(x, actor(c.cycle, m)));
+  c.angle = c.last_angle = 0;
+  c.last_progress = x.i;
+  return c;
+}
+
+template <int m>
+Trouble watch(const X& x, const Memory0& c) {
+  const Parameters& k = x.c.k;
+  const bool late = ecp::age(x) >= k.patience;
+  if (empty(x, m == 6 ? c.cycle.leaves : c.cycle.holds) && m < 6) return Trouble::dropped;
+  if (m == 1 && late) return Trouble::no_contact;
+  if ((m == 3 || m == 4) && (late || empty(x, c.cycle.comes))) return Trouble::missed;
+  if (m == 5 && x.i - c.last_progress >= k.patience / 2) return Trouble::jammed;
+  if (m == 6 && late) return Trouble::not_released;
+  return Trouble::none;
+}
+
+/// (63), and whether all is well.
+template <int m>
+Memory0 coordinate_arms(const X& x) {
+  Memory0 c = x.c;
+  c.coordination = coordinate(c.coordination, x.T.agent);
+  const Pose now = pose_of(report(x, actor(c.cycle, m)));
+  if (m == 1) c.travelled = (c.begun.R.transpose() * (now.p - c.begun.p)).z();
+  if (m == 5) {
+    c.angle = angle_about_z(c.begun, now, c.angle);
+    if (std::abs(c.angle - c.last_angle) >= c.k.progress) {
+      c.last_angle = c.angle;
+      c.last_progress = x.i;
+    }
+  }
+  c.trouble = watch<m>(x, c);
+  if (m == 1 && c.coordination.m > 1 && std::abs(c.travelled - kApproachDistance) > c.k.slip)
+    c.trouble = Trouble::elsewhere;
+  return c;
+}
+
+Memory0 first_point(const X& x) {
+  Memory0 c = x.c;
+  c.next = 0;
+  return c;
+}
+
+/// Point after point; what has been lost is sent again when all others have been.
+Memory0 next_point(const X& x) {
+  Memory0 c = x.c;
+  if (++c.next >= c.way.count) c.next = std::min(report(x, c.mover).sensor, c.way.count - 1);
+  return c;
+}
+
+Memory0 watch_cube(const X& x) {
+  Memory0 c = x.c;
+  for (const Hand hand : kHands)
+    if (c.loaded[index(hand)] && empty(x, hand)) c.trouble = Trouble::dropped;
+  return c;
+}
+
+// --- orders ----------------------------------------------------------------------------------------------------
+
+template <int m>
+Orders both(const X&) {
+  return {Order{.m = m}, Order{.m = m}};
+}
+
+template <int m>
+Orders cycle(const X& x) {
+  Orders orders;
+  for (const Hand hand : kHands) {
+    Order& o = orders[index(hand)];
+    o = order(x.c.coordination);
+    o.variant = actor(x.c.cycle, m) == hand ? kActs : kStands;
+    put_turn(x.c.cycle.turn, o);
+    o.arm.gripper = x.c.k.jaw_step;
+  }
+  return orders;
+}
+
+Orders send_point(const X& x) {
+  Orders orders = both<kWait>(x);
+  Order& o = orders[index(x.c.mover)];
+  o.m = kTakeWay;
+  o.variant = x.c.next;
+  o.arm.mu = Interpolation::mim;
+  o.arm.representation = Representation::joints;
+  if (x.c.way.count > 0) o.arm.pose = x.c.way.points[static_cast<std::size_t>(x.c.next)];
+  o.arm.gripper = x.c.way.jaws;
+  return orders;
+}
+
+Orders go(const X& x) {
+  Orders orders = both<kWait>(x);
+  orders[index(x.c.mover)].m = kGo;
+  return orders;
+}
+
+Orders weigh(const X& x) {
+  Orders orders;
+  for (const Hand hand : kHands) {
+    Order& o = orders[index(hand)];
+    const Load& load = x.c.k.load[index(hand)][x.c.loaded[index(hand)] ? 1 : 0];
+    o.m = kWeigh;
+    o.arm.pose[0] = load.weight;
+    for (int axis = 0; axis < 3; ++axis)
+      o.arm.pose[static_cast<std::size_t>(axis) + 1] = load.mass_centre[axis];
+  }
+  return orders;
+}
+
+// --- terminal conditions ---------------------------------------------------------------------------------------
+
+bool may_start(const X& x) { return x.T.h.started && x.T.agent[0].ready && x.T.agent[1].ready; }
+/// A picture that was taken when the arms had been at rest for a while, and shows the face well; or the last of some.
+bool has_seen(const X& x) {
+  const CubeFaceReading& r = x.V.reading;
+  if (!x.V.there || r.step < (x.i_0 + kStillBeforeLook) * kPacing.n_s) return false;
+  return r.valid || ecp::age(x) >= kLongestLook;
+}
+bool has_thought(const X& x) { return ecp::age(x) >= kThinking; }
+bool goes_on(const X& x) { return !x.T.h.paused; }
+
+template <int m>
+bool ended(const X& x) {
+  return x.c.coordination.m != m || x.c.trouble != Trouble::none;
+}
+
+bool way_known(const X& x) { return ecp::age(x) >= kLoop && report(x, x.c.mover).sensor >= x.c.way.count; }
+bool arrived(const X& x) {
+  return x.c.trouble != Trouble::none || (ecp::age(x) >= kLoop && report(x, x.c.mover).event == kGo);
+}
+bool weighed(const X& x) {
+  return ecp::age(x) >= kLoop && x.T.agent[0].event == kWeigh && x.T.agent[1].event == kWeigh;
+}
+bool resting(const X& x) {
+  const auto rests = [](const Report& r) {
+    return r.driver_state == DriverState::holding || r.driver_state == DriverState::ready;
+  };
+  return ecp::age(x) >= kLoop && rests(x.T.agent[0]) && rests(x.T.agent[1]);
+}
+
+ecp::None nothing(const X&) { return {}; }
+
+template <int m>
+constexpr Motion<Coordinator> row(const char* name) {
+  return {m, name, begin<m>, coordinate_arms<m>, nothing, nothing, cycle<m>, ended<m>};
+}
+
+}  // namespace
+
+const std::array<Motion<Coordinator>, 6> kCycle{row<1>("approach"), row<2>("settle"), row<3>("close y"),
+                                                row<4>("close xy"), row<5>("turn"),   row<6>("open")};
+
+// clang-format off
+// m                                      name               entry        memory      effector sensors orders           terminal condition
+const Motion<Coordinator> kWaitForStart{ 0, "wait for start", retain,      retain,     nothing, nothing, both<kWait>,     may_start};
+const Motion<Coordinator> kSendWay     { kTakeWay, "tell the way", first_point, next_point, nothing, nothing, send_point, way_known};
+const Motion<Coordinator> kMoveAlong   { kGo, "go",           retain,      watch_cube, nothing, nothing, go,              arrived};
+const Motion<Coordinator> kWeighBoth   { kWeigh, "weigh",     retain,      retain,     nothing, nothing, weigh,           weighed};
+const Motion<Coordinator> kStopBoth    { kWait, "break off",     retain,      retain,     nothing, nothing, both<kWait>, resting};
+const Motion<Coordinator> kThink       { 12, "think",         retain,      retain,     nothing, nothing, both<kWait>,     has_thought};
+const Motion<Coordinator> kLook        { 13, "look",          retain,      retain,     nothing, nothing, both<kWait>,     has_seen};
+const Motion<Coordinator> kResume      { 11, "pause",         retain,      retain,     nothing, nothing, both<kWait>,     goes_on};
+// clang-format on
+
+const char* to_string(Trouble trouble) {
+  switch (trouble) {
+    case Trouble::none:
+      return "none";
+    case Trouble::no_contact:
+      return "the worker does not meet the cube";
+    case Trouble::elsewhere:
+      return "the worker meets the cube elsewhere";
+    case Trouble::missed:
+      return "the jaws close on nothing";
+    case Trouble::jammed:
+      return "the face does not turn";
+    case Trouble::not_released:
+      return "the jaws do not open";
+    case Trouble::dropped:
+      return "the cube has been dropped";
+  }
+  return "?";
+}
+
+}  // namespace mrroc::rubik

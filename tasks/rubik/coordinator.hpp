@@ -1,0 +1,120 @@
+// The coordinator a_0 of the cube's task: its images and behaviours. It moves the arms between cycles, hands them through
+// the behaviours of a cycle by (60)-(63), and watches whether each one comes to its end.
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "base/cube_face.hpp"
+#include "base/operator.hpp"
+#include "tasks/rubik/plan/grasp.hpp"
+#include "tasks/rubik/turn/arm.hpp"
+#include "tasks/rubik/turn/coordination.hpp"
+
+namespace mrroc::rubik {
+
+inline constexpr std::size_t kArms = 2;
+
+/// Simulated time that thinking takes [macrosteps].
+inline constexpr int kThinking = 50;
+
+/// What hangs on a force sensor.
+struct Load {
+  double weight{};                       ///< w [N]
+  Vector3 mass_centre{Vector3::Zero()};  ///< W_G P [m]
+};
+
+/// Parameters of the task, constant during a run.
+struct Parameters {
+  double torque{4.2};       ///< F_d about the face's axis [N m]
+  double mobility{0.1};     ///< B about it [s/(kg m^2)]
+  double most_torque{4.4};  ///< after a face has not turned [N m]: below the drivers' limit of contact force
+  int attempts{3};          ///< at a turn or at a grip, until it is a fault
+  int patience{
+      400};  ///< macrosteps until a behaviour that has not ended is in trouble; m = 5: without progress
+  double progress{0.035};  ///< angle that is progress of a turn [rad]
+  double held{0.0555};     ///< jaws nearer to each other than that hold nothing [m]
+  double slip{0.005};      ///< by which the cube may be off where the worker meets it [m]
+  double open{0.063};      ///< distance of the jaws of an empty hand [m]
+  double jaw_step{0.003};  ///< dg of jaws that touch nothing, per macrostep [m]
+  std::array<std::array<Load, 2>, kArms> load;  ///< of each arm, empty and with the cube
+};
+
+/// What is wrong with a behaviour of a cycle.
+enum class Trouble : std::uint8_t {
+  none,
+  no_contact,    ///< m = 1: the worker does not meet the cube
+  elsewhere,     ///< m = 1: it meets it where it should not be
+  missed,        ///< m = 3, 4: its jaws close on nothing
+  jammed,        ///< m = 5: the face does not turn
+  not_released,  ///< m = 6: the jaws do not open
+  dropped        ///< the hand that holds the cube has nothing in its jaws any more
+};
+
+/// Who does what in a cycle.
+struct Cycle {
+  Hand holds{Hand::track};      ///< at the beginning
+  Hand comes{Hand::postument};  ///< W: m = 1..4
+  Hand leaves{Hand::track};     ///< m = 6
+  TurnOrder turn;               ///< m = 5, of the track arm
+};
+
+/// a_0: has no effector.
+struct Coordinator {
+  /// x_cV0: the camera's newest reading that is visible.
+  struct Seen {
+    bool there{};  ///< false: there has been none yet
+    CubeFaceReading reading;
+  };
+  /// c_c0
+  struct Memory {
+    Parameters k;
+    Coordination coordination;  ///< of the present cycle
+    Cycle cycle;
+    Hand mover{};                      ///< of a free motion
+    Way way;                           ///< of that motion
+    int next{};                        ///< point to be sent
+    std::array<bool, kArms> loaded{};  ///< the cube is in the hand that is weighed
+    Trouble trouble{};                 ///< of the present cycle
+    Pose begun;                        ///< E of the arm that acts, at the begin of the behaviour
+    double angle{};                    ///< m = 5: turned so far [rad]
+    double last_angle{};               ///< at the last progress [rad]
+    std::int64_t last_progress{};      ///< macrostep of it
+    double travelled{};                ///< m = 1: by the worker until contact [m]
+  };
+  struct Transmission {
+    std::array<Report, kArms> agent;  ///< x_cT_0j
+    OperatorImage h;                  ///< x_cT_0h
+  };
+  struct X {
+    Memory c;
+    ecp::None e;
+    Seen V;
+    Transmission T;
+    std::int64_t i{};
+    std::int64_t i_0{};
+  };
+  struct Y {
+    Memory c;
+    ecp::None e;
+    ecp::None V;
+    std::array<Order, kArms> T;  ///< y_cT_0j
+  };
+};
+
+/// m = 1..6, index m - 1: both arms are in that behaviour. Ends with its event, or with c.trouble.
+extern const std::array<Motion<Coordinator>, 6> kCycle;
+
+extern const Motion<Coordinator>
+    kWaitForStart;                          ///< until both agents are ready and the operator has given start
+extern const Motion<Coordinator> kSendWay;  ///< c.way goes to c.mover
+extern const Motion<Coordinator> kMoveAlong;  ///< c.mover goes along it; c.trouble watches the cube
+extern const Motion<Coordinator> kWeighBoth;  ///< both arms at rest, without contact; c.loaded
+extern const Motion<Coordinator> kStopBoth;   ///< a cycle is broken off; both come to rest
+extern const Motion<Coordinator> kThink;      ///< the arms wait for kThinking macrosteps
+extern const Motion<Coordinator> kLook;       ///< at rest until there is a picture of that
+extern const Motion<Coordinator> kResume;     ///< nothing happens while the operator has a pause
+
+/// @return name of the trouble for people
+[[nodiscard]] const char* to_string(Trouble trouble);
+
+}  // namespace mrroc::rubik

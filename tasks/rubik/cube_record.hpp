@@ -1,0 +1,39 @@
+// What is true of the cube during a run, for tables and figures.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/link/process.hpp"
+#include "base/pose.hpp"
+#include "mrroc/cube_truth_t.hpp"
+
+namespace mrroc::rubik {
+
+/// One macrostep.
+struct CubeRow {
+  std::int64_t i{};      ///< at whose beginning this was so
+  Pose T_UC;             ///< in the world
+  std::string facelets;  ///< U R F D L B
+  double angle{};        ///< of the layer that is farthest from its seat [rad]
+  double squeeze{};      ///< largest force of a pad or palm on it [N]
+  bool on_floor{};
+};
+
+/// Collects the world's messages. Used by MP's thread.
+class CubeRecord {
+ public:
+  /// To be made before the process assembles.
+  explicit CubeRecord(link::Process& process) : in_(process.inbox<cube_truth_t>("cube.truth")) {}
+  /// Takes what has come; to be called in every macrostep.
+  void collect();
+  [[nodiscard]] const std::vector<CubeRow>& rows() const { return rows_; }
+  /// @return the row of macrostep i or the nearest one before it; null: there is none
+  [[nodiscard]] const CubeRow* at(std::int64_t i) const;
+
+ private:
+  std::unique_ptr<link::Inbox<cube_truth_t>> in_;
+  std::vector<CubeRow> rows_;
+};
+
+}  // namespace mrroc::rubik

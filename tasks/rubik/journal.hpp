@@ -1,0 +1,27 @@
+// What the coordinator notes of a run, cycle by cycle.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "tasks/rubik/coordinator.hpp"
+#include "tasks/rubik/cube/move.hpp"
+
+namespace mrroc::rubik {
+
+/// One cycle: a turn of a face, or a re-grasp.
+struct CycleNote {
+  Hand comes{}, leaves{};     ///< W, and the arm that lets go
+  std::optional<Move> turn;   ///< none: the cube only changed hands
+  std::int64_t begun{};       ///< macrostep in which the first free motion to it began
+  std::int64_t ended{};       ///< macrostep in which the hand that let go had retreated
+  std::int64_t turn_begun{};  ///< macrostep in which m = 5 began
+  std::int64_t turn_ended{};  ///< and ended
+  int grips{};                ///< attempts at m = 1..4
+  int attempts{};             ///< attempts at m = 5
+  double tool{};              ///< turned by the track arm's tool [rad]
+  double travelled{};         ///< by the worker until it met the cube [m]
+};
+using Journal = std::vector<CycleNote>;
+
+}  // namespace mrroc::rubik

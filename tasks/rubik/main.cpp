@@ -1,0 +1,232 @@
+// The task of the cube: two arms read a scrambled cube, find a solution and turn its faces until it is solved.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "base/representation.hpp"
+#include "mp/summary_text.hpp"
+#include "mp/task_run.hpp"
+#include "sim/arm_task.hpp"
+#include "sim/camera/config.hpp"
+#include "sim/cube_cell.hpp"
+#include "sim/plan_cell.hpp"
+#include "tasks/rubik/config.hpp"
+#include "tasks/rubik/figure_info.hpp"
+#include "tasks/rubik/plots.hpp"
+#include "tasks/rubik/results.hpp"
+#include "tasks/rubik/rubik_run.hpp"
+#include "tasks/rubik/solver/solver.hpp"
+#include "tasks/rubik/solver/table_progress.hpp"
+#include "vsp/cube_face/receptor.hpp"
+
+namespace {
+
+using namespace mrroc;
+namespace fs = std::filesystem;
+
+const std::vector<sim::CellArm> kArms{{rubik::kArmKeys[0], "irb6_postument"},
+                                      {rubik::kArmKeys[1], "irb6_track"}};
+const std::string kCamera = "cube";
+const std::vector<std::string> kKeys{rubik::kArmKeys[0], rubik::kArmKeys[1]};
+
+struct Options {
+  mp::TaskOptions task;
+  std::string scramble, state, eyes{"camera"};
+};
+
+/// Everything that is known before anything starts.
+struct Setup {
+  Config config;
+  rubik::Parameters k;
+  sim::WorldParameters world;
+  std::optional<CameraSetup> camera;
+};
+
+template <class Numbers>
+std::string setting(const std::string& arm, const char* key, const Numbers& numbers) {
+  return fmt::format("robots.{}.{}=[{:.6f}]", arm, key,
+                     fmt::join(numbers.data(), numbers.data() + numbers.size(), ", "));
+}
+
+std::string pose_setting(const char* key, const Pose& T) {
+  const AngleAxisPose r = angle_axis_from_pose(T);
+  return fmt::format("{}=[{:.9f}]", key, fmt::join(r.data(), r.data() + r.size(), ", "));
+}
+
+/// The camera looks straight at the place where faces are shown.
+std::vector<std::string> camera_settings() {
+  const rubik::Viewing viewing = sim::viewing_place();
+  const Pose T_GC{Eigen::DiagonalMatrix<double, 3>(1, -1, -1), {0, 0, viewing.distance}};
+  return {fmt::format("cameras.order=[\"{}\"]", kCamera), "cameras.cube.mount=world",
+          "cameras.cube.period=100", pose_setting("cameras.cube.pose", viewing.T_UG * T_GC),
+          pose_setting("cube_face.places.shown.pose", viewing.T_UG)};
+}
+
+Setup prepare(const Options& o) {
+  Setup s;
+  mp::TaskOptions with = o.task;
+  std::vector<std::string> settings;
+  if (!o.scramble.empty()) settings.push_back(fmt::format("cube.scramble=\"{}\"", o.scramble));
+  if (!o.state.empty()) settings.push_back(fmt::format("cube.state=\"{}\"", o.state));
+  if (settings.empty()) settings.emplace_back("cube.random_turns=20");
+  if (o.eyes == "camera") {
+    const auto camera = camera_settings();
+    settings.insert(settings.end(), camera.begin(), camera.end());
+  }
+  sim::CubeCellParameters retreated;
+  retreated.distance = rubik::kRetreatDistance;
+  const sim::WorldParameters cell = sim::cube_cell(retreated);
+  const sim::CubePlanCell limits(cell);
+  for (const rubik::Hand hand : rubik::kHands) {
+    const std::string& arm = kKeys[rubik::index(hand)];
+    settings.push_back(setting(arm, "start_joints", cell.arms[rubik::index(hand)].start));
+    settings.push_back(setting(arm, "motion.velocity", limits.limits(hand).velocity));
+    settings.push_back(setting(arm, "motion.acceleration", limits.limits(hand).acceleration));
+  }
+  with.settings.insert(with.settings.begin(), settings.begin(), settings.end());
+  s.config = sim::load_task_config(with, rubik::config(), "rubik");
+  s.world = sim::read_cell(s.config, kArms, o.task.seed);
+  s.k = rubik::read_parameters(s.config);
+  for (std::size_t arm = 0; arm < kKeys.size(); ++arm)
+    rubik::read_motion_limits(s.config, kKeys[arm], static_cast<int>(s.world.arms[arm].start.size()));
+  if (o.eyes == "camera") {
+    sim::read_camera_world(s.config, kKeys);
+    s.camera = read_camera(s.config, kCamera);
+    vsp::make_cube_face_sensor(s.config, kCamera);
+  }
+  sim::check_task_options(o.task);
+  return s;
+}
+
+std::vector<mp::Part> parts_of(const Setup& s) {
+  const Config& config = s.config;
+  auto parts = sim::cell_parts(config, kArms);
+  if (s.camera)
+    parts.push_back(
+        sim::make_part(config, "vsp-" + s.camera->key, "vsp_cube_face", nullptr, vsp::run_cube_face));
+  for (const sim::CellArm& arm : kArms)
+    parts.push_back(sim::make_part(config, "ecp-" + arm.key, "ecp_rubik", &arm, rubik::run_ecp));
+  return parts;
+}
+
+AxisVector axes(const std::vector<double>& q) {
+  return Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
+}
+
+/// What the coordinator thinks with.
+struct Head {
+  explicit Head(const Setup& s)
+      : cell(s.world, s.camera ? std::optional(sim::viewing_place()) : std::nullopt),
+        planner(cell),
+        solver(s.config.choice("task.tables", rubik::TableSet::standard,
+                               {{"small", rubik::TableSet::small},
+                                {"default", rubik::TableSet::standard},
+                                {"large", rubik::TableSet::large}}),
+               rubik::table_folder(), kThreads, progress.watch()) {}
+
+  /// A short solution, the same in every run.
+  [[nodiscard]] rubik::Moves solve(const rubik::Cube& cube) const {
+    return solver.solve(cube, {.nodes = kNodes, .threads = 1}).moves;
+  }
+
+  static constexpr int kThreads = 2;
+  static constexpr std::uint64_t kNodes = 3'000'000;
+  rubik::TableProgress progress{stderr};
+  sim::CubePlanCell cell;
+  rubik::Planner planner;
+  rubik::CubeSolver solver;
+};
+
+rubik::Brain make_brain(const Setup& s, Head& head) {
+  rubik::Brain brain;
+  brain.camera = s.camera;
+  if (!s.camera) brain.known = s.world.cube->state;
+  const auto hand = static_cast<rubik::Hand>(s.world.cube->held_by);
+  brain.start.grasp = rubik::grasp_from(hand, s.world.cube->T_EC.R);
+  brain.start.joints = {axes(s.world.arms[0].start), axes(s.world.arms[1].start)};
+  brain.solve = [&head](const rubik::Cube& cube) { return head.solve(cube); };
+  brain.plan = [&head](const rubik::PlanStart& start, const rubik::Moves& moves) {
+    return head.planner.make_plan(start, moves);
+  };
+  brain.plan_reading = [&head](const rubik::PlanStart& start) {
+    return head.planner.make_reading_plan(start);
+  };
+  return brain;
+}
+
+void say(const std::string& line) {
+  fmt::print("{}\n", line);
+  std::fflush(stdout);
+}
+
+/// Files, figures and pictures of a run that has ended.
+void finish(const fs::path& folder, const rubik::RubikRun& rubik, mp::Summary& summary) {
+  summary.figures.merge(rubik::write_results(folder, rubik.record(), rubik.truth()));
+  mp::write_summary(folder, summary);
+  std::vector<sim::Picture> pictures;
+  for (const auto& [name, script] : rubik::plots(rubik.record())) pictures.push_back({name, script});
+  sim::draw(folder, pictures);
+}
+
+int run(const Options& o) {
+  Setup s = prepare(o);
+  Head head(s);
+  const fs::path folder = mp::name_run_folder(o.task.run_dir, "rubik");
+  if (s.camera && !s.config.has("film.directory"))
+    s.config.set(fmt::format("film.directory=\"{}\"", fs::absolute(folder).string()));
+  std::ignore = s.config.text("film.directory", "");
+  sim::complete_config(s.config, o.task, folder, "");
+  mp::make_run_folder(folder);
+  mp::write_text(folder / "config.toml", s.config.dump());
+  mp::TaskRun run("rubik", o.task, folder, kKeys, parts_of(s));
+  const bool gives_start = !o.task.attended && o.task.script.empty();
+  fmt::print("rubik, session {}, seed {}{}\n", run.session(), o.task.seed,
+             gives_start ? "" : ", waits for the operator: `ui_cli start`");
+  rubik::RubikRun rubik(run, s.k, make_brain(s, head), gives_start, say);
+  run.start();
+  std::optional<Fault> fault;
+  if (run.process().assemble() && rubik.execute() == Outcome::faulted) fault = rubik.fault();
+  mp::Summary summary = run.end(fault);
+  rubik.truth().collect();
+  try {
+    run.finish([&] { finish(folder, rubik, summary); });
+  } catch (const FaultError& e) {  // what has been done is told all the same
+    if (!summary.fault) summary.fault = e.fault();
+  }
+  mp::print_summary(summary, mp::figure_table(summary.figures, rubik::kFigures, {}, !summary.fault));
+  std::fflush(stdout);
+  if (summary.fault) fmt::print(stderr, "{}\n", error_line(*summary.fault));
+  fmt::print("run folder: {}\n", folder.string());
+  return summary.fault ? exit_status(summary.fault->code) : 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options o;
+  CLI::App app{"Two simulated IRb-6 arms solve a Rubik's cube: one holds it, the other one turns its faces."};
+  app.name("rubik");
+  app.add_option("--scramble", o.scramble,
+                 "Turns that scramble the cube, such as \"R U' F2\" (default: 20 by the seed)");
+  app.add_option("--state", o.state, "The cube as 54 facelets, U R F D L B")->excludes("--scramble");
+  app.add_option("--eyes", o.eyes, "How the state becomes known: camera, or none: it is told")
+      ->check(CLI::IsMember({"camera", "none"}))
+      ->capture_default_str();
+  mp::add_task_options(app, o.task);
+  app.footer(
+      "Exit status: 0 done; 1 fault or stopped; 2 bad usage or input, nothing was started; 3 system error.");
+  if (const auto status = mp::parse_command_line(app, argc, argv)) return *status;
+  const auto complain = [](const FaultError& e) {
+    fmt::print(stderr, "{}\n", e.error_line());
+    return exit_status(e.fault().code);
+  };
+  try {
+    return run(o);
+  } catch (const FaultError& e) {
+    return complain(e);
+  } catch (const std::exception& e) {
+    return complain(FaultError(FaultCode::internal_error, e.what()));
+  }
+}

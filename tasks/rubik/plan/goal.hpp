@@ -1,0 +1,23 @@
+// What a plan is to reach.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "tasks/rubik/cube/move.hpp"
+
+namespace mrroc::rubik {
+
+/// Turns of one face, or of two opposite ones, whose order does not matter.
+struct TurnGroup {
+  std::vector<Move> moves;  ///< one or two
+};
+/// @return the turns so grouped; those of one face are taken together, and what cancels is left out
+[[nodiscard]] std::vector<TurnGroup> grouped(std::span<const Move> moves);
+
+/// Turns, or faces to be shown.
+struct PlanGoal {
+  std::vector<TurnGroup> groups;
+  bool show_all{};
+};
+
+}  // namespace mrroc::rubik

@@ -1,0 +1,215 @@
+#include "tasks/rubik/plan/motions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace mrroc::rubik {
+namespace {
+
+constexpr double kHolding = 0.057;  // distance between the jaws at the cube [m]
+
+constexpr std::array kKinds{MotionKind::carry, MotionKind::reach, MotionKind::turn, MotionKind::retreat};
+
+/// @return turns of the last joint from one posture to the other
+double turns_between(const Stance& a, const Stance& b) {
+  const Eigen::Index last = a.hold.size() - 1;
+  return (b.hold[last] - a.hold[last]) / (2 * std::numbers::pi);
+}
+bool is_whole(double turns) { return std::abs(turns - std::round(turns)) < 1e-3; }
+
+std::size_t at(MotionKind kind) { return static_cast<std::size_t>(kind); }
+
+}  // namespace
+
+Motions::Motions(const PlanCell& cell) : cell_(cell), paths_(cell) {
+  for (const Hand hand : kHands) {
+    stances_[index(hand)] = find_stances(cell, hand);
+    stances_[index(hand)].push_back({Place::start, cell.meeting().joints[index(hand)], {}, Vector3::Zero()});
+  }
+  start_at(cell.meeting().joints);
+}
+
+void Motions::start_at(const ArmJoints& joints) {
+  std::erase_if(known_, [this](const auto& entry) {
+    const Motion& m = entry.first;
+    return m.from == start(m.hand) || m.others == start(other(m.hand));
+  });
+  for (const Hand hand : kHands) {
+    Stance& s = stances_[index(hand)].back();
+    s.hold = joints[index(hand)];
+    s.way = {s.hold};
+    sort_into_classes(hand);
+    R_UE_[index(hand)].clear();
+    for (const auto& members : classes(hand))
+      R_UE_[index(hand)].push_back(cell_.forward(hand, stance(hand, members.front()).hold).R);
+  }
+  for (const MotionKind kind : kKinds)
+    for (const Hand hand : kHands) {
+      Table& table = tables_[at(kind)][index(hand)];
+      table = {};
+      for (int from = 0; from <= start(hand); ++from)
+        for (int to = 0; to <= start(hand); ++to) table.lines.push_back(line_seconds(kind, hand, from, to));
+      const int count = static_cast<int>(classes(hand).size());
+      const int others = static_cast<int>(classes(other(hand)).size());
+      for (int from = 0; from < count; ++from)
+        for (int to = 0; to < count; ++to)
+          for (int k = 0; k < others; ++k)
+            table.classes.push_back(least_of_members({kind, hand, from, to, k}));
+    }
+}
+
+void Motions::sort_into_classes(Hand hand) {
+  const auto& stances = stances_[index(hand)];
+  auto& classes = classes_[index(hand)];
+  auto& class_of = class_of_[index(hand)];
+  classes.clear();
+  class_of.clear();
+  for (int k = 0; k < static_cast<int>(stances.size()); ++k) {
+    const Stance& s = stances[static_cast<std::size_t>(k)];
+    int found = 0;
+    for (; found < static_cast<int>(classes.size()); ++found) {
+      const Stance& example = this->example(hand, found);
+      const bool fixed = s.place == Place::start || s.place == Place::shown;
+      if (!fixed && example.place == s.place && is_whole(turns_between(example, s))) break;
+    }
+    if (found == static_cast<int>(classes.size())) classes.emplace_back();
+    classes[static_cast<std::size_t>(found)].push_back(k);
+    class_of.push_back(found);
+  }
+}
+
+std::optional<int> Motions::turned_class(int of_class, int quarters) const {
+  const Stance& from = example(Hand::track, of_class);
+  const int count = static_cast<int>(classes(Hand::track).size());
+  for (int k = 0; k < count; ++k) {
+    const Stance& to = example(Hand::track, k);
+    if (from.place == Place::front && to.place == Place::front &&
+        is_whole(turns_between(from, to) - quarters / 4.0))
+      return k;
+  }
+  return {};
+}
+
+double Motions::line_seconds(MotionKind kind, Hand hand, int number, int target) const {
+  const Stance &from = stance(hand, number), &to = stance(hand, target);
+  std::vector<AxisVector> points;
+  if (kind == MotionKind::reach) {
+    points = to.way;
+    points.insert(points.begin(), from.back());
+  } else if (kind == MotionKind::retreat) {
+    points = {from.hold, from.back()};
+  } else {
+    points = {from.hold, to.hold};
+  }
+  return seconds_along(points, cell_.limits(hand));
+}
+
+double Motions::seconds(const Motion& m) const {
+  if (const auto found = known_.find(m); found != known_.end())
+    return found->second ? found->second->seconds : std::numeric_limits<double>::infinity();
+  return tables_[at(m.kind)][index(m.hand)]
+      .lines[static_cast<std::size_t>(m.from * (start(m.hand) + 1) + m.to)];
+}
+
+std::size_t Motions::slot(const Motion& m) const {
+  const auto count = classes(m.hand).size(), others = classes(other(m.hand)).size();
+  const auto row = static_cast<std::size_t>(m.from) * count + static_cast<std::size_t>(m.to);
+  return row * others + static_cast<std::size_t>(m.others);
+}
+
+double Motions::class_seconds(const Motion& motion) const {
+  return tables_[at(motion.kind)][index(motion.hand)].classes[slot(motion)];
+}
+
+double Motions::least_of_members(const Motion& m) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const int from : classes(m.hand)[static_cast<std::size_t>(m.from)])
+    for (const int to : classes(m.hand)[static_cast<std::size_t>(m.to)])
+      for (const int others : classes(other(m.hand))[static_cast<std::size_t>(m.others)])
+        least = std::min(least, seconds({m.kind, m.hand, from, to, others}));
+  return least;
+}
+
+double Motions::straight_seconds(MotionKind kind, Hand hand, int from, int to) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const int a : classes(hand)[static_cast<std::size_t>(from)])
+    for (const int b : classes(hand)[static_cast<std::size_t>(to)])
+      least = std::min(
+          least, tables_[at(kind)][index(hand)].lines[static_cast<std::size_t>(a * (start(hand) + 1) + b)]);
+  return least;
+}
+
+Motion Motions::classified(const Motion& m) const {
+  const auto& own = class_of_[index(m.hand)];
+  const auto& others = class_of_[index(other(m.hand))];
+  return {m.kind, m.hand, own[static_cast<std::size_t>(m.from)], own[static_cast<std::size_t>(m.to)],
+          others[static_cast<std::size_t>(m.others)]};
+}
+
+const FreeMotion* Motions::find(const Motion& m) {
+  auto [place, is_new] = known_.try_emplace(m);
+  if (is_new) {
+    place->second = look_for(m);
+    const Motion of_classes = classified(m);
+    tables_[at(m.kind)][index(m.hand)].classes[slot(of_classes)] = least_of_members(of_classes);
+  }
+  return place->second ? &*place->second : nullptr;
+}
+
+std::optional<FreeMotion> Motions::look_for(const Motion& m) const {
+  const Stance &from = stance(m.hand, m.from), &to = stance(m.hand, m.to);
+  const Stance& others = stance(other(m.hand), m.others);
+  const bool carries = m.kind == MotionKind::carry || m.kind == MotionKind::turn;
+  CellState state;
+  state.grasp = {carries ? m.hand : other(m.hand), Face::D, Face::B};
+  state.joints[index(other(m.hand))] = m.kind == MotionKind::carry ? others.back() : others.hold;
+  state.jaws[index(m.hand)] = carries ? kHolding : kOpenJaws;
+  state.jaws[index(other(m.hand))] = m.kind == MotionKind::carry ? kOpenJaws : kHolding;
+  state.touched = m.kind == MotionKind::turn || m.kind == MotionKind::retreat;
+
+  std::vector<AxisVector> points;
+  switch (m.kind) {
+    case MotionKind::carry: {
+      const auto way = paths_.find(m.hand, from.hold, to.hold, state);
+      if (!way) return {};
+      points = *way;
+      break;
+    }
+    case MotionKind::reach: {
+      const auto way = paths_.find(m.hand, from.back(), to.back(), state);
+      if (!way) return {};
+      points = *way;
+      for (std::size_t k = 1; k < to.way.size(); ++k) {
+        if (!paths_.is_free(m.hand, points.back(), to.way[k], state)) return {};
+        points.push_back(to.way[k]);
+      }
+      state.touched = true;
+      if (!paths_.is_free(m.hand, points.back(), to.hold, state)) return {};
+      break;
+    }
+    case MotionKind::turn:
+      points = {from.hold, to.hold};
+      if (!paths_.is_free(m.hand, from.hold, to.hold, state)) return {};
+      break;
+    case MotionKind::retreat:
+      points = {from.hold};
+      for (auto p = from.way.rbegin(); p != from.way.rend(); ++p) {
+        if (!paths_.is_free(m.hand, points.back(), *p, state)) return {};
+        points.push_back(*p);
+        state.touched = false;
+      }
+      break;
+  }
+  const double seconds = seconds_along(points, cell_.limits(m.hand));
+  return FreeMotion{m.hand, std::move(points), carries, seconds};
+}
+
+Grasp Motions::seen_from(Hand hand, int of_class, const Grasp& grasp, int others) const {
+  const Matrix3& R_UE = R_UE_[index(hand)][static_cast<std::size_t>(of_class)];
+  const Matrix3& R_UO = R_UE_[index(grasp.hand)][static_cast<std::size_t>(others)];
+  return grasp_from(hand, R_UE.transpose() * R_UO * cube_in_hand(grasp).R);
+}
+
+}  // namespace mrroc::rubik

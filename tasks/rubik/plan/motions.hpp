@@ -1,0 +1,97 @@
+// The motions between postures: how long they take, and whether they are free.
+#pragma once
+#include <array>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "tasks/rubik/plan/paths.hpp"
+#include "tasks/rubik/plan/stances.hpp"
+
+namespace mrroc::rubik {
+
+/// What a hand does from one of its postures to another.
+enum class MotionKind : std::uint8_t {
+  carry,   ///< from grip to grip with the cube, the other hand is drawn back
+  reach,   ///< from drawn back to where the approach begins, the other hand holds the cube
+  turn,    ///< from grip to grip, both hands at the cube
+  retreat  ///< from its grip to drawn back, the other hand holds the cube
+};
+
+/// One of them.
+struct Motion {
+  MotionKind kind{};
+  Hand hand{};
+  int from{}, to{};  ///< numbers of the hand's postures
+  int others{};      ///< number of the other hand's posture
+
+  friend auto operator<=>(const Motion&, const Motion&) = default;
+};
+
+/// Postures of both hands, and what is known of the motions between them. Ways are looked for when they are asked for,
+/// and kept. Postures that differ by whole turns of the last joint are of one class; for a motion between classes the
+/// best of their members counts.
+class Motions {
+ public:
+  /// @param cell  outlives this object
+  explicit Motions(const PlanCell& cell);
+
+  /// The last posture of each hand becomes where the arms are now.
+  void start_at(const ArmJoints& joints);
+
+  [[nodiscard]] const std::vector<Stance>& stances(Hand hand) const { return stances_[index(hand)]; }
+  [[nodiscard]] const Stance& stance(Hand hand, int number) const {
+    return stances(hand)[static_cast<std::size_t>(number)];
+  }
+  /// @return number of the posture, and of the class, where the arm is at the beginning
+  [[nodiscard]] int start(Hand hand) const { return static_cast<int>(stances(hand).size()) - 1; }
+  [[nodiscard]] int start_class(Hand hand) const { return class_of_[index(hand)].back(); }
+
+  /// @return the postures of each class of a hand
+  [[nodiscard]] const std::vector<std::vector<int>>& classes(Hand hand) const {
+    return classes_[index(hand)];
+  }
+  /// @return one of the class
+  [[nodiscard]] const Stance& example(Hand hand, int of_class) const {
+    return stance(hand, classes(hand)[static_cast<std::size_t>(of_class)].front());
+  }
+  /// @return the class of the track arm's posture after so many quarter turns; nothing: it is not at a face
+  [[nodiscard]] std::optional<int> turned_class(int of_class, int quarters) const;
+
+  /// @return duration [s]: of the way if it has been found, infinite if there is none, else of the straight line
+  [[nodiscard]] double seconds(const Motion& motion) const;
+  /// @param motion  with numbers of classes @return the least duration of a member
+  [[nodiscard]] double class_seconds(const Motion& motion) const;
+  /// @return duration of the straight line, whatever is in the way, between classes [s]
+  [[nodiscard]] double straight_seconds(MotionKind kind, Hand hand, int from, int to) const;
+  /// Looks for the way. @return null: there is none
+  [[nodiscard]] const FreeMotion* find(const Motion& motion);
+  /// @return the cube in the one hand when the other one holds it so, both in postures of these classes
+  [[nodiscard]] Grasp seen_from(Hand hand, int of_class, const Grasp& grasp, int others) const;
+
+ private:
+  [[nodiscard]] std::optional<FreeMotion> look_for(const Motion& motion) const;
+  [[nodiscard]] double line_seconds(MotionKind kind, Hand hand, int from, int to) const;
+  void sort_into_classes(Hand hand);
+  [[nodiscard]] Motion classified(const Motion& motion) const;
+  [[nodiscard]] std::size_t slot(const Motion& of_classes) const;
+  [[nodiscard]] double least_of_members(const Motion& of_classes) const;
+
+  /// Durations of one kind of motion of one hand.
+  struct Table {
+    std::vector<double> lines;    // by posture from, to
+    std::vector<double> classes;  // by class from, to, and of the other hand
+  };
+
+  const PlanCell& cell_;
+  Paths paths_;
+  std::array<std::vector<Stance>, 2> stances_;
+  std::array<std::vector<std::vector<int>>, 2> classes_;
+  std::array<std::vector<int>, 2> class_of_;
+  std::array<std::vector<Matrix3>, 2> R_UE_;    // of the grips, by class
+  std::array<std::array<Table, 2>, 4> tables_;  // by kind and hand
+  std::map<Motion, std::optional<FreeMotion>> known_;
+};
+
+}  // namespace mrroc::rubik

@@ -1,0 +1,40 @@
+// Ways of one arm past the other one: straight lines in joint space, and lines through points beside them.
+#pragma once
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "tasks/rubik/plan/cell.hpp"
+
+namespace mrroc::rubik {
+
+/// @param points  at least one
+/// @return time along straight lines from point to point, with a ramp at the beginning and the end [s]
+[[nodiscard]] double seconds_along(const std::vector<AxisVector>& points, const JointLimits& limits);
+
+/// Checks and finds ways.
+class Paths {
+ public:
+  /// @param cell  outlives this object
+  explicit Paths(const PlanCell& cell) : cell_(cell) {}
+
+  /// @param state  of everything; the joints of the hand's arm do not count
+  /// @return whether every state on the straight line is within the limits and free
+  [[nodiscard]] bool is_free(Hand hand, const AxisVector& from, const AxisVector& to, CellState state) const;
+
+  /// The straight line, or the quickest of several ways through one or two other points: both ends drawn back, and
+  /// points drawn at random around the line. The same arguments give the same way.
+  /// @return points of a free way, with both ends; nothing: none was found
+  [[nodiscard]] std::optional<std::vector<AxisVector>> find(Hand hand, const AxisVector& from,
+                                                            const AxisVector& to,
+                                                            const CellState& state) const;
+
+ private:
+  [[nodiscard]] bool is_free(Hand hand, const std::vector<AxisVector>& points, const CellState& state) const;
+  [[nodiscard]] std::optional<AxisVector> drawn_back(Hand hand, const AxisVector& joints,
+                                                     double distance) const;
+
+  const PlanCell& cell_;
+};
+
+}  // namespace mrroc::rubik

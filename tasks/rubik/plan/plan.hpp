@@ -1,0 +1,108 @@
+// What two arms do to turn faces of a cube one after the other: grips, turns, re-grasps and the ways between them.
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/axes.hpp"
+#include "tasks/rubik/cube/move.hpp"
+#include "tasks/rubik/plan/grasp.hpp"
+
+namespace mrroc::rubik {
+
+/// Joints of both arms, by index(Hand) [rad, track m].
+using ArmJoints = std::array<AxisVector, 2>;
+
+/// Speeds of one arm in free motions, such that any combination is possible for its motors.
+struct JointLimits {
+  AxisVector velocity;      ///< [rad/s], track [m/s]
+  AxisVector acceleration;  ///< [rad/s^2], track [m/s^2]
+};
+
+/// Distance of the palm from the cube where a guarded approach begins [m].
+inline constexpr double kApproachDistance = 0.01;
+/// How far a hand draws back straight along its z after it has opened [m].
+inline constexpr double kRetreatDistance = 0.1;
+/// Distance between the jaws of an empty hand while it moves, at most [m].
+inline constexpr double kOpenJaws = 0.08;
+
+/// Estimates of what is not free motion, from tables 4-8 of MG and the friction of a face.
+struct CycleTimes {
+  double grip{4};         ///< m = 1..4, and the rests before and after, when sensors are biased [s]
+  double turn_rate{0.3};  ///< of m = 5 with B = 0.1 s/(kg m^2) [rad/s]
+  double open{0.5};       ///< m = 6 [s]
+  double look{0.5};       ///< of the camera at a face, at rest [s]
+};
+
+/// A free motion of one arm while the other one stands: straight lines in joint space from point to point, all axes in
+/// step, at rest at the first and the last one. Every line has been found free of collisions with a margin that
+/// leaves room for passing the inner points without a stop.
+struct FreeMotion {
+  Hand hand{};
+  /// At least two; the first is where the arm stands according to the plan: force control will have moved it a little.
+  std::vector<AxisVector> points;
+  bool carries{};    ///< the hand holds the cube
+  double seconds{};  ///< estimate
+};
+
+/// One cycle: an arm comes and grips, a face may be turned, an arm lets go. Or, with `shows`, a look at a face: only
+/// the motions, then the camera.
+struct Step {
+  std::vector<FreeMotion>
+      before;  ///< one after the other; the last one of `comes` ends kApproachDistance before contact
+
+  std::optional<Face>
+      shows;  ///< the holder stands so that the camera sees this face; nothing below happens then
+
+  Matrix3 R_GC{
+      Matrix3::Identity()};  ///< `shows`: how the core stands in the frame G of the shown face (Viewing)
+
+  Hand comes{};              ///< worker of m = 1..4: approaches along its z and grips; the other arm holds
+  std::optional<Move> turn;  ///< m = 5: the track arm turns about its z, whichever arm came
+  double angle{};            ///< signed angle of that turn about z of the track arm's E [rad], +-pi/2 or +-pi
+  Hand leaves{};             ///< m = 6: opens; the other arm has the cube then
+  FreeMotion retreat;        ///< of `leaves`, straight along its z
+
+  Grasp before_grasp;  ///< of the arm that holds at the beginning
+  Grasp grasp;         ///< of `comes`, when it has gripped, before the turn
+  Grasp after_grasp;   ///< of the arm that holds at the end
+  ArmJoints contact;   ///< nominal joints of both arms when both hold; `shows`: when the camera looks
+  ArmJoints after;     ///< nominal joints at the end, when `leaves` has drawn back
+  double seconds{};    ///< estimate for all of it
+
+  /// @return the cube changes hands and no face is turned
+  [[nodiscard]] bool regrasp() const { return !turn && !shows; }
+};
+
+/// Steps and what they cost.
+struct Plan {
+  std::vector<Step> steps;
+  Grasp start, end;
+  ArmJoints start_joints, end_joints;
+  std::array<JointLimits, 2> limits;  ///< of the free motions, by index(Hand); the estimates keep to them
+  Moves turns;                        ///< in the order of execution
+  int regrasps{};                     ///< steps without turn
+  int grips{};                        ///< steps in which an arm comes and grips
+  double seconds{};                   ///< estimate for all steps
+};
+
+/// Why there is no plan.
+enum class NoPlan : std::uint8_t {
+  none,         ///< there is one
+  bad_start,    ///< the start is no grip, or the joints are not those of the arms, or beyond their limits
+  collision,    ///< the arms touch something at the start
+  unreachable,  ///< no sequence of grips that both arms reach within their limits
+  blocked       ///< there are such sequences, but every one has a way on which something collides
+};
+/// @return name of the reason, e.g. "unreachable"
+[[nodiscard]] const char* to_string(NoPlan why);
+
+/// A plan, or a reason.
+struct Planned {
+  std::optional<Plan> plan;
+  NoPlan why{NoPlan::none};
+  std::string text;  ///< for people: what exactly; empty when there is a plan
+};
+
+}  // namespace mrroc::rubik

@@ -1,0 +1,44 @@
+// Search for the cheapest way of two arms to turn faces of a cube, or to show all of them to a camera.
+#pragma once
+#include <memory>
+#include <span>
+
+#include "tasks/rubik/plan/cell.hpp"
+#include "tasks/rubik/plan/plan.hpp"
+
+namespace mrroc::rubik {
+
+/// Where a plan begins: one arm holds, the other hand is empty.
+struct PlanStart {
+  Grasp grasp;
+  ArmJoints joints;
+};
+
+/// How it is searched.
+struct PlanOptions {
+  CycleTimes times;
+  double grip_penalty{2};  ///< what a grip costs besides its time [s]: each one can fail
+};
+
+/// Plans in one cell. Paths that have been found are kept, so that later plans cost less.
+class Planner {
+ public:
+  /// @param cell  outlives the planner
+  explicit Planner(const PlanCell& cell);
+  ~Planner();
+  Planner(const Planner&) = delete;
+  Planner& operator=(const Planner&) = delete;
+
+  /// @param moves  to be turned, in this order. But opposite faces that follow each other may be exchanged, and turns of
+  ///        one face with nothing or only such between them are taken together
+  [[nodiscard]] Planned make_plan(const PlanStart& start, std::span<const Move> moves,
+                                  const PlanOptions& options = {});
+  /// @return a plan in which each face is shown to the camera once
+  [[nodiscard]] Planned make_reading_plan(const PlanStart& start, const PlanOptions& options = {});
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace mrroc::rubik

@@ -1,0 +1,223 @@
+#include "tasks/rubik/plan/stances.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "tasks/rubik/plan/paths.hpp"
+
+namespace mrroc::rubik {
+namespace {
+
+using std::numbers::pi;
+
+constexpr int kWayParts = 4;
+constexpr double kEdge = 0.057;        // of the cube: jaws that hold it [m]
+constexpr double kSideStep = pi / 36;  // of the directions that are tried
+constexpr double kTrackStep = 0.1;     // [m]
+constexpr int kTrackSteps = 6;
+constexpr double kGoodReserve = 0.3;    // a posture at the side that has it needs no more
+constexpr double kReserveSeconds = 40;  // what it costs to have less
+
+Pose turn_about_z(double angle) { return {rotation_from_angle_axis({0, 0, angle}), Vector3::Zero()}; }
+Pose along_z(double distance) { return {Matrix3::Identity(), {0, 0, distance}}; }
+
+/// Adds a posture for every angle of the last joint that differs by steps and is within the limits.
+void add_turns(std::vector<Stance>& stances, const PlanCell& cell, Hand hand, Place place,
+               const AxisVector& hold, double step, const StanceReserves& reserves) {
+  const int turns = static_cast<int>(4 * pi / step);
+  for (int k = -turns; k <= turns; ++k) {
+    AxisVector joints = hold;
+    joints[joints.size() - 1] += k * step;
+    if (cell.reserve(hand, joints) < reserves.limits) continue;
+    if (const auto way = find_way(cell, hand, joints, reserves))
+      stances.push_back({place, joints, *way, Vector3::Zero()});
+  }
+}
+
+/// @return T_GE of a hand that shows the face out of which a direction of E points, its jaws at an angle to x of G
+Pose shown_hand(Hand hand, const Vector3& shown, double angle) {
+  Matrix3 R_GE;
+  R_GE.col(1) = Vector3(std::cos(angle), std::sin(angle), 0);
+  const Vector3 z = Vector3::UnitZ();
+  if (shown.z() > 0) {
+    R_GE.col(2) = z;
+    R_GE.col(0) = R_GE.col(1).cross(z);
+  } else {
+    R_GE.col(0) = shown.x() * z;
+    R_GE.col(2) = R_GE.col(0).cross(R_GE.col(1));
+  }
+  return {R_GE, Vector3(0, 0, -kEdge / 2) - depth(hand) * R_GE.col(2)};
+}
+
+/// A hand comes from the side to a cube that the other one holds in front.
+struct SideGrip {
+  AxisVector comes, offers;
+  double cost{1e9};
+};
+
+class SideSearch {
+ public:
+  SideSearch(const PlanCell& cell, Hand hand, const StanceReserves& reserves)
+      : cell_(cell), hand_(hand), reserves_(reserves) {}
+
+  std::optional<SideGrip> find() {
+    const int directions = static_cast<int>(std::round(2 * pi / kSideStep));
+    for (int k = 0; k < directions; ++k) consider(k * kSideStep);
+    if (best_.cost < 1e8) return best_;
+    return {};
+  }
+
+ private:
+  void consider(double angle) {
+    const Meeting& meeting = cell_.meeting();
+    // The axis of M as z of the offering hand, and the direction in which the other one comes.
+    const Pose offering = front_grip(meeting, other(hand_));
+    const Vector3 z = offering.R.col(2);
+    const Vector3 direction = meeting.T_UM.R * Vector3(std::cos(angle), std::sin(angle), 0);
+    // The fingers of the postument cover one layer only, so they fit before and behind the narrow palm of the track arm,
+    // whichever of the two hands comes; those of the track arm lie beside both hands.
+    const bool track_comes = hand_ == Hand::track;
+    const Vector3 beside = z.cross(direction);
+    const Vector3 y_offers = track_comes ? direction : beside, y_comes = track_comes ? beside : z;
+    Matrix3 R_offers, R_comes;
+    R_offers << y_offers.cross(z), y_offers, z;
+    R_comes << y_comes.cross(direction), y_comes, direction;
+    const Pose T_UO{R_offers, meeting.T_UM.p - depth(other(hand_)) * z};
+    const Pose T_UE{R_comes, meeting.T_UM.p - depth(hand_) * direction};
+
+    const auto offers = nearest_turn(other(hand_), T_UO, meeting.joints[index(other(hand_))]);
+    if (!offers) return;
+    AxisVector near = meeting.joints[index(hand_)];
+    const bool on_track = near.size() > 6;
+    for (int k = on_track ? -kTrackSteps : 0; k <= (on_track ? kTrackSteps : 0); ++k) {
+      if (on_track) near[0] = meeting.joints[index(hand_)][0] + k * kTrackStep;
+      if (const auto comes = nearest_turn(hand_, T_UE, near)) weigh(*comes, *offers);
+    }
+  }
+
+  /// Half a turn about z leaves a gripper the same.
+  std::optional<AxisVector> nearest_turn(Hand hand, const Pose& T_UE, const AxisVector& near) const {
+    std::optional<AxisVector> best;
+    for (const double turn : {0.0, pi}) {
+      const auto joints = cell_.inverse(hand, T_UE * turn_about_z(turn), near);
+      if (joints && cell_.reserve(hand, *joints) > reserves_.limits &&
+          (!best || seconds_along({near, *joints}, cell_.limits(hand)) <
+                        seconds_along({near, *best}, cell_.limits(hand))))
+        best = joints;
+    }
+    return best;
+  }
+
+  void weigh(const AxisVector& comes, const AxisVector& offers) {
+    const auto way = find_way(cell_, hand_, comes, reserves_);
+    if (!way) return;
+    const double reserve = std::min({cell_.reserve(hand_, comes), cell_.reserve(hand_, way->front()),
+                                     cell_.dexterity(hand_, comes) - reserves_.dexterity});
+    if (reserve < reserves_.limits) return;
+    const Hand giver = other(hand_);
+    const double cost = seconds_along({cell_.meeting().joints[index(hand_)], comes}, cell_.limits(hand_)) +
+                        seconds_along({cell_.meeting().joints[index(giver)], offers}, cell_.limits(giver)) +
+                        kReserveSeconds * std::max(0.0, kGoodReserve - reserve);
+    if (cost >= best_.cost) return;
+    CellState state;
+    state.joints[index(hand_)] = comes;
+    state.joints[index(giver)] = offers;
+    state.jaws[index(hand_)] = kOpenJaws;
+    state.jaws[index(giver)] = kEdge;
+    state.grasp = {giver, Face::D, Face::B};
+    const Paths paths(cell_);
+    for (std::size_t k = 1; k < way->size(); ++k)
+      if (!paths.is_free(hand_, (*way)[k - 1], (*way)[k], state)) return;
+    state.touched = true;
+    if (!paths.is_free(hand_, way->back(), comes, state)) return;
+    best_ = {comes, offers, cost};
+  }
+
+  const PlanCell& cell_;
+  Hand hand_;
+  StanceReserves reserves_;
+  SideGrip best_;
+};
+
+/// Adds for each face that is free of palm and fingers the quickest posture that shows it.
+void add_shown(std::vector<Stance>& stances, const PlanCell& cell, Hand hand,
+               const StanceReserves& reserves) {
+  const Viewing& viewing = *cell.viewing();
+  const AxisVector& start = cell.meeting().joints[index(hand)];
+  CellState state;
+  state.joints[index(other(hand))] = cell.meeting().joints[index(other(hand))];
+  const auto drawn_back = find_way(cell, other(hand), state.joints[index(other(hand))], reserves);
+  if (!drawn_back) return;
+  state.joints[index(other(hand))] = drawn_back->front();
+  state.jaws[index(hand)] = kEdge;
+  state.jaws[index(other(hand))] = kOpenJaws;
+  state.grasp = {hand, Face::D, Face::B};
+  state.looked_at = true;
+  const auto is_good = [&](const AxisVector& joints) {
+    state.joints[index(hand)] = joints;
+    return cell.reserve(hand, joints) >= reserves.limits &&
+           cell.dexterity(hand, joints) >= reserves.dexterity && cell.is_free(state);
+  };
+  for (const Vector3& shown : {Vector3(0, 0, 1), Vector3(1, 0, 0), Vector3(-1, 0, 0)}) {
+    std::optional<AxisVector> best;
+    double least = 1e9;
+    // Jaws along an edge of the place; which one does not matter.
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      const Pose T_GE = shown_hand(hand, shown, quarter * pi / 2);
+      AxisVector near = start;
+      const bool on_track = near.size() > 6;
+      for (int k = on_track ? -kTrackSteps : 0; k <= (on_track ? kTrackSteps : 0); ++k) {
+        if (on_track) near[0] = start[0] + k * kTrackStep;
+        const auto joints = cell.inverse(hand, viewing.T_UG * T_GE, near);
+        if (!joints) continue;
+        const double seconds = seconds_along({start, *joints}, cell.limits(hand));
+        if (seconds >= least || !is_good(*joints)) continue;
+        best = joints;
+        least = seconds;
+      }
+    }
+    if (best) stances.push_back({Place::shown, *best, {*best}, shown});
+  }
+}
+
+}  // namespace
+
+Pose front_grip(const Meeting& meeting, Hand hand) {
+  const Pose T_ME =
+      hand == Hand::track ? Pose{} : Pose{Eigen::DiagonalMatrix<double, 3>(-1, 1, -1), Vector3::Zero()};
+  return meeting.T_UM * T_ME * along_z(-depth(hand));
+}
+
+std::optional<std::vector<AxisVector>> find_way(const PlanCell& cell, Hand hand, const AxisVector& hold,
+                                                const StanceReserves& reserves) {
+  const Pose T_UE = cell.forward(hand, hold);
+  std::vector<AxisVector> way;
+  AxisVector near = hold;
+  for (int k = 0; k <= kWayParts; ++k) {
+    const double distance = kApproachDistance + (kRetreatDistance - kApproachDistance) * k / kWayParts;
+    const auto joints = cell.inverse(hand, T_UE * along_z(-distance), near);
+    if (!joints || cell.reserve(hand, *joints) < reserves.limits) return {};
+    // Another branch would not be near.
+    if ((*joints - near).cwiseAbs().maxCoeff() > 0.3) return {};
+    near = *joints;
+    way.push_back(near);
+  }
+  std::ranges::reverse(way);
+  return way;
+}
+
+std::vector<Stance> find_stances(const PlanCell& cell, Hand hand, const StanceReserves& reserves) {
+  std::vector<Stance> stances;
+  const Meeting& meeting = cell.meeting();
+  if (const auto hold = cell.inverse(hand, front_grip(meeting, hand), meeting.joints[index(hand)]))
+    add_turns(stances, cell, hand, Place::front, *hold, pi / 2, reserves);
+  if (const auto grip = SideSearch(cell, hand, reserves).find())
+    add_turns(stances, cell, hand, Place::side, grip->comes, pi, reserves);
+  if (const auto grip = SideSearch(cell, other(hand), reserves).find())
+    add_turns(stances, cell, hand, Place::offered, grip->offers, pi, reserves);
+  if (cell.viewing()) add_shown(stances, cell, hand, reserves);
+  return stances;
+}
+
+}  // namespace mrroc::rubik

@@ -1,0 +1,50 @@
+// Where the arms stand when they grip: the few postures from which plans are made.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "tasks/rubik/plan/cell.hpp"
+
+namespace mrroc::rubik {
+
+/// How a hand stands to the frame M.
+enum class Place : std::uint8_t {
+  front,  ///< z of E along the axis of M, y along x or y of M: both arms there turn a face
+  side,   ///< z of E perpendicular to that axis: this hand comes, the other one offers the cube
+  offered,  ///< z of E along the axis, so turned about it that the other hand's fingers fit beside its own from the side
+  shown,  ///< a face of the cube in this hand is before the camera
+  start   ///< wherever the arm was at the beginning
+};
+
+/// One posture. The cube is always at the same place, unless it is shown.
+struct Stance {
+  Place place{};
+  AxisVector hold;  ///< E at the grip
+  std::vector<AxisVector>
+      way;  ///< straight to the cube: from kRetreatDistance to kApproachDistance before contact
+  Vector3 shown{Vector3::Zero()};  ///< out of the face that the camera sees, in E
+
+  /// @return drawn back
+  [[nodiscard]] const AxisVector& back() const { return way.front(); }
+};
+
+/// Reserves that key postures keep.
+struct StanceReserves {
+  double limits{0.08};    ///< PlanCell::reserve
+  double dexterity{0.3};  ///< PlanCell::dexterity, where a hand works
+};
+
+/// @return T_UE of a hand that grips in front, with E aligned with M
+[[nodiscard]] Pose front_grip(const Meeting& meeting, Hand hand);
+
+/// @return all postures of a hand; in place front: in steps of a quarter turn, over all turns of the last joint. There
+///         is no posture `side` (and `offered` of the other hand) when it cannot come from any side
+[[nodiscard]] std::vector<Stance> find_stances(const PlanCell& cell, Hand hand,
+                                               const StanceReserves& reserves = {});
+
+/// @param hold  joints at the grip @return the way of a posture; nothing: it leaves the limits
+[[nodiscard]] std::optional<std::vector<AxisVector>> find_way(const PlanCell& cell, Hand hand,
+                                                              const AxisVector& hold,
+                                                              const StanceReserves& reserves);
+
+}  // namespace mrroc::rubik

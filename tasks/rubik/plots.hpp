@@ -1,0 +1,31 @@
+// Pictures of a run: MG fig. 16 and 17, and what all turns took.
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tasks/rubik/rubik_run.hpp"
+
+namespace mrroc::rubik {
+
+/// A marked point of a figure.
+struct Mark {
+  char letter{};
+  double t{};  ///< [s]
+  double y{};  ///< [N] or [N m]
+};
+
+/// Points of fig. 16, from the worker's rows of one cycle: A impact, B settled.
+[[nodiscard]] std::vector<Mark> marks_of_approach(const mp::ArmTrace& worker);
+/// Points of fig. 17, from the rows of the arm that turns: A the grasp begins, B the jaws hold, C the turn begins, D the
+/// face breaks away, E and F the friction's largest and least value behind it, G the end of the turn, H of the opening.
+/// Those that there are.
+[[nodiscard]] std::vector<Mark> marks_of_turn(const mp::ArmTrace& turning);
+
+/// @return name and gnuplot script of each picture; the scripts read the tables of the run folder. Fig. 16 and 17 are of
+///         the first cycle with a turn
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> plots(const RunRecord& record);
+
+}  // namespace mrroc::rubik

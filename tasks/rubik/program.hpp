@@ -1,0 +1,171 @@
+// The coordinator's program: free motions, cycles and what is done when one of them does not come to its end.
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+#include "base/representation.hpp"
+#include "tasks/rubik/coordinator.hpp"
+#include "tasks/rubik/journal.hpp"
+#include "tasks/rubik/plan/plan.hpp"
+
+namespace mrroc::rubik {
+
+/// Executes steps of a plan. @tparam P  a Port of the coordinator
+template <class P>
+class Program {
+ public:
+  using X = Coordinator::X;
+
+  /// @param x  images, valid when the program begins
+  Program(X& x, P& port, Journal& journal) : x_(x), port_(port), journal_(journal) {}
+
+  /// Waits until both arms are ready and the operator has given start.
+  Outcome wait_for_start() { return move(kWaitForStart, x_, port_); }
+
+  /// @return faulted: it could not be done; then trouble() tells why, both arms are at rest, and the cube is in the
+  ///         hand or hands in which it was. Otherwise as the port says
+  Outcome execute(const Step& step) {
+    x_.c.trouble = Trouble::none;
+    journal_.push_back({.comes = step.comes, .leaves = step.leaves, .turn = step.turn, .begun = x_.i});
+    Outcome o = go_along(step);
+    if (well(o)) o = step.shows ? behaviour(kLook) : cycle(step);
+    journal_.back().ended = x_.i;
+    if (o == Outcome::terminated && x_.c.trouble == Trouble::none) return o;
+    const Trouble trouble = x_.c.trouble;
+    if (o == Outcome::terminated) o = behaviour(kStopBoth);
+    x_.c.trouble = trouble;
+    return o == Outcome::terminated ? Outcome::faulted : o;
+  }
+
+  [[nodiscard]] Trouble trouble() const { return x_.c.trouble; }
+
+ private:
+  [[nodiscard]] bool well(Outcome o) const {
+    return o == Outcome::terminated && x_.c.trouble == Trouble::none;
+  }
+
+  /// One behaviour; a pause of the operator begins behind it.
+  Outcome behaviour(const Motion<Coordinator>& motion) { return move(motion, x_, port_); }
+  Outcome pause() { return x_.T.h.paused ? move(kResume, x_, port_) : Outcome::terminated; }
+
+  Outcome go_along(const Step& step) {
+    Outcome o = Outcome::terminated;
+    for (const FreeMotion& motion : step.before)
+      if (well(o)) o = go(motion.hand, motion.points, 1, step.before_grasp.hand);
+    return o;
+  }
+
+  /// @param first  point to which the arm goes first @param carrier  hand that has the cube
+  Outcome go(Hand hand, const std::vector<AxisVector>& points, std::size_t first, Hand carrier) {
+    Outcome o = pause();
+    while (well(o) && first < points.size()) {
+      Way way;
+      way.jaws = hand == carrier ? 0 : x_.c.k.open;
+      for (; first < points.size() && way.count < kMostPoints; ++first)
+        way.add(numbers_from_axes(points[first]));
+      o = go(hand, way, carrier);
+    }
+    return o;
+  }
+
+  Outcome go(Hand hand, const Way& way, Hand carrier) {
+    x_.c.mover = hand;
+    x_.c.way = way;
+    x_.c.loaded = {};
+    x_.c.loaded[index(carrier)] = true;
+    const Outcome o = behaviour(kSendWay);
+    return well(o) ? behaviour(kMoveAlong) : o;
+  }
+
+  Outcome cycle(const Step& step) {
+    Outcome o = pause();
+    if (well(o)) o = grip(step);
+    if (well(o)) o = turn(step);
+    if (well(o)) o = behaviour(kCycle[5]);
+    if (well(o)) o = go(step.leaves, step.retreat.points, 1, step.after_grasp.hand);
+    return o;
+  }
+
+  /// m = 1..4, more than once when the worker does not meet the cube or closes on nothing.
+  Outcome grip(const Step& step) {
+    for (int attempt = 1;; ++attempt) {
+      journal_.back().grips = attempt;
+      Outcome o = weigh(step.before_grasp.hand);
+      x_.c.coordination = {};
+      x_.c.cycle = {.holds = step.before_grasp.hand,
+                    .comes = step.comes,
+                    .leaves = step.leaves,
+                    .turn = order_of(step)};
+      for (std::size_t m = 1; m <= 4 && well(o); ++m) o = behaviour(kCycle[m - 1]);
+      journal_.back().travelled = x_.c.travelled;
+      const Trouble trouble = x_.c.trouble;
+      const bool again =
+          (trouble == Trouble::no_contact || trouble == Trouble::missed) && attempt < x_.c.k.attempts;
+      if (o != Outcome::terminated || trouble == Trouble::none || !again || step.before.empty()) return o;
+      o = draw_back(step);
+      if (!well(o)) return o;
+    }
+  }
+
+  /// Breaks off, opens the jaws and goes back to where the approach began.
+  Outcome draw_back(const Step& step) {
+    Outcome o = behaviour(kStopBoth);
+    x_.c.trouble = Trouble::none;
+    Way way{.jaws = x_.c.k.open};
+    if (well(o)) o = go(step.comes, way, step.before_grasp.hand);
+    way.add(numbers_from_axes(step.before.back().points.back()));
+    return well(o) ? go(step.comes, way, step.before_grasp.hand) : o;
+  }
+
+  Outcome weigh(Hand carrier) {
+    x_.c.loaded = {};
+    x_.c.loaded[index(carrier)] = true;
+    return behaviour(kWeighBoth);
+  }
+
+  [[nodiscard]] TurnOrder order_of(const Step& step) const {
+    if (!step.turn) return {.torque = 0, .mobility = x_.c.k.mobility, .angle = -1};
+    return {.torque = std::copysign(x_.c.k.torque, step.angle),
+            .mobility = x_.c.k.mobility,
+            .angle = std::abs(step.angle)};
+  }
+
+  /// m = 5. A face that does not turn is turned back and tried again with more torque.
+  Outcome turn(const Step& step) {
+    journal_.back().turn_begun = x_.i;
+    double done = 0;
+    for (int attempt = 1;; ++attempt) {
+      journal_.back().attempts = step.turn ? attempt : 0;
+      Outcome o = turn_by(step.angle - done, attempt, !step.turn);
+      done += x_.c.angle;
+      journal_.back().turn_ended = x_.i;
+      journal_.back().tool = done;
+      if (o != Outcome::terminated || x_.c.trouble != Trouble::jammed || attempt >= x_.c.k.attempts) return o;
+      o = behaviour(kStopBoth);
+      x_.c.trouble = Trouble::none;
+      if (o == Outcome::terminated && std::abs(done) > x_.c.k.progress) {
+        o = turn_by(-done, 1, false);
+        done += x_.c.angle;
+        if (x_.c.trouble == Trouble::jammed) x_.c.trouble = Trouble::none;  // not back either: on from there
+        if (well(o)) o = behaviour(kStopBoth);
+      }
+      if (!well(o)) return o;
+    }
+  }
+
+  Outcome turn_by(double angle, int attempt, bool by_nothing) {
+    const Parameters& k = x_.c.k;
+    const double torque = std::min(k.most_torque, k.torque * (1 + 0.03 * (attempt - 1)));
+    if (!by_nothing)
+      x_.c.cycle.turn = {
+          .torque = std::copysign(torque, angle), .mobility = k.mobility, .angle = std::abs(angle)};
+    if (x_.c.coordination.m != 5) x_.c.coordination = {.m = 5};
+    return behaviour(kCycle[4]);
+  }
+
+  X& x_;
+  P& port_;
+  Journal& journal_;
+};
+
+}  // namespace mrroc::rubik

@@ -1,0 +1,144 @@
+#include "tasks/rubik/results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/representation.hpp"
+#include "tasks/rubik/config.hpp"
+#include "tasks/rubik/cube/facelets.hpp"
+
+namespace mrroc::rubik {
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr double kQuarter = std::numbers::pi / 2;
+
+double seconds(std::int64_t macrosteps) { return static_cast<double>(macrosteps) * kPacing.macrostep_s(); }
+
+Pose pose_of(const mp::ArmRow& row) { return pose_from_angle_axis(row.pose); }
+
+/// @return rows of an arm in the macrosteps of one cycle, of behaviour m
+mp::ArmTrace part(const mp::ArmTrace& trace, const CycleNote& note, std::initializer_list<int> m) {
+  mp::ArmTrace rows;
+  for (const mp::ArmRow& row : trace)
+    if (row.i >= note.begun && row.i <= note.ended + 4 && std::ranges::find(m, row.m) != m.end())
+      rows.push_back(row);
+  return rows;
+}
+
+/// Way of the cube in the hand of the track arm, whose base is the world.
+double slip(const mp::ArmTrace& turning, const CubeRecord& cube) {
+  std::optional<Vector3> first;
+  double most = 0;
+  for (const mp::ArmRow& row : turning) {
+    const CubeRow* const c = cube.at(row.i - 1);  // its pose is that of the macrostep's begin
+    if (!c) continue;
+    const Vector3 p = (pose_of(row).inverse() * c->T_UC).p;
+    if (!first) first = p;
+    most = std::max(most, (p - *first).norm());
+  }
+  return most;
+}
+
+double largest(const mp::ArmTrace& rows, std::initializer_list<Axis> axes) {
+  double most = 0;
+  for (const mp::ArmRow& row : rows)
+    for (const Axis axis : axes) most = std::max(most, std::abs(row.F[axis]));
+  return most;
+}
+
+}  // namespace
+
+std::vector<TurnRow> turns_of(const RunRecord& record, const CubeRecord& cube) {
+  std::vector<TurnRow> rows;
+  for (const CycleNote& note : record.journal) {
+    if (!note.turn) continue;
+    const mp::ArmTrace turning = part(record.traces[index(Hand::track)], note, {5});
+    TurnRow& r = rows.emplace_back();
+    r.k = static_cast<int>(rows.size());
+    r.turn = *note.turn;
+    r.t_start = seconds(note.begun);
+    r.t_end = seconds(note.ended);
+    r.attempts = note.attempts;
+    r.tool_deg = kDegrees * note.tool;
+    if (const CubeRow* const c = cube.at(note.turn_ended)) {
+      const double seat = kQuarter * std::round(std::abs(note.tool) / kQuarter);
+      r.face_deg = std::copysign(kDegrees * (seat - std::abs(c->angle)), note.tool);
+    }
+    r.slip_mm = 1e3 * slip(turning, cube);
+    r.force_peak_N = largest(turning, {Axis::x, Axis::y, Axis::z});
+    r.torque_peak_Nm = largest(turning, {Axis::az});
+  }
+  return rows;
+}
+
+void write_turns(const std::filesystem::path& file, const std::vector<TurnRow>& turns) {
+  std::string text = "k,turn,t_start,t_end,attempts,tool_deg,face_deg,slip_mm,force_peak_N,torque_peak_Nm\n";
+  for (const TurnRow& r : turns)
+    text += fmt::format("{},{},{:.2f},{:.2f},{},{:.2f},{:.2f},{:.3f},{:.3f},{:.3f}\n", r.k, to_string(r.turn),
+                        r.t_start, r.t_end, r.attempts, r.tool_deg, r.face_deg, r.slip_mm, r.force_peak_N,
+                        r.torque_peak_Nm);
+  mp::write_text(file, text);
+}
+
+mp::Figures figures_of(const RunRecord& record, const CubeRecord& cube, const std::vector<TurnRow>& turns) {
+  mp::Figures f;
+  double regrasps = 0, retries = 0;
+  double settled = 0, peak = 0;
+  int approaches = 0;
+  for (const CycleNote& note : record.journal) {
+    if (note.grips == 0) continue;
+    regrasps += !note.turn;
+    retries += note.grips - 1 + std::max(0, note.attempts - 1);
+    const mp::ArmTrace& worker = record.traces[index(note.comes)];
+    peak = std::max(peak, largest(part(worker, note, {1, 2}), {Axis::z}));
+    const mp::ArmTrace settling = part(worker, note, {2});
+    if (settling.empty()) continue;
+    settled += mp::mean_force(settling, Axis::z, 2, 0.25);
+    ++approaches;
+  }
+  f["moves"] = static_cast<double>(turns.size());
+  f["regrasps"] = regrasps;
+  f["retries"] = retries;
+  if (approaches > 0) {
+    f["approach_settled_N"] = settled / approaches;
+    f["approach_peak_N"] = peak;
+  }
+  if (!turns.empty()) {
+    const auto most = [&](double TurnRow::*figure) { return std::ranges::max(turns, {}, figure).*figure; };
+    f["turn_lateral_peak_N"] = most(&TurnRow::force_peak_N);
+    f["turn_torque_peak_Nm"] = most(&TurnRow::torque_peak_Nm);
+    f["turn_slip_mm"] = most(&TurnRow::slip_mm);
+    double behind = 0;
+    for (const TurnRow& r : turns) behind = std::max(behind, std::abs(r.tool_deg - r.face_deg));
+    f["turn_angle_err_deg"] = behind;
+    if (record.solved > 0)
+      f["sim_s_per_turn"] = seconds(record.solved - record.solving) / static_cast<double>(turns.size());
+  }
+  if (record.readings.size() > 1) f["verified"] = record.readings.back().cube == Cube{} ? 1. : 0.;
+  if (!cube.rows().empty()) {
+    f["squeeze_N"] = std::ranges::max(cube.rows(), {}, &CubeRow::squeeze).squeeze;
+    f["solved"] = cube.rows().back().facelets == to_facelets(Cube{}) ? 1. : 0.;
+  }
+  return f;
+}
+
+mp::Figures write_results(const std::filesystem::path& folder, const RunRecord& record,
+                          const CubeRecord& cube) {
+  for (std::size_t arm = 0; arm < kArms; ++arm)
+    mp::write_arm_trace(folder / (kArmKeys[arm] + ".csv"), record.traces[arm]);
+  const auto turns = turns_of(record, cube);
+  write_turns(folder / "moves.csv", turns);
+  if (!cube.rows().empty()) {
+    mp::write_text(folder / "cube_start.txt", cube.rows().front().facelets + "\n");
+    mp::write_text(folder / "cube_end.txt", cube.rows().back().facelets + "\n");
+  }
+  if (!record.readings.empty())
+    mp::write_text(folder / "cube_read.txt", record.readings.front().facelets + "\n");
+  return figures_of(record, cube, turns);
+}
+
+}  // namespace mrroc::rubik

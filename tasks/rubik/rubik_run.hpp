@@ -1,0 +1,104 @@
+// The coordinator's run: read the cube, think, turn, look again, while everything that happens is written down.
+#pragma once
+#include <array>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mp/arm_trace.hpp"
+#include "mp/coordinator_links.hpp"
+#include "mp/dormant_operator.hpp"
+#include "mp/task_run.hpp"
+#include "tasks/rubik/cube_record.hpp"
+#include "tasks/rubik/eyes.hpp"
+#include "tasks/rubik/plan/planner.hpp"
+#include "tasks/rubik/program.hpp"
+#include "tasks/rubik/reading/state_reading.hpp"
+
+namespace mrroc::rubik {
+
+/// What the coordinator asks when it thinks. Called in a thread of their own, one at a time.
+struct Brain {
+  std::function<Moves(const Cube&)> solve;
+  std::function<Planned(const PlanStart&, const Moves&)> plan;
+  std::function<Planned(const PlanStart&)> plan_reading;  ///< shows all six faces
+  PlanStart start;                    ///< how the cube is held at the beginning, and where the arms are
+  std::optional<Cube> known;          ///< the cube as it is told; none: it is read
+  std::optional<CameraSetup> camera;  ///< that looks at faces which are shown
+};
+
+/// What a run has left.
+struct RunRecord {
+  std::array<mp::ArmTrace, kArms> traces;  ///< a row per macrostep
+  Journal journal;
+  std::vector<StateReading> readings;  ///< of all six faces, each time
+  Moves solution;
+  double planned_s{};      ///< estimate of the plan [s]
+  std::int64_t solving{};  ///< macrostep in which the first turn of the solution was begun
+  std::int64_t solved{};   ///< macrostep in which the last one had ended
+};
+
+/// The agent a_0 in MP.
+class RubikRun {
+ public:
+  /// @param announce  gets a line for everything that begins
+  RubikRun(mp::TaskRun& run, const Parameters& parameters, Brain brain, bool gives_start,
+           std::function<void(const std::string&)> announce);
+
+  /// Runs the task to its end. Call TaskRun::start() before.
+  Outcome execute();
+
+  /// @return why execute() gave faulted
+  [[nodiscard]] const Fault& fault() const { return fault_; }
+  [[nodiscard]] const RunRecord& record() const { return record_; }
+  [[nodiscard]] const CubeRecord& truth() const { return truth_; }
+  CubeRecord& truth() { return truth_; }
+
+ private:
+  using X = Coordinator::X;
+  using Observer = std::function<void(const Motion<Coordinator>&, const X&)>;
+  using Links = mp::CoordinatorPort<Coordinator, Observer>;
+  using Port = SeeingPort<Links>;
+
+  Outcome work(X& x, Port& port);
+  /// Shows all faces to the camera. @param now  how the cube is held; changed
+  Outcome read_cube(X& x, Port& port, PlanStart& now, std::optional<Cube>& cube);
+  Outcome solve(X& x, Port& port, PlanStart& now, const Cube& cube);
+  Outcome execute_plan(const Plan& plan, X& x, Program<Port>& program);
+  void note_view(const Step& step, const CubeFaceReading& reading);
+  Outcome plan_failed(const Planned& planned);
+  /// Thinks for a fixed simulated time, however long it takes. @throws what work throws
+  template <class T>
+  Outcome think(X& x, Port& port, std::function<T()> work, std::optional<T>& result);
+
+  void observe(const Motion<Coordinator>& motion, const X& x);
+  void note_rows(const X& x);
+  void show(const Motion<Coordinator>& motion, const X& x);
+  void say(const std::string& text);
+  Outcome fail(FaultCode code, const std::string& text);
+  [[nodiscard]] double seconds(std::int64_t macrosteps) const;
+
+  mp::TaskRun& run_;
+  Parameters k_;
+  Brain brain_;
+  mp::DormantOperator operator_;
+  mp::CoordinatorLinks links_;
+  Eyes eyes_;
+  CubeRecord truth_;
+  std::function<void(const std::string&)> announce_;
+  RunRecord record_;
+  Fault fault_;
+  std::function<bool()> thought_;  // while there is thinking: whether it has ended
+  std::array<FaceView, kFaces> views_;
+  std::deque<int> ordered_;  // m of the last orders, newest first
+  std::string doing_;        // for the operator
+  double progress_{};
+  std::int64_t i_{};
+};
+
+/// @return code of the fault that a trouble becomes when nothing helps
+[[nodiscard]] FaultCode code_of(Trouble trouble);
+
+}  // namespace mrroc::rubik

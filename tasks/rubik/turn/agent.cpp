@@ -1,0 +1,143 @@
+#include "tasks/rubik/turn/agent.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace mrroc::rubik {
+namespace {
+
+using X = Arm::X;
+
+constexpr std::int64_t kStillFor = 25;  // macrosteps at rest before anything is weighed
+constexpr double kJawsThere = 0.0015;   // [m]
+
+// --- memory ----------------------------------------------------------------------------------------------------
+
+/// A way begins with its point 0.
+ArmMemory begin_way(const X& x) {
+  ArmMemory c = x.c;
+  c.way = {};
+  return c;
+}
+
+/// Points come in their order; one that has been taken is sent again until the coordinator knows.
+ArmMemory take_point(const X& x) {
+  ArmMemory c = x.c;
+  const auto& joints = x.T.arm.pose;
+  const bool sound = std::ranges::all_of(joints, [](double q) { return std::isfinite(q); });
+  if (x.T.m == kTakeWay && x.T.variant == c.way.count && sound) c.way.add(joints);
+  c.way.jaws = x.T.arm.gripper;
+  return c;
+}
+
+ArmMemory plan_path(const X& x) {
+  ArmMemory c = x.c;
+  c.path = {};
+  if (c.way.count == 0) return c;
+  const Eigen::Index axes = c.limits.velocity.size();
+  const auto joints_of = [axes](const auto& numbers) {
+    return ecp::Coordinates(Eigen::Map<const Eigen::VectorXd>(numbers.data(), axes));
+  };
+  std::vector<ecp::ViaPoint> list;
+  for (int k = 0; k < c.way.count; ++k)
+    list.push_back({.pose = joints_of(c.way.points[static_cast<std::size_t>(k)]),
+                    .velocity = 1,
+                    .acceleration = 1,
+                    .pass = k + 1 < c.way.count});
+  c.path = ecp::Trajectory(
+      std::make_shared<ecp::Trapezoid>(joints_of(x.e.joints), list, c.limits, kPacing.macrostep_s()),
+      {.space = Representation::joints}, kPacing);
+  return c;
+}
+
+ArmMemory not_weighed(const X& x) {
+  ArmMemory c = x.c;
+  c.weighed = 0;
+  return c;
+}
+
+bool may_weigh(const X& x) {
+  return x.c.weighed == 0 && ecp::age(x) >= kStillFor &&
+         (x.e.state == DriverState::holding || x.e.state == DriverState::ready);
+}
+
+ArmMemory weigh_once(const X& x) {
+  ArmMemory c = x.c;
+  if (may_weigh(x)) c.weighed = x.i;
+  return c;
+}
+
+// --- effector --------------------------------------------------------------------------------------------------
+
+EffectorCommand follow(const X& x) {
+  EffectorCommand command = x.c.path.macrosteps() > 0 ? ecp::follow_path(x) : ecp::move_arm(kStill, kPacing);
+  if (x.c.way.jaws > 0) command.arm.gripper = std::clamp(x.c.way.jaws, kClosest, kWidest);
+  return command;
+}
+
+EffectorCommand weigh(const X& x) {
+  const auto& n = x.T.arm.pose;
+  return may_weigh(x) ? ecp::change_force_tool(n[0], {n[1], n[2], n[3]}) : ecp::rest();
+}
+
+// --- coordinator -----------------------------------------------------------------------------------------------
+
+bool arrived(const X& x) {
+  const bool jaws = x.c.way.jaws <= 0 || x.e.blocked || std::abs(x.e.gripper - x.c.way.jaws) < kJawsThere;
+  return jaws && ecp::age(x) >= x.c.path.macrosteps() + ecp::kAnswerDelay;
+}
+bool weighed(const X& x) { return x.c.weighed != 0 && x.i >= x.c.weighed + ecp::kAnswerDelay; }
+bool never(const X&) { return false; }
+
+template <int m, bool (*done)(const X&)>
+Report tell(const X& x) {
+  Report r = ecp::report_of(x, m);
+  r.sensor = x.c.way.count;
+  r.event = done(x) ? m : 0;
+  return r;
+}
+
+// --- terminal conditions ---------------------------------------------------------------------------------------
+
+bool order_changes(const X& x);
+template <int m>
+bool other_order(const X& x) {
+  return x.T.m != m || x.T.finished;
+}
+
+constexpr auto kRetain = ecp::retain<Arm>;
+constexpr auto kNoSensor = ecp::no_sensor<Arm>;
+constexpr auto kRest = ecp::at_rest<Arm>;
+
+}  // namespace
+
+// clang-format off
+const std::array<Motion<Arm>, 4> kBetween{{
+  // m         name           entry        memory      command  sensors    event                    terminal condition
+  { kWait,    "wait",         kRetain,     kRetain,    kRest,   kNoSensor, tell<kWait, never>,      order_changes},
+  { kTakeWay, "take the way", begin_way,   take_point, kRest,   kNoSensor, tell<kTakeWay, never>,   other_order<kTakeWay>},
+  { kGo,      "go",           plan_path,   kRetain,    follow,  kNoSensor, tell<kGo, arrived>,      other_order<kGo>},
+  { kWeigh,   "weigh",        not_weighed, weigh_once, weigh,   kNoSensor, tell<kWeigh, weighed>,   other_order<kWeigh>},
+}};
+// clang-format on
+
+const Motion<Arm>& select(const X& x) {
+  const Motion<Arm>* row = &kBetween[0];
+  if (x.T.m >= 1 && x.T.m <= 6) {
+    // The worker acts in m = 1..4, the holder in 5 and 6.
+    const bool worker = (x.T.m <= 4) == (x.T.variant == kActs);
+    const auto& rows = worker ? kWorker : kHolder;
+    row = &rows[static_cast<std::size_t>(x.T.m - 1)];
+  } else if (const auto found = std::ranges::find(kBetween, x.T.m, &Motion<Arm>::m);
+             found != kBetween.end()) {
+    row = &*found;
+  }
+  return row != &kBetween[0] && row->f_tau(x) ? kBetween[0] : *row;
+}
+
+namespace {
+bool order_changes(const X& x) { return x.T.finished || &select(x) != &kBetween[0]; }
+}  // namespace
+
+}  // namespace mrroc::rubik

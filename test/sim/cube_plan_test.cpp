@@ -1,0 +1,209 @@
+// Plans of grasps in the real cell: they do what was asked for, within limits, without collisions, from every grasp.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "sim/cube_cell.hpp"
+#include "tasks/rubik/plan/planner.hpp"
+#include "test/sim/plan_replay.hpp"
+
+namespace mrroc::sim {
+namespace {
+
+using rubik::Face;
+using rubik::Grasp;
+using rubik::Moves;
+using rubik::NoPlan;
+using rubik::Planned;
+using rubik::Planner;
+using rubik::PlanStart;
+
+constexpr auto kP = rubik::Hand::postument;
+constexpr auto kT = rubik::Hand::track;
+
+/// A cell with flaws, for what cannot be done.
+class FlawedCell : public rubik::PlanCell {
+ public:
+  explicit FlawedCell(const rubik::PlanCell& cell) : cell_(cell) {}
+  [[nodiscard]] const rubik::Meeting& meeting() const override { return cell_.meeting(); }
+  [[nodiscard]] const rubik::Viewing* viewing() const override { return cell_.viewing(); }
+  [[nodiscard]] const rubik::JointLimits& limits(rubik::Hand h) const override { return cell_.limits(h); }
+  [[nodiscard]] Pose forward(rubik::Hand h, const AxisVector& q) const override {
+    return cell_.forward(h, q);
+  }
+  [[nodiscard]] std::optional<AxisVector> inverse(rubik::Hand h, const Pose& T,
+                                                  const AxisVector& near) const override {
+    return cell_.inverse(h, T, near);
+  }
+  [[nodiscard]] double reserve(rubik::Hand h, const AxisVector& q) const override {
+    return cell_.reserve(h, q);
+  }
+  [[nodiscard]] double dexterity(rubik::Hand h, const AxisVector& q) const override {
+    return cell_.dexterity(h, q);
+  }
+  [[nodiscard]] bool is_free(const rubik::CellState& s) const override { return cell_.is_free(s); }
+  [[nodiscard]] Vector3 z(rubik::Hand h, const rubik::CellState& s) const {
+    return forward(h, s.joints[rubik::index(h)]).R.col(2);
+  }
+
+ private:
+  const rubik::PlanCell& cell_;
+};
+
+class CubePlan : public testing::Test {
+ protected:
+  CubePlan() {
+    for (const rubik::Hand hand : rubik::kHands)
+      start.joints[rubik::index(hand)] = cell.meeting().joints[rubik::index(hand)];
+    // The postument begins drawn back.
+    const Pose back = cell.forward(kP, start.joints[0]) * Pose{Matrix3::Identity(), {0, 0, -0.1}};
+    start.joints[0] = *cell.inverse(kP, back, start.joints[0]);
+    start.grasp = {kT, Face::D, Face::B};
+  }
+  void expect_plan(Planner& planner, const Moves& moves) {
+    const Planned planned = planner.make_plan(start, moves);
+    ASSERT_TRUE(planned.plan) << planned.text;
+    PlanReplay replay(cell, *planned.plan);
+    int states = 0, free = 0;
+    replay.run(*planned.plan, [&](const rubik::CellState& s) {
+      ++states;
+      free += cell.is_free(s);
+    });
+    EXPECT_EQ(states, free) << cell.touching();
+    EXPECT_EQ(replay.cube, rubik::after({}, moves)) << to_string(moves);
+    EXPECT_EQ(rubik::after({}, planned.plan->turns), rubik::after({}, moves));
+  }
+
+  WorldParameters world{cube_cell({})};
+  CubePlanCell cell{world, viewing_place()};
+  PlanStart start;
+};
+
+TEST_F(CubePlan, DoesExactlyTheTurnsWithinLimitsAndWithoutCollisions) {
+  Planner planner(cell);
+  std::mt19937_64 random(1);
+  for (int n = 0; n < 6; ++n) expect_plan(planner, rubik::random_moves(2 + 3 * n, random));
+}
+
+TEST_F(CubePlan, TurnsEveryFaceFromEveryGraspOfEitherHand) {
+  Planner planner(cell);
+  const rubik::ArmJoints joints = start.joints;
+  for (const rubik::Hand hand : rubik::kHands)
+    for (int palm = 0; palm < rubik::kFaces; ++palm)
+      for (int jaw = 0; jaw < rubik::kFaces; ++jaw) {
+        start.grasp = {hand, static_cast<Face>(palm), static_cast<Face>(jaw)};
+        if (!rubik::is_valid(start.grasp)) continue;
+        start.joints = joints;
+        if (hand == kP) {
+          start.joints[0] = cell.meeting().joints[0];
+          const Pose back = cell.forward(kT, joints[1]) * Pose{Matrix3::Identity(), {0, 0, -0.1}};
+          start.joints[1] = *cell.inverse(kT, back, joints[1]);
+        }
+        for (int face = 0; face < rubik::kFaces; ++face) {
+          const Moves moves{rubik::Move(static_cast<Face>(face), 1)};
+          const Planned planned = planner.make_plan(start, moves);
+          ASSERT_TRUE(planned.plan) << to_string(start.grasp) << ' ' << face << ": " << planned.text;
+          EXPECT_LE(planned.plan->grips, 5) << to_string(start.grasp) << ' ' << face;
+          EXPECT_EQ(planned.plan->turns, moves);
+        }
+      }
+}
+
+TEST_F(CubePlan, FewestGripsForNeighbouringAndOppositeFaces) {
+  Planner planner(cell);
+  const auto grips = [&](std::string_view moves) {
+    const Planned planned = planner.make_plan(start, rubik::parse_moves(moves));
+    EXPECT_TRUE(planned.plan) << planned.text;
+    return planned.plan ? planned.plan->grips : -1;
+  };
+  EXPECT_EQ(grips(""), 0);
+  EXPECT_EQ(grips("U"), 1);
+  EXPECT_EQ(grips("U R"), 3);
+  EXPECT_EQ(grips("U R U"), 5);
+  EXPECT_EQ(grips("U D"), 4);
+  // Opposite faces may be exchanged: U, which the postument reaches at once, comes first.
+  EXPECT_EQ(grips("D U"), 4);
+}
+
+TEST_F(CubePlan, TellsHowLongItTakesBySumsOfItsSteps) {
+  Planner planner(cell);
+  const Planned planned = planner.make_plan(start, rubik::parse_moves("U R2 F'"));
+  ASSERT_TRUE(planned.plan);
+  double seconds = 0;
+  int grips = 0, regrasps = 0;
+  for (const rubik::Step& s : planned.plan->steps) {
+    double motions = s.retreat.seconds;
+    for (const auto& m : s.before) motions += m.seconds;
+    EXPECT_GT(s.seconds, motions);
+    seconds += s.seconds;
+    ++grips;
+    regrasps += s.regrasp();
+  }
+  EXPECT_DOUBLE_EQ(planned.plan->seconds, seconds);
+  EXPECT_EQ(planned.plan->grips, grips);
+  EXPECT_EQ(planned.plan->regrasps, regrasps);
+  // A second time the ways are known, and the plan is the same.
+  EXPECT_EQ(planner.make_plan(start, rubik::parse_moves("U R2 F'")).plan->seconds, seconds);
+}
+
+TEST_F(CubePlan, ShowsEveryFaceOnceToTheCamera) {
+  Planner planner(cell);
+  for (const Face palm : {Face::D, Face::R, Face::F}) {
+    start.grasp = {kT, palm, palm == Face::R ? Face::U : Face::R};
+    const Planned planned = planner.make_reading_plan(start);
+    ASSERT_TRUE(planned.plan) << planned.text;
+    PlanReplay replay(cell, *planned.plan);
+    replay.run(*planned.plan,
+               [&](const rubik::CellState& s) { EXPECT_TRUE(cell.is_free(s)) << cell.touching(); });
+    EXPECT_EQ(std::set<Face>(replay.shown.begin(), replay.shown.end()).size(), 6u);
+    EXPECT_EQ(replay.shown.size(), 6u);
+    EXPECT_EQ(replay.cube, rubik::Cube{});
+    EXPECT_LE(planned.plan->grips, 2);
+  }
+}
+
+TEST_F(CubePlan, NamesWhyThereIsNone) {
+  Planner planner(cell);
+  const Moves moves = rubik::parse_moves("R U");
+  PlanStart bad = start;
+  bad.grasp.jaw = opposite(bad.grasp.palm);
+  EXPECT_EQ(planner.make_plan(bad, moves).why, NoPlan::bad_start);
+  bad = start;
+  bad.joints[1].conservativeResize(6);
+  EXPECT_EQ(planner.make_plan(bad, moves).why, NoPlan::bad_start);
+  bad = start;
+  bad.joints[0][5] = std::nan("");
+  EXPECT_EQ(planner.make_plan(bad, moves).why, NoPlan::bad_start);
+  bad = start;
+  bad.joints[0][0] = 3;
+  EXPECT_EQ(planner.make_plan(bad, moves).why, NoPlan::bad_start);
+  bad = start;
+  bad.joints[0] = cell.meeting().joints[0];
+  EXPECT_EQ(planner.make_plan(bad, moves).why, NoPlan::collision) << "the open hand is at the cube";
+
+  /// No hand comes from the side.
+  struct NoSide : FlawedCell {
+    using FlawedCell::FlawedCell;
+    [[nodiscard]] bool is_free(const rubik::CellState& s) const override {
+      return FlawedCell::is_free(s) && z(kT, s).dot(z(kP, s)) < -0.9;
+    }
+  } no_side(cell);
+  EXPECT_EQ(Planner(no_side).make_plan(start, moves).why, NoPlan::unreachable);
+  EXPECT_TRUE(Planner(no_side).make_plan(start, rubik::parse_moves("U")).plan);
+
+  /// There is a wall on the way to the side, for both.
+  struct Wall : FlawedCell {
+    using FlawedCell::FlawedCell;
+    [[nodiscard]] bool is_free(const rubik::CellState& s) const override {
+      const auto in_wall = [&](rubik::Hand h) {
+        const double along = std::abs(z(h, s).dot(meeting().T_UM.R.col(2)));
+        return along > 0.4 && along < 0.6;
+      };
+      return FlawedCell::is_free(s) && !in_wall(kT) && !in_wall(kP);
+    }
+  } wall(cell);
+  EXPECT_EQ(Planner(wall).make_plan(start, moves).why, NoPlan::blocked);
+}
+
+}  // namespace
+}  // namespace mrroc::sim

@@ -1,0 +1,144 @@
+// A plan carried out on paper: every state of every motion is visited, and hands, core and stickers are followed.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "sim/plan_cell.hpp"
+#include "tasks/rubik/plan/plan.hpp"
+
+namespace mrroc::sim {
+
+/// Follows a plan by forward kinematics alone and expects what every plan has to keep.
+class PlanReplay {
+ public:
+  PlanReplay(const CubePlanCell& cell, const rubik::Plan& plan)
+      : cell_(cell), joints_(plan.start_joints), grasp_(plan.start) {}
+
+  /// @param visit  called with every state; 1 cm or less apart at the wrist
+  void run(const rubik::Plan& plan, const std::function<void(const rubik::CellState&)>& visit) {
+    for (const rubik::Step& step : plan.steps) {
+      EXPECT_EQ(step.before_grasp, grasp_);
+      for (const rubik::FreeMotion& motion : step.before) follow(motion, motion.hand == grasp_.hand, visit);
+      if (step.shows)
+        show(step, visit);
+      else
+        meet(step, visit);
+    }
+    EXPECT_EQ(plan.end, grasp_);
+    for (const rubik::Hand hand : rubik::kHands) expect_at(hand, plan.end_joints[index(hand)]);
+  }
+
+  rubik::Cube cube;                ///< solved at the beginning
+  std::vector<rubik::Face> shown;  ///< in their order
+
+ private:
+  static std::size_t index(rubik::Hand hand) { return rubik::index(hand); }
+  [[nodiscard]] Pose hand(rubik::Hand h) const { return cell_.forward(h, joints_[index(h)]); }
+  [[nodiscard]] Pose core() const { return hand(grasp_.hand) * rubik::cube_in_hand(grasp_); }
+  void expect_at(rubik::Hand h, const AxisVector& joints) const {
+    EXPECT_LT((joints_[index(h)] - joints).cwiseAbs().maxCoeff(), 1e-6);
+  }
+
+  void follow(const rubik::FreeMotion& motion, bool carries,
+              const std::function<void(const rubik::CellState&)>& visit, bool touched = false) {
+    ASSERT_GE(motion.points.size(), 2u);
+    EXPECT_EQ(motion.carries, carries);
+    expect_at(motion.hand, motion.points.front());
+    for (std::size_t k = 1; k < motion.points.size(); ++k)
+      go(motion.hand, motion.points[k], carries, touched && k == 1, visit);
+  }
+
+  void go(rubik::Hand h, const AxisVector& to, bool carries, bool touched,
+          const std::function<void(const rubik::CellState&)>& visit) {
+    constexpr int kParts = 37;
+    const AxisVector from = joints_[index(h)];
+    for (int k = 0; k <= kParts; ++k) {
+      rubik::CellState state{joints_, {}, grasp_, touched};
+      state.joints[index(h)] = from + (to - from) * (static_cast<double>(k) / kParts);
+      state.jaws[index(grasp_.hand)] = kCubeEdge;
+      state.jaws[index(other(grasp_.hand))] = carries && touched ? kCubeEdge : rubik::kOpenJaws;
+      EXPECT_GE(cell_.reserve(h, state.joints[index(h)]), 0);
+      visit(state);
+    }
+    joints_[index(h)] = to;
+  }
+
+  void show(const rubik::Step& step, const std::function<void(const rubik::CellState&)>& visit) {
+    for (const rubik::Hand h : rubik::kHands) expect_at(h, step.contact[index(h)]);
+    const Pose T_UC = core();
+    const rubik::Viewing& viewing = *cell_.viewing();
+    const Vector3 middle = T_UC * (kCubeEdge / 2 * rubik::normal(*step.shows));
+    EXPECT_LT((middle - viewing.T_UG.p).norm(), 1e-6);
+    EXPECT_LT((T_UC.R * rubik::normal(*step.shows) - viewing.T_UG.R.col(2)).norm(), 1e-6);
+    EXPECT_LT((viewing.T_UG.R * step.R_GC - T_UC.R).norm(), 1e-6);
+    // Its edges are along those of the place.
+    EXPECT_NEAR(step.R_GC.cwiseAbs().maxCoeff(), 1, 1e-6);
+    rubik::CellState state{joints_, {rubik::kOpenJaws, rubik::kOpenJaws}, grasp_, false, true};
+    state.jaws[index(grasp_.hand)] = kCubeEdge;
+    visit(state);
+    shown.push_back(*step.shows);
+  }
+
+  void meet(const rubik::Step& step, const std::function<void(const rubik::CellState&)>& visit) {
+    const rubik::Hand comes = step.comes;
+    ASSERT_EQ(comes, other(grasp_.hand));
+    const Pose T_UC = core();
+    // The guarded approach: along z, and then the palm is on the cube.
+    const Pose T_EK = hand(comes).inverse() * cell_.forward(comes, step.contact[index(comes)]);
+    EXPECT_LT((T_EK.p - Vector3(0, 0, rubik::kApproachDistance)).norm(), 1e-6);
+    EXPECT_LT((T_EK.R - Matrix3::Identity()).norm(), 1e-6);
+    go(comes, step.contact[index(comes)], false, true, visit);
+    for (const rubik::Hand h : rubik::kHands) expect_at(h, step.contact[index(h)]);
+    EXPECT_LT(((hand(comes) * rubik::cube_in_hand(step.grasp)).p - T_UC.p).norm(), 1e-6);
+    EXPECT_LT(((hand(comes) * rubik::cube_in_hand(step.grasp)).R - T_UC.R).norm(), 1e-6);
+
+    std::array<rubik::Grasp, 2> grasps;
+    grasps[index(grasp_.hand)] = grasp_;
+    grasps[index(comes)] = step.grasp;
+    if (step.turn) turn(step, grasps, visit);
+
+    grasp_ = grasps[index(other(step.leaves))];
+    EXPECT_EQ(step.after_grasp, grasp_);
+    EXPECT_EQ(step.retreat.hand, step.leaves);
+    const Pose before = hand(step.leaves);
+    follow(step.retreat, false, visit, true);
+    const Pose back = before.inverse() * hand(step.leaves);
+    EXPECT_LT((back.p - Vector3(0, 0, -rubik::kRetreatDistance)).norm(), 1e-6);
+    for (const rubik::Hand h : rubik::kHands) expect_at(h, step.after[index(h)]);
+  }
+
+  /// The postument keeps its layer, the track arm takes the rest along.
+  void turn(const rubik::Step& step, std::array<rubik::Grasp, 2>& grasps,
+            const std::function<void(const rubik::CellState&)>& visit) {
+    const Pose keeper = hand(rubik::Hand::postument);
+    EXPECT_LT((keeper.R.col(2) + hand(rubik::Hand::track).R.col(2)).norm(), 1e-6) << "palms are not opposite";
+    const rubik::Face face = rubik::face_along(cube_axes(rubik::Hand::track, grasps).col(2));
+    EXPECT_EQ(face, grasps[index(rubik::Hand::postument)].palm);
+    EXPECT_EQ(face, step.turn->face());
+
+    AxisVector to = joints_[index(rubik::Hand::track)];
+    to[to.size() - 1] += step.angle;
+    grasp_ = grasps[index(rubik::Hand::track)];
+    go(rubik::Hand::track, to, true, true, visit);
+    const double quarters = step.angle / (std::numbers::pi / 2);
+    EXPECT_NEAR(quarters, std::round(quarters), 1e-9);
+    // Seen from outside the rest goes counterclockwise, so the face clockwise.
+    const int clockwise = (static_cast<int>(std::lround(quarters)) + 4) % 4;
+    cube = cube * rubik::turn(rubik::Move(face, clockwise));
+    grasps[index(rubik::Hand::postument)] =
+        rubik::grasp_from(rubik::Hand::postument, keeper.R.transpose() * core().R);
+  }
+  /// @return axes of E of a hand in C
+  [[nodiscard]] static Matrix3 cube_axes(rubik::Hand h, const std::array<rubik::Grasp, 2>& grasps) {
+    return rubik::cube_in_hand(grasps[index(h)]).R.transpose();
+  }
+
+  const CubePlanCell& cell_;
+  rubik::ArmJoints joints_;
+  rubik::Grasp grasp_;
+};
+
+}  // namespace mrroc::sim

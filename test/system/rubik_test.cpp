@@ -1,0 +1,124 @@
+// The task of the cube as a user starts it: one turn, several processes, a face that jams, a part that is killed.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "test/system/started_task.hpp"
+#include "test/system/tables.hpp"
+
+namespace mrroc::test {
+namespace {
+
+const std::string kMovesHeading =
+    "k,turn,t_start,t_end,attempts,tool_deg,face_deg,slip_mm,force_peak_N,torque_peak_Nm";
+
+/// One turn of the face that the track arm shows to the other one; substeps of 1 ms, whose forces are rougher.
+const std::vector<std::string> kOneTurn{"--scramble",     "U'",    "--eyes",           "none", "--set",
+                                        "sim.substeps=2", "--set", "task.tables=small"};
+
+struct CubeRun {
+  explicit CubeRun(const std::vector<std::string>& arguments, const std::string& name = "run")
+      : ended(run(folder, "rubik", words({kOneTurn, arguments, {"--run-dir", (folder / name).string()}}))) {
+    if (std::filesystem::exists(folder / name / "summary.json")) told = summary(folder / name);
+  }
+  [[nodiscard]] double figure(const std::string& key) const {
+    const auto& figures = told["figures"];
+    return figures.contains(key) && figures[key].is_number() ? figures[key].get<double>() : NAN;
+  }
+  [[nodiscard]] std::string text(const std::string& file) const {
+    std::ifstream in(folder / "run" / file);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  }
+
+  Folder folder;
+  Ended ended;
+  nlohmann::json told;
+};
+
+TEST(Rubik, TurnsAFaceAndTheCubeIsSolved) {
+  if (kSanitized) GTEST_SKIP() << "too long";
+  const CubeRun r({"--processes", "one"});
+  ASSERT_EQ(r.ended.status, 0) << r.ended.all();
+  EXPECT_EQ(r.told["outcome"], "done");
+  EXPECT_EQ(r.figure("solved"), 1);
+  EXPECT_EQ(r.figure("moves"), 1);
+  EXPECT_NE(r.text("cube_start.txt"), r.text("cube_end.txt"));
+  EXPECT_NEAR(r.figure("approach_settled_N"), 4, 0.2);
+  EXPECT_LE(r.figure("turn_lateral_peak_N"), 12);
+  EXPECT_LE(r.figure("turn_slip_mm"), 2);
+  EXPECT_LT(r.figure("squeeze_N"), 250) << "not crushed";
+  std::istringstream moves(r.text("moves.csv"));
+  std::string heading, row;
+  std::getline(moves, heading);
+  std::getline(moves, row);
+  EXPECT_EQ(heading, kMovesHeading);
+  EXPECT_TRUE(row.starts_with("1,U,")) << row;
+  for (const char* picture : {"fig16_approach.png", "fig17_turn.png", "turns.png"})
+    EXPECT_TRUE(std::filesystem::exists(r.folder / "run" / "plots" / picture)) << picture;
+}
+
+TEST(Rubik, IsTheSameWhateverCarriesItsMessages) {
+  if (kSanitized || !multicast()) GTEST_SKIP();
+  const CubeRun one({"--processes", "one"});
+  const CubeRun separate({"--processes", "separate"});
+  ASSERT_EQ(one.ended.status, 0) << one.ended.all();
+  ASSERT_EQ(separate.ended.status, 0) << separate.ended.all();
+  EXPECT_EQ(one.told["log_hash"], separate.told["log_hash"]);
+  EXPECT_EQ(one.text("arm2.csv"), separate.text("arm2.csv"));
+}
+
+TEST(Rubik, AFaceThatJamsIsTriedAgainAndThenAFaultWithTheCubeHeld) {
+  if (kSanitized) GTEST_SKIP() << "too long";
+  const CubeRun r({"--processes", "one", "--set", "cube.breakaway=30", "--set", "task.attempts=2"});
+  EXPECT_EQ(r.ended.status, 1) << r.ended.all();
+  EXPECT_EQ(r.told["fault"]["code"], "face_jammed");
+  EXPECT_EQ(r.figure("retries"), 1);
+  EXPECT_EQ(r.figure("solved"), 0);
+  EXPECT_LT(r.figure("squeeze_N"), 250) << "not crushed";
+  EXPECT_LT(r.figure("turn_torque_peak_Nm"), 5);
+}
+
+TEST(Rubik, AHandThatMeetsNothingIsANamedFault) {
+  if (kSanitized) GTEST_SKIP() << "too long";
+  // The worker's palm is told to be elsewhere: the cube is met too early by far, as if it had slipped.
+  const CubeRun r(
+      {"--processes", "one", "--set", "task.slip=0.001", "--set", "robots.arm1.tool.pose=[0,0,0.24,0,0,0]"});
+  EXPECT_EQ(r.ended.status, 1) << r.ended.all();
+  EXPECT_TRUE(r.told["fault"]["code"] == "cube_slipped" || r.told["fault"]["code"] == "no_contact")
+      << r.told["fault"];
+}
+
+TEST(Rubik, AnArmsProcessThatIsKilledInATurnBringsBothArmsToRest) {
+  if (kSanitized || !multicast()) GTEST_SKIP();
+  Folder folder;
+  Started task(folder, "rubik",
+               words({kOneTurn, {"--processes", "separate", "--run-dir", (folder / "run").string()}}));
+  ASSERT_TRUE(task.await_line("move 1 of 1"));
+  const ProcessId victim = task.child("ecp-arm2");
+  const auto children = task.children();
+  ::kill(victim.pid, SIGKILL);
+  const Ended ended = task.end();
+  EXPECT_EQ(ended.status, 3) << ended.all();
+  EXPECT_TRUE(all_gone(children));
+  const auto told = summary(folder / "run");
+  EXPECT_EQ(told["fault"]["code"], "process_died");
+  EXPECT_LE(told["figures"]["stop_steps_max"].get<double>(), 100);
+}
+
+TEST(Rubik, RefusesWhatItCannotDoBeforeAnythingStarts) {
+  Folder folder;
+  for (const auto& [arguments, word] :
+       {std::pair{words({{"--scramble", "R Q"}}), "Q"},
+        {words({{"--state", "UUU"}}), "54"},
+        {words({{"--scramble", "R", "--set", "task.torqe=3"}}), "torqe"},
+        {words({{"--scramble", "R", "--set", "cube.held_by=arm3"}}), "arm3"}}) {
+    const Ended ended = run(folder, "rubik", arguments);
+    EXPECT_EQ(ended.status, 2) << ended.all();
+    EXPECT_NE(ended.last_err().find(word), std::string::npos) << ended.last_err();
+  }
+}
+
+}  // namespace
+}  // namespace mrroc::test

@@ -1,0 +1,149 @@
+// An arm of the cube's task by value: it obeys orders, takes a way point by point, goes along it, weighs at rest.
+#include "tasks/rubik/turn/agent.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace mrroc::rubik {
+namespace {
+
+using X = Arm::X;
+
+ArmMemory memory_of_six_axes() {
+  ArmMemory c;
+  c.limits = {AxisVector::Constant(6, 0.5), AxisVector::Constant(6, 1)};
+  return c;
+}
+
+const Motion<Arm>& between(int m) { return *std::ranges::find(kBetween, m, &Motion<Arm>::m); }
+
+X ordered(int m, int variant = 0) {
+  X x;
+  x.c = memory_of_six_axes();
+  x.T.m = m;
+  x.T.variant = variant;
+  return x;
+}
+
+TEST(RubikAgent, ActsAsWorkerUntilTheGripAndAsHolderFromTheTurnOn) {
+  for (int m = 1; m <= 6; ++m) {
+    const auto k = static_cast<std::size_t>(m - 1);
+    EXPECT_EQ(&select(ordered(m, kActs)), m <= 4 ? &kWorker[k] : &kHolder[k]) << m;
+    EXPECT_EQ(&select(ordered(m, kStands)), m <= 4 ? &kHolder[k] : &kWorker[k]) << m;
+  }
+  for (const int m : {kWait, kTakeWay, kGo, kWeigh}) EXPECT_EQ(&select(ordered(m)), &between(m));
+  for (const int m : {0, 11, -5}) EXPECT_EQ(&select(ordered(m)), &between(kWait)) << m;
+}
+
+TEST(RubikAgent, WaitsInsteadOfABehaviourThatHasEnded) {
+  X x = ordered(1, kActs);
+  x.T.go_on = {true, false};
+  EXPECT_EQ(&select(x), &between(kWait));
+  EXPECT_FALSE(between(kWait).f_tau(x));
+}
+
+TEST(RubikAgent, EveryBehaviourOfACycleEndsWhenItIsBrokenOff) {
+  for (const auto* rows : {&kWorker, &kHolder})
+    for (const auto& row : *rows) EXPECT_TRUE(row.f_tau(ordered(kWait))) << row.m;
+}
+
+TEST(RubikAgent, AnOrderOfATurnSurvivesItsWayInTheCommand) {
+  Order o;
+  put_turn({.torque = -4.2, .mobility = 0.1, .angle = 1.5}, o);
+  const TurnOrder t = turn_of(o);
+  EXPECT_EQ(t.torque, -4.2);
+  EXPECT_EQ(t.mobility, 0.1);
+  EXPECT_EQ(t.angle, 1.5);
+  EXPECT_EQ(turn_of({}).torque, 0) << "no order, no torque";
+}
+
+TEST(RubikAgent, TakesThePointsOfAWayInTheirOrderEachOnce) {
+  const auto& take = between(kTakeWay);
+  X x = ordered(kTakeWay);
+  x.c.way.count = 7;
+  x.c = take.f_entry(x);
+  EXPECT_EQ(x.c.way.count, 0) << "a new way";
+  for (const int number : {0, 0, 2, 1, 1, 0, 2, 5}) {
+    x.T.variant = number;
+    x.T.arm.pose[0] = 0.1 * number;
+    x.T.arm.gripper = 0.07;
+    x.c = take.f_cc(x);
+  }
+  ASSERT_EQ(x.c.way.count, 3);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_DOUBLE_EQ(x.c.way.points[k][0], 0.1 * static_cast<double>(k));
+  EXPECT_EQ(x.c.way.jaws, 0.07);
+  EXPECT_EQ(take.f_cT(x).sensor, 3);
+  x.T.variant = 3;
+  x.T.arm.pose[2] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(take.f_cc(x).way.count, 3) << "never to a place that is none";
+}
+
+TEST(RubikAgent, GoesFromWhereItIsThroughAllPointsAndTellsWhenItIsThere) {
+  const auto& go = between(kGo);
+  X x = ordered(kGo);
+  x.e.joints[0] = 0.5;
+  x.e.gripper = 0.07;
+  PoseNumbers point{};
+  point[0] = 0.7;
+  x.c.way.add(point);
+  point[1] = -0.2;
+  x.c.way.add(point);
+  x.c.way.jaws = 0.07;
+  x.c = go.f_entry(x);
+  ASSERT_GT(x.c.path.macrosteps(), 10);
+  EffectorCommand last;
+  double largest = 0, before = 0.5;
+  for (x.i = 0; x.i < x.c.path.macrosteps(); ++x.i) {
+    EXPECT_EQ(go.f_cT(x).event, 0);
+    last = go.f_ce(x);
+    EXPECT_EQ(last.arm.mu, Interpolation::mim);
+    EXPECT_EQ(last.arm.gripper, 0.07);
+    largest = std::max(largest, std::abs(last.arm.pose[0] - before));
+    before = last.arm.pose[0];
+  }
+  EXPECT_NEAR(last.arm.pose[0], 0.7, 1e-9);
+  EXPECT_NEAR(last.arm.pose[1], -0.2, 1e-9);
+  EXPECT_LE(largest, 0.5 * kPacing.macrostep_s() + 1e-9) << "within the speed";
+  x.i += ecp::kAnswerDelay;
+  EXPECT_EQ(go.f_cT(x).event, kGo);
+  x.e.gripper = 0.075;
+  EXPECT_EQ(go.f_cT(x).event, 0) << "the jaws are not there yet";
+  x.T.m = kWait;
+  EXPECT_TRUE(go.f_tau(x));
+}
+
+TEST(RubikAgent, AWayWithoutPointsMovesTheJawsAlone) {
+  const auto& go = between(kGo);
+  X x = ordered(kGo);
+  x.c.way = {};
+  x.c.way.jaws = 0.08;
+  x.c = go.f_entry(x);
+  EXPECT_EQ(x.c.path.macrosteps(), 0);
+  EXPECT_EQ(go.f_ce(x).arm.frame, kStill);
+  EXPECT_EQ(go.f_ce(x).arm.gripper, 0.08);
+}
+
+TEST(RubikAgent, WeighsOnceAndOnlyAtRest) {
+  const auto& weigh = between(kWeigh);
+  X x = ordered(kWeigh);
+  x.T.arm.pose = {10, 0.1, 0.2, 0.3};
+  x.c = weigh.f_entry(x);
+  int sent = 0;
+  for (x.i = 1; x.i < 100; ++x.i) {
+    x.e.state = x.i < 60 ? DriverState::decelerating : DriverState::holding;
+    const EffectorCommand y = weigh.f_ce(x);
+    if (y.instruction == Instruction::set) {
+      ++sent;
+      EXPECT_GE(x.i, 60);
+      EXPECT_EQ(y.robot_model.weight, 10);
+      EXPECT_EQ(y.robot_model.mass_centre[2], 0.3);
+    }
+    EXPECT_EQ(weigh.f_cT(x).event, x.i >= 62 ? kWeigh : 0) << x.i;
+    x.c = weigh.f_cc(x);
+  }
+  EXPECT_EQ(sent, 1);
+}
+
+}  // namespace
+}  // namespace mrroc::rubik

@@ -1,0 +1,103 @@
+// Two arms that do what the coordinator orders, by messages alone: for tests of its program.
+#pragma once
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+#include "base/representation.hpp"
+#include "tasks/rubik/coordinator.hpp"
+
+namespace mrroc::rubik {
+
+/// Port of the coordinator. Everything takes some macrosteps; what goes wrong is told by functions.
+class TwoArms {
+ public:
+  using X = Coordinator::X;
+
+  int limit{100'000};                                              ///< macrosteps
+  std::function<bool(int turn)> jams = [](int) { return false; };  ///< attempt at m = 5, counted from 1
+  std::function<bool(int grip)> misses = [](int) { return false; };
+  std::function<bool(int grip)> finds_nothing = [](int) { return false; };
+  double meets_at{0.01};                               ///< way of the worker to the cube [m]
+  bool drops{};                                        ///< the holder's jaws close in m = 5
+  std::vector<int> behaviours;                         ///< of the coordinator, one after another
+  std::array<std::vector<PoseNumbers>, kArms> points;  ///< that each arm was told
+  std::vector<TurnOrder> turns;                        ///< ordered, at the begin of each m = 5
+
+  void dispatch(const Motion<Coordinator>& motion, const Coordinator::Y& y) {
+    if (behaviours.empty() || behaviours.back() != motion.m) {
+      behaviours.push_back(motion.m);
+      age_ = 0;
+      if (motion.m == 1) ++grips_;
+      if (motion.m == 5) turns.push_back(turn_of(y.T[1]));
+      if (motion.m == 5) angle_ = 0;
+      if (motion.m == kTakeWay) taken_ = {};
+    }
+    ++age_;
+    for (std::size_t arm = 0; arm < kArms; ++arm) obey(arm, y.T[arm]);
+  }
+  Outcome wait() { return ++i_ < limit ? Outcome::terminated : Outcome::aborted; }
+  void read(X& x) {
+    x.i = i_;
+    x.T.agent = reports_;
+    x.T.h.started = true;
+  }
+
+ private:
+  void obey(std::size_t arm, const Order& o) {
+    Report& r = reports_[arm];
+    r.ready = true;
+    r.m = o.m;
+    r.event = 0;
+    r.driver_state = o.m < kWait ? DriverState::executing : DriverState::holding;
+    if (r.gripper == 0) r.gripper = 0.0568;
+    const bool acts = o.variant == kActs && age_ > 5;
+    if (o.m == kTakeWay && o.variant == taken_[arm] && o.arm.representation == Representation::joints) {
+      points[arm].push_back(o.arm.pose);
+      ++taken_[arm];
+      jaws_[arm] = o.arm.gripper;
+    }
+    if (o.m == kTakeWay) r.sensor = taken_[arm];
+    if (o.m == kGo && age_ > 20) {
+      r.event = kGo;
+      if (jaws_[arm] > 0) r.gripper = jaws_[arm];
+    }
+    if (o.m == kWeigh && age_ > 20) r.event = kWeigh;
+    if (o.m == 1) r.T_0E = {};
+    if (o.m == 1 && acts) approach(r);
+    if (o.m == 2 && acts) r.event = 2;
+    if (o.m == 3 && acts) r.gripper = 0.06, r.event = 3;
+    if (o.m == 4 && acts) close(r);
+    if (o.m == 5) turn(r, o, acts);
+    if (o.m == 6 && acts) r.gripper = 0.077, r.event = 6;
+  }
+  void approach(Report& r) const {
+    if (finds_nothing(grips_)) return;
+    r.T_0E[2] = meets_at;
+    r.event = 1;
+  }
+  void close(Report& r) const {
+    r.gripper = misses(grips_) ? 0.054 : 0.0568;
+    r.event = misses(grips_) ? 0 : 4;
+  }
+  void turn(Report& r, const Order& o, bool acts) {
+    if (drops) r.gripper = 0.054;
+    if (!acts) return;
+    const TurnOrder t = turn_of(o);
+    const double most = jams(static_cast<int>(turns.size())) ? 0.4 : 10;
+    if (std::abs(angle_) < most) angle_ += std::copysign(0.01, t.torque);
+    r.T_0E[5] = angle_;
+    if (std::copysign(1., t.torque) * angle_ >= t.angle) r.event = 5;
+  }
+
+  std::array<Report, kArms> reports_;
+  std::array<int, kArms> taken_{};
+  std::array<double, kArms> jaws_{};
+  double angle_{};
+  int age_{}, grips_{};
+  std::int64_t i_{};
+};
+
+}  // namespace mrroc::rubik

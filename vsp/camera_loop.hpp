@@ -1,0 +1,52 @@
+// What the shells of all receptors that look at pictures have in common: the pictures' way out of the frame store, and
+// the film for the run folder.
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "base/config.hpp"
+#include "base/link/process.hpp"
+#include "vsp/annotate.hpp"
+
+namespace mrroc::vsp {
+
+/// @return KEY of [cameras.KEY] for the receptor's process "vsp-KEY" @throws FaultError bad_usage
+std::string camera_of(const link::Process& process);
+
+/// Answers one announced picture with a message.
+/// @param picture  nothing when it came too late (with the wall clock only), or with the last announcement
+/// @param t        when it was taken [s]
+/// @param last     there will be no more
+using PictureAnswer =
+    std::function<void(const ImageView* picture, std::int64_t frame, std::int64_t step, double t, bool last)>;
+
+/// Takes the camera's pictures until the last one or the end of the system. To be called when all links have been made:
+/// it assembles.
+/// @return whether it assembled
+/// @throws FaultError bad_configuration: the pictures are of another size than the camera's; malformed_message: the frame
+///         store does not hold what was announced
+bool run_camera(link::Process& process, const std::string& key, const CameraModel& camera,
+                const PictureAnswer& answer);
+
+/// What the camera saw, with what was found drawn in: with `film.directory` in the configuration KEY_OBJECT.png there.
+class CameraFilm {
+ public:
+  CameraFilm(std::string key, std::string object, ObjectShape shape, const CameraModel& camera,
+             const Config& config);
+
+  /// @return whether see() would keep this picture
+  [[nodiscard]] bool wants(std::int64_t frame) const { return !directory_.empty() && strip_.wants(frame); }
+  /// @param text  behind the camera's name and the picture's number
+  void see(const ImageView& picture, const CameraReading& reading, const std::string& text);
+  void write() const;
+
+ private:
+  std::string key_, object_;
+  ObjectShape shape_;
+  CameraModel camera_;
+  std::filesystem::path directory_;
+  FilmStrip strip_;
+};
+
+}  // namespace mrroc::vsp
