@@ -54,6 +54,8 @@ std::vector<std::string> camera_keys(const Config& config) {
   for (const std::string& key : keys)
     if (!is_word(key))
       refuse("cameras.order", "'" + key + "' is no name of a camera: letters, digits, - and _, at most 16");
+  for (const std::string& key : keys)
+    if (std::ranges::count(keys, key) > 1) refuse("cameras.order", "the camera '" + key + "' is named twice");
   return keys;
 }
 

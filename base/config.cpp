@@ -83,7 +83,7 @@ Config Config::load(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error))
     throw FaultError(FaultCode::bad_configuration, file.string() + ": there is no such configuration file",
-                     "check the name given with --config");
+                     "check the name of the file");
   std::ifstream stream(file, std::ios::binary);
   std::stringstream text;
   if (!std::filesystem::is_regular_file(file, error) || !stream || (text << stream.rdbuf()).bad())

@@ -18,6 +18,7 @@ install(DIRECTORY ${MRROC_GENERATED}/mrroc DESTINATION include/mrroc FILES_MATCH
 install(PROGRAMS cmake/mrroc.sh DESTINATION bin RENAME mrroc)
 install(FILES README.md LICENSE CHANGELOG.md DESTINATION share/doc/mrroc)
 install(DIRECTORY docs DESTINATION share/doc/mrroc)
+install(DIRECTORY tasks ui_cli DESTINATION share/doc/mrroc FILES_MATCHING PATTERN "README.md")
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME mrroc)

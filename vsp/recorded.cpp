@@ -16,7 +16,8 @@ namespace mrroc::vsp {
 namespace {
 
 std::string key_of_camera(const Config& config, const RecordedRun& run) {
-  const std::vector<std::string> keys = config.tables("cameras");
+  std::vector<std::string> keys = config.tables("cameras");
+  std::erase(keys, "light");  // no camera: that of the simulated ones
   const std::string list = fmt::format("{}", fmt::join(keys, ", "));
   const std::string file = run.camera.string();
   if (keys.empty()) throw FaultError(FaultCode::bad_configuration, file + " has no table [cameras.NAME]");

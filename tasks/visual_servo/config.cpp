@@ -79,6 +79,13 @@ Parameters read_parameters(const Config& config) {
   Parameters k;
   const Config t = config.section("task");
   const std::vector<std::string> present = camera_keys(config);
+  const auto refuse = [](const std::string& text) {
+    throw ConfigError({"cameras", 0, 0}, "cameras.order", text);
+  };
+  if (present.empty()) refuse("the task needs a camera: sac, eih or both");
+  for (const std::string& key : present)
+    if (std::ranges::find(kCameraNames, key) == kCameraNames.end())
+      refuse("this task has the cameras sac and eih, none called " + key);
   for (std::size_t n = 0; n < kCameras; ++n) {
     const std::string key(kCameraNames[n]);
     k.camera[n] = camera_of(read_camera(config, key), static_cast<Camera>(n));

@@ -85,6 +85,7 @@ void finish(const Setup& s, const fs::path& folder, const mp::SoloRun& solo,
   visual_servo::write_servo_table(folder / "servo.csv", table);
   summary.figures.merge(visual_servo::figures_of(table));
   mp::write_summary(folder, summary);
+  if (table.empty()) return;  // it ended before the first control step
   std::vector<sim::Picture> pictures;
   for (const auto& [name, script] : visual_servo::plots()) pictures.push_back({name, script});
   sim::draw(folder, pictures);
@@ -142,7 +143,10 @@ void add_scenario_options(CLI::App& app, visual_servo::ScenarioOptions& o) {
       ->capture_default_str();
   app.add_option("--aggregation", o.aggregation, "How the errors of two cameras become one (default: mean)")
       ->check(CLI::IsMember({"mean", "switching", "weights"}));
-  app.add_option("--cameras", o.cameras, "Which cameras there are (default: both)")
+  app.add_option("--cameras", o.cameras,
+                 "Which cameras there are (default: both). Alone, sac stops when the arm hides the object "
+                 "from it, and eih must "
+                 "have the object in view from the beginning (object.pose)")
       ->check(CLI::IsMember({"both", "sac", "eih"}));
 }
 

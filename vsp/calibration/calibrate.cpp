@@ -99,7 +99,7 @@ std::vector<std::pair<std::string, Pose>> read_poses(const std::filesystem::path
     Lines lines(text, file.string());
     while (!lines.done()) {
       const std::string_view line = lines.next();
-      if (line.empty() || line.front() == '#') continue;
+      if (line.empty() || line.front() == '#' || line.starts_with("picture,")) continue;
       const auto comma = line.find(',');
       if (comma == 0 || comma == std::string_view::npos) lines.fail("not picture,x,y,z,ax,ay,az");
       std::array<double, 6> values{};

@@ -23,7 +23,7 @@ struct CalibrationOrder {
 };
 
 /// Poses of a table: a line `picture,x,y,z,ax,ay,az` for each - file name, position [m], angle times axis [rad]; lines
-/// that begin with # are notes.
+/// that begin with # are notes, and the heading may be there.
 /// @throws FaultError bad_calibration: file and line, and what is wrong there
 std::vector<std::pair<std::string, Pose>> read_poses(const std::filesystem::path& file);
 

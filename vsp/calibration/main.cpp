@@ -39,7 +39,13 @@ int main(int argc, char** argv) {
                  "25 mm)");
   try {
     app.parse(argc, argv);
-    if (!board.empty()) order.board = vsp::read_board(Config::load(board));
+    if (!board.empty()) {
+      const Config file = Config::load(board);
+      if (!file.has("chessboard.columns"))
+        throw FaultError(FaultCode::bad_configuration, board + " has no chessboard.columns",
+                         "write a table [chessboard] with columns, rows and square (in m)");
+      order.board = vsp::read_board(file);
+    }
     vsp::calibrate(order, stdout);
     return 0;
   } catch (const CLI::CallForHelp& e) {
