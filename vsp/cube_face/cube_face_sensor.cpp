@@ -79,7 +79,8 @@ CubeFaceReading CubeFaceSensor::detect(const ImageView& picture, std::int64_t fr
   }
   name_colours(reading.stickers);
   reading.valid = std::ranges::all_of(reading.stickers, [&](const StickerReading& s) {
-    return s.flaw == StickerFlaw::none && s.confidence >= k_.confidence;
+    return s.flaw == StickerFlaw::none && s.confidence >= k_.confidence &&
+           s.deviation <= k_.veil * *std::ranges::max_element(s.rgb);
   });
   return reading;
 }

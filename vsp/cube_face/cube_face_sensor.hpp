@@ -15,9 +15,11 @@ struct CubeFaceParameters {
   double rms_px{0.6};         ///< no face is delivered whose reprojection error is larger [pixel]
   double edge_share{
       0.6};  ///< of every edge of a sticker must be where it has to be, or the sticker is hidden
-  double glare_share{0.7};  ///< largest part of a sticker that may be as bright as the camera can tell
-  double dark{8};           ///< least brightness of the brightest channel of a sticker [grey levels]
+  double glare_share{0.67};  ///< largest part of a sticker that may be as bright as the camera can tell
+  double dark{8};            ///< least brightness of the brightest channel of a sticker [grey levels]
 
+  double veil{
+      0.1};  ///< largest share of mirrored light in the colours of a valid reading (StickerReading::deviation)
   double confidence{0.95};  ///< least one of every sticker of a valid reading
 };
 

@@ -83,6 +83,7 @@ CubeFaceSensor make_cube_face_sensor(const Config& config, const std::string& ke
   k.edge_share = t.number("edge_share", k.edge_share, {0.1, 1});
   k.glare_share = t.number("glare_share", k.glare_share, {0, 0.67});
   k.dark = t.number("dark", k.dark, {1, 200}, "grey levels");
+  k.veil = t.number("veil", k.veil, {0, 1});
   k.confidence = t.number("confidence", k.confidence, {0.5, 1});
   const CameraSetup camera = read_camera(config, key);
   std::vector<Pose> places;

@@ -1,0 +1,129 @@
+// The cube in pictures: every sticker where the cube has it, with its colour, also while a layer turns.
+#include "sim/camera/cube_view.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+#include "sim/camera/renderer.hpp"
+#include "sim/cube_camera.hpp"
+#include "sim/cube_cell.hpp"
+#include "tasks/rubik/cube/facelets.hpp"
+#include "tasks/rubik/cube/move.hpp"
+#include "tasks/rubik/reading/face_view.hpp"
+#include "test/sim/camera/scenes.hpp"
+
+namespace mrroc::sim {
+namespace {
+
+using rubik::Face;
+
+camera::Scene scene_of(const CubeTruth& truth) {
+  camera::Scene scene;
+  scene.light.lamp = {0, 0, 0};
+  scene.light.ambient = {1, 1, 1};
+  add_cube(scene.bodies, truth);
+  return scene;
+}
+
+/// Number of the colour whose tint a pixel has, however bright the light is there.
+int colour_at(const Image& picture, const Vector2& p) {
+  const auto channel = [&](int c) -> double {
+    return picture.view().at(static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y())), c);
+  };
+  const auto seen = tint({channel(2), channel(1), channel(0)});
+  const StickerLook look;
+  int best = -1;
+  double least = 1e9;
+  for (int k = 0; k < kStickerColours; ++k) {
+    const auto& c = look.colours[static_cast<std::size_t>(k)];
+    const auto own = tint({255 * c[0], 255 * c[1], 255 * c[2]});
+    const double distance = std::hypot(seen[0] - own[0], seen[1] - own[1]);
+    if (distance < least) least = distance, best = k;
+  }
+  return best;
+}
+
+class CubeView : public testing::Test {
+ protected:
+  CubeView() : renderer_(camera_, in_colour()) {}
+  static camera::RenderProfile in_colour() {
+    camera::RenderProfile p = test::clean(camera::fast_profile());
+    p.channels = 3;
+    return p;
+  }
+  Image look(const CubeTruth& truth, Face face) {
+    const Matrix3 R = rubik::facelet_frame(face);
+    eye_ = looking_at(R.col(2) * 0.3, Vector3::Zero(), R.col(1));
+    return renderer_.render(scene_of(truth), eye_, 0);
+  }
+  int seen(const Image& picture, const Vector3& in_cube) {
+    return colour_at(picture, project(camera_, eye_.inverse() * in_cube));
+  }
+
+  CameraModel camera_;
+  Pose eye_;
+  camera::Renderer renderer_;
+};
+
+TEST_F(CubeView, ShowsTheStickersOfItsState) {
+  std::mt19937_64 random(2);
+  CubeTruth truth;
+  truth.state = rubik::random_cube(random);
+  const std::string facelets = rubik::to_facelets(truth.state);
+  for (int f = 0; f < rubik::kFaces; ++f) {
+    const Matrix3 R = rubik::facelet_frame(static_cast<Face>(f));
+    const Image picture = look(truth, static_cast<Face>(f));
+    for (int k = 0; k < kStickers; ++k) {
+      const Vector3 place = R * (kCubeFace.middle(k) + Vector3(0, 0, kCubeFace.edge / 2));
+      EXPECT_EQ("URFDLB"[seen(picture, place)], facelets[static_cast<std::size_t>(kStickers * f + k)])
+          << f << k;
+    }
+  }
+}
+
+TEST_F(CubeView, ShowsALayerThatTurns) {
+  const double angle = 0.5;
+  for (const int side : {0, 1}) {
+    CubeTruth truth;
+    truth.axis = 1;  // B and F
+    truth.angle[static_cast<std::size_t>(side)] = angle;
+    const Face face = side == 0 ? Face::B : Face::F;
+    const Matrix3 R = rubik::facelet_frame(face);
+    const Vector3 out = R.col(2) * kCubeFace.edge / 2;
+    const Image picture = look(truth, face);
+    // A corner's sticker, counterclockwise seen from outside; where it was nothing of the cube is left.
+    const Vector3 corner = R * Vector3(0.026, 0.026, 0);
+    const Vector3 turned = rotation_from_angle_axis(angle * R.col(2)) * corner;
+    EXPECT_EQ("URFDLB"[seen(picture, turned + out)], letter(face));
+    const Vector3 other_way = rotation_from_angle_axis(-angle * R.col(2)) * corner;
+    const Vector2 p = project(camera_, eye_.inverse() * Vector3(other_way + out));
+    EXPECT_NEAR(picture.view().at(static_cast<int>(p.x()), static_cast<int>(p.y()), 0), 0.70 * 255, 3)
+        << "the background";
+  }
+}
+
+TEST(CubeCamera, LooksAtTheShownFaceThatNothingHides) {
+  const CameraSetup camera = cube_camera();
+  const Pose T_CG = camera.place.inverse() * shown_place();
+  EXPECT_NEAR(T_CG.p.norm(), 0.6, 0.03);
+  EXPECT_LT(-T_CG.R.col(2).dot(T_CG.p.normalized()), std::cos(0.6));
+  EXPECT_GT(-T_CG.R.col(2).dot(T_CG.p.normalized()), std::cos(0.8));
+  const Vector2 middle = project(camera.model, T_CG.p);
+  EXPECT_NEAR(middle.x(), camera.model.cx, 1);
+  EXPECT_NEAR(middle.y(), camera.model.cy, 1);
+  // The other hand when it has gone back by 0.1 m: pads and palm, 0.13 m wide.
+  const Pose T_ME = grip(kPostument) * Pose{Matrix3::Identity(), {0, 0, -0.1}};
+  const Pose hand = meeting_place() * T_ME;
+  for (int k = 0; k <= 100; ++k) {
+    const Vector3 on_ray =
+        hand.inverse() * Vector3(shown_place().p + 0.01 * k * (camera.place.p - shown_place().p));
+    const bool inside =
+        std::abs(on_ray.x()) < 0.025 + 0.03 && std::abs(on_ray.y()) < 0.065 + 0.03 && on_ray.z() < 0.01;
+    EXPECT_FALSE(inside) << k;
+  }
+}
+
+}  // namespace
+}  // namespace mrroc::sim
