@@ -82,7 +82,9 @@ class CubePlan : public testing::Test {
 TEST_F(CubePlan, DoesExactlyTheTurnsWithinLimitsAndWithoutCollisions) {
   Planner planner(cell);
   std::mt19937_64 random(1);
-  for (int n = 0; n < 6; ++n) expect_plan(planner, rubik::random_moves(2 + 3 * n, random));
+  for (int n = 0; n < 5; ++n) expect_plan(planner, rubik::random_moves(1 + 3 * n, random));
+  // The last joint of the track arm is wound back in time.
+  expect_plan(planner, rubik::parse_moves("U R U R U R U R U R U R"));
 }
 
 TEST_F(CubePlan, TurnsEveryFaceFromEveryGraspOfEitherHand) {
@@ -123,6 +125,7 @@ TEST_F(CubePlan, FewestGripsForNeighbouringAndOppositeFaces) {
   EXPECT_EQ(grips("U D"), 4);
   // Opposite faces may be exchanged: U, which the postument reaches at once, comes first.
   EXPECT_EQ(grips("D U"), 4);
+  EXPECT_EQ(planner.make_plan(start, rubik::parse_moves("D U")).plan->turns, rubik::parse_moves("U D"));
 }
 
 TEST_F(CubePlan, TellsHowLongItTakesBySumsOfItsSteps) {
@@ -202,7 +205,7 @@ TEST_F(CubePlan, NamesWhyThereIsNone) {
       return FlawedCell::is_free(s) && !in_wall(kT) && !in_wall(kP);
     }
   } wall(cell);
-  EXPECT_EQ(Planner(wall).make_plan(start, moves).why, NoPlan::blocked);
+  EXPECT_EQ(Planner(wall).make_plan(start, rubik::parse_moves("R")).why, NoPlan::blocked);
 }
 
 }  // namespace

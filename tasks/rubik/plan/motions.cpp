@@ -175,6 +175,10 @@ std::optional<FreeMotion> Motions::look_for(const Motion& m) const {
       const auto way = paths_.find(m.hand, from.hold, to.hold, state);
       if (!way) return {};
       points = *way;
+      if (to.place != Place::shown) break;
+      state.joints[index(m.hand)] = to.hold;
+      state.looked_at = true;
+      if (!cell_.is_free(state)) return {};
       break;
     }
     case MotionKind::reach: {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <queue>
 #include <unordered_map>
+#include <utility>
 
 namespace mrroc::rubik {
 namespace {
@@ -62,7 +63,8 @@ GraspSearch::GraspSearch(const Motions& motions, const PlanOptions& options, Pla
   double retreat = kNever, visit = kNever;
   for (const Hand hand : kHands) {
     for (int k = 0; k < motions_.start_class(hand); ++k)
-      retreat = std::min(retreat, motions_.straight_seconds(MotionKind::retreat, hand, k, k));
+      if (motions_.example(hand, k).place != Place::shown)
+        retreat = std::min(retreat, motions_.straight_seconds(MotionKind::retreat, hand, k, k));
     // While hands meet in front only, their palms stay on the same pair of opposite faces. So one of them has to grip
     // from the side, and to come back to the front, with the cube or without.
     visit = std::min(visit, least(MotionKind::reach, hand, Place::front, Place::side) +
