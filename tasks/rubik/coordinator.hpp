@@ -32,7 +32,7 @@ struct Parameters {
   int patience{
       400};  ///< macrosteps until a behaviour that has not ended is in trouble; m = 5: without progress
   double progress{0.035};  ///< angle that is progress of a turn [rad]
-  double held{0.0555};     ///< jaws nearer to each other than that hold nothing [m]
+  double held{0.0564};     ///< jaws nearer to each other than that hold nothing [m]
   double slip{0.005};      ///< by which the cube may be off where the worker meets it [m]
   double open{0.063};      ///< distance of the jaws of an empty hand [m]
   double jaw_step{0.003};  ///< dg of jaws that touch nothing, per macrostep [m]

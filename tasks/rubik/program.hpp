@@ -51,19 +51,20 @@ class Program {
   Outcome go_along(const Step& step) {
     Outcome o = Outcome::terminated;
     for (const FreeMotion& motion : step.before)
-      if (well(o)) o = go(motion.hand, motion.points, 1, step.before_grasp.hand);
+      if (well(o)) o = go(motion, step.before_grasp.hand, x_.c.k.open);
     return o;
   }
 
-  /// @param first  point to which the arm goes first @param carrier  hand that has the cube
-  Outcome go(Hand hand, const std::vector<AxisVector>& points, std::size_t first, Hand carrier) {
+  /// @param carrier  hand that has the cube @param jaws  of the other hand, when that one moves; 0: they stay
+  Outcome go(const FreeMotion& motion, Hand carrier, double jaws) {
     Outcome o = pause();
-    while (well(o) && first < points.size()) {
+    std::size_t next = 1;  // the arm is at the first point
+    while (well(o) && next < motion.points.size()) {
       Way way;
-      way.jaws = hand == carrier ? 0 : x_.c.k.open;
-      for (; first < points.size() && way.count < kMostPoints; ++first)
-        way.add(numbers_from_axes(points[first]));
-      o = go(hand, way, carrier);
+      way.jaws = motion.hand == carrier ? 0 : jaws;
+      for (; next < motion.points.size() && way.count < kMostPoints; ++next)
+        way.add(numbers_from_axes(motion.points[next]));
+      o = go(motion.hand, way, carrier);
     }
     return o;
   }
@@ -82,7 +83,7 @@ class Program {
     if (well(o)) o = grip(step);
     if (well(o)) o = turn(step);
     if (well(o)) o = behaviour(kCycle[5]);
-    if (well(o)) o = go(step.leaves, step.retreat.points, 1, step.after_grasp.hand);
+    if (well(o)) o = go(step.retreat, step.after_grasp.hand, 0);
     return o;
   }
 

@@ -79,7 +79,7 @@ class TwoArms {
     r.event = 1;
   }
   void close(Report& r) const {
-    r.gripper = misses(grips_) ? 0.054 : 0.0568;
+    r.gripper = misses(grips_) ? 0.056 : 0.0568;
     r.event = misses(grips_) ? 0 : 4;
   }
   void turn(Report& r, const Order& o, bool acts) {
