@@ -29,7 +29,7 @@ inline constexpr double kOpenJaws = 0.08;
 
 /// Estimates of what is not free motion, from tables 4-8 of MG and the friction of a face.
 struct CycleTimes {
-  double grip{4};         ///< m = 1..4, and the rests before and after, when sensors are biased [s]
+  double grip{5};         ///< m = 1..4 from jaws at 68 mm, and the rests in which sensors are biased [s]
   double turn_rate{0.3};  ///< of m = 5 with B = 0.1 s/(kg m^2) [rad/s]
   double open{0.5};       ///< m = 6 [s]
   double look{0.5};       ///< of the camera at a face, at rest [s]
