@@ -73,6 +73,7 @@ bool take(link::FrameReader& store, const camera_frame_t& announced, bool lock_s
 }  // namespace
 
 void run_receptor(const ImageReceptor& receptor, link::Process& process, const Config& config) {
+  process.needs_unlogged("the pictures of cameras");
   const std::string key = camera_of(process);
   const CameraModel camera = read_camera_model(config, key);
   const ImageDetector detect = receptor.make(camera, config);
