@@ -11,6 +11,7 @@
 #include "base/link/memory_bus.hpp"
 #include "base/link/text.hpp"
 #include "base/msg/convert.hpp"
+#include "base/operator.hpp"
 #include "mrroc/console_t.hpp"
 #include "mrroc/operator_answer_t.hpp"
 #include "mrroc/operator_image_t.hpp"
