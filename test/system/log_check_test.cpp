@@ -116,7 +116,7 @@ TEST_F(Checked, AChangedParameterChangesWhatIsRecomputed) {
   std::string config(std::istreambuf_iterator<char>(in), {});
   const std::size_t key = config.find("speed_per_force = ");
   ASSERT_NE(key, std::string::npos);
-  config.insert(key + std::string("speed_per_force = ").size(), "1.5 # ");
+  config.insert(key + std::string("speed_per_force = ").size(), "0.0015 # ");
   std::ofstream(run_folder / "config.toml") << config;
   const auto checked = check(run_folder, 1);
   const auto first = process(checked, "ecp-arm1")["first"];

@@ -8,7 +8,7 @@ inline void vary(Arm::X& x, std::mt19937& random) {
   contract::vary(x.e, random);
   if (contract::happens(0.3, random)) x.e.state = static_cast<DriverState>(random() % kDriverStates);
   if (contract::happens(0.05, random)) x.e.verdict = Verdict::refused;
-  x.T.finished = x.T.finished || contract::happens(0.0002, random);
+  x.T.finished = x.T.finished || (x.i > 2000 && contract::happens(0.001, random));
   if (!contract::happens(0.008, random)) return;
   ManualOrder& o = x.T.manual;
   ++o.number;
