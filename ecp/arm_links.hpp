@@ -44,6 +44,9 @@ class ArmLinks {
   /// @return aborted when the system ends before
   Outcome begin();
 
+  /// Says which behaviour decides on what is sent from now on.
+  void in_behaviour(int m, std::string_view name) { process_.in_behaviour(m, name); }
+
   /// Sends what is for macrostep i + 1.
   void send(const EffectorCommand& command, const Report& report);
 

@@ -65,6 +65,7 @@ RobotModel read_tool_model(const Config& config, const std::string& arm) {
 }
 
 Outcome prepare_effector(ArmLinks& links, const Preparation& prepare) {
+  if (prepare.by_program) return Outcome::terminated;
   if (const Outcome o = execute(links, {.instruction = Instruction::synchro}); o != Outcome::terminated)
     return o;
   if (const Outcome o = await_positions(links); o != Outcome::terminated) return o;

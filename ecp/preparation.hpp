@@ -7,7 +7,8 @@ namespace mrroc::ecp {
 
 /// Set in the driver before the task: SYNCHRO, then ROBOT_MODEL with its force bias at standstill.
 struct Preparation {
-  RobotModel model;             ///< tool and force tool
+  bool by_program{};            ///< nothing is set: the program does all of it itself
+  RobotModel model{};           ///< tool and force tool
   int settling_macrosteps{50};  ///< at rest after SYNCHRO before the force sensor is biased
 };
 

@@ -18,7 +18,10 @@ class ArmPort {
  public:
   explicit ArmPort(ArmLinks& links) : links_(links) {}
 
-  void dispatch(const Motion<A>&, const typename A::Y& y) { links_.send(y.e, y.T); }
+  void dispatch(const Motion<A>& motion, const typename A::Y& y) {
+    links_.in_behaviour(motion.m, motion.name);
+    links_.send(y.e, y.T);
+  }
   Outcome wait() { return links_.wait(); }
   void read(typename A::X& x) const {
     x.e = links_.reply();

@@ -23,6 +23,7 @@ class SoloPort {
     command_ = y.e;
     report_ = y.T;
     report_.m = motion.m;
+    links_.in_behaviour(motion.m, motion.name);
     links_.send(command_, report_);
   }
   /// Waits until time goes on.

@@ -79,6 +79,10 @@ void add_task_options(CLI::App& app, TaskOptions& o) {
   app.add_option("--session", o.session, "name for ui_cli --session (default: unique)")->type_name("NAME");
   app.add_option("--url", o.url, "where the system talks (default: from the session's name)")
       ->type_name("udpm://HOST:PORT?ttl=N");
+  app.add_option("--check", o.check,
+                 "instead of a run: recompute the coordinator's orders from a run folder's log, and print "
+                 "what differs as JSON; `ui_cli log check` does it for all processes")
+      ->type_name("RUN");
 }
 
 std::optional<int> parse_command_line(CLI::App& app, int argc, char** argv) {

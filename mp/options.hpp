@@ -28,6 +28,7 @@ struct TaskOptions {
   std::filesystem::path script;       ///< operator input to replay
   std::string session;                ///< empty: a unique name
   std::string url;                    ///< empty: from the session's name
+  std::filesystem::path check;        ///< run folder whose log is recomputed instead of a run; empty: none
 };
 
 /// Adds the common options to a program's command line.

@@ -8,7 +8,9 @@
 #include <chrono>
 #include <cmath>
 #include <future>
+#include <nlohmann/json.hpp>
 
+#include "base/link/log_reader.hpp"
 #include "base/link/lossy_bus.hpp"
 #include "mp/hosts.hpp"
 
@@ -21,6 +23,8 @@ constexpr std::int64_t kStopAhead = 3;
 
 /// Without a macrostep for so long, a stop does not wait for the next one.
 constexpr std::chrono::seconds kStopPatience{2};
+
+constexpr const char* kOperatorScript = "operator.script";
 
 std::atomic<int> interrupts{0};
 std::atomic<int> last_signal{0};
@@ -43,7 +47,8 @@ TaskRun::TaskRun(const std::string& task, const TaskOptions& options, const std:
     : task_(task),
       folder_(folder),
       session_(options.session.empty() ? link::unique_session_name(task) : options.session),
-      separate_(options.separate) {
+      separate_(options.separate),
+      clock_(options.clock == ClockKind::wall ? "wall" : "step") {
   const Config config = Config::load(folder / "config.toml");
   open_bus(options, assign_hosts(read_hosts(config), parts));
   if (const double loss = link::read_loss(config); loss > 0) {
@@ -63,31 +68,61 @@ TaskRun::TaskRun(const std::string& task, const TaskOptions& options, const std:
                                                             .address = address_,
                                                             .task = task,
                                                             .run_folder = std::filesystem::absolute(folder)});
-  log_ = std::make_unique<link::EventLog>(folder / "events.lcmlog",
-                                          link::EventLog::Channels{session_ + ".operator"});
+  log_ = std::make_unique<link::EventLog>(
+      folder / link::kEventLog, link::EventLog::Channels{session_ + ".operator", session_ + ".manual.words"});
   bus_->subscribe_all(session_ + ".", *log_);
-  process_ = std::make_unique<link::Process>(*bus_, membership);
-  supervisor_ = std::make_unique<Supervisor>(*process_, std::move(parts), folder / "messages.log");
-  auto script = options.script.empty() ? std::vector<ScriptedOrder>{} : load_script(options.script);
-  desk_ = std::make_unique<OperatorDesk>(*process_, std::move(script), folder / "operator.script");
-  board_ = std::make_unique<StatusBoard>(*process_, *supervisor_, task, arms,
-                                         std::filesystem::absolute(folder).string());
-  process_->on_service = [this] {
-    supervisor_->poll();
-    desk_->poll();
-    board_->poll();
-    look_after_orders();
-  };
+  write_processes(parts);
+  own_process_ = std::make_unique<link::Process>(*bus_, membership);
+  process_ = own_process_.get();
+  furnish(arms, std::move(parts), folder / "messages.log",
+          options.script.empty() ? std::vector<ScriptedOrder>{} : load_script(options.script),
+          folder / kOperatorScript);
   interrupts = 0;
   last_macrostep_ = link::Process::Clock::now();
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
 }
 
+TaskRun::TaskRun(const std::string& task, link::Process& process, const std::filesystem::path& folder,
+                 const std::vector<std::string>& arms)
+    : task_(task), folder_(folder), session_(process.membership().session), process_(&process) {
+  furnish(arms, {}, "/dev/null", load_script(folder / kOperatorScript), {});
+  last_macrostep_ = link::Process::Clock::now();
+}
+
+void TaskRun::furnish(const std::vector<std::string>& arms, std::vector<Part> parts,
+                      const std::filesystem::path& messages, std::vector<ScriptedOrder> script,
+                      const std::filesystem::path& record) {
+  supervisor_ = std::make_unique<Supervisor>(*process_, std::move(parts), messages);
+  desk_ = std::make_unique<OperatorDesk>(*process_, std::move(script), record);
+  board_ = std::make_unique<StatusBoard>(*process_, *supervisor_, task_, arms,
+                                         std::filesystem::absolute(folder_).string());
+  process_->on_service = [this] {
+    supervisor_->poll();
+    desk_->poll();
+    board_->poll();
+    look_after_orders();
+  };
+}
+
+void TaskRun::write_processes(const std::vector<Part>& parts) const {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  const std::string self = std::filesystem::read_symlink("/proc/self/exe").filename().string();
+  list.push_back({{"name", "mp"}, {"program", self}, {"arguments", nlohmann::ordered_json::array()}});
+  for (const Part& p : parts)
+    list.push_back({{"name", p.name}, {"program", p.program}, {"arguments", p.arguments}});
+  write_text(folder_ / "processes.json",
+             nlohmann::ordered_json{{"task", task_}, {"clock", clock_}, {"processes", list}}.dump(2) + "\n");
+}
+
 TaskRun::~TaskRun() {
+  if (!own_process_) {
+    process_->on_service = nullptr;
+    return;
+  }
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
-  if (process_) process_->on_service = nullptr;
+  process_->on_service = nullptr;
   if (board_) {
     set_state(TaskState::ended, false);
     board_->publish();
@@ -128,7 +163,7 @@ void TaskRun::look_after_orders() {
   signals_ = interrupts;
   const bool in_vain = link::Process::Clock::now() - last_macrostep_ > kStopPatience;
   if (desk_->stop_accepted() && (in_vain || signals_ > 1)) supervisor_->stop(stop_reason(), 0);
-  if (log_->failed() && !supervisor_->fault())
+  if (log_ && log_->failed() && !supervisor_->fault())
     supervisor_->stop({.code = FaultCode::cannot_write, .text = "events.lcmlog in the run folder"},
                       running_ ? i_ + kStopAhead : 0);
 }
@@ -138,12 +173,11 @@ void TaskRun::start() {
     supervisor_->start_threads(*hub_);
   } else {
     const link::Membership& m = process_->membership();
-    supervisor_->start_processes({"--session", m.session, "--session-id", fmt::to_string(m.session_id),
-                                  "--url", address_->url(), "--roster",
-                                  fmt::format("{}", fmt::join(m.roster, ",")), "--clock",
-                                  m.clock == ClockKind::wall ? "wall" : "step", "--patience",
-                                  fmt::to_string(std::chrono::duration<double>(m.patience).count()),
-                                  "--config", (folder_ / "config.toml").string()});
+    supervisor_->start_processes(
+        {"--session", m.session, "--session-id", fmt::to_string(m.session_id), "--url", address_->url(),
+         "--roster", fmt::format("{}", fmt::join(m.roster, ",")), "--clock", clock_, "--patience",
+         fmt::to_string(std::chrono::duration<double>(m.patience).count()), "--config",
+         (folder_ / "config.toml").string()});
   }
 }
 

@@ -27,6 +27,12 @@ class TaskRun {
   /// @throws FaultError session_in_use, no_multicast, bad_script, cannot_write; ConfigError: hosts or losses
   TaskRun(const std::string& task, const TaskOptions& options, const std::filesystem::path& folder,
           const std::vector<std::string>& arms, std::vector<Part> parts);
+  /// A coordinator that runs once more on the log of a run: nobody is started, nothing is written, and the
+  /// operator's orders come from the run's operator.script.
+  /// @param process  must outlive this object
+  /// @param folder   of that run
+  TaskRun(const std::string& task, link::Process& process, const std::filesystem::path& folder,
+          const std::vector<std::string>& arms);
   ~TaskRun();
   TaskRun(const TaskRun&) = delete;
   TaskRun& operator=(const TaskRun&) = delete;
@@ -59,6 +65,10 @@ class TaskRun {
 
  private:
   void open_bus(const TaskOptions& options, bool several_hosts);
+  void write_processes(const std::vector<Part>& parts) const;
+  void furnish(const std::vector<std::string>& arms, std::vector<Part> parts,
+               const std::filesystem::path& messages, std::vector<ScriptedOrder> script,
+               const std::filesystem::path& record);
   [[nodiscard]] Fault stop_reason() const;
   void look_after_orders();
 
@@ -67,12 +77,14 @@ class TaskRun {
   std::string session_;
   std::optional<link::LcmAddress> address_;  // none: all in one process
   bool separate_{};
+  std::string clock_{"step"};  // as in a command line
   std::unique_ptr<link::SessionFile> session_file_;
   std::unique_ptr<link::MemoryHub> hub_;
   std::unique_ptr<link::Bus> lossless_;  // below bus_, when messages are to be lost
   std::unique_ptr<link::Bus> bus_;
   std::unique_ptr<link::EventLog> log_;
-  std::unique_ptr<link::Process> process_;
+  std::unique_ptr<link::Process> own_process_;  // none in a check
+  link::Process* process_{};
   std::unique_ptr<Supervisor> supervisor_;
   std::unique_ptr<OperatorDesk> desk_;
   std::unique_ptr<StatusBoard> board_;

@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "base/text_file.hpp"
+#include "mp/check_run.hpp"
 #include "mp/figure_table.hpp"
 #include "mp/gnuplot.hpp"
 #include "mp/solo_run.hpp"
@@ -82,6 +83,7 @@ int run(const ArmTask& task, const mp::TaskOptions& options) {
   if (task.read) task.read(config);
   if (task.figures) task.figures(std::vector<mp::ArmTrace>(task.arms.size()), config);  // reads its keys
   check_task_options(options);
+  if (!options.check.empty()) return mp::check_solo_run(task.name, options, k);
   const fs::path folder = mp::name_run_folder(options.run_dir, task.name);
   complete_config(config, options, folder, "");
   mp::make_run_folder(folder);

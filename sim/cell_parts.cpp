@@ -37,6 +37,7 @@ WorldParameters read_cell(const Config& config, const std::vector<CellArm>& arms
 }
 
 Config load_task_config(const mp::TaskOptions& options, std::string_view built_in, const std::string& task) {
+  if (!options.check.empty()) return Config::load((options.check / "config.toml").string());
   Config config = options.config_file.empty() ? Config::parse(built_in, task + ".toml (built in)")
                                               : Config::load(options.config_file);
   for (const std::string& s : options.settings) config.set(s);

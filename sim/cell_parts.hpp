@@ -24,7 +24,8 @@ struct CellArm {
 /// @throws FaultError  bad_configuration; also when [robots] order has other arms
 WorldParameters read_cell(const Config& config, const std::vector<CellArm>& arms, std::uint64_t seed);
 
-/// @return a task's configuration: its own or the file of the options, and the settings over it
+/// @return a task's configuration: its own or the file of the options, and the settings over it; for a check that of
+///         the run
 /// @param built_in  TOML  @param task  its name
 /// @throws ConfigError
 Config load_task_config(const mp::TaskOptions& options, std::string_view built_in, const std::string& task);

@@ -123,6 +123,7 @@ WorldParameters read_world(const Config& config) {
 }
 
 void run_world_process(link::Process& process, const Config& config, const link::PartArguments&) {
+  process.needs_unlogged("the servo links");
   ShellParameters shell;
   shell.robots = config.texts("robots.order", std::nullopt);
   for (const std::string& robot : shell.robots) shell.drivers.push_back("edp-" + robot);

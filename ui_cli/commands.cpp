@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <ostream>
 #include <string>
@@ -10,6 +11,8 @@
 #include "base/fault.hpp"
 #include "base/nearest.hpp"
 #include "ui_cli/attach.hpp"
+#include "ui_cli/completion.hpp"
+#include "ui_cli/manual_command.hpp"
 #include "ui_cli/report.hpp"
 #include "ui_cli/watch.hpp"
 
@@ -68,6 +71,7 @@ struct CommandLine {
   Wish wish;
   bool json{};
   bool yes{};                     ///< also a trigger that comes early
+  std::string shell;              ///< whose completion is wanted
   std::function<void()> command;  ///< throws what goes wrong
   int status{};                   ///< of a tool
 };
@@ -88,7 +92,8 @@ void add_tools(CLI::App& app, CommandLine& line, const Surroundings& around) {
     command->prefix_command()->set_help_flag();  // the tool reads its own options
     command->fallthrough(false);
     command->callback([&line, &around, &tool, command] {
-      line.command = [&, arguments = command->remaining()] {
+      line.command = [&, arguments = command->remaining()]() mutable {
+        if (line.json) arguments.emplace_back("--json");  // given before the tool's name
         line.status = tool.run(arguments, around.out, around.err);
       };
     });
@@ -135,6 +140,62 @@ void add_commands(CLI::App& app, CommandLine& line, const Surroundings& around) 
   }
 }
 
+/// Every command with its options, as the shell completes them.
+std::vector<CompletedCommand> completed(const CLI::App& app, const Surroundings& around) {
+  std::vector<CompletedCommand> all;
+  for (const CLI::App* command : app.get_subcommands(nullptr)) {
+    CompletedCommand c{command->get_name(), command->get_description(), {}};
+    const auto tool = std::ranges::find(around.tools, c.name, &Tool::name);
+    if (tool != around.tools.end()) {
+      c.words = tool->words;
+    } else if (c.name == "manual") {
+      c.words = manual_words();
+    } else if (c.name == "completion") {
+      c.words = {"bash", "zsh"};
+    } else {
+      for (const CLI::App* options : {command, &app})
+        for (const CLI::Option* o : options->get_options())
+          for (const std::string& name : o->get_lnames())
+            if (std::ranges::find(c.words, "--" + name) == c.words.end()) c.words.push_back("--" + name);
+    }
+    all.push_back(std::move(c));
+  }
+  return all;
+}
+
+void add_completion(CLI::App& app, CommandLine& line, const Surroundings& around) {
+  CLI::App* const command = app.add_subcommand("completion", "Print the completion script of a shell");
+  command->add_option("shell", line.shell, "bash or zsh")->required()->check(CLI::IsMember({"bash", "zsh"}));
+  command->callback([&] {
+    line.command = [&] {
+      const auto commands = completed(app, around);
+      around.out << (line.shell == "bash" ? bash_completion(commands) : zsh_completion(commands));
+    };
+  });
+}
+
+/// The words of an instruction hold numbers that may look like options.
+void add_manual(CLI::App& app, CommandLine& line, const Surroundings& around) {
+  CLI::App* const command = app.add_subcommand("manual", "Move the idle arms of the task `manual` by hand");
+  command->prefix_command()->set_help_flag();
+  command->fallthrough(false);
+  command->callback([&line, &around, command] {
+    line.command = [&line, &around, arguments = command->remaining()] {
+      if (arguments.empty() || arguments[0] == "--help" || arguments[0] == "-h") {
+        around.out << "Usage: ui_cli manual INSTRUCTION\n" << kManualHelp;
+        return;
+      }
+      ManualWish wish = read_manual_words(arguments);
+      wish.json = wish.json || line.json;
+      if (wish.session.empty()) wish.session = line.wish.session;
+      if (wish.url.empty()) wish.url = line.wish.url;
+      Connection c({wish.session, wish.url}, around);
+      if (c.client.session().id == 0) c.client.await_status();
+      execute_manual(*c.bus, c.client.session(), wish, around.patience, around.out);
+    };
+  });
+}
+
 int fail(const Surroundings& around, FaultCode code, const std::string& error_line) {
   around.out << std::flush;
   around.err << error_line << std::endl;
@@ -168,10 +229,12 @@ int run(int argc, const char* const* argv, const Surroundings& around) {
       ->type_name("NAME");
   app.add_option("--url", line.wish.url, "Where a task of another host talks: udpm://HOST:PORT?ttl=N")
       ->type_name("URL");
-  app.add_flag("--json", line.json, "Print JSON (status, list and orders)");
+  app.add_flag("--json", line.json, "Print JSON");
   app.footer(kCommandFooter);  // inherited by the commands
   add_commands(app, line, around);
   add_tools(app, line, around);
+  add_manual(app, line, around);
+  add_completion(app, line, around);
   app.footer(kFooter);
   try {
     app.parse(argc, argv);

@@ -19,6 +19,7 @@ struct Tool {
   std::string about;  ///< one line for --help
   /// @return exit status. @param arguments behind the name
   std::function<int(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err)> run;
+  std::vector<std::string> words{};  ///< that may follow, for the shell's completion
 };
 
 /// What the program finds around it; tests give it something else.

@@ -85,6 +85,12 @@ std::string explanation(FaultCode code) {
   return text + fmt::format("  what to do:    {}\n", e.remedy);
 }
 
+std::vector<std::string> explain_words() {
+  std::vector<std::string> words{"--json"};
+  for (const FaultEntry& e : kFaultTable) words.emplace_back(e.name);
+  return words;
+}
+
 int run_explain(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
   bool json = false;
   std::vector<std::string> words;

@@ -5,6 +5,8 @@
 #include "ui_cli/commands.hpp"
 #include "ui_cli/doctor.hpp"
 #include "ui_cli/explain.hpp"
+#include "ui_cli/log/log_command.hpp"
+#include "ui_cli/log/replay.hpp"
 
 int main(int argc, char** argv) {
   using namespace mrroc;
@@ -15,9 +17,22 @@ int main(int argc, char** argv) {
        link::session_directory(),
        link::open_lcm,
        {},
-       {{"doctor", "Look whether this host suits the framework, and what to type (no task needed)",
-         ui::run_doctor},
+       {{"doctor",
+         "Look whether this host suits the framework, and what to type (no task needed)",
+         ui::run_doctor,
+         {"--json"}},
         {"explain", "Say what an error means, what it mostly comes from, what to do (no task needed)",
-         ui::run_explain},
-        {"stability", "Tell which contact the force law bears (no task needed)", edp::run_stability}}});
+         ui::run_explain, ui::explain_words()},
+        {"log", "Show, plot, compare and recompute runs that have been (no task needed)", ui::run_log,
+         ui::log_words()},
+        {"replay",
+         "Publish a run once more, for terminals and virtual sensors (no task needed)",
+         [](const auto& arguments, std::ostream& out, std::ostream& err) {
+           return ui::run_replay(arguments, {link::session_directory(), link::open_lcm}, out, err);
+         },
+         {"--speed", "--from", "--without", "--session", "--json"}},
+        {"stability",
+         "Tell which contact the force law bears (no task needed)",
+         edp::run_stability,
+         {"--json", "--map"}}}});
 }

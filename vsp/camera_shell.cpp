@@ -9,6 +9,7 @@
 namespace mrroc::vsp {
 
 void run_receptor(const ImageReceptor& receptor, link::Process& process, const Config& config) {
+  process.needs_unlogged("the pictures of cameras");
   const std::string key = camera_of(process);
   const CameraModel camera = read_camera_model(config, key);
   const ImageDetector detect = receptor.make(camera, config);

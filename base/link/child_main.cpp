@@ -4,11 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
+#include <span>
 
 #include "base/link/lcm_bus.hpp"
+#include "base/link/log_check.hpp"
 #include "base/link/lossy_bus.hpp"
 #include "base/link/real_time.hpp"
 
@@ -50,6 +54,15 @@ int run(const Membership& membership, const std::string& url, const std::string&
   }
 }
 
+/// Runs the body on the log of a run instead.
+int check(const std::filesystem::path& folder, const Membership& membership, const PartArguments& arguments,
+          const PartBody& body) {
+  const Config config = Config::load((folder / "config.toml").string());
+  const LogReader log(folder);
+  return report_verdict(check_process(log, membership.name, membership.clock,
+                                      [&](Process& process) { body(process, config, arguments); }));
+}
+
 }  // namespace
 
 int child_main(int argc, char** argv, const std::string& about, const PartBody& body) {
@@ -61,20 +74,28 @@ int child_main(int argc, char** argv, const std::string& about, const PartBody& 
   std::string clock = "step";
   double patience = std::chrono::duration<double>(membership.patience).count();
 
+  std::filesystem::path checked;
+  const std::span words(argv, static_cast<std::size_t>(argc));
+  // A check needs no system.
+  const bool joins = std::ranges::none_of(words, [](std::string_view w) { return w.starts_with("--check"); });
+
   CLI::App app{about + "\nA task starts it; by hand it joins a system that waits for it."};
-  app.add_option("--session", membership.session, "name of the system")->required();
-  app.add_option("--session-id", membership.session_id, "number of the run")->required();
-  app.add_option("--url", url, "where the system talks: udpm://HOST:PORT?ttl=N")->required();
+  app.add_option("--session", membership.session, "name of the system")->required(joins);
+  app.add_option("--session-id", membership.session_id, "number of the run")->required(joins);
+  app.add_option("--url", url, "where the system talks: udpm://HOST:PORT?ttl=N")->required(joins);
   app.add_option("--name", membership.name, "of this process in the roster")->required();
   app.add_option("--roster", membership.roster, "all processes, the task's own first")
-      ->required()
+      ->required(joins)
       ->delimiter(',');
-  app.add_option("--config", config_file, "the run's config.toml")->required();
+  app.add_option("--config", config_file, "the run's config.toml")->required(joins);
   app.add_option("--clock", clock, "step or wall")->check(CLI::IsMember({"step", "wall"}));
   app.add_option("--patience", patience, "wait so long for a message that must come [s], 0: for ever")
       ->check(CLI::Range(0.0, 1e6));
   app.add_option("--arm", arguments.arm, "which arm it belongs to");
   app.add_option("--robot", "the robot's model, for the reader of the process list");
+  app.add_option("--check", checked,
+                 "recompute from a run folder's log what this process sent, and print what differs as JSON")
+      ->type_name("RUN");
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& e) {
@@ -85,6 +106,7 @@ int child_main(int argc, char** argv, const std::string& about, const PartBody& 
   membership.clock = clock == "wall" ? ClockKind::wall : ClockKind::step;
   membership.patience = std::chrono::milliseconds(std::llround(1e3 * patience));
   try {
+    if (!joins) return check(checked, membership, arguments, body);
     return run(membership, url, config_file, arguments, body);
   } catch (const FaultError& e) {
     return complain(e);

@@ -3,36 +3,61 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/link/decode.hpp"
 
 namespace mrroc::link {
 
-/// The messages of an event log, by channel without the session's name.
+/// Name of the event log in a run folder.
+inline constexpr std::string_view kEventLog = "events.lcmlog";
+
+/// One message of a log.
+struct LoggedMessage {
+  std::int64_t time_us{};  ///< when it was written, wall time since 1970 [us]
+  std::string channel;     ///< without the session, e.g. "arm1.order"
+  std::vector<std::uint8_t> bytes;
+};
+
+/// The header of a message, read without knowing its type.
+struct RawHeader {
+  std::int64_t session{};
+  std::int64_t number{};
+  std::int64_t stamp{};
+};
+/// @return the header of the bytes; zeros when they are too short for one
+[[nodiscard]] RawHeader header_of(std::span<const std::uint8_t> bytes) noexcept;
+
+/// The messages of an event log.
 class LogReader {
  public:
+  /// @param file  an event log, or a run folder
   /// @throws FaultError bad_log when the file is missing or is no event log
   explicit LogReader(const std::filesystem::path& file);
 
   /// @param channel  without the session, e.g. "arm1.order"
   /// @return the messages of the channel by stamp; those that are not exactly an M are left out
   template <FixedMessage M>
-  [[nodiscard]] std::map<std::int64_t, M> messages(const std::string& channel) const {
+  [[nodiscard]] std::map<std::int64_t, M> messages(std::string_view channel) const {
     std::map<std::int64_t, M> by_stamp;
-    if (const auto it = bytes_.find(channel); it != bytes_.end())
-      for (const auto& bytes : it->second)
-        if (const auto m = decode<M>(bytes)) by_stamp.insert_or_assign(m->header.stamp, *m);
+    for (const LoggedMessage& logged : messages_)
+      if (logged.channel == channel)
+        if (const auto m = decode<M>(logged.bytes)) by_stamp.insert_or_assign(m->header.stamp, *m);
     return by_stamp;
   }
 
+  /// @return every message, in the order in which they were written
+  [[nodiscard]] const std::vector<LoggedMessage>& messages() const { return messages_; }
   /// @return every channel of the log
   [[nodiscard]] std::vector<std::string> channels() const;
+  /// @return the session's name, which precedes every channel on the wire
+  [[nodiscard]] const std::string& session() const { return session_; }
 
  private:
-  std::map<std::string, std::vector<std::vector<std::uint8_t>>> bytes_;
+  std::string session_;
+  std::vector<LoggedMessage> messages_;
 };
 
 }  // namespace mrroc::link

@@ -57,6 +57,15 @@ void Process::add(OutboxBase& box) {
   if (outboxes_.size() == std::size(status_.hash))
     throw FaultError(FaultCode::internal_error, "too many links in process " + membership_.name);
   outboxes_.push_back(&box);
+  sent_.push_back(box.channel());
+}
+
+bool Process::sends(std::string_view channel) const {
+  return std::ranges::find(sent_, channel) != sent_.end();
+}
+
+std::string Process::behaviour() const {
+  return behaviour_.empty() ? std::string() : fmt::format("{}, {}", m_, behaviour_);
 }
 
 bool Process::assemble() {

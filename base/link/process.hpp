@@ -40,6 +40,12 @@ struct Membership {
   ClockKind clock{ClockKind::step};
   /// How long a message that must come is waited for [wall time]; 0: for ever
   std::chrono::milliseconds patience{kPatience};
+  bool replayed{};  ///< the process runs once more on the log of a run, see base/link/log_check.hpp
+};
+
+/// Thrown in a replay by a process that needs what no message of a log carries.
+struct NotInLog {
+  std::string what;
 };
 
 /// A process's connection with its system. Used by one thread.
@@ -63,6 +69,7 @@ class Process {
   /// A link that is watched: what was wrong on it is told at the end.
   template <FixedMessage M>
   std::unique_ptr<Inbox<M>> inbox(const std::string& name, Group group = Group::agents) {
+    if (group != Group::agents) needs_unlogged("the servo links");
     auto box = std::make_unique<Inbox<M>>(bus_, route(name, group), membership_.session_id);
     inboxes_.push_back(box.get());
     return box;
@@ -71,10 +78,27 @@ class Process {
   /// @throws FaultError internal_error when the process has more links than its status can tell about
   template <FixedMessage M>
   std::unique_ptr<Outbox<M>> outbox(const std::string& name, Group group = Group::agents) {
+    if (group != Group::agents) needs_unlogged("the servo links");
     auto box = std::make_unique<Outbox<M>>(bus_, route(name, group), membership_.session_id);
     add(*box);
     return box;
   }
+  /// @param channel  with the session @return whether one of the outboxes publishes there, or did
+  [[nodiscard]] bool sends(std::string_view channel) const;
+
+  /// Says that this process uses something that is not in the log of a run, such as pictures.
+  /// @throws NotInLog in a replay
+  void needs_unlogged(const std::string& what) const {
+    if (membership_.replayed) throw NotInLog{what + " are not in the log"};
+  }
+
+  /// Says which behaviour decides on what is sent from now on.
+  void in_behaviour(int m, std::string_view name) {
+    m_ = m;
+    behaviour_ = name;
+  }
+  /// @return it as "3, hold"; empty before the first one
+  [[nodiscard]] std::string behaviour() const;
 
   /// Tells the supervisor that this process is ready and waits until all are (rule R2). Make all inboxes
   /// before.
@@ -156,10 +180,13 @@ class Process {
   Membership membership_;
   std::vector<OutboxBase*> outboxes_;
   std::vector<const InboxBase*> inboxes_;
+  std::vector<std::string> sent_;  // channels of the outboxes, which may be gone
   Outbox<process_status_t> status_out_;
   Outbox<console_t> console_out_;
   Inbox<supervisor_t> supervisor_in_;
   process_status_t status_{};
+  int m_{};
+  std::string_view behaviour_;  // name of a row, which lives as long as the program
   Clock::time_point last_status_{};
   Clock::time_point waiting_since_{};  // or since own messages were repeated
   Clock::time_point supervisor_heard_{Clock::now()};

@@ -11,6 +11,7 @@
 namespace mrroc::irb6 {
 
 void run_edp_of_arm(link::Process& process, const Config& config, const link::PartArguments& arguments) {
+  process.needs_unlogged("the servo links");
   const DriverSetup setup = read_driver(config, arguments.arm, "irb6_postument", {});
   const std::vector<std::string> arms = config.texts("robots.order", std::nullopt);
   edp::ShellParameters shell;

@@ -30,8 +30,10 @@ void check_macrostep(const Taught& taught, const Parameters& k, const std::strin
                   "set time.n_s as it was, or teach anew");
 }
 
-HandPlan read_hand_plan(const Config& config) {
+HandPlan read_hand_plan(const Config& config, const Point& start) {
   HandPlan plan;
+  const auto xy = config.numbers<2>("operator.start", std::array{start.x(), start.y()}, {-500, 500}, "mm");
+  plan.start = Point(xy[0], xy[1]);
   plan.height = config.number("operator.start_height", plan.height, {0.004, 0.03}, "m");
   plan.steady = config.integer("operator.steady", plan.steady, {1, 500}, "macrosteps");
   return plan;

@@ -15,8 +15,9 @@ Parameters read_parameters(const Config& config);
 /// @throws FileError
 void check_macrostep(const Taught& taught, const Parameters& k, const std::string& file);
 
-/// @return the scripted operator's parameters in the table [operator]; the start stays as it is
+/// @param start  where both pens begin the reproduction unless the configuration says otherwise [mm]
+/// @return the scripted operator's parameters in the table [operator]
 /// @throws ConfigError
-HandPlan read_hand_plan(const Config& config);
+HandPlan read_hand_plan(const Config& config, const Point& start = {0, 0});
 
 }  // namespace mrroc::drawing

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/config.hpp"
+#include "mp/check_run.hpp"
 #include "mp/summary_text.hpp"
 #include "mp/task_run.hpp"
 #include "sim/cell_parts.hpp"
@@ -25,6 +26,8 @@ namespace fs = std::filesystem;
 const std::vector<std::string> kArmKeys{"arm1", "arm2"};
 const std::vector<sim::CellArm> kArms{{"arm1", "irb6_postument"}, {"arm2", "irb6_track"}};
 
+constexpr const char* kLoaded = "loaded.recording";  // in the run folder
+
 struct Options {
   mp::TaskOptions task;
   drawing::InputOptions input;
@@ -43,18 +46,24 @@ struct Setup {
 void read_all(Setup& s, const mp::TaskOptions& o) {
   const Config& c = s.config;
   s.k = drawing::read_parameters(c);
-  s.plan = drawing::read_hand_plan(c);
+  s.plan = drawing::read_hand_plan(c, s.input.start());
   s.plan.gives_orders = !o.attended && o.script.empty();
-  s.plan.start = s.input.start();
   const sim::WorldParameters world = sim::read_cell(c, kArms, o.seed);
   for (std::size_t arm = 0; arm < kArms.size(); ++arm) s.sheets.sheet[arm] = world.arms[arm].paper.T_0P.p;
   vsp::read_pen_state(c);
 }
 
+/// What a run had loaded is in its folder; where its pens began is in its configuration.
+drawing::InputOptions input_of_run(const fs::path& folder) {
+  drawing::InputOptions o;
+  if (fs::exists(folder / kLoaded)) o.load = folder / kLoaded;
+  return o;
+}
+
 /// @throws FaultError  what is wrong with the input; nothing has been made or started
 Setup prepare(const Options& o) try {
   Setup s;
-  s.input = drawing::read_input(o.input);
+  s.input = drawing::read_input(o.task.check.empty() ? o.input : input_of_run(o.task.check));
   s.config = sim::load_task_config(o.task, drawing::default_config(), "drawing");
   read_all(s, o.task);
   if (s.input.taught) drawing::check_macrostep(*s.input.taught, s.k, o.input.load.string());
@@ -106,12 +115,26 @@ void finish(const Options& o, const Setup& s, const fs::path& folder, const draw
   if (!plots.note.empty()) fmt::print("{}\n", plots.note);
 }
 
+/// Runs the coordinator on the log of a run.
+int check(const Options& o, const Setup& s) {
+  drawing::HandPlan plan = s.plan;
+  plan.gives_orders = false;
+  return mp::check_coordinator("drawing", o.task, kArmKeys, [&](mp::TaskRun& run) {
+    drawing::DrawingRun drawing(run, kArmKeys, s.k, plan,
+                                s.input.taught ? std::optional(s.input.taught->recording) : std::nullopt,
+                                [](const std::string&) {});
+    if (run.process().assemble()) drawing.execute();
+  });
+}
+
 int run(const Options& o) {
   Setup s = prepare(o);
+  if (!o.task.check.empty()) return check(o, s);
   const fs::path folder = mp::name_run_folder(o.task.run_dir, "drawing");
   sim::complete_config(s.config, o.task, folder, fs::absolute(folder / "input.csv").string());
   mp::make_run_folder(folder);
   drawing::write_ink(folder / "input.csv", drawing::ink_of(s.input.drawing));
+  if (s.input.taught) drawing::save(folder / kLoaded, *s.input.taught);
   mp::write_text(folder / "config.toml", s.config.dump());
 
   mp::TaskRun run("drawing", o.task, folder, kArmKeys, parts_of(s.config));

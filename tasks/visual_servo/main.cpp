@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "mp/check_run.hpp"
 #include "mp/solo_run.hpp"
 #include "mp/summary_text.hpp"
 #include "mp/task_run.hpp"
@@ -98,6 +99,7 @@ void say(const std::string& line) {
 
 int run(const Options& o) {
   Setup s = prepare(o);
+  if (!o.task.check.empty()) return mp::check_solo_run("visual_servo", o.task, solo_parameters(o, s));
   const fs::path folder = mp::name_run_folder(o.task.run_dir, "visual_servo");
   if (!s.config.has("film.directory"))
     s.config.set(fmt::format("film.directory=\"{}\"", fs::absolute(folder).string()));

@@ -1,0 +1,222 @@
+#include "tasks/manual/arm.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "base/representation.hpp"
+#include "ecp/generators/space.hpp"
+#include "ecp/generators/trapezoid.hpp"
+
+namespace mrroc::manual {
+namespace {
+
+using X = Arm::X;
+using ecp::age;
+
+constexpr std::int64_t kPatience = 9000;     // macrosteps that homing may take
+constexpr std::int64_t kSettling = 50;       // at rest before the force is biased
+constexpr std::int64_t kSetPatience = 50;    // for the answer to SET
+constexpr std::int64_t kGripPatience = 250;  // for the jaws
+constexpr double kGripTolerance = 5e-4;      // of their distance [m]
+
+/// The driver has refused the command of this behaviour, or could not execute it to its end.
+bool failed(const X& x) {
+  return age(x) >= ecp::kAnswerDelay && (x.e.verdict == Verdict::refused || x.e.verdict == Verdict::failed) &&
+         x.e.fault.code != FaultCode::lost_command;
+}
+
+/// The operator wants something else.
+bool called_off(const X& x) { return x.T.manual.number != x.c.doing || x.T.finished; }
+
+bool moves(const X& x) {
+  return x.e.state == DriverState::executing || x.e.state == DriverState::decelerating ||
+         x.e.state == DriverState::jogging;
+}
+
+// --- where to, and how ----------------------------------------------------------------------------------
+
+ecp::Coordinates present(const X& x, Representation space) {
+  if (space == Representation::motors || space == Representation::joints) {
+    const auto& source = space == Representation::motors ? x.e.motors : x.e.joints;
+    return Eigen::Map<const Eigen::VectorXd>(source.data(), x.c.axes);
+  }
+  PoseNumbers measured{};
+  std::ranges::copy(x.e.T_0E, measured.begin());
+  const Pose T_0E = pose_from_numbers(Representation::xyz_angle_axis, measured).value_or(Pose());
+  return axes_from_numbers(numbers_from_pose(space, T_0E), 6);
+}
+
+ecp::Coordinates goal(const X& x, const ecp::Coordinates& from) {
+  const ManualOrder& o = x.T.manual;
+  const ecp::Coordinates given = axes_from_numbers(o.value, static_cast<int>(from.size()));
+  if (o.reference == Reference::absolute) return ecp::nearest_coordinates(o.space, given, from);
+  if (per_axis(o.space)) return from + given;
+  const auto T_0E = pose_from_numbers(o.space, numbers_from_axes(from));
+  const auto T_EG = pose_from_numbers(o.space, o.value);
+  if (!T_0E || !T_EG) throw FaultError(FaultCode::not_finite, "the pose is no pose");
+  return ecp::nearest_coordinates(o.space, axes_from_numbers(numbers_from_pose(o.space, *T_0E * *T_EG), 6),
+                                  from);
+}
+
+ecp::Trajectory plan(const X& x) {
+  const ManualOrder& o = x.T.manual;
+  const ecp::Coordinates from = present(x, o.space);
+  // Motions relative to the motors' positions need no synchronisation.
+  const bool by_increments = o.space == Representation::motors && o.reference == Reference::relative;
+  const ecp::Coding coding{.space = o.space,
+                           .reference = by_increments ? Reference::relative : Reference::absolute,
+                           .mu = per_axis(o.space) ? Interpolation::mim : Interpolation::tcim_pose};
+  const ecp::ViaPoint to{goal(x, from), o.velocity, o.acceleration};
+  return {std::make_shared<ecp::Trapezoid>(from, std::vector{to}, ecp::default_limits(o.space, x.c.axes),
+                                           x.c.pacing.macrostep_s()),
+          coding, x.c.pacing};
+}
+
+Memory planned(const X& x) {
+  Memory c = x.c;
+  try {
+    c.path = plan(x);
+  } catch (const FaultError& e) {
+    c.path = {};
+    c.fault = e.fault();
+  }
+  return c;
+}
+
+/// f_entry of idle: the order is over, one way or the other.
+Memory over(const X& x) {
+  Memory c = x.c;
+  if (c.done != c.doing && !c.fault && x.e.fault.code != FaultCode::lost_command &&
+      (x.e.verdict == Verdict::refused || x.e.verdict == Verdict::failed))
+    c.fault = x.e.fault;
+  c.done = c.doing;
+  return c;
+}
+
+/// f_cc of a behaviour that waits for something: it may be in vain.
+template <std::int64_t patience, FaultCode code>
+Memory patient(const X& x) {
+  Memory c = x.c;
+  if (age(x) >= patience) c.fault = Fault{.code = code};
+  return c;
+}
+
+Memory retain(const X& x) { return x.c; }
+
+// --- y_ce -------------------------------------------------------------------------------------------------
+
+EffectorCommand at_rest(const X&) { return ecp::rest(); }
+
+EffectorCommand synchro(const X& x) {
+  return age(x) == 0 ? EffectorCommand{.instruction = Instruction::synchro} : ecp::rest();
+}
+
+EffectorCommand with_model(const RobotModel& model) {
+  EffectorCommand command{.instruction = Instruction::set};
+  command.set = static_cast<std::uint8_t>(Part::robot_model);
+  command.robot_model = model;
+  return command;
+}
+
+EffectorCommand tool_of_task(const X& x) { return age(x) == 0 ? with_model(x.c.model) : ecp::rest(); }
+
+EffectorCommand follow(const X& x) {
+  return age(x) < x.c.path.macrosteps() ? ecp::move_arm(x.c.path.command(age(x))) : ecp::rest();
+}
+
+EffectorCommand setting(const X& x) {
+  const ManualOrder& o = x.T.manual;
+  RobotModel model;
+  switch (o.kind) {
+    case Kind::reset:
+      return {.instruction = Instruction::reset};
+    case Kind::bias:
+      return ecp::bias_force();
+    case Kind::force_tool:
+      return ecp::change_force_tool(o.value[0], Vector3(o.value[1], o.value[2], o.value[3]));
+    case Kind::tool:
+      model.set_tool = true;
+      model.tool_representation = Representation::xyz_angle_axis;
+      std::copy_n(o.value.begin(), 6, model.tool.begin());
+      break;
+    case Kind::kinematic_model:
+      model.set_kinematic_model = true;
+      model.kinematic_model = o.model;
+      break;
+    case Kind::servo_algorithm:
+      model.set_servo_algorithm = static_cast<std::uint8_t>((1U << x.c.axes) - 1);
+      model.servo_algorithm.fill(o.algorithm);
+      model.servo_parameter_set.fill(o.parameter_set);
+      break;
+    default:
+      return ecp::rest();
+  }
+  return with_model(model);
+}
+
+EffectorCommand set_once(const X& x) { return age(x) == 0 ? setting(x) : ecp::rest(); }
+
+EffectorCommand grip(const X& x) {
+  EffectorCommand command = ecp::move_arm(TaskFrameCommand{}, x.c.pacing);
+  command.arm.gripper = x.T.manual.value[0];
+  return command;
+}
+
+// --- y_cV, y_cT -------------------------------------------------------------------------------------------
+
+ecp::None nothing(const X&) { return {}; }
+
+/// The verdict is the agent's business: a refused order is no fault of the system.
+Report told(const X& x) {
+  Report r = ecp::report_of(x, 0);
+  r.verdict = Verdict::none;
+  r.event = static_cast<int>(x.c.done);
+  r.fault = x.c.fault;
+  return r;
+}
+
+// --- f_tau ------------------------------------------------------------------------------------------------
+
+bool ordered(const X& x) { return x.T.manual.number != x.c.done || x.T.finished; }
+
+bool homed(const X& x) {
+  const bool begun = age(x) > ecp::kAnswerDelay + 1;
+  return x.c.fault || failed(x) || called_off(x) || (begun && x.e.state == DriverState::ready);
+}
+
+bool settled(const X& x) { return age(x) >= kSettling || called_off(x); }
+
+bool answered(const X& x) {
+  return x.c.fault || failed(x) || called_off(x) ||
+         (age(x) >= ecp::kAnswerDelay && x.e.verdict == Verdict::executed);
+}
+
+bool arrived(const X& x) {
+  if (x.c.fault || failed(x) || called_off(x)) return true;
+  return age(x) > x.c.path.macrosteps() + ecp::kAnswerDelay && !moves(x);
+}
+
+bool gripped(const X& x) {
+  if (x.c.fault || failed(x) || called_off(x)) return true;
+  if (age(x) <= ecp::kAnswerDelay + 10) return false;
+  return std::abs(x.e.gripper - x.T.manual.value[0]) < kGripTolerance || x.e.blocked ||
+         age(x) >= kGripPatience;
+}
+
+}  // namespace
+
+// clang-format off
+const std::array<Motion<Arm>, 7> kManual{{
+  // m  name                  entry    memory                                         command        sensors  agents  ends
+  {  1, "wait for an order",  over,    retain,                                        at_rest,       nothing, told,   ordered},
+  {  2, "find the position",  retain,  patient<kPatience, FaultCode::not_ready>,      synchro,       nothing, told,   homed},
+  {  3, "settle",             retain,  retain,                                        at_rest,       nothing, told,   settled},
+  {  4, "set the tool",       retain,  patient<kSetPatience, FaultCode::peer_silent>, tool_of_task,  nothing, told,   answered},
+  {  5, "move",               planned, retain,                                        follow,        nothing, told,   arrived},
+  {  6, "set",                retain,  patient<kSetPatience, FaultCode::peer_silent>, set_once,      nothing, told,   answered},
+  {  7, "grip",               retain,  retain,                                        grip,          nothing, told,   gripped},
+}};
+// clang-format on
+
+}  // namespace mrroc::manual

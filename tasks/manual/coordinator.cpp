@@ -1,0 +1,136 @@
+#include "tasks/manual/coordinator.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tasks/manual/arm.hpp"
+
+namespace mrroc::manual {
+namespace {
+
+using X = Coordinator::X;
+
+bool idle(const X& x) {
+  for (std::size_t arm = 0; arm < x.c.given.size(); ++arm)
+    if (x.T.agent[arm].event != x.c.given[arm].number) return false;
+  return true;
+}
+
+std::vector<ManualOrder> orders(const X& x) {
+  std::vector<ManualOrder> given = x.c.given;
+  for (std::size_t arm = 0; arm < given.size(); ++arm)
+    if (const auto& wanted = x.T.hands.orders[arm]) {
+      const std::int64_t number = given[arm].number + 1;
+      given[arm] = *wanted;
+      given[arm].number = number;
+    }
+  return given;
+}
+
+Nothing nothing(const X&) { return {}; }
+Coordinator::Memory retain(const X& x) { return x.c; }
+Coordinator::Memory given(const X& x) { return {orders(x)}; }
+
+Coordinator::Said pass_on(const X& x) {
+  const Order order{.m = static_cast<int>(x.T.h.paused ? SoloOrder::pause : SoloOrder::work)};
+  return {std::vector<Order>(x.T.agent.size(), order), orders(x)};
+}
+
+std::vector<std::string> keys_of(const std::vector<ArmInfo>& arms) {
+  std::vector<std::string> keys;
+  for (const ArmInfo& a : arms) keys.push_back(a.key);
+  return keys;
+}
+
+bool ended(const X& x) { return x.T.hands.end && idle(x); }
+
+}  // namespace
+
+const Motion<Coordinator> kManualOperation{1,    "manual operation", retain, given, nothing, nothing, pass_on,
+                                           ended};
+
+/// Between Move and the links.
+class ManualRun::Port {
+ public:
+  explicit Port(ManualRun& run) : run_(run) {}
+  void dispatch(const Motion<Coordinator>& motion, const Coordinator::Y& y) {
+    run_.links_.in_behaviour(motion.m, motion.name);
+    run_.send(y.T);
+    given_ = y.c.given;
+  }
+  Outcome wait() { return run_.links_.wait(); }
+  void read(X& x) {
+    x.c.given = given_;
+    run_.read(x);
+  }
+
+ private:
+  ManualRun& run_;
+  std::vector<ManualOrder> given_;
+};
+
+ManualRun::ManualRun(mp::TaskRun& run, const ManualParameters& parameters,
+                     std::function<void(const std::string&)> announce)
+    : run_(run),
+      k_(parameters),
+      operator_(run.process(), run.desk(), false),
+      links_(run.process(), keys_of(parameters.arms), operator_),
+      desk_(run.process(), parameters.arms, parameters.script, parameters.record),
+      announce_(std::move(announce)),
+      m_(parameters.arms.size()) {
+  for (const ArmInfo& arm : k_.arms)
+    manual_out_.push_back(run.process().outbox<manual_order_t>(arm.key + ".manual"));
+}
+
+Outcome ManualRun::execute() {
+  X x;
+  x.c.given.resize(k_.arms.size());
+  for (const auto& out : manual_out_) out->publish(to_message(ManualOrder{}), 1);
+  if (const Outcome o = links_.begin({}); o != Outcome::terminated) return o;
+  read(x);
+  Port port(*this);
+  const Outcome o = move(kManualOperation, x, port);
+  if (o == Outcome::terminated) {
+    Coordinator::Said last = kManualOperation.f_cT(x);
+    for (Order& order : last.order) order.finished = true;
+    send(last);
+  }
+  return o;
+}
+
+void ManualRun::send(const Coordinator::Said& said) {
+  for (std::size_t arm = 0; arm < manual_out_.size(); ++arm)
+    manual_out_[arm]->publish(to_message(said.manual[arm]), links_.i() + 1);
+  links_.send(said.order);
+}
+
+void ManualRun::read(X& x) {
+  const bool end = x.T.hands.end;
+  x.i = links_.i();
+  x.T.h = links_.operator_image();
+  x.T.agent.clear();
+  for (std::size_t arm = 0; arm < k_.arms.size(); ++arm) x.T.agent.push_back(links_.report(arm));
+  std::vector<std::int64_t> numbers;
+  for (const ManualOrder& o : x.c.given) numbers.push_back(o.number);
+  x.T.hands = desk_.take(x.i, numbers, x.T.agent);
+  x.T.hands.end = x.T.hands.end || end;
+  show(x);
+  run_.each_macrostep(x.i, static_cast<double>(x.i) * k_.macrostep_s);
+}
+
+void ManualRun::show(const X& x) {
+  run_.set_state(x.T.h.paused ? TaskState::paused : TaskState::running, false);
+  run_.board().set_behaviour(kManualOperation.m, kManualOperation.name);
+  for (std::size_t arm = 0; arm < m_.size(); ++arm) {
+    const Report& r = x.T.agent[arm];
+    const auto m = static_cast<std::size_t>(std::clamp(r.m, 1, static_cast<int>(kManual.size())));
+    if (r.m != m_[arm])
+      announce_(fmt::format("{:8.2f} s  {}  {}{}", static_cast<double>(x.i) * k_.macrostep_s,
+                            k_.arms[arm].key, kManual[m - 1].name, r.fault ? ": " + describe(r.fault) : ""));
+    m_[arm] = r.m;
+    run_.board().set_arm(arm, r, kManual[m - 1].name);
+  }
+}
+
+}  // namespace mrroc::manual

@@ -1,0 +1,85 @@
+// The agent a_0 of manual operation, and its program in MP: passes the operator's orders on.
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mp/coordinator_links.hpp"
+#include "mp/dormant_operator.hpp"
+#include "mp/task_run.hpp"
+#include "mrroc/manual_order_t.hpp"
+#include "tasks/manual/desk.hpp"
+
+namespace mrroc::manual {
+
+struct Nothing {};
+
+/// Images of the coordinator.
+struct Coordinator {
+  /// c_c: the last order of each arm.
+  struct Memory {
+    std::vector<ManualOrder> given;
+  };
+  struct Heard {
+    std::vector<Report> agent;
+    OperatorImage h;
+    Hands hands;  ///< what the operator wants from this macrostep on
+  };
+  struct Said {
+    std::vector<Order> order;
+    std::vector<ManualOrder> manual;
+  };
+  struct X {
+    Memory c;
+    Nothing e, V;
+    Heard T;
+    std::int64_t i{}, i_0{};
+  };
+  struct Y {
+    Memory c;
+    Nothing e, V;
+    Said T;
+  };
+};
+
+/// m = 1: the operator's orders reach the arms, until he ends it and all have done what they had to.
+extern const Motion<Coordinator> kManualOperation;
+
+/// What the run is told.
+struct ManualParameters {
+  std::vector<ArmInfo> arms;
+  std::vector<ScriptedWords> script;  ///< instructions that need no terminal
+  std::filesystem::path record;       ///< where instructions go that were taken; empty: nowhere
+  double macrostep_s{0.02};           ///< [s]
+};
+
+/// MP of the task.
+class ManualRun {
+ public:
+  /// @param announce  gets a line for every behaviour that an arm begins
+  ManualRun(mp::TaskRun& run, const ManualParameters& parameters,
+            std::function<void(const std::string&)> announce);
+
+  /// Runs the task to its end. Call TaskRun::start() before.
+  Outcome execute();
+  /// @return why execute() gave faulted
+  [[nodiscard]] const Fault& fault() const { return links_.fault(); }
+
+ private:
+  class Port;
+  void send(const Coordinator::Said& said);
+  void read(Coordinator::X& x);
+  void show(const Coordinator::X& x);
+
+  mp::TaskRun& run_;
+  ManualParameters k_;
+  mp::DormantOperator operator_;
+  mp::CoordinatorLinks links_;
+  Desk desk_;
+  std::vector<std::unique_ptr<link::Outbox<manual_order_t>>> manual_out_;
+  std::function<void(const std::string&)> announce_;
+  std::vector<int> m_;  // of the last reports
+};
+
+}  // namespace mrroc::manual

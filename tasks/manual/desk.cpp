@@ -1,0 +1,111 @@
+#include "tasks/manual/desk.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/fault.hpp"
+#include "base/link/text.hpp"
+
+namespace mrroc::manual {
+namespace {
+
+constexpr std::size_t kRemembered = 64;
+
+// manual_answer_t::state
+constexpr int kRefused = 0;
+constexpr int kTaken = 1;
+constexpr int kDone = 2;
+constexpr int kFailed = 3;
+
+}  // namespace
+
+Desk::Desk(link::Process& process, std::vector<ArmInfo> arms, std::vector<ScriptedWords> script,
+           const std::filesystem::path& record)
+    : process_(process),
+      arms_(std::move(arms)),
+      words_in_(process.bus(), process.route(kWords), process.membership().session_id),
+      answer_out_(process.bus(), process.route(kAnswer), process.membership().session_id),
+      script_(script.begin(), script.end()) {
+  if (record.empty()) return;
+  record_.open(record);
+  record_ << "# Instructions of the operator: macrostep and words. Replay with --words.\n";
+}
+
+Hands Desk::take(std::int64_t i, const std::vector<std::int64_t>& given, const std::vector<Report>& reports) {
+  Hands hands{.orders = std::vector<std::optional<ManualOrder>>(arms_.size())};
+  for (; !script_.empty() && script_.front().i <= i; script_.pop_front()) {
+    Asked asked;
+    const std::string words = script_.front().words;
+    if (const auto reason = obey(i, words, given, reports, hands, asked))
+      process_.say(fmt::format("script: '{}' in macrostep {} is refused, {}", words, i, *reason),
+                   FaultCode::bad_script);
+  }
+  answer_terminals(i, given, reports, hands);
+  return hands;
+}
+
+std::optional<std::string> Desk::obey(std::int64_t i, const std::string& words,
+                                      const std::vector<std::int64_t>& given,
+                                      const std::vector<Report>& reports, Hands& hands, Asked& asked) {
+  Instructions wanted;
+  try {
+    wanted = understand(words, arms_);
+  } catch (const FaultError& e) {
+    return e.what();
+  }
+  for (std::size_t k = 0; k < wanted.arms.size(); ++k) {
+    const std::size_t arm = wanted.arms[k];
+    const bool stop = wanted.orders[k].kind == Kind::stop;
+    const bool busy = reports[arm].event != given[arm] || hands.orders[arm];
+    if (busy && !stop)
+      return fmt::format("{} is busy; `stop {}` ends what it does", arms_[arm].key, arms_[arm].key);
+    if (reports[arm].driver_state == DriverState::faulted && wanted.orders[k].kind != Kind::reset && !stop)
+      return fmt::format("{} waits for `reset {}` after a fault", arms_[arm].key, arms_[arm].key);
+  }
+  for (std::size_t k = 0; k < wanted.arms.size(); ++k) {
+    hands.orders[wanted.arms[k]] = wanted.orders[k];
+    asked.orders.emplace_back(wanted.arms[k], given[wanted.arms[k]] + 1);
+  }
+  hands.end = hands.end || wanted.end;
+  if (record_.is_open()) record_ << i << ' ' << words << '\n' << std::flush;
+  process_.say(fmt::format("operator: {} in macrostep {}", words, i));
+  return std::nullopt;
+}
+
+void Desk::answer_terminals(std::int64_t i, const std::vector<std::int64_t>& given,
+                            const std::vector<Report>& reports, Hands& hands) {
+  for (Asked& a : asked_)
+    if (a.answer.state == kTaken) conclude(a, reports);
+  while (const auto m = words_in_.take()) {
+    auto known = std::ranges::find(asked_, m->id, &Asked::id);
+    if (known == asked_.end()) {
+      Asked asked{.id = m->id, .orders = {}, .answer = {}};
+      const auto reason = obey(i, link::get_text(m->text), given, reports, hands, asked);
+      asked.answer.id = m->id;
+      asked.answer.state = reason ? kRefused : asked.orders.empty() ? kDone : kTaken;
+      link::put_text(asked.answer.text, reason ? *reason : std::string("accepted"));
+      asked_.push_back(std::move(asked));
+      if (asked_.size() > kRemembered) asked_.pop_front();
+      known = std::prev(asked_.end());
+    }
+    answer_out_.publish(known->answer, i);
+  }
+}
+
+void Desk::conclude(Asked& asked, const std::vector<Report>& reports) {
+  std::string failures;
+  for (const auto& [arm, number] : asked.orders) {
+    const Report& r = reports[arm];
+    if (r.event < number) return;
+    if (r.event > number)
+      failures += fmt::format("{}{}: called off", failures.empty() ? "" : "; ", arms_[arm].key);
+    else if (r.fault)
+      failures += fmt::format("{}{}: {}", failures.empty() ? "" : "; ", arms_[arm].key, describe(r.fault));
+  }
+  asked.answer.state = failures.empty() ? kDone : kFailed;
+  link::put_text(asked.answer.text, failures.empty() ? std::string("done") : failures);
+  answer_out_.publish(asked.answer, 0);
+}
+
+}  // namespace mrroc::manual

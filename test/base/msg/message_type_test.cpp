@@ -1,0 +1,90 @@
+// Messages known at run time are those that the generated code encodes.
+#include "base/msg/message_type.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "base/fault.hpp"
+#include "base/link/decode.hpp"
+#include "mrroc/console_t.hpp"
+#include "mrroc/effector_reply_t.hpp"
+#include "mrroc/task_status_t.hpp"
+
+namespace mrroc {
+namespace {
+
+template <link::FixedMessage M>
+std::vector<std::uint8_t> bytes_of(const M& m) {
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(link::encoded_size<M>()));
+  m.encode(bytes.data(), 0, link::encoded_size<M>());
+  return bytes;
+}
+
+TEST(MessageType, AllFieldsTogetherAreTheWholeMessage) {
+  ASSERT_GT(message_types().size(), 20U);
+  for (const MessageType& type : message_types()) {
+    std::size_t end = 8;
+    for (const Field& f : type.fields) {
+      EXPECT_EQ(f.offset, end) << type.name << "." << f.name;
+      end += f.size;
+    }
+    EXPECT_EQ(end, type.size) << type.name;
+  }
+}
+
+TEST(MessageType, IsFoundByTheBytesOfAMessage) {
+  const auto bytes = bytes_of(effector_reply_t{});
+  const MessageType* const type = type_of(bytes);
+  ASSERT_TRUE(type);
+  EXPECT_EQ(type->name, "effector_reply_t");
+  EXPECT_EQ(type->size, bytes.size());
+  EXPECT_EQ(type_of(std::span(bytes).first(bytes.size() - 1)), nullptr);
+  EXPECT_EQ(type_of({}), nullptr);
+}
+
+TEST(MessageType, GivesTheValuesThatWereEncoded) {
+  std::mt19937_64 random(5);
+  for (int trial = 0; trial < 200; ++trial) {
+    effector_reply_t m{};
+    m.header.stamp = static_cast<std::int64_t>(random());
+    m.state = static_cast<std::int8_t>(random());
+    m.inputs = static_cast<std::int16_t>(random());
+    m.robot_model.servo_algorithm[3] = static_cast<std::uint8_t>(random());
+    m.motors[5] = std::ldexp(static_cast<double>(random()), -60);
+    const auto bytes = bytes_of(m);
+    const MessageType& type = *type_of(bytes);
+    const auto value = [&](const char* name) { return value_in(bytes, *type.field(name)); };
+    EXPECT_EQ(value("header.stamp"), std::to_string(m.header.stamp));
+    EXPECT_EQ(value("state"), std::to_string(static_cast<int>(m.state)));
+    EXPECT_EQ(value("inputs"), std::to_string(m.inputs));
+    EXPECT_EQ(value("robot_model.servo_algorithm[3]"),
+              std::to_string(static_cast<int>(m.robot_model.servo_algorithm[3])));
+    EXPECT_EQ(std::stod(value("motors[5]")), m.motors[5]);
+    EXPECT_EQ(number_in(bytes, *type.field("motors[5]")), m.motors[5]);
+  }
+}
+
+TEST(MessageType, TextsEndWithTheFirstZeroAndStayPrintable) {
+  console_t m{};
+  const std::string text = "say \"yes\"\n";
+  std::copy(text.begin(), text.end(), m.text);
+  const auto bytes = bytes_of(m);
+  const Field& field = *type_of(bytes)->field("text");
+  EXPECT_EQ(field.kind, FieldKind::text);
+  EXPECT_EQ(value_in(bytes, field), R"("say \"yes\"?")");
+  EXPECT_TRUE(std::isnan(number_in(bytes, field)));
+  const auto status = bytes_of(task_status_t{});
+  EXPECT_TRUE(type_of(status)->field("agent[3]")) << "an array of texts";
+  EXPECT_EQ(type_of(status)->field("agent[4]"), nullptr);
+}
+
+TEST(MessageType, WhatHasNoFixedSizeIsRefused) {
+  EXPECT_THROW(static_cast<void>(parse_message_type("struct a_t {\n string s;\n b_t c;\n}", {})), FaultError);
+  EXPECT_THROW(static_cast<void>(parse_message_type("struct a_t {\n double x[n];\n}", {})), FaultError);
+  EXPECT_EQ(parse_message_type("struct a_t {\n double x[2][3]; // m\n}", {}).fields.at(5).name, "x[1][2]");
+}
+
+}  // namespace
+}  // namespace mrroc

@@ -1,0 +1,128 @@
+// Every task can be recomputed from the log of its run: figure log_check_differences.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "test/system/started_task.hpp"
+
+namespace mrroc::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Checked : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (kSanitized) GTEST_SKIP() << "too long";
+  }
+
+  /// Runs a task, which must end well unless a status is named. @return its run folder
+  fs::path ran(const std::string& task, const std::vector<std::string>& more = {}, int status = 0) {
+    const fs::path run_folder = folder_ / (task + std::to_string(++runs_));
+    const Ended ended =
+        run(folder_, task, words({{"--processes", "one", "--run-dir", run_folder.string()}, more}));
+    EXPECT_EQ(ended.status, status) << task << ": " << ended.all();
+    return run_folder;
+  }
+
+  nlohmann::json check(const fs::path& run_folder, int status = 0) {
+    const Ended ended = run(folder_, "ui_cli", {"log", "check", run_folder.string(), "--json"});
+    EXPECT_EQ(ended.status, status) << ended.all();
+    std::string text;
+    for (const std::string& line : ended.out) text += line + "\n";
+    return nlohmann::json::parse(text, nullptr, false);
+  }
+
+  static nlohmann::json process(const nlohmann::json& checked, const std::string& name) {
+    for (const auto& p : checked["processes"])
+      if (p["name"] == name || p["process"] == name) return p;
+    return {};
+  }
+
+  /// Every process of the control system that messages can drive has been recomputed, and nothing differs.
+  static void expect_same(const nlohmann::json& checked, const std::vector<std::string>& names) {
+    EXPECT_EQ(checked["differences"], 0) << checked.dump(2);
+    EXPECT_EQ(checked["complete"], true) << checked.dump(2);
+    for (const std::string& name : names) {
+      const auto p = process(checked, name);
+      EXPECT_EQ(p["not_checked"], "") << name;
+      EXPECT_GT(p["compared"].get<int>(), 300) << name;
+    }
+  }
+
+  Folder folder_;
+  int runs_{};
+};
+
+TEST_F(Checked, PressIsRecomputedFromItsLog) {
+  const auto checked = check(ran("press"));
+  expect_same(checked, {"mp", "ecp-arm1"});
+  EXPECT_NE(process(checked, "world")["not_checked"], "") << "its links are not in the log";
+  EXPECT_NE(process(checked, "edp-arm1")["not_checked"], "");
+}
+
+TEST_F(Checked, APausedAndAStoppedRunAreRecomputedToo) {
+  const std::string pause = folder_.write("pause", "3 start\n120 pause\n160 resume\n");
+  expect_same(check(ran("press", {"--script", pause})), {"mp", "ecp-arm1"});
+  const std::string stop = folder_.write("stop", "3 start\n170 stop\n");
+  EXPECT_EQ(check(ran("press", {"--script", stop}, 1))["differences"], 0);
+}
+
+TEST_F(Checked, EdgeFollowIsRecomputedFromItsLog) {
+  expect_same(check(ran("edge_follow")), {"mp", "ecp-arm1", "ecp-arm2"});
+}
+
+TEST_F(Checked, DrawingIsRecomputedFromItsLogTaughtOrLoaded) {
+  const std::vector<std::string> all{"mp", "ecp-arm1", "ecp-arm2", "vsp-arm1", "vsp-arm2"};
+  const std::string lines = folder_.write("lines.svg", lines_svg(1));
+  const std::string taught = (folder_ / "lines.recording").string();
+  expect_same(check(ran("drawing", {"--drawing", lines, "--size", "17", "--save", taught})), all);
+  expect_same(check(ran("drawing", {"--load", taught})), all);
+}
+
+TEST_F(Checked, VisualServoIsRecomputedFromItsLog) {
+  const auto checked = check(ran("visual_servo", {"--object", "apriltag", "--cameras", "sac"}));
+  expect_same(checked, {"mp", "ecp-arm1"});
+  EXPECT_NE(process(checked, "vsp-sac")["not_checked"], "") << "pictures are not in the log";
+}
+
+TEST_F(Checked, AChangedByteIsNamedWithProcessStepBehaviourFunctionAndField) {
+  const fs::path run_folder = ran("press");
+  const fs::path log = run_folder / "events.lcmlog";
+  std::string bytes;
+  {
+    std::ifstream in(log, std::ios::binary);
+    bytes.assign(std::istreambuf_iterator<char>(in), {});
+  }
+  // The last command of the log: the velocity along z in its task frame.
+  const std::size_t channel = bytes.rfind(".arm1.command");
+  ASSERT_NE(channel, std::string::npos);
+  const std::size_t message = channel + std::string(".arm1.command").size();
+  const std::size_t velocity = message + 8 + 24 + 16 + 6 + 8 + 3 + 16 * 8 + 2 * 33 + 1 + 8;
+  bytes[velocity + 2] = static_cast<char>(bytes[velocity + 2] ^ 0x10);
+  std::ofstream(log, std::ios::binary | std::ios::trunc) << bytes;
+  const auto checked = check(run_folder, 1);
+  EXPECT_EQ(checked["differences"], 1);
+  const auto first = process(checked, "ecp-arm1")["first"];
+  EXPECT_EQ(first["channel"], "arm1.command");
+  EXPECT_EQ(first["field"], "arm.axis[2].velocity");
+  EXPECT_EQ(first["function"], "f_ce");
+  EXPECT_GT(first["stamp"].get<int>(), 300);
+}
+
+TEST_F(Checked, AChangedParameterChangesWhatIsRecomputed) {
+  const fs::path run_folder = ran("edge_follow");
+  std::ifstream in(run_folder / "config.toml");
+  std::string config(std::istreambuf_iterator<char>(in), {});
+  const std::size_t key = config.find("speed_per_force = ");
+  ASSERT_NE(key, std::string::npos);
+  config.insert(key + std::string("speed_per_force = ").size(), "0.0015 # ");
+  std::ofstream(run_folder / "config.toml") << config;
+  const auto checked = check(run_folder, 1);
+  const auto first = process(checked, "ecp-arm1")["first"];
+  EXPECT_EQ(first["channel"], "arm1.command");
+  EXPECT_NE(first["behaviour"], "");
+}
+
+}  // namespace
+}  // namespace mrroc::test

@@ -1,0 +1,140 @@
+// Instructions from terminals: refused with a reason, obeyed once, answered until they are done, recorded.
+#include "tasks/manual/desk.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "base/link/text.hpp"
+#include "test/base/link/buses.hpp"
+
+namespace mrroc::manual {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<ArmInfo> kArms{{"arm1", 6, {}}, {"arm2", 7, {}}};
+
+/// The desk, a terminal, and arms that say what the test wants.
+struct Office {
+  explicit Office(std::vector<ScriptedWords> script = {}, const fs::path& record = {})
+      : process(bus, {.session = "s", .session_id = 1, .name = "mp", .roster = {"mp"}}),
+        desk(process, kArms, std::move(script), record),
+        words(bus, process.route(Desk::kWords), 1),
+        answers(bus, process.route(Desk::kAnswer), 1) {
+    for (Report& r : reports) r.driver_state = DriverState::holding;
+  }
+  /// The terminal says something, and a macrostep passes.
+  Hands say(std::int64_t id, const std::string& text) {
+    manual_words_t m{};
+    m.id = id;
+    link::put_text(m.text, text);
+    words.publish(m, 0);
+    return step();
+  }
+  Hands step() {
+    process.poll();
+    Hands hands = desk.take(++i, given, reports);
+    for (std::size_t arm = 0; arm < given.size(); ++arm)
+      if (hands.orders[arm]) ++given[arm];
+    process.poll();
+    return hands;
+  }
+  /// @return state and text of the last answer
+  std::pair<int, std::string> answer() {
+    std::pair<int, std::string> last{-1, ""};
+    while (const auto a = answers.take()) last = {a->state, link::get_text(a->text)};
+    return last;
+  }
+  void done(std::size_t arm, const Fault& fault = {}) {
+    reports[arm].event = static_cast<int>(given[arm]);
+    reports[arm].fault = fault;
+  }
+
+  link::test::DirectBus bus;
+  link::Process process;
+  Desk desk;
+  link::Outbox<manual_words_t> words;
+  link::Queue<manual_answer_t> answers;
+  std::vector<std::int64_t> given{0, 0};
+  std::vector<Report> reports = std::vector<Report>(2);
+  std::int64_t i{};
+};
+
+TEST(ManualDesk, AnInstructionIsTakenOnceAndAnsweredUntilItIsDone) {
+  Office office;
+  EXPECT_TRUE(office.say(7, "bias arm1").orders[0]);
+  EXPECT_EQ(office.answer().first, 1);
+  EXPECT_FALSE(office.say(7, "bias arm1").orders[0]) << "the same message again";
+  EXPECT_EQ(office.answer().first, 1);
+  office.done(0);
+  office.step();
+  EXPECT_EQ(office.answer(), (std::pair{2, std::string("done")}));
+  office.say(7, "bias arm1");
+  EXPECT_EQ(office.answer().first, 2) << "an answer that was lost comes again";
+}
+
+TEST(ManualDesk, ABusyArmTakesNothingButAStop) {
+  Office office;
+  office.say(1, "home all");
+  EXPECT_FALSE(office.say(2, "bias arm2").orders[1]);
+  const auto [state, text] = office.answer();
+  EXPECT_EQ(state, 0);
+  EXPECT_NE(text.find("arm2 is busy"), std::string::npos);
+  office.done(0);
+  EXPECT_TRUE(office.say(3, "bias arm1").orders[0]) << "the other arm is free";
+  EXPECT_TRUE(office.say(4, "stop arm2").orders[1]);
+  office.reports[1].event = 2;
+  office.step();
+  office.answer();
+  office.say(1, "home all");
+  EXPECT_EQ(office.answer().first, 3);
+}
+
+TEST(ManualDesk, AFailureIsToldWithItsReason) {
+  Office office;
+  office.say(1, "model arm1 9");
+  office.done(0, Fault{.code = FaultCode::unknown_model});
+  office.step();
+  const auto [state, text] = office.answer();
+  EXPECT_EQ(state, 3);
+  EXPECT_NE(text.find("arm1"), std::string::npos);
+}
+
+TEST(ManualDesk, AFaultedArmWaitsForItsReset) {
+  Office office;
+  office.reports[0].driver_state = DriverState::faulted;
+  EXPECT_FALSE(office.say(1, "bias arm1").orders[0]);
+  EXPECT_NE(office.answer().second.find("reset arm1"), std::string::npos);
+  EXPECT_TRUE(office.say(2, "reset arm1").orders[0]);
+}
+
+TEST(ManualDesk, NonsenseIsRefusedAndTheEndIsTaken) {
+  Office office;
+  office.say(1, "dance arm1");
+  EXPECT_EQ(office.answer().first, 0);
+  EXPECT_TRUE(office.say(2, "end").end);
+  EXPECT_EQ(office.answer().first, 2);
+}
+
+TEST(ManualDesk, WhatWasTakenIsWrittenDownAndReplaysTheSame) {
+  std::string pattern = (fs::temp_directory_path() / "manual_desk.XXXXXX").string();
+  const fs::path folder = ::mkdtemp(pattern.data());
+  {
+    Office office({}, folder / "words");
+    office.say(1, "bias arm1");
+    office.say(2, "dance arm1");
+    office.say(3, "gripper arm2 0.07");
+  }
+  const auto script = load_words(folder / "words", kArms);
+  ASSERT_EQ(script.size(), 2U);
+  Office again(script);
+  EXPECT_TRUE(again.step().orders[0]);
+  EXPECT_FALSE(again.step().orders[1]);
+  EXPECT_EQ(again.step().orders[1]->value[0], 0.07);
+  std::ofstream(folder / "bad") << "3 dance arm1\n";
+  EXPECT_THROW(static_cast<void>(load_words(folder / "bad", kArms)), FaultError);
+  fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace mrroc::manual

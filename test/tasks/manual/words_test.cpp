@@ -1,0 +1,83 @@
+// The operator's language: what is understood, and what is refused with the way to write it.
+#include "tasks/manual/words.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/fault.hpp"
+
+namespace mrroc::manual {
+namespace {
+
+const std::vector<ArmInfo> kArms{{"arm1", 6, {{"front", {0, -1.57, 0, 1.56, 1.57, -1.57}}}},
+                                 {"arm2", 7, {{"front", {0.1, 0, -1.57, 0, 1.56, 1.57, -1.57}}}}};
+
+ManualOrder only(std::string_view line) {
+  const Instructions i = understand(line, kArms);
+  EXPECT_EQ(i.orders.size(), 1U) << line;
+  return i.orders.at(0);
+}
+
+std::string refusal(std::string_view line) {
+  try {
+    static_cast<void>(understand(line, kArms));
+  } catch (const FaultError& e) {
+    EXPECT_EQ(e.fault().code, FaultCode::bad_usage);
+    return e.error_line();
+  }
+  return "";
+}
+
+TEST(Words, AMotionHasAsManyNumbersAsItsSpace) {
+  const ManualOrder o = only("move arm1 joints 0.1 -1.5 0 1.5 1.5 -1.5 speed 0.3 acceleration 0.1");
+  EXPECT_EQ(o.kind, Kind::move);
+  EXPECT_EQ(o.space, Representation::joints);
+  EXPECT_EQ(o.reference, Reference::absolute);
+  EXPECT_EQ(o.value[1], -1.5);
+  EXPECT_EQ(o.velocity, 0.3);
+  EXPECT_EQ(o.acceleration, 0.1);
+  EXPECT_EQ(only("jog arm2 motors 1 2 3 4 5 6 7").reference, Reference::relative);
+  EXPECT_EQ(only("jog arm2 motors 1 2 3 4 5 6 7").value[6], 7);
+  EXPECT_EQ(only("move arm2 angle-axis 1 2 3 4 5 6").space, Representation::xyz_angle_axis);
+  EXPECT_EQ(only("jog arm1 euler 0 0 0.01 0 0 0").space, Representation::xyz_euler_zyz);
+  EXPECT_NE(refusal("move arm1 joints 1 2 3 4 5").find("missing"), std::string::npos);
+  EXPECT_NE(refusal("move arm1 joints 1 2 3 4 5 6 7").find("one word too many"), std::string::npos);
+  EXPECT_NE(refusal("move arm2 joints 1 2 3 4 5 6").find("missing"), std::string::npos);
+}
+
+TEST(Words, AnInstructionIsForOneArmSeveralOrAll) {
+  EXPECT_EQ(understand("home all", kArms).arms, (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(understand("home arm2,arm1,arm2", kArms).arms, (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(understand("stop arm2", kArms).arms, std::vector<std::size_t>{1});
+  const Instructions presets = understand("preset all front speed 0.5", kArms);
+  EXPECT_EQ(presets.orders.at(0).value[1], -1.57);
+  EXPECT_EQ(presets.orders.at(1).value[0], 0.1);
+  EXPECT_NE(refusal("home arm3").find("there are arm1, arm2 and all"), std::string::npos);
+  EXPECT_NE(refusal("preset arm1 rear").find("it has front"), std::string::npos);
+}
+
+TEST(Words, EverythingElseThatAnArmCanBeTold) {
+  EXPECT_EQ(only("reset arm1").kind, Kind::reset);
+  EXPECT_EQ(only("bias arm1").kind, Kind::bias);
+  EXPECT_EQ(only("tool arm1 0 0 0.2 0 0 0").value[2], 0.2);
+  EXPECT_EQ(only("weight arm1 7.5").value[0], 7.5);
+  EXPECT_EQ(only("weight arm1 7.5 0 0 0.06").value[3], 0.06);
+  EXPECT_EQ(only("model arm1 2").model, 2);
+  EXPECT_EQ(only("servo arm1 1").algorithm, 1);
+  EXPECT_EQ(only("servo arm1 0 1").parameter_set, 1);
+  EXPECT_EQ(only("gripper arm1 0.07").value[0], 0.07);
+  EXPECT_TRUE(understand("end", kArms).end);
+}
+
+TEST(Words, WhatIsNotUnderstoodIsRefusedWithTheWayToWriteIt) {
+  EXPECT_NE(refusal("jgo arm1 motors 1 2 3 4 5 6").find("did you mean 'jog'"), std::string::npos);
+  EXPECT_NE(refusal("move arm1 legs 1 2 3").find("motors, joints, euler and angle-axis"), std::string::npos);
+  EXPECT_NE(refusal("gripper arm1").find("gripper ARM METRES"), std::string::npos);
+  for (const char* line :
+       {"", "home", "home arm1 now", "gripper arm1 -1", "gripper arm1 nan", "model arm1 1.5",
+        "move arm1 joints 1 2 3 4 5 inf", "jog arm1 joints 1 2 3 4 5 6 speed 0",
+        "jog arm1 joints 1 2 3 4 5 6 speed 2", "end now", "servo arm1 -1"})
+    EXPECT_NE(refusal(line), "") << line;
+}
+
+}  // namespace
+}  // namespace mrroc::manual

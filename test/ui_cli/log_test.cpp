@@ -1,0 +1,231 @@
+// The commands for run folders, on a small folder made here.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "base/fault.hpp"
+#include "base/link/event_log.hpp"
+#include "base/link/memory_bus.hpp"
+#include "base/link/text.hpp"
+#include "base/msg/convert.hpp"
+#include "base/operator.hpp"
+#include "mrroc/console_t.hpp"
+#include "mrroc/operator_answer_t.hpp"
+#include "mrroc/operator_image_t.hpp"
+#include "mrroc/operator_order_t.hpp"
+#include "mrroc/supervisor_t.hpp"
+#include "ui_cli/log/log_check.hpp"
+#include "ui_cli/log/log_command.hpp"
+#include "ui_cli/log/log_compare.hpp"
+#include "ui_cli/log/log_csv.hpp"
+#include "ui_cli/log/log_show.hpp"
+#include "ui_cli/log/replay.hpp"
+
+namespace mrroc::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+class RunFolder : public ::testing::Test {
+ protected:
+  static constexpr std::int64_t kMacrosteps = 50;
+
+  RunFolder() {
+    std::string pattern = (fs::temp_directory_path() / "log_test.XXXXXX").string();
+    home_ = ::mkdtemp(pattern.data());
+    a_ = make("a", 1, 0);
+  }
+  ~RunFolder() override { fs::remove_all(home_); }
+
+  template <link::FixedMessage M>
+  static void log(link::EventLog& to, const std::string& channel, M m, std::int64_t session,
+                  std::int64_t number, std::int64_t stamp) {
+    m.header = {session, number, stamp};
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(link::encoded_size<M>()));
+    m.encode(bytes.data(), 0, link::encoded_size<M>());
+    to.receive("s." + channel, bytes);
+  }
+
+  /// An arm that approaches until macrostep 20, refuses a command in 30, and a process that says something.
+  fs::path make(const std::string& name, std::int64_t session, double more_force) const {
+    const fs::path folder = home_ / name;
+    fs::create_directories(folder);
+    std::ofstream(folder / "config.toml") << "[time]\nn_s = 10\n";
+    std::ofstream(folder / "summary.json")
+        << R"({"outcome": "done", "figures": {"hold_N": )" << 4 + more_force << "}}";
+    std::ofstream(folder / "processes.json")
+        << R"({"task": "press", "clock": "step", "processes": [{"name": "mp", "program": "press", "arguments": []},
+               {"name": "ecp-arm1", "program": "ecp_press", "arguments": ["--name", "ecp-arm1"]}]})";
+    link::EventLog to(folder / link::kEventLog);
+    supervisor_t s{};
+    log(to, "supervisor", s, session, 1, 0);
+    for (std::int64_t i = 1; i <= kMacrosteps; ++i) {
+      Report r{.m = i < 20 ? 1 : 2};
+      r.driver_state = DriverState::executing;
+      r.F_a[Axis::z] = 0.1 * static_cast<double>(i) + (i > 40 ? more_force : 0);
+      if (i == 30) {
+        r.verdict = Verdict::refused;
+        r.fault.code = FaultCode::too_fast;
+      }
+      log(to, "arm1.report", to_message(r), session, i, i);
+      operator_image_t h{};
+      h.started = i > 3;
+      log(to, "operator.image", h, session, i, i);
+    }
+    console_t line{};
+    link::put_text(line.process, "ecp-arm1");
+    link::put_text(line.text, "late: 3 skipped");
+    log(to, "ecp-arm1.console", line, session, 1, 25);
+    return folder;
+  }
+
+  int run(const std::vector<std::string>& arguments) {
+    out_.str("");
+    err_.str("");
+    try {
+      return ui::run_log(arguments, out_, err_);
+    } catch (const FaultError& e) {
+      err_ << e.error_line();
+      return exit_status(e.fault().code);
+    }
+  }
+  [[nodiscard]] std::vector<std::string> lines() const {
+    std::vector<std::string> all;
+    std::istringstream in(out_.str());
+    for (std::string line; std::getline(in, line);) all.push_back(line);
+    return all;
+  }
+  static std::string bad_run(const fs::path& folder) {
+    try {
+      static_cast<void>(ui::RunRecord(folder));
+    } catch (const FaultError& e) {
+      return std::string(to_string(e.fault().code));
+    }
+    return "";
+  }
+
+  fs::path home_, a_;
+  std::ostringstream out_, err_;
+};
+
+TEST_F(RunFolder, ShowTellsEveryMacrostepAndEveryChange) {
+  ASSERT_EQ(run({"show", a_.string()}), 0) << err_.str();
+  EXPECT_GT(lines().size(), static_cast<std::size_t>(kMacrosteps));
+  ASSERT_EQ(run({"show", a_.string(), "--m"}), 0);
+  std::string story = out_.str();
+  for (const char* what : {"0.400 s     20  * arm1       behaviour m = 2", "operator   start", "too_fast",
+                           "ecp-arm1   late: 3 skipped"})
+    EXPECT_NE(story.find(what), std::string::npos) << what << "\n" << story;
+  EXPECT_LT(lines().size(), 8U);
+  ASSERT_EQ(run({"show", a_.string(), "--m", "--from", "0.39", "--to", "0.41", "--json"}), 0);
+  ASSERT_EQ(lines().size(), 1U);
+  EXPECT_EQ(Json::parse(lines()[0])["i"], 20);
+}
+
+TEST_F(RunFolder, ShowTellsTheMessagesOfAChannel) {
+  ASSERT_EQ(run({"show", a_.string(), "--channel", "arm1.report", "--to", "0.1"}), 0);
+  EXPECT_EQ(lines().size(), 5U);
+  EXPECT_NE(lines()[1].find("F_a[2]=0.2"), std::string::npos) << out_.str();
+  EXPECT_EQ(run({"show", a_.string(), "--channel", "arm1.raport"}), 2);
+  EXPECT_NE(err_.str().find("did you mean 'arm1.report'"), std::string::npos);
+}
+
+TEST_F(RunFolder, CsvHasARowPerMessageThatCanBeReadBack) {
+  ASSERT_EQ(run({"csv", a_.string(), "arm1.report", "--fields", "m,F_a"}), 0) << err_.str();
+  EXPECT_EQ(lines().at(0), "t,m,F_a[0],F_a[1],F_a[2],F_a[3],F_a[4],F_a[5]");
+  ASSERT_EQ(lines().size(), kMacrosteps + 1U);
+  EXPECT_EQ(lines().at(3), "0.06,1,0,0,0.30000000000000004,0,0,0");
+  ASSERT_EQ(run({"csv", a_.string(), "ecp-arm1.console", "--fields", "text"}), 0);
+  EXPECT_EQ(lines().at(1), "0.5,\"late: 3 skipped\"");
+  ASSERT_EQ(run({"csv", a_.string(), "arm1.report", "--json"}), 0);
+  EXPECT_EQ(Json::parse(out_.str())[29]["verdict"], static_cast<int>(Verdict::refused));
+  ASSERT_EQ(run({"csv", a_.string()}), 0);
+  EXPECT_NE(out_.str().find("agent_report_t"), std::string::npos);
+  EXPECT_EQ(run({"csv", a_.string(), "arm1.report", "--fields", "F_b"}), 2);
+}
+
+TEST_F(RunFolder, CompareNamesTheFirstMessageThatDiffersAndTheFigures) {
+  EXPECT_EQ(run({"compare", a_.string(), make("same", 77, 0).string()}), 0) << out_.str();
+  EXPECT_EQ(run({"compare", a_.string(), make("other", 2, 0.5).string(), "--json"}), 1);
+  const Json j = Json::parse(out_.str());
+  EXPECT_EQ(j["differences"], 10);
+  EXPECT_EQ(j["first"]["channel"], "arm1.report");
+  EXPECT_EQ(j["first"]["number"], 41);
+  EXPECT_EQ(j["first"]["field"], "F_a[2]");
+  EXPECT_EQ(j["figures"]["hold_N"], (Json{"4", "4.5"}));
+}
+
+TEST_F(RunFolder, CheckAsksEveryProgramAndJoinsTheVerdicts) {
+  std::vector<std::string> asked;
+  const ui::RunRecord record(a_);
+  const auto verdicts = ui::check_run(record, [&](const std::string& program, const auto& arguments) {
+    asked.push_back(program + " " + arguments.at(0) + " " + arguments.at(arguments.size() - 1));
+    link::LogVerdict v{.process = program, .compared = 10};
+    if (program == "ecp_press") {
+      v.differences = 2;
+      v.first = link::LogDifference{.channel = "arm1.command",
+                                    .number = 4,
+                                    .stamp = 5,
+                                    .behaviour = "2, settle",
+                                    .function = "f_ce",
+                                    .field = "arm.n_s",
+                                    .logged = "10",
+                                    .recomputed = "9"};
+    }
+    return link::to_json(v);
+  });
+  EXPECT_EQ(asked, (std::vector<std::string>{"press --check step", "ecp_press --check ecp-arm1"}));
+  EXPECT_EQ(ui::report_check(a_, verdicts, false, out_), 1);
+  for (const char* what : {"2 DIFFER", "behaviour 2, settle", "f_ce", "field arm.n_s",
+                           "logged 10, recomputed 9", "20 messages recomputed, 2 differ"})
+    EXPECT_NE(out_.str().find(what), std::string::npos) << out_.str();
+}
+
+TEST_F(RunFolder, ReplayPublishesEverythingAtItsPaceAndTakesNoOrderButStop) {
+  const ui::RunRecord record(a_);
+  link::MemoryHub hub;
+  const auto bus = hub.open(), terminal = hub.open();
+  struct Count final : link::Sink {
+    void receive(std::string_view channel, std::span<const std::uint8_t>) noexcept override {
+      reports += channel == "r.arm1.report";
+    }
+    int reports{};
+  } count;
+  terminal->subscribe_all("r.", count);
+  link::Outbox<operator_order_t> orders(*terminal, {link::Group::agents, "r.operator"}, 1);
+  link::Queue<operator_answer_t> answers(*terminal, {link::Group::agents, "r.answer"}, 1);
+  ui::Replay replay(*bus, record, "r", {.without = {"operator.image"}});
+  EXPECT_TRUE(replay.go_on_to(0.5));
+  while (terminal->wait(std::chrono::milliseconds(0))) {
+  }
+  EXPECT_EQ(count.reports, 25);
+  orders.publish({.header = {}, .id = 5, .order = static_cast<int>(OperatorOrder::pause)}, 0);
+  EXPECT_TRUE(replay.go_on_to(0.6));
+  EXPECT_FALSE(replay.stopped());
+  orders.publish({.header = {}, .id = 6, .order = static_cast<int>(OperatorOrder::stop)}, 0);
+  EXPECT_FALSE(replay.go_on_to(100));
+  EXPECT_TRUE(replay.stopped());
+  while (terminal->wait(std::chrono::milliseconds(0))) {
+  }
+  EXPECT_EQ(count.reports, kMacrosteps);
+  EXPECT_EQ(answers.take()->accepted, 0);
+  EXPECT_EQ(answers.take()->accepted, 1);
+  EXPECT_EQ(replay.published(), kMacrosteps + 2) << "without the channel of somebody else";
+}
+
+TEST_F(RunFolder, WhatIsNoRunFolderIsRefused) {
+  EXPECT_EQ(bad_run(home_), "bad_log");
+  EXPECT_EQ(run({"show", (home_ / "nothing").string()}), 2);
+  EXPECT_EQ(run({"dance"}), 2);
+  EXPECT_EQ(run({}), 2);
+  fs::remove(a_ / "processes.json");
+  EXPECT_EQ(run({"check", a_.string()}), 2);
+  EXPECT_NE(err_.str().find("processes.json"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mrroc::test

@@ -1,0 +1,146 @@
+// Instructions by hand from the terminal, and the completion of words in a shell.
+#include "ui_cli/manual_command.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "base/fault.hpp"
+#include "base/link/channel.hpp"
+#include "base/link/memory_bus.hpp"
+#include "base/link/text.hpp"
+#include "base/msg/convert.hpp"
+#include "mrroc/manual_answer_t.hpp"
+#include "mrroc/manual_words_t.hpp"
+#include "ui_cli/completion.hpp"
+
+namespace mrroc::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// MP of the task, which answers with the states it is given, one per message; the last one stays.
+class Answering {
+ public:
+  Answering(link::MemoryHub& hub, std::vector<int> states)
+      : bus_(hub.open()),
+        in_(*bus_, {link::Group::agents, "m.manual.words"}, 9),
+        out_(*bus_, {link::Group::agents, "m.manual.answer"}, 9),
+        reply_(*bus_, {link::Group::agents, "m.arm1.reply"}, 9),
+        thread_([this, states = std::move(states)](const std::stop_token& stop) {
+          std::size_t k = 0;
+          while (!stop.stop_requested()) {
+            bus_->wait(2ms);
+            while (const auto m = in_.take()) {
+              heard = link::get_text(m->text);
+              manual_answer_t a{};
+              a.id = m->id;
+              a.state = states[std::min(k++, states.size() - 1)];
+              link::put_text(a.text, a.state == 0   ? "arm1 is busy"
+                                     : a.state == 3 ? "arm1: joint_limit"
+                                                    : "done");
+              out_.publish(a, 0);
+            }
+            EffectorReply r;
+            r.state = DriverState::holding;
+            r.joints[1] = -1.57;
+            reply_.publish(to_message(r), 1);
+          }
+        }) {}
+  void end() {
+    thread_.request_stop();
+    thread_.join();
+  }
+  std::string heard;
+
+ private:
+  std::unique_ptr<link::Bus> bus_;
+  link::Queue<manual_words_t> in_;
+  link::Outbox<manual_answer_t> out_;
+  link::Outbox<effector_reply_t> reply_;
+  std::jthread thread_;
+};
+
+std::string execute(std::vector<int> states, const std::vector<std::string>& arguments,
+                    std::string* heard = nullptr) {
+  link::MemoryHub hub;
+  Answering task(hub, std::move(states));
+  const auto bus = hub.open();
+  std::ostringstream out;
+  std::string result;
+  try {
+    ui::execute_manual(*bus, {"m", 9, {}, {}, {}, 0}, ui::read_manual_words(arguments),
+                       {.repeat = 2ms, .give_up = 10s}, out);
+    result = out.str();
+  } catch (const FaultError& e) {
+    result = e.error_line();
+  }
+  task.end();
+  if (heard) *heard = task.heard;
+  return result;
+}
+
+TEST(ManualCommand, WaitsUntilItIsDoneAndKeepsNegativeNumbers) {
+  std::string heard;
+  EXPECT_EQ(execute({1, 1, 1, 2}, {"jog", "arm1", "motors", "-1", "0", "-0.5", "0", "0", "0"}, &heard),
+            "done\n");
+  EXPECT_EQ(heard, "jog arm1 motors -1 0 -0.5 0 0 0");
+  EXPECT_EQ(execute({1}, {"--no-wait", "home", "all"}), "done\n") << "the text of the first answer";
+  const auto json = nlohmann::json::parse(execute({2}, {"bias", "arm1", "--json"}));
+  EXPECT_EQ(json["done"], true);
+}
+
+TEST(ManualCommand, ARefusalAndAFailureAreErrorsWithTheirReason) {
+  EXPECT_NE(execute({0}, {"bias", "arm1"}).find("refused: arm1 is busy"), std::string::npos);
+  EXPECT_NE(execute({1, 3}, {"bias", "arm1"}).find("failed: arm1: joint_limit"), std::string::npos);
+}
+
+TEST(ManualCommand, ShowsAnArm) {
+  const auto json = nlohmann::json::parse(execute({2}, {"show", "arm1", "--json"}));
+  EXPECT_EQ(json["state"], "holding");
+  EXPECT_EQ(json["joints"][1], -1.57);
+  EXPECT_NE(execute({2}, {"show", "arm1"}).find("joints"), std::string::npos);
+}
+
+TEST(ManualCommand, BadWordsAreRefusedBeforeAnythingIsSent) {
+  for (const std::vector<std::string>& words : {std::vector<std::string>{},
+                                                {"show"},
+                                                {"home", "--fast"},
+                                                {"home", "--session"},
+                                                {std::string(300, 'x')}})
+    EXPECT_THROW(static_cast<void>(ui::read_manual_words(words)), FaultError);
+  const auto wish =
+      ui::read_manual_words({"home", "arm1", "--session", "x", "--url", "udpm://239.1.1.1:7?ttl=0"});
+  EXPECT_EQ(wish.session, "x");
+  EXPECT_EQ(wish.words, "home arm1");
+}
+
+TEST(Completion, BashCompletesCommandsAndTheirWords) {
+  const std::vector<ui::CompletedCommand> commands{{"log", "Look: at runs", {"check", "--json"}},
+                                                   {"list", "What's there", {"--json"}}};
+  const auto complete = [&](const std::string& words, int at) {
+    const std::string script = ui::bash_completion(commands) + "COMP_WORDS=(" + words +
+                               ")\nCOMP_CWORD=" + std::to_string(at) +
+                               "\n_ui_cli\necho \"${COMPREPLY[@]}\"\n";
+    const std::string file = std::string(::testing::TempDir()) + "/completion.sh";
+    std::ofstream(file) << script;
+    std::string result;
+    FILE* const pipe = ::popen(("bash " + file).c_str(), "r");
+    for (int c = std::fgetc(pipe); c != EOF && c != '\n'; c = std::fgetc(pipe))
+      result += static_cast<char>(c);
+    ::pclose(pipe);
+    return result;
+  };
+  EXPECT_EQ(complete("ui_cli l", 1), "log list");
+  EXPECT_EQ(complete("ui_cli log c", 2), "check");
+  EXPECT_EQ(complete("ui_cli list --", 2), "--json");
+  EXPECT_NE(ui::zsh_completion(commands).find("'log:Look\\: at runs'"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mrroc::test

@@ -1,0 +1,95 @@
+#include "ui_cli/log/log_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "base/fault.hpp"
+#include "ui_cli/log/subprocess.hpp"
+
+namespace mrroc::ui {
+namespace {
+
+/// The first difference in words.
+std::string sentence(const link::LogVerdict& v) {
+  const link::LogDifference& d = *v.first;
+  std::string text = fmt::format("{}: {}, message {}", v.process, d.channel, d.number);
+  if (d.stamp > 0) text += fmt::format(", for step {}", d.stamp);
+  if (!d.behaviour.empty()) text += fmt::format(", behaviour {}", d.behaviour);
+  if (!d.function.empty()) text += fmt::format(", {}", d.function);
+  if (!d.field.empty()) text += fmt::format(", field {}", d.field);
+  return text + fmt::format("\n    logged {}, recomputed {}", d.logged, d.recomputed);
+}
+
+std::string result(const link::LogVerdict& v) {
+  if (!v.not_checked.empty()) return "not checked: " + v.not_checked;
+  if (v.differences > 0) return fmt::format("{} messages, {} DIFFER", v.compared, v.differences);
+  if (!v.incomplete.empty()) return fmt::format("{} messages, then {}", v.compared, v.incomplete);
+  return fmt::format("{} messages, all the same", v.compared);
+}
+
+}  // namespace
+
+Prover programs_beside() {
+  return [](const std::string& program, const std::vector<std::string>& arguments) {
+    const Finished f = run_program(program_folder() / program, arguments);
+    if (f.status == -1) throw FaultError(FaultCode::start_failed, fmt::format("cannot start {}", program));
+    if (f.status > 1)
+      throw FaultError(FaultCode::bad_log,
+                       fmt::format("{} could not read the run: exit status {}", program, f.status),
+                       "see its own line above");
+    // Libraries may have printed something before.
+    const std::size_t end = f.out.find_last_not_of('\n');
+    const std::size_t begin = f.out.rfind('\n', end);
+    return f.out.substr(begin == std::string::npos ? 0 : begin + 1);
+  };
+}
+
+std::vector<link::LogVerdict> check_run(const RunRecord& run, const Prover& prove) {
+  if (run.processes().empty())
+    throw FaultError(
+        FaultCode::bad_log,
+        fmt::format("{} does not tell what ran: it has no processes.json", run.folder().string()),
+        "check a run of this version");
+  const std::string folder = std::filesystem::absolute(run.folder()).string();
+  std::vector<link::LogVerdict> verdicts;
+  for (const LoggedProcess& p : run.processes()) {
+    std::vector<std::string> arguments{"--check", folder, "--clock", run.clock()};
+    arguments.insert(arguments.end(), p.arguments.begin(), p.arguments.end());
+    verdicts.push_back(link::verdict_from_json(prove(p.program, arguments)));
+  }
+  return verdicts;
+}
+
+int report_check(const std::filesystem::path& folder, const std::vector<link::LogVerdict>& verdicts,
+                 bool json, std::ostream& out) {
+  std::int64_t compared = 0, differences = 0;
+  bool whole = true;
+  for (const link::LogVerdict& v : verdicts) {
+    compared += v.compared;
+    differences += v.differences;
+    whole = whole && v.incomplete.empty();
+  }
+  if (json) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const link::LogVerdict& v : verdicts) list.push_back(nlohmann::ordered_json::parse(to_json(v)));
+    out << nlohmann::ordered_json{{"run", folder.string()},
+                                  {"compared", compared},
+                                  {"differences", differences},
+                                  {"complete", whole},
+                                  {"processes", list}}
+               .dump(2)
+        << "\n";
+  } else {
+    out << folder.string() << "\n";
+    for (const link::LogVerdict& v : verdicts) out << fmt::format("  {:<14} {}\n", v.process, result(v));
+    for (const link::LogVerdict& v : verdicts)
+      if (v.first) out << "  first difference of " << sentence(v) << "\n";
+    out << fmt::format("  {} messages recomputed, {} differ\n", compared, differences);
+  }
+  return differences > 0 || !whole ? 1 : 0;
+}
+
+}  // namespace mrroc::ui

@@ -1,0 +1,31 @@
+// `ui_cli log check`: every process of a run that can be recomputed from its log, by the programs that ran.
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "base/link/log_check.hpp"
+#include "ui_cli/log/run_record.hpp"
+
+namespace mrroc::ui {
+
+/// Starts a program and gives what it printed: the verdict as JSON.
+using Prover =
+    std::function<std::string(const std::string& program, const std::vector<std::string>& arguments)>;
+
+/// @return a prover that starts the programs beside this one
+/// @throws FaultError (when called) start_failed, bad_log
+[[nodiscard]] Prover programs_beside();
+
+/// Asks the program of every process of the run for its verdict.
+/// @throws FaultError bad_log: the folder does not tell what ran; what the prover throws
+[[nodiscard]] std::vector<link::LogVerdict> check_run(const RunRecord& run, const Prover& prove);
+
+/// Prints a line per process and what differs first. @return exit status: 1 when something differs or could not
+/// be checked to its end, otherwise 0
+int report_check(const std::filesystem::path& folder, const std::vector<link::LogVerdict>& verdicts,
+                 bool json, std::ostream& out);
+
+}  // namespace mrroc::ui

@@ -1,0 +1,136 @@
+#include "ui_cli/log/log_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <ostream>
+
+#include "base/fault.hpp"
+#include "ui_cli/log/log_check.hpp"
+#include "ui_cli/log/log_compare.hpp"
+#include "ui_cli/log/log_csv.hpp"
+#include "ui_cli/log/log_plot.hpp"
+#include "ui_cli/log/log_show.hpp"
+
+namespace mrroc::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the words say.
+struct Words {
+  std::vector<fs::path> runs;
+  std::string run, other, what;
+  std::vector<std::string> fields;
+  std::string output;
+  ShowOptions show;
+  bool json{};
+  std::function<int(std::ostream&)> command;
+};
+
+int write_table(const Words& w, std::ostream& out) {
+  const RunRecord run(w.run);
+  std::ofstream file;
+  if (!w.output.empty()) {
+    file.open(w.output);
+    if (!file) throw FaultError(FaultCode::cannot_write, "cannot write " + w.output);
+  }
+  std::ostream& to = w.output.empty() ? out : file;
+  if (w.what.empty())
+    write_channels(run, w.json, to);
+  else
+    write_channel(run, w.what, w.fields, w.json, to);
+  if (!to.flush()) throw FaultError(FaultCode::cannot_write, "cannot write " + w.output);
+  return 0;
+}
+
+int draw(const Words& w, std::ostream& out) {
+  const fs::path picture = plot_run(RunRecord(w.run), w.what, w.output);
+  out << (w.json ? fmt::format("{{\"picture\": \"{}\"}}\n", picture.string())
+                 : fmt::format("picture: {}\n", picture.string()));
+  return 0;
+}
+
+int check(const Words& w, std::ostream& out) {
+  int status = 0;
+  for (const fs::path& folder : w.runs)
+    status =
+        std::max(status, report_check(folder, check_run(RunRecord(folder), programs_beside()), w.json, out));
+  return status;
+}
+
+void add_run(CLI::App* command, Words& w) {
+  command->add_option("run", w.run, "the run folder")->required()->type_name("RUN");
+}
+
+void add_commands(CLI::App& app, Words& w) {
+  const auto runs = [&w](CLI::App* command, std::function<int(std::ostream&)> what) {
+    command->add_flag("--json", w.json, "print JSON");
+    command->callback([&w, what = std::move(what)] { w.command = what; });
+  };
+  auto* show =
+      app.add_subcommand("show", "Tell a run: a line per macrostep, change, order, refusal and message");
+  add_run(show, w);
+  show->add_option("--channel", w.show.channel, "every message of this channel instead")->type_name("C");
+  show->add_option("--from", w.show.from, "simulated time")->type_name("S");
+  show->add_option("--to", w.show.to, "simulated time")->type_name("S");
+  show->add_flag("--m", w.show.changes, "only what changes: behaviours, states, orders, faults, messages");
+  runs(show, [&w](std::ostream& out) {
+    w.show.json = w.json;
+    show_log(RunRecord(w.run), w.show, out);
+    return 0;
+  });
+  auto* csv = app.add_subcommand("csv", "Write a channel as a table; without a channel: list the channels");
+  add_run(csv, w);
+  csv->add_option("channel", w.what, "such as arm1.reply")->type_name("CHANNEL");
+  csv->add_option("--fields", w.fields, "only these, such as F_a,T_0E")->delimiter(',')->type_name("F,F...");
+  csv->add_option("--output", w.output, "file instead of the standard output")->type_name("FILE");
+  runs(csv, [&w](std::ostream& out) { return write_table(w, out); });
+  auto* plot = app.add_subcommand("plot", "Draw a picture: force, pose, motors or behaviours");
+  add_run(plot, w);
+  plot->add_option("what", w.what, "")->required()->check(CLI::IsMember(plot_subjects()));
+  plot->add_option("--output", w.output, "PNG file (default RUN/plots/log-WHAT.png)")->type_name("FILE");
+  runs(plot, [&w](std::ostream& out) { return draw(w, out); });
+  auto* compare = app.add_subcommand("compare", "Find the first message in which two runs differ");
+  compare->add_option("a", w.run, "a run folder")->required()->type_name("A");
+  compare->add_option("b", w.other, "another")->required()->type_name("B");
+  runs(compare, [&w](std::ostream& out) {
+    return report_comparison(compare_runs(RunRecord(w.run), RunRecord(w.other)), w.json, out);
+  });
+  auto* check_command =
+      app.add_subcommand("check", "Recompute from the log what every process decided, and name what differs");
+  check_command->add_option("run", w.runs, "run folders")->required()->type_name("RUN...");
+  runs(check_command, [&w](std::ostream& out) { return check(w, out); });
+}
+
+}  // namespace
+
+std::vector<std::string> log_words() {
+  return {"show",       "csv",       "plot",   "compare", "check", "force",    "pose",     "motors",
+          "behaviours", "--channel", "--from", "--to",    "--m",   "--fields", "--output", "--json"};
+}
+
+int run_log(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+  Words w;
+  CLI::App app("What a run folder holds, whether it can be recomputed, and where two runs differ.",
+               "ui_cli log");
+  app.require_subcommand(1);
+  add_commands(app, w);
+  app.footer(
+      "Exit status: 0; 1 runs differ, or a log is not what its programs compute; 2 bad usage; 3 system "
+      "error.");
+  try {
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    return w.command(out);
+  } catch (const CLI::Success& e) {
+    return app.exit(e, out, err);
+  } catch (const CLI::Error& e) {
+    err << FaultError(FaultCode::bad_usage, e.what()).error_line() << "\n";
+    return exit_status(FaultCode::bad_usage);
+  }
+}
+
+}  // namespace mrroc::ui

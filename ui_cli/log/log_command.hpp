@@ -1,0 +1,17 @@
+// The command `ui_cli log`: what a run folder holds, whether it can be recomputed, where two runs part.
+#pragma once
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace mrroc::ui {
+
+/// Words behind `ui_cli log`, for the shell's completion.
+[[nodiscard]] std::vector<std::string> log_words();
+
+/// Runs the command. @param arguments behind the word log
+/// @return exit status: 0, 1 when runs differ or a run cannot be recomputed, 2 for bad usage or no run folder, 3
+///         system error
+int run_log(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err);
+
+}  // namespace mrroc::ui

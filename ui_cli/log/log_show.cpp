@@ -1,0 +1,160 @@
+#include "ui_cli/log/log_show.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "base/fault.hpp"
+#include "base/link/text.hpp"
+#include "base/msg/convert.hpp"
+#include "mrroc/console_t.hpp"
+#include "mrroc/operator_image_t.hpp"
+#include "mrroc/task_status_t.hpp"
+
+namespace mrroc::ui {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// One line of the story.
+struct Line {
+  std::int64_t i{};  ///< macrostep
+  std::string who;   ///< arm1, operator, a process
+  std::string what;
+  bool change{};
+};
+
+class Story {
+ public:
+  explicit Story(const RunRecord& run) : run_(run) {
+    for (const auto& [stamp, s] : run.log().messages<task_status_t>("task_status"))
+      if (s.m != 0) names_.try_emplace(s.m, link::get_text(s.behaviour));
+  }
+
+  std::vector<Line> lines() {
+    for (const std::string& arm : run_.arms()) tell_arm(arm);
+    tell_operator();
+    for (const link::LoggedMessage& m : run_.log().messages())
+      if (m.channel.ends_with(".console"))
+        if (const auto c = link::decode<console_t>(m.bytes)) tell_console(*c);
+    std::ranges::stable_sort(lines_, {}, &Line::i);
+    return std::move(lines_);
+  }
+
+ private:
+  [[nodiscard]] std::string name(int m) const {
+    const auto it = names_.find(m);
+    return it == names_.end() ? fmt::format("m = {}", m) : fmt::format("m = {}, {}", m, it->second);
+  }
+
+  void tell_arm(const std::string& arm) {
+    std::optional<Report> before;
+    for (const auto& [stamp, message] : run_.log().messages<agent_report_t>(arm + ".report")) {
+      const Report r = from_message(message);
+      if (!before || r.m != before->m) add(stamp, arm, "behaviour " + name(r.m));
+      if (!before || r.driver_state != before->driver_state)
+        add(stamp, arm, fmt::format("driver {}", to_string(r.driver_state)));
+      const bool wrong = r.verdict == Verdict::refused || r.verdict == Verdict::failed;
+      if (wrong && (!before || r.fault.code != before->fault.code || before->verdict != r.verdict))
+        add(stamp, arm,
+            fmt::format("command {}: {}", r.verdict == Verdict::refused ? "refused" : "failed",
+                        describe(r.fault)));
+      before = r;
+      lines_.push_back({stamp, arm,
+                        fmt::format("m {:2}  {:11}  x y z {:8.2f} {:8.2f} {:8.2f} mm  F {:7.2f} {:7.2f} "
+                                    "{:7.2f} N",
+                                    r.m, to_string(r.driver_state), 1e3 * r.T_0E[0], 1e3 * r.T_0E[1],
+                                    1e3 * r.T_0E[2], r.F_a[Axis::x], r.F_a[Axis::y], r.F_a[Axis::z]),
+                        false});
+    }
+  }
+
+  void tell_operator() {
+    operator_image_t before{};
+    for (const auto& [stamp, h] : run_.log().messages<operator_image_t>("operator.image")) {
+      if (h.started != before.started) add(stamp, "operator", "start");
+      if (h.paused != before.paused) add(stamp, "operator", h.paused ? "pause" : "resume");
+      if (h.trigger != before.trigger) add(stamp, "operator", fmt::format("trigger {}", h.trigger));
+      before = h;
+    }
+  }
+
+  void tell_console(const console_t& c) {
+    const FaultCode code = fault_code(c.code).value_or(FaultCode::none);
+    const std::string text = link::get_text(c.text);
+    add(c.header.stamp, link::get_text(c.process),
+        code == FaultCode::none ? text : fmt::format("{}: {}", to_string(code), text));
+  }
+
+  void add(std::int64_t i, const std::string& who, const std::string& what) {
+    lines_.push_back({i, who, what, true});
+  }
+
+  const RunRecord& run_;
+  std::map<int, std::string> names_;
+  std::vector<Line> lines_;
+};
+
+void show_story(const RunRecord& run, const ShowOptions& o, std::ostream& out) {
+  for (const Line& line : Story(run).lines()) {
+    const double t = static_cast<double>(line.i) * run.macrostep_s();
+    if (t < o.from || t > o.to || (o.changes && !line.change)) continue;
+    if (o.json)
+      out << Json{{"t", t}, {"i", line.i}, {"who", line.who}, {"what", line.what}, {"change", line.change}}
+                 .dump(-1, ' ', false, Json::error_handler_t::replace)
+          << "\n";
+    else
+      out << fmt::format("{:9.3f} s {:6}  {} {:<10} {}\n", t, line.i, line.change ? '*' : ' ', line.who,
+                         line.what);
+  }
+}
+
+Json value_of(const link::LoggedMessage& m, const Field& f) {
+  if (f.kind == FieldKind::text) {
+    const std::string quoted = value_in(m.bytes, f);
+    return quoted.substr(1, quoted.size() - 2);
+  }
+  const double x = number_in(m.bytes, f);
+  if (f.kind == FieldKind::float32 || f.kind == FieldKind::float64)
+    return std::isfinite(x) ? Json(x) : Json(nullptr);
+  return Json::parse(value_in(m.bytes, f));
+}
+
+Json message_json(const link::LoggedMessage& m, const std::optional<double>& t) {
+  Json j{{"t", nullptr}};
+  if (t) j["t"] = *t;
+  if (const MessageType* const type = type_of(m.bytes))
+    for (const Field& f : type->fields) j[f.name] = value_of(m, f);
+  return j;
+}
+
+void show_channel(const RunRecord& run, const ShowOptions& o, std::ostream& out) {
+  for (const link::LoggedMessage& m : run.log().messages()) {
+    if (m.channel != o.channel) continue;
+    const auto t = run.time_of(m);
+    if (t ? *t < o.from || *t > o.to : o.from > 0) continue;
+    const link::RawHeader h = link::header_of(m.bytes);
+    if (o.json)
+      out << message_json(m, t).dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
+    else
+      out << fmt::format("{}  number {} stamp {}  {}\n", t ? fmt::format("{:9.3f} s", *t) : "        -  ",
+                         h.number, h.stamp, message_text(m));
+  }
+}
+
+}  // namespace
+
+void show_log(const RunRecord& run, const ShowOptions& options, std::ostream& out) {
+  if (options.channel.empty()) {
+    show_story(run, options, out);
+    return;
+  }
+  check_channel(run, options.channel);
+  show_channel(run, options, out);
+}
+
+}  // namespace mrroc::ui

@@ -1,0 +1,25 @@
+// `ui_cli log show`: a run in words.
+#pragma once
+#include <iosfwd>
+#include <limits>
+#include <string>
+
+#include "ui_cli/log/run_record.hpp"
+
+namespace mrroc::ui {
+
+/// What is to be seen of a run.
+struct ShowOptions {
+  std::string channel;  ///< every message of this channel instead of the story of the run; empty: the story
+  double from{0};       ///< simulated time [s]
+  double to{std::numeric_limits<double>::infinity()};
+  bool changes{};  ///< only what changes: behaviours, states, the operator, faults, messages of processes
+  bool json{};     ///< an object per line
+};
+
+/// Prints a line per macrostep, and one per change of behaviour or state, order of the operator, refusal and line of a
+/// process; or a line per message of one channel.
+/// @throws FaultError bad_usage: there is no such channel
+void show_log(const RunRecord& run, const ShowOptions& options, std::ostream& out);
+
+}  // namespace mrroc::ui

@@ -1,0 +1,68 @@
+// The command `ui_cli replay RUN`: the messages of a run once more, at their pace, on a session of their own, for
+// terminals, viewers and virtual sensors.
+#pragma once
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <iosfwd>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "base/link/bus.hpp"
+#include "base/link/lcm_bus.hpp"
+#include "base/link/session.hpp"
+#include "ui_cli/log/run_record.hpp"
+
+namespace mrroc::ui {
+
+/// What is to be replayed.
+struct ReplayOptions {
+  double speed{1};                ///< simulated seconds per second; 0: as fast as possible
+  double from{0};                 ///< simulated time at which to begin [s]
+  std::set<std::string> without;  ///< channels that somebody else publishes, without the session
+};
+
+/// Publishes a log. It never looks at a clock itself.
+class Replay {
+ public:
+  /// @param bus, run  must outlive the replay  @param session  name before the channels
+  Replay(link::Bus& bus, const RunRecord& run, const std::string& session, const ReplayOptions& options);
+
+  /// Publishes everything up to a simulated time [s].
+  /// @return false when the log is at its end
+  bool go_on_to(double time);
+  /// @return simulated time of the next message, or of the last one [s]
+  [[nodiscard]] double time() const { return time_; }
+  /// @return messages published
+  [[nodiscard]] std::int64_t published() const { return published_; }
+  /// @return whether a terminal has ordered stop; every other order is refused
+  [[nodiscard]] bool stopped() const;
+
+ private:
+  class Desk;
+  void publish(const link::LoggedMessage& m);
+
+  link::Bus& bus_;
+  const RunRecord& run_;
+  std::string session_;
+  ReplayOptions options_;
+  std::shared_ptr<Desk> desk_;
+  std::size_t next_{};
+  double time_{};
+  std::int64_t published_{};
+};
+
+/// What the command finds around it.
+struct ReplaySurroundings {
+  std::filesystem::path sessions;  ///< directory of the running sessions
+  std::function<std::unique_ptr<link::Bus>(const link::LcmAddress&)> open;
+};
+
+/// Runs the command. @param arguments behind the word replay
+/// @return exit status
+int run_replay(const std::vector<std::string>& arguments, const ReplaySurroundings& around, std::ostream& out,
+               std::ostream& err);
+
+}  // namespace mrroc::ui

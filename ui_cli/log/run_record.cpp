@@ -1,0 +1,110 @@
+#include "ui_cli/log/run_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <span>
+
+#include "base/config.hpp"
+#include "base/fault.hpp"
+#include "base/nearest.hpp"
+
+namespace mrroc::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path checked(const fs::path& folder) {
+  if (fs::exists(folder / link::kEventLog)) return folder;
+  throw FaultError(FaultCode::bad_log,
+                   fmt::format("{} is no run folder: it has no {}", folder.string(), link::kEventLog),
+                   "name the folder that a task told in its line `run folder:`");
+}
+
+/// Channels whose stamp counts something else than macrosteps; they tell the step themselves.
+constexpr std::array kPictures{".frame", ".chessboard", ".apriltag", ".truth"};
+
+bool ends_with_any(std::string_view channel, std::span<const char* const> ends) {
+  return std::ranges::any_of(ends, [&](std::string_view e) { return channel.ends_with(e); });
+}
+
+}  // namespace
+
+RunRecord::RunRecord(fs::path folder) : folder_(checked(folder)), log_(folder_) {
+  const Config config = Config::load((folder_ / "config.toml").string());
+  step_s_ = config.number("time.dt", 0.002, {1e-4, 1}, "s");
+  macrostep_s_ = step_s_ * config.integer("time.n_s", 10, {1, 1000}, "steps");
+  std::ifstream in(folder_ / "processes.json");
+  if (!in) return;
+  try {
+    const auto json = nlohmann::json::parse(in);
+    clock_ = json.at("clock").get<std::string>();
+    task_ = json.at("task").get<std::string>();
+    for (const auto& p : json.at("processes"))
+      processes_.push_back({p.at("name").get<std::string>(), p.at("program").get<std::string>(),
+                            p.at("arguments").get<std::vector<std::string>>()});
+  } catch (const nlohmann::json::exception& e) {
+    throw FaultError(FaultCode::bad_log,
+                     fmt::format("{}: {}", (folder_ / "processes.json").string(), e.what()));
+  }
+}
+
+std::vector<std::string> RunRecord::arms() const {
+  constexpr std::string_view kReport = ".report";
+  std::set<std::string> keys;
+  for (const link::LoggedMessage& m : log_.messages()) {
+    if (!m.channel.ends_with(kReport)) continue;
+    const MessageType* const type = type_of(m.bytes);
+    if (type && type->name == "agent_report_t")
+      keys.insert(m.channel.substr(0, m.channel.size() - kReport.size()));
+  }
+  return {keys.begin(), keys.end()};
+}
+
+std::optional<double> RunRecord::time_of(const link::LoggedMessage& m) const {
+  if (by_wall_clock(m.channel) && m.channel != "task_status" && !m.channel.ends_with(".console"))
+    return std::nullopt;
+  if (ends_with_any(m.channel, kPictures)) {
+    const MessageType* const type = type_of(m.bytes);
+    const Field* const step = type ? type->field("step") : nullptr;
+    if (!step) return std::nullopt;
+    return number_in(m.bytes, *step) * step_s_;
+  }
+  return static_cast<double>(link::header_of(m.bytes).stamp) * macrostep_s_;
+}
+
+void check_channel(const RunRecord& run, const std::string& channel) {
+  const auto channels = run.log().channels();
+  if (std::ranges::find(channels, channel) != channels.end()) return;
+  const std::string near = nearest(channel, WordSet(channels.begin(), channels.end()));
+  throw FaultError(FaultCode::bad_usage,
+                   fmt::format("the log has no channel '{}'{}", channel,
+                               near.empty() ? "" : fmt::format("; did you mean '{}'?", near)),
+                   "`ui_cli log csv RUN` lists them");
+}
+
+bool by_wall_clock(std::string_view channel) {
+  constexpr std::array kEnds{".status", ".console"};
+  constexpr std::array<std::string_view, 6> kWhole{"supervisor", "task_status",  "answer",
+                                                   "operator",   "manual.words", "manual.answer"};
+  return ends_with_any(channel, kEnds) || std::ranges::find(kWhole, channel) != kWhole.end();
+}
+
+std::string message_text(const link::LoggedMessage& m) {
+  const MessageType* const type = type_of(m.bytes);
+  if (!type) return fmt::format("{} bytes that are no message of this version", m.bytes.size());
+  std::string text;
+  for (const Field& f : type->fields) {
+    const auto bytes = std::span(m.bytes).subspan(f.offset, f.size);
+    if (f.name.starts_with("header.") || std::ranges::all_of(bytes, [](std::uint8_t b) { return b == 0; }))
+      continue;
+    text += fmt::format("{}{}={}", text.empty() ? "" : " ", f.name, value_in(m.bytes, f));
+  }
+  return text;
+}
+
+}  // namespace mrroc::ui

@@ -1,0 +1,63 @@
+// The folder of a run, as the log commands read it.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/link/log_reader.hpp"
+#include "base/msg/message_type.hpp"
+
+namespace mrroc::ui {
+
+/// One process of a run, from processes.json.
+struct LoggedProcess {
+  std::string name;                    ///< in the roster
+  std::string program;                 ///< beside ui_cli
+  std::vector<std::string> arguments;  ///< beyond those that every part gets
+};
+
+/// A run folder.
+class RunRecord {
+ public:
+  /// @throws FaultError bad_log: it is no run folder
+  explicit RunRecord(std::filesystem::path folder);
+
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  [[nodiscard]] const link::LogReader& log() const { return log_; }
+  /// @return duration of a macrostep [s]; of a step [s]
+  [[nodiscard]] double macrostep_s() const { return macrostep_s_; }
+  [[nodiscard]] double step_s() const { return step_s_; }
+  /// @return "step" or "wall"
+  [[nodiscard]] const std::string& clock() const { return clock_; }
+  [[nodiscard]] const std::string& task() const { return task_; }
+  /// @return what ran; empty when the folder does not tell
+  [[nodiscard]] const std::vector<LoggedProcess>& processes() const { return processes_; }
+  /// @return keys of the arms, in order: those of which there are agents' reports
+  [[nodiscard]] std::vector<std::string> arms() const;
+
+  /// @return simulated time that the message is for [s], or nothing: its stamp is no time
+  [[nodiscard]] std::optional<double> time_of(const link::LoggedMessage& m) const;
+
+ private:
+  std::filesystem::path folder_;
+  link::LogReader log_;
+  double step_s_{};
+  double macrostep_s_{};
+  std::string clock_{"step"};
+  std::string task_;
+  std::vector<LoggedProcess> processes_;
+};
+
+/// @throws FaultError bad_usage when the log has no such channel, naming the nearest
+void check_channel(const RunRecord& run, const std::string& channel);
+
+/// @return whether the messages of a channel are made by the clock of the wall: signs of life, answers, what
+///         the supervisor repeats. They differ from run to run
+[[nodiscard]] bool by_wall_clock(std::string_view channel);
+
+/// @return a message in a line: "header.stamp=12 m=3 ...", what is zero left out
+[[nodiscard]] std::string message_text(const link::LoggedMessage& m);
+
+}  // namespace mrroc::ui

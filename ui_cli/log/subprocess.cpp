@@ -1,0 +1,74 @@
+#include "ui_cli/log/subprocess.hpp"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+
+namespace mrroc::ui {
+namespace {
+
+/// Where the child's standard streams go and where it runs.
+class FileActions {
+ public:
+  FileActions(const std::string& folder, int out) {
+    posix_spawn_file_actions_init(&actions_);
+    if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str());
+    posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions_, out, STDOUT_FILENO);
+  }
+  ~FileActions() { posix_spawn_file_actions_destroy(&actions_); }
+  FileActions(const FileActions&) = delete;
+  FileActions& operator=(const FileActions&) = delete;
+
+  [[nodiscard]] const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+ private:
+  posix_spawn_file_actions_t actions_{};
+};
+
+std::string read_all(int from) {
+  std::string text;
+  std::array<char, 4096> part{};
+  while (true) {
+    const ssize_t n = ::read(from, part.data(), part.size());
+    if (n > 0) text.append(part.data(), static_cast<std::size_t>(n));
+    if (n == 0 || (n < 0 && errno != EINTR)) return text;
+  }
+}
+
+}  // namespace
+
+Finished run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                     const std::filesystem::path& folder) {
+  std::vector<std::string> words{program.string()};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& w : words) argv.push_back(w.data());
+  argv.push_back(nullptr);
+  std::array<int, 2> ends{};
+  Finished finished{-1, {}};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return finished;
+  pid_t child = 0;
+  const FileActions actions(folder.string(), ends[1]);
+  const int error = posix_spawnp(&child, argv[0], actions.get(), nullptr, argv.data(), environ);
+  ::close(ends[1]);
+  if (error == 0) {
+    finished.out = read_all(ends[0]);
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    finished.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+  ::close(ends[0]);
+  return finished;
+}
+
+std::filesystem::path program_folder() {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path();
+}
+
+}  // namespace mrroc::ui

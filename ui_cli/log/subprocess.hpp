@@ -1,0 +1,24 @@
+// Other programs that a command starts.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace mrroc::ui {
+
+/// How a program ended.
+struct Finished {
+  int status{};     ///< exit status; 128 + signal; -1: it could not be started
+  std::string out;  ///< what it wrote on standard output
+};
+
+/// Runs a program to its end; its standard error goes where this program's goes.
+/// @param program  path, or a name that is looked for in PATH
+/// @param folder   where it runs; empty: where this program runs
+Finished run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                     const std::filesystem::path& folder = {});
+
+/// @return folder of the running program, in which the others of the framework are
+std::filesystem::path program_folder();
+
+}  // namespace mrroc::ui
