@@ -9,6 +9,8 @@
 #include <cmath>
 #include <future>
 
+#include "mp/viewer.hpp"
+
 namespace mrroc::mp {
 namespace {
 
@@ -40,7 +42,8 @@ TaskRun::TaskRun(const std::string& task, const TaskOptions& options, const std:
     : task_(task),
       folder_(folder),
       session_(options.session.empty() ? link::unique_session_name(task) : options.session),
-      separate_(options.separate) {
+      separate_(options.separate),
+      view_(options.view) {
   open_bus(options);
   link::Membership membership{.session = session_,
                               .session_id = link::random_id(),
@@ -116,6 +119,7 @@ void TaskRun::look_after_orders() {
 }
 
 void TaskRun::start() {
+  if (view_) fmt::print("{}\n", address_ ? start_viewer(session_) : "no viewer: all is in one process");
   if (hub_) {
     supervisor_->start_threads(*hub_);
   } else {

@@ -67,6 +67,7 @@ class TaskRun {
   std::string session_;
   std::optional<link::LcmAddress> address_;  // none: all in one process
   bool separate_{};
+  bool view_{};
   std::unique_ptr<link::SessionFile> session_file_;
   std::unique_ptr<link::MemoryHub> hub_;
   std::unique_ptr<link::Bus> bus_;

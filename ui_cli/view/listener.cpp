@@ -8,7 +8,6 @@
 #include "base/link/decode.hpp"
 #include "base/link/text.hpp"
 #include "base/msg/convert.hpp"
-#include "base/operator.hpp"
 #include "ui_cli/report.hpp"
 #include "ui_cli/view/samples.hpp"
 
@@ -123,7 +122,6 @@ void Listener::take_status(const task_status_t& m) {
   std::string text = ui::status_json(s);
   std::erase(text, '\n');  // those within texts are escaped
   record_.set("status", std::move(text));
-  ended_ = s.state == TaskState::ended;
   std::string& name = behaviours_[s.m];
   if (s.behaviour.empty() || s.m == 0 || name == s.behaviour) return;
   name = s.behaviour;

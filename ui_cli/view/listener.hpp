@@ -39,8 +39,6 @@ class Listener final : public link::Sink {
   /// Writes down the counts, which change with every message. To be called now and then.
   void publish_count();
 
-  /// @return whether the task has said that it has ended
-  [[nodiscard]] bool ended() const { return ended_; }
   [[nodiscard]] std::int64_t messages() const { return messages_; }
   [[nodiscard]] std::int64_t lost() const { return lost_; }
 
@@ -76,7 +74,6 @@ class Listener final : public link::Sink {
   std::int64_t messages_{};
   std::int64_t lost_{};
   double t_{};
-  bool ended_{};
 };
 
 }  // namespace mrroc::view

@@ -21,10 +21,12 @@ nlohmann::json summary_of(const fs::path& folder) {
 }
 
 void add_pictures(const fs::path& folder, const std::string& prefix, std::vector<std::string>& found) {
+  const auto before = static_cast<std::ptrdiff_t>(found.size());
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(folder / prefix, none))
     if (entry.path().extension() == ".png" && entry.is_regular_file(none))
       found.push_back(prefix + entry.path().filename().string());
+  std::sort(found.begin() + before, found.end());
 }
 
 }  // namespace
@@ -34,7 +36,6 @@ std::vector<std::string> pictures_of(const fs::path& folder) {
   std::vector<std::string> found;
   add_pictures(folder, "", found);
   add_pictures(folder, "plots/", found);
-  std::ranges::sort(found);
   if (found.size() > kMost) found.resize(kMost);
   return found;
 }

@@ -14,8 +14,8 @@ namespace mrroc::view {
 /// @throws FaultError bad_usage: it is no run folder; bad_configuration; bad_log
 std::vector<std::string> load_run(const std::filesystem::path& folder, Record& record);
 
-/// @return PNG files of a run folder and of its plots/, relative to it with '/', in the order of their names, at most
-///         64; empty when there is no such folder
+/// @return PNG files of a run folder and of its plots/, relative to it with '/': those of the cameras first, then
+///         the plots, each in the order of their names; at most 64, empty when there is no such folder
 [[nodiscard]] std::vector<std::string> pictures_of(const std::filesystem::path& folder);
 
 /// Reads what the folder's config.toml says of the cell.

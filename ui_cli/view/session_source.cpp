@@ -129,7 +129,6 @@ void SessionSource::pump(link::Bus& bus, const link::SessionInfo& session, Liste
     if (const auto now = Clock::now(); now - looked > kCheck) {
       looked = now;
       listener.publish_count();
-      if (listener.ended()) return;
       const auto running = link::running_sessions(around_.sessions);
       const bool here = std::ranges::find(running, session.id, &link::SessionInfo::id) != running.end();
       if (!here && (session.pid != 0 || now - heard > kSilence)) return;

@@ -126,6 +126,28 @@ class Browser:
         for kind in ("mousePressed", "mouseReleased"):
             self.call("Input.dispatchMouseEvent", type=kind, **at)
 
+    def share(self, selector: str, condition: str) -> float:
+        """The share of an element's pixels on the screen for which a condition on r, g and b holds."""
+        box = self.value(f"(r => [r.x, r.y, r.width, r.height])(document.querySelector({selector!r}).getBoundingClientRect())")
+        clip = dict(zip(("x", "y", "width", "height"), box), scale=1)
+        picture = self.call("Page.captureScreenshot", format="png", clip=clip)["data"]
+        return self.value(
+            f"""(async () => {{
+              const image = new Image();
+              image.src = 'data:image/png;base64,{picture}';
+              await image.decode();
+              const canvas = new OffscreenCanvas(image.width, image.height), c = canvas.getContext('2d');
+              c.drawImage(image, 0, 0);
+              const bytes = c.getImageData(0, 0, image.width, image.height).data;
+              let count = 0;
+              for (let k = 0; k < bytes.length; k += 4) {{
+                const r = bytes[k], g = bytes[k + 1], b = bytes[k + 2];
+                if ({condition}) ++count;
+              }}
+              return (4 * count) / bytes.length;
+            }})()"""
+        )
+
     def screenshot(self) -> bytes:
         """A PNG of the page."""
         return base64.b64decode(self.call("Page.captureScreenshot", format="png")["data"])

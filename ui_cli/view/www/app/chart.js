@@ -1,5 +1,5 @@
 // One strip chart: a few quantities of an arm over time, on the colours of its behaviours.
-import {colour_of, label, nice_step, prepare, theme} from './theme.js';
+import {colour_of, fixed, label, nice_step, prepare, theme} from './theme.js';
 
 const kLeft = 46, kRight = 8, kTop = 20, kBottom = 16;
 
@@ -30,11 +30,12 @@ function thinned(track, begin, end, width, value, count) {
 }
 
 export class Chart {
-  /** @param about  {title, unit, series: [names], least: smallest height of the axis, value(track, column, first_row) -> (row, k)} */
+  /** @param about  {title, hint, unit, places, series: [names], least: smallest height of the axis, value(track, column, first_row) -> (row, k)} */
   constructor(about) {
     this.about = about;
     this.canvas = document.createElement('canvas');
     this.canvas.setAttribute('role', 'img');
+    this.canvas.title = `${about.title} [${about.unit}], ${about.hint}`;
     this.element = document.createElement('div');
     this.element.className = 'chart';
     this.element.append(this.canvas);
@@ -87,7 +88,7 @@ export class Chart {
   }
   axes(c, plot, {begin, end, x, y, range}, time_at) {
     c.strokeStyle = theme.grid; c.fillStyle = theme.dim; c.lineWidth = 1;
-    const step = nice_step(range.high - range.low, Math.max(2, plot.h / 26));
+    const step = nice_step(range.high - range.low, Math.max(3, plot.h / 24));
     c.textAlign = 'right'; c.textBaseline = 'middle';
     for (let v = Math.ceil(range.low / step) * step; v <= range.high; v += step) {
       const at = Math.round(y(v)) + 0.5;
@@ -99,7 +100,9 @@ export class Chart {
     for (let t = Math.ceil(begin / seconds) * seconds; t <= end; t += seconds) {
       const at = Math.round(x(t)) + 0.5;
       c.beginPath(); c.moveTo(at, plot.y); c.lineTo(at, plot.y + plot.h); c.stroke();
-      if (time_at) c.fillText(`${label(t, seconds)}${t + seconds > end ? ' s' : ''}`, at, time_at + 3);
+      if (!time_at) continue;
+      c.textAlign = at > plot.x + plot.w - 14 ? 'right' : 'center';
+      c.fillText(`${label(t, seconds)} s`, c.textAlign === 'right' ? plot.x + plot.w + kRight : at, time_at + 3);
     }
   }
   legend(c, width, value, row) {
@@ -110,16 +113,14 @@ export class Chart {
     c.font = '11px system-ui, "DejaVu Sans", sans-serif';
     c.fillStyle = theme.dim;
     c.fillText(`[${this.about.unit}]`, 6 + title, 9);
-    c.textAlign = 'right';
-    let at = width - kRight;
-    for (let k = this.about.series.length - 1; k >= 0; --k) {
-      const text = value && row >= 0 ? value(row, k).toFixed(this.about.places) : '-';
-      c.fillStyle = theme.text; c.fillText(text, at, 9);
-      at -= Math.max(38, c.measureText(text).width + 4);
-      c.fillStyle = theme[['x', 'y', 'z'][k]]; c.font = '600 11px system-ui, "DejaVu Sans", sans-serif';
-      c.fillText(this.about.series[k], at, 9);
-      at -= c.measureText(this.about.series[k]).width + 10;
-      c.font = '11px system-ui, "DejaVu Sans", sans-serif';
-    }
+    const column = 66;
+    this.about.series.forEach((name, k) => {
+      const at = width - kRight - column * (this.about.series.length - k);
+      c.textAlign = 'left'; c.fillStyle = theme[['x', 'y', 'z'][k]];
+      c.fillRect(at + 8, 8, 8, 3);
+      c.fillText(name, at + 20, 9);
+      c.textAlign = 'right'; c.fillStyle = theme.text;
+      c.fillText(value && row >= 0 ? fixed(value(row, k), this.about.places) : '-', at + column, 9);
+    });
   }
 }

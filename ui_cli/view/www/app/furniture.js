@@ -6,7 +6,7 @@ import {
 import {paint} from './robot.js';
 
 const wood = new MeshStandardMaterial({color: 0xc8b79f, roughness: 0.7});
-const leg = new MeshStandardMaterial({color: 0x59616c, roughness: 0.6, metalness: 0.3});
+const leg = new MeshStandardMaterial({color: 0x7d8590, roughness: 0.6});
 
 /** Position and angle times axis. */
 export function put(object, [x, y, z, ax, ay, az]) {

@@ -65,8 +65,12 @@ function floats(base64) {
   return new Float32Array(bytes.buffer);
 }
 
+const kNothing = {
+  source: 'none', task: '', session: '', folder: '', note: '', pictures: [], columns: [], arms: [], cameras: [], cube: {held_by: ''}, object: {kind: 'none'},
+};
+
 export class History {
-  constructor() { this.begin({arms: [], cameras: [], columns: [], source: 'none', pictures: []}); }
+  constructor() { this.begin(kNothing); }
   begin(scene) {
     this.scene = scene;
     this.tracks = new Map();

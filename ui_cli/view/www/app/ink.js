@@ -1,6 +1,6 @@
 // The sheet in front of an arm, with the ink that its pen has left up to an instant.
 
-const kPixels = 1024;
+const kPixels = 1024, kLine = 7;
 
 export class Sheet {
   /** @param paper  {place: six numbers, size [m]} */
@@ -36,13 +36,13 @@ export class Sheet {
     if (until < this.drawn) this.clear();
     const c = this.c, marks = this.marks;
     c.strokeStyle = '#16233a';
-    c.lineWidth = 5;
+    c.lineWidth = kLine;
     c.lineCap = c.lineJoin = 'round';
     let writing = false;
     c.beginPath();
     for (let row = Math.max(0, this.drawn); row <= until; ++row) {
       const ink = track.at(row, column.ink);
-      if (ink < 0 && row > this.drawn) { c.stroke(); this.clear(); this.marks = 1; c.beginPath(); Object.assign(c, {strokeStyle: '#16233a', lineWidth: 5}); }
+      if (ink < 0 && row > this.drawn) { c.stroke(); this.clear(); this.marks = 1; c.beginPath();  }
       if (ink > 0) {
         const at = this.pixel(track.at(row, column.x), track.at(row, column.y));
         if (writing) c.lineTo(...at); else c.moveTo(...at);

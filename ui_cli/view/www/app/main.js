@@ -47,7 +47,8 @@ async function begin(scene) {
 function sheet_figure({arm: {name}, sheet}) {
   const figure = document.createElement('figure'), caption = document.createElement('figcaption');
   figure.className = 'card';
-  caption.textContent = `sheet of ${name}, lines every 50 mm`;
+  caption.textContent = `sheet of ${name}`;
+  figure.title = 'from above; a square is 50 mm';
   sheet.canvas.onclick = () => by_id('sheets').classList.toggle('large');
   figure.append(sheet.canvas, caption);
   return figure;

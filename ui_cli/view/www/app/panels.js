@@ -1,5 +1,5 @@
 // The words around the pictures: title, state, readings, messages.
-import {colour_of} from './theme.js';
+import {colour_of, fixed} from './theme.js';
 
 const by_id = (id) => document.getElementById(id);
 
@@ -61,7 +61,7 @@ export function show_readout(history, t) {
     const card = element('div', undefined, 'card'), table = element('table');
     const known = history.tracks.get(name).mix(t, column.x, 12, n);
     card.append(element('b', name), table);
-    const rows = [['E', [0, 1, 2].map((k) => (1000 * n[k]).toFixed(1)), 'mm'], ['F', [6, 7, 8].map((k) => n[k].toFixed(2)), 'N']];
+    const rows = [['E', [0, 1, 2].map((k) => fixed(1000 * n[k], 1)), 'mm'], ['F', [6, 7, 8].map((k) => fixed(n[k], 2)), 'N']];
     for (const [what, values, unit] of rows) {
       const row = element('tr');
       row.append(element('td', what), ...values.map((v) => element('td', known ? v : '-')), element('td', unit, 'unit'));

@@ -27,6 +27,7 @@ export class Player {
   advance(now) {
     const before = this.t;
     if (this.live) this.t = this.history.end_time;
+    else if (this.t < this.history.begin_time) this.t = this.history.begin_time;
     if (this.playing) {
       if (this.last) this.t += Math.min(0.5, (now - this.last) / 1000) * this.speed;
       this.last = now;

@@ -4,8 +4,8 @@ import {BoxGeometry, CylinderGeometry, Group, Mesh, MeshStandardMaterial, Quater
 const kDark = new Set(['base', 'track', 'carriage', 'wrist', 'tool', 'wrist_body']);
 export const paint = {
   orange: new MeshStandardMaterial({color: 0xe8702a, roughness: 0.45, metalness: 0.08}),
-  dark: new MeshStandardMaterial({color: 0x363c45, roughness: 0.55, metalness: 0.25}),
-  steel: new MeshStandardMaterial({color: 0xaab2bd, roughness: 0.3, metalness: 0.7}),
+  dark: new MeshStandardMaterial({color: 0x4b535e, roughness: 0.6}),
+  steel: new MeshStandardMaterial({color: 0xb9c0ca, roughness: 0.35, metalness: 0.15}),
 };
 
 const numbers = (text, fallback) => (text || fallback).trim().split(/\s+/).map(Number);

@@ -49,3 +49,9 @@ export function label(value, step) {
   const places = Math.max(0, Math.min(4, -Math.floor(Math.log10(step) + 1e-9)));
   return (Math.abs(value) < step / 2 ? 0 : value).toFixed(places);
 }
+
+/** @return a number with so many places, and no minus before a zero */
+export function fixed(value, places) {
+  const text = value.toFixed(places);
+  return Number(text) === 0 ? text.replace('-', '') : text;
+}
