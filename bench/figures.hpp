@@ -44,5 +44,8 @@ Figures run_solver_group();
 /// Turns of a face of the cube by two arms. Takes some minutes.
 /// @throws FaultError a driver refused to start
 Figures run_cube_group();
+/// The viewer beside a task without robots. Takes half a minute.
+/// @throws FaultError start_failed
+Figures run_operator_group();
 
 }  // namespace mrroc::bench

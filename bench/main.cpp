@@ -24,6 +24,7 @@ const std::vector<std::pair<std::string, std::function<bench::Figures(const std:
     {"drawing", [](const std::string&) { return bench::run_drawing_group(); }},
     {"solver", [](const std::string&) { return bench::run_solver_group(); }},
     {"cube", [](const std::string&) { return bench::run_cube_group(); }},
+    {"operator", [](const std::string&) { return bench::run_operator_group(); }},
 };
 
 std::vector<std::string> group_names() {
@@ -53,7 +54,7 @@ int main(int argc, char** argv) {
   std::string file;
   std::string plots;
   bool resume = false;
-  app.add_option("group", groups, "edp, servo, stability, vision, drawing, solver, cube (default: all)")
+  app.add_option("group", groups, "edp, servo, stability, vision, drawing, solver, cube, operator (default: all)")
       ->check(CLI::IsMember(group_names()));
   auto* json = app.add_option("--json", file, "writes {\"figures\": {KEY: number}, \"context\": {...}}");
   json->type_name("FILE");

@@ -8,7 +8,9 @@
 #include <csignal>
 #include <filesystem>
 #include <ostream>
+#include <stdexcept>
 #include <thread>
+#include <tuple>
 
 #include "base/fault.hpp"
 #include "ui_cli/view/run_source.hpp"
@@ -43,6 +45,17 @@ struct Options {
   bool with_task{};
 };
 
+/// A name or an address that cannot be one is told at once, not on the page.
+void check(const ui::Wish& wish) {
+  if (wish.session.empty()) return;
+  link::check_session_name(wish.session);
+  try {
+    if (!wish.url.empty()) std::ignore = link::LcmAddress::parse(wish.url);
+  } catch (const std::logic_error& e) {
+    throw FaultError(FaultCode::bad_usage, fmt::format("--url: {}", e.what()));
+  }
+}
+
 /// Waits for the end.
 void stay(const Options& o, const Server& server, const SessionSource* source) {
   constexpr auto kLeave = 5s;
@@ -56,6 +69,7 @@ void stay(const Options& o, const Server& server, const SessionSource* source) {
 }
 
 int serve(const Options& o, std::ostream& out) {
+  check(o.wish);
   Record record;
   CameraWindow cameras;
   std::unique_ptr<SessionSource> source;

@@ -43,7 +43,7 @@ TEST(ViewRecord, GivesEveryRowOnceHoweverSeldomAPageReads) {
   std::vector<float> got;
   float next = 0;
   for (int round = 0; round < 60; ++round) {
-    for (unsigned k = random() % 300; k > 0; --k, ++next) record.add("arm1", std::array{next, -next});
+    for (auto k = random() % 300; k > 0; --k, ++next) record.add("arm1", std::array{next, -next});
     if (random() % 3 != 0) continue;
     for (std::string news = record.news(page); !news.empty(); news = record.news(page)) {
       if (!json::parse(news).contains("tracks")) continue;

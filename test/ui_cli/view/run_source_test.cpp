@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <random>
 
+#include "base/effector_command.hpp"
 #include "base/fault.hpp"
 #include "test/ui_cli/view/sample_run.hpp"
 #include "ui_cli/view/listener.hpp"

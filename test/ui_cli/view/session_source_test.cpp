@@ -81,13 +81,16 @@ TEST(ViewSession, WaitsFollowsAndWaitsForTheNext) {
     };
     // The source listens from some instant on; from then on it misses nothing.
     std::int64_t number = 0;
+    const auto next_reply = [&] {
+      ++number;
+      publish("arm1.reply", test::encoded(test::reply(number, 0.9, 0, 1), number, number, id));
+    };
     ASSERT_TRUE(page.wait([&] {
-      publish("arm1.reply", test::encoded(test::reply(++number, 0.9, 0, 1), number, number, id));
+      next_reply();
       return record.rows("arm1") > 0;
     }));
     const std::int64_t before = number - static_cast<std::int64_t>(record.rows("arm1"));
-    for (int k = 0; k < 500; ++k)
-      publish("arm1.reply", test::encoded(test::reply(++number, 0.9, 0, 1), number, number, id));
+    for (int k = 0; k < 500; ++k) next_reply();
     publish("task_status", test::encoded(test::status(3, "hold"), 1, 0, id));
     EXPECT_TRUE(page.wait([&] { return page.values.contains("status"); }));
     EXPECT_GE(static_cast<std::int64_t>(record.rows("arm1")), number - before - 2);

@@ -99,7 +99,7 @@ export class Cell {
     for (const [name, entry] of this.arms) {
       const track = history.tracks.get(name);
       const known = track && track.mix(t, column.q0, 8, q);
-      if (entry.robot) entry.robot.root.visible = Boolean(known) || history.scene.source === 'live';
+      if (entry.robot) entry.robot.root.visible = Boolean(known);
       if (known && entry.robot) entry.robot.set(q);
       if (known) entry.tool.open(track.mix(t, column.gap, 1, gap)[0]);
       if (entry.sheet.show(track, column, t)) entry.texture.needsUpdate = true;

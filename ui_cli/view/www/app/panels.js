@@ -42,7 +42,7 @@ export function state_of(history, connected) {
 export function show_header(history, connected, arm, t) {
   const {scene} = history, folder = scene.folder.split('/').filter(Boolean).pop();
   by_id('title').textContent = scene.task ? scene.task.replaceAll('_', ' ') : 'MRROC++ viewer';
-  by_id('subtitle').textContent = [scene.session && `session ${scene.session}`, folder && `run folder ${folder}`].filter(Boolean).join('  ·  ');
+  by_id('subtitle').textContent = [scene.session && `session ${scene.session}`, folder && `run folder ${folder}`, scene.note].filter(Boolean).join('  ·  ');
   const [words, kind] = state_of(history, connected), pill = by_id('state'), chip = by_id('behaviour');
   pill.textContent = words;
   pill.className = `pill ${kind}`;
@@ -102,10 +102,10 @@ export function show_empty(history, connected) {
   if (!connected) {
     place.replaceChildren(element('strong', 'The viewer has ended'), line('Start it again with ', element('code', 'ui_cli view')));
   } else if (scene.source === 'none') {
-    const several = /tasks run/.test(values.state?.text || '');
+    const why = values.state?.text || '', special = /tasks run|under the name/.test(why);
     place.replaceChildren(
-      element('strong', several ? 'Several tasks run' : 'No session'),
-      several ? line(values.state.text) : line('Start a task in another terminal, for example ', element('code', './run drawing --speed 1')),
+      element('strong', /tasks run/.test(why) ? 'Several tasks run' : 'No session'),
+      special ? line(why) : line('Start a task in another terminal, for example ', element('code', './run drawing --speed 1')),
       line('A run that is over: ', element('code', 'ui_cli view runs/FOLDER')));
   } else {
     place.replaceChildren(element('strong', 'The cell is not known'), line(scene.note || 'The configuration names no arm.'));
