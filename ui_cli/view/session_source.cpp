@@ -80,12 +80,13 @@ void SessionSource::work() {
   do {
     const auto session = find();
     if (!session) continue;
+    following_ = true;
     try {
       follow(*session);
-      ++ended_;
     } catch (const std::exception& e) {
       set_state("waiting", e.what());
     }
+    following_ = false;
   } while (pause(kLook));
 }
 

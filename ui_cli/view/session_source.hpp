@@ -36,8 +36,8 @@ class SessionSource {
   SessionSource(const SessionSource&) = delete;
   SessionSource& operator=(const SessionSource&) = delete;
 
-  /// @return how many sessions have come to their end
-  [[nodiscard]] int ended() const { return ended_; }
+  /// @return whether a session is followed at present
+  [[nodiscard]] bool following() const { return following_; }
   /// @return run folder of the session that is shown; empty: none, or on another host
   [[nodiscard]] std::filesystem::path folder() const;
 
@@ -54,7 +54,7 @@ class SessionSource {
   Record& record_;
   CameraWindow& cameras_;
   std::atomic<bool> stop_{};
-  std::atomic<int> ended_{};
+  std::atomic<bool> following_{};
   std::int64_t followed_{};  // id of the session before
   mutable std::mutex mutex_;
   std::filesystem::path folder_;

@@ -63,7 +63,7 @@ void stay(const Options& o, const Server& server, const SessionSource* source) {
   while (!interrupted) {
     std::this_thread::sleep_for(50ms);
     const auto now = std::chrono::steady_clock::now();
-    if (!o.with_task || !source || source->ended() == 0 || server.pages() > 0) wanted = now;
+    if (!o.with_task || !source || source->following() || server.pages() > 0) wanted = now;
     if (now - wanted > kLeave) return;
   }
 }
@@ -99,7 +99,7 @@ int run_view(const std::vector<std::string>& arguments, std::ostream& out, std::
   app.add_option("--url", o.wish.url, "where a task of another host talks: udpm://HOST:PORT?ttl=N")
       ->needs(session)
       ->type_name("URL");
-  app.add_flag("--with-task", o.with_task, "end when the task has ended and no page is open");
+  app.add_flag("--with-task", o.with_task, "end when no task runs and no page is open for 5 s");
   app.footer(kFooter);
   interrupted = false;
   std::signal(SIGINT, interrupt);

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import urllib.request
 from pathlib import Path
 
 
@@ -25,7 +26,7 @@ BIN = Path(sys.argv[1])
 IN_OWN_NETWORK = "MRROC_IN_OWN_NETWORK"
 ORANGE = "r > 150 && g > 50 && g < 150 && b < 90"
 BLUE = "b > 180 && r < 90"
-INK = "r < 60 && g < 70 && b < 90"
+INK = "r < 100 && g < 105 && b < 120"
 DARK = "r < 50 && g < 55 && b < 65"
 
 
@@ -76,13 +77,17 @@ def look_at_a_run(page, folder: Path):
     check(page.share("#stage", ORANGE) > 0.01, "the arms are drawn")
     check(page.share("#timeline", BLUE) > 0.02 and page.share("#timeline", "r > 180 && b < 110") > 0.02, "two behaviours have colours")
     check(page.share("#charts", BLUE) > 0.001, "the charts have curves")
-    check(page.value("document.querySelector('#timeline').ariaValueMax ?? document.querySelector('#timeline').getAttribute('aria-valuemax')") == "10.00", "the time-line ends with the run")
+    check(page.value("document.querySelector('#timeline').getAttribute('aria-valuemax')") == "10.00", "the time-line ends with the run")
     check(page.value("document.querySelector('#messages').innerText").find("operator: start") >= 0, "messages are told")
     check(page.value("document.querySelector('#sheets').hidden"), "there is no ink in the beginning")
     page.click("#timeline", 0.9, 0.4)
     page.wait("Number(document.querySelector('#clock').dataset.t) > 7")
     check(8 < float(clock(page, "t")) < 9.9, "a click on the time-line goes there")
-    check(not page.value("document.querySelector('#sheets').hidden") and page.share("#sheets canvas", INK) > 0.003, "the ink is on the sheet")
+    page.wait("!document.querySelector('#sheets').hidden")
+    page.click("#sheets canvas")
+    page.wait("document.querySelector('#sheets canvas').clientWidth === 300")
+    check(page.share("#sheets canvas", INK) > 0.002, "the ink is on the sheet, and a click makes it larger")
+    page.click("#sheets canvas")
     check(page.value("document.querySelector('#behaviour').innerText") == "m = 2 draw", "the behaviour has its name")
     play_and_pause(page)
     before = page.share("#charts", BLUE)
@@ -138,9 +143,32 @@ def follow_a_task(page, folder: Path):
     said = int(task.communicate()[0])
     loaded(page, said)
     check("lost" not in page.value("document.querySelector('#count').innerText"), "no message is lost")
-    check(clock(page, "t") == page.value("document.querySelector('#clock').innerText.split(' of ')[1].split(' ')[0]") or float(clock(page, "t")) > 7.9, "it shows the end")
+    page.wait("Number(document.querySelector('#clock').dataset.t) > 7.9")
+    check(page.value("document.querySelector('#clock').innerText").strip() == "8.00 s of 8.00 s", "it shows the end")
     check(not page.errors, f"the page complains of nothing {page.errors}")
     viewer.end()
+
+
+def start_beside_a_task(page):
+    command = [BIN / "view_sample", "beside", "demo"]
+    line = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True, timeout=30).stdout
+    url = line.removeprefix("view: ").strip()
+    check(url.startswith("http://127.0.0.1:"), "a task starts a viewer and goes on")
+    page.go(url)
+    page.wait("document.querySelector('#state')?.innerText === 'waiting for a task'", 120)
+    page.go("about:blank")
+    end = time.monotonic() + 60
+    while answers(url):
+        assert time.monotonic() < end, "the viewer stays"
+        time.sleep(0.5)
+    check(True, "it ends when no task runs and nobody looks")
+
+
+def answers(url: str) -> bool:
+    try:
+        return urllib.request.urlopen(url, timeout=5).status == 200
+    except OSError:
+        return False
 
 
 def main():
@@ -153,6 +181,7 @@ def main():
         subprocess.run([BIN / "view_sample", "run", run], check=True)
         look_at_a_run(page, run)
         follow_a_task(page, Path(home) / "live")
+        start_beside_a_task(page)
 
 
 main()

@@ -1,12 +1,14 @@
 // Something for the viewer to look at, without a world. Usage:
 //   view_sample run FOLDER                   writes a run folder of 10 s
 //   view_sample task FOLDER SESSION SECONDS  is a running task for so long, then prints the number of replies
+//   view_sample beside SESSION               starts a viewer as a task does, prints its address
 #include <chrono>
 #include <cstdio>
 #include <exception>
 #include <string>
 #include <thread>
 
+#include "mp/viewer.hpp"
 #include "test/ui_cli/view/sample_run.hpp"
 #include "test/ui_cli/view/sample_task.hpp"
 
@@ -34,6 +36,8 @@ int main(int argc, char** argv) {
       mrroc::test::write_run(argv[2], 500);
     else if (what == "task" && argc == 5)
       run_task(argv[2], argv[3], std::stod(argv[4]));
+    else if (what == "beside" && argc == 3)
+      std::puts(mrroc::mp::start_viewer(argv[2]).c_str());
     else
       return 2;
     return 0;

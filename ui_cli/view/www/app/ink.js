@@ -1,6 +1,6 @@
 // The sheet in front of an arm, with the ink that its pen has left up to an instant.
 
-const kPixels = 1024, kLine = 7;
+const kPixels = 1024, kLine = 9;
 
 export class Sheet {
   /** @param paper  {place: six numbers, size [m]} */
