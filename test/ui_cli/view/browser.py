@@ -21,6 +21,10 @@ _FLAGS = [
     "--disable-background-networking",
     "--disable-component-update",
     "--no-first-run",
+    "--disable-backgrounding-occluded-windows",
+    "--disable-renderer-backgrounding",
+    "--disable-background-timer-throttling",
+    "--disable-features=CalculateNativeWinOcclusion,Translate,MediaRouter",
     "--remote-debugging-port=0",
     "--remote-allow-origins=*",
 ]
@@ -49,12 +53,13 @@ class Browser:
             stderr=subprocess.DEVNULL,
         )
         port = self._port()
-        self._socket = websocket.create_connection(f"ws://127.0.0.1:{port[0]}{port[1]}", timeout=60)
+        self._socket = websocket.create_connection(f"ws://127.0.0.1:{port[0]}{port[1]}", timeout=300)
         target = self.call("Target.createTarget", url="about:blank")["targetId"]
         self._session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Network", "Log"):
             self.call(f"{domain}.enable")
         self.resize(*self._size)
+        self.call("Page.bringToFront")
         return self
 
     def __exit__(self, *_):
@@ -111,7 +116,7 @@ class Browser:
             raise RuntimeError(f"{expression}: {result['exceptionDetails']}")
         return result["result"].get("value")
 
-    def wait(self, expression: str, seconds: float = 60):
+    def wait(self, expression: str, seconds: float = 180):
         """Waits until an expression is true."""
         end = time.monotonic() + seconds
         while not self.value(expression):

@@ -2,6 +2,7 @@
 
 Skipped (77) where there is no Chromium, no python3-websocket, or no way to a network of its own."""
 
+import atexit
 import os
 import shutil
 import subprocess
@@ -46,6 +47,7 @@ class Viewer:
     def __init__(self, *arguments: str):
         command = [BIN / "ui_cli", "view", *arguments]
         self._process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+        atexit.register(self._process.kill)  # also when the test fails
         line = self._process.stdout.readline()
         assert line.startswith("view: http://127.0.0.1:"), line
         self.url = line.removeprefix("view: ").strip()
@@ -66,7 +68,7 @@ def check(condition, what: str):
 
 
 def loaded(page, rows: int):
-    page.wait(f"Number(document.querySelector('#clock')?.dataset.rows) === {rows}", 120)
+    page.wait(f"Number(document.querySelector('#clock')?.dataset.rows) === {rows}")
     time.sleep(0.5)
 
 
@@ -127,10 +129,10 @@ def play_and_pause(page):
 def follow_a_task(page, folder: Path):
     viewer = Viewer()
     page.go(viewer.url)
-    page.wait("document.querySelector('#empty')?.innerText.includes('./run')", 120)
+    page.wait("document.querySelector('#empty')?.innerText.includes('./run')")
     check("No session" in page.value("document.querySelector('#empty').innerText"), "without a task it says how to start one")
     task = subprocess.Popen([BIN / "view_sample", "task", folder, "demo", "8"], stdout=subprocess.PIPE, text=True)
-    page.wait("Number(document.querySelector('#clock').dataset.t) > 1", 60)
+    page.wait("Number(document.querySelector('#clock').dataset.t) > 1")
     check(page.value("document.querySelector('#state').innerText") == "running", "a task that comes is followed")
     check(page.value("document.querySelector('#empty').hidden"), "the text gives way to the cell")
     page.click("#play")
@@ -139,7 +141,7 @@ def follow_a_task(page, folder: Path):
     page.wait(f"Number(document.querySelector('#clock').dataset.rows) > {rows + 50} || document.querySelector('#state').innerText !== 'running'")
     check(clock(page, "t") == held, "the picture can stand while the task goes on")
     page.click("#live")
-    page.wait("document.querySelector('#state').innerText === 'ended'", 60)
+    page.wait("document.querySelector('#state').innerText === 'ended'")
     said = int(task.communicate()[0])
     loaded(page, said)
     check("lost" not in page.value("document.querySelector('#count').innerText"), "no message is lost")
@@ -155,7 +157,7 @@ def start_beside_a_task(page):
     url = line.removeprefix("view: ").strip()
     check(url.startswith("http://127.0.0.1:"), "a task starts a viewer and goes on")
     page.go(url)
-    page.wait("document.querySelector('#state')?.innerText === 'waiting for a task'", 120)
+    page.wait("document.querySelector('#state')?.innerText === 'waiting for a task'")
     page.go("about:blank")
     end = time.monotonic() + 60
     while answers(url):

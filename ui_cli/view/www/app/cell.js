@@ -10,6 +10,15 @@ import {theme} from './theme.js';
 
 Object3D.DEFAULT_UP.set(0, 0, 1);
 
+/** @return whether this browser draws without a graphics card: what is dear is left out then */
+function draws_in_software() {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  const info = gl?.getExtension('WEBGL_debug_renderer_info');
+  const name = info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : '';
+  gl?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|software/i.test(name);
+}
+
 /** Takes the graphics memory of everything below back. */
 function dispose(root) {
   root.traverse((part) => {
@@ -21,7 +30,8 @@ function dispose(root) {
 export class Cell {
   constructor(canvas) {
     this.canvas = canvas;
-    this.renderer = new WebGLRenderer({canvas, antialias: true, preserveDrawingBuffer: true});
+    this.slow = draws_in_software();
+    this.renderer = new WebGLRenderer({canvas, antialias: !this.slow});
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.toneMapping = NeutralToneMapping;
@@ -43,7 +53,7 @@ export class Cell {
     this.sky = new HemisphereLight(0xffffff, 0x8f959e, 1.5);
     this.sun = new DirectionalLight(0xffffff, 2.4);
     this.sun.castShadow = true;
-    this.sun.shadow.mapSize.set(2048, 2048);
+    this.sun.shadow.mapSize.set(...(this.slow ? [1024, 1024] : [2048, 2048]));
     this.sun.shadow.bias = -0.0004;
     this.sun.shadow.normalBias = 0.01;
     Object.assign(this.sun.shadow.camera, {left: -2.6, right: 2.6, top: 2.6, bottom: -2.6, near: 0.5, far: 12});
@@ -136,7 +146,7 @@ export class Cell {
     const width = this.canvas.clientWidth, height = this.canvas.clientHeight;
     if (width !== this.width || height !== this.height) {
       [this.width, this.height] = [width, height];
-      this.renderer.setPixelRatio(Math.min(devicePixelRatio || 1, 2));
+      this.renderer.setPixelRatio(this.slow ? 1 : Math.min(devicePixelRatio || 1, 2));
       this.renderer.setSize(width, height, false);
       this.camera.aspect = width / Math.max(1, height);
       this.camera.updateProjectionMatrix();
