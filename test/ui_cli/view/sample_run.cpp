@@ -101,6 +101,11 @@ void write_run(const fs::path& folder, int macrosteps) {
   for (int i = 1; i <= macrosteps; ++i) {
     const int m = 2 * i <= macrosteps ? 1 : 2;
     if (2 * i == macrosteps) log.receive("s.task_status", encoded(status(2, "draw"), 2, i));
+    if (4 * i == macrosteps) {
+      hand_order_t hands{};
+      hands.new_sheet[0] = 1;
+      log.receive("s.hand.order", encoded(hands, 1, i));
+    }
     const double share = static_cast<double>(i) / macrosteps;
     for (const std::string arm : {"arm1", "arm2"}) {
       log.receive("s." + arm + ".report", encoded(report(m), i, i));

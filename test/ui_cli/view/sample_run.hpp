@@ -58,7 +58,8 @@ std::vector<std::uint8_t> encoded(M message, std::int64_t number, std::int64_t s
 [[nodiscard]] console_t line(std::string_view text, int code = 0);
 
 /// Writes a run folder: config.toml, summary.json, two pictures, and an event log with `macrosteps` replies of both
-/// arms. The pen of arm1 is on the paper in the second half.
+/// arms. arm1 gets a new sheet after a quarter
+/// of it; its pen is on the paper in the second half.
 void write_run(const std::filesystem::path& folder, int macrosteps);
 
 /// @return the rows of a track of a piece of news, one after the other

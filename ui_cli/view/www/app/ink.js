@@ -29,20 +29,21 @@ export class Sheet {
     const [px, py] = this.paper.place, scale = kPixels / this.paper.size;
     return [kPixels / 2 - (y - py) * scale, kPixels / 2 - (x - px) * scale];
   }
+  take_pen() {
+    Object.assign(this.c, {strokeStyle: '#16233a', lineWidth: kLine, lineCap: 'round', lineJoin: 'round'});
+    this.c.beginPath();
+  }
   /** Draws up to the instant. @return whether anything has changed */
   show(track, column, t) {
     const until = track ? track.find(t) : -1;
     if (until === this.drawn) return false;
-    if (until < this.drawn) this.clear();
     const c = this.c, marks = this.marks;
-    c.strokeStyle = '#16233a';
-    c.lineWidth = kLine;
-    c.lineCap = c.lineJoin = 'round';
-    let writing = false;
-    c.beginPath();
+    let writing = false, cleared = until < this.drawn;
+    if (cleared) this.clear();
+    this.take_pen();
     for (let row = Math.max(0, this.drawn); row <= until; ++row) {
       const ink = track.at(row, column.ink);
-      if (ink < 0 && row > this.drawn) { c.stroke(); this.clear(); this.marks = 1; c.beginPath();  }
+      if (ink < 0 && row > this.drawn) { this.clear(); this.take_pen(); cleared = true; }
       if (ink > 0) {
         const at = this.pixel(track.at(row, column.x), track.at(row, column.y));
         if (writing) c.lineTo(...at); else c.moveTo(...at);
@@ -52,6 +53,6 @@ export class Sheet {
     }
     c.stroke();
     this.drawn = until;
-    return this.marks !== marks || until < 0;
+    return cleared || this.marks !== marks;
   }
 }
