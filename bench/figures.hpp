@@ -54,5 +54,8 @@ Figures run_plan_group();
 /// @param resume  cubes whose summary is there already are not solved again
 /// @throws FaultError start_failed, cannot_write
 Figures run_rubik_group(bool resume);
+/// The viewer beside a task without robots. Takes half a minute.
+/// @throws FaultError start_failed
+Figures run_operator_group();
 
 }  // namespace mrroc::bench

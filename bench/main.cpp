@@ -28,6 +28,7 @@ const std::vector<
         {"solver", [](const std::string&, bool) { return bench::run_solver_group(); }},
         {"cube", [](const std::string&, bool) { return bench::run_cube_group(); }},
         {"plan", [](const std::string&, bool) { return bench::run_plan_group(); }},
+        {"operator", [](const std::string&, bool) { return bench::run_operator_group(); }},
         {"rubik", [](const std::string&, bool resume) { return bench::run_rubik_group(resume); }},
     };
 
@@ -62,9 +63,9 @@ int main(int argc, char** argv) {
   std::string plots;
   bool resume = false;
   app.add_option("group", groups,
-                 "edp, servo, stability, vision, drawing, robustness, solver, cube, plan, rubik (default: "
-                 "all but\nrubik, "
-                 "which takes hours)")
+                 "edp, servo, stability, vision, drawing, robustness, solver, cube, plan, operator, rubik "
+                 "(default: all but "
+                 "rubik, which takes hours)")
       ->check(CLI::IsMember(group_names()));
   auto* json = app.add_option("--json", file, "writes {\"figures\": {KEY: number}, \"context\": {...}}");
   json->type_name("FILE");

@@ -83,9 +83,12 @@ bool TaskProcess::read_line(std::string& line) {
   }
 }
 
-bool TaskProcess::read_until(const std::string& text) {
-  for (std::string line; read_line(line);)
-    if (line.find(text) != std::string::npos) return true;
+bool TaskProcess::read_until(const std::string& text, std::string* found) {
+  for (std::string line; read_line(line);) {
+    if (line.find(text) == std::string::npos) continue;
+    if (found) *found = line;
+    return true;
+  }
   return false;
 }
 

@@ -19,8 +19,8 @@ class TaskProcess {
   TaskProcess(const TaskProcess&) = delete;
   TaskProcess& operator=(const TaskProcess&) = delete;
 
-  /// Reads lines until one contains the text. @return false when the output ended before
-  bool read_until(const std::string& text);
+  /// Reads lines until one contains the text. @param found  gets that line @return false when the output ended before
+  bool read_until(const std::string& text, std::string* found = nullptr);
   /// Reads the rest of the output and waits for the end. @return exit status; 128 + number of a signal
   int wait();
   /// @return the program's direct children

@@ -11,6 +11,7 @@ pkg_check_modules(urdfdom REQUIRED IMPORTED_TARGET urdfdom)
 pkg_check_modules(kdl REQUIRED IMPORTED_TARGET orocos-kdl)
 pkg_check_modules(pugixml REQUIRED IMPORTED_TARGET pugixml)
 pkg_check_modules(json REQUIRED IMPORTED_TARGET nlohmann_json)
+pkg_check_modules(httplib REQUIRED IMPORTED_TARGET cpp-httplib)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 # Only the virtual receptors link OpenCV and AprilTag. OpenCV's own CMake package asks for everything that it has.
 find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs videoio calib3d)

@@ -76,6 +76,7 @@ void add_task_options(CLI::App& app, TaskOptions& o) {
   app.add_option("--script", o.script, "operator input to replay: lines MACROSTEP ORDER")
       ->type_name("FILE")
       ->excludes(attended);
+  app.add_flag("--view", o.view, "also show the task as a web page; prints its address");
   app.add_option("--session", o.session, "name for ui_cli --session (default: unique)")->type_name("NAME");
   app.add_option("--url", o.url, "where the system talks (default: from the session's name)")
       ->type_name("udpm://HOST:PORT?ttl=N");

@@ -26,6 +26,7 @@ struct TaskOptions {
   bool separate_asked{};              ///< --processes was given
   bool attended{};                    ///< a person at ui_cli instead of the scripted operator
   std::filesystem::path script;       ///< operator input to replay
+  bool view{};                        ///< start a viewer beside the task
   std::string session;                ///< empty: a unique name
   std::string url;                    ///< empty: from the session's name
   std::filesystem::path check;        ///< run folder whose log is recomputed instead of a run; empty: none

@@ -21,6 +21,7 @@ StatusBoard::StatusBoard(link::Process& process, const Supervisor& supervisor, c
 }
 
 void StatusBoard::set_behaviour(int m, std::string_view name) {
+  news_ = news_ || m != status_.m;
   status_.m = m;
   link::put_text(status_.behaviour, name);
 }
@@ -47,7 +48,7 @@ void StatusBoard::set_arm(std::size_t arm, const Report& report, std::string_vie
 }
 
 void StatusBoard::poll() {
-  if (link::Process::Clock::now() - last_ > kPeriod) publish();
+  if (news_ || link::Process::Clock::now() - last_ > kPeriod) publish();
 }
 
 void StatusBoard::publish() {
@@ -56,6 +57,7 @@ void StatusBoard::publish() {
   const double speed = (status_.sim_time - last_sim_s_) / wall;
   status_.speed += (speed - status_.speed) * std::min(1.0, wall);  // a mean over about a second
   last_ = now;
+  news_ = false;
   last_sim_s_ = status_.sim_time;
   const auto parts = supervisor_.parts();
   status_.n_processes = static_cast<int>(std::min(parts.size(), std::size(status_.process)));

@@ -18,6 +18,7 @@ class StatusBoard {
   StatusBoard(link::Process& process, const Supervisor& supervisor, const std::string& task,
               const std::vector<std::string>& arms, const std::string& run_folder);
 
+  /// A new behaviour is told at the next poll(): terminals and viewers learn the name of a short one, too.
   void set_behaviour(int m, std::string_view name);
   /// @param waits_for_trigger  whether the present behaviour ends with the operator's trigger
   void set_state(TaskState state, bool waits_for_trigger);
@@ -43,6 +44,7 @@ class StatusBoard {
   link::Process::Clock::time_point last_{};
   std::int64_t macrostep_{};
   double last_sim_s_{};
+  bool news_{};  // to be told at once
 };
 
 }  // namespace mrroc::mp

@@ -13,6 +13,7 @@
 #include "base/link/log_reader.hpp"
 #include "base/link/lossy_bus.hpp"
 #include "mp/hosts.hpp"
+#include "mp/viewer.hpp"
 
 namespace mrroc::mp {
 namespace {
@@ -48,6 +49,7 @@ TaskRun::TaskRun(const std::string& task, const TaskOptions& options, const std:
       folder_(folder),
       session_(options.session.empty() ? link::unique_session_name(task) : options.session),
       separate_(options.separate),
+      view_(options.view),
       clock_(options.clock == ClockKind::wall ? "wall" : "step") {
   const Config config = Config::load(folder / "config.toml");
   open_bus(options, assign_hosts(read_hosts(config), parts));
@@ -169,6 +171,7 @@ void TaskRun::look_after_orders() {
 }
 
 void TaskRun::start() {
+  if (view_) fmt::print("{}\n", address_ ? start_viewer(session_) : "no viewer: all is in one process");
   if (hub_) {
     supervisor_->start_threads(*hub_);
   } else {

@@ -77,6 +77,7 @@ class TaskRun {
   std::string session_;
   std::optional<link::LcmAddress> address_;  // none: all in one process
   bool separate_{};
+  bool view_{};
   std::string clock_{"step"};  // as in a command line
   std::unique_ptr<link::SessionFile> session_file_;
   std::unique_ptr<link::MemoryHub> hub_;

@@ -80,12 +80,21 @@ PlateParameters read_plate(const Config& t, PlateParameters p) {
   return p;
 }
 
+/// Where the base of an arm stands in the world. The default is not taken apart and put together again: its bits stay.
+Pose read_place(const Config& robot, const Pose& fallback) {
+  std::array<double, 6> usual{};
+  Eigen::Map<AngleAxisPose>(usual.data()) = angle_axis_from_pose(fallback);
+  const auto place = robot.numbers<6>("place", usual, {-10, 10}, "m, rad, of the base in the world");
+  return place == usual ? fallback : pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(place.data()));
+}
+
 ArmParameters read_arm(const Config& config, const std::string& key, ArmModel fallback) {
   const Config robot = config.section("robots." + key);
   const Config sim = config.section("sim");
   ArmParameters arm = arm_parameters(
       robot.choice("model", fallback,
                    {{"irb6_postument", ArmModel::irb6_postument}, {"irb6_track", ArmModel::irb6_track}}));
+  arm.T_UB = read_place(robot, arm.T_UB);
   arm.kinematics = robot.choice(
       "true_kinematics", arm.kinematics,
       {{"nominal", irb6::ParameterSet::nominal}, {"calibrated", irb6::ParameterSet::calibrated}});

@@ -7,6 +7,7 @@
 #include "ui_cli/explain.hpp"
 #include "ui_cli/log/log_command.hpp"
 #include "ui_cli/log/replay.hpp"
+#include "ui_cli/view/view_command.hpp"
 
 int main(int argc, char** argv) {
   using namespace mrroc;
@@ -31,6 +32,10 @@ int main(int argc, char** argv) {
            return ui::run_replay(arguments, {link::session_directory(), link::open_lcm}, out, err);
          },
          {"--speed", "--from", "--without", "--session", "--json"}},
+        {"view",
+         "Show a running task, or a run folder, as a web page on this host",
+         view::run_view,
+         {"--port", "--session", "--url", "--with-task"}},
         {"stability",
          "Tell which contact the force law bears (no task needed)",
          edp::run_stability,

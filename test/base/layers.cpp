@@ -38,10 +38,10 @@ struct Library {
 };
 
 constexpr std::array kLibraries{
-    Library{"lcm/", "base/link"},      Library{"bullet/", "sim"},          Library{"btBullet", "sim"},
-    Library{"BulletDynamics/", "sim"}, Library{"BulletCollision/", "sim"}, Library{"LinearMath/", "sim"},
-    Library{"EGL/", "sim/camera"},     Library{"GL/", "sim/camera"},       Library{"opencv2/", "vsp"},
-    Library{"apriltag/", "vsp"},
+    Library{"lcm/", "base/link"},      Library{"bullet/", "sim"},           Library{"btBullet", "sim"},
+    Library{"BulletDynamics/", "sim"}, Library{"BulletCollision/", "sim"},  Library{"LinearMath/", "sim"},
+    Library{"EGL/", "sim/camera"},     Library{"GL/", "sim/camera"},        Library{"opencv2/", "vsp"},
+    Library{"apriltag/", "vsp"},       Library{"httplib.h", "ui_cli/view"},
 };
 
 bool is_in(std::string_view path, std::string_view folder) {

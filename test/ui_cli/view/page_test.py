@@ -1,0 +1,189 @@
+"""The viewer's page in a real browser: looks at pixels, clicks. Usage: page_test.py FOLDER_OF_PROGRAMS [PICTURE]
+
+Skipped (77) where there is no Chromium, no python3-websocket, or no way to a network of its own."""
+
+import atexit
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import urllib.request
+from pathlib import Path
+
+
+def skip(why: str):
+    print(f"skipped: {why}")
+    sys.exit(77)
+
+
+try:
+    import browser
+except ImportError:
+    skip("there is no python3-websocket")
+
+BIN = Path(sys.argv[1])
+IN_OWN_NETWORK = "MRROC_IN_OWN_NETWORK"
+ORANGE = "r > 150 && g > 50 && g < 150 && b < 90"
+BLUE = "b > 180 && r < 90"
+INK = "r < 100 && g < 105 && b < 120"
+DARK = "r < 50 && g < 55 && b < 65"
+
+
+def enter_own_network():
+    """Starts again where multicast works and nobody is disturbed."""
+    if IN_OWN_NETWORK not in os.environ:
+        if not shutil.which("unshare") or subprocess.run(["unshare", "-rn", "true"], capture_output=True).returncode:
+            skip("no network namespaces")
+        os.environ[IN_OWN_NETWORK] = "1"
+        os.execvp("unshare", ["unshare", "-rn", sys.executable, "-B", *sys.argv])
+    up = ["ip link set lo up", "ip route add 224.0.0.0/4 dev lo"]
+    if any(subprocess.run(c.split(), capture_output=True).returncode for c in up):
+        skip("cannot set up a network")
+
+
+class Viewer:
+    def __init__(self, *arguments: str):
+        command = [BIN / "ui_cli", "view", *arguments]
+        self._process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+        atexit.register(self._process.kill)  # also when the test fails
+        line = self._process.stdout.readline()
+        assert line.startswith("view: http://127.0.0.1:"), line
+        self.url = line.removeprefix("view: ").strip()
+
+    def end(self):
+        self._process.terminate()
+        assert self._process.wait(10) == 0, "Ctrl-C is no error"
+
+
+def clock(page, key: str):
+    return page.value(f"document.querySelector('#clock').dataset.{key}")
+
+
+def check(condition, what: str):
+    if not condition:
+        raise AssertionError(what)
+    print("ok:", what)
+
+
+def loaded(page, rows: int):
+    page.wait(f"Number(document.querySelector('#clock')?.dataset.rows) === {rows}")
+    time.sleep(0.5)
+
+
+def look_at_a_run(page, folder: Path):
+    viewer = Viewer(str(folder))
+    page.go(viewer.url)
+    loaded(page, 1000)
+    check(page.share("#stage", ORANGE) > 0.01, "the arms are drawn")
+    check(page.share("#timeline", BLUE) > 0.02 and page.share("#timeline", "r > 180 && b < 110") > 0.02, "two behaviours have colours")
+    check(page.share("#charts", BLUE) > 0.001, "the charts have curves")
+    check(page.value("document.querySelector('#timeline').getAttribute('aria-valuemax')") == "10.00", "the time-line ends with the run")
+    check(page.value("document.querySelector('#messages').innerText").find("operator: start") >= 0, "messages are told")
+    check(page.value("document.querySelector('#sheets').hidden"), "there is no ink in the beginning")
+    page.click("#timeline", 0.9, 0.4)
+    page.wait("Number(document.querySelector('#clock').dataset.t) > 7")
+    check(8 < float(clock(page, "t")) < 9.9, "a click on the time-line goes there")
+    page.wait("!document.querySelector('#sheets').hidden")
+    page.click("#sheets canvas")
+    page.wait("document.querySelector('#sheets canvas').clientWidth === 300")
+    check(page.share("#sheets canvas", INK) > 0.002, "the ink is on the sheet, and a click makes it larger")
+    page.click("#sheets canvas")
+    check(page.value("document.querySelector('#behaviour').innerText") == "m = 2 draw", "the behaviour has its name")
+    play_and_pause(page)
+    before = page.share("#charts", BLUE)
+    page.click("#arms button:nth-child(2)")
+    page.wait("document.querySelector('#clock').dataset.arm === 'arm2'")
+    check(before > 0, "another arm can be chosen")
+    orange = page.share("#stage", ORANGE)
+    page.click("#views button:last-child")
+    time.sleep(1)
+    check(abs(page.share("#stage", ORANGE) - orange) > 0.005, "the cell can be seen from elsewhere")
+    page.prefer("dark")
+    time.sleep(1)
+    check(page.share("aside", DARK) > 0.5, "the page is dark where the system is")
+    page.prefer("light")
+    check(all(a.startswith((viewer.url, "data:", "about:")) for a in page.addresses), "nothing comes from outside")
+    check(not page.errors, f"the page complains of nothing {page.errors}")
+    viewer.end()
+    page.wait("document.querySelector('#state').innerText === 'viewer has ended'")
+    check(page.share("#stage", ORANGE) > 0.005, "what was shown stays when the viewer has ended")
+    page.errors.clear()
+
+
+def play_and_pause(page):
+    page.click("#timeline", 0.3, 0.4)
+    page.wait("Number(document.querySelector('#clock').dataset.t) < 5")
+    begin = float(clock(page, "t"))
+    page.click("#play")
+    page.wait(f"Number(document.querySelector('#clock').dataset.t) > {begin + 0.5}")
+    check(clock(page, "playing") == "true", "it plays")
+    page.click("#play")
+    page.wait("document.querySelector('#clock').dataset.playing === 'false'")
+    held = clock(page, "t")
+    time.sleep(0.7)
+    check(clock(page, "t") == held, "it pauses")
+
+
+def follow_a_task(page, folder: Path):
+    viewer = Viewer()
+    page.go(viewer.url)
+    page.wait("document.querySelector('#empty')?.innerText.includes('./run')")
+    check("No session" in page.value("document.querySelector('#empty').innerText"), "without a task it says how to start one")
+    task = subprocess.Popen([BIN / "view_sample", "task", folder, "demo", "8"], stdout=subprocess.PIPE, text=True)
+    page.wait("Number(document.querySelector('#clock').dataset.t) > 1")
+    check(page.value("document.querySelector('#state').innerText") == "running", "a task that comes is followed")
+    check(page.value("document.querySelector('#empty').hidden"), "the text gives way to the cell")
+    page.click("#play")
+    page.wait("document.querySelector('#clock').dataset.live === 'false'")
+    held, rows = clock(page, "t"), int(clock(page, "rows"))
+    page.wait(f"Number(document.querySelector('#clock').dataset.rows) > {rows + 50} || document.querySelector('#state').innerText !== 'running'")
+    check(clock(page, "t") == held, "the picture can stand while the task goes on")
+    page.click("#live")
+    page.wait("document.querySelector('#state').innerText === 'ended'")
+    said = int(task.communicate()[0])
+    loaded(page, said)
+    check("lost" not in page.value("document.querySelector('#count').innerText"), "no message is lost")
+    page.wait("Number(document.querySelector('#clock').dataset.t) > 7.9")
+    check(page.value("document.querySelector('#clock').innerText").strip() == "8.00 s of 8.00 s", "it shows the end")
+    check(not page.errors, f"the page complains of nothing {page.errors}")
+    viewer.end()
+
+
+def start_beside_a_task(page):
+    command = [BIN / "view_sample", "beside", "demo"]
+    line = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True, timeout=30).stdout
+    url = line.removeprefix("view: ").strip()
+    check(url.startswith("http://127.0.0.1:"), "a task starts a viewer and goes on")
+    page.go(url)
+    page.wait("document.querySelector('#state')?.innerText === 'waiting for a task'")
+    page.go("about:blank")
+    end = time.monotonic() + 60
+    while answers(url):
+        assert time.monotonic() < end, "the viewer stays"
+        time.sleep(0.5)
+    check(True, "it ends when no task runs and nobody looks")
+
+
+def answers(url: str) -> bool:
+    try:
+        return urllib.request.urlopen(url, timeout=5).status == 200
+    except OSError:
+        return False
+
+
+def main():
+    if browser.program() is None:
+        skip("there is no Chromium")
+    enter_own_network()
+    with tempfile.TemporaryDirectory() as home, browser.Browser(1280, 800) as page:
+        os.environ["XDG_RUNTIME_DIR"] = home
+        run = Path(home) / "run"
+        subprocess.run([BIN / "view_sample", "run", run], check=True)
+        look_at_a_run(page, run)
+        follow_a_task(page, Path(home) / "live")
+        start_beside_a_task(page)
+
+
+main()

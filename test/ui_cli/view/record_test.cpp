@@ -1,0 +1,115 @@
+#include "ui_cli/view/record.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <thread>
+
+#include "test/ui_cli/view/sample_run.hpp"
+
+namespace mrroc::view {
+namespace {
+
+using nlohmann::json;
+
+TEST(ViewRecord, SaysNothingTwice) {
+  Record record;
+  record.begin(R"({"source":"run"})");
+  record.add("arm1", std::array{0.0F, 1.0F});
+  record.say(R"({"text":"a"})");
+  record.set("state", R"("live")");
+  Record::Cursor page;
+  const json first = json::parse(record.news(page));
+  EXPECT_EQ(first.at("scene").at("source"), "run");
+  EXPECT_EQ(first.at("lines").size(), 1U);
+  EXPECT_EQ(first.at("values").at("state"), "live");
+  EXPECT_EQ(record.news(page), "");
+  record.set("state", R"("live")");
+  EXPECT_EQ(record.news(page), "") << "the value is the same";
+  record.set("state", R"("ended")");
+  const json second = json::parse(record.news(page));
+  EXPECT_FALSE(second.contains("scene"));
+  EXPECT_FALSE(second.contains("lines"));
+  EXPECT_EQ(second.at("values"), (json{{"state", "ended"}}));
+}
+
+TEST(ViewRecord, GivesEveryRowOnceHoweverSeldomAPageReads) {
+  std::mt19937 random(3);
+  Record record;
+  record.begin("{}");
+  Record::Cursor page;
+  std::vector<float> got;
+  float next = 0;
+  for (int round = 0; round < 60; ++round) {
+    for (auto k = random() % 300; k > 0; --k, ++next) record.add("arm1", std::array{next, -next});
+    if (random() % 3 != 0) continue;
+    for (std::string news = record.news(page); !news.empty(); news = record.news(page)) {
+      if (!json::parse(news).contains("tracks")) continue;
+      const auto rows = test::rows_of(news, "arm1");
+      EXPECT_LE(rows.size() / 2, Record::kMostRows);
+      got.insert(got.end(), rows.begin(), rows.end());
+    }
+  }
+  for (std::string news = record.news(page); !news.empty(); news = record.news(page)) {
+    const auto rows = test::rows_of(news, "arm1");
+    got.insert(got.end(), rows.begin(), rows.end());
+  }
+  ASSERT_EQ(got.size(), 2 * record.rows("arm1"));
+  for (std::size_t k = 0; k < got.size() / 2; ++k) {
+    ASSERT_EQ(got[2 * k], static_cast<float>(k));
+    ASSERT_EQ(got[2 * k + 1], -static_cast<float>(k));
+  }
+}
+
+TEST(ViewRecord, BeginsAnewForPagesThatWereInTheMiddle) {
+  Record record;
+  record.begin(R"({"task":"a"})");
+  record.add("arm1", std::array{1.0F});
+  Record::Cursor page;
+  std::ignore = record.news(page);
+  record.begin(R"({"task":"b"})");
+  record.add("arm1", std::array{2.0F});
+  const std::string news = record.news(page);
+  EXPECT_EQ(json::parse(news).at("scene").at("task"), "b");
+  EXPECT_EQ(test::rows_of(news, "arm1"), std::vector{2.0F});
+}
+
+TEST(ViewRecord, IsReadByManyWhileOneWrites) {
+  Record record;
+  record.begin("{}");
+  constexpr int kRows = 5000;
+  std::atomic<bool> done{false};
+  const auto read = [&] {
+    Record::Cursor page;
+    std::size_t rows = 0;
+    while (true) {
+      const bool last = done;
+      const std::string news = record.news(page);
+      if (!news.empty() && json::parse(news).contains("tracks")) rows += test::rows_of(news, "arm1").size();
+      if (last && news.empty()) break;
+    }
+    EXPECT_EQ(rows, kRows);
+  };
+  std::thread one(read);
+  std::thread other(read);
+  for (int k = 0; k < kRows; ++k) record.add("arm1", std::array{static_cast<float>(k)});
+  done = true;
+  one.join();
+  other.join();
+}
+
+TEST(ViewRecord, WritesBase64AsTheStandardDoes) {
+  const auto of = [](std::string_view text) {
+    return base64({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  };
+  EXPECT_EQ(of(""), "");
+  EXPECT_EQ(of("f"), "Zg==");
+  EXPECT_EQ(of("fo"), "Zm8=");
+  EXPECT_EQ(of("foo"), "Zm9v");
+  EXPECT_EQ(of("foobar"), "Zm9vYmFy");
+}
+
+}  // namespace
+}  // namespace mrroc::view

@@ -1,0 +1,167 @@
+#include "ui_cli/view/run_source.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "base/effector_command.hpp"
+#include "base/fault.hpp"
+#include "test/ui_cli/view/sample_run.hpp"
+#include "ui_cli/view/listener.hpp"
+#include "ui_cli/view/samples.hpp"
+
+namespace mrroc::view {
+namespace {
+
+using nlohmann::json;
+constexpr std::size_t kWidth = kArmColumns.size();
+
+std::size_t column(std::string_view name) {
+  return static_cast<std::size_t>(std::ranges::find(kArmColumns, name) - kArmColumns.begin());
+}
+
+TEST(ViewRun, ShowsEveryReadingOfARunFolder) {
+  const test::ScratchFolder folder("mrroc-view-run");
+  test::write_run(folder.path(), 100);
+  Record record;
+  EXPECT_EQ(load_run(folder.path(), record), (std::vector<std::string>{"sac_board.png", "plots/force.png"}));
+  Record::Cursor page;
+  const std::string news = record.news(page);
+  const auto rows = test::rows_of(news, "arm1");
+  ASSERT_EQ(rows.size(), 100 * kWidth);
+  for (std::size_t i = 1; i <= 100; ++i) {
+    const float* row = rows.data() + (i - 1) * kWidth;
+    ASSERT_FLOAT_EQ(row[column("t")], 0.02F * static_cast<float>(i));
+    ASSERT_EQ(row[column("m")], i <= 50 ? 1 : 2);
+    ASSERT_FLOAT_EQ(row[column("q3")], 0.3F + 0.001F * static_cast<float>(i));
+    ASSERT_FLOAT_EQ(row[column("Fz")], static_cast<float>(i));
+    ASSERT_EQ(row[column("ink")], i == 25 ? -1 : i <= 50 ? 0 : 1) << "macrostep " << i;
+  }
+  const json values = json::parse(news).at("values");
+  EXPECT_EQ(values.at("behaviours"), (json{{"1", "approach"}, {"2", "draw"}}));
+  EXPECT_EQ(values.at("summary").at("outcome"), "done");
+  EXPECT_EQ(values.at("count").at("lost"), 0);
+  EXPECT_EQ(json::parse(news).at("lines").at(0).at("text"), "operator: start");
+}
+
+TEST(ViewRun, SaysWhereAFolderIsNoRun) {
+  const test::ScratchFolder folder("mrroc-view-none");
+  Record record;
+  try {
+    load_run(folder.path() / "missing", record);
+    FAIL();
+  } catch (const FaultError& e) {
+    EXPECT_EQ(e.fault().code, FaultCode::bad_usage);
+    EXPECT_NE(std::string(e.what()).find("is no run folder"), std::string::npos) << e.what();
+  }
+  std::ofstream(folder.path() / "config.toml") << test::sample_config();
+  try {
+    load_run(folder.path(), record);
+    FAIL();
+  } catch (const FaultError& e) {
+    EXPECT_EQ(e.fault().code, FaultCode::bad_log);
+  }
+}
+
+TEST(ViewRun, DescribesTheCell) {
+  const Scene scene = read_scene(Config::parse(test::sample_config(), "sample"));
+  const json j = json::parse(scene_json(scene, {.source = "run", .task = "sample"}));
+  EXPECT_EQ(j.at("arms").at(0).at("model"), "irb6_postument");
+  EXPECT_EQ(j.at("arms").at(0).at("place"), (json{0.0, 2.1, 0.0, 0.0, 0.0, 0.0}));
+  EXPECT_EQ(j.at("arms").at(1).at("gripper"), "two_jaw");
+  EXPECT_EQ(j.at("arms").at(0).at("paper").at("place").at(0), 0.9);
+  EXPECT_EQ(j.at("cube").at("held_by"), "arm2");
+  EXPECT_EQ(j.at("cameras").at(0).at("width"), 320);
+  EXPECT_DOUBLE_EQ(j.at("object").at("size").at(0), 0.24);
+  EXPECT_EQ(j.at("columns").size(), kWidth);
+}
+
+TEST(ViewRun, KnowsWhenAPenLeavesInk) {
+  const Scene scene = read_scene(Config::parse(test::sample_config(), "sample"));
+  const ArmScene& arm = scene.arms.at(0);
+  EXPECT_TRUE(on_paper(arm, {0.9, 0, 0.92 - 1e-4}));
+  EXPECT_TRUE(on_paper(arm, {0.9, 0, 0.92}));
+  EXPECT_FALSE(on_paper(arm, {0.9, 0, 0.92 + 5e-5})) << "lifted";
+  EXPECT_FALSE(on_paper(arm, {0.9, 0.16, 0.92})) << "beside the sheet";
+  EXPECT_FALSE(on_paper(arm, {0.74, 0, 0.92})) << "before the sheet";
+  EXPECT_FALSE(on_paper(arm, {0.9, 0, 0})) << "a driver that does not know where it is";
+}
+
+TEST(ViewListener, CountsWhatIsLostAndIgnoresWhatComesAgainOrFromOthers) {
+  Record record;
+  record.begin("{}");
+  Listener listener(record, read_scene(Config::parse(test::sample_config(), "sample")), "s", 7);
+  const auto hear = [&](std::int64_t number, std::int64_t session = 7) {
+    listener.receive("s.arm1.reply", test::encoded(test::reply(number, 0.9, 0, 1), number, number, session));
+  };
+  hear(5);  // it came late: what was before is not lost
+  hear(6);
+  hear(6);
+  hear(9);
+  hear(10, 8);
+  EXPECT_EQ(record.rows("arm1"), 3U);
+  EXPECT_EQ(listener.lost(), 2);
+  EXPECT_EQ(listener.messages(), 3);
+}
+
+TEST(ViewListener, BearsAnyBytes) {
+  std::mt19937 random(5);
+  Record record;
+  record.begin("{}");
+  Listener listener(record, {}, "s", 0);
+  for (const char* channel : {"s.arm1.reply", "s.task_status", "s.mp.console", "s.sac.frame",
+                              "s.object.truth", "s.hand.order", "s.arm1.report", "nothing", ""})
+    for (int k = 0; k < 200; ++k) {
+      std::vector<std::uint8_t> bytes(random() % 3000);
+      for (auto& b : bytes) b = static_cast<std::uint8_t>(random());
+      listener.receive(channel, bytes);
+    }
+  EXPECT_EQ(record.rows("arm1"), 0U);
+}
+
+TEST(ViewListener, TellsANewSheetARefusalAndTheObject) {
+  Record record;
+  record.begin("{}");
+  Listener listener(record, read_scene(Config::parse(test::sample_config(), "sample")), "s", 7);
+  hand_order_t hands{};
+  hands.new_sheet[0] = 1;
+  listener.receive("s.hand.order", test::encoded(hands, 1, 1));
+  effector_reply_t refused = test::reply(1, 0.9, 0, 0.92);
+  refused.fault.code = static_cast<std::int32_t>(FaultCode::force_limit);
+  listener.receive("s.arm1.reply", test::encoded(refused, 1, 1));
+  listener.receive("s.arm1.reply", test::encoded(refused, 2, 2));
+  object_truth_t truth{};
+  truth.step = 500;
+  truth.present = 1;
+  truth.T_0G[3] = 0.9;
+  listener.receive("s.object.truth", test::encoded(truth, 1, 1));
+  Record::Cursor page;
+  const std::string news = record.news(page);
+  const auto arm = test::rows_of(news, "arm1");
+  EXPECT_EQ(arm.at(column("ink")), -1);
+  EXPECT_EQ(arm.at(kWidth + column("ink")), 1);
+  const auto object = test::rows_of(news, "object");
+  EXPECT_FLOAT_EQ(object.at(0), 1);
+  EXPECT_FLOAT_EQ(object.at(6), 0.9F);
+  const json lines = json::parse(news).at("lines");
+  ASSERT_EQ(lines.size(), 1U) << "a refusal that stands is told once";
+  EXPECT_EQ(lines.at(0).at("code"), "force_limit");
+  EXPECT_EQ(lines.at(0).at("fault"), 1);
+}
+
+TEST(ViewListener, LeavesOutWhatADriverDoesNotKnow) {
+  Record record;
+  record.begin("{}");
+  Listener listener(record, {}, "s", 7);
+  effector_reply_t m = test::reply(1, 0, 0, 0);
+  m.state = static_cast<std::int8_t>(DriverState::not_synchronised);
+  listener.receive("s.arm1.reply", test::encoded(m, 1, 1));
+  EXPECT_EQ(record.rows("arm1"), 0U);
+  EXPECT_EQ(listener.lost(), 0);
+}
+
+}  // namespace
+}  // namespace mrroc::view

@@ -1,0 +1,139 @@
+#include "test/ui_cli/view/sample_run.hpp"
+
+#include <unistd.h>
+
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "base/effector_command.hpp"
+#include "base/link/event_log.hpp"
+#include "base/link/text.hpp"
+#include "base/operator.hpp"
+
+namespace mrroc::test {
+
+namespace fs = std::filesystem;
+
+ScratchFolder::ScratchFolder(const std::string& name)
+    : path_(fs::temp_directory_path() / (name + "-" + std::to_string(::getpid()))) {
+  fs::remove_all(path_);
+  fs::create_directories(path_);
+}
+
+ScratchFolder::~ScratchFolder() { fs::remove_all(path_); }
+
+std::string sample_config() {
+  return R"(
+[robots]
+order = ["arm1", "arm2"]
+[robots.arm1]
+model = "irb6_postument"
+place = [0.0, 2.1, 0.0, 0.0, 0.0, 0.0]
+gripper = "none"
+tool.pose = [0.0, 0.0, 0.25, 0.0, 0.0, 0.0]
+[robots.arm2]
+model = "irb6_track"
+gripper = "two_jaw"
+fingers = "two_layers"
+[sim.paper]
+distance = 0.9
+height = 0.92
+[cube]
+held_by = "arm2"
+[cameras]
+order = ["sac"]
+[cameras.sac]
+width = 320
+height = 240
+[object]
+kind = "chessboard"
+arm = "arm1"
+square = 0.02
+columns = 9
+rows = 6
+)";
+}
+
+effector_reply_t reply(std::int64_t i, double x, double y, double z) {
+  effector_reply_t m{};
+  m.step = 10 * i;
+  m.state = static_cast<std::int8_t>(DriverState::executing);
+  for (int k = 0; k < 8; ++k) m.joints[k] = 0.1 * k + 0.001 * static_cast<double>(i);
+  m.T_0E[0] = x;
+  m.T_0E[1] = y;
+  m.T_0E[2] = z;
+  m.F_a[2] = static_cast<double>(i);
+  return m;
+}
+
+agent_report_t report(int m) {
+  agent_report_t r{};
+  r.m = m;
+  return r;
+}
+
+task_status_t status(int m, std::string_view name) {
+  task_status_t s{};
+  s.state = static_cast<int>(TaskState::running);
+  s.m = m;
+  link::put_text(s.task, "sample");
+  link::put_text(s.behaviour, name);
+  return s;
+}
+
+console_t line(std::string_view text, int code) {
+  console_t c{};
+  c.code = code;
+  link::put_text(c.text, text);
+  return c;
+}
+
+void write_run(const fs::path& folder, int macrosteps) {
+  fs::create_directories(folder / "plots");
+  std::ofstream(folder / "config.toml") << sample_config();
+  std::ofstream(folder / "summary.json") << R"({"task": "sample", "outcome": "done", "fault": null})";
+  std::ofstream(folder / "sac_board.png") << "camera";
+  std::ofstream(folder / "plots" / "force.png") << "plot";
+  link::EventLog log(folder / "events.lcmlog");
+  log.receive("s.task_status", encoded(status(1, "approach"), 1, 0));
+  log.receive("s.mp.console", encoded(line("operator: start"), 1, 0));
+  for (int i = 1; i <= macrosteps; ++i) {
+    const int m = 2 * i <= macrosteps ? 1 : 2;
+    if (2 * i == macrosteps) log.receive("s.task_status", encoded(status(2, "draw"), 2, i));
+    if (4 * i == macrosteps) {
+      hand_order_t hands{};
+      hands.new_sheet[0] = 1;
+      log.receive("s.hand.order", encoded(hands, 1, i));
+    }
+    const double share = static_cast<double>(i) / macrosteps;
+    for (const std::string arm : {"arm1", "arm2"}) {
+      log.receive("s." + arm + ".report", encoded(report(m), i, i));
+      log.receive("s." + arm + ".reply",
+                  encoded(reply(i, 0.85 + 0.1 * share, 0.1 - 0.2 * share, m == 2 ? 0.9199 : 0.93), i, i));
+    }
+  }
+  log.flush();
+}
+
+std::vector<float> rows_of(const std::string& news, const std::string& track) {
+  static constexpr std::string_view kLetters =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const std::string text = nlohmann::json::parse(news).at("tracks").at(track);
+  std::vector<std::uint8_t> bytes;
+  std::uint32_t bits = 0;
+  int count = 0;
+  for (const char c : text) {
+    if (c == '=') break;
+    bits = bits << 6 | static_cast<std::uint32_t>(kLetters.find(c));
+    count += 6;
+    if (count < 8) continue;
+    count -= 8;
+    bytes.push_back(static_cast<std::uint8_t>(bits >> count & 255));
+  }
+  std::vector<float> rows(bytes.size() / sizeof(float));
+  std::memcpy(rows.data(), bytes.data(), rows.size() * sizeof(float));
+  return rows;
+}
+
+}  // namespace mrroc::test

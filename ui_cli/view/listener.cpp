@@ -1,0 +1,166 @@
+#include "ui_cli/view/listener.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/link/decode.hpp"
+#include "base/link/text.hpp"
+#include "base/msg/convert.hpp"
+#include "ui_cli/report.hpp"
+#include "ui_cli/view/samples.hpp"
+
+namespace mrroc::view {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using link::get_text;
+
+constexpr double kStep = 0.002;  // of the effector drivers [s]
+
+std::string compact(const Json& j) { return j.dump(-1, ' ', true, Json::error_handler_t::replace); }
+
+std::int64_t big_endian(const std::uint8_t* bytes) {
+  std::uint64_t value = 0;
+  for (int k = 0; k < 8; ++k) value = value << 8 | bytes[k];
+  return static_cast<std::int64_t>(value);
+}
+
+/// @return the name of the channel without the ending, or nothing when it ends otherwise
+std::optional<std::string> before(std::string_view name, std::string_view ending) {
+  if (!name.ends_with(ending)) return {};
+  return std::string(name.substr(0, name.size() - ending.size()));
+}
+
+template <link::FixedMessage M, class Take>
+void decoded(std::span<const std::uint8_t> bytes, Take take) {
+  if (const auto m = link::decode<M>(bytes)) take(*m);
+}
+
+}  // namespace
+
+Listener::Listener(Record& record, Scene scene, std::string session, std::int64_t session_id)
+    : record_(record), scene_(std::move(scene)), session_(std::move(session)), session_id_(session_id) {
+  for (const ArmScene& a : scene_.arms) arms_[a.name].scene = a;
+}
+
+void Listener::receive(std::string_view channel, std::span<const std::uint8_t> bytes) noexcept {
+  try {
+    if (is_new(channel, bytes)) take(channel.substr(channel.find('.') + 1), bytes);
+  } catch (const std::exception&) {  // no memory: what a page shows is not worth more
+    ++lost_;
+  }
+}
+
+bool Listener::is_new(std::string_view channel, std::span<const std::uint8_t> bytes) {
+  constexpr std::size_t kHeader = 32;  // LCM's fingerprint and header_t
+  if (bytes.size() < kHeader) return false;
+  if (session_id_ != 0 && big_endian(bytes.data() + 8) != session_id_) return false;
+  const bool one_sender = !channel.ends_with(".operator");
+  const std::int64_t number = big_endian(bytes.data() + 16);
+  auto it = last_.find(channel);
+  if (it == last_.end()) it = last_.emplace(std::string(channel), one_sender ? number - 1 : 0).first;
+  if (one_sender) {
+    if (number <= it->second) return false;
+    lost_ += number - it->second - 1;
+    it->second = number;
+  }
+  ++messages_;
+  return true;
+}
+
+void Listener::take(std::string_view name, std::span<const std::uint8_t> bytes) {
+  if (const auto arm = before(name, ".reply")) {
+    decoded<effector_reply_t>(bytes, [&](const auto& m) { take_reply(*arm, m); });
+  } else if (const auto of = before(name, ".report")) {
+    decoded<agent_report_t>(bytes, [&](const auto& m) { arms_[*of].m = m.m; });
+  } else if (const auto process = before(name, ".console")) {
+    decoded<console_t>(bytes, [&](const auto& m) { say(*process, m.code, get_text(m.text)); });
+  } else if (const auto camera = before(name, ".frame")) {
+    decoded<camera_frame_t>(bytes, [&](const auto& m) { take_frame(*camera, m); });
+  } else if (name == "task_status") {
+    decoded<task_status_t>(bytes, [&](const auto& m) { take_status(m); });
+  } else if (name == "hand.order") {
+    decoded<hand_order_t>(bytes, [&](const auto& m) { take_hands(m); });
+  } else if (name == "object.truth") {
+    decoded<object_truth_t>(bytes, [&](const auto& m) { take_object(m); });
+  }
+}
+
+void Listener::take_reply(const std::string& name, const effector_reply_t& m) {
+  Arm& arm = arms_[name];
+  t_ = static_cast<double>(m.step) * kStep;
+  take_refusal(name, arm, m.fault);
+  const auto state = static_cast<DriverState>(m.state);
+  if (state == DriverState::not_synchronised || state == DriverState::homing || state == DriverState::jogging)
+    return;
+  std::array<float, kArmColumns.size()> row{static_cast<float>(t_), static_cast<float>(arm.m)};
+  auto next = row.begin() + 2;
+  const auto put = [&](const auto& numbers) {
+    for (const double x : numbers) *next++ = static_cast<float>(x);
+  };
+  put(m.joints);
+  put(m.T_0E);
+  put(m.F_a);
+  *next++ = static_cast<float>(m.gripper);
+  const bool writes = arm.scene.gripper == "none" && !arm.scene.model.empty() &&
+                      on_paper(arm.scene, {m.T_0E[0], m.T_0E[1], m.T_0E[2]});
+  *next = arm.new_sheet ? -1.0F : writes ? 1.0F : 0.0F;
+  arm.new_sheet = false;
+  record_.add(name, row);
+}
+
+void Listener::take_refusal(const std::string& name, Arm& arm, const fault_t& fault) {
+  if (fault.code == arm.fault) return;
+  arm.fault = fault.code;
+  if (fault.code != 0) say("edp-" + name, fault.code, what_happened(from_message(fault)));
+}
+
+void Listener::take_status(const task_status_t& m) {
+  const ui::Snapshot s = ui::snapshot(m, session_);
+  std::string text = ui::status_json(s);
+  std::erase(text, '\n');  // those within texts are escaped
+  record_.set("status", std::move(text));
+  std::string& name = behaviours_[s.m];
+  if (s.behaviour.empty() || s.m == 0 || name == s.behaviour) return;
+  name = s.behaviour;
+  Json names = Json::object();
+  for (const auto& [number, words] : behaviours_)
+    if (!words.empty()) names[std::to_string(number)] = words;
+  record_.set("behaviours", compact(names));
+}
+
+void Listener::take_hands(const hand_order_t& m) {
+  for (std::size_t k = 0; k < std::min(scene_.arms.size(), std::size(m.new_sheet)); ++k)
+    if (m.new_sheet[k] != 0) arms_[scene_.arms[k].name].new_sheet = true;
+}
+
+void Listener::take_object(const object_truth_t& m) {
+  std::array<float, kObjectColumns> row{static_cast<float>(static_cast<double>(m.step) * kStep),
+                                        m.present != 0 ? 1.0F : 0.0F, m.hidden != 0 ? 1.0F : 0.0F};
+  std::ranges::transform(m.T_0G, row.begin() + 3, [](double x) { return static_cast<float>(x); });
+  record_.add(std::string(kObjectTrack), row);
+}
+
+void Listener::take_frame(const std::string& camera, const camera_frame_t& m) {
+  if (m.last != 0) return;
+  if (on_frame) on_frame(camera, m);
+  frames_[camera] = m.header.stamp;
+  record_.set("frames", compact(frames_));
+}
+
+void Listener::say(const std::string& process, std::int32_t code, const std::string& text) {
+  const FaultCode known = fault_code(code).value_or(FaultCode::internal_error);
+  record_.say(compact({{"t", t_},
+                       {"process", process},
+                       {"code", known == FaultCode::none ? "" : std::string(to_string(known))},
+                       {"text", text},
+                       {"fault", known == FaultCode::none ? 0 : 1}}));
+}
+
+void Listener::publish_count() {
+  record_.set("count", fmt::format("{{\"messages\":{},\"lost\":{}}}", messages_, lost_));
+}
+
+}  // namespace mrroc::view

@@ -1,0 +1,79 @@
+// Turns the messages of a session, as they come or as they were recorded, into what a page is told.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/fault.hpp"
+#include "base/link/bus.hpp"
+#include "mrroc/agent_report_t.hpp"
+#include "mrroc/camera_frame_t.hpp"
+#include "mrroc/console_t.hpp"
+#include "mrroc/effector_reply_t.hpp"
+#include "mrroc/hand_order_t.hpp"
+#include "mrroc/object_truth_t.hpp"
+#include "mrroc/task_status_t.hpp"
+#include "ui_cli/view/record.hpp"
+#include "ui_cli/view/scene.hpp"
+
+namespace mrroc::view {
+
+/// Listens to every channel of one session. What it makes of them, in the record:
+///   tracks  one per arm from ARM.reply (samples.hpp); "object" from object.truth
+///   lines   {t [s], process, code, text, fault: 0 or 1} from *.console, and what a driver refused
+///   values  "status" (ui::status_json), "behaviours" {m: name}, "frames" {camera: number}, "count" {messages, lost}
+/// A message that comes again is ignored; numbers that are missing are counted as lost. A reading of a driver that
+/// does not know its position yet is no row: there is nothing to draw.
+class Listener final : public link::Sink {
+ public:
+  /// @param record  outlives this
+  /// @param session_id  0: whatever comes; else messages of other sessions are ignored
+  Listener(Record& record, Scene scene, std::string session, std::int64_t session_id);
+
+  void receive(std::string_view channel, std::span<const std::uint8_t> bytes) noexcept override;
+
+  /// Writes down the counts, which change with every message. To be called now and then.
+  void publish_count();
+
+  [[nodiscard]] std::int64_t messages() const { return messages_; }
+  [[nodiscard]] std::int64_t lost() const { return lost_; }
+
+  /// Called with every picture that is announced. May be empty.
+  std::function<void(const std::string& camera, const camera_frame_t&)> on_frame;
+
+ private:
+  struct Arm {
+    ArmScene scene;
+    int m{};
+    bool new_sheet{};
+    std::int32_t fault{};  // told last
+  };
+
+  [[nodiscard]] bool is_new(std::string_view channel, std::span<const std::uint8_t> bytes);
+  void take(std::string_view name, std::span<const std::uint8_t> bytes);
+  void take_reply(const std::string& arm, const effector_reply_t& m);
+  void take_refusal(const std::string& name, Arm& arm, const fault_t& fault);
+  void take_status(const task_status_t& m);
+  void take_hands(const hand_order_t& m);
+  void take_object(const object_truth_t& m);
+  void take_frame(const std::string& camera, const camera_frame_t& m);
+  void say(const std::string& process, std::int32_t code, const std::string& text);
+
+  Record& record_;
+  Scene scene_;
+  std::string session_;
+  std::int64_t session_id_;
+  std::map<std::string, Arm, std::less<>> arms_;
+  std::map<std::string, std::int64_t, std::less<>> last_;  // number by channel
+  std::map<int, std::string> behaviours_;
+  std::map<std::string, std::int64_t> frames_;
+  std::int64_t messages_{};
+  std::int64_t lost_{};
+  double t_{};
+};
+
+}  // namespace mrroc::view

@@ -1,0 +1,70 @@
+#include "ui_cli/view/run_source.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "base/fault.hpp"
+#include "base/link/log_events.hpp"
+#include "ui_cli/view/listener.hpp"
+
+namespace mrroc::view {
+namespace {
+
+namespace fs = std::filesystem;
+
+nlohmann::json summary_of(const fs::path& folder) {
+  std::ifstream file(folder / "summary.json");
+  return file ? nlohmann::json::parse(file, nullptr, false) : nlohmann::json();
+}
+
+void add_pictures(const fs::path& folder, const std::string& prefix, std::vector<std::string>& found) {
+  const auto before = static_cast<std::ptrdiff_t>(found.size());
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder / prefix, none))
+    if (entry.path().extension() == ".png" && entry.is_regular_file(none))
+      found.push_back(prefix + entry.path().filename().string());
+  std::sort(found.begin() + before, found.end());
+}
+
+}  // namespace
+
+std::vector<std::string> pictures_of(const fs::path& folder) {
+  constexpr std::size_t kMost = 64;
+  std::vector<std::string> found;
+  add_pictures(folder, "", found);
+  add_pictures(folder, "plots/", found);
+  if (found.size() > kMost) found.resize(kMost);
+  return found;
+}
+
+Scene scene_of(const fs::path& folder) {
+  if (!fs::is_regular_file(folder / "config.toml"))
+    throw FaultError(FaultCode::bad_usage,
+                     fmt::format("{} is no run folder: it has no config.toml", folder.string()),
+                     "name a folder that a task has left, such as runs/press-2026-01-01T10-00-00");
+  return read_scene(Config::load(folder / "config.toml"));
+}
+
+void load_summary(const fs::path& folder, Record& record) {
+  const nlohmann::json summary = summary_of(folder);
+  if (summary.is_object())
+    record.set("summary", summary.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
+}
+
+std::vector<std::string> load_run(const fs::path& folder, Record& record) {
+  const Scene scene = scene_of(folder);
+  const nlohmann::json summary = summary_of(folder);
+  SceneFrame frame{.source = "run", .folder = folder.string(), .pictures = pictures_of(folder)};
+  if (summary.is_object()) frame.task = summary.value("task", "");
+  record.begin(scene_json(scene, frame));
+  Listener listener(record, scene, "", 0);
+  link::pass_events(folder / "events.lcmlog", listener);
+  listener.publish_count();
+  load_summary(folder, record);
+  return frame.pictures;
+}
+
+}  // namespace mrroc::view

@@ -1,0 +1,22 @@
+// The rows of the tracks that a page gets.
+#pragma once
+#include <array>
+#include <string_view>
+
+namespace mrroc::view {
+
+/// An arm's row, one per reply of its driver. t: simulated time [s]; m: behaviour of its agent; q0..q7: joints [rad],
+/// track [m]; x..az: E in the base [m], angle-axis [rad]; Fx..Nz: F_a in E [N], [N m]; gap: between the jaws [m];
+/// ink: 1 the pen is on the paper, 0 it is not, -1 the sheet was changed.
+inline constexpr std::array<std::string_view, 24> kArmColumns{
+    "t", "m",  "q0", "q1", "q2", "q3", "q4", "q5", "q6", "q7", "x",   "y",
+    "z", "ax", "ay", "az", "Fx", "Fy", "Fz", "Nx", "Ny", "Nz", "gap", "ink"};
+
+/// The row of the track "object": t [s]; 1 where it is present; 1 where something is held over it; the rows of
+/// [R P] of T_0G [m].
+inline constexpr std::size_t kObjectColumns = 15;
+
+/// Name of the object's track.
+inline constexpr std::string_view kObjectTrack = "object";
+
+}  // namespace mrroc::view

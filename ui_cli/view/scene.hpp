@@ -1,0 +1,69 @@
+// What stands in the cell, as the configuration of a run tells it.
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/config.hpp"
+#include "base/pose.hpp"
+
+namespace mrroc::view {
+
+/// One arm with what is in front of it.
+struct ArmScene {
+  std::string name;         ///< key in the configuration, also on its channels
+  std::string model;        ///< its description is robots/irb6/MODEL.urdf
+  AngleAxisPose place;      ///< T_UB, its base in the world: x y z [m], angle-axis [rad]
+  Pose T_0P;                ///< its sheet of paper in its base: x to the right, y away from the arm, z up
+  std::string gripper;      ///< "none" or "two_jaw"
+  std::string fingers;      ///< "none", "one_layer" or "two_layers" of a cube
+  AngleAxisPose tool;       ///< T_WE: x y z [m], angle-axis [rad]
+  std::string plate;        ///< on the sheet: "none", "rectangle" or "ellipse"
+  Vector3 plate_size;       ///< along the sheet's x, y and z [m]
+  double plate_distance{};  ///< of its middle from the sheet's centre along y [m]
+};
+
+/// One camera.
+struct CameraScene {
+  std::string name;
+  int width{};   ///< [pixel]
+  int height{};  ///< [pixel]
+};
+
+/// Everything that does not move by itself.
+struct Scene {
+  std::vector<ArmScene> arms;
+  std::vector<CameraScene> cameras;
+  std::string cube_held_by;              ///< name of an arm; empty: there is no cube
+  std::string object;                    ///< what the cameras look for: "none", "chessboard", "apriltag", ...
+  std::string object_arm;                ///< in whose base its place is told
+  Vector3 object_size{Vector3::Zero()};  ///< of its plate [m]
+  double object_square{};                ///< edge of a square of the chessboard, or of the tag [m]
+};
+
+/// Edge of a sheet of paper [m]. The configuration does not tell it.
+inline constexpr double kSheet = 0.3;
+
+/// @param config  of a run, complete  @throws FaultError bad_configuration
+[[nodiscard]] Scene read_scene(const Config& config);
+
+/// @param E  position of the end effector in the arm's base [m]
+/// @return whether a pen there leaves ink: on or in the sheet. Measured positions are 0.05 mm above it at least when
+///         the pen is lifted and not above it at all when it writes; the sheet gives way by less than 5 mm
+[[nodiscard]] bool on_paper(const ArmScene& arm, const Vector3& E);
+
+/// How a page gets to know it.
+struct SceneFrame {
+  std::string source{};                 ///< "none", "live" or "run"
+  std::string task{};                   ///< may be empty
+  std::string session{};                ///< empty for a run folder
+  std::string folder{};                 ///< the run's, may be empty
+  std::vector<std::string> pictures{};  ///< files of the folder that can be asked for
+  std::string note{};                   ///< what a person should know about it, may be empty
+};
+
+/// @return JSON: the fields of both under their names; poses are six numbers, `columns` names those of an arm's track
+[[nodiscard]] std::string scene_json(const Scene& scene, const SceneFrame& frame);
+
+}  // namespace mrroc::view

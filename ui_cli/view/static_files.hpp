@@ -1,0 +1,18 @@
+// The files of the page, inside the program: it does not depend on where the sources are.
+#pragma once
+#include <span>
+#include <string_view>
+
+namespace mrroc::view {
+
+/// One file.
+struct StaticFile {
+  std::string_view path;  ///< as in the address, beginning with '/'
+  std::string_view type;  ///< of its content, for the browser
+  std::string_view content;
+};
+
+/// @return every file that the page may ask for
+[[nodiscard]] std::span<const StaticFile> static_files();
+
+}  // namespace mrroc::view

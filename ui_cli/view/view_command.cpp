@@ -1,0 +1,123 @@
+#include "ui_cli/view/view_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <ostream>
+#include <stdexcept>
+#include <thread>
+#include <tuple>
+
+#include "base/fault.hpp"
+#include "ui_cli/view/run_source.hpp"
+#include "ui_cli/view/server.hpp"
+#include "ui_cli/view/session_source.hpp"
+
+namespace mrroc::view {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+constexpr const char* kAbout =
+    "Shows a running task, or a run folder, as a web page on this host: arms, sheets with ink, camera "
+    "pictures, forces\n"
+    "and poses over time, behaviours, messages. The page only shows; orders are given with ui_cli.";
+
+constexpr const char* kFooter =
+    "\nExamples:\n"
+    "  ui_cli view                          what runs now, or next; can be left open\n"
+    "  ui_cli view runs/press-...           a run that is over\n"
+    "  ./run drawing --view --speed 1       a task with its viewer beside it\n"
+    "\nExit status: 0 ended with Ctrl-C; 2 bad usage, or a folder that cannot be shown.";
+
+std::atomic<bool> interrupted{false};
+void interrupt(int) { interrupted = true; }
+
+struct Options {
+  std::string run;
+  int port{};
+  ui::Wish wish;
+  bool with_task{};
+};
+
+/// A name or an address that cannot be one is told at once, not on the page.
+void check(const ui::Wish& wish) {
+  if (wish.session.empty()) return;
+  link::check_session_name(wish.session);
+  try {
+    if (!wish.url.empty()) std::ignore = link::LcmAddress::parse(wish.url);
+  } catch (const std::logic_error& e) {
+    throw FaultError(FaultCode::bad_usage, fmt::format("--url: {}", e.what()));
+  }
+}
+
+/// Waits for the end.
+void stay(const Options& o, const Server& server, const SessionSource* source) {
+  constexpr auto kLeave = 5s;
+  auto wanted = std::chrono::steady_clock::now();
+  while (!interrupted) {
+    std::this_thread::sleep_for(50ms);
+    const auto now = std::chrono::steady_clock::now();
+    if (!o.with_task || !source || source->following() || server.pages() > 0) wanted = now;
+    if (now - wanted > kLeave) return;
+  }
+}
+
+int serve(const Options& o, std::ostream& out) {
+  check(o.wish);
+  Record record;
+  CameraWindow cameras;
+  std::unique_ptr<SessionSource> source;
+  if (o.run.empty())
+    source = std::make_unique<SessionSource>(
+        SessionSurroundings{.wish = o.wish, .sessions = link::session_directory()}, record, cameras);
+  else
+    load_run(o.run, record);
+  const Server server(
+      {record, cameras, [&]() -> fs::path { return source ? source->folder() : fs::path(o.run); }}, o.port);
+  out << "view: " << server.url() << std::endl;
+  stay(o, server, source.get());
+  return 0;
+}
+
+}  // namespace
+
+int run_view(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+  Options o;
+  CLI::App app(kAbout, "ui_cli view");
+  app.add_option("run", o.run, "run folder (default: what runs now)")->type_name("RUN");
+  app.add_option("--port", o.port, "of 127.0.0.1 (default: 8460 or the next that is free)")
+      ->check(CLI::Range(1024, 65535))
+      ->type_name("N");
+  auto* session = app.add_option("--session", o.wish.session, "name of the session, when several tasks run");
+  session->type_name("NAME");
+  app.add_option("--url", o.wish.url, "where a task of another host talks: udpm://HOST:PORT?ttl=N")
+      ->needs(session)
+      ->type_name("URL");
+  app.add_flag("--with-task", o.with_task, "end when no task runs and no page is open for 5 s");
+  app.footer(kFooter);
+  interrupted = false;
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+  std::signal(SIGPIPE, SIG_IGN);  // a page that goes away is no error
+  try {
+    std::vector<std::string> words(arguments.rbegin(), arguments.rend());
+    app.parse(std::move(words));
+    return serve(o, out);
+  } catch (const CLI::CallForHelp& e) {
+    return app.exit(e, out, err);
+  } catch (const CLI::Error& e) {
+    err << FaultError(FaultCode::bad_usage, e.what()).error_line() << std::endl;
+    return 2;
+  } catch (const FaultError& e) {
+    err << e.error_line() << std::endl;
+    return exit_status(e.fault().code);
+  }
+}
+
+}  // namespace mrroc::view

@@ -1,0 +1,113 @@
+// The words around the pictures: title, state, readings, messages.
+import {colour_of, fixed} from './theme.js';
+
+const by_id = (id) => document.getElementById(id);
+
+function element(tag, text, kind) {
+  const e = document.createElement(tag);
+  if (text !== undefined) e.textContent = text;
+  if (kind) e.className = kind;
+  return e;
+}
+
+/** A row of buttons of which one is pressed. */
+export class Segments {
+  constructor(place, chosen) { Object.assign(this, {place, chosen}); }
+  /** @param entries  [[value, text, hint]] */
+  offer(entries, value) {
+    this.place.replaceChildren(...entries.map(([v, text, hint]) => {
+      const button = element('button', text);
+      button.dataset.value = v;
+      if (hint) button.title = hint;
+      button.onclick = () => { this.press(v); this.chosen(v); };
+      return button;
+    }));
+    this.press(value);
+  }
+  press(value) { for (const b of this.place.children) b.setAttribute('aria-pressed', b.dataset.value === String(value)); }
+}
+
+/** What goes on, in the pill at the top: [words, kind]. */
+export function state_of(history, connected) {
+  if (!connected) return ['viewer has ended', 'bad'];
+  const {source} = history.scene, {state, status, summary} = history.values;
+  const outcome = summary ? summary.outcome + (summary.fault ? `: ${summary.fault.code}` : '') : 'ended';
+  const bad = summary && summary.outcome === 'fault' ? 'bad' : '';
+  if (source === 'run') return [`recorded, ${outcome}`, bad];
+  if (source === 'none') return ['waiting for a task', ''];
+  if (state?.name === 'ended') return [outcome, bad];
+  return [status?.state || 'live', 'live'];
+}
+
+export function show_header(history, connected, arm, t) {
+  const {scene} = history, folder = scene.folder.split('/').filter(Boolean).pop();
+  by_id('title').textContent = scene.task ? scene.task.replaceAll('_', ' ') : 'MRROC++ viewer';
+  by_id('subtitle').textContent = [scene.session && `session ${scene.session}`, folder && `run folder ${folder}`, scene.note].filter(Boolean).join('  ·  ');
+  const [words, kind] = state_of(history, connected), pill = by_id('state'), chip = by_id('behaviour');
+  pill.textContent = words;
+  pill.className = `pill ${kind}`;
+  const m = history.behaviour(arm, t), name = history.name_of(m);
+  chip.hidden = !m;
+  const dot = element('i');
+  dot.style.background = colour_of(m);
+  chip.replaceChildren(dot, name.startsWith('m =') ? name : `m = ${m}  ${name}`);
+  document.title = scene.task ? `${scene.task} - viewer` : 'viewer';
+}
+
+/** Position and force of every arm, over the picture. */
+export function show_readout(history, t) {
+  const column = history.column, n = new Float64Array(12);
+  by_id('readout').replaceChildren(...history.arms.map((name) => {
+    const card = element('div', undefined, 'card'), table = element('table');
+    const known = history.tracks.get(name).mix(t, column.x, 12, n);
+    card.append(element('b', name), table);
+    const rows = [['E', [0, 1, 2].map((k) => fixed(1000 * n[k], 1)), 'mm'], ['F', [6, 7, 8].map((k) => fixed(n[k], 2)), 'N']];
+    for (const [what, values, unit] of rows) {
+      const row = element('tr');
+      row.append(element('td', what), ...values.map((v) => element('td', known ? v : '-')), element('td', unit, 'unit'));
+      table.append(row);
+    }
+    return card;
+  }));
+}
+
+export class Messages {
+  constructor(place, seek) { Object.assign(this, {place, seek}); this.reset(); }
+  reset() {
+    this.shown = 0;
+    this.place.replaceChildren(element('li', 'nothing was said yet', 'none'));
+  }
+  show(history, t) {
+    if (!this.shown && history.lines.length) this.place.replaceChildren();
+    for (; this.shown < history.lines.length; ++this.shown) {
+      const line = history.lines[this.shown], item = element('li', undefined, line.fault ? 'fault' : '');
+      item.append(element('span', `${line.t.toFixed(2)} s`), element('span', line.process), element('span', line.text));
+      item.title = line.code ? `${line.code}: ui_cli explain ${line.code}` : '';
+      item.onclick = () => this.seek(line.t);
+      this.place.append(item);
+      this.place.scrollTop = this.place.scrollHeight;
+    }
+    [...this.place.children].forEach((item, k) => item.classList.toggle('later', k < history.lines.length && history.lines[k].t > t + 1e-3));
+    const {count} = history.values;
+    by_id('count').textContent = count ? `${count.messages.toLocaleString('en')} heard${count.lost ? `, ${count.lost} lost` : ''}` : '';
+  }
+}
+
+/** What stands in the place of a picture when there is nothing to draw. */
+export function show_empty(history, connected) {
+  const place = by_id('empty'), {scene, values} = history;
+  place.hidden = scene.arms.length > 0 || history.rows > 0;
+  if (place.hidden) return;
+  const line = (...parts) => { const p = element('div', undefined, 'dim'); p.append(...parts); return p; };
+  if (!connected) {
+    place.replaceChildren(element('strong', 'The viewer has ended'), line('Start it again with ', element('code', 'ui_cli view')));
+  } else if (scene.source === 'none') {
+    const why = values.state?.text || '', special = /tasks run|under the name/.test(why);
+    place.replaceChildren(
+      element('strong', /tasks run/.test(why) ? 'Several tasks run' : 'No session'),
+      special ? line(why) : line('Start a task in another terminal, for example ', element('code', './run drawing --speed 1')),
+      line('A run that is over: ', element('code', 'ui_cli view runs/FOLDER')));
+  } else {
+    place.replaceChildren(element('strong', 'The cell is not known'), line(scene.note || 'The configuration names no arm.'));
+  }
+}
