@@ -54,17 +54,16 @@ void CameraWindow::look() {
   for (auto& [camera, eye] : eyes_) {
     if (eye.store) continue;
     name_.camera = camera;
-    if (std::error_code none; !std::filesystem::exists(name_.path(), none)) continue;
     try {
-      eye.store = std::make_unique<link::FrameReader>(name_, std::chrono::milliseconds(0));
-    } catch (const FaultError&) {  // being made, or gone again: perhaps the next time
+      eye.store = link::FrameReader::open(name_);
+    } catch (const FaultError&) {  // no store of this session: perhaps the next time
     }
   }
 }
 
 bool CameraWindow::complete() const {
   const std::lock_guard lock(mutex_);
-  return std::ranges::all_of(eyes_, [](const auto& eye) { return eye.second.store != nullptr; });
+  return std::ranges::all_of(eyes_, [](const auto& eye) { return eye.second.store.has_value(); });
 }
 
 void CameraWindow::announce(const std::string& camera, const camera_frame_t& m) {

@@ -32,7 +32,7 @@ class CameraWindow {
 
  private:
   struct Eye {
-    std::unique_ptr<link::FrameReader> store;
+    std::optional<link::FrameReader> store;
     std::int32_t slot{-1};
     std::int64_t frame{-1};
     link::Frame last;
