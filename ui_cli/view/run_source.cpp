@@ -20,6 +20,10 @@ nlohmann::json summary_of(const fs::path& folder) {
   return file ? nlohmann::json::parse(file, nullptr, false) : nlohmann::json();
 }
 
+std::string text_of(const nlohmann::json& j) {
+  return j.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+}
+
 void add_pictures(const fs::path& folder, const std::string& prefix, std::vector<std::string>& found) {
   const auto before = static_cast<std::ptrdiff_t>(found.size());
   std::error_code none;
@@ -50,8 +54,15 @@ Scene scene_of(const fs::path& folder) {
 
 void load_summary(const fs::path& folder, Record& record) {
   const nlohmann::json summary = summary_of(folder);
-  if (summary.is_object())
-    record.set("summary", summary.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
+  if (summary.is_object()) record.set("summary", text_of(summary));
+  if (summary.is_object() && summary.value("fault", nlohmann::json()).is_object()) {
+    const nlohmann::json& fault = summary["fault"];
+    record.say(text_of({{"t", summary.value("sim_s", 0.0)},
+                        {"process", fault.value("process", "")},
+                        {"code", fault.value("code", "")},
+                        {"text", "the run ended: " + fault.value("text", "")},
+                        {"fault", 1}}));
+  }
 }
 
 std::vector<std::string> load_run(const fs::path& folder, Record& record) {

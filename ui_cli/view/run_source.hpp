@@ -22,7 +22,7 @@ std::vector<std::string> load_run(const std::filesystem::path& folder, Record& r
 /// @throws FaultError bad_usage: there is none; bad_configuration
 [[nodiscard]] Scene scene_of(const std::filesystem::path& folder);
 
-/// Puts summary.json of the folder into the record, if there is a sound one.
+/// Puts summary.json of the folder into the record, if there is a sound one, and a line for the fault that it names.
 void load_summary(const std::filesystem::path& folder, Record& record);
 
 }  // namespace mrroc::view

@@ -135,6 +135,8 @@ def follow_a_task(page, folder: Path):
     page.wait("Number(document.querySelector('#clock').dataset.t) > 1")
     check(page.value("document.querySelector('#state').innerText") == "running", "a task that comes is followed")
     check(page.value("document.querySelector('#empty').hidden"), "the text gives way to the cell")
+    page.wait("document.querySelector('#cameras img')?.naturalWidth === 320")
+    check(page.share("#cameras img", "g > 100 && r < 40 && b < 40") > 0.2, "pictures of the camera come")
     page.click("#play")
     page.wait("document.querySelector('#clock').dataset.live === 'false'")
     held, rows = clock(page, "t"), int(clock(page, "rows"))

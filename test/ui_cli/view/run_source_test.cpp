@@ -47,6 +47,21 @@ TEST(ViewRun, ShowsEveryReadingOfARunFolder) {
   EXPECT_EQ(json::parse(news).at("lines").at(0).at("text"), "operator: start");
 }
 
+TEST(ViewRun, TellsTheFaultThatEndedARun) {
+  const test::ScratchFolder folder("mrroc-view-fault");
+  std::ofstream(folder.path() / "summary.json")
+      << R"({"outcome": "fault", "sim_s": 3.5, "fault": {"code": "process_died", "process": "ecp-arm1", "text": "gone"}})";
+  Record record;
+  record.begin("{}");
+  load_summary(folder.path(), record);
+  Record::Cursor page;
+  const json line = json::parse(record.news(page)).at("lines").at(0);
+  EXPECT_EQ(line.at("code"), "process_died");
+  EXPECT_EQ(line.at("process"), "ecp-arm1");
+  EXPECT_EQ(line.at("t"), 3.5);
+  EXPECT_NE(std::string(line.at("text")).find("gone"), std::string::npos);
+}
+
 TEST(ViewRun, SaysWhereAFolderIsNoRun) {
   const test::ScratchFolder folder("mrroc-view-none");
   Record record;

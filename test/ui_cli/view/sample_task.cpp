@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "mrroc/agent_order_t.hpp"
+#include "mrroc/camera_frame_t.hpp"
 #include "mrroc/effector_command_t.hpp"
 #include "mrroc/step_samples_t.hpp"
 #include "test/ui_cli/view/sample_run.hpp"
@@ -21,6 +22,23 @@ SampleTask::SampleTask(const std::string& session, const std::filesystem::path& 
                                                                 .task = "sample",
                                                                 .run_folder = std::filesystem::absolute(run),
                                                                 .pid = 0});
+  camera_ = std::make_unique<link::FrameWriter>(
+      link::FrameStoreName{.session = session, .session_id = file_->info().id, .camera = "sac"},
+      link::FrameStoreShape{.width = 320, .height = 240, .channels = 3});
+}
+
+void SampleTask::take_picture() {
+  Image image(320, 240, 3);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) image.row(y)[3 * x + 1] = static_cast<std::uint8_t>((x + i_) % 256);
+  const std::int64_t number = i_ / 2;
+  camera_frame_t m{};
+  m.step = 10 * i_;
+  m.slot = camera_->write(number, m.step, 0.02 * static_cast<double>(i_), image.view());
+  m.header = {file_->info().id, number, number};
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(link::encoded_size<camera_frame_t>()));
+  m.encode(bytes.data(), 0, link::encoded_size<camera_frame_t>());
+  bus_->publish({link::Group::agents, session_ + ".sac.frame"}, bytes);
 }
 
 template <class M>
@@ -30,6 +48,7 @@ void SampleTask::publish(const std::string& name, const M& m, std::int64_t numbe
 
 void SampleTask::step() {
   ++i_;
+  if (i_ % 2 == 0) take_picture();
   const int m = i_ < kPerSecond ? 1 : 2;
   const double angle = 0.02 * static_cast<double>(i_);
   if (i_ % 5 == 1) publish("task_status", status(m, m == 1 ? "approach" : "draw"), i_ / 5 + 1);

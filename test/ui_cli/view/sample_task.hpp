@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/link/bus.hpp"
+#include "base/link/frame_store.hpp"
 #include "base/link/session.hpp"
 
 namespace mrroc::test {
@@ -22,18 +23,20 @@ class SampleTask {
   SampleTask(const std::string& session, const std::filesystem::path& run);
 
   /// Says what belongs to the next macrostep: of each arm order, command, reply, report and samples; ten times a
-  /// second the status.
+  /// second the status; 25 times a second a picture.
   void step();
   /// @return replies of one arm so far
   [[nodiscard]] std::int64_t steps() const { return i_; }
 
  private:
+  void take_picture();
   template <class M>
   void publish(const std::string& name, const M& m, std::int64_t number);
 
   std::string session_;
   std::unique_ptr<link::SessionFile> file_;
   std::unique_ptr<link::Bus> bus_;
+  std::unique_ptr<link::FrameWriter> camera_;
   std::int64_t i_{};
 };
 

@@ -89,7 +89,7 @@ function draw(now) {
     show_controls();
     show_empty(history, connected);
     show_readout(history, player.t);
-    messages.show(history, player.t);
+    messages.show(history, player.live ? Infinity : player.t);
     cell.show(history, player.t);
     charts.draw(history, player, arm);
     timeline.draw();
@@ -116,6 +116,7 @@ addEventListener('keydown', (event) => {
   if (key) { key(); event.preventDefault(); } else if (history.arms[Number(event.key) - 1]) { arm = history.arms[Number(event.key) - 1]; arms.press(arm); } else return;
   changed = true;
 });
+new ResizeObserver(() => { changed = true; }).observe(by_id('charts'));
 addEventListener('resize', () => { changed = true; });
 on_theme(() => { cell.recolour(); changed = true; });
 listen(begin, (news) => { history.take(news); changed = true; }, (link) => { connected = link; changed = true; });
