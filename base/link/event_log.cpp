@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <lcm/eventlog.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 
@@ -33,16 +34,27 @@ EventLog::EventLog(const std::filesystem::path& file, Channels several_senders)
 
 EventLog::~EventLog() { lcm_eventlog_destroy(file_->log); }
 
+bool EventLog::note(std::int64_t number, Heard& heard) noexcept {
+  if (number <= heard.last) {
+    if (heard.missing.erase(number) == 0) return false;
+    --gaps_;
+    return true;
+  }
+  // A stranger's number must not fill the memory.
+  constexpr std::int64_t kRemembered = 1000;
+  for (std::int64_t n = std::max(heard.last + 1, number - kRemembered); n < number; ++n)
+    heard.missing.insert(n);
+  gaps_ += number - heard.last - 1;
+  heard.last = number;
+  return true;
+}
+
 void EventLog::receive(std::string_view channel, std::span<const std::uint8_t> bytes) noexcept {
   if (bytes.size() < kNumberAt + 8) return;
   const std::int64_t number = big_endian(bytes.subspan(kNumberAt, 8));
-  auto it = last_.find(channel);
-  if (it == last_.end()) it = last_.emplace(channel, 0).first;
-  if (!several_senders_.contains(channel)) {
-    if (number <= it->second) return;
-    gaps_ += number - it->second - 1;
-    it->second = number;
-  }
+  auto it = heard_.find(channel);
+  if (it == heard_.end()) it = heard_.emplace(channel, Heard{}).first;
+  if (!several_senders_.contains(channel) && !note(number, it->second)) return;
 
   using namespace std::chrono;
   lcm_eventlog_event_t event{};

@@ -11,7 +11,8 @@
 
 namespace mrroc::link {
 
-/// Writes what it receives. Repeated messages are written once; missing numbers are counted. On a channel with
+/// Writes what it receives. Repeated messages are written once, also those that were missing until they were repeated; missing
+/// numbers are counted. On a channel with
 /// several senders numbers say nothing: everything is written and nothing is counted.
 class EventLog final : public Sink {
  public:
@@ -36,8 +37,16 @@ class EventLog final : public Sink {
 
  private:
   struct File;
+  /// Numbers of one channel.
+  struct Heard {
+    std::int64_t last{};
+    std::set<std::int64_t> missing{};  // below it
+  };
+  /// @return whether it is to be written
+  bool note(std::int64_t number, Heard& heard) noexcept;
+
   std::unique_ptr<File> file_;
-  std::map<std::string, std::int64_t, std::less<>> last_;  // number by channel
+  std::map<std::string, Heard, std::less<>> heard_;  // by channel
   std::int64_t events_{};
   std::int64_t gaps_{};
   Channels several_senders_;

@@ -134,6 +134,8 @@ std::string ReplayBus::missing() const {
   for (const auto& [name, sinks] : sinks_) {
     const auto it = channels_.find(name);
     if (it == channels_.end()) continue;
+    if (!it->second.logged.empty() && !type_of(it->second.logged.begin()->second->bytes))
+      return fmt::format("{} as this version of the framework has it", name);
     std::int64_t expected = 1;
     for (const auto& [number, message] : it->second.logged) {
       if (number != expected) return fmt::format("{}, number {}", name, expected);

@@ -66,7 +66,8 @@ class ReplayBus final : public Bus {
   [[nodiscard]] const std::optional<LogDifference>& first() const { return first_; }
   /// @return messages in the log that the process has not sent again, by channel without the session
   [[nodiscard]] std::map<std::string, std::vector<std::int64_t>> not_sent() const;
-  /// @return the first message that the process listens to and that the log lacks: "arm1.reply, number 12"
+  /// @return the first message that the process listens to and that the log lacks, "arm1.reply, number 12", or the
+  ///         channel whose messages are of another version
   [[nodiscard]] std::string missing() const;
 
  private:

@@ -44,6 +44,16 @@ TEST_F(LogFile, CountsWhatIsMissingAndWritesRepetitionsOnce) {
   EXPECT_EQ(LogReader(file).messages<operator_order_t>("a").size(), 4U);
 }
 
+TEST_F(LogFile, WritesWhatWasMissingWhenItIsRepeated) {
+  const fs::path file = folder_ / "log";
+  {
+    EventLog log(file);
+    for (const std::int64_t number : {1, 4, 2, 2, 4, 3, 3}) give(log, "s.a", number, number);
+    EXPECT_EQ(log.gaps(), 0);
+  }
+  EXPECT_EQ(LogReader(file).messages().size(), 4U);
+}
+
 TEST_F(LogFile, CountsNothingOnAChannelWithSeveralSendersAndWritesEverything) {
   const fs::path file = folder_ / "log";
   {
