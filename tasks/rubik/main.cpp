@@ -59,8 +59,12 @@ std::string pose_setting(const char* key, const Pose& T) {
 std::vector<std::string> camera_settings() {
   const rubik::Viewing viewing = sim::viewing_place();
   const Pose T_GC{Eigen::DiagonalMatrix<double, 3>(1, -1, -1), {0, 0, viewing.distance}};
-  return {fmt::format("cameras.order=[\"{}\"]", kCamera), "cameras.cube.mount=world",
-          "cameras.cube.period=100", pose_setting("cameras.cube.pose", viewing.T_UG * T_GC),
+  return {fmt::format("cameras.order=[\"{}\"]", kCamera),
+          "cameras.cube.mount=world",
+          "cameras.cube.period=100",
+          "cameras.cube.fx=1100",
+          "cameras.cube.fy=1100",
+          pose_setting("cameras.cube.pose", viewing.T_UG * T_GC),
           pose_setting("cube_face.places.shown.pose", viewing.T_UG)};
 }
 
