@@ -41,8 +41,11 @@ inline void vary(Report& r, std::mt19937& random) {
   if (happens(0.02, random)) r.blocked = !r.blocked;
 }
 inline void vary(Order& o, std::mt19937& random) {
-  if (happens(0.05, random)) o.m = static_cast<int>(random() % 11);
-  if (happens(0.05, random)) o.variant = static_cast<int>(random() % 4);
+  if (happens(0.05, random)) {
+    const auto draw = random();
+    o.m = static_cast<int>(draw % 11);
+    o.variant = static_cast<int>(draw / 11 % 4);
+  }
   for (bool& go : o.go_on) go = happens(0.05, random);
   o.finished = o.finished || happens(0.001, random);
   o.arm.mu = Interpolation::tcim_velocity;
