@@ -41,8 +41,8 @@ std::string camera_of(const link::Process& process) {
   return name.substr(kPrefix.size());
 }
 
-bool run_camera(link::Process& process, const std::string& key, const CameraModel& camera,
-                const PictureAnswer& answer) {
+void run_camera(link::Process& process, const std::string& key, const CameraModel& camera,
+                const PictureAnswer& answer, const std::function<void()>& at_end) {
   const auto frames = process.inbox<camera_frame_t>(key + ".frame");
   const link::Sources sources{frames.get()};
   const link::Membership& member = process.membership();
@@ -51,7 +51,7 @@ bool run_camera(link::Process& process, const std::string& key, const CameraMode
     throw FaultError(FaultCode::bad_configuration,
                      fmt::format("the pictures of camera {} are {} x {}, its model says {} x {}", key,
                                  store.shape().width, store.shape().height, camera.width, camera.height));
-  if (!process.assemble()) return false;
+  if (!process.assemble()) return;
   link::Frame frame;
   for (std::int64_t i = 0;; ++i) {
     const camera_frame_t* m{};
@@ -75,7 +75,9 @@ bool run_camera(link::Process& process, const std::string& key, const CameraMode
     }
     process.report_progress(i, m->step);
   }
-  return true;
+  at_end();
+  process.report_done();  // while the link of the pictures is still there
+  process.stay();
 }
 
 CameraFilm::CameraFilm(std::string key, std::string object, ObjectShape shape, const CameraModel& camera,

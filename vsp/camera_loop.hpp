@@ -20,13 +20,13 @@ std::string camera_of(const link::Process& process);
 using PictureAnswer =
     std::function<void(const ImageView* picture, std::int64_t frame, std::int64_t step, bool last)>;
 
-/// Takes the camera's pictures until the last one or the end of the system. To be called when all links have been made:
-/// it assembles.
-/// @return whether it assembled
+/// The life of a receptor's process: assembles, takes the camera's pictures until the last one or the end of the system,
+/// and stays until everybody has ended. To be called when all other links have been made.
+/// @param at_end  called when there are no more pictures, if it had assembled
 /// @throws FaultError bad_configuration: the pictures are of another size than the camera's; malformed_message: the frame
 ///         store does not hold what was announced
-bool run_camera(link::Process& process, const std::string& key, const CameraModel& camera,
-                const PictureAnswer& answer);
+void run_camera(link::Process& process, const std::string& key, const CameraModel& camera,
+                const PictureAnswer& answer, const std::function<void()>& at_end);
 
 /// What the camera saw, with what was found drawn in: with `film.directory` in the configuration KEY_OBJECT.png there.
 class CameraFilm {

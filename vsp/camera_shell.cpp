@@ -26,10 +26,7 @@ void run_receptor(const ImageReceptor& receptor, link::Process& process, const C
     m.last = last;
     readings->publish(m, frame);
   };
-  if (!run_camera(process, key, camera, answer)) return;
-  film.write();
-  process.report_done();
-  process.stay();
+  run_camera(process, key, camera, answer, [&film] { film.write(); });
 }
 
 }  // namespace mrroc::vsp

@@ -110,10 +110,7 @@ void run_cube_face(link::Process& process, const Config& config, const link::Par
     m.last = last;
     readings->publish(m, frame);
   };
-  if (!run_camera(process, key, camera, answer)) return;
-  film.write();
-  process.report_done();
-  process.stay();
+  run_camera(process, key, camera, answer, [&film] { film.write(); });
 }
 
 int cube_face_main(int argc, char** argv) {
