@@ -15,7 +15,7 @@ namespace mrroc::rubik {
 inline constexpr std::size_t kArms = 2;
 
 /// Simulated time that thinking takes [macrosteps].
-inline constexpr int kThinking = 50;
+inline constexpr int kThinking = 100;
 
 /// What hangs on a force sensor.
 struct Load {
