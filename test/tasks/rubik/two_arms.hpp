@@ -65,7 +65,7 @@ class TwoArms {
       if (jaws_[arm] > 0) r.gripper = jaws_[arm];
     }
     if (o.m == kWeigh && age_ > 20) r.event = kWeigh;
-    if (o.m == 1) r.T_0E = {};
+    if (o.m == kGo) r.T_0E[2] = 0;
     if (o.m == 1 && acts) approach(r);
     if (o.m == 2 && acts) r.event = 2;
     if (o.m == 3 && acts) r.gripper = 0.06, r.event = 3;
