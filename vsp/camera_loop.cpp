@@ -92,7 +92,7 @@ void run_camera(link::Process& process, const std::string& key, const CameraMode
     process.report_progress(i, m->step);
   }
   at_end();
-  process.report_done();
+  process.report_done();  // while the link of the pictures is still there
   process.stay();
 }
 

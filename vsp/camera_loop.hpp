@@ -21,9 +21,9 @@ std::string camera_of(const link::Process& process);
 using PictureAnswer =
     std::function<void(const ImageView* picture, std::int64_t frame, std::int64_t step, double t, bool last)>;
 
-/// Life of a receptor's process when all links have been made: assembles, takes the camera's pictures until the last one or
-/// the end of the system, and stays until the system has ended.
-/// @param at_end  what is left to do after the last picture
+/// The life of a receptor's process: assembles, takes the camera's pictures until the last one or the end of the system,
+/// and stays until everybody has ended. To be called when all other links have been made.
+/// @param at_end  called when there are no more pictures, if it had assembled
 /// @throws FaultError bad_configuration: the pictures are of another size than the camera's; malformed_message: the frame
 ///         store does not hold what was announced
 void run_camera(link::Process& process, const std::string& key, const CameraModel& camera,

@@ -29,7 +29,7 @@ void run_receptor(const ImageReceptor& receptor, link::Process& process, const C
     m.last = last;
     readings->publish(m, frame);
   };
-  run_camera(process, key, camera, answer, [&] { film.write(); });
+  run_camera(process, key, camera, answer, [&film] { film.write(); });
 }
 
 }  // namespace mrroc::vsp

@@ -86,7 +86,7 @@ Memory0 first_point(const X& x) {
 /// Point after point; what has been lost is sent again when all others have been.
 Memory0 next_point(const X& x) {
   Memory0 c = x.c;
-  if (++c.next >= c.way.count) c.next = std::min(report(x, c.mover).sensor, c.way.count - 1);
+  if (++c.next >= c.way.count) c.next = std::clamp(report(x, c.mover).sensor, 0, std::max(0, c.way.count - 1));
   return c;
 }
 
@@ -121,7 +121,7 @@ Orders send_point(const X& x) {
   Orders orders = both<kWait>(x);
   Order& o = orders[index(x.c.mover)];
   o.m = kTakeWay;
-  o.variant = x.c.next;
+  o.variant = x.c.way.count > 0 ? x.c.next : -1;  // no point: the jaws alone
   o.arm.mu = Interpolation::mim;
   o.arm.representation = Representation::joints;
   if (x.c.way.count > 0) o.arm.pose = x.c.way.points[static_cast<std::size_t>(x.c.next)];

@@ -15,7 +15,7 @@ namespace mrroc::rubik {
 inline constexpr std::size_t kArms = 2;
 
 /// Simulated time that thinking takes [macrosteps].
-inline constexpr int kThinking = 50;
+inline constexpr int kThinking = 100;
 
 /// What hangs on a force sensor.
 struct Load {
@@ -25,9 +25,9 @@ struct Load {
 
 /// Parameters of the task, constant during a run.
 struct Parameters {
-  double torque{4.2};       ///< F_d about the face's axis [N m]
+  double torque{3.9};       ///< F_d about the face's axis [N m]
   double mobility{0.1};     ///< B about it [s/(kg m^2)]
-  double most_torque{4.4};  ///< after a face has not turned [N m]: below the drivers' limit of contact force
+  double most_torque{4.0};  ///< after a face has not turned [N m]: below the drivers' limit of contact force
   int attempts{3};          ///< at a turn or at a grip, until it is a fault
   int patience{
       400};  ///< macrosteps until a behaviour that has not ended is in trouble; m = 5: without progress

@@ -13,8 +13,8 @@ namespace {
 /// From an order of the coordinator to the report about its execution (MG 11-15).
 constexpr std::size_t kLoopDelay = 3;
 
-/// Wall time that a macrostep of thinking may take.
-constexpr std::chrono::seconds kPatienceOfOthers{3};
+/// Wall time that a macrostep of thinking may take: some of the others wait for ten of them.
+constexpr std::chrono::milliseconds kPatienceOfOthers{800};
 
 constexpr int kReadings = 2;  // of a cube that cannot be, before it is a fault
 constexpr int kRounds = 2;    // of solving, when the cube is found not to be solved in the end

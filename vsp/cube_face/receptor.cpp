@@ -111,7 +111,7 @@ void run_cube_face(link::Process& process, const Config& config, const link::Par
     m.last = last;
     readings->publish(m, frame);
   };
-  run_camera(process, key, camera, answer, [&] { film.write(); });
+  run_camera(process, key, camera, answer, [&film] { film.write(); });
 }
 
 int cube_face_main(int argc, char** argv) {

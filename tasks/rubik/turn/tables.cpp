@@ -108,14 +108,14 @@ const std::array<Motion<Arm>, 6> kWorker{{
   {  2, "settle",   kRetain,   kRetain,     row<kApproach, 0>, kNoSensor, event<2, settled>,  told<2>},
   {  3, "close y",  kRetain,   kRetain,     freely<kCloseY, -1>, kNoSensor, event<3, narrow>,   told<1>},
   {  4, "close xy", kRetain,   kRetain,     row<kCloseXY, -1>, kNoSensor, event<4, gripped>,  told<2>},
-  {  5, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<5, nothing>,  told<1>},
-  {  6, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<6, nothing>,  told<2>},
+  {  5, "await the turn", kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<5, nothing>,  told<1>},
+  {  6, "await release", kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<6, nothing>,  told<2>},
 }};
 const std::array<Motion<Arm>, 6> kHolder{{
-  {  1, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<1, nothing>,  told<1>},
-  {  2, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<2, nothing>,  told<2>},
-  {  3, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<3, nothing>,  told<1>},
-  {  4, "hold",     kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<4, nothing>,  told<2>},
+  {  1, "await contact", kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<1, nothing>,  told<1>},
+  {  2, "await settling", kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<2, nothing>,  told<2>},
+  {  3, "await closing", kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<3, nothing>,  told<1>},
+  {  4, "await the grip", kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<4, nothing>,  told<2>},
   {  5, "turn",     begin_turn, track_angle, turn,              kNoSensor, event<5, turned>,   told<1>},
   {  6, "open",     keep_gap,  kRetain,     freely<kStill, 1>,   kNoSensor, event<6, released>, told<2>},
 }};

@@ -95,7 +95,7 @@ TEST_F(RubikProgram, AFaceThatNeverTurnsEndsWithBothArmsAtRest) {
 
 TEST_F(RubikProgram, AGripThatMissesIsTriedAgainFromWhereTheApproachBegan) {
   arms.misses = [](int grip) { return grip == 1; };
-  ASSERT_EQ(execute(quarter_turn()), Outcome::terminated);
+  ASSERT_EQ(execute(quarter_turn()), Outcome::terminated) << to_string(x.c.trouble);
   EXPECT_EQ(journal.at(0).grips, 2);
   EXPECT_EQ(count(1), 2);
   EXPECT_EQ(arms.points[0].back()[0], 0.2);

@@ -32,7 +32,7 @@ class TwoArms {
       age_ = 0;
       if (motion.m == 1) ++grips_;
       if (motion.m == 5) turns.push_back(turn_of(y.T[1]));
-      if (motion.m == 5) angle_ = 0;
+      if (motion.m == 5) begun_ = angle_;
       if (motion.m == kTakeWay) taken_ = {};
     }
     ++age_;
@@ -57,15 +57,15 @@ class TwoArms {
     if (o.m == kTakeWay && o.variant == taken_[arm] && o.arm.representation == Representation::joints) {
       points[arm].push_back(o.arm.pose);
       ++taken_[arm];
-      jaws_[arm] = o.arm.gripper;
     }
+    if (o.m == kTakeWay) jaws_[arm] = o.arm.gripper;
     if (o.m == kTakeWay) r.sensor = taken_[arm];
     if (o.m == kGo && age_ > 20) {
       r.event = kGo;
       if (jaws_[arm] > 0) r.gripper = jaws_[arm];
     }
     if (o.m == kWeigh && age_ > 20) r.event = kWeigh;
-    if (o.m == 1) r.T_0E = {};
+    if (o.m == kGo) r.T_0E[2] = 0;
     if (o.m == 1 && acts) approach(r);
     if (o.m == 2 && acts) r.event = 2;
     if (o.m == 3 && acts) r.gripper = 0.06, r.event = 3;
@@ -87,15 +87,15 @@ class TwoArms {
     if (!acts) return;
     const TurnOrder t = turn_of(o);
     const double most = jams(static_cast<int>(turns.size())) ? 0.4 : 10;
-    if (std::abs(angle_) < most) angle_ += std::copysign(0.01, t.torque);
+    if (std::abs(angle_ - begun_) < most) angle_ += std::copysign(0.01, t.torque);
     r.T_0E[5] = angle_;
-    if (std::copysign(1., t.torque) * angle_ >= t.angle) r.event = 5;
+    if (std::copysign(1., t.torque) * (angle_ - begun_) >= t.angle) r.event = 5;
   }
 
   std::array<Report, kArms> reports_;
   std::array<int, kArms> taken_{};
   std::array<double, kArms> jaws_{};
-  double angle_{};
+  double angle_{}, begun_{};
   int age_{}, grips_{};
   std::int64_t i_{};
 };
