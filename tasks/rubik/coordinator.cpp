@@ -86,7 +86,8 @@ Memory0 first_point(const X& x) {
 /// Point after point; what has been lost is sent again when all others have been.
 Memory0 next_point(const X& x) {
   Memory0 c = x.c;
-  if (++c.next >= c.way.count) c.next = std::clamp(report(x, c.mover).sensor, 0, std::max(0, c.way.count - 1));
+  if (++c.next >= c.way.count)
+    c.next = std::clamp(report(x, c.mover).sensor, 0, std::max(0, c.way.count - 1));
   return c;
 }
 

@@ -68,7 +68,8 @@ TEST(RubikPlots, MarksThePhasesOfATurn) {
 TEST(RubikPlots, ARunWithoutATurnHasNoPictures) {
   RunRecord record;
   EXPECT_TRUE(plots(record).empty());
-  record.journal.push_back({.comes = Hand::track, .leaves = Hand::track, .turn = std::nullopt, .begun = 0, .ended = 10});
+  record.journal.push_back(
+      {.comes = Hand::track, .leaves = Hand::track, .turn = std::nullopt, .begun = 0, .ended = 10});
   EXPECT_TRUE(plots(record).empty());
 }
 
