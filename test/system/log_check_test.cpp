@@ -81,7 +81,8 @@ TEST_F(Checked, DrawingIsRecomputedFromItsLogTaughtOrLoaded) {
 }
 
 TEST_F(Checked, VisualServoIsRecomputedFromItsLog) {
-  const auto checked = check(ran("visual_servo", {"--object", "apriltag", "--cameras", "sac"}));
+  const auto checked =
+      check(ran("visual_servo", {"--object", "apriltag", "--cameras", "sac", "--set", "task.duration=3"}));
   expect_same(checked, {"mp", "ecp-arm1"});
   EXPECT_NE(process(checked, "vsp-sac")["not_checked"], "") << "pictures are not in the log";
 }
