@@ -19,7 +19,8 @@ template <class X>
   r.ready = true;
   if constexpr (requires { r.sensor = x.V.state; }) r.sensor = x.V.state;
   r.driver_state = x.e.state;
-  r.verdict = x.e.verdict;
+  // A driver may fail while it has nothing to execute.
+  r.verdict = x.e.state == DriverState::faulted && x.e.fault ? Verdict::failed : x.e.verdict;
   r.fault = x.e.fault;
   r.T_0E = x.e.T_0E;
   r.F_a = x.e.F_a;
