@@ -11,9 +11,6 @@
 namespace mrroc::sim {
 namespace {
 
-/// Arms that a message of the world has room for.
-constexpr std::size_t kMostArms = 4;
-
 PaperParameters read_paper(const Config& t, PaperParameters p) {
   p.T_0P.p = Vector3(t.number("distance", p.T_0P.p.x(), {0.7, 1.1}, "m"), p.T_0P.p.y(),
                      t.number("height", p.T_0P.p.z(), {0.7, 1.2}, "m"));
