@@ -86,17 +86,25 @@ void add_task_options(CLI::App& app, TaskOptions& o) {
       ->type_name("RUN");
 }
 
-std::optional<int> parse_command_line(CLI::App& app, int argc, char** argv) {
+int run_command_line(CLI::App& app, int argc, char** argv, const std::function<int()>& run) {
+  const auto complain = [](const FaultError& e) {
+    fmt::print(stderr, "{}\n", e.error_line());
+    return exit_status(e.fault().code);
+  };
+  app.footer(
+      "Exit status: 0 done; 1 fault or stopped; 2 bad usage or input, nothing was started; 3 system error.");
   try {
     app.parse(argc, argv);
+    return run();
   } catch (const CLI::CallForHelp& e) {
     return app.exit(e);
   } catch (const CLI::ParseError& e) {
-    const FaultError error(FaultCode::bad_usage, e.what());
-    fmt::print(stderr, "{}\n", error.error_line());
-    return 2;
+    return complain(FaultError(FaultCode::bad_usage, e.what()));
+  } catch (const FaultError& e) {
+    return complain(e);
+  } catch (const std::exception& e) {
+    return complain(FaultError(FaultCode::internal_error, e.what()));
   }
-  return std::nullopt;
 }
 
 }  // namespace mrroc::mp

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,8 +37,8 @@ struct TaskOptions {
 /// @param options  filled in by app.parse(); must live as long as app
 void add_task_options(CLI::App& app, TaskOptions& options);
 
-/// Parses a command line.
-/// @return exit status when the program is to end (help, or bad usage with its error line), or nothing
-std::optional<int> parse_command_line(CLI::App& app, int argc, char** argv);
+/// What every task's main does: parses the command line, runs the task, and writes the error line of what it throws.
+/// @return exit status
+int run_command_line(CLI::App& app, int argc, char** argv, const std::function<int()>& run);
 
 }  // namespace mrroc::mp

@@ -153,20 +153,7 @@ int run_arm_task(const ArmTask& task, int argc, char** argv) {
   CLI::App app{task.about};
   app.name(task.name);
   mp::add_task_options(app, options);
-  app.footer(
-      "Exit status: 0 done; 1 fault or stopped; 2 bad usage or input, nothing was started; 3 system error.");
-  if (const auto status = mp::parse_command_line(app, argc, argv)) return *status;
-  const auto complain = [](const FaultError& e) {
-    fmt::print(stderr, "{}\n", e.error_line());
-    return exit_status(e.fault().code);
-  };
-  try {
-    return run(task, options);
-  } catch (const FaultError& e) {
-    return complain(e);
-  } catch (const std::exception& e) {
-    return complain(FaultError(FaultCode::internal_error, e.what()));
-  }
+  return mp::run_command_line(app, argc, argv, [&] { return run(task, options); });
 }
 
 }  // namespace mrroc::sim

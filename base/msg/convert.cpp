@@ -1,4 +1,5 @@
 #include "base/msg/convert.hpp"
+#include "base/msg/pose_rows.hpp"
 
 #include <algorithm>
 
@@ -293,10 +294,7 @@ camera_reading_t to_message(const CameraReading& r) {
   m.t = r.t;
   m.seen = r.seen;
   m.ambiguous = r.ambiguous;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) m.T_CG[4 * row + column] = r.T_CG.R(row, column);
-    m.T_CG[4 * row + 3] = r.T_CG.p[row];
-  }
+  put_rows(m.T_CG, r.T_CG);
   Eigen::Map<RowMajorMatrix6>{m.covariance} = r.covariance;
   m.reprojection_px = r.reprojection_px;
   return m;
@@ -309,10 +307,7 @@ CameraReading from_message(const camera_reading_t& m) {
   r.t = m.t;
   r.seen = m.seen != 0;
   r.ambiguous = m.ambiguous != 0;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) r.T_CG.R(row, column) = m.T_CG[4 * row + column];
-    r.T_CG.p[row] = m.T_CG[4 * row + 3];
-  }
+  r.T_CG = pose_from_rows(m.T_CG);
   r.covariance = Eigen::Map<const RowMajorMatrix6>{m.covariance};
   r.reprojection_px = m.reprojection_px;
   return r;

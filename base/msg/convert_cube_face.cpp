@@ -1,4 +1,5 @@
 #include "base/msg/convert_cube_face.hpp"
+#include "base/msg/pose_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,10 +24,7 @@ cube_face_reading_t to_message(const CubeFaceReading& r) {
   m.seen = r.seen;
   m.valid = r.valid;
   m.place = r.place;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) m.T_CG[4 * row + column] = r.T_CG.R(row, column);
-    m.T_CG[4 * row + 3] = r.T_CG.p[row];
-  }
+  put_rows(m.T_CG, r.T_CG);
   Eigen::Map<RowMajorMatrix6>{m.covariance} = r.covariance;
   m.reprojection_px = r.reprojection_px;
   for (int k = 0; k < kStickers; ++k) {
@@ -47,10 +45,7 @@ CubeFaceReading from_message(const cube_face_reading_t& m) {
   r.seen = m.seen != 0;
   r.valid = m.valid != 0;
   r.place = m.place;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) r.T_CG.R(row, column) = m.T_CG[4 * row + column];
-    r.T_CG.p[row] = m.T_CG[4 * row + 3];
-  }
+  r.T_CG = pose_from_rows(m.T_CG);
   r.covariance = Eigen::Map<const RowMajorMatrix6>{m.covariance};
   r.reprojection_px = m.reprojection_px;
   for (int k = 0; k < kStickers; ++k) {

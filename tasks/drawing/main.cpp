@@ -179,17 +179,5 @@ int main(int argc, char** argv) {
   app.name("drawing");
   drawing::add_input_options(app, o.input);
   mp::add_task_options(app, o.task);
-  app.footer(
-      "Exit status: 0 done; 1 fault or stopped; 2 bad usage or input, nothing was started; 3 system error.");
-  if (const auto status = mp::parse_command_line(app, argc, argv)) return *status;
-  try {
-    return run(o);
-  } catch (const FaultError& e) {
-    fmt::print(stderr, "{}\n", e.error_line());
-    return exit_status(e.fault().code);
-  } catch (const std::exception& e) {
-    const FaultError error(FaultCode::internal_error, e.what());
-    fmt::print(stderr, "{}\n", error.error_line());
-    return exit_status(error.fault().code);
-  }
+  return mp::run_command_line(app, argc, argv, [&] { return run(o); });
 }

@@ -103,18 +103,5 @@ int main(int argc, char** argv) {
   app.add_option("--words", o.words, "instructions that need no terminal: lines MACROSTEP WORDS...")
       ->type_name("FILE");
   mp::add_task_options(app, o.task);
-  app.footer(
-      "Exit status: 0 done; 1 fault or stopped; 2 bad usage or input, nothing was started; 3 system error.");
-  if (const auto status = mp::parse_command_line(app, argc, argv)) return *status;
-  const auto complain = [](const FaultError& e) {
-    fmt::print(stderr, "{}\n", e.error_line());
-    return exit_status(e.fault().code);
-  };
-  try {
-    return run(o);
-  } catch (const FaultError& e) {
-    return complain(e);
-  } catch (const std::exception& e) {
-    return complain(FaultError(FaultCode::internal_error, e.what()));
-  }
+  return mp::run_command_line(app, argc, argv, [&] { return run(o); });
 }

@@ -60,7 +60,7 @@ TEST(Rubik, TurnsAFaceAndTheCubeIsSolved) {
 }
 
 TEST(Rubik, IsTheSameWhateverCarriesItsMessages) {
-  if (kSanitized || !multicast()) GTEST_SKIP();
+  if (kSanitized || !multicast()) GTEST_SKIP() << (kSanitized ? "too long" : "no multicast");
   const CubeRun one({"--processes", "one"});
   const CubeRun separate({"--processes", "separate"});
   ASSERT_EQ(one.ended.status, 0) << one.ended.all();
@@ -80,7 +80,7 @@ TEST(Rubik, AFaceThatDoesNotTurnIsANamedFaultWithTheCubeHeld) {
 }
 
 TEST(Rubik, AnArmsProcessThatIsKilledInATurnBringsBothArmsToRest) {
-  if (kSanitized || !multicast()) GTEST_SKIP();
+  if (kSanitized || !multicast()) GTEST_SKIP() << (kSanitized ? "too long" : "no multicast");
   Folder folder;
   Started task(folder, "rubik",
                words({kOneTurn, {"--processes", "separate", "--run-dir", (folder / "run").string()}}));
