@@ -11,6 +11,7 @@
 #include "base/hand.hpp"
 #include "base/msg/convert.hpp"
 #include "base/msg/finite.hpp"
+#include "base/msg/pose_rows.hpp"
 #include "mrroc/cube_truth_t.hpp"
 #include "mrroc/hand_order_t.hpp"
 #include "mrroc/hand_report_t.hpp"
@@ -153,10 +154,7 @@ class Shell {
   void publish_cube(std::int64_t i) {
     const CubeTruth& cube = *world_.cube();
     cube_truth_t m{};
-    for (int row = 0; row < 3; ++row) {
-      for (int column = 0; column < 3; ++column) m.T_UC[4 * row + column] = cube.T_UC.R(row, column);
-      m.T_UC[4 * row + 3] = cube.T_UC.p[row];
-    }
+    put_rows(m.T_UC, cube.T_UC);
     std::ranges::copy(rubik::to_facelets(cube.state), m.facelets);
     m.axis = cube.axis;
     std::ranges::copy(cube.angle, m.angle);

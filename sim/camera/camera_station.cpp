@@ -1,4 +1,5 @@
 #include "sim/camera/camera_station.hpp"
+#include "base/msg/pose_rows.hpp"
 
 #include <fmt/format.h>
 
@@ -16,13 +17,6 @@ constexpr std::chrono::milliseconds kMoment{20};
 int index_of(const std::string& arm, const std::vector<std::string>& arms) {
   const auto it = std::ranges::find(arms, arm);
   return it == arms.end() ? -1 : static_cast<int>(it - arms.begin());
-}
-
-void put(double (&out)[12], const Pose& T) {
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) out[4 * row + column] = T.R(row, column);
-    out[4 * row + 3] = T.p[row];
-  }
 }
 
 /// A camera as the others see it, and as it casts a shadow: behind its own eye.
@@ -150,8 +144,8 @@ void CameraStation::publish_truth(std::int64_t step, const World& world) {
   m.step = step;
   m.present = state.present;
   m.hidden = state.hidden;
-  put(m.T_0G, state.T_0G);
-  put(m.T_0E, world.truth(object_arm_).T_0E);
+  put_rows(m.T_0G, state.T_0G);
+  put_rows(m.T_0E, world.truth(object_arm_).T_0E);
   truth_out_->publish(m, step / kTruthPeriod);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/msg/pose_rows.hpp"
 #include "base/screw.hpp"
 #include "tasks/visual_servo/config.hpp"
 #include "tasks/visual_servo/program.hpp"
@@ -25,15 +26,6 @@ void take_all(const link::Inbox<M>& in, std::vector<M>& kept) {
   }
 }
 
-Pose pose_of(const double (&rows)[12]) {
-  Pose T;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) T.R(row, column) = rows[4 * row + column];
-    T.p[row] = rows[4 * row + 3];
-  }
-  return T;
-}
-
 Pose between(const Pose& a, const Pose& b, double share) {
   return a * exp_screw(log_screw(a.inverse() * b), share);
 }
@@ -50,10 +42,10 @@ void add_truth(const std::vector<object_truth_t>& truths, std::int64_t step, con
   row.object_there = true;
   const double steps = std::max<double>(1, static_cast<double>(b.step - a.step));
   const double share = b.step == a.step ? 0 : static_cast<double>(step - a.step) / steps;
-  const Pose T_0G = between(pose_of(a.T_0G), pose_of(b.T_0G), share);
-  row.T_0E = between(pose_of(a.T_0E), pose_of(b.T_0E), share);
+  const Pose T_0G = between(pose_from_rows(a.T_0G), pose_from_rows(b.T_0G), share);
+  row.T_0E = between(pose_from_rows(a.T_0E), pose_from_rows(b.T_0E), share);
   row.true_e = row.T_0E.inverse() * T_0G * T_EGd.inverse();
-  row.v = (pose_of(b.T_0G).p - pose_of(a.T_0G).p) / (steps * dt);
+  row.v = (pose_from_rows(b.T_0G).p - pose_from_rows(a.T_0G).p) / (steps * dt);
   if (row.v.norm() < kRest) row.v.setZero();
 }
 
