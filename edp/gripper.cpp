@@ -19,8 +19,8 @@ const GripperParameters& checked(const GripperParameters& p) {
   };
   demand(p.distance != nullptr && p.motor != nullptr, "there must be a transmission");
   demand(p.legal.lower < p.legal.upper, "the distances must be a range");
-  for (const double positive : {p.increments_per_rad, p.speed, p.acceleration, p.homing_speed, p.max_current,
-                                p.stiffness, p.current_gain})
+  for (const double positive : {p.increments_per_rad, p.speed, p.opening_speed, p.acceleration,
+                                p.homing_speed, p.max_current, p.stiffness, p.current_gain})
     demand(positive > 0, "speeds, currents and gains must be positive");
   demand(p.blocked_steps >= 1 && p.blocked_steps <= Gripper::kMostBlockedSteps,
          "blocked_steps must lie between 1 and 64");
@@ -81,7 +81,8 @@ void Gripper::move_set_point() noexcept {
     // The speed from which the set point still stops at its goal.
     const double way = goal_ - set_;
     const double braking = std::sqrt(2 * p_.acceleration * std::abs(way));
-    speed = std::copysign(std::min({p_.speed, braking, std::abs(way) / dt_}), way);
+    const double fastest = way * p_.open_direction > 0 ? p_.opening_speed : p_.speed;
+    speed = std::copysign(std::min({fastest, braking, std::abs(way) / dt_}), way);
   }
   const double most = p_.acceleration * dt_;
   set_speed_ += std::clamp(speed - set_speed_, -most, most);

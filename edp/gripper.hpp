@@ -17,7 +17,8 @@ struct GripperParameters {
   double open_stop{};           ///< motor position at the stop that limits the opening [rad]: homing finds it
   double open_direction{-1};    ///< sign of the motor's motion that opens the jaws
   double increments_per_rad{};  ///< of the encoder
-  double speed{};               ///< of the set point [rad/s] of the motor, positive
+  double speed{};               ///< of the set point when the jaws close [rad/s] of the motor, positive
+  double opening_speed{};       ///< the same when they open and there is nothing to be met
   double acceleration{};        ///< of the set point [rad/s^2], positive
   double homing_speed{};        ///< [rad/s], positive
   double max_current{};         ///< desired current never exceeds it: the force of the grip [A]

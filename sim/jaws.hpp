@@ -11,17 +11,18 @@ namespace mrroc::sim {
 
 /// Constants of the plant. The real motor is not documented; these give a grip of about 100 N at 0.15 A.
 struct JawParameters {
-  MotorParameters motor{.resistance = 24,
+  MotorParameters motor{.resistance = 60,
                         .rotor_inertia = 5e-7,
                         .friction = 2e-4,
                         .presliding = 0.05,
                         .brake_torque = 5e-3,
-                        .torque_constant = 0.0105,
+                        .torque_constant = 0.015,
                         .supply = 48};
   double stop_stiffness{2e6};    ///< of the hard stops, at the jaws [N/m]
   double object_stiffness{1e5};  ///< of an object and the pads together [N/m]
   double relaxation{0.3};        ///< damping of all contacts over their stiffness [s]: jaws do not bounce
   double damping{1e-7};          ///< at the motor's shaft [N m s/rad]
+  double driven_by_load{0.5};    ///< share of a load's torque that reaches the motor when the load drives
   double start{0.074};           ///< distance between the jaws after reset [m]
 };
 
@@ -49,8 +50,10 @@ class Jaws {
       speed_ = 0;
       return;
     }
+    // A turn of the motor moves the jaws by a tenth of a millimetre: such a gear is hard to drive by the load.
+    const double load = gripper::slope(motor_) * force();
     const double torque = motor_torque(p_.motor, current) + friction_.step(p_.motor, speed_, h_) -
-                          p_.damping * speed_ + gripper::slope(motor_) * force();
+                          p_.damping * speed_ + (load * speed_ > 0 ? p_.driven_by_load * load : load);
     speed_ += h_ * torque / p_.motor.rotor_inertia;
     motor_ += h_ * speed_;
   }

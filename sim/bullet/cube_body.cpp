@@ -155,6 +155,7 @@ bool CubeBody::lay(int axis) {
 
 void CubeBody::begin_step() {
   moments_ = {};
+  hands_ = {};
   truth_.torque = {};
   truth_.squeeze = 0;
 }
@@ -198,10 +199,19 @@ void CubeBody::add_contacts(double share) {
         moments_[static_cast<std::size_t>(axis)][place[axis] > 0 ? 0 : 1] += share * moment[axis];
       }
       const auto* other = first ? manifold.getBody1() : manifold.getBody0();
+      if (const auto* link = btMultiBodyLinkCollider::upcast(other)) {
+        Twisting& hand = hands_[hands_[0].by && hands_[0].by != link->m_multiBody ? 1 : 0];
+        hand.by = link->m_multiBody;
+        hand.moment += share * moment;
+      }
       truth_.squeeze = std::max(truth_.squeeze, add(pressing, other, point.m_appliedImpulse / h_));
       truth_.on_floor |= other->getBroadphaseHandle()->m_collisionFilterGroup == kFloorGroup;
     }
   }
+}
+
+double CubeBody::transmitted(int axis) const {
+  return std::min(std::abs(hands_[0].moment[axis]), std::abs(hands_[1].moment[axis]));
 }
 
 int CubeBody::wanted_axis() const {
@@ -211,7 +221,7 @@ int CubeBody::wanted_axis() const {
       const double moment = moments_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(side)];
       const auto number = static_cast<std::size_t>(rubik::number(face(axis, side)));
       double& most = share[static_cast<std::size_t>(axis)];
-      most = std::max(most, std::abs(moment) / frictions_[number].breakaway);
+      most = std::max(most, std::min(std::abs(moment), transmitted(axis)) / frictions_[number].breakaway);
     }
   const auto wanted = std::ranges::max_element(share) - share.begin();
   const double least = std::max(kWanted, kMore * share[static_cast<std::size_t>(axis_)]);

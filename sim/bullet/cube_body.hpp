@@ -50,8 +50,11 @@ class CubeBody {
   void build(const Pose& T_UC, const Vector3& velocity, const Vector3& turning);
   void destroy();
   void observe();
-  // Sums the moments of all contacts about the six axes, each on its own outer layer.
+  // Sums the moments of all contacts about the six axes, each on its own outer layer, and those of each hand.
   void add_contacts(double share);
+  // Torque about an axis that goes from one hand to the other through the cube [N m]: the pads of one hand, which press
+  // against each other, turn no layer by themselves.
+  [[nodiscard]] double transmitted(int axis) const;
   [[nodiscard]] bool is_mine(const btCollisionObject* object) const {
     return object == colliders_[0].get() || object == colliders_[1].get() || object == colliders_[2].get();
   }
@@ -65,6 +68,11 @@ class CubeBody {
   int axis_{2};
   int asked_{};                                     // steps in succession in which another axis was wanted
   std::array<std::array<double, 2>, 3> moments_{};  // means over the step, by axis and side
+  struct Twisting {
+    const btMultiBody* by{};
+    Vector3 moment{Vector3::Zero()};  // about the middle of the cube, along C; mean over the step
+  };
+  std::array<Twisting, 2> hands_{};
 
   std::unique_ptr<btMultiBody> body_;
   std::array<std::unique_ptr<btBoxShape>, 3> boxes_;

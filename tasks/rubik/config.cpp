@@ -32,11 +32,15 @@ Parameters read_parameters(const Config& config) {
   k.most_torque = config.number("task.most_torque", k.most_torque, {0.5, 5}, "N m after a face has jammed");
   k.attempts = config.integer("task.attempts", k.attempts, {1, 10}, "at a turn or a grip");
   k.patience = config.integer("task.patience", k.patience, {50, 10'000}, "macrosteps of a behaviour");
-  k.progress = config.number("task.progress", k.progress, {0.001, 1}, "rad of a turn, in half of that time");
+  k.progress = config.number("task.progress", k.progress, {0.001, 1}, "rad of a turn");
+  k.stall = config.integer("task.stall", k.stall, {25, 10'000}, "macrosteps without progress of a turn");
   k.held = config.number("task.held", k.held, {0.053, 0.09}, "m: jaws nearer than that hold nothing");
   k.slip = config.number("task.slip", k.slip, {0.001, 0.1}, "m that the cube may be off");
   k.open = config.number("task.open", k.open, {0.06, 0.08}, "m between the jaws of an empty hand");
-  k.jaw_step = config.number("task.jaw_step", k.jaw_step, {0.0005, 0.01}, "m per macrostep; MG 59: 0.001");
+  k.jaw_step =
+      config.number("task.jaw_step", k.jaw_step, {0.0005, 0.01}, "m per macrostep; MG tab. 5: 0.001");
+  k.opening_step =
+      config.number("task.opening_step", k.opening_step, {0.0005, 0.02}, "m per macrostep; MG tab. 8: 0.001");
   const double cube = config.number("task.cube_weight", 0.981, {0, 10}, "N");
   for (const Hand hand : kHands) k.load[index(hand)] = read_loads(config, hand, cube);
   return k;

@@ -52,7 +52,7 @@ Trouble watch(const X& x, const Memory0& c) {
   if (empty(x, m == 6 ? c.cycle.leaves : c.cycle.holds) && m < 6) return Trouble::dropped;
   if (m == 1 && late) return Trouble::no_contact;
   if ((m == 3 || m == 4) && (late || empty(x, c.cycle.comes))) return Trouble::missed;
-  if (m == 5 && x.i - c.last_progress >= k.patience / 2) return Trouble::jammed;
+  if (m == 5 && x.i - c.last_progress >= k.stall) return Trouble::jammed;
   if (m == 6 && late) return Trouble::not_released;
   return Trouble::none;
 }
@@ -113,7 +113,7 @@ Orders cycle(const X& x) {
     o = order(x.c.coordination);
     o.variant = actor(x.c.cycle, m) == hand ? kActs : kStands;
     put_turn(x.c.cycle.turn, o);
-    o.arm.gripper = x.c.k.jaw_step;
+    o.arm.gripper = m == 6 ? x.c.k.opening_step : x.c.k.jaw_step;
   }
   return orders;
 }

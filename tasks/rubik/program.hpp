@@ -7,6 +7,7 @@
 #include "tasks/rubik/coordinator.hpp"
 #include "tasks/rubik/journal.hpp"
 #include "tasks/rubik/plan/plan.hpp"
+#include "tasks/rubik/turn/tables.hpp"
 
 namespace mrroc::rubik {
 
@@ -137,7 +138,7 @@ class Program {
     double done = 0;
     for (int attempt = 1;; ++attempt) {
       journal_.back().attempts = step.turn ? attempt : 0;
-      Outcome o = turn_by(step.angle - done, attempt, !step.turn);
+      Outcome o = step.turn ? turn_by(step.angle - done, attempt, x_.c.k.mobility) : behaviour(kCycle[4]);
       done += x_.c.angle;
       journal_.back().turn_ended = x_.i;
       journal_.back().tool = done;
@@ -145,7 +146,7 @@ class Program {
       o = behaviour(kStopBoth);
       x_.c.trouble = Trouble::none;
       if (o == Outcome::terminated && std::abs(done) > x_.c.k.progress) {
-        o = turn_by(-done, 1, false);
+        o = turn_by(-done, 1, kTurn.az.mobility);
         done += x_.c.angle;
         if (x_.c.trouble == Trouble::jammed) x_.c.trouble = Trouble::none;  // not back either: on from there
         if (well(o)) o = behaviour(kStopBoth);
@@ -154,12 +155,11 @@ class Program {
     }
   }
 
-  Outcome turn_by(double angle, int attempt, bool by_nothing) {
+  Outcome turn_by(double angle, int attempt, double mobility) {
     const Parameters& k = x_.c.k;
     const double torque = std::min(k.most_torque, k.torque * (1 + 0.03 * (attempt - 1)));
-    if (!by_nothing)
-      x_.c.cycle.turn = {
-          .torque = std::copysign(torque, angle), .mobility = k.mobility, .angle = std::abs(angle)};
+    x_.c.cycle.turn = {
+        .torque = std::copysign(torque, angle), .mobility = mobility, .angle = std::abs(angle)};
     if (x_.c.coordination.m != 5) x_.c.coordination = {.m = 5};
     return behaviour(kCycle[4]);
   }

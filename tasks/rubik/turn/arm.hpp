@@ -20,8 +20,8 @@ inline constexpr int kActs = 1;
 
 /// What the holder is to do with the face that the worker has gripped. Part of the memory.
 struct TurnOrder {
-  double torque{5};                  ///< F_d about z [N m]; negative: turns the other way
-  double mobility{0.025};            ///< B about z [s/(kg m^2)], MG tab. 7; solving takes 0.1
+  double torque{5};        ///< F_d about z [N m]; negative: turns the other way
+  double mobility{0.025};  ///< B about z [s/(kg m^2)] while the face turns, MG tab. 7; solving takes 0.1
   double angle{1.5707963267948966};  ///< to turn by [rad]; not above zero: the turn is over at once
 };
 
@@ -39,9 +39,10 @@ struct ArmMemory {
   ecp::Trajectory path;      ///< of the present free motion
   std::int64_t weighed{};    ///< macrostep in which the force tool was set in this behaviour, 0: not yet
   TurnOrder turn;
-  double gap{};    ///< distance of the jaws at entry [m] (76)
-  Pose T_0E;       ///< pose of E at entry (74)
-  double angle{};  ///< turned about z since then, unwrapped [rad]
+  double mobility{};  ///< B about z in this macrostep [s/(kg m^2)]
+  double gap{};       ///< distance of the jaws at entry [m] (76)
+  Pose T_0E;          ///< pose of E at entry (74)
+  double angle{};     ///< turned about z since then, unwrapped [rad]
 };
 
 /// An arm, holder or worker. The report's `event` is y_cT, tagged with m.

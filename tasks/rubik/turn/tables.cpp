@@ -28,10 +28,15 @@ EffectorCommand freely(const X& x) {
   return command(x, frame, sign * jaw_step_of(x.T));
 }
 
+/// B about z of a face that stands: tab. 7's, or a share of the order's when that is far above it.
+double least_mobility(const TurnOrder& turn) {
+  return std::min(turn.mobility, std::max(kTurn.az.mobility, kOfStanding * turn.mobility));
+}
+
 /// tab. 7(a) with what the order has for it.
 EffectorCommand turn(const X& x) {
   TaskFrameCommand frame = kTurn;
-  frame.az = c(x.c.turn.torque, kTurn.az.inertia, x.c.turn.mobility);
+  frame.az = c(x.c.turn.torque, kTurn.az.inertia, x.c.mobility);
   return command(x, frame, 0);
 }
 
@@ -86,6 +91,7 @@ ArmMemory keep_pose(const X& x) {
 ArmMemory begin_turn(const X& x) {
   ArmMemory c = keep_pose(x);
   c.turn = turn_of(x.T);
+  c.mobility = least_mobility(c.turn);
   return c;
 }
 
@@ -98,6 +104,14 @@ double angle_about_z(const Pose& from, const Pose& to, double last) {
 ArmMemory track_angle(const X& x) {
   ArmMemory c = x.c;
   c.angle = angle_about_z(c.T_0E, pose_of(x.e), c.angle);
+  return c;
+}
+
+ArmMemory track_turn(const X& x) {
+  ArmMemory c = track_angle(x);
+  const double least = least_mobility(c.turn);
+  const bool resists = std::abs(x.e.F_a[Axis::az]) > kResists * std::abs(c.turn.torque);
+  c.mobility = resists ? least : std::min(kQuicken * c.mobility, c.turn.mobility);
   return c;
 }
 
@@ -116,7 +130,7 @@ const std::array<Motion<Arm>, 6> kHolder{{
   {  2, "await settling", kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<2, nothing>,  told<2>},
   {  3, "await closing", kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<3, nothing>,  told<1>},
   {  4, "await the grip", kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<4, nothing>,  told<2>},
-  {  5, "turn",     begin_turn, track_angle, turn,              kNoSensor, event<5, turned>,   told<1>},
+  {  5, "turn",     begin_turn, track_turn, turn,              kNoSensor, event<5, turned>,   told<1>},
   {  6, "open",     keep_gap,  kRetain,     freely<kStill, 1>,   kNoSensor, event<6, released>, told<2>},
 }};
 // clang-format on

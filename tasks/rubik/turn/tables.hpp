@@ -25,9 +25,12 @@ inline constexpr TaskFrameCommand kStill{.x = u(), .y = u(), .z = u(), .ax = u()
 
 inline constexpr double kApproachForce = 0.9 * 0.01 / 0.0025;  ///< threshold of (66) [N]
 inline constexpr std::int64_t kSettling = 25;                  ///< i_d of (69) [macrosteps]
-inline constexpr double kNarrow = 0.06;    ///< distance of the jaws that ends m = 3, (71) [m]
-inline constexpr double kRelease = 0.02;   ///< opening that ends m = 6, (77) [m]
-inline constexpr double kJawStep = 0.001;  ///< dg(m), per macrostep [m]
+inline constexpr double kNarrow = 0.06;     ///< distance of the jaws that ends m = 3, (71) [m]
+inline constexpr double kRelease = 0.02;    ///< opening that ends m = 6, (77) [m]
+inline constexpr double kJawStep = 0.001;   ///< dg(m), per macrostep [m]
+inline constexpr double kResists = 0.75;    ///< share of F_d about z at which the face is about to stand
+inline constexpr double kOfStanding = 0.4;  ///< of the ordered mobility, for a face that stands
+inline constexpr double kQuicken = 1.1;  ///< by which the mobility about z grows per macrostep while it turns
 /// Distances that are commanded at most: the jaws' own limits are a little farther [m].
 inline constexpr double kClosest = 0.054;
 inline constexpr double kWidest = 0.089;
@@ -48,6 +51,9 @@ ArmMemory keep_gap(const Arm::X& x);     ///< (76), on entry
 ArmMemory keep_pose(const Arm::X& x);    ///< (74), on entry
 ArmMemory begin_turn(const Arm::X& x);   ///< the same, and what is ordered
 ArmMemory track_angle(const Arm::X& x);  ///< follows the angle over whole turns
+/// The same, and the mobility about z: that of tab. 7 from entry on and while the face resists with more than kResists
+/// of the torque, so that a face that does not turn is felt without an overshoot; else it grows to the order's.
+ArmMemory track_turn(const Arm::X& x);
 /// @param last  of the same angle a moment ago [rad]
 /// @return signed angle about z from one pose to the other, unwrapped [rad] (75)
 double angle_about_z(const Pose& from, const Pose& to, double last);
