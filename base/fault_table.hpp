@@ -126,7 +126,7 @@ inline constexpr std::array kFaultTable{
               "look at where the cube is and how far the jaws go",
               "the cube is not where it should be; a cube of another size; a gripper that is blocked"),
   MRROC_FAULT(face_jammed, non_fatal, "a face of the cube does not turn",
-              "take the cube out and turn the face by hand, or allow more torque: task.torque, task.most_torque",
+              "take the cube out and turn the face by hand, or allow more torque with --set task.torque=4.2",
               "a cube that jams; layers that are not in their seats; a hand that holds the wrong layers"),
   MRROC_FAULT(cube_slipped, non_fatal, "the cube is not where the hand that holds it should have it",
               "put the cube into the hand anew",

@@ -25,18 +25,17 @@ struct Load {
 
 /// Parameters of the task, constant during a run.
 struct Parameters {
-  double torque{4.0};       ///< F_d about the face's axis [N m]
-  double mobility{0.1};     ///< B about it [s/(kg m^2)]
-  double most_torque{4.0};  ///< after a face has not turned [N m]: below the drivers' limit of contact force
-  int attempts{3};          ///< at a turn or at a grip, until it is a fault
-  int patience{400};        ///< macrosteps until a behaviour that has not ended is in trouble
-  int stall{125};           ///< the same of m = 5 without progress
-  double progress{0.015};   ///< angle that is progress of a turn [rad]
-  double held{0.0555};      ///< jaws nearer to each other than that hold nothing [m]
-  double slip{0.005};       ///< by which the cube may be off where the worker meets it [m]
-  double open{0.063};       ///< distance of the jaws of an empty hand [m]
-  double jaw_step{0.003};   ///< dg of jaws that close and touch nothing yet, per macrostep [m]
-  double opening_step{0.01};                    ///< dg of jaws that open, per macrostep [m]
+  double torque{4.0};         ///< F_d about the face's axis [N m]
+  double mobility{0.1};       ///< B about it [s/(kg m^2)]
+  int attempts{3};            ///< at a turn or at a grip, until it is a fault
+  int patience{400};          ///< macrosteps until a behaviour that has not ended is in trouble
+  int stall{125};             ///< the same of m = 5 without progress
+  double progress{0.015};     ///< angle that is progress of a turn [rad]
+  double held{0.0555};        ///< jaws nearer to each other than that hold nothing [m]
+  double slip{0.005};         ///< by which the cube may be off where the worker meets it [m]
+  double open{0.063};         ///< distance of the jaws of an empty hand [m]
+  double jaw_step{0.003};     ///< dg of jaws that close and touch nothing yet, per macrostep [m]
+  double opening_step{0.01};  ///< dg of jaws that open, per macrostep [m]
   std::array<std::array<Load, 2>, kArms> load;  ///< of each arm, empty and with the cube
 };
 

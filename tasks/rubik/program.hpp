@@ -132,13 +132,13 @@ class Program {
             .angle = std::abs(step.angle)};
   }
 
-  /// m = 5. A face that does not turn is turned back and tried again with more torque.
+  /// m = 5. A face that does not turn is turned back, slowly, and tried again.
   Outcome turn(const Step& step) {
     journal_.back().turn_begun = x_.i;
     double done = 0;
     for (int attempt = 1;; ++attempt) {
       journal_.back().attempts = step.turn ? attempt : 0;
-      Outcome o = step.turn ? turn_by(step.angle - done, attempt, x_.c.k.mobility) : behaviour(kCycle[4]);
+      Outcome o = step.turn ? turn_by(step.angle - done, x_.c.k.mobility) : behaviour(kCycle[4]);
       done += x_.c.angle;
       journal_.back().turn_ended = x_.i;
       journal_.back().tool = done;
@@ -146,7 +146,7 @@ class Program {
       o = behaviour(kStopBoth);
       x_.c.trouble = Trouble::none;
       if (o == Outcome::terminated && std::abs(done) > x_.c.k.progress) {
-        o = turn_by(-done, 1, kTurn.az.mobility);
+        o = turn_by(-done, kTurn.az.mobility);
         done += x_.c.angle;
         if (x_.c.trouble == Trouble::jammed) x_.c.trouble = Trouble::none;  // not back either: on from there
         if (well(o)) o = behaviour(kStopBoth);
@@ -155,11 +155,9 @@ class Program {
     }
   }
 
-  Outcome turn_by(double angle, int attempt, double mobility) {
-    const Parameters& k = x_.c.k;
-    const double torque = std::min(k.most_torque, k.torque * (1 + 0.03 * (attempt - 1)));
+  Outcome turn_by(double angle, double mobility) {
     x_.c.cycle.turn = {
-        .torque = std::copysign(torque, angle), .mobility = mobility, .angle = std::abs(angle)};
+        .torque = std::copysign(x_.c.k.torque, angle), .mobility = mobility, .angle = std::abs(angle)};
     if (x_.c.coordination.m != 5) x_.c.coordination = {.m = 5};
     return behaviour(kCycle[4]);
   }

@@ -39,10 +39,10 @@ struct ArmMemory {
   ecp::Trajectory path;      ///< of the present free motion
   std::int64_t weighed{};    ///< macrostep in which the force tool was set in this behaviour, 0: not yet
   TurnOrder turn;
-  double mobility{};  ///< B about z in this macrostep [s/(kg m^2)]
-  double gap{};       ///< distance of the jaws at entry [m] (76)
-  Pose T_0E;          ///< pose of E at entry (74)
-  double angle{};     ///< turned about z since then, unwrapped [rad]
+  double mobility{0.025};  ///< B about z in this macrostep [s/(kg m^2)]
+  double gap{};            ///< distance of the jaws at entry [m] (76)
+  Pose T_0E;               ///< pose of E at entry (74)
+  double angle{};          ///< turned about z since then, unwrapped [rad]
 };
 
 /// An arm, holder or worker. The report's `event` is y_cT, tagged with m.

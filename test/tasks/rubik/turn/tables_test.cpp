@@ -57,6 +57,7 @@ TEST(RubikTables, TheHolderTurnsWithTheOrdersTorqueAndNoForceElsewhere) {
   X x;
   EXPECT_EQ(commanded(kHolder, 5, x).arm.frame, kTurn) << "without an order: the table";
   x.c.turn = {.torque = -5, .mobility = 0.1};
+  x.c.mobility = 0.1;
   const TaskFrameCommand frame = commanded(kHolder, 5, x).arm.frame;
   EXPECT_EQ(frame.az, c(-5, 0.5, 0.1));
   for (const Axis a : {Axis::x, Axis::y, Axis::z}) EXPECT_EQ(frame[a], c(0, 20, 0.005));
