@@ -3,7 +3,8 @@ import {
   AxesHelper, Color, DirectionalLight, Fog, GridHelper, Group, HemisphereLight, Mesh, MeshStandardMaterial, NeutralToneMapping, Object3D,
   OrbitControls, PCFShadowMap, PerspectiveCamera, PlaneGeometry, Scene, Vector3, WebGLRenderer,
 } from '../vendor/three.js';
-import {cube, object, put, table, tool} from './furniture.js';
+import {Cube} from './cube.js';
+import {object, put, table, tool} from './furniture.js';
 import {Sheet} from './ink.js';
 import {Robot} from './robot.js';
 import {theme} from './theme.js';
@@ -84,6 +85,8 @@ export class Cell {
     const home = this.arms.get(scene.object.arm);
     this.object = scene.object.kind === 'none' || !home ? null : object(scene.object);
     if (this.object) home.base.add(this.object);
+    this.cube = scene.cube.held_by ? new Cube() : null;
+    if (this.cube) this.cube.rest_in(this.arms.get(scene.cube.held_by));
     this.look('cell');
   }
   add_arm(arm, scene, descriptions) {
@@ -97,7 +100,6 @@ export class Cell {
       base.add(entry.robot.root);
       entry.robot.links.get('tool').add(entry.tool.group);
       entry.robot.root.visible = false;  // until it has told where it is
-      if (scene.cube.held_by === arm.name) entry.tool.group.add(cube(arm));
     }
     entry.tool.group.add(entry.mark);
     this.things.add(base);
@@ -115,6 +117,7 @@ export class Cell {
       if (entry.sheet.show(track, column, t)) entry.texture.needsUpdate = true;
     }
     this.show_object(history.tracks.get('object'), t);
+    this.cube?.show(history.tracks.get('cube'), t, this.things);
     this.dirty = true;
   }
   show_object(track, t) {
