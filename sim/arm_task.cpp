@@ -56,6 +56,7 @@ mp::SoloParameters solo_parameters(const ArmTask& task, const mp::TaskOptions& o
 constexpr std::array kEveryRun{
     mp::FigureInfo{
         .key = "stop_steps_max", .words = "steps until the arms were at rest", .unit = "", .high = 100},
+    mp::FigureInfo{.key = "late_periods", .words = "late periods of all processes", .unit = ""},
     mp::FigureInfo{
         .key = "log_gaps", .words = "messages that the log missed", .unit = "", .low = 0, .high = 0}};
 

@@ -58,6 +58,8 @@ export class Cube {
     this.group.position.z = entry.arm.fingers === 'two_layers' ? 0.0095 : 0.019;
     entry.tool.group.add(this.group);
   }
+  /** @return where it is in the world */
+  place() { this.group.updateWorldMatrix(true, false); return new Vector3().setFromMatrixPosition(this.group.matrixWorld); }
   /** @param world  in whose frame it is told where the cube is */
   show(track, t, world) {
     const row = track ? track.find(t) : -1;
