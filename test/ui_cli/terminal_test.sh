@@ -67,7 +67,18 @@ tmux resize-window -x 60 -y 12
 see '^ drawing   session demo +running'
 see '^ s start'
 tmux resize-window -x 80 -y 24
-see 'q leave \(task goes on\)$'
+see 'e E-STOP  \? help  q leave$'
+tmux resize-window -x 60 -y 15
+see 'e E-STOP \? q$'
+see '^ AGENT'
+tmux resize-window -x 80 -y 24
+see 'q leave$'
+press c
+see '^ F_x'
+press c; press c
+see '^ x m .*|^ x  .*'
+press m
+see 'arms are moved by hand in the task .manual.'
 press '?'
 see 'Any key goes back'
 press '?'
@@ -95,7 +106,11 @@ tmux send-keys "clear; $bin/ui_cli; echo \"left with \$?\"" Enter
 see '^ drawing   session demo +running'
 press x
 see 'stop the task for good\? y/n'
-press y
+press n
+see 'not stopped'
+[ "$(status_is "$bin/ui_cli" resume)" = 1 ] || fail "a running task must refuse resume with 1"
+grep -q '^error: illegal_in_state: resume refused: the task is running' "$home/err" || fail "wrong reason: $(cat "$home/err")"
+press e
 see 'session demo +ended'
 press q
 see 'left with 0'
