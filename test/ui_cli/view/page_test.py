@@ -159,6 +159,8 @@ def attach_late(page, folder: Path):
     task = subprocess.Popen([BIN / "view_sample", "task", folder, "late", "10"], stdout=subprocess.PIPE, text=True)
     time.sleep(4)
     viewer = Viewer()
+    page.go("about:blank")
+    page.errors.clear()  # of the viewer before, which has ended
     page.go(viewer.url)
     page.wait("document.querySelector('#cameras img')?.naturalWidth === 320")
     check(page.share("#cameras img", "g > 100 && r < 40 && b < 40") > 0.2, "a viewer that comes late has pictures of the camera")
