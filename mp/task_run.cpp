@@ -7,11 +7,13 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <future>
 #include <nlohmann/json.hpp>
 
 #include "base/link/log_reader.hpp"
 #include "base/link/lossy_bus.hpp"
+#include "mp/black_box.hpp"
 #include "mp/hosts.hpp"
 #include "mp/viewer.hpp"
 
@@ -163,11 +165,28 @@ void TaskRun::open_bus(const TaskOptions& options, bool several_hosts) {
 void TaskRun::look_after_orders() {
   if (interrupts > signals_ && desk_->give(OperatorOrder::stop)) signal_ = last_signal;
   signals_ = interrupts;
+  if (desk_->emergency()) {
+    supervisor_->stop({.code = FaultCode::emergency_stop}, 0);
+    desk_->repeat_emergency();
+  }
+  tell_lateness();
   const bool in_vain = link::Process::Clock::now() - last_macrostep_ > kStopPatience;
   if (desk_->stop_accepted() && (in_vain || signals_ > 1)) supervisor_->stop(stop_reason(), 0);
   if (log_ && log_->failed() && !supervisor_->fault())
     supervisor_->stop({.code = FaultCode::cannot_write, .text = "events.lcmlog in the run folder"},
                       running_ ? i_ + kStopAhead : 0);
+}
+
+void TaskRun::tell_lateness() {
+  constexpr std::chrono::seconds kApart{1};
+  const auto now = link::Process::Clock::now();
+  const std::int64_t late = supervisor_->skipped();
+  if (late <= late_told_ || now - late_told_at_ < kApart || clock_ != "wall" || process_->over()) return;
+  fmt::print("late periods: {} more, {} in all; this host is too slow or too busy for --clock wall\n",
+             late - late_told_, late);
+  std::fflush(stdout);
+  late_told_ = late;
+  late_told_at_ = now;
 }
 
 void TaskRun::start() {
@@ -214,6 +233,7 @@ void TaskRun::set_state(TaskState state, bool waits_for_trigger) {
 
 Summary TaskRun::end(const std::optional<Fault>& fault) {
   const double wall_s = std::chrono::duration<double>(link::Process::Clock::now() - begun_).count();
+  const std::int64_t late = supervisor_->skipped();  // processes that leave are not late
   if (fault) supervisor_->stop(*fault, 0);
   set_state(fault || supervisor_->fault() ? TaskState::stopping : TaskState::ended, false);
   board_->publish();
@@ -235,6 +255,9 @@ Summary TaskRun::end(const std::optional<Fault>& fault) {
   summary.log_hash = supervisor_->log_hash();
   if (const auto& steps = supervisor_->stop_steps(); summary.fault && steps[0] >= 0)
     summary.figures["stop_steps_max"] = static_cast<double>(*std::ranges::max_element(steps));
+  if (summary.fault && (!summary.stopped || summary.fault->code == FaultCode::emergency_stop))
+    summary.black_box = write_black_box(folder_, process_->membership().roster);
+  if (clock_ == "wall") summary.figures["late_periods"] = static_cast<double>(late);
   if (log_->gaps() > 0) summary.figures["log_gaps"] = static_cast<double>(log_->gaps());
   return summary;
 }
