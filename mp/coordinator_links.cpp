@@ -47,6 +47,7 @@ Outcome CoordinatorLinks::wait() {
     fault_ = e.fault();
     return Outcome::faulted;
   }
+  linger(stopped);
   if (stopped()) return Outcome::aborted;
   if (!process_.lock_step()) {
     process_.poll();
@@ -55,6 +56,11 @@ Outcome CoordinatorLinks::wait() {
     process_.report_progress(i_, 0);
   }
   return receive();
+}
+
+void CoordinatorLinks::linger(const std::function<bool()>& stopped) {
+  const auto macrostep = process_.membership().macrostep;
+  if (macrostep.count() > 0) process_.await(stopped, link::Process::Clock::now() + macrostep / 2);
 }
 
 std::int64_t CoordinatorLinks::newest() const {

@@ -71,6 +71,7 @@ class TaskRun {
                const std::filesystem::path& record);
   [[nodiscard]] Fault stop_reason() const;
   void look_after_orders();
+  void stop_promptly();
 
   std::string task_;
   std::filesystem::path folder_;
