@@ -7,10 +7,11 @@
 namespace mrroc {
 
 /// Orders of the operator to a task (UI -> MP). trigger is the papers' signal that ends a behaviour which
-/// waits for it.
-enum class OperatorOrder : std::uint8_t { start, pause, resume, trigger, stop };
-inline constexpr std::array kOperatorOrders{OperatorOrder::start, OperatorOrder::pause, OperatorOrder::resume,
-                                            OperatorOrder::trigger, OperatorOrder::stop};
+/// waits for it. emergency_stop goes to MP and to every effector driver: the drives brake in the next step.
+enum class OperatorOrder : std::uint8_t { start, pause, resume, trigger, stop, emergency_stop };
+inline constexpr std::array kOperatorOrders{OperatorOrder::start,  OperatorOrder::pause,
+                                            OperatorOrder::resume, OperatorOrder::trigger,
+                                            OperatorOrder::stop,   OperatorOrder::emergency_stop};
 
 constexpr std::string_view to_string(OperatorOrder o) {
   switch (o) {
@@ -24,6 +25,8 @@ constexpr std::string_view to_string(OperatorOrder o) {
       return "trigger";
     case OperatorOrder::stop:
       return "stop";
+    case OperatorOrder::emergency_stop:
+      return "e-stop";
   }
   return "?";
 }

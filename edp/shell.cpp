@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include "base/msg/convert.hpp"
+#include "base/operator.hpp"
 #include "edp/guard.hpp"
 #include "edp/watchdog.hpp"
+#include "mrroc/operator_order_t.hpp"
 #include "mrroc/step_samples_t.hpp"
 #include "mrroc/world_state_t.hpp"
 
@@ -27,6 +29,7 @@ class Shell {
         state_in_(process.inbox<world_state_t>("world.state", Group::servo_state)),
         drive_out_(process.outbox<drive_command_t>(parameters.robot + ".drive", Group::servo_command)),
         command_in_(process.inbox<effector_command_t>(parameters.robot + ".command")),
+        operator_in_(process.bus(), process.route("operator"), process.membership().session_id),
         reply_out_(process.outbox<effector_reply_t>(parameters.robot + ".reply")),
         samples_out_(process.outbox<step_samples_t>(parameters.robot + ".samples")) {}
 
@@ -91,7 +94,17 @@ class Shell {
     process_.report_fault(fault);
   }
 
+  /// The operator's emergency stop takes no way through MP: it must work when MP hangs.
+  void look_for_emergency() {
+    while (const auto m = operator_in_.take())
+      if (m->order == static_cast<std::int32_t>(OperatorOrder::emergency_stop) && !emergency_) {
+        emergency_ = true;
+        driver_.trip(make_fault(FaultCode::emergency_stop, ""));
+      }
+  }
+
   void do_step() {
+    look_for_emergency();
     if (driver_.at_boundary() && step_ > 0) begin_macrostep();
     const HardwareReading reading = from_message(state_->robot[k_.index], step_);
     const HardwareCommand command = driver_.step(reading);
@@ -162,6 +175,7 @@ class Shell {
   std::unique_ptr<link::Inbox<world_state_t>> state_in_;
   std::unique_ptr<link::Outbox<drive_command_t>> drive_out_;
   std::unique_ptr<link::Inbox<effector_command_t>> command_in_;
+  link::Queue<operator_order_t> operator_in_;
   std::unique_ptr<link::Outbox<effector_reply_t>> reply_out_;
   std::unique_ptr<link::Outbox<step_samples_t>> samples_out_;
   link::Sources state_sources_{state_in_.get()};
@@ -174,6 +188,7 @@ class Shell {
   std::int64_t macrostep_{};
   std::int64_t told_at_{-kTellHold};
   bool tripped_{};
+  bool emergency_{};
   bool orphaned_{};
   bool released_{};
   std::int64_t released_in_{};

@@ -30,6 +30,8 @@ struct ShellParameters {
 /// n_Q when the message for the next macrostep has come (rule R1); it waits for neither a dead control
 /// subsystem nor a dead world, and a dead owner's session ends.
 ///
+/// The operator's emergency stop, on the channel `operator`, trips the driver in the next step.
+///
 /// With the wall clock it never waits for a command: without one the arm comes to rest and holds. It takes the
 /// newest state; states that it has missed are counted as skipped steps, and the number of the macrostep goes on
 /// by them, so that the arms of a task stay together. When the world is silent for state_patience steps, the

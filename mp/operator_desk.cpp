@@ -14,6 +14,10 @@ namespace {
 
 constexpr std::size_t kRememberedAnswers = 64;
 
+/// Of MP's own orders: nobody waits for their answer.
+constexpr std::int64_t kNoAnswer = 0;
+constexpr std::chrono::milliseconds kRepeatEmergency{20};
+
 std::optional<OperatorOrder> order_named(std::string_view name) {
   for (const OperatorOrder o : kOperatorOrders)
     if (to_string(o) == name) return o;
@@ -45,8 +49,8 @@ std::vector<ScriptedOrder> load_script(const std::filesystem::path& file) {
       throw FaultError(
           FaultCode::bad_script,
           fmt::format(
-              "{}:{}: '{}' is not an order; the orders are start, pause, resume, trigger and stop, after "
-              "a macrostep of at least 1",
+              "{}:{}: '{}' is not an order; the orders are start, pause, resume, trigger, stop and e-stop, "
+              "after a macrostep of at least 1",
               file.string(), number, line));
     s.order = *order;
     script.push_back(s);
@@ -61,6 +65,7 @@ OperatorDesk::OperatorDesk(link::Process& process, std::vector<ScriptedOrder> sc
     : process_(process),
       order_in_(process.bus(), process.route("operator"), process.membership().session_id),
       answer_out_(process.bus(), process.route("answer"), process.membership().session_id),
+      order_out_(process.bus(), process.route("operator"), process.membership().session_id),
       script_(script.begin(), script.end()) {
   if (!record.empty()) {
     record_.open(record);
@@ -91,6 +96,10 @@ std::optional<std::string> OperatorDesk::objection(OperatorOrder order) const {
     case OperatorOrder::stop:
       if (state_ < TaskState::stopping) return std::nullopt;
       return fmt::format("the task is {} already", to_string(state_));
+    case OperatorOrder::emergency_stop:
+      if (emergency_) return "the emergency stop has been pressed already";
+      if (state_ < TaskState::ending) return std::nullopt;
+      return fmt::format("the task is {} already, its arms rest", to_string(state_));
   }
   return "there is no such order";
 }
@@ -100,6 +109,7 @@ void OperatorDesk::poll() {
 }
 
 void OperatorDesk::answer(const operator_order_t& m) {
+  if (m.id == kNoAnswer) return;
   const auto known = std::ranges::find(answers_, m.id, &operator_answer_t::id);
   if (known != answers_.end()) {
     answer_out_.publish(*known, 0);
@@ -112,7 +122,7 @@ void OperatorDesk::answer(const operator_order_t& m) {
   answer.id = m.id;
   answer.accepted = !reason;
   link::put_text(answer.text, reason ? *reason : fmt::format("{} accepted", to_string(order)));
-  if (!reason) waiting_.push_back(order);
+  if (!reason) accept(order);
   answers_.push_back(answer);
   if (answers_.size() > kRememberedAnswers) answers_.pop_front();
   answer_out_.publish(answer, 0);
@@ -120,21 +130,38 @@ void OperatorDesk::answer(const operator_order_t& m) {
 
 bool OperatorDesk::give(OperatorOrder order) {
   if (objection(order)) return false;
-  waiting_.push_back(order);
+  accept(order);
   return true;
 }
 
+void OperatorDesk::accept(OperatorOrder order) {
+  if (order == OperatorOrder::emergency_stop)
+    obey(order, i_ + 1);  // no macrostep has to come
+  else
+    waiting_.push_back(order);
+}
+
+void OperatorDesk::repeat_emergency() {
+  const auto now = link::Process::Clock::now();
+  if (!emergency_ || now - repeated_ < kRepeatEmergency) return;
+  repeated_ = now;
+  order_out_.publish(
+      {.header = {}, .id = kNoAnswer, .order = static_cast<std::int32_t>(OperatorOrder::emergency_stop)}, i_);
+}
+
 OperatorImage OperatorDesk::take(std::int64_t i) {
+  i_ = std::max(i_, i - 1);
   for (; !script_.empty() && script_.front().i <= i; script_.pop_front()) {
     const OperatorOrder order = script_.front().order;
     const auto reason = objection(order);
-    if (!reason) waiting_.push_back(order);
+    if (!reason) accept(order);
     if (reason)
       process_.say(fmt::format("script: {} in macrostep {} is refused, {}", to_string(order), i, *reason),
                    FaultCode::bad_script);
   }
   for (const OperatorOrder order : waiting_) obey(order, i);
   waiting_.clear();
+  i_ = i;
   return image_;
 }
 
@@ -160,6 +187,9 @@ void OperatorDesk::obey(OperatorOrder order, std::int64_t i) {
       break;
     case OperatorOrder::stop:
       stop_ = true;
+      break;
+    case OperatorOrder::emergency_stop:
+      emergency_ = true;
       break;
   }
   if (record_.is_open()) record_ << i << ' ' << to_string(order) << '\n' << std::flush;

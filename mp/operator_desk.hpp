@@ -61,15 +61,22 @@ class OperatorDesk {
   [[nodiscard]] bool stop_ordered() const { return stop_; }
   /// @return whether stop has been accepted, taken or not: macrosteps may have ceased
   [[nodiscard]] bool stop_accepted() const;
+  /// @return whether an emergency stop has been accepted; it does not wait for a macrostep
+  [[nodiscard]] bool emergency() const { return emergency_; }
+  /// Tells the effector drivers of the emergency stop once more: they may have missed the terminal's message, and
+  /// of one in a script nobody else tells them. Does nothing without one, or soon after the last time.
+  void repeat_emergency();
 
  private:
   void answer(const operator_order_t& m);
   [[nodiscard]] std::optional<std::string> objection(OperatorOrder order) const;
+  void accept(OperatorOrder order);
   void obey(OperatorOrder order, std::int64_t i);
 
   link::Process& process_;
   link::Queue<operator_order_t> order_in_;
   link::Outbox<operator_answer_t> answer_out_;
+  link::Outbox<operator_order_t> order_out_;  // MP's own, for the drivers
   std::deque<ScriptedOrder> script_;
   std::ofstream record_;
   std::vector<OperatorOrder> waiting_;
@@ -77,8 +84,11 @@ class OperatorDesk {
   OperatorImage image_;
   TaskState state_{TaskState::starting};
   bool waits_for_trigger_{};
-  int m_{};  // behaviour of the coordinator
+  int m_{};           // behaviour of the coordinator
+  std::int64_t i_{};  // of the last take()
   bool stop_{};
+  bool emergency_{};
+  link::Process::Clock::time_point repeated_{};
 };
 
 }  // namespace mrroc::mp

@@ -176,6 +176,10 @@ void TaskRun::open_bus(const TaskOptions& options, bool several_hosts) {
 void TaskRun::look_after_orders() {
   if (interrupts > signals_ && desk_->give(OperatorOrder::stop)) signal_ = last_signal;
   signals_ = interrupts;
+  if (desk_->emergency()) {
+    supervisor_->stop({.code = FaultCode::emergency_stop}, 0);
+    desk_->repeat_emergency();
+  }
   if (running_ && process_->membership().macrostep >= kPromptly && !process_->over()) stop_promptly();
   const bool in_vain = link::Process::Clock::now() - last_macrostep_ > kStopPatience;
   if (desk_->stop_accepted() && (in_vain || signals_ > 1)) supervisor_->stop(stop_reason(), 0);

@@ -54,7 +54,7 @@ class Client {
   /// @return the newest status, or nothing before the first
   [[nodiscard]] std::optional<Snapshot> status() const;
 
-  /// Begins with an order. One at a time: not while pending().
+  /// Begins with an order; nothing more is heard of one that is pending.
   void begin(OperatorOrder order, Clock::time_point now);
   /// @return whether an order waits for its answer
   [[nodiscard]] bool pending() const { return pending_.has_value(); }

@@ -46,12 +46,13 @@ struct OrderHelp {
   OperatorOrder order;
   const char* help;
 };
-constexpr std::array<OrderHelp, 5> kOrders{{
+constexpr std::array<OrderHelp, 6> kOrders{{
     {OperatorOrder::start, "Let a task begin that waits for its operator"},
     {OperatorOrder::pause, "Let the task's time stand still; its arms come to rest and keep their forces"},
     {OperatorOrder::resume, "Go on after a pause"},
     {OperatorOrder::trigger, "End a behaviour that waits for the operator"},
     {OperatorOrder::stop, "Stop the task for good; its arms come to rest"},
+    {OperatorOrder::emergency_stop, "Emergency stop: the drives brake in the next step, and the task ends"},
 }};
 
 /// A connection with the session that the user meant.

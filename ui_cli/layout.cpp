@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ui_cli/layout_tables.hpp"
+#include "ui_cli/manual_page.hpp"
 
 namespace mrroc::ui {
 namespace {
@@ -95,34 +96,40 @@ int put_task(Canvas& c, const Snapshot& s) {
 }
 
 void put_keys(Canvas& c, const View& v) {
-  constexpr std::array<std::string_view, 5> kKeys{"s start", "p pause", "r resume", "t trigger", "x stop"};
+  constexpr std::array<std::string_view, 6> kKeys{"s start",   "p pause", "r resume",
+                                                  "t trigger", "x stop",  "e E-STOP"};
   const int row = c.size().rows - 1;
   if (v.snapshot && v.snapshot->state == TaskState::ended) {
     c.put(row, 1, "the task is over   q leave   ? help");
     return;
   }
-  const bool wide = c.size().columns >= 79;
+  const bool manual = v.snapshot && v.snapshot->task == kManualTask;
+  constexpr int kWide = 98, kMedium = 76, kNarrow = 66, kManual = 10;  // columns
+  const int columns = c.size().columns - (manual ? kManual : 0);
+  const int apart = columns >= kMedium ? 2 : 1;
   int column = 1;
   for (std::size_t k = 0; k < kKeys.size(); ++k) {
     const bool can = v.snapshot && sensible(kOperatorOrders[k], *v.snapshot);
-    column = c.put(row, column, kKeys[k], can ? Style::heading : Style::dim) + (wide ? 2 : 1);
+    column = c.put(row, column, kKeys[k], can ? Style::heading : Style::dim) + apart;
   }
-  column = c.put(row, column, "? help") + (wide ? 2 : 1);
-  c.put(row, column, wide ? "q leave (task goes on)" : "q leave");
+  if (manual) column = c.put(row, column, "m manual", Style::heading) + apart;
+  column = c.put(row, column, columns < kNarrow ? "?" : "? help") + apart;
+  c.put(row, column, columns >= kWide ? "q leave (task goes on)" : columns < kNarrow ? "q" : "q leave");
 }
 
 void put_help(Rows& rows) {
-  constexpr std::array<std::string_view, 11> kHelp{
+  constexpr std::array<std::string_view, 12> kHelp{
       "s  start    lets a task begin that waits for its operator",
       "p  pause    the task's time stands still; the arms keep their forces",
       "r  resume   goes on after a pause",
       "t  trigger  ends a behaviour that waits for you, such as a teach-in",
       "x  stop     ends the task for good; the arms come to rest. Asks first",
+      "e  e-stop   the drives brake in the next step; at once, without a question",
+      "c  charts   F_z, F_x, F_y, or how far x, y, z have come",
+      "m  manual   moves idle arms by hand, in the task `manual`",
       "q  leave    closes this view; the task goes on",
-      "",
       "m: behaviour   i: macrostep   F_z: force along the tool's z axis",
-      "Keys that mean something now are bright. The same orders from a shell:",
-      "ui_cli start, pause, resume, trigger, stop, status, list",
+      "Bright keys mean something now. From a shell: ui_cli --help",
       "Any key goes back."};
   for (const std::string_view line : kHelp) rows.canvas().put(rows.take(), 1, line);
 }
@@ -149,19 +156,6 @@ Plan plan(int rows, const Snapshot& s, int columns) {
 
 }  // namespace
 
-void ForceHistory::add(const Snapshot& s) {
-  for (const AgentView& a : s.agents) {
-    auto& samples = F_z_[a.name];
-    samples.push_back(a.F_a[2]);
-    if (samples.size() > kKept) samples.pop_front();
-  }
-}
-
-std::vector<double> ForceHistory::F_z(const std::string& agent) const {
-  const auto it = F_z_.find(agent);
-  return it == F_z_.end() ? std::vector<double>{} : std::vector<double>(it->second.begin(), it->second.end());
-}
-
 bool sensible(OperatorOrder order, const Snapshot& s) {
   switch (order) {
     case OperatorOrder::start:
@@ -174,6 +168,8 @@ bool sensible(OperatorOrder order, const Snapshot& s) {
       return s.state == TaskState::running && s.waits_for_trigger;
     case OperatorOrder::stop:
       return s.state < TaskState::stopping;
+    case OperatorOrder::emergency_stop:
+      return s.state < TaskState::ending;
   }
   return false;
 }
@@ -181,10 +177,17 @@ bool sensible(OperatorOrder order, const Snapshot& s) {
 Canvas lay_out(const View& view, Size size) {
   Canvas c(size);
   put_title(c, view);
-  const int limit = size.rows - 2;  // the notice and the keys
+  const bool by_hand = view.manual && !view.help;
+  const int limit = size.rows - (by_hand ? 1 + ManualPage::kKeyRows : 2);  // the notice and the keys
   if (view.help) {
     Rows body(c, 1, limit);
     put_help(body);
+  } else if (by_hand) {
+    constexpr int kMessages = 3;
+    const int messages = limit > 14 + kMessages ? kMessages + 1 : 0;
+    view.manual->draw(c, 1, limit - messages);
+    Rows rest(c, limit - messages, limit);
+    if (messages > 0) put_messages(rest, view.messages);
   } else if (view.snapshot) {
     const Snapshot& s = *view.snapshot;
     const int row = put_task(c, s);
@@ -200,7 +203,10 @@ Canvas lay_out(const View& view, Size size) {
   for (int row = std::max(1, limit); row < size.rows; ++row)
     c.put(row, 0, std::string(static_cast<std::size_t>(std::max(size.columns, 0)), ' '));
   if (size.rows > 2) c.put(limit, 1, view.notice.text, view.notice.style);
-  if (size.rows > 1) put_keys(c, view);
+  if (by_hand && size.rows > ManualPage::kKeyRows)
+    ManualPage::draw_keys(c, size.rows - ManualPage::kKeyRows);
+  else if (size.rows > 1)
+    put_keys(c, view);
   return c;
 }
 

@@ -1,12 +1,12 @@
 // The full-screen view as a pure function of what is to be seen.
 #pragma once
-#include <deque>
-#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ui_cli/canvas.hpp"
+#include "ui_cli/history.hpp"
 #include "ui_cli/message_log.hpp"
 #include "ui_cli/snapshot.hpp"
 #include "ui_cli/strip_chart.hpp"
@@ -19,31 +19,22 @@ struct Notice {
   Style style{Style::plain};
 };
 
-/// The last forces of the agents, one per status.
-class ForceHistory {
- public:
-  /// Samples kept per agent: more than a terminal has columns.
-  static constexpr std::size_t kKept = 600;
-
-  void add(const Snapshot& s);
-  /// @return F_z [N], oldest first; empty for an agent that is not known
-  [[nodiscard]] std::vector<double> F_z(const std::string& agent) const;
-
- private:
-  std::map<std::string, std::deque<double>> F_z_;
-};
-
 /// Everything that is to be seen.
 struct View {
   std::string session;
   std::optional<Snapshot> snapshot;  ///< nothing: no status has come yet
   double silence{};                  ///< [s] since the last status
-  ForceHistory forces;
+  History history;
+  Quantity chart{Quantity::F_z};  ///< what the charts show
   std::vector<Message> messages;  ///< oldest first
   Notice notice;
-  bool help{};  ///< what the keys do, instead of the task
+  bool help{};                       ///< what the keys do, instead of the task
+  const class ManualPage* manual{};  ///< this page instead of agents and processes; none: the task
   Glyphs glyphs{Glyphs::ascii};
 };
+
+/// The task whose arms can be moved by hand.
+inline constexpr std::string_view kManualTask = "manual";
 
 /// A task tells its status ten times a second; silence beyond this is shown [s].
 inline constexpr double kSilence = 2;

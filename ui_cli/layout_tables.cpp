@@ -17,7 +17,9 @@ constexpr int kRotation = kSensor + 14;
 constexpr int kAngle = 7;
 constexpr int kSideForce = kRotation + 3 * kAngle;
 
-constexpr double kLeastForce = 2;  // upper edge of a chart [N]; the pen's force is 1 N
+// Upper edge of a chart at least.
+constexpr double kLeastForce = 2;  // [N]; the pen's force is 1 N
+constexpr double kLeastWay = 1;    // [mm]
 
 constexpr int kProcessWidth = 40;
 constexpr double kOldAge = 2;  // [s]; processes tell that they live twice a second
@@ -55,14 +57,19 @@ void put_agent(Canvas& c, int row, const AgentView& a) {
 void put_chart(Rows& rows, const View& view, const AgentView& a, int height) {
   constexpr int kScale = 11;  // such as " -0.5..20 N"
   const int width = rows.canvas().size().columns - kName - kScale;
-  const StripChart chart = strip_chart(view.forces.F_z(a.name), width, height, view.glyphs, kLeastForce);
+  const bool force = view.chart <= Quantity::F_y;
+  const StripChart chart = strip_chart(view.history.samples(a.name, view.chart, width), width, height,
+                                       view.glyphs, force ? kLeastForce : kLeastWay);
   for (std::size_t k = 0; k < chart.rows.size(); ++k) {
     const int row = rows.take();
-    if (k == 0) rows.canvas().put(row, 1, a.m != 0 ? fmt::format("F_z m {}", a.m) : "F_z", Style::dim);
+    const std::string_view name = to_string(view.chart);
+    if (k == 0)
+      rows.canvas().put(row, 1, a.m != 0 ? fmt::format("{} m {}", name, a.m) : std::string(name), Style::dim);
     const int end = rows.canvas().put(row, kName, chart.rows[k], Style::good);
     std::string edge = k == 0 ? fmt::format("{:g}", chart.high) : "";
     if (k + 1 == chart.rows.size())
-      edge = (height == 1 ? fmt::format("{:g}..", chart.low) + edge : fmt::format("{:g}", chart.low)) + " N";
+      edge = fmt::format("{}{}{} {}", fmt::format("{:g}", chart.low), height == 1 ? ".." : "",
+                         height == 1 ? edge : "", unit_of(view.chart));
     rows.canvas().put(row, end + 1, edge, Style::dim);
   }
 }

@@ -4,16 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <ostream>
 
 #include "base/fault.hpp"
-#include "base/link/channel.hpp"
-#include "base/link/text.hpp"
-#include "base/msg/convert.hpp"
 #include "base/representation.hpp"
-#include "mrroc/manual_answer_t.hpp"
 #include "mrroc/manual_words_t.hpp"
+#include "ui_cli/manual_link.hpp"
 
 namespace mrroc::ui {
 
@@ -37,88 +33,31 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// manual_answer_t::state
-constexpr int kRefused = 0;
-constexpr int kTaken = 1;
-constexpr int kDone = 2;
-
-/// Keeps the newest answer to one instruction.
-class AnswerSink final : public link::Sink {
- public:
-  explicit AnswerSink(std::int64_t id) : id_(id) {}
-  void receive(std::string_view, std::span<const std::uint8_t> bytes) noexcept override {
-    const auto m = link::decode<manual_answer_t>(bytes);
-    if (!m || m->id != id_) return;
-    ++count_;
-    if (!newest_ || m->state >= newest_->state) newest_ = *m;
-  }
-  /// @return how many have come
-  [[nodiscard]] std::int64_t count() const { return count_; }
-  [[nodiscard]] const std::optional<manual_answer_t>& newest() const { return newest_; }
-
- private:
-  std::int64_t id_;
-  std::int64_t count_{};
-  std::optional<manual_answer_t> newest_;
-};
-
-/// Keeps the newest reply of a driver.
-class ReplySink final : public link::Sink {
- public:
-  void receive(std::string_view, std::span<const std::uint8_t> bytes) noexcept override {
-    if (const auto m = link::decode<effector_reply_t>(bytes)) newest_ = *m;
-  }
-  [[nodiscard]] const std::optional<effector_reply_t>& newest() const { return newest_; }
-
- private:
-  std::optional<effector_reply_t> newest_;
-};
-
-[[noreturn]] void silent(const link::SessionInfo& session, const std::string& what) {
-  throw FaultError(FaultCode::peer_silent, fmt::format("session {} says nothing: {}", session.name, what),
-                   "instructions are for the task `manual`: look with `ui_cli list`");
-}
-
 /// @return the last answer: refused, taken when that is enough, done or failed
-manual_answer_t ask(link::Bus& bus, const link::SessionInfo& session, const ManualWish& wish,
-                    const Patience& patience) {
-  const std::int64_t id = link::random_id();
-  AnswerSink sink(id);
-  bus.subscribe({link::Group::agents, session.name + ".manual.answer"}, sink);
-  manual_words_t m{};
-  m.header = {session.id, id, 0};
-  m.id = id;
-  link::put_text(m.text, wish.words);
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(link::encoded_size<manual_words_t>()));
-  m.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
-  Clock::time_point heard = Clock::now(), sent{};
-  std::int64_t answers = 0;
+ManualAnswer ask(link::Bus& bus, const link::SessionInfo& session, const ManualWish& wish,
+                 const Patience& patience) {
+  ManualLink link(bus, session, {}, patience);
+  link.begin(wish.words, Clock::now());
   while (true) {
-    const auto now = Clock::now();
-    // Every sending is answered: an answer that was lost comes again.
-    if (now - sent > patience.repeat) {
-      bus.publish({link::Group::agents, session.name + ".manual.words"}, bytes);
-      sent = now;
-    }
-    if (now - heard > patience.give_up) silent(session, "no answer to an instruction");
-    bus.wait(std::min(patience.repeat, std::chrono::milliseconds(20)));
-    if (sink.count() == answers) continue;
-    answers = sink.count();
-    heard = now;
-    if (sink.newest()->state != kTaken || !wish.wait) return *sink.newest();
+    const auto answer = link.poll(Clock::now());
+    if (answer && (answer->state != ManualState::taken || !wish.wait)) return *answer;
+    if (!answer) bus.wait(std::min(patience.repeat, std::chrono::milliseconds(20)));
   }
 }
 
-effector_reply_t look_at(link::Bus& bus, const link::SessionInfo& session, const std::string& arm,
-                         const Patience& patience) {
-  ReplySink sink;
-  bus.subscribe({link::Group::agents, session.name + "." + arm + ".reply"}, sink);
+/// @return the newest reading of an arm
+EffectorReply look_at(link::Bus& bus, const link::SessionInfo& session, const std::string& arm,
+                      const Patience& patience) {
+  const ManualLink link(bus, session, {arm}, patience);
   const auto begun = Clock::now();
-  while (!sink.newest()) {
-    if (Clock::now() - begun > patience.give_up) silent(session, fmt::format("no reply of {}", arm));
+  while (!link.reading(arm)) {
+    if (Clock::now() - begun > patience.give_up)
+      throw FaultError(FaultCode::peer_silent,
+                       fmt::format("session {} says nothing: no reply of {}", session.name, arm),
+                       "instructions are for the task `manual`: look with `ui_cli list`");
     bus.wait(patience.repeat);
   }
-  return *sink.newest();
+  return *link.reading(arm);
 }
 
 void show(const EffectorReply& r, const std::string& arm, bool json, std::ostream& out) {
@@ -200,25 +139,24 @@ std::vector<std::string> manual_words() {
 void execute_manual(link::Bus& bus, const link::SessionInfo& session, const ManualWish& wish,
                     const Patience& patience, std::ostream& out) {
   if (!wish.show.empty()) {
-    show(from_message(look_at(bus, session, wish.show, patience)), wish.show, wish.json, out);
+    show(look_at(bus, session, wish.show, patience), wish.show, wish.json, out);
     return;
   }
-  const manual_answer_t answer = ask(bus, session, wish, patience);
-  const std::string text = link::get_text(answer.text);
-  const bool good = answer.state == kTaken || answer.state == kDone;
+  const ManualAnswer answer = ask(bus, session, wish, patience);
+  const bool good = answer.state == ManualState::taken || answer.state == ManualState::done;
   if (wish.json)
     out << Json{{"words", wish.words},
-                {"accepted", answer.state != kRefused},
-                {"done", answer.state == kDone},
-                {"text", text}}
+                {"accepted", answer.state != ManualState::refused},
+                {"done", answer.state == ManualState::done},
+                {"text", answer.text}}
                .dump(-1, ' ', false, Json::error_handler_t::replace)
         << "\n";
   if (!good)
-    throw FaultError(
-        FaultCode::illegal_in_state,
-        fmt::format("{} {}: {}", wish.words, answer.state == kRefused ? "refused" : "failed", text),
-        "look at the arm with `ui_cli manual show ARM`");
-  if (!wish.json) out << text << "\n";
+    throw FaultError(FaultCode::illegal_in_state,
+                     fmt::format("{} {}: {}", wish.words,
+                                 answer.state == ManualState::refused ? "refused" : "failed", answer.text),
+                     "look at the arm with `ui_cli manual show ARM`");
+  if (!wish.json) out << answer.text << "\n";
 }
 
 }  // namespace mrroc::ui

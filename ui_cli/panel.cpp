@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "ui_cli/keys.hpp"
+
 namespace mrroc::ui {
 namespace {
 
@@ -9,7 +11,6 @@ using namespace std::chrono_literals;
 
 constexpr auto kNoticeStays = 8s;
 constexpr std::size_t kMessages = MessageLog::kKept;
-constexpr int kControlC = 3;
 
 std::optional<OperatorOrder> order_of(int key) {
   switch (key) {
@@ -23,6 +24,8 @@ std::optional<OperatorOrder> order_of(int key) {
       return OperatorOrder::trigger;
     case 'x':
       return OperatorOrder::stop;
+    case 'e':
+      return OperatorOrder::emergency_stop;
     default:
       return std::nullopt;
   }
@@ -31,13 +34,16 @@ std::optional<OperatorOrder> order_of(int key) {
 }  // namespace
 
 Panel::Panel(link::Bus& bus, Client& client, Glyphs glyphs, Clock::time_point now)
-    : client_(client), log_(bus, client.session().name), heard_(now), noticed_(now) {
+    : bus_(bus), client_(client), log_(bus, client.session().name), heard_(now), noticed_(now) {
   view_.session = client.session().name;
   view_.glyphs = glyphs;
 }
 
 void Panel::key(int key, Clock::time_point now) {
-  if (asks_) {
+  if (asks_ && key == 'e') {
+    asks_.reset();
+    give(OperatorOrder::emergency_stop, now);
+  } else if (asks_) {
     const OperatorOrder order = *asks_;
     asks_.reset();
     if (key == 'y' || key == 'Y')
@@ -46,8 +52,14 @@ void Panel::key(int key, Clock::time_point now) {
       notice(order == OperatorOrder::stop ? "not stopped" : "not triggered", Style::plain, now);
   } else if (view_.help) {
     view_.help = false;
-  } else if (key == 'q' || key == kControlC) {
+  } else if (view_.manual && key != key::kControlC && manual_key(key, now)) {
+    return;
+  } else if (key == 'q' || key == key::kControlC) {
     leaving_ = true;
+  } else if (key == 'c') {
+    view_.chart = kQuantities[(static_cast<std::size_t>(view_.chart) + 1) % kQuantities.size()];
+  } else if (key == 'm') {
+    open_manual(now);
   } else if (key == '?' || key == 'h') {
     view_.help = true;
   } else if (const auto order = order_of(key)) {
@@ -71,7 +83,7 @@ void Panel::ask_or_give(OperatorOrder order, Clock::time_point now) {
 }
 
 void Panel::give(OperatorOrder order, Clock::time_point now) {
-  if (client_.pending()) {
+  if (client_.pending() && order != OperatorOrder::emergency_stop) {
     notice("the last order has not been answered yet; repeat the key then", Style::warning, now);
     return;
   }
@@ -92,17 +104,75 @@ void Panel::update(Clock::time_point now) {
   } catch (const FaultError& e) {
     notice(std::string(e.what()).append("; ").append(e.remedy()), Style::bad, now);
   }
+  update_manual(now);
   if (client_.news() == news_) return;
   news_ = client_.news();
   heard_ = now;
   view_.snapshot = client_.status();
-  view_.forces.add(*view_.snapshot);
+  view_.history.add(*view_.snapshot);
   log_.follow(*view_.snapshot);
 }
 
 void Panel::notice(std::string text, Style style, Clock::time_point now) {
   view_.notice = {std::move(text), style};
   noticed_ = now;
+}
+
+void Panel::open_manual(Clock::time_point now) {
+  if (!view_.snapshot || view_.snapshot->task != kManualTask) {
+    notice("arms are moved by hand in the task `manual`: ./run manual", Style::warning, now);
+    return;
+  }
+  if (!page_) {
+    std::vector<ManualArm> arms = manual_arms(view_.snapshot->run_folder);
+    std::vector<std::string> names;
+    if (arms.empty())
+      for (const AgentView& a : view_.snapshot->agents) arms.push_back({.name = a.name, .presets = {}});
+    for (const ManualArm& a : arms) names.push_back(a.name);
+    link::SessionInfo session = client_.session();
+    session.id = view_.snapshot->session_id;
+    instructions_ = std::make_unique<ManualLink>(bus_, session, names);
+    page_ = std::make_unique<ManualPage>(std::move(arms));
+  }
+  view_.manual = page_.get();
+}
+
+bool Panel::manual_key(int key, Clock::time_point now) {
+  const ManualDeed deed = page_->key(key);
+  if (!deed.known) return false;
+  if (deed.leave) view_.manual = nullptr;
+  if (!deed.refusal.empty()) notice(deed.refusal, Style::warning, now);
+  if (deed.words.empty()) return true;
+  if (instructions_->unanswered() && !deed.words.starts_with("stop")) {
+    notice("the last instruction has not been answered yet; repeat the key then", Style::warning, now);
+    return true;
+  }
+  instructions_->begin(deed.words, now);
+  notice(deed.words + " ...", Style::plain, now);
+  update(now);
+  return true;
+}
+
+void Panel::update_manual(Clock::time_point now) {
+  if (!page_) return;
+  for (const ManualArm& a : page_->arms())
+    if (const auto reading = instructions_->reading(a.name)) page_->show(a.name, *reading);
+  try {
+    const auto answer = instructions_->poll(now);
+    if (!answer) return;
+    const bool bad = answer->state == ManualState::refused || answer->state == ManualState::failed;
+    const std::string_view what = answer->state == ManualState::refused  ? " refused: "
+                                  : answer->state == ManualState::failed ? " failed: "
+                                                                         : ": ";
+    const std::string text = answer->state == ManualState::taken ? "is being done" : answer->text;
+    notice(fmt::format("{}{}{}", answer->words, what, text),
+           bad                                  ? Style::warning
+           : answer->state == ManualState::done ? Style::good
+                                                : Style::plain,
+           now);
+  } catch (const FaultError& e) {
+    notice(std::string(e.what()).append("; ").append(e.remedy()), Style::bad, now);
+  }
 }
 
 Canvas Panel::picture(Size size, Clock::time_point now) {
@@ -112,6 +182,7 @@ Canvas Panel::picture(Size size, Clock::time_point now) {
   View shown = view_;
   if (shown.notice.text.empty() && shown.snapshot && shown.snapshot->state == TaskState::ended)
     shown.notice = {"the task has ended; its files are in " + shown.snapshot->run_folder, Style::good};
+  if (view_.manual && page_->typing()) shown.notice = {page_->prompt(), Style::heading};
   return lay_out(shown, size);
 }
 

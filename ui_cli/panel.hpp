@@ -1,10 +1,13 @@
 // The full-screen view without a screen: keys and status go in, a picture comes out.
 #pragma once
+#include <memory>
 #include <optional>
 
 #include "base/operator.hpp"
 #include "ui_cli/client.hpp"
 #include "ui_cli/layout.hpp"
+#include "ui_cli/manual_link.hpp"
+#include "ui_cli/manual_page.hpp"
 #include "ui_cli/message_log.hpp"
 
 namespace mrroc::ui {
@@ -16,8 +19,10 @@ class Panel {
   /// @param bus that of the client; both must outlive the panel
   Panel(link::Bus& bus, Client& client, Glyphs glyphs, Clock::time_point now);
 
-  /// A key: s start, p pause, r resume, t trigger (asks for y when it comes early), x stop (asks for y), ? help,
-  /// q leave. Others do nothing; while the panel asks, any other than y means no; any key ends the help.
+  /// A key: s start, p pause, r resume, t trigger (asks for y when it comes early), x stop (asks for y), e emergency
+  /// stop (asks nothing), c what the charts show, m the page of manual operation, ? help, q leave. Others do nothing;
+  /// while the panel asks, any other than y and e means no; any key ends the help. On the page of manual operation its
+  /// own keys come first, see ManualPage.
   void key(int key, Clock::time_point now);
   /// Takes what the client has heard, and sends what has to be sent. Call it often.
   void update(Clock::time_point now);
@@ -30,7 +35,12 @@ class Panel {
   void ask_or_give(OperatorOrder order, Clock::time_point now);
   void give(OperatorOrder order, Clock::time_point now);
   void notice(std::string text, Style style, Clock::time_point now);
+  void open_manual(Clock::time_point now);
+  /// @return whether the key belongs to the page of manual operation
+  bool manual_key(int key, Clock::time_point now);
+  void update_manual(Clock::time_point now);
 
+  link::Bus& bus_;
   Client& client_;
   MessageLog log_;
   View view_;
@@ -39,6 +49,8 @@ class Panel {
   Clock::time_point noticed_;
   std::optional<OperatorOrder> asks_;  // whether this order is meant
   bool leaving_{};
+  std::unique_ptr<ManualPage> page_;  // made when it is first opened
+  std::unique_ptr<ManualLink> instructions_;
 };
 
 }  // namespace mrroc::ui

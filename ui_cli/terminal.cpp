@@ -15,8 +15,13 @@
 
 #include "base/fault.hpp"
 
+#include "ui_cli/keys.hpp"
+
 namespace mrroc::ui {
 namespace {
+
+static_assert(key::kDown == KEY_DOWN && key::kUp == KEY_UP && key::kLeft == KEY_LEFT &&
+              key::kRight == KEY_RIGHT && key::kBackspace == KEY_BACKSPACE && key::kKeypadEnter == KEY_ENTER);
 
 // Colour pairs of curses.
 constexpr short kGood = 1;

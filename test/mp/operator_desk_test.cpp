@@ -83,13 +83,14 @@ TEST_F(Desk, AcceptsInEachStateWhatMakesSense) {
     bool waits;
     std::vector<OperatorOrder> accepted;
   };
-  const std::vector<Row> table{{TaskState::starting, false, {stop}},
-                               {TaskState::waiting_for_start, false, {start, stop}},
-                               {TaskState::running, false, {pause, stop}},
-                               {TaskState::running, true, {pause, trigger, stop}},
-                               {TaskState::paused, false, {resume, stop}},
-                               {TaskState::paused, true, {resume, stop}},
-                               {TaskState::stopping, true, {}},
+  const std::vector<Row> table{{TaskState::starting, false, {stop, emergency_stop}},
+                               {TaskState::waiting_for_start, false, {start, stop, emergency_stop}},
+                               {TaskState::running, false, {pause, stop, emergency_stop}},
+                               {TaskState::running, true, {pause, trigger, stop, emergency_stop}},
+                               {TaskState::paused, false, {resume, stop, emergency_stop}},
+                               {TaskState::paused, true, {resume, stop, emergency_stop}},
+                               {TaskState::stopping, true, {emergency_stop}},
+                               {TaskState::ending, true, {}},
                                {TaskState::ended, true, {}}};
   for (const Row& row : table)
     for (const OperatorOrder o : kOperatorOrders) {
@@ -114,8 +115,38 @@ TEST_F(Desk, ARefusalSaysWhyAndChangesNothing) {
 TEST_F(Desk, AnOrderThatDoesNotExistIsRefused) {
   Office office;
   office.desk.set_state(TaskState::running, true);
-  for (const int number : {-1, 5, 1000, INT32_MIN, INT32_MAX})
+  for (const int number : {-1, 6, 1000, INT32_MIN, INT32_MAX})
     EXPECT_FALSE(office.order(100 + number % 50, number).accepted) << number;
+}
+
+TEST_F(Desk, AnEmergencyStopWaitsForNoMacrostepAndReachesTheDriversAgainAndAgain) {
+  const fs::path record = folder_ / "record";
+  Office office({}, record);
+  link::Queue<operator_order_t> driver(office.bus, office.process.route("operator"),
+                                       office.process.membership().session_id);
+  office.desk.set_state(TaskState::running, false);
+  office.desk.take(41);
+  office.desk.repeat_emergency();
+  EXPECT_FALSE(driver.take()) << "nobody has pressed it";
+  EXPECT_TRUE(office.accepts(emergency_stop));
+  EXPECT_TRUE(office.desk.emergency()) << "at once";
+  EXPECT_TRUE(driver.take()) << "the terminal's own message";
+  office.desk.repeat_emergency();
+  const auto repeated = driver.take();
+  ASSERT_TRUE(repeated);
+  EXPECT_EQ(repeated->order, static_cast<int>(emergency_stop));
+  office.desk.poll();
+  EXPECT_FALSE(office.answers.take()) << "MP does not answer itself";
+  EXPECT_FALSE(office.accepts(emergency_stop));
+  const auto script = load_script(record);
+  ASSERT_EQ(script.size(), 1U);
+  EXPECT_EQ(script[0].i, 42);
+  Office again(script);
+  again.desk.set_state(TaskState::running, false);
+  again.desk.take(41);
+  EXPECT_FALSE(again.desk.emergency());
+  again.desk.take(42);
+  EXPECT_TRUE(again.desk.emergency()) << "the script replays it";
 }
 
 TEST_F(Desk, ARepeatedOrderIsAnsweredAgainAndObeyedOnce) {

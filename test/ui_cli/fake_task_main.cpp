@@ -23,7 +23,7 @@ using mrroc::TaskState;
 std::optional<std::string> objection(OperatorOrder order, TaskState state) {
   const bool allowed = order == OperatorOrder::start    ? state == TaskState::waiting_for_start
                        : order == OperatorOrder::resume ? state == TaskState::paused
-                       : order == OperatorOrder::stop   ? true
+                       : order >= OperatorOrder::stop   ? true
                                                         : state == TaskState::running;
   if (allowed) return std::nullopt;
   return "the task is " + std::string(to_string(state));
@@ -39,6 +39,7 @@ TaskState after(OperatorOrder order, TaskState state) {
     case OperatorOrder::trigger:
       return state;
     case OperatorOrder::stop:
+    case OperatorOrder::emergency_stop:
       break;
   }
   return TaskState::ended;

@@ -73,6 +73,27 @@ TEST_F(Panel, StopsOnlyAfterAYes) {
   EXPECT_EQ(task.obeyed, std::vector{OperatorOrder::stop});
 }
 
+TEST_F(Panel, TheEmergencyStopAsksNothingAndPassesEveryQuestionAndEveryOrder) {
+  press('e');
+  EXPECT_EQ(task.obeyed, std::vector{OperatorOrder::emergency_stop});
+  press('x');
+  press('e');
+  EXPECT_EQ(task.obeyed.size(), 2U) << "also while it asks";
+  task.deaf = 2;
+  press('p');
+  press('e');
+  pass(300ms);
+  EXPECT_EQ(task.obeyed.back(), OperatorOrder::emergency_stop) << "also while an order is not answered";
+}
+
+TEST_F(Panel, ChartsShowForcesAndWays) {
+  publish(TaskState::running);
+  for (const char* name : {"F_x", "F_y", " x ", " y ", " z ", "F_z"}) {
+    press('c');
+    EXPECT_NE(screen().find(std::string(name)), std::string::npos) << name << screen();
+  }
+}
+
 TEST_F(Panel, AsksBeforeATriggerThatComesEarly) {
   task_status_t m = drawing_status();
   m.waits_for_trigger = 1;

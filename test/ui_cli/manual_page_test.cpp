@@ -1,0 +1,224 @@
+// Manual operation at the full screen: keys become instructions, readings a picture.
+#include "ui_cli/manual_page.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "base/link/channel.hpp"
+#include "base/link/memory_bus.hpp"
+#include "base/link/text.hpp"
+#include "base/msg/convert.hpp"
+#include "mrroc/manual_words_t.hpp"
+#include "test/ui_cli/fake_task.hpp"
+#include "ui_cli/keys.hpp"
+#include "ui_cli/panel.hpp"
+
+namespace mrroc::test {
+namespace {
+
+using namespace std::chrono_literals;
+using namespace ui::key;
+
+ui::ManualPage page() {
+  return ui::ManualPage(
+      {{.name = "arm1", .axes = 6, .presets = {"front", "0"}}, {.name = "arm2", .axes = 7, .presets = {}}});
+}
+
+EffectorReply reading() {
+  EffectorReply r;
+  r.state = DriverState::holding;
+  for (std::size_t k = 0; k < 8; ++k) r.joints[k] = 0.1 * static_cast<double>(k);
+  r.T_0E = {0.5, 0.25, 1, 0, 0, 1.5};
+  r.F_a.v[2] = -3.25;
+  r.gripper = 0.06;
+  return r;
+}
+
+/// @return what the last of the keys asks of the task
+std::string words(ui::ManualPage& p, const std::string& keys, std::initializer_list<int> more = {}) {
+  ui::ManualDeed deed;
+  for (const char k : keys) deed = p.key(k);
+  for (const int k : more) deed = p.key(k);
+  EXPECT_TRUE(deed.known);
+  return deed.words;
+}
+
+TEST(ManualPage, JogsTheChosenAxisOfTheChosenArmInEverySpace) {
+  auto p = page();
+  EXPECT_EQ(words(p, "", {kRight}), "jog arm1 joints 0.05 0 0 0 0 0 speed 0.15");
+  EXPECT_EQ(words(p, "2", {kUp, kLeft}), "jog arm2 joints 0 0 0 0 0 0 -0.05 speed 0.15");
+  EXPECT_EQ(words(p, "", {kDown, kRight}), "jog arm2 joints 0.01 0 0 0 0 0 0 speed 0.15")
+      << "a track is in metres";
+  EXPECT_EQ(words(p, "c+", {kRight}), "jog arm2 euler 0.02 0 0 0 0 0 speed 0.15");
+  EXPECT_EQ(words(p, "c->", {kDown, kDown, kRight}), "jog arm2 angle-axis 0 0 0.01 0 0 0 speed 0.3");
+  EXPECT_EQ(words(p, "1c<", {kRight}), "jog arm1 motors 0 0 5 0 0 0 speed 0.15");
+}
+
+TEST(ManualPage, StepsAndSpeedsHaveEnds) {
+  auto p = page();
+  EXPECT_EQ(words(p, "--------<<<<<<<", {kRight}), "jog arm1 joints 0.005 0 0 0 0 0 speed 0.05");
+  EXPECT_EQ(words(p, "+++++++++>>>>>>>", {kRight}), "jog arm1 joints 0.5 0 0 0 0 0 speed 1");
+}
+
+TEST(ManualPage, OneKeyIsOneInstructionToOneArmOrAll) {
+  auto p = page();
+  EXPECT_EQ(words(p, "h"), "home arm1");
+  EXPECT_EQ(words(p, "0h"), "home all");
+  EXPECT_EQ(words(p, "b"), "bias all");
+  EXPECT_EQ(words(p, "2z"), "reset arm2");
+  EXPECT_EQ(words(p, " "), "stop arm2");
+  EXPECT_FALSE(p.key('0').leave);
+  EXPECT_NE(p.key(kRight).refusal, "") << "coordinates of several arms are not the same";
+  EXPECT_NE(p.key('a').refusal, "");
+  EXPECT_TRUE(p.key('m').leave);
+  EXPECT_FALSE(p.key('e').known) << "keys of the whole program are not taken";
+}
+
+TEST(ManualPage, AsksForWhatAnInstructionNeedsBesides) {
+  auto p = page();
+  EXPECT_EQ(words(p, "g0.05", {kReturn}), "gripper arm1 0.05");
+  EXPECT_EQ(words(p, "ofront", {kEnter}), "preset arm1 front speed 0.15");
+  EXPECT_EQ(words(p, "w0 0 0.25 0 0 0", {kEnter}), "tool arm1 0 0 0.25 0 0 0");
+  EXPECT_EQ(words(p, "W12.5", {kEnter}), "weight arm1 12.5");
+  EXPECT_EQ(words(p, "k1", {kEnter}), "model arm1 1");
+  EXPECT_EQ(words(p, "v0 2", {kEnter}), "servo arm1 0 2");
+  EXPECT_EQ(words(p, ":end", {kEnter}), "end");
+  EXPECT_EQ(words(p, "gx", {kBackspace, '0', '.', '1', kKeypadEnter}), "gripper arm1 0.1");
+  EXPECT_EQ(words(p, "gem"), "");
+  EXPECT_TRUE(p.typing());
+  EXPECT_NE(p.prompt().find("em"), std::string::npos) << "every key belongs to the text";
+  EXPECT_EQ(words(p, "", {kEscape}), "");
+  EXPECT_FALSE(p.typing());
+  EXPECT_EQ(words(p, "g", {kEnter}), "") << "nothing typed, nothing done";
+}
+
+TEST(ManualPage, GoesToAnAbsoluteCoordinateFromWhereTheArmIs) {
+  auto p = page();
+  words(p, "a0.7");
+  EXPECT_NE(p.key(kEnter).refusal, "") << "where the arm is has not been told";
+  p.show("arm1", reading());
+  p.key(kDown);
+  EXPECT_EQ(words(p, "a-0.7", {kEnter}),
+            "move arm1 joints 0.000000 -0.7 0.200000 0.300000 0.400000 0.500000 speed 0.15");
+  EXPECT_EQ(words(p, "cca0.3", {kEnter}),
+            "move arm1 angle-axis 0.500000 0.3 1.000000 0.000000 0.000000 1.500000 speed 0.15");
+  words(p, "a1e");
+  EXPECT_NE(p.key(kEnter).refusal.find("'1e' is not a number"), std::string::npos);
+}
+
+TEST(ManualPage, ShowsTheArmsAndKeepsTheChosenAxisOnAnySize) {
+  auto p = page();
+  p.show("arm1", reading());
+  p.show("nobody", reading());
+  p.key('2');
+  p.key(kUp);
+  for (int rows = 1; rows < 40; ++rows)
+    for (const int columns : {1, 20, 60, 80, 200}) {
+      ui::Canvas c({rows, columns});
+      p.draw(c, 1, rows - 4);
+      ui::ManualPage::draw_keys(c, rows - 3);
+      if (rows <= 9 || columns < 60) continue;
+      EXPECT_NE(c.text().find("> axis 7"), std::string::npos) << c.text();
+    }
+  ui::Canvas c({24, 80});
+  p.draw(c, 1, 20);
+  ui::ManualPage::draw_keys(c, 21);
+  for (const char* text :
+       {"arm1", "holding", "not heard yet", "-3.25", "0.0600", "0.5000", "E-STOP", "m back", "stop arm"})
+    EXPECT_NE(c.text().find(text), std::string::npos) << text << "\n" << c.text();
+}
+
+TEST(ManualPage, ReadsTheArmsOfARunFolder) {
+  std::string pattern = ::testing::TempDir() + "/manual.XXXXXX";
+  const std::filesystem::path folder = ::mkdtemp(pattern.data());
+  EXPECT_TRUE(ui::manual_arms(folder).empty());
+  std::ofstream(folder / "config.toml")
+      << "[robots]\norder = ['a', 'b']\n[robots.b]\naxes = 7\n[robots.b.presets]\nfront = [1]\n";
+  const auto arms = ui::manual_arms(folder);
+  ASSERT_EQ(arms.size(), 2U);
+  EXPECT_EQ(arms[1].axes, 7);
+  EXPECT_EQ(arms[1].presets, std::vector<std::string>{"front"});
+  std::ofstream(folder / "config.toml") << "no toml";
+  EXPECT_TRUE(ui::manual_arms(folder).empty());
+  std::filesystem::remove_all(folder);
+}
+
+/// The full screen with the task `manual` on the other side.
+class ManualPanel : public ::testing::Test {
+ protected:
+  ManualPanel() {
+    task_status_t m = drawing_status();
+    link::put_text(m.task, "manual");
+    m.state = static_cast<int>(TaskState::running);
+    task.publish(m);
+    pass(20ms);
+  }
+  void pass(std::chrono::milliseconds time) {
+    for (const auto end = now + time; now < end; now += 10ms) {
+      task.poll();
+      while (const auto m = in.take()) {
+        if (heard.empty() || heard.back() != link::get_text(m->text))
+          heard.push_back(link::get_text(m->text));
+        manual_answer_t a{};
+        a.id = m->id;
+        a.state = state;
+        link::put_text(a.text, state == 0 ? "arm1 is busy" : "done");
+        out.publish(a, 0);
+      }
+      client.receive(0ms);
+      panel.update(now);
+    }
+  }
+  void press(int key) {
+    panel.key(key, now);
+    pass(30ms);
+  }
+  std::string notice() { return panel.picture({24, 160}, now).text(20); }
+
+  link::MemoryHub hub;
+  std::unique_ptr<link::Bus> task_bus = hub.open();
+  std::unique_ptr<link::Bus> bus = hub.open();
+  FakeTask task{*task_bus, "s", 7};
+  link::Queue<manual_words_t> in{*task_bus, {link::Group::agents, "s.manual.words"}, 7};
+  link::Outbox<manual_answer_t> out{*task_bus, {link::Group::agents, "s.manual.answer"}, 7};
+  std::vector<std::string> heard;
+  int state{2};
+  ui::Client client{*bus, {"s", 7, {}, "manual", {}, 4711}};
+  ui::Clock::time_point now{1h};
+  ui::Panel panel{*bus, client, ui::Glyphs::ascii, now};
+};
+
+TEST_F(ManualPanel, SendsInstructionsAndTellsWhatBecameOfThem) {
+  press('m');
+  press('h');
+  EXPECT_EQ(heard, std::vector<std::string>{"home arm1"});
+  EXPECT_EQ(notice(), " home arm1: done");
+  state = 0;
+  press('b');
+  EXPECT_EQ(notice(), " bias arm1 refused: arm1 is busy");
+  state = 1;
+  press(kRight);
+  EXPECT_NE(notice().find("is being done"), std::string::npos) << notice();
+  state = 2;
+  pass(300ms);
+  EXPECT_NE(notice().find(": done"), std::string::npos) << notice();
+}
+
+TEST_F(ManualPanel, TheEmergencyStopIsOnEveryPageButNotInAText) {
+  press('m');
+  press('g');
+  press('e');
+  EXPECT_TRUE(task.obeyed.empty()) << "it is a letter of a text";
+  press(kEscape);
+  press('e');
+  EXPECT_EQ(task.obeyed, std::vector{OperatorOrder::emergency_stop});
+  press('m');
+  EXPECT_NE(panel.picture({24, 80}, now).text().find("PROCESS"), std::string::npos) << "back at the task";
+  press('h');
+  EXPECT_TRUE(heard.empty()) << "keys of the page mean nothing outside of it";
+}
+
+}  // namespace
+}  // namespace mrroc::test

@@ -1,0 +1,21 @@
+// Keys that are no characters, with the numbers that curses gives them.
+#pragma once
+
+namespace mrroc::ui {
+
+/// What Terminal::key() returns for them.
+namespace key {
+inline constexpr int kControlC = 3;
+inline constexpr int kEnter = '\n';
+inline constexpr int kReturn = '\r';
+inline constexpr int kEscape = 27;
+inline constexpr int kDelete = 127;
+inline constexpr int kDown = 0402;
+inline constexpr int kUp = 0403;
+inline constexpr int kLeft = 0404;
+inline constexpr int kRight = 0405;
+inline constexpr int kBackspace = 0407;
+inline constexpr int kKeypadEnter = 0527;
+}  // namespace key
+
+}  // namespace mrroc::ui

@@ -1,0 +1,96 @@
+#include "ui_cli/manual_link.hpp"
+
+#include <fmt/format.h>
+
+#include "base/fault.hpp"
+#include "base/link/decode.hpp"
+#include "base/link/text.hpp"
+#include "base/msg/convert.hpp"
+#include "mrroc/manual_words_t.hpp"
+
+namespace mrroc::ui {
+
+/// Keeps the newest answer to one instruction; a later state is never followed by an earlier one.
+struct ManualLink::Answers final : link::Sink {
+  void receive(std::string_view, std::span<const std::uint8_t> bytes) noexcept override {
+    const auto m = link::decode<manual_answer_t>(bytes);
+    if (!m || m->id != id || m->state < 0 || m->state > static_cast<int>(ManualState::failed)) return;
+    ++count;
+    if (!newest || m->state >= newest->state) newest = *m;
+  }
+  std::int64_t id{};
+  std::int64_t count{};
+  std::optional<manual_answer_t> newest;
+};
+
+/// Keeps the newest reply of a driver.
+struct ManualLink::Readings final : link::Sink {
+  void receive(std::string_view, std::span<const std::uint8_t> bytes) noexcept override {
+    if (const auto m = link::decode<effector_reply_t>(bytes)) newest = *m;
+  }
+  std::optional<effector_reply_t> newest;
+};
+
+ManualLink::ManualLink(link::Bus& bus, const link::SessionInfo& session, const std::vector<std::string>& arms,
+                       Patience patience)
+    : bus_(bus), session_(session), patience_(patience), answers_(std::make_unique<Answers>()) {
+  bus_.subscribe({link::Group::agents, session_.name + ".manual.answer"}, *answers_);
+  for (const std::string& arm : arms) {
+    auto& readings = readings_[arm] = std::make_unique<Readings>();
+    bus_.subscribe({link::Group::agents, fmt::format("{}.{}.reply", session_.name, arm)}, *readings);
+  }
+}
+
+ManualLink::~ManualLink() = default;
+
+void ManualLink::begin(const std::string& words, Clock::time_point now) {
+  words_ = words;
+  id_ = link::random_id();
+  count_ = 0;
+  told_.reset();
+  heard_ = now;
+  sent_ = {};
+  answers_->id = id_;
+  answers_->count = 0;
+  answers_->newest.reset();
+}
+
+std::optional<ManualAnswer> ManualLink::poll(Clock::time_point now) {
+  if (id_ == 0) return std::nullopt;
+  if (answers_->count != count_) {
+    count_ = answers_->count;
+    heard_ = now;
+    const auto state = static_cast<ManualState>(answers_->newest->state);
+    if (state != ManualState::taken) id_ = 0;
+    if (told_ != state) {
+      told_ = state;
+      return ManualAnswer{words_, state, link::get_text(answers_->newest->text)};
+    }
+    if (id_ == 0) return std::nullopt;
+  }
+  if (now - heard_ > patience_.give_up) {
+    id_ = 0;
+    throw FaultError(FaultCode::peer_silent,
+                     fmt::format("session {} says nothing: no answer to an instruction", session_.name),
+                     "instructions are for the task `manual`: look with `ui_cli list`");
+  }
+  if (sent_ == Clock::time_point{} || now - sent_ > patience_.repeat) {
+    sent_ = now;
+    manual_words_t m{};
+    m.header = {session_.id, id_, 0};
+    m.id = id_;
+    link::put_text(m.text, words_);
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(link::encoded_size<manual_words_t>()));
+    m.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+    bus_.publish({link::Group::agents, session_.name + ".manual.words"}, bytes);
+  }
+  return std::nullopt;
+}
+
+std::optional<EffectorReply> ManualLink::reading(const std::string& arm) const {
+  const auto it = readings_.find(arm);
+  if (it == readings_.end() || !it->second->newest) return std::nullopt;
+  return from_message(*it->second->newest);
+}
+
+}  // namespace mrroc::ui

@@ -1,0 +1,68 @@
+// A terminal's end of the task `manual`: sends instructions, hears what became of them and where the arms are.
+#pragma once
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/effector_command.hpp"
+#include "base/link/bus.hpp"
+#include "base/link/session.hpp"
+#include "mrroc/manual_answer_t.hpp"
+#include "ui_cli/client.hpp"
+
+namespace mrroc::ui {
+
+/// What became of an instruction; the numbers of manual_answer_t::state.
+enum class ManualState : std::uint8_t { refused, taken, done, failed };
+
+/// The task's word on an instruction.
+struct ManualAnswer {
+  std::string words;
+  ManualState state{};
+  std::string text;  ///< reason, or what has been done; printable ASCII
+};
+
+/// Sends one instruction at a time, again and again until it is done: every sending is answered, so that an answer
+/// that was lost comes again. Used by one thread.
+class ManualLink {
+ public:
+  /// @param bus  must outlive the link  @param session  of the task  @param arms  whose readings are wanted
+  ManualLink(link::Bus& bus, const link::SessionInfo& session, const std::vector<std::string>& arms,
+             Patience patience = {});
+  ~ManualLink();
+  ManualLink(const ManualLink&) = delete;
+  ManualLink& operator=(const ManualLink&) = delete;
+
+  /// Begins with an instruction; nothing more is heard of the one before.
+  void begin(const std::string& words, Clock::time_point now);
+  /// @return whether an instruction waits for its first answer
+  [[nodiscard]] bool unanswered() const { return id_ != 0 && !told_; }
+  /// Sends what has to be sent. Call it often.
+  /// @return news of the instruction: that it was taken, and what became of it, each once
+  /// @throws FaultError peer_silent, once, when nothing has been heard for Patience::give_up
+  std::optional<ManualAnswer> poll(Clock::time_point now);
+
+  /// @return the newest reading of an arm, or nothing before the first
+  [[nodiscard]] std::optional<EffectorReply> reading(const std::string& arm) const;
+
+ private:
+  struct Answers;
+  struct Readings;
+
+  link::Bus& bus_;
+  link::SessionInfo session_;
+  Patience patience_;
+  std::unique_ptr<Answers> answers_;
+  std::map<std::string, std::unique_ptr<Readings>> readings_;
+  std::string words_;
+  std::int64_t id_{};  // 0: no instruction
+  std::int64_t count_{};
+  std::optional<ManualState> told_;
+  Clock::time_point heard_{}, sent_{};
+};
+
+}  // namespace mrroc::ui

@@ -1,0 +1,214 @@
+#include "ui_cli/manual_page.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "base/config.hpp"
+#include "base/fault.hpp"
+#include "base/representation.hpp"
+#include "ui_cli/keys.hpp"
+#include "ui_cli/manual_steps.hpp"
+
+namespace mrroc::ui {
+namespace {
+
+constexpr std::array<std::string_view, 4> kSpaces{"motors", "joints", "euler", "angle-axis"};
+constexpr std::size_t kLongestText = 120;
+
+ManualDeed instruction(std::string words) { return {.words = std::move(words)}; }
+ManualDeed refusal(std::string why) { return {.refusal = std::move(why)}; }
+
+/// @return a number as short as it can be read back
+std::string number(double value) { return fmt::format("{}", std::abs(value) < 1e-12 ? 0.0 : value); }
+
+}  // namespace
+
+std::vector<ManualArm> manual_arms(const std::filesystem::path& run_folder) {
+  std::vector<ManualArm> arms;
+  if (run_folder.empty() || !std::filesystem::is_regular_file(run_folder / "config.toml")) return arms;
+  try {
+    const Config config = Config::load(run_folder / "config.toml");
+    for (const std::string& name : config.texts("robots.order", std::vector<std::string>{})) {
+      const Config robot = config.section("robots." + name);
+      ManualArm arm{.name = name, .axes = robot.integer("axes", 6), .presets = {}};
+      for (const char* preset : {"synchro", "front", "0", "1", "2"})
+        if (robot.has(std::string("presets.") + preset)) arm.presets.emplace_back(preset);
+      arms.push_back(std::move(arm));
+    }
+  } catch (const FaultError&) {  // what a folder holds that is no run's does not matter here
+    arms.clear();
+  }
+  return arms;
+}
+
+void ManualPage::show(const std::string& arm, const EffectorReply& reading) {
+  const auto found = std::ranges::find(arms_, arm, &ManualArm::name);
+  if (found != arms_.end()) found->reading = reading;
+}
+
+ManualDeed ManualPage::key(int key) {
+  if (prompt_) return type(key);
+  if (arms_.empty())
+    return key == 'm' || key == key::kEscape ? ManualDeed{.leave = true} : ManualDeed{.known = false};
+  if (choose(key)) return {};
+  switch (key) {
+    case key::kLeft:
+      return jog(-1);
+    case key::kRight:
+      return jog(1);
+    case 'a':
+      if (all_) return refusal("choose one arm: its coordinates are its own");
+      return ask(fmt::format("{} {} {} to", arms_[arm_].name, kSpaces[static_cast<std::size_t>(space_)],
+                             coordinate_name(space_ >= Space::euler, axis_)),
+                 "", true);
+    case 'h':
+      return instruction("home " + whom());
+    case 'b':
+      return instruction("bias " + whom());
+    case 'z':
+      return instruction("reset " + whom());
+    case ' ':
+      return instruction("stop " + whom());
+    case 'o':
+      return ask(fmt::format("preset of {} ({})", whom(), fmt::join(arms_[arm_].presets, ", ")),
+                 "preset " + whom());
+    case 'g':
+      return ask(fmt::format("jaws of {} to [m]", whom()), "gripper " + whom());
+    case 'w':
+      return ask(fmt::format("tool of {}: X Y Z AX AY AZ [m, rad]", whom()), "tool " + whom());
+    case 'W':
+      return ask(fmt::format("weight of {}: NEWTONS [X Y Z]", whom()), "weight " + whom());
+    case 'k':
+      return ask(fmt::format("kinematic model of {}", whom()), "model " + whom());
+    case 'v':
+      return ask(fmt::format("servo of {}: ALGORITHM [SET]", whom()), "servo " + whom());
+    case ':':
+      return ask("instruction", "");
+    case 'm':
+    case key::kEscape:
+      return {.leave = true};
+    default:
+      return {.known = false};
+  }
+}
+
+bool ManualPage::choose(int key) {
+  auto& step = step_[static_cast<std::size_t>(unit())];
+  if (key == '0') {
+    all_ = true;
+  } else if (key >= '1' && key < '1' + static_cast<int>(std::min<std::size_t>(arms_.size(), 9))) {
+    arm_ = static_cast<std::size_t>(key - '1');
+    all_ = false;
+  } else if (key == 'c') {
+    space_ = static_cast<Space>((static_cast<std::size_t>(space_) + 1) % kSpaces.size());
+  } else if (key == key::kUp) {
+    axis_ = (axis_ + coordinates() - 1) % coordinates();
+  } else if (key == key::kDown) {
+    axis_ = (axis_ + 1) % coordinates();
+  } else if (key == '+' || key == '=') {
+    step = std::min(step + 1, kSteps[0].size() - 1);
+  } else if (key == '-') {
+    step = step > 0 ? step - 1 : 0;
+  } else if (key == '>') {
+    speed_ = std::min(speed_ + 1, kSpeeds.size() - 1);
+  } else if (key == '<') {
+    speed_ = speed_ > 0 ? speed_ - 1 : 0;
+  } else {
+    return false;
+  }
+  axis_ = std::min(axis_, coordinates() - 1);
+  return true;
+}
+
+ManualDeed ManualPage::ask(std::string label, std::string words, bool coordinate) {
+  prompt_ = Prompt{std::move(label), std::move(words), "", coordinate};
+  return {};
+}
+
+ManualDeed ManualPage::type(int key) {
+  const bool enter = key == key::kEnter || key == key::kReturn || key == key::kKeypadEnter;
+  if (key == key::kEscape || (enter && prompt_->text.empty())) {
+    prompt_.reset();
+    return {};
+  }
+  if (enter) {
+    const Prompt asked = *prompt_;
+    prompt_.reset();
+    if (asked.coordinate) return go_to(asked.text);
+    const std::string words = asked.words + (asked.words.empty() ? "" : " ") + asked.text;
+    return instruction(words + (asked.words.starts_with("preset") ? tail() : ""));
+  }
+  if (key == key::kBackspace || key == key::kDelete || key == '\b') {
+    if (!prompt_->text.empty()) prompt_->text.pop_back();
+  } else if (key >= ' ' && key < key::kDelete && prompt_->text.size() < kLongestText) {
+    prompt_->text += static_cast<char>(key);
+  }
+  return {};
+}
+
+ManualDeed ManualPage::jog(double direction) const {
+  if (all_) return refusal("choose one arm with its number: arms are jogged one at a time");
+  std::vector<std::string> numbers(static_cast<std::size_t>(coordinates()), "0");
+  numbers[static_cast<std::size_t>(axis_)] = number(direction * step());
+  return instruction(fmt::format("jog {} {} {}{}", whom(), kSpaces[static_cast<std::size_t>(space_)],
+                                 fmt::join(numbers, " "), tail()));
+}
+
+ManualDeed ManualPage::go_to(const std::string& text) const {
+  double target = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), target);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(target))
+    return refusal(fmt::format("'{}' is not a number", text));
+  if (!arms_[arm_].reading) return refusal(fmt::format("where {} is has not been told yet", whom()));
+  const auto now = values(arms_[arm_]);
+  std::vector<std::string> numbers;
+  for (int k = 0; k < coordinates(); ++k)
+    numbers.push_back(k == axis_ ? number(target) : fmt::format("{:.6f}", now[static_cast<std::size_t>(k)]));
+  return instruction(fmt::format("move {} {} {}{}", whom(), kSpaces[static_cast<std::size_t>(space_)],
+                                 fmt::join(numbers, " "), tail()));
+}
+
+std::string ManualPage::prompt() const {
+  return prompt_ ? fmt::format("{}: {}_", prompt_->label, prompt_->text) : "";
+}
+
+int ManualPage::coordinates() const {
+  return space_ >= Space::euler ? 6 : std::clamp(arms_[arm_].axes, 1, static_cast<int>(kMaxAxes));
+}
+
+ManualPage::Unit ManualPage::unit() const {
+  if (space_ == Space::motors) return Unit::motor;
+  const bool track = space_ == Space::joints && arms_[arm_].axes > 6 && axis_ == 0;
+  return track || (space_ >= Space::euler && axis_ < 3) ? Unit::length : Unit::angle;
+}
+
+double ManualPage::step() const {
+  const auto u = static_cast<std::size_t>(unit());
+  return kSteps[u][step_[u]];
+}
+
+std::string ManualPage::whom() const { return all_ ? "all" : arms_[arm_].name; }
+
+std::string ManualPage::tail() const { return fmt::format(" speed {}", kSpeeds[speed_]); }
+
+std::array<double, 8> ManualPage::values(const ManualArm& arm) const {
+  std::array<double, 8> shown{};
+  if (!arm.reading) return shown;
+  const EffectorReply& r = *arm.reading;
+  if (space_ == Space::motors) return r.motors;
+  if (space_ == Space::joints) return r.joints;
+  std::ranges::copy(r.T_0E, shown.begin());
+  if (space_ == Space::angle_axis) return shown;
+  PoseNumbers pose{};
+  std::ranges::copy(r.T_0E, pose.begin());
+  const auto T_0E = pose_from_numbers(Representation::xyz_angle_axis, pose);
+  const PoseNumbers euler = T_0E ? numbers_from_pose(Representation::xyz_euler_zyz, *T_0E) : PoseNumbers{};
+  std::copy_n(euler.begin(), 6, shown.begin());
+  return shown;
+}
+
+}  // namespace mrroc::ui

@@ -1,0 +1,89 @@
+// The page of manual operation in the full-screen view: keys become instructions, readings become a picture.
+#pragma once
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/effector_command.hpp"
+#include "ui_cli/canvas.hpp"
+
+namespace mrroc::ui {
+
+/// One arm as the page shows it.
+struct ManualArm {
+  std::string name;
+  int axes{6};
+  std::vector<std::string> presets;        ///< names of positions
+  std::optional<EffectorReply> reading{};  ///< newest; nothing: none has come
+};
+
+/// @param run_folder  of the task; may be empty, or of another host
+/// @return the arms of its config.toml; none when it cannot be read
+[[nodiscard]] std::vector<ManualArm> manual_arms(const std::filesystem::path& run_folder);
+
+/// What a key means. At most one of the texts is there.
+struct ManualDeed {
+  bool known{true};       ///< false: the key is none of this page
+  bool leave{};           ///< back to the task
+  std::string words{};    ///< an instruction, as behind `ui_cli manual`
+  std::string refusal{};  ///< why nothing is done
+};
+
+/// Keys: 1 to 4 an arm, 0 all arms; c coordinates; up, down an axis; left, right jog it by a step, + and - change the
+/// step, < and > the speed; a to an absolute coordinate; h home, o preset, g gripper, w tool, W weight, k model, v
+/// servo, b bias, z clear fault, blank stop, : any instruction; m or Escape back. Those that need more ask for it in a
+/// line of text: Enter sends, Escape drops it.
+class ManualPage {
+ public:
+  explicit ManualPage(std::vector<ManualArm> arms) : arms_(std::move(arms)) {}
+
+  /// Where the arms are. @param arm  a name; unknown ones are ignored
+  void show(const std::string& arm, const EffectorReply& reading);
+  ManualDeed key(int key);
+  /// @return whether a line of text is being typed: then every key belongs to it
+  [[nodiscard]] bool typing() const { return prompt_.has_value(); }
+  /// @return the line of text, as far as it has been typed
+  [[nodiscard]] std::string prompt() const;
+
+  /// Draws into the rows first..limit-1. On a small screen the lower rows go first; the chosen axis stays.
+  void draw(Canvas& c, int first, int limit) const;
+  static constexpr int kKeyRows = 3;
+  /// The keys. @param first  the uppermost of their rows
+  static void draw_keys(Canvas& c, int first);
+  [[nodiscard]] const std::vector<ManualArm>& arms() const { return arms_; }
+
+ private:
+  enum class Space : std::uint8_t { motors, joints, euler, angle_axis };
+  enum class Unit : std::uint8_t { motor, angle, length };
+  struct Prompt {
+    std::string label;  ///< what is asked for
+    std::string words;  ///< what the instruction begins with
+    std::string text;   ///< typed so far
+    bool coordinate{};  ///< the text is a coordinate of the chosen axis
+  };
+
+  [[nodiscard]] ManualDeed type(int key);
+  [[nodiscard]] ManualDeed jog(double direction) const;
+  [[nodiscard]] ManualDeed go_to(const std::string& text) const;
+  [[nodiscard]] ManualDeed ask(std::string label, std::string words, bool coordinate = false);
+  [[nodiscard]] bool choose(int key);
+  [[nodiscard]] int coordinates() const;
+  [[nodiscard]] Unit unit() const;
+  [[nodiscard]] double step() const;
+  [[nodiscard]] std::string whom() const;
+  [[nodiscard]] std::string tail() const;
+  [[nodiscard]] std::array<double, 8> values(const ManualArm& arm) const;
+
+  std::vector<ManualArm> arms_;
+  std::size_t arm_{};
+  bool all_{};
+  Space space_{Space::joints};
+  int axis_{};
+  std::array<std::size_t, 3> step_{3, 3, 3};  // per unit, into the table of steps
+  std::size_t speed_{1};
+  std::optional<Prompt> prompt_;
+};
+
+}  // namespace mrroc::ui

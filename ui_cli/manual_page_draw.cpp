@@ -1,0 +1,110 @@
+// What the page of manual operation looks like.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/fault.hpp"
+#include "ui_cli/layout_tables.hpp"
+#include "ui_cli/manual_page.hpp"
+#include "ui_cli/manual_steps.hpp"
+
+namespace mrroc::ui {
+namespace {
+
+constexpr int kName = 12;  // first column of the first arm
+constexpr int kArm = 32;   // columns of an arm
+
+Style style_of(DriverState s) {
+  return s == DriverState::faulted            ? Style::bad
+         : s == DriverState::not_synchronised ? Style::warning
+                                              : Style::good;
+}
+
+std::string_view unit_name(bool motors_or_angles) { return motors_or_angles ? "rad" : "m"; }
+
+}  // namespace
+
+void ManualPage::draw(Canvas& c, int first, int limit) const {
+  Rows rows(c, first, limit);
+  if (arms_.empty()) {
+    c.put(rows.take(), 1, "the arms of this task are not known here: its config.toml cannot be read",
+          Style::warning);
+    return;
+  }
+  int column = c.put(rows.take(), 1, "MANUAL ", Style::heading);
+  for (std::size_t k = 0; k <= arms_.size(); ++k) {
+    const bool every = k == arms_.size(), chosen = every ? all_ : !all_ && k == arm_;
+    column =
+        c.put(first, column + 1, fmt::format(" {} {} ", every ? 0 : k + 1, every ? "all" : arms_[k].name),
+              chosen ? Style::title : Style::plain);
+  }
+  column += 2;
+  for (std::size_t k = 0; k < 4; ++k) {
+    constexpr std::array<std::string_view, 4> kShort{"motors", "joints", "euler", "angle-axis"};
+    column = c.put(first, column + 1, fmt::format(" {} ", kShort[k]),
+                   k == static_cast<std::size_t>(space_) ? Style::title : Style::plain);
+  }
+  c.put(rows.take(), 1,
+        fmt::format("step {} {}   speed {} of the largest   {}", step(), unit_name(unit() != Unit::length),
+                    kSpeeds[speed_], space_ >= Space::euler ? "steps along the tool" : "steps of one axis"),
+        Style::dim);
+  const int head = rows.take();
+  const auto left = [](std::size_t arm) { return kName + static_cast<int>(arm) * kArm; };
+  for (std::size_t k = 0; k < arms_.size(); ++k) {
+    const auto& r = arms_[k].reading;
+    column = c.put(head, left(k), arms_[k].name, Style::heading);
+    c.put(head, column + 2, r ? to_string(r->state) : "not heard yet",
+          r ? style_of(r->state) : Style::warning);
+  }
+  int most = coordinates();
+  if (space_ < Space::euler)
+    for (const ManualArm& a : arms_) most = std::max(most, a.axes);
+  const bool pose = space_ >= Space::euler;
+  const int from =
+      rows.left() < most ? std::clamp(axis_ - rows.left() / 2, 0, most - std::max(1, rows.left())) : 0;
+  for (int axis = from; axis < most && rows.left() > 0; ++axis) {
+    const int row = rows.take();
+    const bool chosen = axis == axis_;
+    c.put(row, 1, fmt::format("{} {}", chosen ? ">" : " ", coordinate_name(pose, axis)),
+          chosen ? Style::heading : Style::plain);
+    for (std::size_t k = 0; k < arms_.size(); ++k) {
+      if (!arms_[k].reading || (!pose && axis >= arms_[k].axes)) continue;
+      const bool mine = chosen && !all_ && k == arm_;
+      const bool track = space_ == Space::joints && arms_[k].axes > 6 && axis == 0;
+      const bool length = track || (pose && axis < 3);
+      const auto at = static_cast<std::size_t>(axis);
+      c.put_right(row, left(k) + 11, fixed(values(arms_[k])[at], 4), mine ? Style::title : Style::plain);
+      c.put(row, left(k) + 12, unit_name(!length), Style::dim);
+    }
+  }
+  if (rows.left() > 4) rows.skip(1);
+  const auto line = [&](const char* name, auto&& text) {
+    if (rows.left() == 0) return;
+    const int row = rows.take();
+    c.put(row, 3, name, Style::dim);
+    for (std::size_t k = 0; k < arms_.size(); ++k)
+      if (const auto& r = arms_[k].reading) c.put(row, left(k), text(*r).substr(0, kArm - 1));
+  };
+  line("F [N]", [](const EffectorReply& r) {
+    return fmt::format("{:>7} {:>7} {:>7}", fixed(r.F_a.v[0], 2), fixed(r.F_a.v[1], 2), fixed(r.F_a.v[2], 2));
+  });
+  line("N [N m]", [](const EffectorReply& r) {
+    return fmt::format("{:>7} {:>7} {:>7}", fixed(r.F_a.v[3], 2), fixed(r.F_a.v[4], 2), fixed(r.F_a.v[5], 2));
+  });
+  line("jaws [m]", [](const EffectorReply& r) {
+    return fmt::format("{:>7}{}", fixed(r.gripper, 4), r.blocked ? "  holds something" : "");
+  });
+  line("fault",
+       [](const EffectorReply& r) { return r.fault ? std::string(mrroc::to_string(r.fault.code)) : "none"; });
+}
+
+void ManualPage::draw_keys(Canvas& c, int first) {
+  constexpr std::array<std::string_view, kKeyRows> kKeys{
+      "1 2 arm 0 all  arrows axis, jog  c coordinates  a absolute  + - step  < > speed",
+      "h home o preset g jaws w tool W weight k model v servo b bias z clear : words",
+      "e E-STOP  space stop arm  m back  x stop task  p pause r resume  ? help  q leave"};
+  for (std::size_t k = 0; k < kKeys.size(); ++k)
+    c.put(first + static_cast<int>(k), 0, kKeys[k], Style::heading);
+}
+
+}  // namespace mrroc::ui
