@@ -40,10 +40,10 @@ await() {
 
 state_is() { ui_cli status --json | grep -q "\"state\": *\"$1\""; }
 
-# live TASK [options]: the task runs in the background, in real time
+# live TASK [options]: the task runs in the background, in real time or SPEED times as fast
 live() {
   need_messages
-  "$1" --speed 1 --run-dir "$place/live-$RANDOM" "${@:2}" >"$place/live.out" 2>&1 &
+  "$1" --speed "${SPEED:-1}" --run-dir "$place/live-$RANDOM" "${@:2}" >"$place/live.out" 2>&1 &
   await 10 ui_cli status
 }
 running() {
@@ -52,7 +52,10 @@ running() {
 }
 
 # background COMMAND...: it runs until the shell ends
-background() { "$@" >"$place/background.out" 2>&1 & }
+background() {
+  : >"$place/background.out"
+  "$@" >>"$place/background.out" 2>&1 &
+}
 
 # in_terminal SECONDS COMMAND: in a terminal of its own, on which nobody types
 in_terminal() { timeout "$1" script -qec "$2" /dev/null >"$place/screen" || [[ $? == 124 ]]; }
