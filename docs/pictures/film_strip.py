@@ -62,7 +62,7 @@ def instant(page, share: float):
     page.click("#timeline", (MARGINS[0] + share * (width - sum(MARGINS))) / width)
     time.sleep(1.5)
     shown = page.value("[document.querySelector('#clock').textContent, document.querySelector('#behaviour').textContent]")
-    return picture(page), f"{shown[0].split('/')[0].strip()}   {shown[1]}".strip()
+    return picture(page), f"{shown[0].split(' of ')[0].strip()}   {shown[1]}".strip()
 
 
 def main():
