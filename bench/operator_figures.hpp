@@ -13,8 +13,8 @@ Figures latency_figures();
 /// Short runs of all tasks, recomputed from their logs: log_check_differences. Two minutes.
 /// @throws FaultError start_failed: a task did not end well
 Figures log_check_figures();
-/// The build after a changed line in a task: rebuild_s.
-/// @throws FaultError cannot_write
+/// The build after a changed line in a task: rebuild_s; nothing on a host where it cannot be measured.
+/// @throws FaultError start_failed
 Figures rebuild_figures();
 /// What share of the documents' commands the tests run: doc_commands_run. At once.
 Figures document_figures();

@@ -38,7 +38,10 @@ await() {
   done
 }
 
-state_is() { ui_cli status --json | grep -q "\"state\": *\"$1\""; }
+# state_is STATE: of the task, not of its processes
+state_is() {
+  [[ $(ui_cli status --json | python3 -c 'import json, sys; print(json.load(sys.stdin)["state"])') == "$1" ]]
+}
 
 # live TASK [options]: the task runs in the background, in real time or SPEED times as fast
 live() {
@@ -49,6 +52,12 @@ live() {
 running() {
   live "$@"
   await 10 state_is running
+}
+
+# Arms that need not look for their switches.
+live_manual() {
+  SPEED=20 live manual --set robots.arm1.synchro=known_pose --set robots.arm2.synchro=known_pose
+  await 10 ui_cli manual show arm1
 }
 
 # background COMMAND...: it runs until the shell ends
