@@ -105,9 +105,23 @@ void RecordFiles::add(const StepRecord& record) noexcept {
   if (fault_step_ >= 0) ++after_;
   const bool fresh = record.fault != FaultCode::none && record.fault != last_fault_;
   last_fault_ = record.fault;
-  if (when_ != Recording::on_fault || !fresh || fault_step_ >= 0 || files_ == kMostFiles) return;
-  fault_step_ = record.step;
+  const bool elsewhere = triggered_ && record.step - recorded_ >= static_cast<std::int64_t>(kBefore);
+  triggered_ = false;
+  if (when_ != Recording::on_fault || !(fresh || elsewhere) || fault_step_ >= 0 || files_ == kMostFiles)
+    return;
+  fault_step_ = recorded_ = record.step;
   after_ = 0;
+}
+
+void RecordFiles::trigger() noexcept { triggered_ = true; }
+
+void RecordFiles::throw_down() {
+  if (when_ != Recording::on_fault || recorder_.size() == 0 || fault_step_ >= 0 || files_ == kMostFiles)
+    return;
+  const std::int64_t last = recorder_[recorder_.size() - 1].step;
+  if (last - recorded_ < static_cast<std::int64_t>(kBefore)) return;
+  fault_step_ = recorded_ = last;
+  write_fault();
 }
 
 std::filesystem::path RecordFiles::write() {

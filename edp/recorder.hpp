@@ -85,6 +85,11 @@ class RecordFiles {
 
   /// After every step. Real-time safe.
   void add(const StepRecord& record) noexcept;
+  /// When no more steps come because of a fault elsewhere: writes those there are, unless a file has them already. Not
+  /// real-time safe.
+  void throw_down();
+  /// Begins a file as a fault does, unless one was begun a moment ago: something has happened elsewhere. Real-time safe.
+  void trigger() noexcept;
   /// Once per macrostep: writes what there is to be written. What cannot be written is left out: a driver does not end
   /// for it. Not real-time safe.
   /// @return the file that a fault has got, or empty
@@ -100,8 +105,10 @@ class RecordFiles {
   double dt_;
   Recorder recorder_;
   FaultCode last_fault_{FaultCode::none};
-  std::int64_t fault_step_{-1};  // of the fault that is being recorded
-  int after_{};                  // steps since
+  std::int64_t fault_step_{-1};                                 // of the fault that is being recorded
+  int after_{};                                                 // steps since
+  bool triggered_{};                                            // the next step begins a file
+  std::int64_t recorded_{-static_cast<std::int64_t>(kBefore)};  // step of the last file
   int files_{};
   bool begun_{};  // ROBOT-steps.csv has its header
   std::jthread writer_;

@@ -38,6 +38,7 @@ class Shell {
     process_.await([] { return false; }, guard_ends);
     if (!process_.assemble()) return;
     while (!released_long_ago() && await_state()) do_step();
+    if (process_.dead(k_.world) || (process_.over() && process_.stop_as_of() == 0)) record_.throw_down();
     if (const Protocol& p = driver_.protocol(); p.repeated() + p.lost() + watchdog_.holds() > 0)
       process_.say(fmt::format("{}.command: {} repeated, {} after a lost one, {} holds without a command",
                                k_.robot, p.repeated(), p.lost(), watchdog_.holds()));
@@ -105,6 +106,10 @@ class Shell {
 
   void do_step() {
     look_for_emergency();
+    if (!thrown_down_ && process_.over() && process_.stop_as_of() == 0) {
+      thrown_down_ = true;
+      record_.trigger();
+    }
     if (driver_.at_boundary() && step_ > 0) begin_macrostep();
     const HardwareReading reading = from_message(state_->robot[k_.index], step_);
     const HardwareCommand command = driver_.step(reading);
@@ -189,6 +194,7 @@ class Shell {
   std::int64_t told_at_{-kTellHold};
   bool tripped_{};
   bool emergency_{};
+  bool thrown_down_{};  // the system stops at once, because of a fault
   bool orphaned_{};
   bool released_{};
   std::int64_t released_in_{};

@@ -47,7 +47,6 @@ Outcome CoordinatorLinks::wait() {
     fault_ = e.fault();
     return Outcome::faulted;
   }
-  linger(stopped);
   if (stopped()) return Outcome::aborted;
   if (!process_.lock_step()) {
     process_.poll();
@@ -55,12 +54,14 @@ Outcome CoordinatorLinks::wait() {
     i_ = newest();
     process_.report_progress(i_, 0);
   }
+  linger([&] { return stopped() || newest() > i_; });
+  if (stopped()) return Outcome::aborted;
   return receive();
 }
 
-void CoordinatorLinks::linger(const std::function<bool()>& stopped) {
+void CoordinatorLinks::linger(const std::function<bool()>& ends) {
   const auto macrostep = process_.membership().macrostep;
-  if (macrostep.count() > 0) process_.await(stopped, link::Process::Clock::now() + macrostep / 2);
+  if (macrostep.count() > 0) process_.await(ends, link::Process::Clock::now() + macrostep / 2);
 }
 
 std::int64_t CoordinatorLinks::newest() const {

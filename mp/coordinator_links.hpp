@@ -65,7 +65,8 @@ class CoordinatorLinks {
   Outcome receive();
   /// In a paced run reports come two macrosteps before the orders that answer them are used. Half a macrostep of
   /// that is given to the operator: what he orders until then still is of this macrostep.
-  void linger(const std::function<bool()>& stopped);
+  /// @param ends  when it is over before, as it is when the next reports come
+  void linger(const std::function<bool()>& ends);
   [[nodiscard]] std::int64_t newest() const;
 
   link::Sources sources_;

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "base/command_line.hpp"
 #include "base/fault.hpp"
 
 namespace mrroc::mp {
@@ -94,6 +95,7 @@ int run_command_line(CLI::App& app, int argc, char** argv, const std::function<i
   app.footer(
       "Exit status: 0 done; 1 fault or stopped; 2 bad usage or input, nothing was started; 3 system error.");
   try {
+    refuse_unknown_options(app, argc, argv);
     app.parse(argc, argv);
     return run();
   } catch (const CLI::CallForHelp& e) {

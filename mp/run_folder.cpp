@@ -60,6 +60,7 @@ void write_summary(const fs::path& folder, const Summary& s) {
                      {"process", s.fault->process.view()},
                      {"text", what_happened(*s.fault)}};
   }
+  if (!s.black_box.empty()) json["black_box"] = s.black_box;
   json["sim_s"] = s.sim_s;
   json["wall_s"] = s.wall_s;
   json["real_time_factor"] = s.wall_s > 0 ? s.sim_s / s.wall_s : 0;

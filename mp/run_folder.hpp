@@ -27,6 +27,7 @@ struct Summary {
   double wall_s{};             ///< wall time of the same [s]
   std::uint64_t log_hash{};    ///< 0: unknown
   Figures figures;
+  std::vector<std::string> black_box{};  ///< files of the folder that tell of the seconds before the fault
 };
 
 /// Names the folder of a run; makes nothing.

@@ -119,6 +119,9 @@ void SoloRun::show(bool working) {
       announce_(fmt::format("{:8.2f} s  {}  m = {}  {}", static_cast<double>(links_.i()) * k_.n_s * k_.dt,
                             k_.arms[arm], r.m, name));
     if (arm == 0) {
+      const auto before = static_cast<std::size_t>(std::max(0, m_[arm][1]));
+      if (r.m != m_[arm][1] && before >= 1 && before <= k_.ends.size())
+        run_.board().set_ended_because(k_.ends[before - 1]);
       run_.board().set_behaviour(r.m, name);
       const double behaviours = static_cast<double>(std::max<std::size_t>(1, k_.behaviours.size()));
       run_.board().set_progress(std::max(0.0, (r.m - 1) / behaviours), name);

@@ -17,6 +17,7 @@ namespace mrroc::mp {
 struct SoloParameters {
   std::vector<std::string> arms;        ///< keys, e.g. arm1
   std::vector<std::string> behaviours;  ///< names of m = 1, 2, ... for the operator
+  std::vector<std::string> ends{};      ///< why they end, in words for the operator; may be empty
   double dt{0.002};                     ///< duration of a step [s]
   int n_s{10};                          ///< steps of a macrostep
   bool gives_start{true};               ///< false: a person or a script gives it

@@ -1,5 +1,7 @@
 #include "mp/status_board.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/link/text.hpp"
@@ -21,7 +23,15 @@ StatusBoard::StatusBoard(link::Process& process, const Supervisor& supervisor, c
 }
 
 void StatusBoard::set_behaviour(int m, std::string_view name) {
-  news_ = news_ || m != status_.m;
+  if (m != status_.m) {
+    news_ = true;
+    if (status_.m != 0 && !reason_given_)
+      link::put_text(status_.ended_because,
+                     fmt::format("{}, ended after {:.2f} s", link::get_text(status_.behaviour),
+                                 status_.sim_time - begun_s_));
+    reason_given_ = false;
+    begun_s_ = status_.sim_time;
+  }
   status_.m = m;
   link::put_text(status_.behaviour, name);
 }
@@ -30,7 +40,10 @@ void StatusBoard::set_state(TaskState state, bool waits_for_trigger) {
   status_.waits_for_trigger = waits_for_trigger;
 }
 void StatusBoard::set_early(std::string_view why) { link::put_text(status_.early, why); }
-void StatusBoard::set_ended_because(std::string_view why) { link::put_text(status_.ended_because, why); }
+void StatusBoard::set_ended_because(std::string_view why) {
+  link::put_text(status_.ended_because, why);
+  reason_given_ = true;
+}
 void StatusBoard::set_progress(double share, const std::string& text) {
   status_.progress = share;
   link::put_text(status_.progress_text, text);

@@ -24,9 +24,10 @@ class StatusBoard {
   void set_state(TaskState state, bool waits_for_trigger);
   /// @param why  why a trigger now would come early, such as "the hand is still drawing: 33 %"; empty: it would not
   void set_early(std::string_view why);
+  /// To be called before set_behaviour(); otherwise it is told how long the behaviour before has lasted.
   /// @param why  why the behaviour before the present one ended
   void set_ended_because(std::string_view why);
-  /// @param share  of the task that is done, 0..1
+  /// @param share  of the task that is done, 0..1; negative: unknown
   void set_progress(double share, const std::string& text);
   void set_time(std::int64_t macrostep, double sim_s);
   /// @param sensor_text  name of the sensor's reading
@@ -45,6 +46,8 @@ class StatusBoard {
   std::int64_t macrostep_{};
   double last_sim_s_{};
   bool news_{};  // to be told at once
+  bool reason_given_{};
+  double begun_s_{};  // simulated time at which the present behaviour began [s]
 };
 
 }  // namespace mrroc::mp

@@ -21,7 +21,7 @@ using namespace std::chrono_literals;
 constexpr auto kRepeat = 100ms;    // between the supervisor's own messages
 constexpr auto kLook = 20ms;       // between looks at the children
 constexpr auto kAssembling = 60s;  // until everybody must be there
-constexpr auto kTellSkipped = 3s;  // between lines about lateness, of each process
+constexpr auto kTellSkipped = 1s;  // between lines about lateness, of each process
 constexpr auto kHang = 10s;        // without a sign of life
 constexpr auto kComeToRest = 20s;  // for arms to come to rest after a stop
 
@@ -295,6 +295,12 @@ std::vector<PartStatus> Supervisor::parts() const {
   for (const auto& w : watched_)
     all.push_back({w->part.name, w->state, std::chrono::duration<double>(Clock::now() - w->heard).count()});
   return all;
+}
+
+std::int64_t Supervisor::skipped() const {
+  std::int64_t sum = 0;
+  for (const auto& w : watched_) sum += w->status.skipped;
+  return sum;
 }
 
 std::uint64_t Supervisor::log_hash() const {

@@ -72,6 +72,9 @@ class Supervisor {
   [[nodiscard]] const std::array<int, 4>& stop_steps() const { return stop_steps_; }
   /// @return fingerprint of all control messages; 0 when not every process has told its own
   [[nodiscard]] std::uint64_t log_hash() const;
+  /// @return steps, macrosteps and periods that processes have passed over because of lateness, of all; with the wall
+  /// clock alone
+  [[nodiscard]] std::int64_t skipped() const;
   /// @return the last line that a process said
   [[nodiscard]] const std::string& last_message() const { return last_message_; }
   /// @return its code; none: information

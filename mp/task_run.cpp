@@ -7,11 +7,13 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <future>
 #include <nlohmann/json.hpp>
 
 #include "base/link/log_reader.hpp"
 #include "base/link/lossy_bus.hpp"
+#include "mp/black_box.hpp"
 #include "mp/hosts.hpp"
 #include "mp/viewer.hpp"
 
@@ -181,6 +183,7 @@ void TaskRun::look_after_orders() {
     desk_->repeat_emergency();
   }
   if (running_ && process_->membership().macrostep >= kPromptly && !process_->over()) stop_promptly();
+  tell_lateness();
   const bool in_vain = link::Process::Clock::now() - last_macrostep_ > kStopPatience;
   if (desk_->stop_accepted() && (in_vain || signals_ > 1)) supervisor_->stop(stop_reason(), 0);
   if (log_ && log_->failed() && !supervisor_->fault())
@@ -193,6 +196,18 @@ void TaskRun::look_after_orders() {
 void TaskRun::stop_promptly() {
   const std::int64_t as_of = i_ + 1;
   if (desk_->take_stop(as_of - kStopAhead)) supervisor_->stop(stop_reason(), as_of);
+}
+
+void TaskRun::tell_lateness() {
+  constexpr std::chrono::seconds kApart{1};
+  const auto now = link::Process::Clock::now();
+  const std::int64_t late = supervisor_->skipped();
+  if (late <= late_told_ || now - late_told_at_ < kApart || clock_ != "wall") return;
+  fmt::print("late: {} periods more, {} in all: this host is too slow or too busy for --clock wall\n",
+             late - late_told_, late);
+  std::fflush(stdout);
+  late_told_ = late;
+  late_told_at_ = now;
 }
 
 void TaskRun::start() {
@@ -260,6 +275,9 @@ Summary TaskRun::end(const std::optional<Fault>& fault) {
   summary.log_hash = supervisor_->log_hash();
   if (const auto& steps = supervisor_->stop_steps(); summary.fault && steps[0] >= 0)
     summary.figures["stop_steps_max"] = static_cast<double>(*std::ranges::max_element(steps));
+  if (summary.fault && (!summary.stopped || summary.fault->code == FaultCode::emergency_stop))
+    summary.black_box = write_black_box(folder_, process_->membership().roster);
+  if (clock_ == "wall") summary.figures["late_periods"] = static_cast<double>(supervisor_->skipped());
   if (log_->gaps() > 0) summary.figures["log_gaps"] = static_cast<double>(log_->gaps());
   return summary;
 }

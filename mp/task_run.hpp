@@ -72,6 +72,7 @@ class TaskRun {
   [[nodiscard]] Fault stop_reason() const;
   void look_after_orders();
   void stop_promptly();
+  void tell_lateness();
 
   std::string task_;
   std::filesystem::path folder_;
@@ -96,6 +97,8 @@ class TaskRun {
   std::int64_t i_{};
   int signals_{};  // to interrupt; a second one does not wait for a macrostep
   bool running_{};
+  std::int64_t late_told_{};
+  link::Process::Clock::time_point late_told_at_{};
   int signal_{};  // that ended the task, 0: none
 };
 

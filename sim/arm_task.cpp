@@ -45,6 +45,7 @@ mp::SoloParameters solo_parameters(const ArmTask& task, const mp::TaskOptions& o
   mp::SoloParameters k;
   for (const CellArm& arm : task.arms) k.arms.push_back(arm.key);
   k.behaviours = task.behaviours;
+  k.ends = task.ends;
   k.dt = config.number("time.dt", k.dt, {0.002, 0.002}, "s");
   k.n_s = config.integer("time.n_s", task.n_s, {task.n_s, task.n_s}, "steps");
   k.gives_start = !options.attended && options.script.empty();
@@ -55,6 +56,7 @@ mp::SoloParameters solo_parameters(const ArmTask& task, const mp::TaskOptions& o
 constexpr std::array kEveryRun{
     mp::FigureInfo{
         .key = "stop_steps_max", .words = "steps until the arms were at rest", .unit = "", .high = 100},
+    mp::FigureInfo{.key = "late_periods", .words = "late periods of all processes", .unit = ""},
     mp::FigureInfo{
         .key = "log_gaps", .words = "messages that the log missed", .unit = "", .low = 0, .high = 0}};
 

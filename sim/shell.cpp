@@ -12,6 +12,7 @@
 #include "base/msg/convert.hpp"
 #include "base/msg/finite.hpp"
 #include "base/msg/pose_rows.hpp"
+#include "edp/recorder.hpp"
 #include "mrroc/cube_truth_t.hpp"
 #include "mrroc/hand_order_t.hpp"
 #include "mrroc/hand_report_t.hpp"
@@ -49,6 +50,10 @@ class Shell {
         sheets_(static_cast<std::size_t>(world.arms())) {
     if (world_.cube()) cube_out_ = process.outbox<cube_truth_t>("cube.truth");
     for (const std::string& robot : k_.robots)
+      records_.push_back(std::make_unique<edp::RecordFiles>(
+          k_.folder.empty() ? edp::Recording::never : edp::Recording::on_fault, k_.folder, "world-" + robot,
+          kMaxAxes, kStep));
+    for (const std::string& robot : k_.robots)
       drive_in_.push_back(process.inbox<drive_command_t>(robot + ".drive", Group::servo_command));
     for (const auto& in : drive_in_) drive_sources_.push_back(in.get());
   }
@@ -67,6 +72,7 @@ class Shell {
       if (cube_out_ && step % k_.n_s == 0) publish_cube(step / k_.n_s);
       if (cameras_) cameras_->look(step, world_);
       await_commands(step, due);
+      record(step);
       world_.step(commands_);
       watch(step);
       if (!process_.lock_step()) note_lateness(due);
@@ -193,6 +199,23 @@ class Shell {
     }
   }
 
+  /// What the drives saw and were told: the memory of a driver that dies dies with it.
+  void record(std::int64_t step) {
+    const bool thrown_down = !thrown_down_ && process_.over() && process_.stop_as_of() == 0;
+    thrown_down_ = thrown_down_ || thrown_down;
+    for (std::size_t arm = 0; arm < records_.size(); ++arm) {
+      const HardwareReading reading = world_.reading(static_cast<int>(arm));
+      edp::StepRecord r;
+      r.step = step;
+      r.encoder = reading.encoder;
+      r.current = reading.current;
+      r.pwm = commands_[arm].pwm;
+      r.S_F_m = reading.S_F_m;
+      if (thrown_down) records_[arm]->trigger();
+      records_[arm]->add(r);
+    }
+  }
+
   void watch(std::int64_t step) {
     for (int arm = 0; arm < world_.arms(); ++arm)
       rest_.step(arm, step, world_.truth(arm).tip_velocity.norm(),
@@ -222,6 +245,8 @@ class Shell {
   std::unique_ptr<link::Outbox<cube_truth_t>> cube_out_;  // none: there is no cube
   std::unique_ptr<link::Inbox<hand_order_t>> order_in_;
   std::vector<std::unique_ptr<link::Inbox<drive_command_t>>> drive_in_;
+  std::vector<std::unique_ptr<edp::RecordFiles>> records_;  // per arm
+  bool thrown_down_{};                                      // the system stops at once, because of a fault
   std::vector<HardwareCommand> commands_;
   std::vector<int> missed_;
   std::vector<int> sheets_;

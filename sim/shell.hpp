@@ -17,7 +17,8 @@ struct ShellParameters {
   int n_s{10};                       ///< steps of a macrostep
   double speed{0};                   ///< simulated seconds per second; 0: as fast as possible
   std::vector<Polyline> strokes;     ///< what the hand leads along [mm]
-  std::filesystem::path folder;      ///< where the inked sheets go: ROBOT-sheet-K.csv
+  std::filesystem::path
+      folder;  ///< where the inked sheets go: ROBOT-sheet-K.csv, and the steps before a fault
 };
 
 /// Runs the world until the task is over or the system ends.

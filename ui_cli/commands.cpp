@@ -8,8 +8,8 @@
 #include <ostream>
 #include <string>
 
+#include "base/command_line.hpp"
 #include "base/fault.hpp"
-#include "base/nearest.hpp"
 #include "ui_cli/attach.hpp"
 #include "ui_cli/completion.hpp"
 #include "ui_cli/manual_command.hpp"
@@ -205,18 +205,6 @@ int fail(const Surroundings& around, FaultCode code, const std::string& error_li
 
 int fail(const Surroundings& around, FaultCode code, const std::exception& cause) {
   return fail(around, code, FaultError(code, cause.what()).error_line());
-}
-
-/// A word that is no command gets the nearest that is one.
-FaultError unknown_word(const CLI::App& app, const CLI::ExtrasError& e) {
-  const std::vector<std::string> words = app.remaining(true);
-  if (words.empty() || words.front().starts_with("-") || !app.get_subcommands().empty())
-    return {FaultCode::bad_usage, e.what()};
-  WordSet commands;
-  for (const CLI::App* command : app.get_subcommands(nullptr)) commands.insert(command->get_name());
-  const std::string near = nearest(words.front(), commands);
-  return {FaultCode::bad_usage, fmt::format("there is no command '{}'{}", words.front(),
-                                            near.empty() ? "" : fmt::format("; did you mean '{}'?", near))};
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "base/camera_config.hpp"
+#include "base/command_line.hpp"
 #include "base/fault.hpp"
 #include "vsp/picture_file.hpp"
 
@@ -51,6 +52,7 @@ int run(const RecordedTool& tool, int argc, char** argv) {
   app.add_option("--annotate", r.annotate, "folder for pictures with the detection drawn in");
   app.add_option("--strip", r.strip, "PNG file with all of them side by side");
   try {
+    refuse_unknown_options(app, argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& e) {
     return app.exit(e);
@@ -114,9 +116,13 @@ int recorded_main(int argc, char** argv, const RecordedTool& tool, const link::P
   if (!recorded)
     return link::child_main(
         argc, argv,
-        tool.about + "\nFor recorded pictures: " + tool.program +
-            " --source FILE|FOLDER|FILM --camera FILE.toml [--name CAMERA] [--annotate FOLDER] "
-            "[--strip FILE.png]",
+        tool.about + "\n\nFor recorded pictures: " + tool.program +
+            " --source FILE --camera FILE.toml [options]\n"
+            "  --source FILE               a picture, a folder of pictures, or a film\n"
+            "  --camera FILE.toml          the camera, as `calibrate` writes it\n"
+            "  --name CAMERA               which camera of the file, when there are several\n"
+            "  --annotate FOLDER           for pictures with the detection drawn in\n"
+            "  --strip FILE.png            all of them side by side\n\nAs a part of a system:",
         body);
   try {
     return run(tool, argc, argv);

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <span>
 
+#include "base/command_line.hpp"
 #include "base/link/lcm_bus.hpp"
 #include "base/link/log_check.hpp"
 #include "base/link/lossy_bus.hpp"
@@ -97,9 +98,12 @@ int child_main(int argc, char** argv, const std::string& about, const PartBody& 
                  "recompute from a run folder's log what this process sent, and print what differs as JSON")
       ->type_name("RUN");
   try {
+    refuse_unknown_options(app, argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& e) {
     return app.exit(e);
+  } catch (const FaultError& e) {
+    return complain(e);
   } catch (const CLI::ParseError& e) {
     return complain(FaultError(FaultCode::bad_usage, e.what()));
   }

@@ -162,11 +162,22 @@ FrameReader::FrameReader(FileHandle file, const FrameStoreShape& shape)
     : file_(std::move(file)), shape_(shape), scratch_(shape.width, shape.height, shape.channels) {}
 
 std::optional<FrameReader> FrameReader::open(const FrameStoreName& name) {
-  const fs::path path = name.path();
+  return check(FileHandle(::open(name.path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW)), name);
+}
+
+std::optional<FrameReader> FrameReader::open_hidden(const FrameStoreName& name, pid_t process) {
+  const std::string target = name.path().string() + " (deleted)";
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(fmt::format("/proc/{}/fd", process), none))
+    if (fs::read_symlink(entry.path(), none) == target)
+      return check(FileHandle(::open(entry.path().c_str(), O_RDONLY | O_CLOEXEC)), name);
+  return std::nullopt;
+}
+
+std::optional<FrameReader> FrameReader::check(FileHandle file, const FrameStoreName& name) {
   const auto refuse = [&](const char* why) {
-    throw FaultError(FaultCode::malformed_message, fmt::format("{}: {}", path.string(), why));
+    throw FaultError(FaultCode::malformed_message, fmt::format("{}: {}", name.path().string(), why));
   };
-  FileHandle file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
   StoreHead head;
   // A store that is being made has no head yet.
   if (file.get() < 0 || !read_all(file.get(), &head, sizeof head, 0) || head.magic == decltype(head.magic){})

@@ -7,6 +7,8 @@
 // Nothing stays behind: a store has a name only until the system has assembled (hide()), and then lives as long as its
 // users. One whose writer was killed before that is recognised by its missing lock, and removed by the next writer.
 #pragma once
+#include <sys/types.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -95,6 +97,10 @@ class FrameReader {
   /// @throws FaultError malformed_message: it is no store of this version, belongs to another user, or its sizes do not
   ///         agree
   static std::optional<FrameReader> open(const FrameStoreName& name);
+  /// Opens a store that has been hidden, through a process that has it open: for somebody who comes late and only
+  /// looks. @param process  of the same user, e.g. the world's
+  /// @throws FaultError malformed_message as open()
+  static std::optional<FrameReader> open_hidden(const FrameStoreName& name, pid_t process);
 
   [[nodiscard]] const FrameStoreShape& shape() const { return shape_; }
 
@@ -105,6 +111,7 @@ class FrameReader {
 
  private:
   FrameReader(FileHandle file, const FrameStoreShape& shape);
+  static std::optional<FrameReader> check(FileHandle file, const FrameStoreName& name);
 
   FileHandle file_;
   FrameStoreShape shape_;

@@ -120,13 +120,13 @@ struct WeighingRows {
     // clang-format off
     return {{
         row("turn the tool down",     plan_way<Goal::down>, retain<A>, follow, arrived),
-        row("come to rest",           retain<A>,               retain<A>, stand,     settled),
+        row("rest with the tool down", retain<A>, retain<A>, stand, settled),
         row("bias with the tool down", retain<A>,              retain<A>, begin,     answered),
         row("turn the tool up",       plan_way<Goal::up>,   retain<A>, follow, arrived),
-        row("come to rest",           retain<A>,               retain<A>, stand,     settled),
+        row("rest with the tool up", retain<A>, retain<A>, stand, settled),
         row("weigh with the tool up", clear,                add,    stand,     averaged),
         row("turn the tool sideways", keep_b,               retain<A>, follow, arrived),
-        row("come to rest",           retain<A>,               retain<A>, stand,     settled),
+        row("rest with the tool sideways", retain<A>, retain<A>, stand, settled),
         row("weigh with the tool sideways", clear,          add,    stand,     averaged),
         row("set the tool found",     identify,             retain<A>, set_found, answered),
     }};

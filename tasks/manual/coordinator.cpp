@@ -37,6 +37,13 @@ Coordinator::Said pass_on(const X& x) {
   return {std::vector<Order>(x.T.agent.size(), order), orders(x)};
 }
 
+/// @return instructions that any arm has got
+std::int64_t taken(const X& x) {
+  std::int64_t sum = 0;
+  for (const ManualOrder& o : x.c.given) sum += o.number;
+  return sum;
+}
+
 std::vector<std::string> keys_of(const std::vector<ArmInfo>& arms) {
   std::vector<std::string> keys;
   for (const ArmInfo& a : arms) keys.push_back(a.key);
@@ -122,6 +129,7 @@ void ManualRun::read(X& x) {
 void ManualRun::show(const X& x) {
   run_.set_state(x.T.h.paused ? TaskState::paused : TaskState::running, false);
   run_.board().set_behaviour(kManualOperation.m, kManualOperation.name);
+  run_.board().set_progress(-1, fmt::format("instructions taken: {}", taken(x)));
   for (std::size_t arm = 0; arm < m_.size(); ++arm) {
     const Report& r = x.T.agent[arm];
     const auto m = static_cast<std::size_t>(std::clamp(r.m, 1, static_cast<int>(kManual.size())));

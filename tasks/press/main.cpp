@@ -7,6 +7,8 @@ int main(int argc, char** argv) {
                             .about = "One arm comes to a surface, holds 4 N and draws back.",
                             .config = press::config(),
                             .behaviours = sim::names_of(press::kPress),
+                            .ends = {"the arm pushes on the surface", "the force had time to settle",
+                                     "the force was held for its time", "the arm has drawn back"},
                             .ecp = ecp::solo(press::kPress),
                             .figures = press::figures,
                             .pictures = sim::force_picture<Axis::z, 4>},

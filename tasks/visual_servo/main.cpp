@@ -72,6 +72,8 @@ mp::SoloParameters solo_parameters(const Options& o, const Setup& s) {
   mp::SoloParameters k;
   k.arms = kArmKeys;
   k.behaviours = {"PB-SAC", "PB-EIH", "PB-SAC and EIH", "idle", "give up"};
+  const std::string selected = "the initial condition of another behaviour holds";
+  k.ends = {selected, selected, selected, selected, "nothing was seen for too long"};
   k.dt = s.k.pacing.dt;
   k.n_s = s.k.pacing.n_s;
   k.gives_start = !o.task.attended && o.task.script.empty();

@@ -72,6 +72,27 @@ TEST_F(Records, FaultAtTheVeryEndIsWrittenAllTheSame) {
   EXPECT_EQ(step_of(lines("arm2-fault-21.csv").back()), 21);
 }
 
+TEST_F(Records, AFaultElsewhereBringsOneFileToo) {
+  {
+    RecordFiles files(Recording::on_fault, folder_, "arm1", 6, 0.002);
+    pass(files, 0, 4999);
+    files.trigger();
+    pass(files, 5000, 5099);
+    files.throw_down();
+  }
+  EXPECT_EQ(step_of(lines("arm1-fault-5000.csv").back()), 5059) << "and the steps after it";
+  EXPECT_EQ(files(), 1U) << "these steps are written already";
+  {
+    RecordFiles files(Recording::on_fault, folder_, "arm2", 6, 0.002);
+    pass(files, 0, 7000, FaultCode::none);
+    files.throw_down();
+  }
+  EXPECT_EQ(step_of(lines("arm2-fault-7000.csv").back()), 7000) << "no more steps came";
+  RecordFiles empty(Recording::on_fault, folder_, "arm3", 6, 0.002);
+  empty.throw_down();
+  EXPECT_EQ(files(), 2U) << "there is nothing to write";
+}
+
 TEST_F(Records, ManyFaultsMakeFewFiles) {
   {
     RecordFiles files(Recording::on_fault, folder_, "arm1", 6, 0.002);

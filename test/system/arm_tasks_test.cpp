@@ -1,4 +1,4 @@
-// The tasks press and edge_follow as a user starts them: what they must reach, and that they obey.
+// The tasks press, edge_follow and weigh as a user starts them: what they must reach, and that they obey.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -80,6 +80,23 @@ TEST(Press, RefusesAMacrostepThatItsRowsDoNotCommand) {
   const Ended ended = run(folder, "press", {"--set", "time.n_s=8", "--run-dir", (folder / "run").string()});
   EXPECT_EQ(ended.status, 2);
   EXPECT_NE(ended.last_err().find("time.n_s"), std::string::npos) << ended.last_err();
+}
+
+TEST(Weigh, FindsTheToolThatTheArmHasWhateverItIsToldOfIt) {
+  const Folder folder;
+  const Ended ended = run(
+      folder, "weigh",
+      {"--processes", "one", "--set", "robots.arm1.tool.weight=0", "--run-dir", (folder / "run").string()});
+  ASSERT_EQ(ended.status, 0) << ended.all();
+  const auto s = summary(folder / "run");
+  EXPECT_EQ(s["outcome"], "done");
+  EXPECT_NEAR(s["figures"]["tool_weight_N"].get<double>(), 10.8, 0.1) << "the pen and its holder";
+  const auto centre = s["figures"]["tool_mass_centre_m"].get<std::vector<double>>();
+  ASSERT_EQ(centre.size(), 3U);
+  EXPECT_NEAR(centre[0], 0.004, 2e-3);
+  EXPECT_NEAR(centre[1], 0, 2e-3);
+  EXPECT_NEAR(centre[2], 0.156, 2e-3);
+  EXPECT_NE(ended.all().find("mass_centre = ["), std::string::npos) << "lines for a configuration";
 }
 
 TEST(EdgeFollow, KeepsFourNewtonsAroundBothPlates) {

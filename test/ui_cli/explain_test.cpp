@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "base/fault_table.hpp"
@@ -25,6 +26,33 @@ TEST(Explain, SaysEverythingThatTheTableKnowsOfEveryError) {
     const std::string text = explanation(e.code);
     for (const std::string_view part : {e.name, e.text, e.remedy, e.causes.substr(0, e.causes.find(';'))})
       EXPECT_NE(text.find(part), std::string::npos) << e.name << " lacks: " << part << "\n" << text;
+  }
+}
+
+/// @return the words that come behind that one, anywhere in the text
+std::vector<std::string> words_behind(std::string_view text, std::string_view word) {
+  std::vector<std::string> found;
+  for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+    const std::string_view rest = text.substr(at + word.size());
+    found.emplace_back(rest.substr(0, rest.find_first_of(" `,;.):")));
+  }
+  return found;
+}
+
+TEST(Explain, EveryErrorHasACauseAndAnAdviceOfItsOwnThatCanBeFollowed) {
+  const std::set<std::string> commands{"status", "stop", "e-stop", "stability"};
+  const std::set<FaultCode> about_files{FaultCode::cannot_write};
+  for (const FaultEntry& e : kFaultTable) {
+    if (e.code == FaultCode::none) continue;
+    EXPECT_GT(e.remedy.size(), 10U) << e.name;
+    EXPECT_GT(e.causes.size(), 10U) << e.name;
+    EXPECT_NE(e.causes, e.text) << e.name << ": a cause is more than what happened";
+    EXPECT_NE(e.causes, e.remedy) << e.name;
+    for (const std::string_view part : {e.remedy, e.causes})
+      for (const std::string& command : words_behind(part, "`ui_cli "))
+        EXPECT_TRUE(commands.contains(command))
+            << e.name << " names a command that does not exist: " << command;
+    EXPECT_EQ(e.remedy.find("--run-dir") != std::string_view::npos, about_files.contains(e.code)) << e.name;
   }
 }
 

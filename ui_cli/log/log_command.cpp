@@ -8,6 +8,7 @@
 #include <limits>
 #include <ostream>
 
+#include "base/command_line.hpp"
 #include "base/fault.hpp"
 #include "ui_cli/log/log_check.hpp"
 #include "ui_cli/log/log_compare.hpp"
@@ -127,6 +128,19 @@ int run_log(const std::vector<std::string>& arguments, std::ostream& out, std::o
     return w.command(out);
   } catch (const CLI::Success& e) {
     return app.exit(e, out, err);
+  } catch (const CLI::ExtrasError& e) {
+    err << unknown_word(app, e).error_line() << "\n";
+    return exit_status(FaultCode::bad_usage);
+  } catch (const CLI::RequiredError& e) {
+    WordSet commands;
+    for (const CLI::App* command : app.get_subcommands(nullptr)) commands.insert(command->get_name());
+    const bool known =
+        arguments.empty() || arguments.front().starts_with("-") || commands.contains(arguments.front());
+    err << (known ? FaultError(FaultCode::bad_usage, e.what())
+                  : unknown_word("command", arguments.front(), commands))
+               .error_line()
+        << "\n";
+    return exit_status(FaultCode::bad_usage);
   } catch (const CLI::Error& e) {
     err << FaultError(FaultCode::bad_usage, e.what()).error_line() << "\n";
     return exit_status(FaultCode::bad_usage);

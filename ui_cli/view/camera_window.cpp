@@ -1,8 +1,11 @@
 #include "ui_cli/view/camera_window.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <fstream>
 
 #include "base/fault.hpp"
 
@@ -42,9 +45,11 @@ std::string bitmap(const ImageView& image) {
 }
 
 void CameraWindow::begin(const std::string& session, std::int64_t session_id,
-                         const std::vector<std::string>& cameras, std::filesystem::path directory) {
+                         const std::vector<std::string>& cameras, pid_t task,
+                         std::filesystem::path directory) {
   const std::lock_guard lock(mutex_);
   name_ = {.session = session, .session_id = session_id, .camera = {}, .directory = std::move(directory)};
+  task_ = task;
   eyes_.clear();
   for (const std::string& camera : cameras) eyes_[camera];
 }
@@ -57,6 +62,24 @@ void CameraWindow::look() {
     try {
       eye.store = link::FrameReader::open(name_);
     } catch (const FaultError&) {  // no store of this session: perhaps the next time
+    }
+  }
+}
+
+void CameraWindow::look_hidden() {
+  const std::lock_guard lock(mutex_);
+  if (task_ == 0) return;
+  std::vector<pid_t> processes{task_};
+  std::ifstream children(fmt::format("/proc/{0}/task/{0}/children", task_));
+  for (pid_t child = 0; children >> child;) processes.push_back(child);
+  for (auto& [camera, eye] : eyes_) {
+    name_.camera = camera;
+    for (const pid_t process : processes) {
+      if (eye.store) break;
+      try {
+        eye.store = link::FrameReader::open_hidden(name_, process);
+      } catch (const FaultError&) {  // no store of this session
+      }
     }
   }
 }

@@ -1,5 +1,7 @@
 // The pictures of a running task's cameras, for whoever asks.
 #pragma once
+#include <sys/types.h>
+
 #include <map>
 #include <memory>
 #include <mutex>
@@ -15,14 +17,18 @@
 namespace mrroc::view {
 
 /// Opens the frame stores of a session and copies a picture out when somebody asks. Used by any number of threads.
-/// A store has a name only while its system assembles: who comes later does not see its pictures.
+/// A store has a name only while its system assembles: who comes later opens it through the process that draws.
 class CameraWindow {
  public:
   /// Forgets the stores of the session before, and from now on looks for those of this one.
+  /// @param task  process of the task, whose children draw; 0: on another host
   void begin(const std::string& session, std::int64_t session_id, const std::vector<std::string>& cameras,
-             std::filesystem::path directory = "/dev/shm");
+             pid_t task = 0, std::filesystem::path directory = "/dev/shm");
   /// Opens what can be opened by now; cheap when there is nothing to do.
   void look();
+  /// Looks among the open files of the task's children for stores that have no name any more. Not cheap: a few times
+  /// a second.
+  void look_hidden();
   /// @return whether every camera's store is open
   [[nodiscard]] bool complete() const;
   /// Remembers the newest picture of a camera. @param camera  unknown ones are ignored
@@ -39,6 +45,7 @@ class CameraWindow {
   };
   mutable std::mutex mutex_;
   link::FrameStoreName name_;
+  pid_t task_{};
   std::map<std::string, Eye, std::less<>> eyes_;
 };
 

@@ -85,6 +85,8 @@ void Listener::take(std::string_view name, std::span<const std::uint8_t> bytes) 
     decoded<hand_order_t>(bytes, [&](const auto& m) { take_hands(m); });
   } else if (name == "object.truth") {
     decoded<object_truth_t>(bytes, [&](const auto& m) { take_object(m); });
+  } else if (name == "cube.truth") {
+    decoded<cube_truth_t>(bytes, [&](const auto& m) { take_cube(m); });
   }
 }
 
@@ -141,6 +143,24 @@ void Listener::take_object(const object_truth_t& m) {
                                         m.present != 0 ? 1.0F : 0.0F, m.hidden != 0 ? 1.0F : 0.0F};
   std::ranges::transform(m.T_0G, row.begin() + 3, [](double x) { return static_cast<float>(x); });
   record_.add(std::string(kObjectTrack), row);
+}
+
+void Listener::take_cube(const cube_truth_t& m) {
+  constexpr std::string_view kFaces = "URFDLB";
+  constexpr std::size_t kStickers = 9;
+  std::array<float, kCubeColumns> row{static_cast<float>(t_), static_cast<float>(m.axis),
+                                      static_cast<float>(m.angle[0]), static_cast<float>(m.angle[1])};
+  auto next =
+      std::ranges::transform(m.T_UC, row.begin() + 4, [](double x) { return static_cast<float>(x); }).out;
+  for (std::size_t face = 0; face < kFaces.size(); ++face) {
+    int packed = 0;  // below 6^9: a float holds it exactly
+    for (std::size_t k = 0; k < kStickers; ++k) {
+      const auto colour = kFaces.find(static_cast<char>(m.facelets[face * kStickers + k]));
+      packed = 6 * packed + static_cast<int>(colour == std::string_view::npos ? face : colour);
+    }
+    *next++ = static_cast<float>(packed);
+  }
+  record_.add(std::string(kCubeTrack), row);
 }
 
 void Listener::take_frame(const std::string& camera, const camera_frame_t& m) {

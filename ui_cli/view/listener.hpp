@@ -13,6 +13,7 @@
 #include "mrroc/agent_report_t.hpp"
 #include "mrroc/camera_frame_t.hpp"
 #include "mrroc/console_t.hpp"
+#include "mrroc/cube_truth_t.hpp"
 #include "mrroc/effector_reply_t.hpp"
 #include "mrroc/hand_order_t.hpp"
 #include "mrroc/object_truth_t.hpp"
@@ -23,7 +24,7 @@
 namespace mrroc::view {
 
 /// Listens to every channel of one session. What it makes of them, in the record:
-///   tracks  one per arm from ARM.reply (samples.hpp); "object" from object.truth
+///   tracks  one per arm from ARM.reply (samples.hpp); "object" from object.truth; "cube" from cube.truth
 ///   lines   {t [s], process, code, text, fault: 0 or 1} from *.console, and what a driver refused
 ///   values  "status" (ui::status_json), "behaviours" {m: name}, "frames" {camera: number}, "count" {messages, lost}
 /// A message that comes again is ignored; numbers that are missing are counted as lost. A reading of a driver that
@@ -60,6 +61,7 @@ class Listener final : public link::Sink {
   void take_status(const task_status_t& m);
   void take_hands(const hand_order_t& m);
   void take_object(const object_truth_t& m);
+  void take_cube(const cube_truth_t& m);
   void take_frame(const std::string& camera, const camera_frame_t& m);
   void say(const std::string& process, std::int32_t code, const std::string& text);
 

@@ -94,7 +94,7 @@ void SessionSource::follow(const link::SessionInfo& session) {
   const auto bus = around_.open(*session.address);
   const auto [scene, note] = cell_of(session);
   Listener listener(record_, scene, session.name, session.id);
-  cameras_.begin(session.name, session.id, names_of(scene.cameras));
+  cameras_.begin(session.name, session.id, names_of(scene.cameras), session.pid);
   listener.on_frame = [this](const std::string& camera, const camera_frame_t& m) {
     cameras_.announce(camera, m);
   };
@@ -129,6 +129,7 @@ void SessionSource::pump(link::Bus& bus, const link::SessionInfo& session, Liste
     if (bus.wait(seeking ? 2ms : kReceive)) heard = Clock::now();
     if (const auto now = Clock::now(); now - looked > kCheck) {
       looked = now;
+      if (seeking) cameras_.look_hidden();
       listener.publish_count();
       const auto running = link::running_sessions(around_.sessions);
       const bool here = std::ranges::find(running, session.id, &link::SessionInfo::id) != running.end();

@@ -127,6 +127,13 @@ TEST_F(FrameStore, LivesOnWithoutItsNameAndLeavesNothing) {
     EXPECT_EQ(reader.read(writer.write(5, 100, 0.2, image.view()), 5, frame), FrameFate::read);
     EXPECT_EQ(frame.image, image);
     EXPECT_FALSE(FrameReader::open(name_));
+    auto late = FrameReader::open_hidden(name_, ::getpid());
+    ASSERT_TRUE(late) << "through the process that has it";
+    EXPECT_EQ(late->read(writer.write(6, 120, 0.24, image.view()), 6, frame), FrameFate::read);
+    FrameStoreName other = name_;
+    other.camera = "other";
+    EXPECT_FALSE(FrameReader::open_hidden(other, ::getpid()));
+    EXPECT_FALSE(FrameReader::open_hidden(name_, 0)) << "there is no such process";
   }
   { FrameWriter writer(name_, shape_); }
   EXPECT_EQ(files(), 0U);

@@ -138,7 +138,7 @@ TEST_F(ViewServer, BearsOnlySoManyPages) {
 TEST_F(ViewServer, ShowsTheNewestPictureOfACamera) {
   link::FrameWriter writer({.session = "s", .session_id = 7, .camera = "sac", .directory = folder_.path()},
                            {.width = 3, .height = 2, .channels = 3, .slots = 2});
-  cameras_.begin("s", 7, {"sac"}, folder_.path());
+  cameras_.begin("s", 7, {"sac"}, 0, folder_.path());
   EXPECT_FALSE(cameras_.complete());
   cameras_.look();
   EXPECT_TRUE(cameras_.complete());

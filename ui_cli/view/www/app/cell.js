@@ -3,7 +3,8 @@ import {
   AxesHelper, Color, DirectionalLight, Fog, GridHelper, Group, HemisphereLight, Mesh, MeshStandardMaterial, NeutralToneMapping, Object3D,
   OrbitControls, PCFShadowMap, PerspectiveCamera, PlaneGeometry, Scene, Vector3, WebGLRenderer,
 } from '../vendor/three.js';
-import {cube, object, put, table, tool} from './furniture.js';
+import {Cube} from './cube.js';
+import {object, put, table, tool} from './furniture.js';
 import {Sheet} from './ink.js';
 import {Robot} from './robot.js';
 import {theme} from './theme.js';
@@ -84,6 +85,8 @@ export class Cell {
     const home = this.arms.get(scene.object.arm);
     this.object = scene.object.kind === 'none' || !home ? null : object(scene.object);
     if (this.object) home.base.add(this.object);
+    this.cube = scene.cube.held_by ? new Cube() : null;
+    if (this.cube) this.cube.rest_in(this.arms.get(scene.cube.held_by));
     this.look('cell');
   }
   add_arm(arm, scene, descriptions) {
@@ -97,7 +100,6 @@ export class Cell {
       base.add(entry.robot.root);
       entry.robot.links.get('tool').add(entry.tool.group);
       entry.robot.root.visible = false;  // until it has told where it is
-      if (scene.cube.held_by === arm.name) entry.tool.group.add(cube(arm));
     }
     entry.tool.group.add(entry.mark);
     this.things.add(base);
@@ -115,6 +117,7 @@ export class Cell {
       if (entry.sheet.show(track, column, t)) entry.texture.needsUpdate = true;
     }
     this.show_object(history.tracks.get('object'), t);
+    this.cube?.show(history.tracks.get('cube'), t, this.things);
     this.dirty = true;
   }
   show_object(track, t) {
@@ -125,8 +128,9 @@ export class Cell {
     const n = track.mix(t, 3, 12, new Float64Array(12));
     this.object.matrix.set(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11], 0, 0, 0, 1);
   }
-  /** @param view  'cell', 'top', or the name of an arm */
+  /** @param view  'cell', 'cube', 'top', or the name of an arm */
   look(view) {
+    if (view === 'cube' && this.cube) return this.look_at(this.cube.place(), new Vector3(0.3, -0.14, 0.16));
     const bases = [...this.arms.values()].map((e) => e.base.position);
     const middle = bases.reduce((sum, p) => sum.add(p), new Vector3()).divideScalar(bases.length || 1);
     const spread = bases.length > 1 ? bases[0].distanceTo(bases[bases.length - 1]) : 0;
@@ -135,11 +139,15 @@ export class Cell {
       ? [at.base.localToWorld(new Vector3(at.arm.paper.place[0] - 0.02, 0, at.arm.paper.place[2] + 0.06)), new Vector3(0.62, -0.62, 0.5)]
       : view === 'top' ? [middle.clone().add(new Vector3(0.5, 0, 0.6)), new Vector3(0.01, 0, 3.4 + spread)]
         : [middle.clone().add(new Vector3(0.42, 0, 0.82)), new Vector3(2.5, -1.35, 1.15).multiplyScalar(1 + 0.42 * spread / 2.1)];
+    this.look_at(target, from);
+    this.sun.target.position.copy(middle).setX(middle.x + 0.4);
+    this.sun.position.copy(this.sun.target.position).add(new Vector3(1.8, -2.2, 4.5));
+    this.dirty = true;
+  }
+  look_at(target, from) {
     this.orbit.target.copy(target);
     this.camera.position.copy(target).add(from);
     this.orbit.update();
-    this.sun.target.position.copy(middle).setX(middle.x + 0.4);
-    this.sun.position.copy(this.sun.target.position).add(new Vector3(1.8, -2.2, 4.5));
     this.dirty = true;
   }
   render() {

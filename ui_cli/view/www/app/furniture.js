@@ -1,7 +1,7 @@
-// What stands in the cell besides the arms: floor, tables, sheets, plates, the cube, what the cameras look for.
+// What stands in the cell besides the arms: floor, tables, sheets, plates, what the cameras look for.
 import {
-  BoxGeometry, CanvasTexture, Color, CylinderGeometry, Group, Matrix4, Mesh, MeshStandardMaterial, PlaneGeometry, RoundedBoxGeometry,
-  SRGBColorSpace, Vector3,
+  BoxGeometry, CanvasTexture, CylinderGeometry, Group, Mesh, MeshStandardMaterial, PlaneGeometry, RoundedBoxGeometry, SRGBColorSpace,
+  Vector3,
 } from '../vendor/three.js';
 import {paint} from './robot.js';
 
@@ -16,7 +16,7 @@ export function put(object, [x, y, z, ax, ay, az]) {
   return object;
 }
 
-function block(size, at, material, radius = 0) {
+export function block(size, at, material, radius = 0) {
   const mesh = new Mesh(radius ? new RoundedBoxGeometry(...size, 3, radius) : new BoxGeometry(...size), material);
   mesh.position.set(...at);
   mesh.castShadow = mesh.receiveShadow = true;
@@ -66,25 +66,6 @@ export function tool(arm) {
   const jaws = [-1, 1].map((side) => block([0.05, 0.012, long], [0, side * 0.05, 0.012 - long / 2], paint.steel, 0.003));
   group.add(...jaws);
   return {group, open(gap) { jaws.forEach((jaw, k) => { jaw.position.y = (k ? 0.5 : -0.5) * (gap + 0.012); }); }};
-}
-
-/** A cube of 57 mm in the hand of an arm. */
-export function cube(arm) {
-  const group = new Group(), size = 0.057, cell = size / 3;
-  group.add(block([size, size, size], [0, 0, 0], new MeshStandardMaterial({color: 0x15181c, roughness: 0.4}), 0.004));
-  const faces = [[0xf4f4f2, [0, 0, 1]], [0xffd500, [0, 0, -1]], [0xc41e3a, [1, 0, 0]], [0xff6a13, [-1, 0, 0]], [0x009b48, [0, 1, 0]], [0x0051ba, [0, -1, 0]]];
-  for (const [colour, normal] of faces) {
-    const n = new Vector3(...normal), turn = new Matrix4().lookAt(n, new Vector3(), Math.abs(n.z) > 0.5 ? new Vector3(0, 1, 0) : new Vector3(0, 0, 1));
-    const material = new MeshStandardMaterial({color: new Color(colour), roughness: 0.35});
-    for (let k = 0; k < 9; ++k) {
-      const sticker = new Mesh(new RoundedBoxGeometry(0.88 * cell, 0.88 * cell, 0.001, 2, 0.0004), material);
-      sticker.position.set(((k % 3) - 1) * cell, (Math.floor(k / 3) - 1) * cell, size / 2 + 0.0002).applyMatrix4(turn);
-      sticker.quaternion.setFromRotationMatrix(turn);
-      group.add(sticker);
-    }
-  }
-  group.position.z = arm.fingers === 'two_layers' ? 0.0095 : 0.019;
-  return group;
 }
 
 function board_texture({kind, size, square}) {

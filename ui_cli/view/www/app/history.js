@@ -65,6 +65,9 @@ function floats(base64) {
   return new Float32Array(bytes.buffer);
 }
 
+// Columns of the tracks that are no arm's.
+const kWidths = {object: 15, cube: 22};
+
 const kNothing = {
   source: 'none', task: '', session: '', folder: '', note: '', pictures: [], columns: [], arms: [], cameras: [], cube: {held_by: ''}, object: {kind: 'none'},
 };
@@ -82,8 +85,8 @@ export class History {
   /** @param news  what the stream brings */
   take(news) {
     for (const [name, text] of Object.entries(news.tracks || {})) {
-      const is_arm = name !== 'object';
-      if (!this.tracks.has(name)) this.tracks.set(name, new Track(is_arm ? this.scene.columns.length : 15));
+      const is_arm = !(name in kWidths);
+      if (!this.tracks.has(name)) this.tracks.set(name, new Track(kWidths[name] || this.scene.columns.length));
       const track = this.tracks.get(name);
       track.append(floats(text));
       if (!is_arm) continue;
@@ -93,7 +96,7 @@ export class History {
     this.lines.push(...(news.lines || []));
     Object.assign(this.values, news.values || {});
   }
-  get arms() { return [...this.tracks.keys()].filter((name) => name !== 'object'); }
+  get arms() { return [...this.tracks.keys()].filter((name) => !(name in kWidths)); }
   get rows() { return this.arms.reduce((sum, name) => sum + this.tracks.get(name).rows, 0); }
   get begin_time() { return Math.min(...this.arms.map((a) => this.tracks.get(a).first), this.end_time); }
   get end_time() { return Math.max(0, ...this.arms.map((a) => this.tracks.get(a).last)); }

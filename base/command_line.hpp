@@ -1,0 +1,57 @@
+// What the command lines of all programs say of a word that does not exist.
+#pragma once
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "base/fault.hpp"
+#include "base/nearest.hpp"
+
+namespace mrroc {
+
+/// @param kind  "option" or "command"
+/// @return bad_usage that names the word, and the nearest of those that exist
+inline FaultError unknown_word(const std::string& kind, const std::string& word, const WordSet& known) {
+  const std::string near = nearest(word, known);
+  return {FaultCode::bad_usage, fmt::format("there is no {} '{}'{}", kind, word,
+                                            near.empty() ? "" : fmt::format("; did you mean '{}'?", near))};
+}
+
+/// Adds the long options of a command line, as they are written.
+inline void add_options(const CLI::App& app, WordSet& known) {
+  for (const CLI::Option* o : app.get_options())
+    for (const std::string& name : o->get_lnames()) known.insert("--" + name);
+}
+
+/// To be called before parsing: CLI11 tells of a required option that is missing before one that does not exist.
+/// @throws FaultError bad_usage that names the first such option, and the nearest that exists
+inline void refuse_unknown_options(const CLI::App& app, int argc, const char* const* argv) {
+  WordSet known;
+  add_options(app, known);
+  for (int k = 1; k < argc; ++k) {
+    const std::string word = argv[k];
+    if (word == "--") return;
+    const std::string name = word.substr(0, word.find('='));
+    if (name.starts_with("--") && !known.contains(name)) throw unknown_word("option", name, known);
+  }
+}
+
+/// @return bad_usage for words that no command of the line knows, better than what CLI11 says where that is possible
+inline FaultError unknown_word(const CLI::App& app, const CLI::ExtrasError& e) {
+  const std::vector<std::string> words = app.remaining(true);
+  for (const std::string& word : words) {
+    if (!word.starts_with("--")) continue;
+    WordSet options;
+    add_options(app, options);
+    for (const CLI::App* command : app.get_subcommands()) add_options(*command, options);
+    return unknown_word("option", word.substr(0, word.find('=')), options);
+  }
+  if (words.empty() || words.front().starts_with("-") || !app.get_subcommands().empty())
+    return {FaultCode::bad_usage, e.what()};
+  WordSet commands;
+  for (const CLI::App* command : app.get_subcommands(nullptr)) commands.insert(command->get_name());
+  return unknown_word("command", words.front(), commands);
+}
+
+}  // namespace mrroc
