@@ -98,7 +98,19 @@ function(mrroc_known_robots file)
     string(APPEND MRROC_DECLARATIONS "namespace mrroc::${robot} {\nconst robots::Kind& kind();\n}\n")
     string(APPEND MRROC_KINDS "&${robot}::kind(), ")
   endforeach()
-  configure_file(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/known_robots.cpp.in ${file} @ONLY)
+  file(CONFIGURE OUTPUT ${file} @ONLY CONTENT [[
+#include "robots/catalogue.hpp"
+
+@MRROC_DECLARATIONS@
+namespace mrroc::robots {
+
+std::span<const Kind* const> catalogue() {
+  static const std::vector<const Kind*> kinds{@MRROC_KINDS@};
+  return kinds;
+}
+
+}  // namespace mrroc::robots
+]])
 endfunction()
 
 function(mrroc_catalogue)

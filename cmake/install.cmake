@@ -10,7 +10,7 @@ configure_package_config_file(cmake/mrroc-config.cmake.in ${CMAKE_BINARY_DIR}/mr
                               INSTALL_DESTINATION ${MRROC_PACKAGE} PATH_VARS MRROC_PROGRAMS)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/mrroc-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/mrroc-config.cmake ${CMAKE_BINARY_DIR}/mrroc-config-version.cmake
-              cmake/dependencies.cmake cmake/functions.cmake cmake/embedded_text.cpp.in cmake/known_robots.cpp.in
+              cmake/dependencies.cmake cmake/functions.cmake cmake/embedded_text.cpp.in
         DESTINATION ${MRROC_PACKAGE})
 
 foreach(folder base edp ecp mp vsp ui_cli robots tasks sim)

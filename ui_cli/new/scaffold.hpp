@@ -19,7 +19,7 @@ struct Scaffold {
   NewPart part{};
   std::string name;                     ///< see check_new_name()
   std::string robot{"irb6_postument"};  ///< of a task: its arm, as in [robots.ARM] model
-  std::string sensor;                   ///< of a task: its virtual sensor; empty: none
+  std::string sensor{};                 ///< of a task: its virtual sensor; empty: none
   bool outside{};                       ///< of a task: a project of its own, against the installed framework
 };
 

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <sstream>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "base/fault.hpp"
 #include "base/text_file.hpp"
@@ -38,23 +40,33 @@ fs::path existing(fs::path folder) {
 /// Takes back what has been written when the rest cannot be.
 class Undo {
  public:
+  Undo() = default;
+  Undo(const Undo&) = delete;
+  Undo& operator=(const Undo&) = delete;
   ~Undo() {
     std::error_code ignored;
-    for (auto file = files_.rbegin(); file != files_.rend(); ++file) {
-      fs::remove(*file, ignored);
-      for (fs::path folder = file->parent_path(); fs::remove(folder, ignored);) folder = folder.parent_path();
-    }
+    for (const fs::path& file : files_) fs::remove(file, ignored);
+    for (const fs::path& folder : folders_) fs::remove(folder, ignored);  // the deepest come first
     for (const auto& [file, text] : texts_) std::ofstream(file) << text;
   }
-  void written(const fs::path& file) { files_.push_back(file); }
-  void changed(const fs::path& file, const std::string& before) { texts_.emplace_back(file, before); }
+  /// A file is going to be written, with the folders that it needs.
+  void writes(const fs::path& file) {
+    files_.push_back(file);
+    std::vector<fs::path> made;
+    for (fs::path f = file.parent_path(); !f.empty() && !fs::exists(f); f = f.parent_path())
+      made.push_back(f);
+    folders_.insert(folders_.begin(), made.begin(), made.end());
+  }
+  void changes(const fs::path& file, const std::string& before) { texts_.emplace_back(file, before); }
+  /// All has been written.
   void forget() {
     files_.clear();
+    folders_.clear();
     texts_.clear();
   }
 
  private:
-  std::vector<fs::path> files_;
+  std::vector<fs::path> files_, folders_;
   std::vector<std::pair<fs::path, std::string>> texts_;
 };
 
@@ -107,12 +119,12 @@ void check_plan(const fs::path& tree, const ScaffoldPlan& plan) {
 void write_plan(const fs::path& tree, const ScaffoldPlan& plan) {
   Undo undo;
   for (const NewFile& file : plan.files) {
-    undo.written(tree / file.path);
+    undo.writes(tree / file.path);
     write(tree / file.path, file.text);
   }
   for (const NewEntry& entry : plan.entries) {
     const std::string before = text_of(tree / entry.list);
-    undo.changed(tree / entry.list, before);
+    undo.changes(tree / entry.list, before);
     write(tree / entry.list, with_entry(before, entry.folder));
   }
   undo.forget();
