@@ -28,6 +28,11 @@ grep -q './run probe_arm' "$place/robot.txt" || fail "the next step is not told"
 if ui task probe_task 2>"$place/error"; then fail "what is there was written once more"; fi
 grep -q 'error: bad_usage' "$place/error" || fail "no reason was given"
 
+if command -v clang-format >/dev/null; then
+  cp "$source/.clang-format" "$tree"
+  find "$tree" -name '*.[hc]pp' -print0 | xargs -0 clang-format --dry-run -Werror || fail "it is not formatted"
+fi
+
 cmake -S "$tree" -B "$place/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE='-O1 -DNDEBUG' \
   -DMRROC_TREE="$source" -DMRROC_BUILD="$build" >"$place/configure.log"
 cmake --build "$place/build" >"$place/build.log" || { tail -n 40 "$place/build.log"; fail "it does not build"; }
