@@ -78,7 +78,8 @@ bool names_fault(const std::string& line, const std::string& code) {
 }
 
 TEST(NewName, IsALowerCaseIdentifierThatMeansNothingYet) {
-  for (const char* good : {"a", "probe_arm", "arm7", "x1_y2"}) EXPECT_NO_THROW(check_new_name(good)) << good;
+  for (const char* good : {"arm", "probe_arm", "arm7", "x1_y2"})
+    EXPECT_NO_THROW(check_new_name(good)) << good;
   for (const char* bad : {"",
                           "Probe",
                           "7arm",
@@ -194,6 +195,16 @@ TEST_F(NewPartTest, RefusesWhatIsWrongAndWritesNothing) {
   run({"task", "probe"});
   EXPECT_TRUE(names_fault(refused({"task", "probe"}), "bad_usage"));
   EXPECT_TRUE(names_fault(refused({"robot", "probe"}), "bad_usage")) << "its task would have the same name";
+}
+
+TEST_F(NewPartTest, RefusesNamesOfTargetsAndFunctions) {
+  fs::create_directories(root_ / "base");
+  std::ofstream(root_ / "base/motion.hpp") << "Outcome move(const Motion<A>& motion);\n";
+  std::ofstream(root_ / "tasks/CMakeLists.txt")
+      << "mrroc_library(mrroc_cloth x.cpp)\nmrroc_program(iron main.cpp)\n";
+  for (const char* name : {"move", "cloth", "iron"})
+    EXPECT_NE(refused({"task", name}).find("has a meaning already"), std::string::npos) << name;
+  run({"task", "clot"});
 }
 
 TEST_F(NewPartTest, TakesBackWhatItHasWrittenWhenTheRestCannotBe) {

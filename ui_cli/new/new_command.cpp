@@ -55,10 +55,11 @@ NewPart part_named(const std::string& word) {
                    "give robot, task or sensor, and a name");
 }
 
-void need_folder(const fs::path& tree, const std::string& folder, const std::string& what) {
-  if (fs::is_directory(tree / folder)) return;
-  throw FaultError(FaultCode::bad_usage, fmt::format("there is no {}", folder),
-                   fmt::format("write it first: ui_cli new {}", what));
+/// @param file  that `ui_cli new` has written if it has written the part
+void need_part(const fs::path& tree, const std::string& file, NewPart part, const std::string& name) {
+  if (fs::is_regular_file(tree / file)) return;
+  throw FaultError(FaultCode::bad_usage, fmt::format("there is no {} '{}'", to_string(part), name),
+                   fmt::format("write it first: ui_cli new {} {}", to_string(part), name));
 }
 
 Scaffold wish_of(const Options& o) {
@@ -76,9 +77,11 @@ Scaffold wish_of(const Options& o) {
 fs::path place_of(const Options& o, const Scaffold& wish) {
   if (wish.outside) return o.outside;
   const fs::path tree = find_tree(o.into);
-  if (!o.robot.empty() && !o.robot.starts_with("irb6_"))
-    need_folder(tree, "robots/" + o.robot, "robot " + o.robot);
-  if (!o.sensor.empty()) need_folder(tree, "vsp/" + o.sensor, "sensor " + o.sensor);
+  check_free(tree, wish.name);
+  if (!o.robot.empty() && o.robot != "irb6_postument" && o.robot != "irb6_track")
+    need_part(tree, fmt::format("robots/{0}/{0}.urdf", o.robot), NewPart::robot, o.robot);
+  if (!o.sensor.empty())
+    need_part(tree, fmt::format("vsp/{0}/{0}.toml", o.sensor), NewPart::sensor, o.sensor);
   return tree;
 }
 

@@ -12,6 +12,7 @@
 namespace mrroc::ui {
 namespace {
 
+constexpr std::size_t kShortestName = 3;
 constexpr std::size_t kLongestName = 40;
 
 // Words of C++ that pass as names, namespaces of the framework, commands of ./run and targets of the build.
@@ -154,10 +155,9 @@ void check_new_name(const std::string& name) {
   const auto refuse = [&](const std::string& why) {
     throw FaultError(
         FaultCode::bad_usage, fmt::format("the name '{}' {}", name, why),
-        "take lower-case letters, digits and single underscores, beginning with a letter, for example "
-        "probe_arm");
+        "take another one of lower-case letters, digits and single underscores, for example probe_arm");
   };
-  if (name.empty()) refuse("is empty");
+  if (name.size() < kShortestName) refuse(fmt::format("has less than {} letters", kShortestName));
   if (name.size() > kLongestName) refuse(fmt::format("has more than {} letters", kLongestName));
   const auto letter = [](char c) { return c >= 'a' && c <= 'z'; };
   const auto digit = [](char c) { return c >= '0' && c <= '9'; };

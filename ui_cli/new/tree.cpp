@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -104,9 +105,31 @@ fs::path find_tree(const fs::path& into) {
       "framework give --outside DIR");
 }
 
+void check_free(const fs::path& tree, const std::string& name) {
+  const auto refuse = [&](const fs::path& file) {
+    throw FaultError(FaultCode::bad_usage,
+                     fmt::format("the name '{}' has a meaning already, in {}", name,
+                                 file.lexically_relative(tree).string()),
+                     "take another name");
+  };
+  const std::regex target("(library\\(mrroc_|mrroc_program\\(|add_executable\\()" + name + "\\s");
+  const std::regex function("\\b" + name + "\\(");  // names are identifiers
+  for (const char* folder :
+       {"base", "edp", "ecp", "mp", "vsp", "ui_cli", "robots", "tasks", "sim", "bench"}) {
+    if (!fs::is_directory(tree / folder)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(tree / folder)) {
+      const fs::path& file = entry.path();
+      const bool list = file.filename() == "CMakeLists.txt";
+      const bool header = file.extension() == ".hpp" && file.parent_path() == tree / "base";
+      if ((list || header) && std::regex_search(text_of(file), list ? target : function)) refuse(file);
+    }
+  }
+}
+
 void check_plan(const fs::path& tree, const ScaffoldPlan& plan) {
+  std::error_code unknown;  // what must not be looked at cannot be written either
   for (const NewFile& file : plan.files)
-    if (fs::exists(tree / file.path))
+    if (fs::exists(tree / file.path, unknown))
       throw FaultError(FaultCode::bad_usage, fmt::format("{} is there already", (tree / file.path).string()),
                        "take another name, or remove it first");
   for (const NewFile& file : plan.files) check_writable(existing((tree / file.path).parent_path()));

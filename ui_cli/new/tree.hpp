@@ -1,6 +1,7 @@
 // The clone of the framework into which `ui_cli new` writes.
 #pragma once
 #include <filesystem>
+#include <string>
 
 #include "ui_cli/new/scaffold.hpp"
 
@@ -14,6 +15,9 @@ namespace mrroc::ui {
 /// @return root of the clone
 /// @throws FaultError bad_usage  there is none
 [[nodiscard]] std::filesystem::path find_tree(const std::filesystem::path& into);
+
+/// @throws FaultError bad_usage  a target of the build or a function of namespace mrroc in the clone has that name
+void check_free(const std::filesystem::path& tree, const std::string& name);
 
 /// Looks whether everything can be written. @param tree  root under which the plan's paths lie
 /// @throws FaultError bad_usage  a file of the plan is there already; cannot_write
