@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <iterator>
+#include <sstream>
 #include <utility>
 
 #include "base/fault.hpp"
@@ -15,28 +16,23 @@ namespace {
 constexpr std::size_t kShortestName = 3;
 constexpr std::size_t kLongestName = 40;
 
-// Words of C++ that pass as names, namespaces of the framework, commands of ./run and targets of the build.
-constexpr std::array<std::string_view, 118> kTaken{
-    "alignas",    "alignof",   "and",      "asm",       "auto",       "bitand",
-    "bitor",      "bool",      "break",    "case",      "catch",      "char",
-    "class",      "compl",     "concept",  "const",     "continue",   "decltype",
-    "default",    "delete",    "do",       "double",    "else",       "enum",
-    "explicit",   "export",    "extern",   "false",     "float",      "for",
-    "friend",     "goto",      "if",       "inline",    "int",        "long",
-    "mutable",    "namespace", "new",      "noexcept",  "not",        "nullptr",
-    "operator",   "or",        "private",  "protected", "public",     "register",
-    "requires",   "return",    "short",    "signed",    "sizeof",     "static",
-    "struct",     "switch",    "template", "this",      "throw",      "true",
-    "try",        "typedef",   "typeid",   "typename",  "union",      "unsigned",
-    "using",      "virtual",   "void",     "volatile",  "while",      "xor",
-    "std",        "main",      "mrroc",    "base",      "edp",        "ecp",
-    "mp",         "vsp",       "ui",       "ui_cli",    "robots",     "tasks",
-    "sim",        "test",      "tests",    "bench",     "docs",       "link",
-    "view",       "contract",  "camera",   "gripper",   "irb6",       "irb6_postument",
-    "irb6_track", "world",     "programs", "all",       "clean",      "build",
-    "help",       "package",   "install",  "calibrate", "cube_solve", "sensor",
-    "robot",      "task",      "shell",    "options",   "cube",       "stability",
-    "replay",     "my_sensor", "my_robot", "my_task"};
+// Words of C++, namespaces of the framework, commands of ./run and targets of the build; check_free() finds more.
+constexpr const char* kTaken = R"(
+alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t class co_await co_return co_yield
+compl concept const const_cast consteval constexpr constinit continue decltype default delete do double dynamic_cast
+else enum explicit export extern false float for friend goto if inline int long mutable namespace new noexcept not
+not_eq nullptr operator or or_eq private protected public register reinterpret_cast requires return short signed
+sizeof static static_assert static_cast struct switch template this thread_local throw true try typedef typeid
+typename union unsigned using virtual void volatile wchar_t while xor xor_eq
+std main mrroc base edp ecp vsp ui_cli robots tasks sim test tests bench docs link view contract camera gripper irb6
+irb6_postument irb6_track world programs all clean build help package install sensor robot task shell
+my_sensor my_robot my_task)";
+
+bool is_taken(const std::string& name) {
+  std::istringstream words(kTaken);
+  return std::find(std::istream_iterator<std::string>(words), {}, name) !=
+         std::istream_iterator<std::string>();
+}
 
 using Words = std::vector<std::pair<std::string, std::string>>;
 
@@ -164,7 +160,7 @@ void check_new_name(const std::string& name) {
   const bool legal = std::ranges::all_of(name, [&](char c) { return letter(c) || digit(c) || c == '_'; });
   if (!legal || !letter(name.front()) || name.ends_with('_') || name.find("__") != std::string::npos)
     refuse("is no name for folders, programs and namespaces");
-  if (std::ranges::find(kTaken, name) != kTaken.end()) refuse("has a meaning already");
+  if (is_taken(name)) refuse("has a meaning already");
 }
 
 ScaffoldPlan plan_scaffold(const Scaffold& wish) {
