@@ -17,6 +17,14 @@ struct Picture {
   std::string script;  ///< gnuplot, run in the run folder; terminal and output are set before
 };
 
+/// A virtual sensor that every arm of a task has: process vsp-NAME-ARM, program vsp_NAME, channel ARM.NAME.
+struct Receptor {
+  std::string name;
+  link::PartBody body;
+  /// Reads its parameters once, so that a wrong one is found before anything starts. May be empty.
+  std::function<void(const Config&)> read{};
+};
+
 /// What a task is.
 struct ArmTask {
   std::string name;                     ///< the program; `ecp_NAME` is its control subsystem
@@ -35,6 +43,7 @@ struct ArmTask {
   std::function<std::string(const std::vector<mp::ArmTrace>&)> result{};
   int n_s{10};  ///< steps of a macrostep, as the rows command it; all arms have the same
   std::vector<CellArm> arms{{"arm1", "irb6_postument"}};
+  std::vector<Receptor> receptors{};  ///< the ECP says whose readings are its x_cV
 };
 
 /// @return the force of arm 1 along an axis of E over time, like MG fig. 16, and the force desired [N]
