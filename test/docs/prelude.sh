@@ -9,11 +9,9 @@ export PATH=$place/stubs:$build/bin:$PATH
 unset DISPLAY
 
 make_clone() {
-  mkdir -p "$clone/build/release" "$place/stubs" "$XDG_RUNTIME_DIR" "$XDG_CACHE_HOME"
-  cp "$source/run" "$clone/run"
-  local part
-  for part in tasks docs ui_cli test CMakePresets.json; do ln -s "$source/$part" "$clone/$part"; done
-  ln -s "$build/bin" "$clone/build/release/bin"
+  mkdir -p "$clone/build/release/bin" "$place/stubs" "$XDG_RUNTIME_DIR" "$XDG_CACHE_HOME"
+  tar -C "$source" --exclude=./build --exclude=./runs --exclude=./.git -c . | tar -C "$clone" -x
+  ln -s "$build/bin/"* "$clone/build/release/bin"
   touch "$clone/build/release/build.ninja"
   # Tests do not start the tests: ./run test gets the answer of a ctest that has none to run.
   printf '#!/bin/sh\necho "ninja: no work to do."\n' >"$place/stubs/cmake"
@@ -68,6 +66,13 @@ background() {
 
 # in_terminal SECONDS COMMAND: in a terminal of its own, on which nobody types
 in_terminal() { timeout "$1" script -qec "$2" /dev/null >"$place/screen" || [[ $? == 124 ]]; }
+
+# written NAME: a task that `ui_cli new` has written, with the program of another one in its place: it is not built here.
+# What is written is built, tested and run by test/new/generated.sh.
+written() {
+  [[ -e tasks/$1/main.cpp ]]
+  ln -sf "$build/bin/press" "build/release/bin/$1"
+}
 
 # fetch ADDRESS: prints the page
 fetch() { python3 -c 'import sys, urllib.request; print(urllib.request.urlopen(sys.argv[1]).read().decode())' "$1"; }
