@@ -61,7 +61,7 @@ Outcome CoordinatorLinks::wait() {
 
 void CoordinatorLinks::linger(const std::function<bool()>& ends) {
   const auto macrostep = process_.membership().macrostep;
-  if (macrostep.count() > 0) process_.await(ends, link::Process::Clock::now() + macrostep / 2);
+  if (macrostep.count() > 0) process_.await(ends, link::Process::Clock::now() + macrostep * 3 / 5);
 }
 
 std::int64_t CoordinatorLinks::newest() const {

@@ -191,7 +191,7 @@ void TaskRun::look_after_orders() {
                       running_ ? i_ + kStopAhead : 0);
 }
 
-// The first macrostep that the coordinator has not thought of begins in half a macrostep at the earliest, see
+// The first macrostep that the coordinator has not thought of begins in half of one at the earliest, see
 // CoordinatorLinks::linger(): nobody has passed it.
 void TaskRun::stop_promptly() {
   const std::int64_t as_of = i_ + 1;

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Longest time for one command.
-constexpr const char* kPatience = "60";
+constexpr const char* kPatience = "120";
 
 std::set<std::string> documents() {
   std::set<std::string> found;
