@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -69,7 +70,10 @@ TEST_P(TypedCommands, Work) {
       continue;
     }
     constexpr int kNeedsMulticast = 77;
+    const auto begun = std::chrono::steady_clock::now();
     const int status = type(trial.script);
+    std::cout << std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count()
+              << " s: " << c.text << "\n";
     if (status == kNeedsMulticast) multicast = false;
     EXPECT_TRUE(status == 0 || status == kNeedsMulticast)
         << c.document << ":" << c.line << ": " << c.text << "\nrun as:\n"
