@@ -21,6 +21,9 @@ void EffectorClient::see(const EffectorReply& reply) {
   const bool unseen = reply.verdict == Verdict::none;
   if (!unseen && reply.fault.code != FaultCode::lost_command && reply.number == s.number) {
     settle_until(s.number);
+    const bool uncounted = reply.verdict == Verdict::refused && reply.fault.code != FaultCode::not_owner &&
+                           reply.expected == s.number;
+    if (uncounted) count_anew(reply.macrostep);
     return;
   }
   if (s.macrostep < repeated_from_) return;
@@ -32,6 +35,13 @@ void EffectorClient::see(const EffectorReply& reply) {
   fault_->value = static_cast<double>(s.number);
   fault_->limit = kAttempts;
   fault_->text = reply.fault ? reply.fault.text : FixedText<160>("the driver did not see it");
+}
+
+void EffectorClient::count_anew(std::int64_t macrostep) {
+  --number_;
+  for (EffectorCommand& command : pending_) --command.number;
+  sent_of_pending_ = 0;
+  repeated_from_ = macrostep + 1;
 }
 
 EffectorCommand EffectorClient::next(EffectorCommand wanted, std::int64_t macrostep) {

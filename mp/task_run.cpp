@@ -202,8 +202,8 @@ void TaskRun::tell_lateness() {
   constexpr std::chrono::seconds kApart{1};
   const auto now = link::Process::Clock::now();
   const std::int64_t late = supervisor_->skipped();
-  if (late <= late_told_ || now - late_told_at_ < kApart || clock_ != "wall") return;
-  fmt::print("late: {} periods more, {} in all: this host is too slow or too busy for --clock wall\n",
+  if (late <= late_told_ || now - late_told_at_ < kApart || clock_ != "wall" || process_->over()) return;
+  fmt::print("late periods: {} more, {} in all; this host is too slow or too busy for --clock wall\n",
              late - late_told_, late);
   std::fflush(stdout);
   late_told_ = late;
@@ -254,6 +254,7 @@ void TaskRun::set_state(TaskState state, bool waits_for_trigger) {
 
 Summary TaskRun::end(const std::optional<Fault>& fault) {
   const double wall_s = std::chrono::duration<double>(link::Process::Clock::now() - begun_).count();
+  const std::int64_t late = supervisor_->skipped();  // processes that leave are not late
   if (fault) supervisor_->stop(*fault, 0);
   set_state(fault || supervisor_->fault() ? TaskState::stopping : TaskState::ended, false);
   board_->publish();
@@ -277,7 +278,7 @@ Summary TaskRun::end(const std::optional<Fault>& fault) {
     summary.figures["stop_steps_max"] = static_cast<double>(*std::ranges::max_element(steps));
   if (summary.fault && (!summary.stopped || summary.fault->code == FaultCode::emergency_stop))
     summary.black_box = write_black_box(folder_, process_->membership().roster);
-  if (clock_ == "wall") summary.figures["late_periods"] = static_cast<double>(supervisor_->skipped());
+  if (clock_ == "wall") summary.figures["late_periods"] = static_cast<double>(late);
   if (log_->gaps() > 0) summary.figures["log_gaps"] = static_cast<double>(log_->gaps());
   return summary;
 }

@@ -31,7 +31,7 @@ struct ArmTask {
   std::string about;                    ///< for --help
   std::string_view config;              ///< its TOML file
   std::vector<std::string> behaviours;  ///< names of m = 1, 2, ...
-  std::vector<std::string> ends;        ///< why they end, in words for the operator
+  std::vector<std::string> ends{};      ///< why they end, in words for the operator; may be empty
   link::PartBody ecp;                   ///< body of the ECP of each arm
   /// Reads the task's own parameters once, so that a wrong one is found before anything starts. May be empty.
   std::function<void(const Config&)> read{};

@@ -60,9 +60,15 @@ Finding real_time(const Host& h) {
 
 Finding packages(const Host& h) {
   if (h.missing.empty()) return {"packages", Verdict::good, "all programs that runs use are installed", ""};
-  return {"packages", Verdict::limited,
-          fmt::format("missing: {}; runs have no pictures", fmt::join(h.missing, ", ")),
-          "apt-get install gnuplot-nox    (as root)"};
+  std::string found = "missing:", packages;
+  for (const std::string& name : h.missing) {
+    const auto n = std::ranges::find_if(kNeeded, [&](const Needed& each) { return name == each.name; });
+    found += fmt::format("{} {}", found.ends_with(":") ? "" : ";", name);
+    if (n == kNeeded.end()) continue;
+    found += fmt::format(", {}", n->without);
+    packages += fmt::format(" {}", n->packages);
+  }
+  return {"packages", Verdict::limited, found, fmt::format("apt-get install{}    (as root)", packages)};
 }
 
 Finding disk(const Host& h) {

@@ -1,5 +1,6 @@
 // The command `ui_cli doctor`: whether this host suits the framework, and what to type where it does not.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <iosfwd>
@@ -17,10 +18,21 @@ struct Host {
   int cores{};                         ///< that this process may use
   int real_time_priority{};            ///< highest permitted of SCHED_FIFO, 0: none
   bool memory_lock{};                  ///< all of a process may be kept in RAM
-  std::vector<std::string> missing;    ///< programs that runs use and that are not installed
+  std::vector<std::string> missing;    ///< of kNeeded, what is not installed
   std::filesystem::path folder;        ///< where runs/ would go
   std::int64_t free_bytes{};           ///< there
 };
+
+/// Something that runs use, and the packages that bring it.
+struct Needed {
+  const char* name;  ///< of a program, or of a library that is loaded when it is needed
+  bool library;
+  const char* without;   ///< what there is not without it
+  const char* packages;  ///< of Debian
+};
+inline constexpr std::array kNeeded{
+    Needed{"gnuplot", false, "runs have no plots", "gnuplot-nox"},
+    Needed{"libEGL.so.1", true, "tasks with cameras do not start", "libegl1 libegl-mesa0 libgl1-mesa-dri"}};
 
 /// @return this host. Takes a quarter of a second
 [[nodiscard]] Host look_at_host();

@@ -1,3 +1,4 @@
+#include <dlfcn.h>
 #include <sched.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -33,6 +34,12 @@ bool installed(const std::string& program) {
   for (std::string folder; std::getline(folders, folder, ':');)
     if (::access((fs::path(folder) / program).c_str(), X_OK) == 0) return true;
   return false;
+}
+
+bool loadable(const char* library) {
+  void* const handle = ::dlopen(library, RTLD_LAZY);
+  if (handle) ::dlclose(handle);
+  return handle != nullptr;
 }
 
 std::int64_t limit_of(int resource) {
@@ -75,8 +82,8 @@ Host look_at_host() {
   h.cores = ::sched_getaffinity(0, sizeof cores, &cores) == 0 ? CPU_COUNT(&cores) : 1;
   h.real_time_priority = permitted_priority();
   h.memory_lock = ::geteuid() == 0 || limit_of(RLIMIT_MEMLOCK) >= kUnlimited;
-  for (const char* program : {"gnuplot"})
-    if (!installed(program)) h.missing.emplace_back(program);
+  for (const Needed& n : kNeeded)
+    if (!(n.library ? loadable(n.name) : installed(n.name))) h.missing.emplace_back(n.name);
   std::error_code failed;
   h.folder = fs::current_path(failed);
   const fs::space_info space = fs::space(h.folder, failed);

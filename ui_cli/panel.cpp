@@ -165,7 +165,9 @@ void Panel::update_manual(Clock::time_point now) {
                                   : answer->state == ManualState::failed ? " failed: "
                                                                          : ": ";
     const std::string text = answer->state == ManualState::taken ? "is being done" : answer->text;
-    notice(fmt::format("{}{}{}", answer->words, what, text),
+    const std::size_t numbers = answer->words.find(' ', answer->words.find(' ') + 1);
+    // A reason needs the room that the numbers would take.
+    notice(fmt::format("{}{}{}", bad ? answer->words.substr(0, numbers) : answer->words, what, text),
            bad                                  ? Style::warning
            : answer->state == ManualState::done ? Style::good
                                                 : Style::plain,

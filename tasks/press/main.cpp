@@ -7,7 +7,6 @@ int main(int argc, char** argv) {
                             .about = "One arm comes to a surface, holds 4 N and draws back.",
                             .config = press::config(),
                             .behaviours = sim::names_of(press::kPress),
-                            .ends = {"contact", "3 s", "2 s", "1 s"},
                             .ecp = ecp::solo(press::kPress),
                             .figures = press::figures,
                             .pictures = sim::force_picture<Axis::z, 4>},

@@ -6,6 +6,7 @@ namespace {
 constexpr TaskFrameCommand kApproach{.z = g(0.01, 5, 0.0025)};  // the force settles at v/B = 4 N
 constexpr TaskFrameCommand kHold{.z = c(4, 20, 0.005)};
 constexpr TaskFrameCommand kDrawBack{.z = u(-0.02)};
+
 bool pushing(const Arm::X& x) { return x.e.F_a[Axis::z] > 0.9 * 4; }  // MG (66)
 
 }  // namespace

@@ -76,6 +76,7 @@ class Line {
       protocol_.conclude(c, good);
       reply.verdict = good ? Verdict::executed : Verdict::refused;
       if (!good) reply.fault.code = FaultCode::out_of_limits;
+      reply.expected = protocol_.expected();
       executed.push_back(c.outputs);
       protocol_.store(reply);
     } else {
@@ -197,6 +198,19 @@ TEST(EffectorClient, ARefusalOfTheContentIsFinalAndNotRepeated) {
   EXPECT_EQ(line.executed.size(), 11U);
   for (const auto& [number, times] : line.attempts) EXPECT_EQ(times, 1);
   EXPECT_FALSE(line.client.fault());
+}
+
+TEST(EffectorClient, GoesOnWhenTheVeryFirstCommandsAreRefused) {
+  for (const int refused : {1, 2, 5, 20}) {
+    Line line({});
+    line.refuse = refused;
+    for (int k = 0; k < 60; ++k) line.macrostep(k < 40);
+    EXPECT_FALSE(line.client.fault()) << refused;
+    ASSERT_FALSE(line.executed.empty()) << "a driver without an owner does not count what it refuses";
+    EXPECT_EQ(line.executed.back(), 40) << refused;
+    for (std::size_t k = 1; k < line.executed.size(); ++k)
+      ASSERT_EQ(line.executed[k], line.executed[k - 1] + 1) << "none is left out, none comes twice";
+  }
 }
 
 TEST(EffectorClient, ALateCommandIsSentAgainForALaterMacrostepAndIsNoFailure) {

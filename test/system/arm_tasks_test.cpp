@@ -1,6 +1,8 @@
 // The tasks press, edge_follow and weigh as a user starts them: what they must reach, and that they obey.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <csignal>
 #include <fstream>
 
 #include "test/system/started_task.hpp"
@@ -73,6 +75,48 @@ TEST(Press, StopsInRealTimeAsItsRecordedScriptDoes) {
   EXPECT_TRUE(decelerated);
   for (const std::string name : {"live", "again"})
     EXPECT_EQ(run(folder, "ui_cli", {"log", "check", (folder / name).string()}).status, 0) << name;
+}
+
+TEST(Press, AnEmergencyStopBrakesAtOnceAndLeavesItsBlackBox) {
+  const Folder folder;
+  const std::string orders = folder.write("orders", "3 start\n120 e-stop\n");
+  std::vector<std::string> modes{"one"};
+  if (multicast()) modes.emplace_back("separate");
+  for (const std::string& mode : modes) {
+    const auto run_folder = folder / mode;
+    const Ended ended =
+        run(folder, "press",
+            {"--processes", mode, "--script", orders, "--speed", "20", "--run-dir", run_folder.string()});
+    EXPECT_EQ(ended.status, 1) << ended.all();
+    EXPECT_TRUE(ended.last_err().starts_with("error: emergency_stop:")) << ended.last_err();
+    const auto s = summary(run_folder);
+    EXPECT_EQ(s["outcome"], "stopped");
+    EXPECT_EQ(s["fault"]["code"], "emergency_stop");
+    EXPECT_LT(s["sim_s"].get<double>(), 4) << "120 macrosteps of 20 ms";
+    const auto files = s["black_box"].get<std::vector<std::string>>();
+    for (const char* process : {"mp", "world", "edp-arm1", "ecp-arm1"})
+      EXPECT_TRUE(std::ranges::count(files, std::string("black_box/") + process + ".txt")) << process;
+    EXPECT_TRUE(std::ranges::any_of(files, [](const auto& f) { return f.starts_with("arm1-fault-"); }))
+        << "the steps of the driver";
+    EXPECT_TRUE(std::ranges::any_of(files, [](const auto& f) { return f.starts_with("world-arm1-fault-"); }));
+    for (const std::string& file : files) EXPECT_TRUE(std::filesystem::exists(run_folder / file)) << file;
+    const Ended checked = run(folder, "ui_cli", {"log", "check", run_folder.string()});
+    EXPECT_EQ(checked.status, 0) << checked.all();
+  }
+}
+
+TEST(Press, TheBlackBoxTellsOfADriverThatIsKilled) {
+  if (!multicast()) GTEST_SKIP() << "no multicast here";
+  const Folder folder;
+  Started press(folder, "press", {"--speed", "1", "--run-dir", (folder / "run").string()});
+  ASSERT_TRUE(press.await_line("approach"));
+  ::kill(press.child("edp-arm1").pid, SIGKILL);
+  const Ended ended = press.end();
+  EXPECT_EQ(ended.status, 3) << ended.all();
+  const auto files = summary(folder / "run")["black_box"].get<std::vector<std::string>>();
+  EXPECT_TRUE(std::ranges::count(files, "black_box/edp-arm1.txt"));
+  EXPECT_TRUE(std::ranges::any_of(files, [](const auto& f) { return f.starts_with("world-arm1-fault-"); }))
+      << "what its drives saw";
 }
 
 TEST(Press, RefusesAMacrostepThatItsRowsDoNotCommand) {

@@ -50,7 +50,10 @@ TEST(Doctor, SaysWhatToTypeForEverythingThatIsNotWell) {
         Case{"cores", [](Host& h) { h.cores = 1; }, Verdict::limited, "core"},
         Case{"real time", [](Host& h) { h.memory_lock = false; }, Verdict::limited, "memlock"},
         Case{"real time", [](Host& h) { h.real_time_priority = 0; }, Verdict::limited, "rtprio"},
-        Case{"packages", [](Host& h) { h.missing = {"gnuplot"}; }, Verdict::limited, "apt-get"},
+        Case{"packages", [](Host& h) { h.missing = {"gnuplot"}; }, Verdict::limited,
+             "apt-get install gnuplot-nox "},
+        Case{"packages", [](Host& h) { h.missing = {"libEGL.so.1"}; }, Verdict::limited,
+             "apt-get install libegl1"},
         Case{"disk", [](Host& h) { h.free_bytes = 1000; }, Verdict::bad, "--run-dir"}}) {
     Host host = healthy();
     c.harm(host);

@@ -67,7 +67,18 @@ tmux resize-window -x 60 -y 12
 see '^ drawing   session demo +running'
 see '^ s start'
 tmux resize-window -x 80 -y 24
-see 'q leave \(task goes on\)$'
+see 'e E-STOP  \? help  q leave$'
+tmux resize-window -x 60 -y 15
+see 'e E-STOP \? q$'
+see '^ AGENT'
+tmux resize-window -x 80 -y 24
+see 'q leave$'
+press c
+see '^ F_x'
+press c; press c
+see '^ x m .*|^ x  .*'
+press m
+see 'arms are moved by hand in the task .manual.'
 press '?'
 see 'Any key goes back'
 press '?'
@@ -95,10 +106,45 @@ tmux send-keys "clear; $bin/ui_cli; echo \"left with \$?\"" Enter
 see '^ drawing   session demo +running'
 press x
 see 'stop the task for good\? y/n'
-press y
+press n
+see 'not stopped'
+[ "$(status_is "$bin/ui_cli" resume)" = 1 ] || fail "a running task must refuse resume with 1"
+grep -q '^error: illegal_in_state: resume refused: the task is running' "$home/err" || fail "wrong reason: $(cat "$home/err")"
+press e
 see 'session demo +ended'
 press q
 see 'left with 0'
 wait "$task" || fail "the task ended with $?"
 [ "$(status_is "$bin/ui_cli" status)" = 2 ] || fail "no task must be refused with 2"
+
+# Arms moved by hand: motors may be jogged before homing, joints may not.
+"$bin/manual" --speed 2 --session hand --run-dir "$home/hand" >"$home/manual.out" 2>"$home/manual.err" &
+task=$!
+for _ in $(seq 100); do grep -q 'wait for an order' "$home/manual.out" && break; sleep 0.1; done
+tmux send-keys "clear; $bin/ui_cli; echo \"left with \$?\"" Enter
+see '^ manual   session hand +running'
+press m
+see '^ MANUAL +1 arm1 +2 arm2'
+see '> axis 1 .* rad'
+press Right
+see 'jog arm1 failed: arm1: .*not_synchronised'
+press c; press c; press c
+see 'step 5 rad'
+press Down; press Right
+see 'jog arm1 motors 0 5 0 0 0 0 speed 0.15: done'
+press 2; press g
+see 'jaws of arm2 to \[m\]: _'
+press x; press Escape
+see '> axis 2'
+tmux resize-window -x 60 -y 15
+see '> axis 2'
+see '^e E-STOP'
+tmux resize-window -x 80 -y 24
+press e
+see 'session hand +ended'
+press m; press q
+see 'left with 0'
+wait "$task"
+[ $? = 1 ] || fail "after an emergency stop the status is 1"
+grep -q '^error: emergency_stop: ' "$home/manual.err" || fail "wrong reason: $(cat "$home/manual.err")"
 echo passed

@@ -92,14 +92,16 @@ def look_at_a_run(page, folder: Path):
     page.click("#sheets canvas")
     check(page.value("document.querySelector('#behaviour').innerText") == "m = 2 draw", "the behaviour has its name")
     play_and_pause(page)
+    turn_the_cube(page)
     before = page.share("#charts", BLUE)
     page.click("#arms button:nth-child(2)")
     page.wait("document.querySelector('#clock').dataset.arm === 'arm2'")
     check(before > 0, "another arm can be chosen")
     orange = page.share("#stage", ORANGE)
-    page.click("#views button:last-child")
-    time.sleep(1)
-    check(abs(page.share("#stage", ORANGE) - orange) > 0.005, "the cell can be seen from elsewhere")
+    page.click("#views button:nth-child(2)")
+    time.sleep(1.5)
+    above = page.share("#stage", ORANGE)
+    check(abs(above - orange) > 0.002, f"the cell can be seen from elsewhere {orange} {above}")
     page.prefer("dark")
     time.sleep(1)
     check(page.share("aside", DARK) > 0.5, "the page is dark where the system is")
@@ -153,6 +155,38 @@ def follow_a_task(page, folder: Path):
     viewer.end()
 
 
+def attach_late(page, folder: Path):
+    task = subprocess.Popen([BIN / "view_sample", "task", folder, "late", "10"], stdout=subprocess.PIPE, text=True)
+    time.sleep(4)
+    viewer = Viewer()
+    page.go("about:blank")
+    page.errors.clear()  # of the viewer before, which has ended
+    page.go(viewer.url)
+    page.wait("document.querySelector('#cameras img')?.naturalWidth === 320")
+    check(page.share("#cameras img", "g > 100 && r < 40 && b < 40") > 0.2, "a viewer that comes late has pictures of the camera")
+    task.communicate()
+    check(not page.errors, f"the page complains of nothing {page.errors}")
+    viewer.end()
+    page.errors.clear()
+
+
+def turn_the_cube(page):
+    page.click("#timeline", 0.005, 0.4)
+    page.wait("Number(document.querySelector('#clock').dataset.t) < 0.5")
+    page.value("[...document.querySelectorAll('#views button')].find((b) => b.innerText === 'cube').click()")
+    time.sleep(1)
+    red, white = "r > 110 && g < 60 && b < 80", "r > 175 && g > 175 && b > 165"
+    check(page.share("#stage", red) > 0.01 and page.share("#stage", white) > 0.01, "the cube has its colours")
+    before = page.share("#stage", "g > 70 && r < 60 && b < 110"), page.share("#stage", DARK)
+    page.click("#timeline", 0.995, 0.4)
+    page.wait("Number(document.querySelector('#clock').dataset.t) > 9.5")
+    time.sleep(1)
+    after = page.share("#stage", "g > 70 && r < 60 && b < 110"), page.share("#stage", DARK)
+    check(abs(after[0] - before[0]) + abs(after[1] - before[1]) > 0.002, f"its layers turn {before} {after}")
+    page.click("#views button:first-child")
+    time.sleep(0.5)
+
+
 def start_beside_a_task(page):
     command = [BIN / "view_sample", "beside", "demo"]
     line = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True, timeout=30).stdout
@@ -185,6 +219,7 @@ def main():
         subprocess.run([BIN / "view_sample", "run", run], check=True)
         look_at_a_run(page, run)
         follow_a_task(page, Path(home) / "live")
+        attach_late(page, Path(home) / "late")
         start_beside_a_task(page)
 
 

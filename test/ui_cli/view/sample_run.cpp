@@ -73,6 +73,17 @@ agent_report_t report(int m) {
   return r;
 }
 
+cube_truth_t cube(std::int64_t i) {
+  cube_truth_t m{};
+  const double T_UC[12]{1, 0, 0, 0.6, 0, 1, 0, 1.0, 0, 0, 1, 1.4};
+  std::copy(std::begin(T_UC), std::end(T_UC), m.T_UC);
+  for (std::size_t k = 0; k < std::size(m.facelets); ++k)
+    m.facelets[k] = static_cast<std::int8_t>("URFDLB"[k / 9]);
+  m.axis = 2;
+  m.angle[0] = 0.7 * static_cast<double>(i) / 500;
+  return m;
+}
+
 task_status_t status(int m, std::string_view name) {
   task_status_t s{};
   s.state = static_cast<int>(TaskState::running);
@@ -106,6 +117,7 @@ void write_run(const fs::path& folder, int macrosteps) {
       hands.new_sheet[0] = 1;
       log.receive("s.hand.order", encoded(hands, 1, i));
     }
+    log.receive("s.cube.truth", encoded(cube(i), i, i));
     const double share = static_cast<double>(i) / macrosteps;
     for (const std::string arm : {"arm1", "arm2"}) {
       log.receive("s." + arm + ".report", encoded(report(m), i, i));

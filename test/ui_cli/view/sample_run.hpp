@@ -10,6 +10,7 @@
 #include "base/link/decode.hpp"
 #include "mrroc/agent_report_t.hpp"
 #include "mrroc/console_t.hpp"
+#include "mrroc/cube_truth_t.hpp"
 #include "mrroc/effector_reply_t.hpp"
 #include "mrroc/hand_order_t.hpp"
 #include "mrroc/object_truth_t.hpp"
@@ -50,6 +51,9 @@ std::vector<std::uint8_t> encoded(M message, std::int64_t number, std::int64_t s
 
 /// @return what an agent reports
 [[nodiscard]] agent_report_t report(int m);
+
+/// @return a solved cube between the arms whose upper layer turns by 0.7 rad in 10 s
+[[nodiscard]] cube_truth_t cube(std::int64_t i);
 
 /// @return a status: the coordinator is in behaviour m
 [[nodiscard]] task_status_t status(int m, std::string_view name);

@@ -52,6 +52,8 @@ void SampleTask::step() {
   const int m = i_ < kPerSecond ? 1 : 2;
   const double angle = 0.02 * static_cast<double>(i_);
   if (i_ % 5 == 1) publish("task_status", status(m, m == 1 ? "approach" : "draw"), i_ / 5 + 1);
+  if (i_ == kPerSecond / 2) camera_->hide();  // the system has assembled
+  publish("cube.truth", cube(i_), i_);
   if (i_ == 1) publish("mp.console", line("operator: start"), 1);
   for (const std::string arm : {"arm1", "arm2"}) {
     effector_reply_t r =

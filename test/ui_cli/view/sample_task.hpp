@@ -23,7 +23,7 @@ class SampleTask {
   SampleTask(const std::string& session, const std::filesystem::path& run);
 
   /// Says what belongs to the next macrostep: of each arm order, command, reply, report and samples; ten times a
-  /// second the status; 25 times a second a picture.
+  /// second the status; 25 times a second a picture. After half a second the camera's store has no name any more.
   void step();
   /// @return replies of one arm so far
   [[nodiscard]] std::int64_t steps() const { return i_; }

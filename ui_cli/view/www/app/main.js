@@ -61,7 +61,7 @@ function offer_arms() {
   if (!names.includes(arm)) arm = names[0] || '';
   arms.offer(names.map((name, k) => [name, name, `charts of ${name} (${k + 1})`]), arm);
   const places = history.scene.arms.map((a) => [a.name, a.name, `the sheet of ${a.name}`]);
-  views.offer(places.length ? [['cell', 'cell', 'the whole cell'], ...places, ...(cell.cube ? [['cube', 'cube', 'the cube']] : []), ['top', 'top', 'from above']] : [], 'cell');
+  views.offer(places.length ? [['cell', 'cell', 'the whole cell'], ...places, ...(history.scene.cube.held_by ? [['cube', 'cube', 'the cube']] : []), ['top', 'top', 'from above']] : [], 'cell');
 }
 
 function show_controls() {
