@@ -48,6 +48,7 @@ mp::SoloParameters solo_parameters(const ArmTask& task, const mp::TaskOptions& o
   k.ends = task.ends;
   k.dt = config.number("time.dt", k.dt, {0.002, 0.002}, "s");
   k.n_s = config.integer("time.n_s", task.n_s, {task.n_s, task.n_s}, "steps");
+  k.coordinate = task.coordinate;
   k.gives_start = !options.attended && options.script.empty();
   return k;
 }

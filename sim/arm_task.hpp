@@ -7,6 +7,7 @@
 
 #include "mp/arm_trace.hpp"
 #include "mp/run_folder.hpp"
+#include "mp/solo_run.hpp"
 #include "sim/cell_parts.hpp"
 
 namespace mrroc::sim {
@@ -41,7 +42,9 @@ struct ArmTask {
   std::function<std::vector<Picture>(const std::vector<mp::ArmTrace>&, const Config&)> pictures{};
   /// What the run is for, in words, for the end of the output. May be empty.
   std::function<std::string(const std::vector<mp::ArmTrace>&)> result{};
-  int n_s{10};  ///< steps of a macrostep, as the rows command it; all arms have the same
+  mp::Coordinate*
+      coordinate{};  ///< what the arms are told of one another; null: nothing, the coordinator is dormant
+  int n_s{10};       ///< steps of a macrostep, as the rows command it; all arms have the same
   std::vector<CellArm> arms{{"arm1", "irb6_postument"}};
   std::vector<Receptor> receptors{};  ///< the ECP says whose readings are its x_cV
 };

@@ -45,7 +45,7 @@ done
 # run TASK [options]: it comes to its end, its figures are as wanted, and its log can be recomputed
 run() {
   local name=$1 folder=$place/run-$1-$#
-  "$bin/$name" --run-dir "$folder" "${@:2}" >"$place/run.log" 2>&1 || { cat "$place/run.log"; fail "$name"; }
+  timeout 120 "$bin/$name" --run-dir "$folder" "${@:2}" >"$place/run.log" 2>&1 || { cat "$place/run.log"; fail "$name"; }
   grep -q ' ok$' "$place/run.log" || { cat "$place/run.log"; fail "$name judged nothing"; }
   if grep -q 'NOT OK' "$place/run.log"; then cat "$place/run.log"; fail "$name: a figure is not as wanted"; fi
   "$bin/ui_cli" log check "$folder" >"$place/check.log" 2>&1 || { cat "$place/check.log"; fail "$name: log check"; }
