@@ -36,8 +36,12 @@ nlohmann::json check(const fs::path& run) {
   TaskProcess program("ui_cli", {"log", "check", run.string(), "--json"});
   std::string text;
   for (std::string line; program.read_until("", &line);) text += line + "\n";
-  program.wait();
-  return nlohmann::json::parse(text);
+  const int status = program.wait();
+  auto verdict = nlohmann::json::parse(text, nullptr, false);
+  if (verdict.is_discarded())
+    throw FaultError(FaultCode::bad_log,
+                     fmt::format("ui_cli log check {} ended with {}", run.string(), status));
+  return verdict;
 }
 
 }  // namespace

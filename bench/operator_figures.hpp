@@ -11,7 +11,7 @@ Figures viewer_figures();
 /// @throws FaultError start_failed, no_such_session, peer_silent
 Figures latency_figures();
 /// Short runs of all tasks, recomputed from their logs: log_check_differences. Two minutes.
-/// @throws FaultError start_failed: a task did not end well
+/// @throws FaultError start_failed: a task did not end well; bad_log: a run could not be checked
 Figures log_check_figures();
 /// The build after a changed line in a task: rebuild_s; nothing on a host where it cannot be measured.
 /// @throws FaultError start_failed
