@@ -18,6 +18,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -140,13 +141,19 @@ class Config {
   [[nodiscard]] T choice(
       std::string_view key, T fallback,
       std::type_identity_t<std::initializer_list<std::pair<std::string_view, T>>> names) const {
+    return choice(key, fallback, std::span<const std::pair<std::string_view, T>>(names));
+  }
+  /// The same, of names that are not known when the program is compiled.
+  template <class T>
+  [[nodiscard]] T choice(std::string_view key, T fallback,
+                         std::type_identity_t<std::span<const std::pair<std::string_view, T>>> names) const {
     std::vector<std::string> legal;
     std::string name;
     for (const auto& [word, value] : names) {
       legal.emplace_back(word);
       if (value == fallback) name = word;
     }
-    return (names.begin() + one_of(key, name, legal))->second;
+    return names[one_of(key, name, legal)].second;
   }
 
   /// To be called when everything has been read.

@@ -12,7 +12,7 @@
 
 #include "base/fault.hpp"
 #include "base/link/session.hpp"
-#include "bench/figures.hpp"
+#include "bench/operator_figures.hpp"
 #include "bench/task_process.hpp"
 #include "test/ui_cli/view/sample_run.hpp"
 #include "test/ui_cli/view/sample_task.hpp"
@@ -91,7 +91,7 @@ void say(test::SampleTask& task, int seconds) {
 
 }  // namespace
 
-Figures run_operator_group() {
+Figures viewer_figures() {
   const ScratchFolder folder;
   const std::string session = link::unique_session_name("view");
   TaskProcess viewer("ui_cli", {"view", "--session", session});

@@ -1,8 +1,13 @@
 # mrroc_library(NAME [SERVO_STEP] sources...)  a library target of one folder, with the project's warnings;
 #                                 SERVO_STEP: it works in every step of a driver and is optimised for that
 # mrroc_program(NAME sources...)  a program in bin/
-# mrroc_arm_task(NAME sources...)  a task of arms that work on their own (sim/arm_task.hpp): library mrroc_NAME with
-# NAME.toml as mrroc::NAME::config(), programs NAME and ecp_NAME from main.cpp and main_ecp.cpp
+# mrroc_arm_task(NAME sources... [PARTS programs...])  a task of arms that work on their own (sim/arm_task.hpp): library
+#                                 mrroc_NAME with NAME.toml as mrroc::NAME::config(), programs NAME and ecp_NAME from
+#                                 main.cpp and main_ecp.cpp; PARTS: programs that it starts besides world and edp_irb6
+# mrroc_robot(NAME sources...)    a robot (robots/catalogue.hpp): library mrroc_robot_NAME with NAME.urdf as
+#                                 mrroc::NAME::urdf(), program edp_NAME from main_edp.cpp; its kind(), declared in
+#                                 robots/NAME/robot.hpp, is entered in the catalogue
+# mrroc_catalogue()               library mrroc_catalogue: every robot that has been registered so far
 #
 # The installed CMake package has them too, for tasks and robots outside of this tree.
 
@@ -46,20 +51,73 @@ function(mrroc_program name)
   endif()
 endfunction()
 
+# Makes the text of a file part of a library: the source ${name}_text.cpp with std::string_view mrroc::SPACE::FUNCTION().
+function(mrroc_embed space function file)
+  file(READ ${file} MRROC_TEXT)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${file})
+  set(MRROC_SPACE ${space})
+  set(MRROC_FUNCTION ${function})
+  configure_file(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/embedded_text.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/${function}_text.cpp @ONLY)
+endfunction()
+
 function(mrroc_arm_task name)
-  file(READ ${name}.toml MRROC_TOML)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}.toml)
-  set(MRROC_TASK ${name})
-  configure_file(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/task_config.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/task_config.cpp @ONLY)
-  mrroc_library(mrroc_${name} ${ARGN} ${CMAKE_CURRENT_BINARY_DIR}/task_config.cpp)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "PARTS")
+  mrroc_embed(${name} config ${name}.toml)
+  mrroc_library(mrroc_${name} ${arg_UNPARSED_ARGUMENTS} ${CMAKE_CURRENT_BINARY_DIR}/config_text.cpp)
   target_link_libraries(mrroc_${name} PUBLIC mrroc_ecp mrroc_mp)
   mrroc_program(ecp_${name} main_ecp.cpp)
   target_link_libraries(ecp_${name} PRIVATE mrroc_${name})
   mrroc_program(${name} main.cpp)
   target_link_libraries(${name} PRIVATE mrroc_${name} mrroc_arm_task)
+  add_dependencies(${name} ecp_${name})
+  foreach(part ${arg_PARTS})
+    if(TARGET ${part})  # of this build; the installed ones are there
+      add_dependencies(${name} ${part})
+    endif()
+  endforeach()
   if(PROJECT_NAME STREQUAL "mrroc")
-    add_dependencies(${name} ecp_${name} edp_irb6 world)
-  else()
-    add_dependencies(${name} ecp_${name})
+    add_dependencies(${name} edp_irb6 world)
   endif()
+endfunction()
+
+function(mrroc_robot name)
+  mrroc_embed(${name} urdf ${name}.urdf)
+  mrroc_library(mrroc_robot_${name} SERVO_STEP ${ARGN} ${CMAKE_CURRENT_BINARY_DIR}/urdf_text.cpp)
+  target_link_libraries(mrroc_robot_${name} PUBLIC mrroc_robots)
+  mrroc_program(edp_${name} main_edp.cpp)
+  target_link_libraries(edp_${name} PRIVATE mrroc_robot_${name})
+  set_property(GLOBAL APPEND PROPERTY MRROC_ROBOTS ${name})
+endfunction()
+
+# Writes the source of the catalogue of all robots that have been registered so far.
+function(mrroc_known_robots file)
+  get_property(robots GLOBAL PROPERTY MRROC_ROBOTS)
+  set(MRROC_DECLARATIONS "")
+  set(MRROC_KINDS "")
+  foreach(robot ${robots})
+    string(APPEND MRROC_DECLARATIONS "namespace mrroc::${robot} {\nconst robots::Kind& kind();\n}\n")
+    string(APPEND MRROC_KINDS "&${robot}::kind(), ")
+  endforeach()
+  file(CONFIGURE OUTPUT ${file} @ONLY CONTENT [[
+#include "robots/catalogue.hpp"
+
+@MRROC_DECLARATIONS@
+namespace mrroc::robots {
+
+std::span<const Kind* const> catalogue() {
+  static const std::vector<const Kind*> kinds{@MRROC_KINDS@};
+  return kinds;
+}
+
+}  // namespace mrroc::robots
+]])
+endfunction()
+
+function(mrroc_catalogue)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/known_robots.cpp)
+  mrroc_known_robots(${source})
+  mrroc_library(mrroc_catalogue ${source})
+  get_property(robots GLOBAL PROPERTY MRROC_ROBOTS)
+  list(TRANSFORM robots PREPEND mrroc_robot_)
+  target_link_libraries(mrroc_catalogue PUBLIC mrroc_robots ${robots})
 endfunction()

@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <span>
+#include <string>
 
 #include "base/config.hpp"
 #include "base/link/child_main.hpp"
@@ -65,9 +66,10 @@ Outcome execute_rows(std::span<const Motion<A>> rows, typename A::X& x, Port& po
 /// @param arm      key of the arm: channels, [robots.ARM] in the configuration
 /// @param program  Outcome program(X& x, SoloPort<A>& port): what the agent does
 /// @param others   links that the program reads itself
+/// @param sensor   whose readings are x_cV: channel ARM.SENSOR; empty: the agent has none
 template <Images A, class Program>
 void run_solo_ecp(link::Process& process, const Config& config, const link::PartArguments& arguments,
-                  Program program, const OtherLinks& others = {}) {
+                  Program program, const OtherLinks& others = {}, const std::string& sensor = {}) {
   using X = typename A::X;
   constexpr auto done = [](const X& x) {
     Report r = tell<A>(x);
@@ -79,7 +81,8 @@ void run_solo_ecp(link::Process& process, const Config& config, const link::Part
   Motion<A> wait_for_end = row<A>(0, "done", at_rest<A>, [](const X& x) { return x.T.finished; });
   wait_for_end.f_cT = done;
   const Preparation prepare{.model = read_tool_model(config, arguments.arm)};
-  run_ecp<A>(process, {.robot = arguments.arm, .sensor = {}, .others = others}, prepare,
+  const std::string readings = sensor.empty() ? sensor : arguments.arm + "." + sensor;
+  run_ecp<A>(process, {.robot = arguments.arm, .sensor = readings, .others = others}, prepare,
              [&](X& x, ArmPort<A>& arm) {
                SoloPort<A> port(arm.links());
                Outcome o = move(wait_for_start, x, port);
@@ -89,14 +92,16 @@ void run_solo_ecp(link::Process& process, const Config& config, const link::Part
              });
 }
 
-/// @param rows  of the agent's table, which must outlive the body
+/// @param rows    of the agent's table, which must outlive the body
+/// @param sensor  whose readings are x_cV: channel ARM.SENSOR; empty: the agent has none
 /// @return the body of the ECP of an agent that executes them one after another
 template <Images A, std::size_t n>
-link::PartBody solo(const std::array<Motion<A>, n>& rows) {
-  return [&rows](link::Process& process, const Config& config, const link::PartArguments& arguments) {
-    run_solo_ecp<A>(process, config, arguments, [&rows](typename A::X& x, auto& port) {
+link::PartBody solo(const std::array<Motion<A>, n>& rows, const std::string& sensor = {}) {
+  return [&rows, sensor](link::Process& process, const Config& config, const link::PartArguments& arguments) {
+    const auto program = [&rows](typename A::X& x, auto& port) {
       return execute_rows<A>(std::span<const Motion<A>>(rows), x, port);
-    });
+    };
+    run_solo_ecp<A>(process, config, arguments, program, {}, sensor);
   };
 }
 

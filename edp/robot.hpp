@@ -68,6 +68,19 @@ class Robot {
   [[nodiscard]] virtual AxisVector motors_from_joints(const AxisVector& joints) const noexcept = 0;
   /// Transmission, inverse. @param motors [rad] @return joints [rad], track [m]
   [[nodiscard]] virtual AxisVector joints_from_motors(const AxisVector& motors) const noexcept = 0;
+  /// Jacobian of the transmission, d(motors)/d(joints). Differences, exact where the gears are linear; a robot may
+  /// know better. @param joints [rad], track [m]
+  [[nodiscard]] virtual AxisMatrix motors_per_joints(const AxisVector& joints) const noexcept {
+    constexpr double kHalf = 1e-5;  // [rad, m]
+    AxisMatrix J(axes(), axes());
+    for (int k = 0; k < axes(); ++k) {
+      AxisVector before = joints, behind = joints;
+      before[k] -= kHalf;
+      behind[k] += kHalf;
+      J.col(k) = (motors_from_joints(behind) - motors_from_joints(before)) / (2 * kHalf);
+    }
+    return J;
+  }
   /// Direct kinematics and inverse transmission at once, which a robot may know how to do with less.
   /// @param motors [rad] @return T_0W, wrist in the base
   [[nodiscard]] virtual Pose forward_from_motors(const AxisVector& motors) const noexcept {

@@ -54,7 +54,14 @@ Outcome CoordinatorLinks::wait() {
     i_ = newest();
     process_.report_progress(i_, 0);
   }
+  linger([&] { return stopped() || newest() > i_; });
+  if (stopped()) return Outcome::aborted;
   return receive();
+}
+
+void CoordinatorLinks::linger(const std::function<bool()>& ends) {
+  const auto macrostep = process_.membership().macrostep;
+  if (macrostep.count() > 0) process_.await(ends, link::Process::Clock::now() + macrostep * 3 / 5);
 }
 
 std::int64_t CoordinatorLinks::newest() const {

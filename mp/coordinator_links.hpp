@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -62,6 +63,11 @@ class CoordinatorLinks {
   std::vector<std::unique_ptr<link::Outbox<agent_order_t>>> order_out_;
   std::vector<std::unique_ptr<link::Inbox<agent_report_t>>> report_in_;
   Outcome receive();
+  /// In a paced run reports come two macrosteps before the orders that answer them are used. Three fifths of a
+  /// macrostep are given to the operator: what he orders until then still is of this macrostep. The rest is for the
+  /// orders, and for a stop, to reach everybody.
+  /// @param ends  when it is over before, as it is when the next reports come
+  void linger(const std::function<bool()>& ends);
   [[nodiscard]] std::int64_t newest() const;
 
   link::Sources sources_;

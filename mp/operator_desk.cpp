@@ -165,6 +165,12 @@ OperatorImage OperatorDesk::take(std::int64_t i) {
   return image_;
 }
 
+bool OperatorDesk::take_stop(std::int64_t i) {
+  if (std::erase(waiting_, OperatorOrder::stop) == 0) return false;
+  obey(OperatorOrder::stop, std::max<std::int64_t>(1, i));
+  return true;
+}
+
 void OperatorDesk::obey(OperatorOrder order, std::int64_t i) {
   switch (order) {
     case OperatorOrder::start:

@@ -44,6 +44,11 @@ class OperatorDesk {
   /// @return the operator's image
   OperatorImage take(std::int64_t i);
 
+  /// Takes a stop that waits for a macrostep, and nothing else, at once.
+  /// @param i  macrostep that a script has to name for the same stop
+  /// @return whether one waited
+  bool take_stop(std::int64_t i);
+
   /// What the task is doing now, which decides on what is allowed.
   void set_state(TaskState state, bool waits_for_trigger);
   /// The coordinator is in that behaviour from now on; call it in every macrostep, before take(). A trigger is

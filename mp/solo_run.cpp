@@ -15,27 +15,35 @@ constexpr std::size_t kExecuted = 2;
 /// Images of the coordinator: reports in, orders out.
 struct SoloRun::Dormant {
   struct None {};
+  struct Memory {
+    Coordinate* coordinate{};  // constant
+  };
   struct Transmission {
     std::vector<Report> agent;
     OperatorImage h;
   };
   struct X {
-    None c, e, V;
+    Memory c;
+    None e, V;
     Transmission T;
     std::int64_t i{}, i_0{};
   };
   struct Y {
-    None c, e, V;
+    Memory c;
+    None e, V;
     std::vector<Order> T;
   };
 
+  static Memory retain(const X& x) { return x.c; }
   static None nothing(const X&) { return {}; }
   static std::vector<Order> orders(const X& x, SoloOrder m, bool finished) {
     return std::vector<Order>(x.T.agent.size(), {.m = static_cast<int>(m), .finished = finished});
   }
   static std::vector<Order> wait(const X& x) { return orders(x, SoloOrder::wait, false); }
   static std::vector<Order> work(const X& x) {
-    return orders(x, x.T.h.paused ? SoloOrder::pause : SoloOrder::work, false);
+    std::vector<Order> y = orders(x, x.T.h.paused ? SoloOrder::pause : SoloOrder::work, false);
+    if (x.c.coordinate) x.c.coordinate(x.T.agent, y);
+    return y;
   }
   static bool may_start(const X& x) {
     return x.T.h.started && std::ranges::all_of(x.T.agent, &Report::ready);
@@ -49,10 +57,10 @@ struct SoloRun::Dormant {
 };
 
 constexpr Motion<SoloRun::Dormant> SoloRun::Dormant::wait_for_start() {
-  return {0, "wait for start", nothing, nothing, nothing, nothing, wait, may_start};
+  return {0, "wait for start", retain, retain, nothing, nothing, wait, may_start};
 }
 constexpr Motion<SoloRun::Dormant> SoloRun::Dormant::wait_for_end() {
-  return {1, "the arms work", nothing, nothing, nothing, nothing, work, all_done};
+  return {1, "the arms work", retain, retain, nothing, nothing, work, all_done};
 }
 
 SoloRun::SoloRun(TaskRun& run, const SoloParameters& parameters,
@@ -70,6 +78,7 @@ Outcome SoloRun::execute() {
   const auto observe_x = [this](const Motion<Dormant>& motion, const X&) { observe(motion.m == 1); };
   CoordinatorPort<Dormant, decltype(observe_x)> port(links_, observe_x);
   X x;
+  x.c.coordinate = k_.coordinate;
   x.T.agent.resize(k_.arms.size());
   if (const Outcome o = links_.begin({}); o != Outcome::terminated) return o;
   port.read(x);

@@ -1,8 +1,9 @@
-// MP of a task whose arms work on their own (coordination "none", MG 5): starts them, pauses them, writes
+// MP of a task whose arms work on their own (coordination "none" or sporadic, MG 5): starts them, pauses them, writes
 // down what they report, and ends when all are done.
 #pragma once
 #include <array>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,12 @@
 
 namespace mrroc::mp {
 
+/// f_cT of a coordinator that lets its arms work and tells each what it cannot know of the others (sporadic coordination,
+/// MG 5): a pure function of what the arms have reported in this macrostep.
+/// @param agents  x_cT_0j, one per arm
+/// @param orders  y_cT_0j, one per arm: go_on and variant are the coordinator's to set
+using Coordinate = void(std::span<const Report> agents, std::span<Order> orders);
+
 /// What the run is told.
 struct SoloParameters {
   std::vector<std::string> arms;        ///< keys, e.g. arm1
@@ -21,10 +28,11 @@ struct SoloParameters {
   double dt{0.002};                     ///< duration of a step [s]
   int n_s{10};                          ///< steps of a macrostep
   bool gives_start{true};               ///< false: a person or a script gives it
+  Coordinate* coordinate{};             ///< null: the coordinator is dormant
   std::function<void()> watch{};        ///< called in every macrostep; may be empty
 };
 
-/// The dormant coordinator.
+/// The coordinator.
 class SoloRun {
  public:
   /// @param announce  gets a line for every behaviour that an arm begins

@@ -198,6 +198,7 @@ void Supervisor::lead() {
   if (said_.phase != static_cast<int>(Phase::assembling)) return;
   if (all(ProcessState::ready)) {
     said_.phase = static_cast<int>(Phase::running);
+    led_ = true;
     publish();
   } else if (Clock::now() - begun_ > kAssembling) {
     std::string missing;
@@ -254,8 +255,9 @@ void Supervisor::end() {
     mp_.await([this] { return all(ProcessState::done) || fault_; });
   }
   if (fault_) {
-    const bool was_running = std::ranges::any_of(watched_, [](const auto& w) { return w->status.step > 0; });
-    if (was_running) mp_.await([this] { return at_rest_ || world_is_dead(); }, Clock::now() + kComeToRest);
+    // Who runs for less than the time between two signs of life has told no step yet.
+    if (led_ && watched_.size() > 1)
+      mp_.await([this] { return at_rest_ || world_is_dead(); }, Clock::now() + kComeToRest);
   }
   ending_ = true;
   said_.phase = static_cast<int>(Phase::finished);

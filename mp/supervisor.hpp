@@ -110,6 +110,7 @@ class Supervisor {
   std::string last_message_;
   FaultCode last_code_{FaultCode::none};
   std::optional<Fault> fault_;
+  bool led_{};  // everybody was there, and the system ran
   std::array<int, 4> stop_steps_{-1, -1, -1, -1};
   bool at_rest_{};
   bool ending_{};

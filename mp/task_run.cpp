@@ -24,6 +24,10 @@ namespace {
 /// nobody has passed it.
 constexpr std::int64_t kStopAhead = 3;
 
+/// Macrosteps that last so long leave time for a message to reach everybody within half of one: then a stop does not
+/// wait for the coordinator's next macrostep.
+constexpr std::chrono::milliseconds kPromptly{10};
+
 /// Without a macrostep for so long, a stop does not wait for the next one.
 constexpr std::chrono::seconds kStopPatience{2};
 
@@ -41,6 +45,14 @@ std::chrono::milliseconds patience_at(double speed) {
   if (link::kPatience.count() == 0 || speed <= 0) return link::kPatience;
   constexpr double kSlowest = 0.2;  // simulated duration of the longest wait [s]
   return link::kPatience + std::chrono::milliseconds(std::llround(1e3 * kSlowest / speed));
+}
+
+/// @return how long a macrostep lasts [wall time]; 0: as short as it can be
+std::chrono::microseconds macrostep_at(const TaskOptions& options, const Config& config) {
+  constexpr double kStep = 0.002;  // [s]
+  const double speed = options.clock == ClockKind::wall ? 1 : options.speed;
+  if (speed <= 0) return {};
+  return std::chrono::microseconds(std::llround(1e6 * config.integer<int>("time.n_s", 10) * kStep / speed));
 }
 
 }  // namespace
@@ -64,7 +76,8 @@ TaskRun::TaskRun(const std::string& task, const TaskOptions& options, const std:
                               .name = "mp",
                               .roster = {"mp"},
                               .clock = options.clock,
-                              .patience = patience_at(options.speed)};
+                              .patience = patience_at(options.speed),
+                              .macrostep = macrostep_at(options, config)};
   for (const Part& p : parts) membership.roster.push_back(p.name);
   session_file_ =
       std::make_unique<link::SessionFile>(link::SessionInfo{.name = session_,
@@ -169,12 +182,20 @@ void TaskRun::look_after_orders() {
     supervisor_->stop({.code = FaultCode::emergency_stop}, 0);
     desk_->repeat_emergency();
   }
+  if (running_ && process_->membership().macrostep >= kPromptly && !process_->over()) stop_promptly();
   tell_lateness();
   const bool in_vain = link::Process::Clock::now() - last_macrostep_ > kStopPatience;
   if (desk_->stop_accepted() && (in_vain || signals_ > 1)) supervisor_->stop(stop_reason(), 0);
   if (log_ && log_->failed() && !supervisor_->fault())
     supervisor_->stop({.code = FaultCode::cannot_write, .text = "events.lcmlog in the run folder"},
                       running_ ? i_ + kStopAhead : 0);
+}
+
+// The first macrostep that the coordinator has not thought of begins in half of one at the earliest, see
+// CoordinatorLinks::linger(): nobody has passed it.
+void TaskRun::stop_promptly() {
+  const std::int64_t as_of = i_ + 1;
+  if (desk_->take_stop(as_of - kStopAhead)) supervisor_->stop(stop_reason(), as_of);
 }
 
 void TaskRun::tell_lateness() {

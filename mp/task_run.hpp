@@ -71,6 +71,7 @@ class TaskRun {
                const std::filesystem::path& record);
   [[nodiscard]] Fault stop_reason() const;
   void look_after_orders();
+  void stop_promptly();
   void tell_lateness();
 
   std::string task_;

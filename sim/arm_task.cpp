@@ -48,6 +48,7 @@ mp::SoloParameters solo_parameters(const ArmTask& task, const mp::TaskOptions& o
   k.ends = task.ends;
   k.dt = config.number("time.dt", k.dt, {0.002, 0.002}, "s");
   k.n_s = config.integer("time.n_s", task.n_s, {task.n_s, task.n_s}, "steps");
+  k.coordinate = task.coordinate;
   k.gives_start = !options.attended && options.script.empty();
   return k;
 }
@@ -83,6 +84,8 @@ int run(const ArmTask& task, const mp::TaskOptions& options) {
   const mp::SoloParameters k = solo_parameters(task, options, config);
   read_cell(config, task.arms, options.seed);
   if (task.read) task.read(config);
+  for (const Receptor& r : task.receptors)
+    if (r.read) r.read(config);
   if (task.figures) task.figures(std::vector<mp::ArmTrace>(task.arms.size()), config);  // reads its keys
   check_task_options(options);
   if (!options.check.empty()) return mp::check_solo_run(task.name, options, k);
@@ -92,8 +95,12 @@ int run(const ArmTask& task, const mp::TaskOptions& options) {
   mp::write_text(folder / "config.toml", config.dump());
 
   auto parts = cell_parts(config, task.arms);
-  for (const CellArm& arm : task.arms)
+  for (const CellArm& arm : task.arms) {
     parts.push_back(make_part(config, "ecp-" + arm.key, "ecp_" + task.name, &arm, task.ecp));
+    for (const Receptor& r : task.receptors)
+      parts.push_back(
+          make_part(config, fmt::format("vsp-{}-{}", r.name, arm.key), "vsp_" + r.name, &arm, r.body));
+  }
   mp::TaskRun run(task.name, options, folder, k.arms, std::move(parts));
   fmt::print("{}, session {}, seed {}{}\n", task.name, run.session(), options.seed,
              k.gives_start ? "" : ", waits for the operator: `ui_cli start`");

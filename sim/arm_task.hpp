@@ -7,6 +7,7 @@
 
 #include "mp/arm_trace.hpp"
 #include "mp/run_folder.hpp"
+#include "mp/solo_run.hpp"
 #include "sim/cell_parts.hpp"
 
 namespace mrroc::sim {
@@ -15,6 +16,14 @@ namespace mrroc::sim {
 struct Picture {
   std::string name;    ///< file in plots/ without .png
   std::string script;  ///< gnuplot, run in the run folder; terminal and output are set before
+};
+
+/// A virtual sensor that every arm of a task has: process vsp-NAME-ARM, program vsp_NAME, channel ARM.NAME.
+struct Receptor {
+  std::string name;
+  link::PartBody body;
+  /// Reads its parameters once, so that a wrong one is found before anything starts. May be empty.
+  std::function<void(const Config&)> read{};
 };
 
 /// What a task is.
@@ -33,8 +42,11 @@ struct ArmTask {
   std::function<std::vector<Picture>(const std::vector<mp::ArmTrace>&, const Config&)> pictures{};
   /// What the run is for, in words, for the end of the output. May be empty.
   std::function<std::string(const std::vector<mp::ArmTrace>&)> result{};
-  int n_s{10};  ///< steps of a macrostep, as the rows command it; all arms have the same
+  mp::Coordinate*
+      coordinate{};  ///< what the arms are told of one another; null: nothing, the coordinator is dormant
+  int n_s{10};       ///< steps of a macrostep, as the rows command it; all arms have the same
   std::vector<CellArm> arms{{"arm1", "irb6_postument"}};
+  std::vector<Receptor> receptors{};  ///< the ECP says whose readings are its x_cV
 };
 
 /// @return the force of arm 1 along an axis of E over time, like MG fig. 16, and the force desired [N]

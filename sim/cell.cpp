@@ -45,4 +45,13 @@ ArmParameters arm_parameters(ArmModel model) {
   return p;
 }
 
+ArmParameters arm_parameters(const robots::Kind& kind) {
+  ArmParameters p;
+  p.model = ArmModel::other;
+  p.kind = &kind;
+  p.motors = kind.motors;
+  p.start = kind.start;
+  return p;
+}
+
 }  // namespace mrroc::sim

@@ -9,12 +9,34 @@
 #include "base/link/session.hpp"
 #include "mp/hosts.hpp"
 #include "mp/operator_desk.hpp"
+#include "robots/catalogue.hpp"
 #include "robots/irb6/config.hpp"
 #include "robots/irb6/edp_body.hpp"
 #include "sim/camera/config.hpp"
 #include "sim/config.hpp"
 
 namespace mrroc::sim {
+namespace {
+
+/// What kind of robot an arm is; null: an IRb-6.
+const robots::Kind* kind_of(const Config& config, const CellArm& arm) {
+  return robots::find(config.section("robots." + arm.key).text("model", arm.model));
+}
+
+/// Reads what the driver of an arm and the task's preparation will read. @param joints  where it stands
+void read_arm(const Config& config, const CellArm& arm, const std::vector<double>& joints) {
+  if (const robots::Kind* const kind = kind_of(config, arm)) {
+    robots::read_driver(config, arm.key, *kind->make(), kind->driver, joints);
+    robots::read_tool(config, arm.key, kind->driver);
+  } else {
+    irb6::read_driver(config, arm.key, arm.model, joints);
+    irb6::read_tool(config, arm.key, arm.model);
+  }
+  robots::read_command_link(config, arm.key);
+  robots::read_recording(config, arm.key);
+}
+
+}  // namespace
 
 WorldParameters read_cell(const Config& config, const std::vector<CellArm>& arms, std::uint64_t seed) {
   std::vector<std::string> keys;
@@ -28,10 +50,7 @@ WorldParameters read_cell(const Config& config, const std::vector<CellArm>& arms
   const World still(parameters, seed);
   for (std::size_t k = 0; k < arms.size(); ++k) {
     const AxisVector joints = still.start_joints(static_cast<int>(k));
-    irb6::read_driver(config, arms[k].key, arms[k].model, {joints.begin(), joints.end()});
-    irb6::read_tool(config, arms[k].key, arms[k].model);
-    irb6::read_command_link(config, arms[k].key);
-    irb6::read_recording(config, arms[k].key);
+    read_arm(config, arms[k], {joints.begin(), joints.end()});
   }
   return parameters;
 }
@@ -78,8 +97,13 @@ mp::Part make_part(const Config& config, const std::string& name, const std::str
 
 std::vector<mp::Part> cell_parts(const Config& config, const std::vector<CellArm>& arms) {
   std::vector<mp::Part> parts{make_part(config, "world", "world", nullptr, run_world_process)};
-  for (const CellArm& arm : arms)
-    parts.push_back(make_part(config, "edp-" + arm.key, "edp_irb6", &arm, irb6::run_edp_of_arm));
+  for (const CellArm& arm : arms) {
+    if (const robots::Kind* const kind = kind_of(config, arm))
+      parts.push_back(make_part(config, "edp-" + arm.key, "edp_" + std::string(kind->name), &arm,
+                                robots::driver_of(*kind)));
+    else
+      parts.push_back(make_part(config, "edp-" + arm.key, "edp_irb6", &arm, irb6::run_edp_of_arm));
+  }
   return parts;
 }
 

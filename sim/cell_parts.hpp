@@ -1,4 +1,4 @@
-// The processes of a simulated cell of IRb-6 arms: the world, and one effector driver per arm. What the mains
+// The processes of a simulated cell of arms: the world, and one effector driver per arm. What the mains
 // of all tasks put together in the same way.
 #pragma once
 #include <string>
@@ -14,8 +14,9 @@ namespace mrroc::sim {
 
 /// One arm of a task.
 struct CellArm {
-  std::string key;    ///< arm1, arm2
-  std::string model;  ///< irb6_postument or irb6_track
+  std::string key;  ///< arm1, arm2
+  std::string
+      model;  ///< irb6_postument, irb6_track or one of robots/catalogue.hpp, unless [robots.ARM] says another
 };
 
 /// Reads every parameter of world and drivers, so that a wrong one is found before anything starts.

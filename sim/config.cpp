@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <span>
 #include <string>
+#include <utility>
 
 #include "sim/cube_config.hpp"
+#include "sim/robot_description.hpp"
 #include "sim/shell.hpp"
 #include "sim/strokes_file.hpp"
 
@@ -85,12 +88,23 @@ Pose read_place(const Config& robot, const Pose& fallback) {
   return place == usual ? fallback : pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(place.data()));
 }
 
+/// The robot that a table names, with its usual parameters.
+ArmParameters read_model(const Config& robot, ArmModel fallback) {
+  std::vector<std::pair<std::string_view, int>> names{{robot_name(ArmModel::irb6_postument), 0},
+                                                      {robot_name(ArmModel::irb6_track), 1}};
+  const std::size_t added = names.size();
+  for (const robots::Kind* kind : robots::catalogue())
+    names.emplace_back(kind->name, static_cast<int>(names.size()));
+  const auto chosen = static_cast<std::size_t>(
+      robot.choice("model", fallback == ArmModel::irb6_postument ? 0 : 1, std::span(std::as_const(names))));
+  if (chosen >= added) return arm_parameters(*robots::catalogue()[chosen - added]);
+  return arm_parameters(chosen == 0 ? ArmModel::irb6_postument : ArmModel::irb6_track);
+}
+
 ArmParameters read_arm(const Config& config, const std::string& key, ArmModel fallback) {
   const Config robot = config.section("robots." + key);
   const Config sim = config.section("sim");
-  ArmParameters arm = arm_parameters(
-      robot.choice("model", fallback,
-                   {{"irb6_postument", ArmModel::irb6_postument}, {"irb6_track", ArmModel::irb6_track}}));
+  ArmParameters arm = read_model(robot, fallback);
   arm.T_UB = read_place(robot, arm.T_UB);
   arm.kinematics = robot.choice(
       "true_kinematics", arm.kinematics,
@@ -108,7 +122,7 @@ ArmParameters read_arm(const Config& config, const std::string& key, ArmModel fa
   arm.object = robot.number("object", 0, {0, 0.09}, "m between the jaws, 0: nothing");
   arm.lines.loop_back = robot.flag("lines.loop_back", arm.lines.loop_back);
   arm.lines.inputs = static_cast<std::uint16_t>(robot.integer("lines.inputs", 0, {0, 65535}, "bit mask"));
-  arm.start = robot.list("start_joints", std::vector<double>{}, {-10, 10}, "rad, m");
+  arm.start = robot.list("start_joints", arm.start, {-10, 10}, "rad, m");
   const double scale = sim.number("motor_friction", 1, {0, 10}, "of the estimate");
   for (MotorParameters& m : arm.motors) m.friction *= scale;
   return arm;

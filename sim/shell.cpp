@@ -220,7 +220,8 @@ class Shell {
     for (int arm = 0; arm < world_.arms(); ++arm)
       rest_.step(arm, step, world_.truth(arm).tip_velocity.norm(),
                  commands_[static_cast<std::size_t>(arm)].commanded_until);
-    if (!process_.over()) return;
+    // An arm that rests before the macrostep of the stop may yet be told to move.
+    if (!process_.over() || step / k_.n_s < process_.stop_as_of()) return;
     const bool at_rest = rest_.at_rest();
     if (at_rest && !rested_) process_.report_rest(true, rest_.stop_steps());
     rested_ = at_rest;

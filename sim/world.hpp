@@ -12,6 +12,7 @@
 #include "base/axes.hpp"
 #include "base/hardware.hpp"
 #include "base/pose.hpp"
+#include "robots/catalogue.hpp"
 #include "robots/irb6/parameters.hpp"
 #include "sim/cube.hpp"
 #include "sim/force_sensor.hpp"
@@ -30,7 +31,7 @@ namespace mrroc::sim {
 inline constexpr double kStep = 0.002;
 
 /// Which robot an arm of the world is.
-enum class ArmModel : std::uint8_t { irb6_postument, irb6_track };
+enum class ArmModel : std::uint8_t { irb6_postument, irb6_track, other };
 
 /// Everything beyond the force sensor, as it really is.
 struct ToolParameters {
@@ -47,6 +48,7 @@ struct LineParameters {
 /// One arm of the world.
 struct ArmParameters {
   ArmModel model{};
+  const robots::Kind* kind{};                                  ///< of a model that is `other`; lives on
   irb6::ParameterSet kinematics{irb6::ParameterSet::nominal};  ///< the true lengths, linkages, zeros;
                                                                ///< a driver of another set errs
   Pose T_UB;                            ///< the arm's base (its frame 0) in the world U
@@ -69,9 +71,11 @@ struct ArmParameters {
 };
 
 /// The parameters of an arm as documented in docs/plant.md.
-/// @param model  which robot; decides motors and place; its links and its tool are in
+/// @param model  which IRb-6; decides motors and place; its links and its tool are in
 /// robots/irb6/*.urdf
 ArmParameters arm_parameters(ArmModel model);
+/// The same of a robot that is no IRb-6; it stands where arm 2 stands.
+ArmParameters arm_parameters(const robots::Kind& kind);
 
 /// The whole work cell.
 struct WorldParameters {

@@ -7,6 +7,7 @@
 #include "ui_cli/explain.hpp"
 #include "ui_cli/log/log_command.hpp"
 #include "ui_cli/log/replay.hpp"
+#include "ui_cli/new/new_command.hpp"
 #include "ui_cli/view/view_command.hpp"
 
 int main(int argc, char** argv) {
@@ -24,6 +25,8 @@ int main(int argc, char** argv) {
          {"--json"}},
         {"explain", "Say what an error means, what it mostly comes from, what to do (no task needed)",
          ui::run_explain, ui::explain_words()},
+        {"new", "Write the files of a new robot, task or sensor (no task needed)", ui::run_new,
+         ui::new_words()},
         {"log", "Show, plot, compare and recompute runs that have been (no task needed)", ui::run_log,
          ui::log_words()},
         {"replay",

@@ -1,5 +1,7 @@
 #include "ui_cli/watch.hpp"
 
+#include <unistd.h>
+
 #include "ui_cli/panel.hpp"
 #include "ui_cli/terminal.hpp"
 
@@ -9,13 +11,14 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kRedraw = 100ms;
-constexpr auto kKeys = 20ms;  // a key waits no longer than this
+constexpr auto kKeys = 20ms;  // a key waits no longer than this, on a bus that it does not wake
 
 }  // namespace
 
 void watch(link::Bus& bus, Client& client) {
   Terminal terminal;
   Panel panel(bus, client, terminal.glyphs(), Clock::now());
+  bus.wake_on(STDIN_FILENO);
   Clock::time_point redraw = Clock::now();
   while (!panel.leaving()) {
     client.receive(kKeys);

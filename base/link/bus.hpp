@@ -42,6 +42,9 @@ class Bus {
   /// Hands what has arrived to its sinks; waits for the first message if there is none.
   /// @return false when nothing came before the time-out
   virtual bool wait(std::chrono::milliseconds timeout) = 0;
+  /// Lets wait() return, with false, as soon as this file can be read. Transports that no file can wake do nothing.
+  /// @param file  open descriptor, such as that of a terminal's keys; must stay open
+  virtual void wake_on([[maybe_unused]] int file) {}
 };
 
 }  // namespace mrroc::link

@@ -53,11 +53,20 @@ class LcmBus final : public Bus {
 
   bool wait(std::chrono::milliseconds timeout) override {
     if (::poll(files_.data(), files_.size(), static_cast<int>(timeout.count())) <= 0) return false;
-    for (std::size_t k = 0; k < files_.size(); ++k)
-      if (files_[k].revents & POLLIN)
-        while (lcm_handle_timeout(listening_[k], 0) > 0) {
-        }
-    return true;
+    bool came = false;
+    for (std::size_t k = 0; k < files_.size(); ++k) {
+      lcm_t* const from = listening_[k];
+      if (!from || !(files_[k].revents & POLLIN)) continue;
+      came = true;
+      while (lcm_handle_timeout(from, 0) > 0) {
+      }
+    }
+    return came;
+  }
+
+  void wake_on(int file) override {
+    listening_.push_back(nullptr);
+    files_.push_back({file, POLLIN, 0});
   }
 
  private:
@@ -75,7 +84,7 @@ class LcmBus final : public Bus {
   }
 
   std::array<LcmHandle, kGroups> lcm_;
-  std::vector<lcm_t*> listening_;
+  std::vector<lcm_t*> listening_;  // of each file; null: it only wakes
   std::vector<pollfd> files_;
 };
 

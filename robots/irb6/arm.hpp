@@ -51,6 +51,10 @@ class Arm final : public edp::Robot {
     return transmission_.joints(motors).value;
   }
 
+  [[nodiscard]] AxisMatrix motors_per_joints(const AxisVector& joints) const noexcept override {
+    return transmission_.jacobian(joints);
+  }
+
   [[nodiscard]] Pose forward_from_motors(const AxisVector& motors) const noexcept override {
     return kinematics_.forward(transmission_.directions(motors));
   }

@@ -4,9 +4,7 @@
 
 #include "base/config.hpp"
 #include "base/effector_command.hpp"
-#include "base/link/injection.hpp"
 #include "edp/driver_parameters.hpp"
-#include "edp/recorder.hpp"
 #include "robots/irb6/arm.hpp"
 
 namespace mrroc::irb6 {
@@ -27,11 +25,5 @@ DriverSetup read_driver(const Config& config, const std::string& key, std::strin
 
 /// @return tool and force tool that a control subsystem sets before the task, from [robots.ARM.tool]
 RobotModel read_tool(const Config& config, const std::string& key, std::string_view model);
-
-/// @return when the steps of the arm are written down, [robots.ARM] record
-edp::Recording read_recording(const Config& config, const std::string& key);
-
-/// @return faults made on purpose on the link ARM.command, from [robots.ARM.command_link]
-link::Injection read_command_link(const Config& config, const std::string& key);
 
 }  // namespace mrroc::irb6

@@ -16,10 +16,15 @@ using std::numbers::pi;
 // Motor T, counted from the column; motor V, the next one, turns along with it.
 constexpr int kAxisT = 3;
 
-std::unique_ptr<irb6::Arm> checked_robot(const ArmParameters& p) {
-  auto robot = irb6::make_arm(robot_name(p.model), irb6::model_number(p.kinematics));
+std::unique_ptr<edp::Robot> checked_robot(const ArmParameters& p) {
+  if (p.model == ArmModel::other && !p.kind) throw std::invalid_argument("world: an arm is of no kind");
+  std::unique_ptr<edp::Robot> robot;
+  if (p.kind)
+    robot = p.kind->make();
+  else
+    robot = irb6::make_arm(robot_name(p.model), irb6::model_number(p.kinematics));
   const auto refuse = [&](const std::string& what) {
-    throw std::invalid_argument("world: " + std::string(robot_name(p.model)) + ": " + what);
+    throw std::invalid_argument("world: " + std::string(robot->name()) + ": " + what);
   };
   if (static_cast<int>(p.motors.size()) != robot->axes()) refuse("one motor per axis is needed");
   for (const MotorParameters& m : p.motors)
@@ -32,9 +37,19 @@ std::unique_ptr<irb6::Arm> checked_robot(const ArmParameters& p) {
   return robot;
 }
 
-// Rotors behind their gears, as felt at the joints. The pitch links are driven by absolute angles, so a rotor
+// Rotors behind their gears, as felt at the joints. Products between the joints are neglected.
+AxisVector reflected_inertia(const edp::Robot& robot, const ArmParameters& p, const AxisVector& joints) {
+  const AxisMatrix J = robot.motors_per_joints(joints);
+  AxisVector inertia = AxisVector::Zero(robot.axes());
+  for (int k = 0; k < robot.axes(); ++k)
+    for (int m = 0; m < robot.axes(); ++m)
+      inertia[k] += p.motors[static_cast<std::size_t>(m)].rotor_inertia * J(m, k) * J(m, k);
+  return inertia;
+}
+
+// The pitch links are driven by absolute angles, so a rotor
 // belongs to the link alone; the product term between T and V is neglected (docs/plant.md).
-AxisVector reflected_inertia(const irb6::Arm& robot, const ArmParameters& p, const AxisVector& joints) {
+AxisVector irb6_inertia(const irb6::Arm& robot, const ArmParameters& p, const AxisVector& joints) {
   const AxisMatrix J = robot.transmission().jacobian(joints);
   AxisVector inertia(robot.axes());
   for (int k = 0; k < robot.axes(); ++k)
@@ -43,6 +58,15 @@ AxisVector reflected_inertia(const irb6::Arm& robot, const ArmParameters& p, con
   const int V = T + 1;
   inertia[T] += p.motors[static_cast<std::size_t>(V)].rotor_inertia * J(V, T) * J(V, T);
   return inertia;
+}
+
+ArmBody body_of(const edp::Robot& robot, const ArmParameters& p, const AxisVector& joints,
+                const std::optional<ToolMass>& tool) {
+  if (p.kind)
+    return build_arm(p.kind->urdf, nullptr, p.T_UB, reflected_inertia(robot, p, joints), tool, p.gripper);
+  const auto& arm = static_cast<const irb6::Arm&>(robot);
+  return build_arm(robot_description(p.model), &arm.parameters().lengths, p.T_UB,
+                   irb6_inertia(arm, p, joints), tool, p.gripper);
 }
 
 AxisVector brake_torques(const ArmParameters& p) {
@@ -64,17 +88,20 @@ bool usable(const HardwareCommand& command) {
 
 }  // namespace
 
-AxisVector start_joints(const irb6::Arm& robot, const ArmParameters& p) {
+AxisVector start_joints(const edp::Robot& robot, const ArmParameters& p) {
   if (!p.start.empty()) {
     if (static_cast<int>(p.start.size()) != robot.axes())
       throw std::invalid_argument("world: " + std::string(robot.name()) + " starts with one joint per axis");
     return Eigen::Map<const Eigen::VectorXd>(p.start.data(), robot.axes());
   }
+  if (p.kind)
+    throw std::invalid_argument("world: " + std::string(robot.name()) + " has no joints to start with");
   const Vector3 tip = p.paper.T_0P * Vector3(0, 0, p.start_height);
   const Pose T_0E{Eigen::DiagonalMatrix<double, 3>(1, -1, -1), tip};
   AxisVector near = AxisVector::Zero(robot.axes());
   near.tail<irb6::kArmAxes>() << 0, -pi / 2, 0, 0, 3 * pi / 2, pi / 2;
-  const auto solution = robot.inverse(T_0E * robot.tool_in_wrist().inverse(), near);
+  const auto solution =
+      robot.inverse(T_0E * static_cast<const irb6::Arm&>(robot).tool_in_wrist().inverse(), near);
   if (!solution.reached)
     throw std::invalid_argument("world: " + std::string(robot.name()) + " does not reach the sheet");
   return solution.joints;
@@ -91,8 +118,7 @@ SimulatedArm::SimulatedArm(const ArmParameters& p, Scene& scene, double h, int s
       paper_normal_(T_PU_.R.row(2).transpose()),
       start_joints_(sim::start_joints(*robot_, p)),
       start_motors_(robot_->motors_from_joints(start_joints_)),
-      arm_(build_arm(robot_description(p.model), robot_->parameters().lengths, p.T_UB,
-                     reflected_inertia(*robot_, p, start_joints_), tool_mass(p, scene), p.gripper)),
+      arm_(body_of(*robot_, p, start_joints_, tool_mass(p, scene))),
       brakes_(std::make_unique<Brakes>(*arm_.body, brake_torques(p), h)),
       load_(arm_, scene.gravity(), h),
       jaw_encoder_(gripper::two_jaw().increments_per_rad, 0.5),
@@ -173,7 +199,7 @@ void SimulatedArm::begin_step(const HardwareCommand* command) {
   jaws_enabled_ = command && command->jaws_enabled && std::isfinite(jaw_pwm_);
   if (jaws_) jaws_->begin_step();
   read_joints();
-  motors_per_joints_ = robot_->transmission().jacobian(truth_.joints);
+  motors_per_joints_ = robot_->motors_per_joints(truth_.joints);
   if (command && usable(*command)) {
     command_ = *command;
     brakes_->open();

@@ -79,7 +79,7 @@ class SimulatedArm {
   Scene& scene_;
   double h_;
   double share_;  // of a substep in the means over a step
-  std::unique_ptr<irb6::Arm> robot_;
+  std::unique_ptr<edp::Robot> robot_;
   Pose T_BU_;
   Pose T_PU_;
   Vector3 paper_normal_;  // in the world
@@ -111,8 +111,9 @@ class SimulatedArm {
   ArmTruth truth_;
 };
 
-/// @return joints at which the pen stands upright above the middle of the sheet [rad, track m]
-/// @throws std::invalid_argument  the arm does not reach so far
-AxisVector start_joints(const irb6::Arm& robot, const ArmParameters& parameters);
+/// @return joints at which the arm begins [rad, track m]: as the parameters say; if they do not, those at which the pen
+///         stands upright above the middle of the sheet
+/// @throws std::invalid_argument  the arm does not reach so far; not one joint per axis
+AxisVector start_joints(const edp::Robot& robot, const ArmParameters& parameters);
 
 }  // namespace mrroc::sim

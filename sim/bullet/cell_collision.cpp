@@ -122,7 +122,7 @@ struct CellCollision::Impl {
     ArmShapes arm;
     arm.T_UB = p.T_UB;
     arm.gripper = *p.gripper;
-    arm.body = build_arm(robot_description(p.model), robot->parameters().lengths, p.T_UB,
+    arm.body = build_arm(robot_description(p.model), &robot->parameters().lengths, p.T_UB,
                          AxisVector::Zero(robot->axes()), {}, p.gripper);
     const std::string prefix = std::string(robot_name(p.model)) + ' ';
     for (const BodyShape& s : arm.body.shapes) {

@@ -44,10 +44,11 @@ Pose pose_of(const urdf::Pose& p) {
 }
 
 /// @return where a joint stands in the link before, as the arm's lengths have it
-Pose place_of(const urdf::Joint& joint, const irb6::Lengths& lengths) {
+Pose place_of(const urdf::Joint& joint, const irb6::Lengths* lengths) {
   Pose T = pose_of(joint.parent_to_joint_origin_transform);
+  if (!lengths) return T;
   const std::array<std::pair<std::string_view, double>, 3> arm{
-      {{"upper_arm", lengths.a2}, {"T", lengths.a3}, {"V", lengths.d5}}};
+      {{"upper_arm", lengths->a2}, {"T", lengths->a3}, {"V", lengths->d5}}};
   for (const auto& [name, length] : arm)
     if (joint.name == name) T.p *= length / T.p.norm();
   return T;
@@ -93,7 +94,7 @@ void plan_shapes(Plan& plan, const urdf::Link& link, int body, const Pose& T) {
   }
 }
 
-Plan plan_chain(const urdf::ModelInterface& model, const irb6::Lengths& lengths) {
+Plan plan_chain(const urdf::ModelInterface& model, const irb6::Lengths* lengths) {
   Plan plan;
   Pose T;  // of the present link in the last link that moves by itself
   bool at_tool = false;
@@ -175,7 +176,7 @@ void set_up_link(btMultiBody& body, const Plan& plan, std::size_t k, double roto
 
 }  // namespace
 
-ArmBody build_arm(std::string_view urdf, const irb6::Lengths& lengths, const Pose& T_UB,
+ArmBody build_arm(std::string_view urdf, const irb6::Lengths* lengths, const Pose& T_UB,
                   const AxisVector& rotor_inertia, const std::optional<ToolMass>& tool,
                   const std::optional<GripperBodyParameters>& gripper) {
   const auto model = urdf::parseURDF(std::string(urdf));

@@ -47,8 +47,8 @@ struct ToolMass {
 
 /// @param urdf           serial chain: moving joints, a fixed joint "sensor", a link "tool" with mass, a link
 /// "pen_tip"
-/// @param lengths        a2, a3 and d5 take the place of the description's, along the same directions: the
-/// origins of the joints upper_arm, T and V; masses and their centres stay
+/// @param lengths        of an IRb-6: a2, a3 and d5 take the place of the description's, along the same directions: the
+/// origins of the joints upper_arm, T and V; masses and their centres stay; null: all are as described
 /// @param T_UB           base of the arm in the world
 /// @param rotor_inertia  of each motor as felt at its joint [kg m^2], track: [kg]; added to the link about
 /// (along)
@@ -56,7 +56,7 @@ struct ToolMass {
 /// @param tool  instead of the described mass of the tool; its inertia grows with its mass
 /// @param gripper  its jaws are part of the tool's mass; none: the tool has no jaws that touch anything
 /// @throws std::invalid_argument  the description is not such a chain
-ArmBody build_arm(std::string_view urdf, const irb6::Lengths& lengths, const Pose& T_UB,
+ArmBody build_arm(std::string_view urdf, const irb6::Lengths* lengths, const Pose& T_UB,
                   const AxisVector& rotor_inertia, const std::optional<ToolMass>& tool = {},
                   const std::optional<GripperBodyParameters>& gripper = {});
 

@@ -97,7 +97,7 @@ std::vector<std::pair<std::string, std::string>> plots(const RunRecord& record) 
                        [](const auto& r) { return r.m >= 3 && r.m <= 6; });
   if (!cycle.empty())
     all.emplace_back("fig17_turn", script(kArmKeys[index(Hand::track)] + ".csv", Axis::az, cycle,
-                                          marks_of_turn(turning), "torque about the face s axis [N m]"));
+                                          marks_of_turn(turning), "torque about the axis of the face [N m]"));
   all.emplace_back(
       "turns",
       "set xlabel 'turn'\nset ylabel '[N], [N m]'\nset key top right\nset yrange [0:*]\n"

@@ -76,6 +76,14 @@ TEST(Config, ReadsNumbersWithoutAFractionAsNumbers) {
   EXPECT_EQ(cfg.list("b", {{}}), (std::vector<double>{1, 2}));
 }
 
+TEST(Config, ChoosesAmongNamesThatAreMadeAtRunTime) {
+  const std::vector<std::pair<std::string_view, int>> names{{"step", 7}, {"wall", 8}};
+  const auto clock = [&](const Config& cfg) { return cfg.choice("clock", 8, std::span(names)); };
+  EXPECT_EQ(clock(robots()), 7);
+  EXPECT_EQ(clock(Config()), 8);
+  EXPECT_THROW(clock(Config::parse("clock = 'sun'", "a.toml")), ConfigError);
+}
+
 TEST(Config, ChoosesAmongNames) {
   enum class Clock { step, wall };
   const auto clock = [](const Config& cfg) {

@@ -138,6 +138,18 @@ TEST_P(RobotContract, MovesItsJointsWithoutJumpsWhenTheMotorsDo) {
     }
 }
 
+// The simulated world drives the joints by it.
+TEST_P(RobotContract, KnowsHowItsMotorsFollowItsJoints) {
+  for (const Robot* robot : models_)
+    for (int k = 0; k < kCases / 10; ++k) {
+      const AxisVector q = random_joints(*robot);
+      const AxisMatrix J = robot->motors_per_joints(q), differences = robot->Robot::motors_per_joints(q);
+      ASSERT_EQ(J.rows(), robot->axes());
+      ASSERT_EQ(J.cols(), robot->axes());
+      ASSERT_LE((J - differences).cwiseAbs().maxCoeff(), 1e-4 * J.cwiseAbs().maxCoeff()) << q.transpose();
+    }
+}
+
 TEST_P(RobotContract, GivesPosesThatAreRotationAndPosition) {
   for (const Robot* robot : models_)
     for (int k = 0; k < kCases; ++k) ASSERT_TRUE(is_proper(robot->forward(random_joints(*robot))));

@@ -19,6 +19,14 @@ cmake --build "$place/example"
 "$place/example/bin/touch" --processes one --run-dir "$place/run"
 [[ -s $place/run/summary.json ]] || fail "the run has left no summary"
 
+# What `ui_cli new` writes for the outside is such a project too.
+(cd "$place" && "$place/usr/bin/mrroc" ui_cli new task circle --outside "$place/circle" >/dev/null)
+cmake -S "$place/circle" -B "$place/circle/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+  -DCMAKE_PREFIX_PATH="$place/usr" >"$place/configure.log"
+cmake --build "$place/circle/build"
+"$place/circle/build/bin/circle" --processes one --run-dir "$place/run-circle"
+[[ -s $place/run-circle/summary.json ]] || fail "the run of what was written has left no summary"
+
 "$place/usr/bin/mrroc" --help | grep -qw press || fail "mrroc does not list press"
 "$place/usr/bin/mrroc" press --help >/dev/null
 if "$place/usr/bin/mrroc" pres 2>"$place/error"; then fail "a program that does not exist was run"; fi

@@ -214,6 +214,22 @@ TEST_F(Desk, AStopIsKnownBeforeItIsTaken) {
   EXPECT_TRUE(office.desk.stop_accepted());
 }
 
+TEST_F(Desk, AStopIsTakenBetweenMacrostepsAndRecordedAsTheScriptThatGivesTheSame) {
+  Office office({}, folder_ / "record");
+  office.desk.set_state(TaskState::running, false);
+  EXPECT_FALSE(office.desk.take_stop(7)) << "nobody has ordered it";
+  EXPECT_TRUE(office.accepts(pause));
+  EXPECT_TRUE(office.accepts(stop));
+  EXPECT_TRUE(office.desk.take_stop(7));
+  EXPECT_TRUE(office.desk.stop_ordered());
+  EXPECT_FALSE(office.desk.take_stop(8)) << "once";
+  EXPECT_TRUE(office.desk.take(9).paused) << "other orders wait for their macrostep";
+  const auto script = load_script(folder_ / "record");
+  ASSERT_EQ(script.size(), 2U);
+  EXPECT_EQ(script[0].i, 7);
+  EXPECT_EQ(script[0].order, stop);
+}
+
 TEST_F(Desk, OrdersOfAnotherSessionAreNotHeard) {
   Office office;
   office.desk.set_state(TaskState::running, true);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <fstream>
 
 #include "test/system/started_task.hpp"
 
@@ -46,6 +47,34 @@ TEST(Press, StandsStillDuringAPauseAndGoesOn) {
   const auto paused = press("paused", {"--script", orders, "--speed", "50"});
   EXPECT_NEAR(paused["sim_s"].get<double>() - plain, 4, 0.2) << "200 macrosteps of 20 ms";
   EXPECT_NEAR(paused["figures"]["hold_N"].get<double>(), 4, 0.1);
+}
+
+TEST(Press, StopsInRealTimeAsItsRecordedScriptDoes) {
+  if (!multicast()) GTEST_SKIP() << "no multicast here";
+  const Folder folder;
+  const auto arguments = [&](const std::string& name, std::vector<std::string> more) {
+    more.insert(more.end(), {"--run-dir", (folder / name).string(), "--set", "robots.arm1.record=always"});
+    return more;
+  };
+  Started press(folder, "press", arguments("live", {"--speed", "1"}));
+  ASSERT_TRUE(press.await_line("m = 1  approach")) << press.end().all();
+  EXPECT_EQ(run(folder, "ui_cli", {"stop"}).status, 0);
+  EXPECT_EQ(press.end().status, 1);
+  const Ended again = run(
+      folder, "press",
+      arguments("again", {"--processes", "one", "--script", (folder / "live" / "operator.script").string()}));
+  EXPECT_EQ(again.status, 1) << again.all();
+  // The set points of all steps: the same until the arm rests, whatever follows until the processes end.
+  std::ifstream live(folder / "live" / "arm1-steps.csv"), replayed(folder / "again" / "arm1-steps.csv");
+  std::string a, b;
+  bool decelerated = false;
+  while (std::getline(live, a) && std::getline(replayed, b) && a.find(",holding,") == std::string::npos) {
+    ASSERT_EQ(a, b);
+    decelerated = decelerated || a.find(",decelerating,") != std::string::npos;
+  }
+  EXPECT_TRUE(decelerated);
+  for (const std::string name : {"live", "again"})
+    EXPECT_EQ(run(folder, "ui_cli", {"log", "check", (folder / name).string()}).status, 0) << name;
 }
 
 TEST(Press, AnEmergencyStopBrakesAtOnceAndLeavesItsBlackBox) {

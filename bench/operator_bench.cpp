@@ -1,0 +1,14 @@
+// The operator's side: terminal, viewer, logs, documents, and how long a change takes.
+#include "bench/operator_figures.hpp"
+
+namespace mrroc::bench {
+
+Figures run_operator_group() {
+  Figures all;
+  for (const auto measure :
+       {document_figures, viewer_figures, rebuild_figures, log_check_figures, latency_figures})
+    for (Figure& f : measure()) all.push_back(std::move(f));
+  return all;
+}
+
+}  // namespace mrroc::bench

@@ -1,0 +1,17 @@
+// What is known of the motors of a robot: data of its plant.
+#pragma once
+
+namespace mrroc::robots {
+
+/// Constants of one motor, all at the motor's shaft. docs/plant.md tells how the values were chosen.
+struct MotorParameters {
+  double resistance{};            ///< of the winding and the drive's bridge [ohm], positive
+  double rotor_inertia{};         ///< [kg m^2], positive
+  double friction{};              ///< of motor, gear and bearings in motion [N m]
+  double presliding{0.02};        ///< turn within which friction builds up after a reversal [rad], positive
+  double brake_torque{};          ///< torque at which the closed brake slips [N m]
+  double torque_constant{0.105};  ///< K_t [N m/A], equal to K_e [V s/rad]
+  double supply{48};              ///< voltage at full duty cycle [V]
+};
+
+}  // namespace mrroc::robots

@@ -1,0 +1,62 @@
+// What counts as a command of a document, and whether the list of trials fits the documents.
+#include "test/docs/commands.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace mrroc::test {
+namespace {
+
+std::vector<std::string> texts(const std::string& document) {
+  std::vector<std::string> found;
+  for (const Command& c : commands_in("d.md", document)) found.push_back(c.text);
+  return found;
+}
+
+TEST(DocumentCommands, AreLinesOfShellBlocksWithoutPromptAndRemark) {
+  EXPECT_EQ(texts("```\n./run press        # a remark\n$ ui_cli status\n  output 1\nui_cli view      what "
+                  "runs now\n```\n"),
+            (std::vector<std::string>{"./run press", "ui_cli status", "ui_cli view"}));
+  EXPECT_EQ(texts("1. so:\n   ```sh\n   git clone there\n   ```\n"),
+            std::vector<std::string>{"git clone there"});
+  EXPECT_TRUE(texts("```cpp\n./run press\n```\n```toml\nui_cli = 1\n```\n").empty());
+}
+
+TEST(DocumentCommands, AreWordsInCodeMarksWithArguments) {
+  EXPECT_EQ(texts("Type `./run press` or `ui_cli log check RUN`; `ui_cli` and `press` are names, `x := 1` is "
+                  "none.\n"),
+            (std::vector<std::string>{"./run press", "ui_cli log check RUN"}));
+  EXPECT_EQ(texts("| `ui_cli completion bash\\|zsh` |\n"),
+            std::vector<std::string>{"ui_cli completion bash|zsh"});
+}
+
+TEST(DocumentCommands, KnowWhereTheyStand) {
+  const auto found = commands_in("d.md", "a\n\n```\n./run press\n```\n`./run weigh`\n");
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].line, 4);
+  EXPECT_EQ(found[1].line, 6);
+}
+
+TEST(DocumentCommands, EveryTrialIsOfACommandThatIsThere) {
+  std::set<std::string> there;
+  for (const Command& c : document_commands(MRROC_SOURCE_DIR)) there.insert(c.text);
+  EXPECT_GT(there.size(), 60U);
+  std::set<std::string> tried;
+  for (const Trial& t : read_trials(MRROC_SOURCE_DIR)) {
+    EXPECT_TRUE(there.contains(t.command)) << "no document has: " << t.command;
+    EXPECT_TRUE(tried.insert(t.command).second) << "twice: " << t.command;
+    EXPECT_TRUE(t.script.empty() || t.not_run.empty()) << t.command;
+  }
+}
+
+TEST(DocumentCommands, ATrialStandsForTheCommand) {
+  const std::vector<Trial> trials{{"./run a", "cd there\n@ --short\n", {}}, {"./run b", {}, "it is long"}};
+  EXPECT_EQ(trial_of(trials, "./run a").script, "cd there\n./run a --short\n");
+  EXPECT_EQ(trial_of(trials, "./run b").not_run, "it is long");
+  EXPECT_EQ(trial_of(trials, "./run c").script, "./run c");
+}
+
+}  // namespace
+}  // namespace mrroc::test

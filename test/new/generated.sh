@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# Lets ui_cli write a robot, a sensor and two tasks into an empty tree, builds them against what has been built, runs
+# their tests and them: generated.sh SOURCE BUILD
+set -euo pipefail
+source=$1 build=$2
+place=$(mktemp -d "${TMPDIR:-/tmp}/mrroc-new.XXXXXX")
+trap 'rm -rf "$place"' EXIT
+tree=$place/tree
+bin=$place/build/bin
+
+fail() {
+  echo "FAILED: $*" >&2
+  exit 1
+}
+
+cp -r "$source/test/new/tree" "$tree"
+for folder in robots tasks vsp test/robots test/tasks test/vsp; do
+  mkdir -p "$tree/$folder"
+  : >"$tree/$folder/CMakeLists.txt"
+done
+: >"$tree/run"
+
+ui() { (cd "$tree" && "$build/bin/ui_cli" new "$@"); }
+ui robot probe_arm >"$place/robot.txt"
+ui sensor probe_sensor >"$place/sensor.txt"
+ui task probe_task --sensor probe_sensor >"$place/task.txt"
+grep -q './run probe_arm' "$place/robot.txt" || fail "the next step is not told"
+if ui task probe_task 2>"$place/error"; then fail "what is there was written once more"; fi
+grep -q 'error: bad_usage' "$place/error" || fail "no reason was given"
+
+if command -v clang-format >/dev/null; then
+  cp "$source/.clang-format" "$tree"
+  find "$tree" -name '*.[hc]pp' -print0 | xargs -0 clang-format --dry-run -Werror || fail "it is not formatted"
+fi
+
+cmake -S "$tree" -B "$place/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE='-O1 -DNDEBUG' \
+  -DMRROC_TREE="$source" -DMRROC_BUILD="$build" >"$place/configure.log"
+cmake --build "$place/build" >"$place/build.log" || { tail -n 40 "$place/build.log"; fail "it does not build"; }
+cp "$build/bin/edp_irb6" "$build/bin/ui_cli" "$bin"  # ui_cli looks for programs beside itself
+
+for suite in "$bin"/test_*; do
+  "$suite" --gtest_brief=1 >"$place/suite.log" 2>&1 || { cat "$place/suite.log"; fail "$(basename "$suite")"; }
+done
+
+# run TASK [options]: it comes to its end, its figures are as wanted, and its log can be recomputed
+run() {
+  local name=$1 folder=$place/run-$1-$#
+  timeout 120 "$bin/$name" --run-dir "$folder" "${@:2}" >"$place/run.log" 2>&1 || { cat "$place/run.log"; fail "$name"; }
+  grep -q ' ok$' "$place/run.log" || { cat "$place/run.log"; fail "$name judged nothing"; }
+  if grep -q 'NOT OK' "$place/run.log"; then cat "$place/run.log"; fail "$name: a figure is not as wanted"; fi
+  "$bin/ui_cli" log check "$folder" >"$place/check.log" 2>&1 || { cat "$place/check.log"; fail "$name: log check"; }
+}
+run probe_arm
+run probe_task --processes one
+echo "all that was written builds, passes its tests and runs"

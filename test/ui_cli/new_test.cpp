@@ -1,0 +1,241 @@
+#include "ui_cli/new/new_command.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "base/fault.hpp"
+#include "ui_cli/new/template_files.hpp"
+#include "ui_cli/new/tree.hpp"
+
+namespace mrroc::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// A clone in which nothing is yet.
+class NewPartTest : public testing::Test {
+ protected:
+  NewPartTest() {
+    static int number = 0;
+    root_ = fs::path(testing::TempDir()) /
+            ("mrroc-new-" + std::to_string(testing::UnitTest::GetInstance()->random_seed()) + "-" +
+             std::to_string(getpid()) + "-" + std::to_string(++number));
+    for (const char* folder : {"robots", "tasks", "vsp", "test/robots", "test/tasks", "test/vsp"}) {
+      fs::create_directories(root_ / folder);
+      std::ofstream(root_ / folder / "CMakeLists.txt") << "add_subdirectory(first)\n# end\n";
+    }
+    std::ofstream(root_ / "run") << "#!/bin/sh\n";
+  }
+  ~NewPartTest() override { fs::remove_all(root_); }
+
+  std::string run(std::vector<std::string> words) {
+    words.insert(words.end(), {"--into", root_.string()});
+    std::ostringstream out, err;
+    EXPECT_EQ(run_new(words, out, err), 0);
+    return out.str();
+  }
+  /// @return the error line of a command that is refused
+  std::string refused(std::vector<std::string> words) {
+    const auto before = files();
+    words.insert(words.end(), {"--into", root_.string()});
+    std::ostringstream out, err;
+    std::string line = "not refused";
+    try {
+      run_new(words, out, err);
+    } catch (const FaultError& e) {
+      line = e.error_line();
+    }
+    EXPECT_EQ(files(), before) << "something was written";
+    return line;
+  }
+  /// @return every file and its text
+  [[nodiscard]] std::map<std::string, std::string> files() const {
+    std::map<std::string, std::string> all;
+    for (const auto& entry : fs::recursive_directory_iterator(root_))
+      all[entry.path().lexically_relative(root_)] =
+          entry.is_regular_file() ? text_of(entry.path()) : "folder";
+    return all;
+  }
+
+  fs::path root_;
+};
+
+bool names_fault(const std::string& line, const std::string& code) {
+  return line.starts_with("error: " + code + ":");
+}
+
+TEST(NewName, IsALowerCaseIdentifierThatMeansNothingYet) {
+  for (const char* good : {"arm", "probe_arm", "arm7", "x1_y2"})
+    EXPECT_NO_THROW(check_new_name(good)) << good;
+  for (const char* bad : {"",
+                          "Probe",
+                          "7arm",
+                          "_arm",
+                          "arm_",
+                          "probe__arm",
+                          "probe-arm",
+                          "probe arm",
+                          "../arm",
+                          "arm/left",
+                          "arm.left",
+                          "class",
+                          "int",
+                          "build",
+                          "robots",
+                          "sim",
+                          "irb6_track",
+                          "my_task",
+                          "abcdefghijabcdefghijabcdefghijabcdefghija",
+                          "\xc5\x82\x61pa"})
+    EXPECT_THROW(check_new_name(bad), FaultError) << bad;
+}
+
+TEST(NewName, MakesATypesName) {
+  EXPECT_EQ(type_name("probe_arm"), "ProbeArm");
+  EXPECT_EQ(type_name("arm_2b"), "Arm2b");
+}
+
+TEST(NewEntry, StandsBehindTheLastFolder) {
+  EXPECT_EQ(with_entry("", "a"), "add_subdirectory(a)\n");
+  EXPECT_EQ(with_entry("library(x)", "a"), "library(x)\nadd_subdirectory(a)\n");
+  EXPECT_EQ(with_entry("add_subdirectory(b)", "a"), "add_subdirectory(b)\nadd_subdirectory(a)\n");
+  EXPECT_EQ(with_entry("x()\nadd_subdirectory(b)\nadd_subdirectory(c)\ny()\n", "a"),
+            "x()\nadd_subdirectory(b)\nadd_subdirectory(c)\nadd_subdirectory(a)\ny()\n");
+}
+
+TEST(NewPlan, LeavesNothingOfTheTemplatesNames) {
+  EXPECT_GT(template_files().size(), 25U);
+  for (const Scaffold& wish :
+       {Scaffold{.part = NewPart::robot, .name = "probe"}, Scaffold{.part = NewPart::sensor, .name = "probe"},
+        Scaffold{.part = NewPart::task, .name = "probe"},
+        Scaffold{.part = NewPart::task, .name = "probe", .sensor = "feeler"},
+        Scaffold{.part = NewPart::task, .name = "probe", .outside = true}}) {
+    const ScaffoldPlan plan = plan_scaffold(wish);
+    EXPECT_GE(plan.files.size(), 9U);
+    for (const NewFile& file : plan.files) {
+      const std::string all = file.path.string() + "\n" + file.text;
+      for (const char* left : {"my_task", "MyTask", "my_robot", "MyRobot", "my_sensor", "MySensor", "@sensor",
+                               "@no_sensor", ".template"})
+        EXPECT_EQ(all.find(left), std::string::npos) << file.path << " still has " << left;
+      EXPECT_NE(all.find("probe"), std::string::npos) << file.path;
+      EXPECT_FALSE(file.text.empty()) << file.path;
+    }
+  }
+}
+
+TEST(NewPlan, ATaskWithASensorReadsItAndOneWithoutDoesNot) {
+  const auto all = [](const std::string& sensor) {
+    std::string text;
+    for (const NewFile& f : plan_scaffold({.part = NewPart::task, .name = "probe", .sensor = sensor}).files)
+      text += f.text;
+    return text;
+  };
+  EXPECT_NE(all("feeler").find("vsp::run_feeler"), std::string::npos);
+  EXPECT_NE(all("feeler").find("vsp_feeler"), std::string::npos);
+  EXPECT_EQ(all("").find("vsp"), std::string::npos);
+}
+
+TEST_F(NewPartTest, WritesFilesAndEntersThem) {
+  for (const char* part : {"robot", "task", "sensor"}) {
+    const std::string name = std::string("probe_") + part;
+    const std::string said = run({part, name});
+    const auto now = files();
+    const std::string folder = std::string(part) == "sensor" ? "vsp" : std::string(part) + "s";
+    EXPECT_TRUE(now.contains(folder + "/" + name + "/CMakeLists.txt"));
+    EXPECT_TRUE(now.contains("test/" + folder + "/" + name + "/contract_test.cpp"));
+    for (const std::string& list : {folder + "/CMakeLists.txt", "test/" + folder + "/CMakeLists.txt"})
+      EXPECT_NE(now.at(list).find("add_subdirectory(" + name + ")\n"), std::string::npos) << list;
+    EXPECT_NE(said.find("./run "), std::string::npos) << "the next step is told";
+  }
+}
+
+TEST_F(NewPartTest, ARobotComesWithATaskThatMovesIt) {
+  run({"robot", "probe"});
+  EXPECT_NE(text_of(root_ / "tasks/probe/probe.toml").find("model = \"probe\""), std::string::npos);
+  EXPECT_NE(text_of(root_ / "tasks/probe/CMakeLists.txt").find("edp_probe"), std::string::npos);
+}
+
+TEST_F(NewPartTest, ADryRunListsWhatWouldBeWrittenAndWritesNothing) {
+  const auto before = files();
+  const auto j = nlohmann::json::parse(run({"task", "probe", "--dry-run", "--json"}));
+  EXPECT_EQ(files(), before);
+  EXPECT_EQ(j["written"], false);
+  const auto k = nlohmann::json::parse(run({"task", "probe", "--json"}));
+  EXPECT_EQ(k["written"], true);
+  EXPECT_EQ(k["files"], j["files"]);
+  for (const std::string file : k["files"]) EXPECT_TRUE(fs::exists(root_ / file)) << file;
+  EXPECT_EQ(k["changed"].size(), 2U);
+}
+
+TEST_F(NewPartTest, RefusesWhatIsWrongAndWritesNothing) {
+  EXPECT_TRUE(names_fault(refused({"task", "Probe"}), "bad_usage"));
+  EXPECT_TRUE(names_fault(refused({"tusk", "probe"}), "bad_usage"));
+  EXPECT_NE(refused({"tusk", "probe"}).find("did you mean 'task'?"), std::string::npos);
+  EXPECT_TRUE(names_fault(refused({"task"}), "bad_usage"));
+  EXPECT_TRUE(names_fault(refused({}), "bad_usage"));
+  EXPECT_TRUE(names_fault(refused({"task", "probe", "more"}), "bad_usage"));
+  EXPECT_TRUE(names_fault(refused({"task", "probe", "--sensor", "feeler"}), "bad_usage"))
+      << "there is no such sensor";
+  EXPECT_TRUE(names_fault(refused({"task", "probe", "--robot", "gantry"}), "bad_usage"))
+      << "there is no such robot";
+  EXPECT_TRUE(names_fault(refused({"sensor", "probe", "--robot", "irb6_track"}), "bad_usage"));
+  run({"task", "probe"});
+  EXPECT_TRUE(names_fault(refused({"task", "probe"}), "bad_usage"));
+  EXPECT_TRUE(names_fault(refused({"robot", "probe"}), "bad_usage")) << "its task would have the same name";
+}
+
+TEST_F(NewPartTest, RefusesNamesOfTargetsAndFunctions) {
+  fs::create_directories(root_ / "base");
+  std::ofstream(root_ / "base/motion.hpp") << "Outcome move(const Motion<A>& motion);\n";
+  std::ofstream(root_ / "tasks/CMakeLists.txt")
+      << "mrroc_library(mrroc_cloth x.cpp)\nmrroc_program(iron main.cpp)\n";
+  for (const char* name : {"move", "cloth", "iron"})
+    EXPECT_NE(refused({"task", name}).find("has a meaning already"), std::string::npos) << name;
+  run({"task", "clot"});
+}
+
+TEST_F(NewPartTest, TakesBackWhatItHasWrittenWhenTheRestCannotBe) {
+  std::ofstream(root_ / "test/tasks/probe") << "a file where a folder must be\n";
+  EXPECT_TRUE(names_fault(refused({"task", "probe"}), "cannot_write"));
+}
+
+TEST_F(NewPartTest, OutsideOfAnyCloneItSaysWhatToDo) {
+  std::ostringstream out, err;
+  try {
+    run_new({"task", "probe", "--into", (root_ / "tasks").string()}, out, err);
+    FAIL();
+  } catch (const FaultError& e) {
+    EXPECT_NE(e.error_line().find("no clone of the framework"), std::string::npos);
+  }
+}
+
+TEST_F(NewPartTest, AProjectOutsideNeedsNoClone) {
+  std::ostringstream out, err;
+  const fs::path place = root_ / "outside";
+  EXPECT_EQ(run_new({"task", "probe", "--outside", place.string()}, out, err), 0);
+  EXPECT_NE(text_of(place / "CMakeLists.txt").find("find_package(mrroc REQUIRED)"), std::string::npos);
+  EXPECT_TRUE(fs::exists(place / "tasks/probe/main.cpp"));
+  EXPECT_FALSE(fs::exists(place / "test"));
+}
+
+TEST(NewHelp, TellsEveryWord) {
+  std::ostringstream out, err;
+  EXPECT_EQ(run_new({"--help"}, out, err), 0);
+  for (const std::string& word : new_words()) EXPECT_NE(out.str().find(word), std::string::npos) << word;
+}
+
+}  // namespace
+}  // namespace mrroc::ui

@@ -1,0 +1,153 @@
+#include "ui_cli/new/new_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "base/fault.hpp"
+#include "base/nearest.hpp"
+#include "ui_cli/new/tree.hpp"
+
+namespace mrroc::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kAbout =
+    "Writes the files of a new robot, task or sensor into a clone of the framework: they build, run and "
+    "pass\n"
+    "their tests as they are, and say where to put what is yours.";
+constexpr const char* kFooter =
+    "\nWhat is written:\n"
+    "  robot NAME   robots/NAME (kinematics, transmission, motors, URDF, driver), a task of that name that "
+    "moves it\n"
+    "  task NAME    tasks/NAME (behaviours, program, ECP, mains, configuration)\n"
+    "  sensor NAME  vsp/NAME (kernel, parameters, process)\n"
+    "and the tests of each below test/. NAME: lower-case letters, digits, underscores.\n"
+    "\nExamples:\n"
+    "  ui_cli new task circle\n"
+    "  ui_cli new robot gantry --dry-run\n"
+    "  ui_cli new sensor feeler && ui_cli new task feel --sensor feeler\n"
+    "\nExit status: 0 done, 2 bad usage (the name is not one or is taken; no clone is there), 3 cannot "
+    "write. Then\n"
+    "nothing has been written. docs/howto-robot.md, howto-task.md and howto-sensor.md go on from here.";
+
+struct Options {
+  std::string part, name;
+  fs::path into, outside;
+  std::string robot, sensor;
+  bool dry_run{}, json{};
+};
+
+NewPart part_named(const std::string& word) {
+  WordSet known;
+  for (const NewPart part : {NewPart::robot, NewPart::task, NewPart::sensor}) {
+    if (word == to_string(part)) return part;
+    known.emplace(to_string(part));
+  }
+  const std::string near = nearest(word, known);
+  throw FaultError(FaultCode::bad_usage,
+                   fmt::format("there is no new '{}'{}", word,
+                               near.empty() ? "" : fmt::format("; did you mean '{}'?", near)),
+                   "give robot, task or sensor, and a name");
+}
+
+/// @param file  that `ui_cli new` has written if it has written the part
+void need_part(const fs::path& tree, const std::string& file, NewPart part, const std::string& name) {
+  if (fs::is_regular_file(tree / file)) return;
+  throw FaultError(FaultCode::bad_usage, fmt::format("there is no {} '{}'", to_string(part), name),
+                   fmt::format("write it first: ui_cli new {} {}", to_string(part), name));
+}
+
+Scaffold wish_of(const Options& o) {
+  Scaffold wish{
+      .part = part_named(o.part), .name = o.name, .sensor = o.sensor, .outside = !o.outside.empty()};
+  check_new_name(wish.name);
+  if (!o.robot.empty()) wish.robot = o.robot;
+  if (wish.part != NewPart::task && (!o.robot.empty() || !o.sensor.empty() || wish.outside))
+    throw FaultError(FaultCode::bad_usage, "--robot, --sensor and --outside belong to a task");
+  if (wish.outside && (!o.into.empty() || !o.robot.empty() || !o.sensor.empty()))
+    throw FaultError(FaultCode::bad_usage, "--outside goes with none of --into, --robot, --sensor");
+  return wish;
+}
+
+fs::path place_of(const Options& o, const Scaffold& wish) {
+  if (wish.outside) return o.outside;
+  const fs::path tree = find_tree(o.into);
+  check_free(tree, wish.name);
+  if (!o.robot.empty() && o.robot != "irb6_postument" && o.robot != "irb6_track")
+    need_part(tree, fmt::format("robots/{0}/{0}.urdf", o.robot), NewPart::robot, o.robot);
+  if (!o.sensor.empty())
+    need_part(tree, fmt::format("vsp/{0}/{0}.toml", o.sensor), NewPart::sensor, o.sensor);
+  return tree;
+}
+
+std::string json_of(const Scaffold& wish, const fs::path& place, const ScaffoldPlan& plan, bool written) {
+  nlohmann::ordered_json j{{"part", to_string(wish.part)},
+                           {"name", wish.name},
+                           {"folder", place.string()},
+                           {"written", written},
+                           {"files", nlohmann::ordered_json::array()},
+                           {"changed", nlohmann::ordered_json::array()},
+                           {"next", plan.next}};
+  for (const NewFile& file : plan.files) j["files"].push_back(file.path.string());
+  for (const NewEntry& entry : plan.entries) j["changed"].push_back(entry.list.string());
+  return j.dump(2) + "\n";
+}
+
+std::string text_of(const fs::path& place, const ScaffoldPlan& plan, bool written) {
+  std::string text = fmt::format("{} {}:\n", written ? "written to" : "would be written to", place.string());
+  for (const NewFile& file : plan.files) text += fmt::format("  {}\n", file.path.string());
+  for (const NewEntry& entry : plan.entries)
+    text += fmt::format("  {}: one line more\n", entry.list.string());
+  if (!written) return text;
+  text += fmt::format("\nNow, in {}:\n", place.string());
+  for (const std::string& step : plan.next) text += fmt::format("  {}\n", step);
+  return text;
+}
+
+void execute(const Options& o, std::ostream& out) {
+  const Scaffold wish = wish_of(o);
+  const fs::path place = place_of(o, wish);
+  const ScaffoldPlan plan = plan_scaffold(wish);
+  check_plan(place, plan);
+  if (!o.dry_run) write_plan(place, plan);
+  out << (o.json ? json_of(wish, place, plan, !o.dry_run) : text_of(place, plan, !o.dry_run));
+}
+
+}  // namespace
+
+std::vector<std::string> new_words() {
+  return {"robot", "task", "sensor", "--into", "--outside", "--robot", "--sensor", "--dry-run", "--json"};
+}
+
+int run_new(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+  Options o;
+  CLI::App app(kAbout, "ui_cli new");
+  app.add_option("part", o.part, "robot, task or sensor")->required();
+  app.add_option("name", o.name, "its name")->required();
+  app.add_option("--into", o.into, "root of the clone; usual: the one in which you are")->type_name("DIR");
+  app.add_option("--robot", o.robot, "of a task: its arm; usual: irb6_postument")->type_name("NAME");
+  app.add_option("--sensor", o.sensor, "of a task: its virtual sensor, as made by `ui_cli new sensor`")
+      ->type_name("NAME");
+  app.add_option("--outside", o.outside,
+                 "of a task: a project of its own in DIR, against the installed framework")
+      ->type_name("DIR");
+  app.add_flag("--dry-run", o.dry_run, "only list what would be written");
+  app.add_flag("--json", o.json, "print JSON");
+  app.footer(kFooter);
+  try {
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  } catch (const CLI::Success& e) {
+    return app.exit(e, out, err);
+  } catch (const CLI::Error& e) {
+    throw FaultError(FaultCode::bad_usage, e.what(), "look at `ui_cli new --help`");
+  }
+  execute(o, out);
+  return 0;
+}
+
+}  // namespace mrroc::ui
