@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "base/representation.hpp"
+#include "mp/check_run.hpp"
 #include "mp/summary_text.hpp"
 #include "mp/task_run.hpp"
 #include "sim/arm_task.hpp"
@@ -95,7 +96,7 @@ Setup prepare(const Options& o) {
   s.k = rubik::read_parameters(s.config);
   for (std::size_t arm = 0; arm < kKeys.size(); ++arm)
     rubik::read_motion_limits(s.config, kKeys[arm], static_cast<int>(s.world.arms[arm].start.size()));
-  if (o.eyes == "camera") {
+  if (s.config.has("cameras." + kCamera + ".pose")) {  // also that of a run which is checked
     sim::read_camera_world(s.config, kKeys);
     s.camera = read_camera(s.config, kCamera);
     vsp::make_cube_face_sensor(s.config, kCamera);
@@ -174,9 +175,20 @@ void finish(const fs::path& folder, const rubik::RubikRun& rubik, mp::Summary& s
   sim::draw(folder, pictures);
 }
 
+/// Runs the coordinator on the log of a run.
+int check(const Options& o, const Setup& s, Head& head) {
+  return mp::check_coordinator("rubik", o.task, kKeys, [&](mp::TaskRun& run) {
+    rubik::Brain brain = make_brain(s, head);
+    brain.aside = false;
+    rubik::RubikRun rubik(run, s.k, std::move(brain), false, [](const std::string&) {});
+    if (run.process().assemble()) rubik.execute();
+  });
+}
+
 int run(const Options& o) {
   Setup s = prepare(o);
   Head head(s);
+  if (!o.task.check.empty()) return check(o, s, head);
   const fs::path folder = mp::name_run_folder(o.task.run_dir, "rubik");
   if (s.camera && !s.config.has("film.directory"))
     s.config.set(fmt::format("film.directory=\"{}\"", fs::absolute(folder).string()));

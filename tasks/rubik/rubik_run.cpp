@@ -77,10 +77,11 @@ Outcome RubikRun::execute() {
 
 template <class T>
 Outcome RubikRun::think(X& x, Port& port, std::function<T()> work, std::optional<T>& result) {
-  auto thought = std::async(std::launch::async, std::move(work));
-  thought_ = [&thought] { return thought.wait_for(std::chrono::seconds(0)) == std::future_status::ready; };
+  auto thought = std::async(brain_.aside ? std::launch::async : std::launch::deferred, std::move(work));
+  if (brain_.aside)
+    thought_ = [&thought] { return thought.wait_for(std::chrono::seconds(0)) == std::future_status::ready; };
   const Outcome o = move(kThink, x, port);
-  if (o == Outcome::terminated) run_.process().await(thought_);
+  if (o == Outcome::terminated && thought_) run_.process().await(thought_);
   thought_ = {};
   if (o == Outcome::terminated) result = thought.get();
   return o;

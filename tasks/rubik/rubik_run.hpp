@@ -27,6 +27,8 @@ struct Brain {
   PlanStart start;                    ///< how the cube is held at the beginning, and where the arms are
   std::optional<Cube> known;          ///< the cube as it is told; none: it is read
   std::optional<CameraSetup> camera;  ///< that looks at faces which are shown
+  /// Thinks in a thread of its own, while the macrosteps of thinking pass; false: when they have passed, as a check does.
+  bool aside{true};
 };
 
 /// What a run has left.
