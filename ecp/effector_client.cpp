@@ -23,7 +23,10 @@ void EffectorClient::see(const EffectorReply& reply) {
     settle_until(s.number);
     const bool uncounted = reply.verdict == Verdict::refused && reply.fault.code != FaultCode::not_owner &&
                            reply.expected == s.number;
-    if (uncounted) count_anew(reply.macrostep);
+    if (s.reset && reply.verdict == Verdict::executed)
+      count_anew(reply.macrostep, s.number);
+    else if (uncounted)
+      count_anew(reply.macrostep, 1);
     return;
   }
   if (s.macrostep < repeated_from_) return;
@@ -37,9 +40,9 @@ void EffectorClient::see(const EffectorReply& reply) {
   fault_->text = reply.fault ? reply.fault.text : FixedText<160>("the driver did not see it");
 }
 
-void EffectorClient::count_anew(std::int64_t macrostep) {
-  --number_;
-  for (EffectorCommand& command : pending_) --command.number;
+void EffectorClient::count_anew(std::int64_t macrostep, std::int64_t by) {
+  number_ -= by;
+  for (EffectorCommand& command : pending_) command.number -= by;
   sent_of_pending_ = 0;
   repeated_from_ = macrostep + 1;
 }
@@ -54,10 +57,10 @@ EffectorCommand EffectorClient::next(EffectorCommand wanted, std::int64_t macros
   EffectorCommand out = wanted;
   if (sent_of_pending_ < pending_.size() && wanted.instruction != Instruction::release) {
     out = pending_[sent_of_pending_++];
-    sent(macrostep) = {macrostep, out.number};
+    sent(macrostep) = {macrostep, out.number, out.instruction == Instruction::reset};
   } else {
     out.number = number_;
-    sent(macrostep) = {macrostep, 0};
+    sent(macrostep) = {macrostep, 0, false};
   }
   out.macrostep = macrostep;
   return out;

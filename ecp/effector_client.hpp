@@ -44,13 +44,15 @@ class EffectorClient {
   struct Sent {
     std::int64_t macrostep{-1};
     std::int64_t number{};
+    bool reset{};
   };
   Sent& sent(std::int64_t macrostep) { return sent_[static_cast<std::size_t>(macrostep) % kRemembered]; }
 
   void settle_until(std::int64_t number);
   /// A driver without an owner does not count a command that it refuses: the ones after it get its number.
-  /// @param macrostep  of the reply that told it
-  void count_anew(std::int64_t macrostep);
+  /// One that has been reset counts from the beginning.
+  /// @param macrostep  of the reply that told it @param by  less than before
+  void count_anew(std::int64_t macrostep, std::int64_t by);
 
   std::int64_t session_;
   std::int64_t number_{};                // of the last command

@@ -27,12 +27,13 @@ class Line {
 
   /// One macrostep i of the control subsystem, and then i + 1 of the driver. Its reply is x_ce of i + 2.
   /// @param active  false: nothing is commanded
-  void macrostep(bool active = true) {
+  /// @param instruction  what is commanded
+  void macrostep(bool active = true, Instruction instruction = Instruction::set_get) {
     client.see(replies_[i_]);
     if (client.fault()) return;
     EffectorCommand wanted;
     if (active) {
-      wanted.instruction = Instruction::set_get;
+      wanted.instruction = instruction;
       wanted.outputs = static_cast<std::uint16_t>(++commanded);
     }
     const EffectorCommand sent = client.next(wanted, ++i_);
@@ -79,6 +80,10 @@ class Line {
       reply.expected = protocol_.expected();
       executed.push_back(c.outputs);
       protocol_.store(reply);
+    } else if (decision.admission == Admission::reset) {
+      reply.verdict = Verdict::executed;
+      reply.expected = protocol_.expected();
+      executed.push_back(c.outputs);
     } else {
       reply.verdict = Verdict::refused;
       reply.fault = decision.fault;
@@ -210,6 +215,19 @@ TEST(EffectorClient, GoesOnWhenTheVeryFirstCommandsAreRefused) {
     EXPECT_EQ(line.executed.back(), 40) << refused;
     for (std::size_t k = 1; k < line.executed.size(); ++k)
       ASSERT_EQ(line.executed[k], line.executed[k - 1] + 1) << "none is left out, none comes twice";
+  }
+}
+
+TEST(EffectorClient, GoesOnAfterAReset) {
+  for (const int before : {0, 1, 7}) {
+    Line line({});
+    for (int k = 0; k < before; ++k) line.macrostep();
+    line.macrostep(true, Instruction::reset);
+    for (int k = 0; k < 60; ++k) line.macrostep(k < 20);
+    EXPECT_FALSE(line.client.fault()) << before;
+    EXPECT_EQ(line.executed.size(), static_cast<std::size_t>(before + 21)) << "a driver counts from 1 again";
+    EXPECT_TRUE(line.in_order()) << before;
+    EXPECT_EQ(line.client.backlog(), 0U);
   }
 }
 

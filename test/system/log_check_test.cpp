@@ -113,6 +113,16 @@ TEST_F(Checked, AChangedByteIsNamedWithProcessStepBehaviourFunctionAndField) {
   EXPECT_EQ(first["behaviour"], "2, settle");
 }
 
+TEST_F(Checked, ALogThatIsCutOffIsNotWhole) {
+  const fs::path run_folder = ran("press");
+  EXPECT_TRUE(check(run_folder, 0)["damage"].get<std::string>().empty());
+  const fs::path log = run_folder / "events.lcmlog";
+  fs::resize_file(log, fs::file_size(log) * 2 / 3);
+  const auto checked = check(run_folder, 1);
+  EXPECT_FALSE(checked["complete"].get<bool>());
+  EXPECT_NE(checked["damage"].get<std::string>().find("cut off"), std::string::npos) << checked["damage"];
+}
+
 TEST_F(Checked, AChangedParameterChangesWhatIsRecomputed) {
   const fs::path run_folder = ran("edge_follow");
   std::ifstream in(run_folder / "config.toml");

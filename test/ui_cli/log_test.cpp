@@ -179,7 +179,7 @@ TEST_F(RunFolder, CheckAsksEveryProgramAndJoinsTheVerdicts) {
     return link::to_json(v);
   });
   EXPECT_EQ(asked, (std::vector<std::string>{"press --check step", "ecp_press --check ecp-arm1"}));
-  EXPECT_EQ(ui::report_check(a_, verdicts, false, out_), 1);
+  EXPECT_EQ(ui::report_check(a_, verdicts, "", false, out_), 1);
   for (const char* what : {"2 DIFFER", "behaviour 2, settle", "f_ce", "field arm.n_s",
                            "logged 10, recomputed 9", "20 messages recomputed, 2 differ"})
     EXPECT_NE(out_.str().find(what), std::string::npos) << out_.str();

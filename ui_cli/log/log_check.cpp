@@ -64,9 +64,9 @@ std::vector<link::LogVerdict> check_run(const RunRecord& run, const Prover& prov
 }
 
 int report_check(const std::filesystem::path& folder, const std::vector<link::LogVerdict>& verdicts,
-                 bool json, std::ostream& out) {
+                 const std::string& damage, bool json, std::ostream& out) {
   std::int64_t compared = 0, differences = 0;
-  bool whole = true;
+  bool whole = damage.empty();
   for (const link::LogVerdict& v : verdicts) {
     compared += v.compared;
     differences += v.differences;
@@ -75,11 +75,9 @@ int report_check(const std::filesystem::path& folder, const std::vector<link::Lo
   if (json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const link::LogVerdict& v : verdicts) list.push_back(nlohmann::ordered_json::parse(to_json(v)));
-    out << nlohmann::ordered_json{{"run", folder.string()},
-                                  {"compared", compared},
-                                  {"differences", differences},
-                                  {"complete", whole},
-                                  {"processes", list}}
+    out << nlohmann::ordered_json{{"run", folder.string()},     {"compared", compared},
+                                  {"differences", differences}, {"complete", whole},
+                                  {"damage", damage},           {"processes", list}}
                .dump(2)
         << "\n";
   } else {
@@ -88,6 +86,7 @@ int report_check(const std::filesystem::path& folder, const std::vector<link::Lo
     for (const link::LogVerdict& v : verdicts)
       if (v.first) out << "  first difference of " << sentence(v) << "\n";
     out << fmt::format("  {} messages recomputed, {} differ\n", compared, differences);
+    if (!damage.empty()) out << fmt::format("  the log is not whole: {}\n", damage);
   }
   return differences > 0 || !whole ? 1 : 0;
 }

@@ -23,9 +23,11 @@ using Prover =
 /// @throws FaultError bad_log: the folder does not tell what ran; what the prover throws
 [[nodiscard]] std::vector<link::LogVerdict> check_run(const RunRecord& run, const Prover& prove);
 
-/// Prints a line per process and what differs first. @return exit status: 1 when something differs or could not
+/// Prints a line per process and what differs first.
+/// @param damage  what is wrong with the log itself (log_whole.hpp), empty: nothing
+/// @return exit status: 1 when something differs or could not
 /// be checked to its end, otherwise 0
 int report_check(const std::filesystem::path& folder, const std::vector<link::LogVerdict>& verdicts,
-                 bool json, std::ostream& out);
+                 const std::string& damage, bool json, std::ostream& out);
 
 }  // namespace mrroc::ui

@@ -15,6 +15,7 @@
 #include "ui_cli/log/log_csv.hpp"
 #include "ui_cli/log/log_plot.hpp"
 #include "ui_cli/log/log_show.hpp"
+#include "ui_cli/log/log_whole.hpp"
 
 namespace mrroc::ui {
 namespace {
@@ -57,9 +58,11 @@ int draw(const Words& w, std::ostream& out) {
 
 int check(const Words& w, std::ostream& out) {
   int status = 0;
-  for (const fs::path& folder : w.runs)
-    status =
-        std::max(status, report_check(folder, check_run(RunRecord(folder), programs_beside()), w.json, out));
+  for (const fs::path& folder : w.runs) {
+    const RunRecord run(folder);
+    const auto verdicts = check_run(run, programs_beside());
+    status = std::max(status, report_check(folder, verdicts, damage_of(run), w.json, out));
+  }
   return status;
 }
 

@@ -98,7 +98,6 @@ fs::path find_tree(const fs::path& into) {
     if (is_tree(folder)) return folder;
     if (folder == folder.root_path()) break;
   }
-  if (is_tree(MRROC_SOURCE_DIR)) return MRROC_SOURCE_DIR;
   throw FaultError(
       FaultCode::bad_usage, "there is no clone of the framework in or above the present folder",
       "go to the folder that holds `run`, or give it with --into DIR; for a task against the installed "

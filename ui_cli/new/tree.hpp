@@ -10,8 +10,7 @@ namespace mrroc::ui {
 /// @return whether a folder is the root of a clone of the framework
 [[nodiscard]] bool is_tree(const std::filesystem::path& folder);
 
-/// @param into  what the user has given; empty: the present folder or one above it that is a clone, else the clone from
-///              which this program was built
+/// @param into  what the user has given; empty: the present folder or one above it that is a clone
 /// @return root of the clone
 /// @throws FaultError bad_usage  there is none
 [[nodiscard]] std::filesystem::path find_tree(const std::filesystem::path& into);

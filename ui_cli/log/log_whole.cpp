@@ -1,0 +1,61 @@
+#include "ui_cli/log/log_whole.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <span>
+#include <utility>
+
+#include "base/hash.hpp"
+#include "base/link/process.hpp"
+#include "base/link/text.hpp"
+#include "mrroc/process_status_t.hpp"
+
+namespace mrroc::ui {
+namespace {
+
+constexpr std::size_t kAfterSession = 16;  // of a message: LCM's fingerprint and the session
+
+/// Messages of one channel as they were sent: each number once.
+struct Sent {
+  std::map<std::int64_t, std::span<const std::uint8_t>> messages;
+
+  [[nodiscard]] std::int64_t hash() const {
+    Hash hash;
+    for (const auto& [number, bytes] : messages)
+      hash.add(bytes.subspan(std::min(bytes.size(), kAfterSession)));
+    return static_cast<std::int64_t>(hash.value());
+  }
+};
+
+}  // namespace
+
+std::string damage_of(const RunRecord& run) {
+  std::map<std::string, Sent> sent;
+  for (const link::LoggedMessage& m : run.log().messages())
+    sent[m.channel].messages.emplace(link::header_of(m.bytes).number, m.bytes);
+
+  bool ended = false;
+  for (const LoggedProcess& process : run.processes()) {
+    const auto told = run.log().messages<process_status_t>(process.name + ".status");
+    for (const auto& [stamp, status] : told) {
+      if (status.state != static_cast<int>(link::ProcessState::done)) continue;
+      ended = true;
+      for (int k = 0; k < std::min<int>(status.n_hashes, static_cast<int>(std::size(status.hash))); ++k) {
+        const std::string channel = link::get_text(status.hash[k].channel);
+        const auto found = sent.find(channel);
+        if (found == sent.end()) continue;
+        const auto count = static_cast<std::int64_t>(found->second.messages.size());
+        if (count != status.hash[k].count)
+          return fmt::format("{} has {} messages, {} sent {}", channel, count, process.name,
+                             status.hash[k].count);
+        if (found->second.hash() != status.hash[k].hash)
+          return fmt::format("{} has not the bytes that {} sent", channel, process.name);
+      }
+    }
+  }
+  return ended ? "" : "no process has told in it that it ended: the log is cut off, or the run was";
+}
+
+}  // namespace mrroc::ui

@@ -1,0 +1,14 @@
+// Whether a log has everything that the processes of its run say they have sent.
+#pragma once
+#include <string>
+
+#include "ui_cli/log/run_record.hpp"
+
+namespace mrroc::ui {
+
+/// Compares the messages of every channel, by number and fingerprint, with what its sender told when it ended.
+/// Channels that were never logged (the servo links) are left out, and processes that did not end well.
+/// @return what is wrong first, for people; empty: nothing
+[[nodiscard]] std::string damage_of(const RunRecord& run);
+
+}  // namespace mrroc::ui
