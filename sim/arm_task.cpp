@@ -104,6 +104,7 @@ int run(const ArmTask& task, const mp::TaskOptions& options) {
   mp::TaskRun run(task.name, options, folder, k.arms, std::move(parts));
   fmt::print("{}, session {}, seed {}{}\n", task.name, run.session(), options.seed,
              k.gives_start ? "" : ", waits for the operator: `ui_cli start`");
+  std::fflush(stdout);
   mp::SoloRun solo(run, k, say);
   run.start();
   std::optional<Fault> fault;

@@ -141,6 +141,7 @@ int run(const Options& o) {
   fmt::print("drawing, {}, session {}, seed {}{}\n", s.input.about(), run.session(), o.task.seed,
              s.plan.gives_orders ? ", unattended: the scripted operator gives start and triggers"
                                  : ", waits for the operator: `ui_cli start`");
+  std::fflush(stdout);
   drawing::DrawingRun drawing(run, kArmKeys, s.k, s.plan,
                               s.input.taught ? std::optional(s.input.taught->recording) : std::nullopt,
                               [](const std::string& line) {

@@ -200,6 +200,7 @@ int run(const Options& o) {
   const bool gives_start = !o.task.attended && o.task.script.empty();
   fmt::print("rubik, session {}, seed {}{}\n", run.session(), o.task.seed,
              gives_start ? "" : ", waits for the operator: `ui_cli start`");
+  std::fflush(stdout);
   rubik::RubikRun rubik(run, s.k, make_brain(s, head), gives_start, say);
   run.start();
   std::optional<Fault> fault;

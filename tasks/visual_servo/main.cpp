@@ -116,6 +116,7 @@ int run(const Options& o) {
   k.watch = [&record] { record.collect(); };
   fmt::print("visual_servo, scenario {}, {}, session {}, seed {}{}\n", o.scenario.scenario, o.scenario.object,
              run.session(), o.task.seed, k.gives_start ? "" : ", waits for the operator: `ui_cli start`");
+  std::fflush(stdout);
   mp::SoloRun solo(run, k, say);
   run.start();
   std::optional<Fault> fault;
