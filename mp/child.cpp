@@ -19,7 +19,9 @@ namespace {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(3);  // the parent has died already
   ::setpgid(0, 0);                        // a Ctrl-C in the terminal is the parent's business
-  ::execvp(program, arguments);           // a path with a slash is not searched for
+  // Who reads the terminal from the background is stopped, and ssh reads.
+  if (const int nothing = ::open("/dev/null", O_RDONLY); nothing >= 0) ::dup2(nothing, STDIN_FILENO);
+  ::execvp(program, arguments);  // a path with a slash is not searched for
   const int reason = errno;
   [[maybe_unused]] const auto written = ::write(error_pipe, &reason, sizeof reason);
   ::_exit(3);

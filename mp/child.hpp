@@ -9,7 +9,7 @@
 
 namespace mrroc::mp {
 
-/// A started program. It ends when this process ends, however that happens.
+/// A started program, with nothing to read. It ends when this process ends, however that happens.
 class Child {
  public:
   /// @param program  path of the executable

@@ -51,6 +51,19 @@ TEST(Child, GetsItsArgumentsAsTheyAre) {
   EXPECT_TRUE(child.ended_well());
 }
 
+TEST(Child, CannotReadWhatIsTypedToItsOwner) {
+  int typed[2];
+  ASSERT_EQ(::pipe(typed), 0);
+  const int before = ::dup(STDIN_FILENO);
+  ::dup2(typed[0], STDIN_FILENO);
+  Child child("/bin/sh", {"-c", "! read -r line"});  // there is nothing, and it is told at once
+  const bool ended = await_end(child);
+  ::dup2(before, STDIN_FILENO);
+  for (const int file : {before, typed[0], typed[1]}) ::close(file);
+  ASSERT_TRUE(ended);
+  EXPECT_TRUE(child.ended_well());
+}
+
 TEST(Child, WhatCannotBeStartedIsSaidAtOnce) {
   for (const char* program : {"/no/such/program", "/etc/passwd", "/tmp"}) {
     try {
