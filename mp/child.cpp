@@ -5,8 +5,8 @@
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <algorithm>
 #include <csignal>
-
 #include <cstring>
 
 #include "base/fault.hpp"
@@ -27,13 +27,27 @@ namespace {
   ::_exit(3);
 }
 
+/// ssh joins its words to one line for a shell over there.
+bool goes_through_shell(const std::vector<std::string>& start) {
+  return std::ranges::any_of(
+      start, [](const std::string& w) { return std::filesystem::path(w).filename() == "ssh"; });
+}
+
+/// @return the word as a shell must read it
+std::string quoted(const std::string& word) {
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
 }  // namespace
 
 Child::Child(const std::filesystem::path& program, const std::vector<std::string>& arguments,
              const std::vector<std::string>& start) {
-  std::vector<std::string> words = start;
-  words.push_back(program.string());
+  std::vector<std::string> words{program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
+  if (goes_through_shell(start)) std::ranges::transform(words, words.begin(), quoted);
+  words.insert(words.begin(), start.begin(), start.end());
   std::vector<char*> argv;
   for (std::string& w : words) argv.push_back(w.data());
   argv.push_back(nullptr);

@@ -13,7 +13,8 @@ namespace mrroc::mp {
 class Child {
  public:
   /// @param program  path of the executable
-  /// @param start    words before it that make it run elsewhere; their first one is searched for in PATH
+  /// @param start    words before it that make it run elsewhere; their first one is searched for in PATH. What follows
+  ///                 a program named ssh is quoted: a shell reads it
   /// @throws FaultError start_failed
   Child(const std::filesystem::path& program, const std::vector<std::string>& arguments,
         const std::vector<std::string>& start = {});
