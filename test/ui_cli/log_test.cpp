@@ -185,6 +185,23 @@ TEST_F(RunFolder, CheckAsksEveryProgramAndJoinsTheVerdicts) {
     EXPECT_NE(out_.str().find(what), std::string::npos) << out_.str();
 }
 
+TEST_F(RunFolder, ProgramsOfARunAreThoseBesideThisOneAndNoOthers) {
+  const auto write = [&](const std::string& task, const std::string& program) {
+    std::ofstream(a_ / "processes.json")
+        << Json{{"task", task},
+                {"clock", "step"},
+                {"processes", {{{"name", "mp"}, {"program", program}, {"arguments", Json::array()}}}}};
+  };
+  write("press", "press");
+  EXPECT_EQ(bad_run(a_), "");
+  for (const char* elsewhere : {"/bin/true", "../press", "bin/press", "./press", "..", ".", "press/", ""}) {
+    write("press", elsewhere);
+    EXPECT_EQ(bad_run(a_), "bad_log") << elsewhere;
+    write(elsewhere, "press");
+    EXPECT_EQ(bad_run(a_), "bad_log") << elsewhere;
+  }
+}
+
 TEST_F(RunFolder, ReplayPublishesEverythingAtItsPaceAndTakesNoOrderButStop) {
   const ui::RunRecord record(a_);
   link::MemoryHub hub;
