@@ -18,7 +18,7 @@ const char* const kManualHelp =
     "  home ARM                                find the positions, set the tool, bias the force\n"
     "  move ARM SPACE NUMBER... [speed S] [acceleration S]   to coordinates\n"
     "  jog ARM SPACE NUMBER... [speed S] [acceleration S]    by coordinates; `motors` works before homing\n"
-    "  preset ARM NAME                         to a position of the configuration: front, 0, 1, 2\n"
+    "  preset ARM NAME                         to a position of the configuration: synchro, front, 0, 1, 2\n"
     "  tool ARM X Y Z AX AY AZ                 weight ARM NEWTONS [X Y Z]\n"
     "  model ARM NUMBER                        servo ARM ALGORITHM [SET]\n"
     "  gripper ARM METRES                      bias ARM\n"

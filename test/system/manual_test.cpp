@@ -73,6 +73,25 @@ TEST_F(Manual, MovesInMotorsJointsAndPosesAndEveryProcessIsRecomputed) {
   EXPECT_EQ(checked.status, 0) << checked.all();
 }
 
+TEST_F(Manual, GoesToEveryPresetWithAllArms) {
+  const auto all = replies(
+      "3 home all\n"
+      "100 preset all synchro speed 0.5 acceleration 0.5\n"
+      "600 preset all front speed 0.5 acceleration 0.5\n"
+      "1100 preset all 1 speed 0.5 acceleration 0.5\n"
+      "1400 preset all 2 speed 0.5 acceleration 0.5\n"
+      "1700 preset all 0 speed 0.5 acceleration 0.5\n"
+      "2000 end\n");
+  for (int k = 0; k < 6; ++k) EXPECT_NEAR(all.at(595).motors[static_cast<std::size_t>(k)], 0, 0.1) << k;
+  EXPECT_NEAR(all.at(1095).joints[4], 1.57, 2e-3);
+  EXPECT_NEAR(all.at(1395).joints[0], 0.5, 2e-3);
+  EXPECT_NEAR(all.at(1695).joints[0], -0.5, 2e-3);
+  EXPECT_NEAR(last(all).joints[0], 0, 2e-3);
+  std::ifstream log(run_ / "messages.log");
+  const std::string text(std::istreambuf_iterator<char>(log), {});
+  EXPECT_EQ(text.find("refused"), std::string::npos) << text;
+}
+
 TEST_F(Manual, SetsToolModelServoAndForce) {
   const auto all = replies(
       "3 home arm1\n"
