@@ -71,7 +71,7 @@ TEST(Words, SynchroIsWhereAllMotorsAreAtZero) {
     const auto robot = irb6::make_arm(model);
     const AxisVector zero = robot->joints_from_motors(AxisVector::Zero(robot->axes()));
     for (int k = 0; k < robot->axes(); ++k)
-      EXPECT_NEAR(info.presets.at("synchro")[static_cast<std::size_t>(k)], zero[k], 1e-3) << model << k;
+      EXPECT_NEAR(info.presets.at("synchro")[static_cast<std::size_t>(k)], zero[k], 2e-5) << model << k;
   }
 }
 
