@@ -1,4 +1,4 @@
-// Every task run once, shortly, and recomputed from its log.
+// Every task run once, shortly, and recomputed from its log to its end.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -59,6 +59,9 @@ Figures log_check_figures() {
     if (const int status = task.wait(); status != 0)
       throw FaultError(FaultCode::start_failed, fmt::format("{} ended with {}", s.task, status));
     const auto checked = check(run);
+    if (!checked.at("complete").get<bool>())
+      throw FaultError(FaultCode::bad_log, fmt::format("the log of {} was not recomputed to its end: {}",
+                                                       s.task, checked.at("processes").dump()));
     differences += checked.at("differences").get<std::int64_t>();
     for (const auto& p : checked.at("processes")) compared += p.at("compared").get<std::int64_t>();
     fs::remove_all(run);

@@ -21,6 +21,11 @@ install(PROGRAMS cmake/mrroc.sh DESTINATION bin RENAME mrroc)
 install(FILES README.md LICENSE CHANGELOG.md DESTINATION share/doc/mrroc)
 install(DIRECTORY docs DESTINATION share/doc/mrroc)
 install(DIRECTORY tasks ui_cli DESTINATION share/doc/mrroc FILES_MATCHING PATTERN "README.md")
+# The reader of run folders for Python, where Debian's python3 looks.
+set(MRROC_READER lib/python3/dist-packages/mrroc_runs)
+install(DIRECTORY ui_cli/python/mrroc_runs/ DESTINATION ${MRROC_READER} FILES_MATCHING PATTERN "*.py"
+        PATTERN "__pycache__" EXCLUDE PATTERN "msg" EXCLUDE)
+install(DIRECTORY base/msg/ DESTINATION ${MRROC_READER}/msg FILES_MATCHING PATTERN "*.lcm")
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME mrroc)

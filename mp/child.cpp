@@ -5,8 +5,8 @@
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <algorithm>
 #include <csignal>
-
 #include <cstring>
 
 #include "base/fault.hpp"
@@ -19,19 +19,35 @@ namespace {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(3);  // the parent has died already
   ::setpgid(0, 0);                        // a Ctrl-C in the terminal is the parent's business
-  ::execvp(program, arguments);           // a path with a slash is not searched for
+  // Who reads the terminal from the background is stopped, and ssh reads.
+  if (const int nothing = ::open("/dev/null", O_RDONLY); nothing >= 0) ::dup2(nothing, STDIN_FILENO);
+  ::execvp(program, arguments);  // a path with a slash is not searched for
   const int reason = errno;
   [[maybe_unused]] const auto written = ::write(error_pipe, &reason, sizeof reason);
   ::_exit(3);
+}
+
+/// ssh joins its words to one line for a shell over there.
+bool goes_through_shell(const std::vector<std::string>& start) {
+  return std::ranges::any_of(
+      start, [](const std::string& w) { return std::filesystem::path(w).filename() == "ssh"; });
+}
+
+/// @return the word as a shell must read it
+std::string quoted(const std::string& word) {
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
 }
 
 }  // namespace
 
 Child::Child(const std::filesystem::path& program, const std::vector<std::string>& arguments,
              const std::vector<std::string>& start) {
-  std::vector<std::string> words = start;
-  words.push_back(program.string());
+  std::vector<std::string> words{program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
+  if (goes_through_shell(start)) std::ranges::transform(words, words.begin(), quoted);
+  words.insert(words.begin(), start.begin(), start.end());
   std::vector<char*> argv;
   for (std::string& w : words) argv.push_back(w.data());
   argv.push_back(nullptr);

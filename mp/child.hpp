@@ -9,11 +9,12 @@
 
 namespace mrroc::mp {
 
-/// A started program. It ends when this process ends, however that happens.
+/// A started program, with nothing to read. It ends when this process ends, however that happens.
 class Child {
  public:
   /// @param program  path of the executable
-  /// @param start    words before it that make it run elsewhere; their first one is searched for in PATH
+  /// @param start    words before it that make it run elsewhere; their first one is searched for in PATH. What follows
+  ///                 a program named ssh is quoted: a shell reads it
   /// @throws FaultError start_failed
   Child(const std::filesystem::path& program, const std::vector<std::string>& arguments,
         const std::vector<std::string>& start = {});

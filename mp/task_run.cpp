@@ -220,7 +220,7 @@ void TaskRun::start() {
         {"--session", m.session, "--session-id", fmt::to_string(m.session_id), "--url", address_->url(),
          "--roster", fmt::format("{}", fmt::join(m.roster, ",")), "--clock", clock_, "--patience",
          fmt::to_string(std::chrono::duration<double>(m.patience).count()), "--config",
-         (folder_ / "config.toml").string()});
+         std::filesystem::absolute(folder_ / "config.toml").string()});  // another host begins elsewhere
   }
 }
 

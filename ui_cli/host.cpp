@@ -1,5 +1,6 @@
 #include <dlfcn.h>
 #include <sched.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -19,8 +20,6 @@ namespace mrroc::ui {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::int64_t kUnlimited = std::int64_t{1} << 40;
 
 std::int64_t number_in(const fs::path& file) {
   std::int64_t number = 0;
@@ -42,12 +41,6 @@ bool loadable(const char* library) {
   return handle != nullptr;
 }
 
-std::int64_t limit_of(int resource) {
-  rlimit limit{};
-  if (::getrlimit(static_cast<__rlimit_resource_t>(resource), &limit) != 0) return 0;
-  return limit.rlim_cur == RLIM_INFINITY ? kUnlimited : static_cast<std::int64_t>(limit.rlim_cur);
-}
-
 std::int64_t latest_wake_us() {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds kSleep{1};
@@ -61,10 +54,25 @@ std::int64_t latest_wake_us() {
   return latest;
 }
 
-int permitted_priority() {
-  const std::int64_t most = ::sched_get_priority_max(SCHED_FIFO);
-  if (::geteuid() == 0) return static_cast<int>(most);
-  return static_cast<int>(std::min(most, limit_of(RLIMIT_RTPRIO)));
+/// What processes of the framework would do, in a thread of its own and for a moment: limits do not tell, nor does being
+/// root, in a container without the capabilities.
+struct Permitted {
+  int priority{};      // of SCHED_FIFO
+  bool memory_lock{};  // with the limits that let later allocations succeed
+};
+Permitted try_out() {
+  Permitted permitted;
+  std::thread([&permitted] {
+    for (int p = ::sched_get_priority_max(SCHED_FIFO); p > 0 && permitted.priority == 0; --p) {
+      const sched_param parameters{.sched_priority = p};
+      if (::sched_setscheduler(0, SCHED_FIFO, &parameters) == 0) permitted.priority = p;
+    }
+  }).join();
+  rlimit limit{};
+  permitted.memory_lock = ::getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY &&
+                          ::mlockall(MCL_CURRENT) == 0;
+  if (permitted.memory_lock) ::munlockall();
+  return permitted;
 }
 
 }  // namespace
@@ -80,8 +88,9 @@ Host look_at_host() {
   cpu_set_t cores;
   CPU_ZERO(&cores);
   h.cores = ::sched_getaffinity(0, sizeof cores, &cores) == 0 ? CPU_COUNT(&cores) : 1;
-  h.real_time_priority = permitted_priority();
-  h.memory_lock = ::geteuid() == 0 || limit_of(RLIMIT_MEMLOCK) >= kUnlimited;
+  const Permitted permitted = try_out();
+  h.real_time_priority = permitted.priority;
+  h.memory_lock = permitted.memory_lock;
   for (const Needed& n : kNeeded)
     if (!(n.library ? loadable(n.name) : installed(n.name))) h.missing.emplace_back(n.name);
   std::error_code failed;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -10,6 +12,7 @@
 #include "base/representation.hpp"
 #include "mrroc/manual_words_t.hpp"
 #include "ui_cli/manual_link.hpp"
+#include "ui_cli/manual_page.hpp"
 
 namespace mrroc::ui {
 
@@ -18,12 +21,14 @@ const char* const kManualHelp =
     "  home ARM                                find the positions, set the tool, bias the force\n"
     "  move ARM SPACE NUMBER... [speed S] [acceleration S]   to coordinates\n"
     "  jog ARM SPACE NUMBER... [speed S] [acceleration S]    by coordinates; `motors` works before homing\n"
-    "  preset ARM NAME                         to a position of the configuration: front, 0, 1, 2\n"
+    "  preset ARM NAME                         to a position of the configuration: synchro, front, 0, 1, 2\n"
     "  tool ARM X Y Z AX AY AZ                 weight ARM NEWTONS [X Y Z]\n"
     "  model ARM NUMBER                        servo ARM ALGORITHM [SET]\n"
     "  gripper ARM METRES                      bias ARM\n"
     "  reset ARM                               stop ARM\n"
     "  show ARM                                positions, pose, force, state\n"
+    "  save ARM FILE                           adds the position to a file: a line `move ARM joints ...`\n"
+    "  load FILE                               the instructions of a file, one after the other\n"
     "  end                                     the session\n"
     "SPACE: motors [rad], joints [rad, m], euler, angle-axis [m, rad]. S: share of the largest, 0 to 1.\n"
     "Options: --no-wait returns when the instruction is taken; --json, --session NAME, --url URL.\n"
@@ -33,14 +38,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t kLongest = sizeof(manual_words_t{}.text) - 1;  // instruction
+
 /// @return the last answer: refused, taken when that is enough, done or failed
-ManualAnswer ask(link::Bus& bus, const link::SessionInfo& session, const ManualWish& wish,
+ManualAnswer ask(link::Bus& bus, const link::SessionInfo& session, const std::string& words, bool wait,
                  const Patience& patience) {
   ManualLink link(bus, session, {}, patience);
-  link.begin(wish.words, Clock::now());
+  link.begin(words, Clock::now());
   while (true) {
     const auto answer = link.poll(Clock::now());
-    if (answer && (answer->state != ManualState::taken || !wish.wait)) return *answer;
+    if (answer && (answer->state != ManualState::taken || !wait)) return *answer;
     if (!answer) bus.wait(std::min(patience.repeat, std::chrono::milliseconds(20)));
   }
 }
@@ -92,6 +99,51 @@ void show(const EffectorReply& r, const std::string& arm, bool json, std::ostrea
   out << fmt::format("{:<11} {:9.4f}  m{}\n", "gripper", r.gripper, r.blocked ? ", holds something" : "");
 }
 
+/// Adds where the arm is to the file.
+void save(const EffectorReply& r, const ManualWish& wish, const link::SessionInfo& session,
+          std::ostream& out) {
+  const auto arms = manual_arms(session.run_folder);
+  const auto arm = std::ranges::find(arms, wish.show, &ManualArm::name);
+  if (arm == arms.end())
+    throw FaultError(FaultCode::bad_usage,
+                     fmt::format("{} is no arm of the run in {}", wish.show, session.run_folder.string()),
+                     "save on the host of the task, where its run folder is");
+  if (r.state == DriverState::not_synchronised)
+    throw FaultError(FaultCode::illegal_in_state, wish.show + " does not know its position",
+                     fmt::format("type `ui_cli manual home {}` first", wish.show));
+  const std::vector<double> joints(r.joints.begin(), r.joints.begin() + arm->axes);
+  const std::string line = fmt::format("move {} joints {:.6f}", wish.show, fmt::join(joints, " "));
+  std::ofstream file(wish.save, std::ios::app);
+  file << line << "\n";
+  if (!file.flush()) throw FaultError(FaultCode::cannot_write, "cannot write " + wish.save.string());
+  out << (wish.json ? Json{{"file", wish.save.string()}, {"line", line}}.dump() : line) << "\n";
+}
+
+/// @return its lines without comments @throws FaultError bad_script
+std::vector<std::string> instructions_in(const std::filesystem::path& name) {
+  std::ifstream file(name);
+  if (!file) throw FaultError(FaultCode::bad_script, "cannot read " + name.string());
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(file, line);) {
+    line = line.substr(0, line.find('#'));
+    line.erase(line.find_last_not_of(" \t\r") + 1);
+    if (line.size() > kLongest)
+      throw FaultError(FaultCode::bad_script,
+                       fmt::format("{}: a line has more than {} characters", name.string(), kLongest));
+    if (!line.empty()) lines.push_back(line);
+  }
+  return lines;
+}
+
+/// @throws FaultError illegal_in_state: refused or failed
+void must_be_good(const ManualAnswer& answer, const std::string& words) {
+  if (answer.state == ManualState::taken || answer.state == ManualState::done) return;
+  throw FaultError(FaultCode::illegal_in_state,
+                   fmt::format("{} {}: {}", words,
+                               answer.state == ManualState::refused ? "refused" : "failed", answer.text),
+                   "look at the arm with `ui_cli manual show ARM`");
+}
+
 }  // namespace
 
 ManualWish read_manual_words(const std::vector<std::string>& arguments) {
@@ -119,31 +171,54 @@ ManualWish read_manual_words(const std::vector<std::string>& arguments) {
   if (words.empty())
     throw FaultError(FaultCode::bad_usage, "an instruction is missing", "look at ui_cli manual --help");
   wish.words = fmt::format("{}", fmt::join(words, " "));
+  const auto form = [&](std::size_t count, const char* written) {
+    if (words.size() != count)
+      throw FaultError(FaultCode::bad_usage, fmt::format("it is written `{}`", written));
+  };
   if (words[0] == "show") {
-    if (words.size() != 2) throw FaultError(FaultCode::bad_usage, "it is written `show ARM`");
+    form(2, "show ARM");
     wish.show = words[1];
+  } else if (words[0] == "save") {
+    form(3, "save ARM FILE");
+    wish.show = words[1];
+    wish.save = words[2];
+  } else if (words[0] == "load") {
+    form(2, "load FILE");
+    wish.load = words[1];
   }
-  constexpr std::size_t kLongest = sizeof(manual_words_t{}.text) - 1;
   if (wish.words.size() > kLongest)
     throw FaultError(FaultCode::bad_usage, fmt::format("an instruction has at most {} characters", kLongest));
   return wish;
 }
 
 std::vector<std::string> manual_words() {
-  return {"home",  "move",         "jog",       "preset", "tool",      "weight", "model",
-          "servo", "gripper",      "bias",      "reset",  "stop",      "show",   "end",
-          "all",   "arm1",         "arm2",      "motors", "joints",    "euler",  "angle-axis",
-          "speed", "acceleration", "--no-wait", "--json", "--session", "--url"};
+  return {"home",         "move",      "jog",    "preset",    "tool",   "weight", "model",      "servo",
+          "gripper",      "bias",      "reset",  "stop",      "show",   "save",   "load",       "end",
+          "all",          "arm1",      "arm2",   "motors",    "joints", "euler",  "angle-axis", "speed",
+          "acceleration", "--no-wait", "--json", "--session", "--url"};
 }
 
 void execute_manual(link::Bus& bus, const link::SessionInfo& session, const ManualWish& wish,
                     const Patience& patience, std::ostream& out) {
   if (!wish.show.empty()) {
-    show(look_at(bus, session, wish.show, patience), wish.show, wish.json, out);
+    const EffectorReply reading = look_at(bus, session, wish.show, patience);
+    if (wish.save.empty())
+      show(reading, wish.show, wish.json, out);
+    else
+      save(reading, wish, session, out);
     return;
   }
-  const ManualAnswer answer = ask(bus, session, wish, patience);
-  const bool good = answer.state == ManualState::taken || answer.state == ManualState::done;
+  if (!wish.load.empty()) {
+    const auto lines = instructions_in(wish.load);
+    for (const std::string& words : lines) {
+      const ManualAnswer answer = ask(bus, session, words, true, patience);
+      must_be_good(answer, words);
+      if (!wish.json) out << words << ": " << answer.text << std::endl;
+    }
+    if (wish.json) out << Json{{"file", wish.load.string()}, {"done", lines.size()}}.dump() << "\n";
+    return;
+  }
+  const ManualAnswer answer = ask(bus, session, wish.words, wish.wait, patience);
   if (wish.json)
     out << Json{{"words", wish.words},
                 {"accepted", answer.state != ManualState::refused},
@@ -151,11 +226,7 @@ void execute_manual(link::Bus& bus, const link::SessionInfo& session, const Manu
                 {"text", answer.text}}
                .dump(-1, ' ', false, Json::error_handler_t::replace)
         << "\n";
-  if (!good)
-    throw FaultError(FaultCode::illegal_in_state,
-                     fmt::format("{} {}: {}", wish.words,
-                                 answer.state == ManualState::refused ? "refused" : "failed", answer.text),
-                     "look at the arm with `ui_cli manual show ARM`");
+  must_be_good(answer, wish.words);
   if (!wish.json) out << answer.text << "\n";
 }
 

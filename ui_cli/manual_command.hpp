@@ -2,6 +2,7 @@
 #pragma once
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -14,9 +15,11 @@ namespace mrroc::ui {
 
 /// What the words behind `ui_cli manual` say.
 struct ManualWish {
-  std::string words;  ///< the instruction; "show ARM" is answered here
+  std::string words;  ///< the instruction; "show ARM", "save ARM FILE" and "load FILE" are answered here
   std::string show;   ///< arm whose state is wanted; empty: an instruction
-  bool wait{true};    ///< until it is done; false: until it is taken
+  std::filesystem::path save;  ///< where the position of that arm is written down; empty: it is shown
+  std::filesystem::path load;  ///< instructions that are given one after the other, a line each; empty: none
+  bool wait{true};             ///< until it is done; false: until it is taken
   bool json{};
   std::string session, url;
 };
@@ -28,8 +31,10 @@ struct ManualWish {
 /// Words behind `ui_cli manual`, for the shell's completion.
 [[nodiscard]] std::vector<std::string> manual_words();
 
-/// Sends an instruction until it is answered, or prints the state of an arm.
-/// @throws FaultError illegal_in_state: refused or failed, with the reason; peer_silent: nobody answers
+/// Sends an instruction until it is answered, or those of a file, each when the one before is done; or prints the state of
+/// an arm, or adds its position to a file as the instruction that leads there: `move ARM joints NUMBER...`.
+/// @throws FaultError illegal_in_state: refused or failed, with the reason, or a position is not known; peer_silent:
+///                    nobody answers; bad_script, cannot_write: the file
 void execute_manual(link::Bus& bus, const link::SessionInfo& session, const ManualWish& wish,
                     const Patience& patience, std::ostream& out);
 

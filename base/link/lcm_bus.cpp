@@ -22,6 +22,9 @@ void deliver(const lcm_recv_buf_t* buffer, const char* channel, void* sink) {
                                     {static_cast<const std::uint8_t*>(buffer->data), buffer->data_size});
 }
 
+/// The address as the library takes it: bursts of a macrostep must fit into the sockets.
+std::string lcm_url(const LcmAddress& a) { return a.url() + "&recv_buf_size=4194304"; }
+
 std::string escaped(const std::string& text) {
   static const std::regex special(R"([.^$|()\[\]{}*+?\\])");
   return std::regex_replace(text, special, R"(\$&)");
@@ -33,7 +36,7 @@ class LcmBus final : public Bus {
     for (int g = 0; g < kGroups; ++g) {
       LcmAddress a = address;
       a.port += g;
-      lcm_[static_cast<std::size_t>(g)].reset(lcm_create(a.url().c_str()));
+      lcm_[static_cast<std::size_t>(g)].reset(lcm_create(lcm_url(a).c_str()));
       if (!lcm_[static_cast<std::size_t>(g)])
         throw NoMulticast(fmt::format("no multicast route for {}", a.url()));
     }
@@ -93,7 +96,7 @@ class LcmBus final : public Bus {
 LcmAddress LcmAddress::parse(const std::string& url) {
   // 224.0.0.0 to 239.255.255.255 are the addresses for multicast.
   static const std::regex form(
-      R"(udpm://(2(?:2[4-9]|3\d)(?:\.(?:25[0-5]|2[0-4]\d|1?\d{1,2})){3}):(\d{1,5})(?:\?ttl=(\d{1,3}))?(?:&recv_buf_size=\d+)?)");
+      R"(udpm://(2(?:2[4-9]|3\d)(?:\.(?:25[0-5]|2[0-4]\d|1?\d{1,2})){3}):(\d{1,5})(?:\?ttl=(\d{1,3}))?)");
   std::smatch part;
   if (!std::regex_match(url, part, form))
     throw std::invalid_argument(fmt::format("'{}' is not of the form udpm://HOST:PORT?ttl=N", url));
@@ -104,9 +107,7 @@ LcmAddress LcmAddress::parse(const std::string& url) {
   return a;
 }
 
-std::string LcmAddress::url() const {
-  return fmt::format("udpm://{}:{}?ttl={}&recv_buf_size=4194304", host, port, ttl);
-}
+std::string LcmAddress::url() const { return fmt::format("udpm://{}:{}?ttl={}", host, port, ttl); }
 
 std::unique_ptr<Bus> open_lcm(const LcmAddress& address) { return std::make_unique<LcmBus>(address); }
 

@@ -12,6 +12,9 @@ namespace {
 
 constexpr std::size_t kRemembered = 64;
 
+/// In place of the number of an order that no arm has got, because a stop came in the same macrostep. Below all numbers.
+constexpr std::int64_t kCalledOff = -1;
+
 // manual_answer_t::state
 constexpr int kRefused = 0;
 constexpr int kTaken = 1;
@@ -64,13 +67,19 @@ std::optional<std::string> Desk::obey(std::int64_t i, const std::string& words,
       return fmt::format("{} waits for `reset {}` after a fault", arms_[arm].key, arms_[arm].key);
   }
   for (std::size_t k = 0; k < wanted.arms.size(); ++k) {
-    hands.orders[wanted.arms[k]] = wanted.orders[k];
+    auto& order = hands.orders[wanted.arms[k]];
+    if (order && order->kind != Kind::stop) call_off(wanted.arms[k], given[wanted.arms[k]] + 1);
+    order = wanted.orders[k];
     asked.orders.emplace_back(wanted.arms[k], given[wanted.arms[k]] + 1);
   }
   hands.end = hands.end || wanted.end;
   if (record_.is_open()) record_ << i << ' ' << words << '\n' << std::flush;
   process_.say(fmt::format("operator: {} in macrostep {}", words, i));
   return std::nullopt;
+}
+
+void Desk::call_off(std::size_t arm, std::int64_t number) {
+  for (Asked& a : asked_) std::ranges::replace(a.orders, std::pair{arm, number}, std::pair{arm, kCalledOff});
 }
 
 void Desk::answer_terminals(std::int64_t i, const std::vector<std::int64_t>& given,

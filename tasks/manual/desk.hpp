@@ -48,6 +48,8 @@ class Desk {
   std::optional<std::string> obey(std::int64_t i, const std::string& words,
                                   const std::vector<std::int64_t>& given, const std::vector<Report>& reports,
                                   Hands& hands, Asked& asked);
+  /// A stop takes the place, and the number, of the order in the same macrostep.
+  void call_off(std::size_t arm, std::int64_t number);
   void answer_terminals(std::int64_t i, const std::vector<std::int64_t>& given,
                         const std::vector<Report>& reports, Hands& hands);
   void conclude(Asked& asked, const std::vector<Report>& reports);

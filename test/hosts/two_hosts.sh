@@ -3,7 +3,7 @@
 # another time, and a network that loses one message in a hundred. The run must be the same as on one host.
 # two_hosts.sh BIN
 set -euo pipefail
-bin=$1
+bin=$(realpath "$1")
 skip() {
   echo "SKIPPED: $*"
   exit 77
@@ -36,18 +36,22 @@ for side in "$desk d$$" "$robot r$$"; do
   number=$((number + 1))
 done
 
-start="\"ip\", \"netns\", \"exec\", \"$robot\""
+over_there="ip netns exec $robot"
 if unshare --time --monotonic 12345 --boottime 12345 --fork true 2>/dev/null; then
-  start+=', "unshare", "--time", "--monotonic", "12345", "--boottime", "12345", "--kill-child", "--fork"'
+  over_there+=" unshare --time --monotonic 12345 --boottime 12345 --kill-child --fork"
 else
   echo "time namespaces are not allowed here: both hosts have one clock"
 fi
+# What ssh does with its words: a shell reads them as one line, in a folder of its own.
+printf '#!/bin/sh\nshift\ncd /\nexec %s /bin/sh -c "$*"\n' "$over_there" >"$place/ssh"
+chmod +x "$place/ssh"
+cd "$place"
 "$bin/press" --processes one --run-dir "$place/alone" >/dev/null
 {
   printf 'time.n_s = 10\n[robots]\norder = ["arm1"]\n[robots.arm1]\nmodel = "irb6_postument"\nsynchro = "known_pose"\n'
-  printf '[link]\nloss = 0.01\n[hosts.robot]\nprocesses = ["world", "edp-arm1"]\nstart = [%s]\n' "$start"
+  printf '[link]\nloss = 0.01\n[hosts.robot]\nprocesses = ["world", "edp-arm1"]\nstart = ["%s", "robot"]\n' "$place/ssh"
 } >"$place/press.toml"
-ip netns exec "$desk" "$bin/press" --config "$place/press.toml" --run-dir "$place/run" --session "two-hosts-$$" &
+ip netns exec "$desk" "$bin/press" --config "$place/press.toml" --run-dir "one run" --session "two-hosts-$$" &
 task=$!
 seen=false
 for _ in $(seq 200); do
@@ -63,5 +67,5 @@ $seen || fail "the terminal has not seen the task"
 grep -q edp-arm1 "$place/status" || fail "the terminal does not list the driver"
 
 hash_of() { sed -n 's/.*"log_hash": "\(.*\)".*/\1/p' "$1/summary.json"; }
-[[ -n $(hash_of "$place/run") ]] || fail "no fingerprint"
-[[ $(hash_of "$place/run") == $(hash_of "$place/alone") ]] || fail "the run differs from that on one host"
+[[ -n $(hash_of "$place/one run") ]] || fail "no fingerprint"
+[[ $(hash_of "$place/one run") == $(hash_of "$place/alone") ]] || fail "the run differs from that on one host"

@@ -19,6 +19,13 @@ cmake --build "$place/example"
 "$place/example/bin/touch" --processes one --run-dir "$place/run"
 [[ -s $place/run/summary.json ]] || fail "the run has left no summary"
 
+# The reader for Python is there with the definitions of messages.
+if /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
+  env -u MRROC_MSG PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$place/usr/lib/python3/dist-packages" /usr/bin/python3 -c '
+import mrroc_runs, sys
+assert len(mrroc_runs.open_run(sys.argv[1]).messages("arm1.reply")["F_a"]) > 10' "$place/run" || fail "the installed reader does not read"
+fi
+
 # What `ui_cli new` writes for the outside is such a project too.
 (cd "$place" && "$place/usr/bin/mrroc" ui_cli new task circle --outside "$place/circle" >/dev/null)
 cmake -S "$place/circle" -B "$place/circle/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \

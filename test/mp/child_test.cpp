@@ -6,6 +6,8 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
+#include <fstream>
 #include <thread>
 
 #include "base/fault.hpp"
@@ -48,6 +50,42 @@ TEST(Child, TellsHowItEnded) {
 TEST(Child, GetsItsArgumentsAsTheyAre) {
   Child child("/bin/sh", {"-c", R"([ "$1" = "a b" ] && [ "$2" = '*' ] && [ $# = 2 ])", "name", "a b", "*"});
   ASSERT_TRUE(await_end(child));
+  EXPECT_TRUE(child.ended_well());
+}
+
+TEST(Child, GetsThemAsTheyAreThroughAShellElsewhereToo) {
+  std::string pattern = (std::filesystem::temp_directory_path() / "child_test.XXXXXX").string();
+  const std::filesystem::path folder = ::mkdtemp(pattern.data());
+  const std::filesystem::path ssh = folder / "ssh";
+  std::ofstream(ssh) << "#!/bin/sh\nshift\ncd /\nexec /bin/sh -c \"$*\"\n";
+  std::filesystem::permissions(ssh, std::filesystem::perms::owner_all);
+  const std::vector<std::string> words{"a b",           "*", "it's", "udpm://239.1.2.3:7667?ttl=1&x=2",
+                                       "$HOME; exit 4", ""};
+  std::string script = "[ $# = 6 ]";
+  for (std::size_t k = 0; k < words.size(); ++k)
+    script += " && [ \"${" + std::to_string(k + 1) + "}\" = \"$W" + std::to_string(k + 1) + "\" ]";
+  for (std::size_t k = 0; k < words.size(); ++k)
+    ::setenv(("W" + std::to_string(k + 1)).c_str(), words[k].c_str(), 1);
+  std::vector<std::string> arguments{"-c", script, "name"};
+  arguments.insert(arguments.end(), words.begin(), words.end());
+  for (const std::vector<std::string>& start : {{ssh.string(), "robot"}, std::vector<std::string>{}}) {
+    Child child("/bin/sh", arguments, start);
+    ASSERT_TRUE(await_end(child));
+    EXPECT_TRUE(child.ended_well()) << start.size();
+  }
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Child, CannotReadWhatIsTypedToItsOwner) {
+  int typed[2];
+  ASSERT_EQ(::pipe(typed), 0);
+  const int before = ::dup(STDIN_FILENO);
+  ::dup2(typed[0], STDIN_FILENO);
+  Child child("/bin/sh", {"-c", "! read -r line"});  // there is nothing, and it is told at once
+  const bool ended = await_end(child);
+  ::dup2(before, STDIN_FILENO);
+  for (const int file : {before, typed[0], typed[1]}) ::close(file);
+  ASSERT_TRUE(ended);
   EXPECT_TRUE(child.ended_well());
 }
 

@@ -1,4 +1,5 @@
-// Every task can be recomputed from the log of its run: figure log_check_differences.
+// Tasks can be recomputed from the logs of their runs, as the figure log_check_differences says: all but manual and rubik, whose
+// runs are in manual_test.cpp and rubik_test.cpp, and are recomputed there.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -65,8 +66,12 @@ TEST_F(Checked, APausedAndAStoppedRunAreRecomputedToo) {
   const std::string pause = folder_.write("pause", "3 start\n120 pause\n160 resume\n");
   expect_same(check(ran("press", {"--script", pause})), {"mp", "ecp-arm1"});
   const std::string stop = folder_.write("stop", "3 start\n170 stop\n");
-  EXPECT_EQ(check(ran("press", {"--script", stop}, 1))["differences"], 0);
+  const auto stopped = check(ran("press", {"--script", stop}, 1));
+  EXPECT_EQ(stopped["differences"], 0);
+  EXPECT_EQ(stopped["complete"], true) << stopped.dump(2);
 }
+
+TEST_F(Checked, WeighIsRecomputedFromItsLog) { expect_same(check(ran("weigh")), {"mp", "ecp-arm1"}); }
 
 TEST_F(Checked, EdgeFollowIsRecomputedFromItsLog) {
   expect_same(check(ran("edge_follow")), {"mp", "ecp-arm1", "ecp-arm2"});

@@ -70,7 +70,26 @@ TEST_F(Manual, MovesInMotorsJointsAndPosesAndEveryProcessIsRecomputed) {
   EXPECT_NEAR(last(all).joints[1], -1.57, 2e-3);
   EXPECT_EQ(last(all).state, DriverState::holding);
   const Ended checked = run(folder_, "ui_cli", {"log", "check", run_.string()});
-  EXPECT_EQ(checked.status, 0) << checked.all();
+  EXPECT_EQ(checked.status, 0) << checked.all();  // nothing differs, and all came to their ends
+}
+
+TEST_F(Manual, GoesToEveryPresetWithAllArms) {
+  const auto all = replies(
+      "3 home all\n"
+      "100 preset all synchro speed 0.5 acceleration 0.5\n"
+      "600 preset all front speed 0.5 acceleration 0.5\n"
+      "900 preset all 1 speed 0.3 acceleration 0.5\n"
+      "1200 preset all 2 speed 0.3 acceleration 0.5\n"
+      "1600 preset all 0 speed 0.3 acceleration 0.5\n"
+      "1700 end\n");
+  for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(all.at(595).motors[k], 0, 0.2) << k;
+  EXPECT_NEAR(all.at(895).joints[4], 1.57, 2e-3);
+  EXPECT_NEAR(all.at(1195).joints[0], 0.5, 2e-3);
+  EXPECT_NEAR(all.at(1595).joints[0], -0.5, 2e-3);
+  EXPECT_NEAR(last(all).joints[0], 0, 2e-3);
+  std::ifstream log(run_ / "messages.log");
+  const std::string text(std::istreambuf_iterator<char>(log), {});
+  EXPECT_EQ(text.find("refused"), std::string::npos) << text;
 }
 
 TEST_F(Manual, SetsToolModelServoAndForce) {

@@ -37,6 +37,23 @@ struct CubeRun {
   nlohmann::json told;
 };
 
+/// What every process decided follows from the log, to its end.
+void expect_recomputed(const CubeRun& r) {
+  const Ended checked = run(r.folder, "ui_cli", {"log", "check", (r.folder / "run").string(), "--json"});
+  std::string text;
+  for (const std::string& line : checked.out) text += line + "\n";
+  const auto verdict = nlohmann::json::parse(text, nullptr, false);
+  ASSERT_TRUE(verdict.is_object()) << checked.all();
+  EXPECT_EQ(checked.status, 0);
+  EXPECT_EQ(verdict["differences"], 0) << verdict.dump(2);
+  EXPECT_EQ(verdict["complete"], true) << verdict.dump(2);
+  for (const auto& p : verdict["processes"])
+    if (p["process"] == "mp" || p["process"].get<std::string>().starts_with("ecp-")) {
+      EXPECT_EQ(p["not_checked"], "") << p["process"];
+      EXPECT_GT(p["compared"].get<int>(), 300) << p["process"];
+    }
+}
+
 TEST(Rubik, TurnsAFaceAndTheCubeIsSolved) {
   if (kSanitized) GTEST_SKIP() << "too long";
   const CubeRun r({"--processes", "one"});
@@ -57,6 +74,7 @@ TEST(Rubik, TurnsAFaceAndTheCubeIsSolved) {
   EXPECT_TRUE(row.starts_with("1,U,")) << row;
   for (const char* picture : {"fig16_approach.png", "fig17_turn.png", "turns.png"})
     EXPECT_TRUE(std::filesystem::exists(r.folder / "run" / "plots" / picture)) << picture;
+  expect_recomputed(r);
 }
 
 TEST(Rubik, IsTheSameWhateverCarriesItsMessages) {

@@ -1,7 +1,13 @@
 #include "ui_cli/doctor.hpp"
 
 #include <gtest/gtest.h>
+#include <linux/capability.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -14,7 +20,7 @@ Host healthy() {
           .clock_resolution_ns = 1,
           .latest_wake_us = 80,
           .cores = 2,
-          .real_time_priority = 99,
+          .real_time_priority = 40,
           .memory_lock = true,
           .missing = {},
           .folder = "/runs",
@@ -49,7 +55,7 @@ TEST(Doctor, SaysWhatToTypeForEverythingThatIsNotWell) {
         Case{"clocks", [](Host& h) { h.latest_wake_us = 9000; }, Verdict::limited, "--clock step"},
         Case{"cores", [](Host& h) { h.cores = 1; }, Verdict::limited, "core"},
         Case{"real time", [](Host& h) { h.memory_lock = false; }, Verdict::limited, "memlock"},
-        Case{"real time", [](Host& h) { h.real_time_priority = 0; }, Verdict::limited, "rtprio"},
+        Case{"real time", [](Host& h) { h.real_time_priority = 39; }, Verdict::limited, "rtprio 40"},
         Case{"packages", [](Host& h) { h.missing = {"gnuplot"}; }, Verdict::limited,
              "apt-get install gnuplot-nox "},
         Case{"packages", [](Host& h) { h.missing = {"libEGL.so.1"}; }, Verdict::limited,
@@ -73,6 +79,26 @@ TEST(Doctor, LooksAtThisHost) {
   EXPECT_GT(host.receive_buffer, 0);
   EXPECT_GT(host.clock_resolution_ns, 0);
   EXPECT_GT(host.free_bytes, 0);
+}
+
+TEST(Doctor, BelievesWhatTheSystemGrantsAndNotWhoAsks) {
+  const Host before = look_at_host();
+  const pid_t child = ::fork();
+  if (child == 0) {  // root or not: without the capabilities, and with limits that grant nothing
+    const rlimit nothing{};
+    ::setrlimit(RLIMIT_RTPRIO, &nothing);
+    ::setrlimit(RLIMIT_MEMLOCK, &nothing);
+    __user_cap_header_struct header{.version = _LINUX_CAPABILITY_VERSION_3, .pid = 0};
+    std::array<__user_cap_data_struct, 2> none{};
+    ::syscall(SYS_capset, &header, none.data());
+    const Host host = look_at_host();
+    ::_exit((host.real_time_priority == 0 ? 0 : 1) + (host.memory_lock ? 2 : 0));
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  EXPECT_EQ(look_at_host().real_time_priority, before.real_time_priority) << "looking changes nothing";
 }
 
 TEST(Doctor, SaysTheSameToScripts) {

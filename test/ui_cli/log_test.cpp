@@ -1,10 +1,13 @@
 // The commands for run folders, on a small folder made here.
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <thread>
 
 #include "base/fault.hpp"
 #include "base/link/event_log.hpp"
@@ -185,6 +188,23 @@ TEST_F(RunFolder, CheckAsksEveryProgramAndJoinsTheVerdicts) {
     EXPECT_NE(out_.str().find(what), std::string::npos) << out_.str();
 }
 
+TEST_F(RunFolder, ProgramsOfARunAreThoseBesideThisOneAndNoOthers) {
+  const auto write = [&](const std::string& task, const std::string& program) {
+    std::ofstream(a_ / "processes.json")
+        << Json{{"task", task},
+                {"clock", "step"},
+                {"processes", {{{"name", "mp"}, {"program", program}, {"arguments", Json::array()}}}}};
+  };
+  write("press", "press");
+  EXPECT_EQ(bad_run(a_), "");
+  for (const char* elsewhere : {"/bin/true", "../press", "bin/press", "./press", "..", ".", "press/", ""}) {
+    write("press", elsewhere);
+    EXPECT_EQ(bad_run(a_), "bad_log") << elsewhere;
+    write(elsewhere, "press");
+    EXPECT_EQ(bad_run(a_), "bad_log") << elsewhere;
+  }
+}
+
 TEST_F(RunFolder, ReplayPublishesEverythingAtItsPaceAndTakesNoOrderButStop) {
   const ui::RunRecord record(a_);
   link::MemoryHub hub;
@@ -215,6 +235,32 @@ TEST_F(RunFolder, ReplayPublishesEverythingAtItsPaceAndTakesNoOrderButStop) {
   EXPECT_EQ(answers.take()->accepted, 0);
   EXPECT_EQ(answers.take()->accepted, 1);
   EXPECT_EQ(replay.published(), kMacrosteps + 2) << "without the channel of somebody else";
+}
+
+TEST_F(RunFolder, ReplayEndsWellWhenItIsInterruptedOrTerminated) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const fs::path sessions = home_ / std::to_string(signal);
+    fs::create_directories(sessions);
+    const pid_t child = ::fork();
+    if (child == 0) {
+      link::MemoryHub hub;
+      const ui::ReplaySurroundings around{sessions, [&](const link::LcmAddress&) { return hub.open(); }};
+      std::ostringstream out, err;
+      const int status = ui::run_replay({a_.string(), "--speed", "0.001"}, around, out, err);
+      ::_exit(out.str().find("messages, until") == std::string::npos ? 9 : status);
+    }
+    const auto runs = [&] {
+      return std::ranges::any_of(fs::directory_iterator(sessions),
+                                 [](const auto& e) { return e.path().extension() == ".json"; });
+    };
+    for (int k = 0; k < 1000 && !runs(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ::kill(child, signal);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status)) << signal;
+    EXPECT_EQ(WEXITSTATUS(status), 0) << signal;
+    EXPECT_FALSE(runs()) << "the session is over";
+  }
 }
 
 TEST_F(RunFolder, WhatIsNoRunFolderIsRefused) {

@@ -38,6 +38,7 @@ class Answering {
             bus_->wait(2ms);
             while (const auto m = in_.take()) {
               heard = link::get_text(m->text);
+              if (all.empty() || all.back() != heard) all.push_back(heard);
               manual_answer_t a{};
               a.id = m->id;
               a.state = states[std::min(k++, states.size() - 1)];
@@ -49,6 +50,7 @@ class Answering {
             EffectorReply r;
             r.state = DriverState::holding;
             r.joints[1] = -1.57;
+            r.joints[5] = 0.25;
             reply_.publish(to_message(r), 1);
           }
         }) {}
@@ -57,6 +59,7 @@ class Answering {
     thread_.join();
   }
   std::string heard;
+  std::vector<std::string> all;  ///< each once
 
  private:
   std::unique_ptr<link::Bus> bus_;
@@ -67,14 +70,15 @@ class Answering {
 };
 
 std::string execute(std::vector<int> states, const std::vector<std::string>& arguments,
-                    std::string* heard = nullptr) {
+                    std::string* heard = nullptr, const std::filesystem::path& run_folder = {},
+                    std::vector<std::string>* all = nullptr) {
   link::MemoryHub hub;
   Answering task(hub, std::move(states));
   const auto bus = hub.open();
   std::ostringstream out;
   std::string result;
   try {
-    ui::execute_manual(*bus, {"m", 9, {}, {}, {}, 0}, ui::read_manual_words(arguments),
+    ui::execute_manual(*bus, {"m", 9, {}, {}, run_folder, 0}, ui::read_manual_words(arguments),
                        {.repeat = 2ms, .give_up = 10s}, out);
     result = out.str();
   } catch (const FaultError& e) {
@@ -82,6 +86,7 @@ std::string execute(std::vector<int> states, const std::vector<std::string>& arg
   }
   task.end();
   if (heard) *heard = task.heard;
+  if (all) *all = task.all;
   return result;
 }
 
@@ -107,9 +112,33 @@ TEST(ManualCommand, ShowsAnArm) {
   EXPECT_NE(execute({2}, {"show", "arm1"}).find("joints"), std::string::npos);
 }
 
+TEST(ManualCommand, SavesPositionsAndGoesToThemAgain) {
+  std::string pattern = (std::filesystem::temp_directory_path() / "manual_command.XXXXXX").string();
+  const std::filesystem::path folder = ::mkdtemp(pattern.data());
+  std::ofstream(folder / "config.toml") << "[robots]\norder = ['arm1']\n[robots.arm1]\naxes = 6\n";
+  const std::string file = (folder / "positions").string();
+  std::ofstream(file) << "# two places\nbias arm1   # first\n\n";
+  const std::string there = "move arm1 joints 0.000000 -1.570000 0.000000 0.000000 0.000000 0.250000";
+  EXPECT_EQ(execute({2}, {"save", "arm1", file}, nullptr, folder), there + "\n");
+  std::vector<std::string> all;
+  EXPECT_EQ(execute({1, 2}, {"load", file}, nullptr, folder, &all), "bias arm1: done\n" + there + ": done\n");
+  EXPECT_EQ(all, (std::vector<std::string>{"bias arm1", there}));
+  EXPECT_NE(execute({2, 3}, {"load", file}, nullptr, folder).find("failed: arm1: joint_limit"),
+            std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(execute({2}, {"load", file, "--json"}))["done"], 2);
+  EXPECT_EQ(execute({2}, {"save", "arm1", file}).find("error: bad_usage"), 0U) << "its axes are not known";
+  EXPECT_EQ(execute({2}, {"save", "arm1", "/no/such/file"}, nullptr, folder).find("error: cannot_write"), 0U);
+  EXPECT_EQ(execute({2}, {"load", "/no/such/file"}).find("error: bad_script"), 0U);
+  std::ofstream(file) << std::string(300, 'x');
+  EXPECT_EQ(execute({2}, {"load", file}).find("error: bad_script"), 0U);
+  std::filesystem::remove_all(folder);
+}
+
 TEST(ManualCommand, BadWordsAreRefusedBeforeAnythingIsSent) {
   for (const std::vector<std::string>& words : {std::vector<std::string>{},
                                                 {"show"},
+                                                {"save", "arm1"},
+                                                {"load", "a", "b"},
                                                 {"home", "--fast"},
                                                 {"home", "--session"},
                                                 {std::string(300, 'x')}})

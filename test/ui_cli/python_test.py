@@ -1,5 +1,6 @@
 """The Python reader of run folders, on a run of the task press. Usage: python_test.py SOURCE_DIR BIN_DIR"""
 
+import importlib.util
 import os
 import shutil
 import subprocess
@@ -81,6 +82,26 @@ class Reader(unittest.TestCase):
     def test_fields_without_a_fixed_size_are_refused(self):
         with self.assertRaises(ValueError):
             lcm_types.parse("struct a_t {\n int32_t n;\n double x[n];\n}")
+
+    def test_reads_messages_where_pip_has_installed_it(self):
+        for needed in ("pip", "setuptools", "wheel"):
+            if importlib.util.find_spec(needed) is None:
+                self.skipTest(f"{needed} is not installed (python3-{needed})")
+        clone, place = self.home / "clone", self.home / "installed"
+        for part in ("ui_cli/python", "base/msg"):  # pip leaves its own files beside what it installs
+            shutil.copytree(SOURCE / part, clone / part, symlinks=True)
+        pip = [sys.executable, "-m", "pip", "install", "--quiet", "--no-index", "--no-build-isolation", "--no-deps"]
+        subprocess.run([*pip, "--target", place, clone / "ui_cli" / "python"], check=True)
+        shutil.rmtree(clone)
+        script = (
+            "import mrroc_runs, sys; run = mrroc_runs.open_run(sys.argv[1]); "
+            "print(mrroc_runs.__file__, len(run.messages('arm1.reply')['F_a']))"
+        )
+        elsewhere = {k: v for k, v in os.environ.items() if k != "MRROC_MSG"} | {"PYTHONPATH": str(place)}
+        ask = [sys.executable, "-c", script, self.folder]
+        told = subprocess.run(ask, cwd=place, env=elsewhere, check=True, capture_output=True, text=True).stdout.split()
+        self.assertTrue(Path(told[0]).is_relative_to(place), told[0])
+        self.assertEqual(int(told[1]), self.run_.channels()["arm1.reply"])
 
     def test_log_that_was_cut_off_gives_what_is_whole(self):
         cut = self.home / "cut"

@@ -25,6 +25,22 @@ constexpr auto kTick = 5ms;  // between two looks at the clock
 volatile std::sig_atomic_t interrupted = 0;
 void interrupt(int) { interrupted = 1; }
 
+/// Ctrl-C, and who ends this process otherwise, end the replay: nothing of it stays behind.
+class Interruptible {
+ public:
+  Interruptible() { interrupted = 0; }
+  ~Interruptible() {
+    std::signal(SIGINT, int_);
+    std::signal(SIGTERM, term_);
+  }
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
+
+ private:
+  void (*int_)(int) = std::signal(SIGINT, interrupt);
+  void (*term_)(int) = std::signal(SIGTERM, interrupt);
+};
+
 /// The number of the run, which is in every message.
 std::int64_t session_id_of(const RunRecord& run) {
   for (const link::LoggedMessage& m : run.log().messages())
@@ -121,6 +137,7 @@ int replay_run(const Words& w, const ReplaySurroundings& around, std::ostream& o
   const std::string session =
       w.session.empty() ? link::unique_session_name("replay", around.sessions) : w.session;
   const link::LcmAddress address = link::address_for(session);
+  const Interruptible while_replaying;
   const link::SessionFile file({.name = session,
                                 .id = session_id_of(run),
                                 .address = address,
@@ -131,10 +148,7 @@ int replay_run(const Words& w, const ReplaySurroundings& around, std::ostream& o
   const auto bus = around.open(address);
   Replay replay(*bus, run, session, options);
   if (!w.json) out << fmt::format("replay of {}, session {}\n", run.folder().string(), session) << std::flush;
-  interrupted = 0;
-  const auto before = std::signal(SIGINT, interrupt);
   const double end = play(replay, options);
-  std::signal(SIGINT, before);
   out << (w.json ? fmt::format("{{\"session\": \"{}\", \"messages\": {}, \"sim_s\": {}}}\n", session,
                                replay.published(), end)
                  : fmt::format("{} messages, until {:.2f} s\n", replay.published(), end));

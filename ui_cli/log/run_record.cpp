@@ -25,6 +25,14 @@ fs::path checked(const fs::path& folder) {
                    "name the folder that a task told in its line `run folder:`");
 }
 
+/// A run of somebody else must not choose what is started: only what stands beside this program.
+/// @return the name @throws FaultError bad_log: it leads elsewhere
+std::string plain_name(const fs::path& file, const std::string& name) {
+  if (!name.empty() && name != "." && name != ".." && fs::path(name).filename() == name) return name;
+  throw FaultError(FaultCode::bad_log,
+                   fmt::format("{}: '{}' is not the plain name of a program", file.string(), name));
+}
+
 /// Channels whose stamp counts something else than macrosteps; they tell the step themselves.
 constexpr std::array kPictures{".frame", ".chessboard", ".apriltag", ".truth"};
 
@@ -38,18 +46,19 @@ RunRecord::RunRecord(fs::path folder) : folder_(checked(folder)), log_(folder_) 
   const Config config = Config::load((folder_ / "config.toml").string());
   step_s_ = config.number("time.dt", 0.002, {1e-4, 1}, "s");
   macrostep_s_ = step_s_ * config.integer("time.n_s", 10, {1, 1000}, "steps");
-  std::ifstream in(folder_ / "processes.json");
+  const fs::path file = folder_ / "processes.json";
+  std::ifstream in(file);
   if (!in) return;
   try {
     const auto json = nlohmann::json::parse(in);
     clock_ = json.at("clock").get<std::string>();
-    task_ = json.at("task").get<std::string>();
+    task_ = plain_name(file, json.at("task").get<std::string>());
     for (const auto& p : json.at("processes"))
-      processes_.push_back({p.at("name").get<std::string>(), p.at("program").get<std::string>(),
+      processes_.push_back({p.at("name").get<std::string>(),
+                            plain_name(file, p.at("program").get<std::string>()),
                             p.at("arguments").get<std::vector<std::string>>()});
   } catch (const nlohmann::json::exception& e) {
-    throw FaultError(FaultCode::bad_log,
-                     fmt::format("{}: {}", (folder_ / "processes.json").string(), e.what()));
+    throw FaultError(FaultCode::bad_log, fmt::format("{}: {}", file.string(), e.what()));
   }
 }
 

@@ -124,6 +124,7 @@ TEST(LcmAddress, IsReadFromItsOwnUrl) {
   EXPECT_EQ(b.port, a.port);
   EXPECT_EQ(b.ttl, a.ttl);
   EXPECT_EQ(LcmAddress::parse("udpm://239.1.2.3:20004").ttl, 0);
+  EXPECT_EQ(a.url(), "udpm://239.1.2.3:20004?ttl=1");  // nothing in it that divides commands in a shell
 }
 
 TEST(LcmAddress, EverythingElseIsRefused) {

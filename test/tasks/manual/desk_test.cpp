@@ -90,6 +90,39 @@ TEST(ManualDesk, ABusyArmTakesNothingButAStop) {
   EXPECT_EQ(office.answer().first, 3);
 }
 
+TEST(ManualDesk, WhatAStopReplacesInTheSameMacrostepIsCalledOffAndNotDone) {
+  Office office;
+  const auto ask = [&](std::int64_t id, const std::string& text) {
+    manual_words_t m{};
+    m.id = id;
+    link::put_text(m.text, text);
+    office.words.publish(m, 0);
+  };
+  ask(1, "home all");
+  ask(2, "stop arm2");
+  ask(3, "stop arm2");
+  const Hands hands = office.step();
+  EXPECT_EQ(hands.orders[0]->kind, Kind::home);
+  EXPECT_EQ(hands.orders[1]->kind, Kind::stop);
+  office.done(1);
+  office.step();
+  office.answer();
+  ask(1, "home all");
+  office.step();
+  EXPECT_EQ(office.answer().first, 1) << "arm1 goes on";
+  office.done(0);
+  office.step();
+  office.answer();
+  ask(1, "home all");
+  office.step();
+  EXPECT_EQ(office.answer(), (std::pair{3, std::string("arm2: called off")}));
+  for (const std::int64_t stop : {2, 3}) {
+    ask(stop, "stop arm2");
+    office.step();
+    EXPECT_EQ(office.answer().first, 2) << stop;
+  }
+}
+
 TEST(ManualDesk, AFailureIsToldWithItsReason) {
   Office office;
   office.say(1, "model arm1 9");

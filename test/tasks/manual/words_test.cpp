@@ -1,9 +1,12 @@
 // The operator's language: what is understood, and what is refused with the way to write it.
 #include "tasks/manual/words.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "base/fault.hpp"
+#include "robots/irb6/arm.hpp"
+#include "tasks/manual/config.hpp"
 
 namespace mrroc::manual {
 namespace {
@@ -53,6 +56,23 @@ TEST(Words, AnInstructionIsForOneArmSeveralOrAll) {
   EXPECT_EQ(presets.orders.at(1).value[0], 0.1);
   EXPECT_NE(refusal("home arm3").find("there are arm1, arm2 and all"), std::string::npos);
   EXPECT_NE(refusal("preset arm1 rear").find("it has front"), std::string::npos);
+}
+
+TEST(Words, EveryPresetOfTheOriginalIsThereForEveryArm) {
+  const std::vector<ArmInfo> arms = read_arms(Config::parse(std::string(config()), "manual.toml"));
+  ASSERT_EQ(arms.size(), 2U);
+  for (const char* name : {"synchro", "front", "0", "1", "2"})
+    EXPECT_EQ(understand(fmt::format("preset all {}", name), arms).orders.size(), 2U) << name;
+}
+
+TEST(Words, SynchroIsWhereAllMotorsAreAtZero) {
+  const std::vector<ArmInfo> arms = read_arms(Config::parse(std::string(config()), "manual.toml"));
+  for (const auto& [info, model] : {std::pair{arms.at(0), "irb6_postument"}, {arms.at(1), "irb6_track"}}) {
+    const auto robot = irb6::make_arm(model);
+    const AxisVector zero = robot->joints_from_motors(AxisVector::Zero(robot->axes()));
+    for (int k = 0; k < robot->axes(); ++k)
+      EXPECT_NEAR(info.presets.at("synchro")[static_cast<std::size_t>(k)], zero[k], 2e-5) << model << k;
+  }
 }
 
 TEST(Words, EverythingElseThatAnArmCanBeTold) {

@@ -115,7 +115,7 @@ class Types:
 
 
 def default_folder() -> Path:
-    """Where the definitions are: $MRROC_MSG, or base/msg of the clone that holds this package."""
+    """Where the definitions are: $MRROC_MSG, or beside this file."""
     if given := os.environ.get("MRROC_MSG"):
         return Path(given)
-    return Path(__file__).resolve().parents[3] / "base" / "msg"
+    return Path(__file__).parent / "msg"
