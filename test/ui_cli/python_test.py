@@ -1,5 +1,6 @@
 """The Python reader of run folders, on a run of the task press. Usage: python_test.py SOURCE_DIR BIN_DIR"""
 
+import importlib.util
 import os
 import shutil
 import subprocess
@@ -81,6 +82,24 @@ class Reader(unittest.TestCase):
     def test_fields_without_a_fixed_size_are_refused(self):
         with self.assertRaises(ValueError):
             lcm_types.parse("struct a_t {\n int32_t n;\n double x[n];\n}")
+
+    def test_installed_package_needs_no_clone(self):
+        lacking = [name for name in ("pip", "setuptools", "wheel") if importlib.util.find_spec(name) is None]
+        if lacking:
+            self.skipTest(f"not installed: {', '.join(lacking)}")
+        clone, target = self.home / "clone", self.home / "installed"  # pip writes into the folder that it installs
+        skip = shutil.ignore_patterns("__pycache__", "build", "*.egg-info")
+        for part in ("ui_cli/python", "base/msg"):
+            shutil.copytree(SOURCE / part, clone / part, ignore=skip)
+        pip = [sys.executable, "-m", "pip", "install", "--quiet", "--no-index", "--no-build-isolation", "--no-deps"]
+        subprocess.run([*pip, "--target", target, "./ui_cli/python"], check=True, cwd=clone)
+        shutil.rmtree(clone)
+        program = "import sys, mrroc_runs as m; print(m.__file__, len(m.open_run(sys.argv[1]).messages('arm1.reply')['step']))"
+        env = {k: v for k, v in os.environ.items() if k != "MRROC_MSG"} | {"PYTHONPATH": str(target)}
+        said = subprocess.run(
+            [sys.executable, "-c", program, self.folder], check=True, cwd=self.home, env=env, stdout=subprocess.PIPE
+        ).stdout.decode()
+        self.assertEqual(said.split(), [str(target / "mrroc_runs/__init__.py"), str(self.run_.channels()["arm1.reply"])])
 
     def test_log_that_was_cut_off_gives_what_is_whole(self):
         cut = self.home / "cut"

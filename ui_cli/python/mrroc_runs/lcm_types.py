@@ -115,7 +115,9 @@ class Types:
 
 
 def default_folder() -> Path:
-    """Where the definitions are: $MRROC_MSG, or base/msg of the clone that holds this package."""
+    """Where the definitions are: $MRROC_MSG, those installed with this package, or base/msg of the clone that holds it."""
     if given := os.environ.get("MRROC_MSG"):
         return Path(given)
-    return Path(__file__).resolve().parents[3] / "base" / "msg"
+    here = Path(__file__).resolve()
+    installed = here.parent / "msg"
+    return installed if installed.is_dir() else here.parents[3] / "base" / "msg"
