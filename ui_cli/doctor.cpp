@@ -15,8 +15,8 @@ namespace {
 constexpr std::int64_t kReceiveBuffer = 4'194'304;
 /// Of the servo step's 2 ms this much lateness can be borne [us].
 constexpr std::int64_t kLateness = 500;
-/// The highest priority that a process of the framework asks for.
-constexpr int kPriority = 80;
+/// The highest priority that a process of the framework asks for: the world's (base/link/child_main.cpp).
+constexpr int kPriority = 40;
 /// A run of a minute with its log is some 20 MB.
 constexpr std::int64_t kFreeBytes = 1'000'000'000;
 
@@ -54,7 +54,7 @@ Finding real_time(const Host& h) {
     return {"real time", Verdict::good, "SCHED_FIFO and locked memory are permitted", ""};
   return {
       "real time", Verdict::limited, "not permitted; only --clock wall would use it",
-      "printf '%s - rtprio 80\\n%s - memlock unlimited\\n' $USER $USER > /etc/security/limits.d/mrroc.conf"
+      "printf '%s - rtprio 40\\n%s - memlock unlimited\\n' $USER $USER > /etc/security/limits.d/mrroc.conf"
       "    (as root), then log in again"};
 }
 

@@ -16,8 +16,8 @@ struct Host {
   std::int64_t clock_resolution_ns{};  ///< of the monotonic clock
   std::int64_t latest_wake_us{};       ///< worst of a hundred sleeps of 1 ms: how much too late it ended
   int cores{};                         ///< that this process may use
-  int real_time_priority{};            ///< highest permitted of SCHED_FIFO, 0: none
-  bool memory_lock{};                  ///< all of a process may be kept in RAM
+  int real_time_priority{};            ///< highest of SCHED_FIFO that a thread of this process got, 0: none
+  bool memory_lock{};                  ///< all of a process may be kept in RAM; tried with 64 MB
   std::vector<std::string> missing;    ///< of kNeeded, what is not installed
   std::filesystem::path folder;        ///< where runs/ would go
   std::int64_t free_bytes{};           ///< there

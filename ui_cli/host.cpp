@@ -1,5 +1,7 @@
 #include <dlfcn.h>
+#include <pthread.h>
 #include <sched.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -21,6 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t kUnlimited = std::int64_t{1} << 40;
+/// A process of the framework is smaller than this [bytes].
+constexpr std::size_t kLocked = std::size_t{64} << 20;
 
 std::int64_t number_in(const fs::path& file) {
   std::int64_t number = 0;
@@ -61,10 +65,28 @@ std::int64_t latest_wake_us() {
   return latest;
 }
 
+/// Tries it: what root may do depends on its capabilities, which a container takes away.
 int permitted_priority() {
-  const std::int64_t most = ::sched_get_priority_max(SCHED_FIFO);
-  if (::geteuid() == 0) return static_cast<int>(most);
-  return static_cast<int>(std::min(most, limit_of(RLIMIT_RTPRIO)));
+  int best = 0;
+  std::thread([&best] {  // which ends with its priority
+    for (int priority = ::sched_get_priority_max(SCHED_FIFO); priority > 0 && best == 0; --priority) {
+      const sched_param wanted{.sched_priority = priority};
+      if (::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wanted) == 0) best = priority;
+    }
+  })
+      .join();
+  return best;
+}
+
+/// Locks as much as a process may have, and gives it back. With a finite limit no process of the framework locks anything
+/// (base/link/real_time.cpp), root's neither.
+bool may_lock_memory() {
+  if (limit_of(RLIMIT_MEMLOCK) < kUnlimited) return false;
+  void* const room = ::mmap(nullptr, kLocked, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (room == MAP_FAILED) return false;
+  const bool locked = ::mlock(room, kLocked) == 0;
+  ::munmap(room, kLocked);
+  return locked;
 }
 
 }  // namespace
@@ -81,7 +103,7 @@ Host look_at_host() {
   CPU_ZERO(&cores);
   h.cores = ::sched_getaffinity(0, sizeof cores, &cores) == 0 ? CPU_COUNT(&cores) : 1;
   h.real_time_priority = permitted_priority();
-  h.memory_lock = ::geteuid() == 0 || limit_of(RLIMIT_MEMLOCK) >= kUnlimited;
+  h.memory_lock = may_lock_memory();
   for (const Needed& n : kNeeded)
     if (!(n.library ? loadable(n.name) : installed(n.name))) h.missing.emplace_back(n.name);
   std::error_code failed;

@@ -1,6 +1,7 @@
 #include "ui_cli/doctor.hpp"
 
 #include <gtest/gtest.h>
+#include <sched.h>
 
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -50,6 +51,7 @@ TEST(Doctor, SaysWhatToTypeForEverythingThatIsNotWell) {
         Case{"cores", [](Host& h) { h.cores = 1; }, Verdict::limited, "core"},
         Case{"real time", [](Host& h) { h.memory_lock = false; }, Verdict::limited, "memlock"},
         Case{"real time", [](Host& h) { h.real_time_priority = 0; }, Verdict::limited, "rtprio"},
+        Case{"real time", [](Host& h) { h.real_time_priority = 39; }, Verdict::limited, "rtprio 40"},
         Case{"packages", [](Host& h) { h.missing = {"gnuplot"}; }, Verdict::limited,
              "apt-get install gnuplot-nox "},
         Case{"packages", [](Host& h) { h.missing = {"libEGL.so.1"}; }, Verdict::limited,
@@ -73,6 +75,17 @@ TEST(Doctor, LooksAtThisHost) {
   EXPECT_GT(host.receive_buffer, 0);
   EXPECT_GT(host.clock_resolution_ns, 0);
   EXPECT_GT(host.free_bytes, 0);
+}
+
+TEST(Doctor, TriesWhatIsPermittedAndLeavesThingsAsTheyWere) {
+  const int before = ::sched_getscheduler(0);
+  const Host host = look_at_host();
+  EXPECT_EQ(::sched_getscheduler(0), before);
+  const sched_param wanted{.sched_priority = 40};
+  const bool permitted = ::sched_setscheduler(0, SCHED_FIFO, &wanted) == 0;
+  const sched_param usual{};
+  if (permitted) ::sched_setscheduler(0, before, &usual);
+  EXPECT_EQ(host.real_time_priority >= 40, permitted);
 }
 
 TEST(Doctor, SaysTheSameToScripts) {
