@@ -18,6 +18,7 @@ cmake -S "$source/test/install/example" -B "$place/example" -G Ninja -DCMAKE_BUI
 cmake --build "$place/example"
 "$place/example/bin/touch" --processes one --run-dir "$place/run"
 [[ -s $place/run/summary.json ]] || fail "the run has left no summary"
+[[ -s $place/usr/lib/python3/dist-packages/mrroc_runs/msg/header_t.lcm ]] || fail "the Python reader lacks the definitions"
 
 # What `ui_cli new` writes for the outside is such a project too.
 (cd "$place" && "$place/usr/bin/mrroc" ui_cli new task circle --outside "$place/circle" >/dev/null)
