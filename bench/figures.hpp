@@ -54,11 +54,8 @@ Figures run_plan_group();
 /// @param resume  cubes whose summary is there already are not solved again
 /// @throws FaultError start_failed, cannot_write
 Figures run_rubik_group(bool resume);
-/// Viewer, latencies of keys, recomputed logs, a rebuild, the documents' commands. Takes a quarter of an hour.
-/// @throws FaultError start_failed, no_such_session, peer_silent
+/// The documents' commands, viewer, recomputed logs, latencies of keys, a fresh clone, a rebuild. Takes half an hour.
+/// @throws FaultError cannot_write, start_failed, no_such_session, peer_silent
 Figures run_operator_group();
-/// From a clone of the repository to a moving arm. Takes as long as the first build.
-/// @throws FaultError cannot_write, start_failed
-Figures run_fresh_clone_group();
 
 }  // namespace mrroc::bench

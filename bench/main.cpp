@@ -29,12 +29,11 @@ const std::vector<
         {"cube", [](const std::string&, bool) { return bench::run_cube_group(); }},
         {"plan", [](const std::string&, bool) { return bench::run_plan_group(); }},
         {"operator", [](const std::string&, bool) { return bench::run_operator_group(); }},
-        {"fresh_clone", [](const std::string&, bool) { return bench::run_fresh_clone_group(); }},
         {"rubik", [](const std::string&, bool resume) { return bench::run_rubik_group(resume); }},
     };
 
 /// Groups that have to be named.
-const std::vector<std::string> kLong{"fresh_clone", "rubik"};
+const std::vector<std::string> kLong{"rubik"};
 
 std::vector<std::string> group_names() {
   std::vector<std::string> names;
@@ -64,10 +63,9 @@ int main(int argc, char** argv) {
   std::string file;
   std::string plots;
   bool resume = false;
-  app.add_option(
-         "group", groups,
-         "edp, servo, stability, vision, drawing, robustness, solver, cube, plan, operator, fresh_clone, "
-         "rubik (default: all but fresh_clone, which builds everything, and rubik, which takes hours)")
+  app.add_option("group", groups,
+                 "edp, servo, stability, vision, drawing, robustness, solver, cube, plan, operator, rubik "
+                 "(default: all but rubik, which takes hours)")
       ->check(CLI::IsMember(group_names()));
   auto* json = app.add_option("--json", file, "writes {\"figures\": {KEY: number}, \"context\": {...}}");
   json->type_name("FILE");

@@ -13,10 +13,13 @@ Figures latency_figures();
 /// Short runs of all tasks, recomputed from their logs: log_check_differences. Two minutes.
 /// @throws FaultError start_failed: a task did not end well; bad_log: a run could not be checked
 Figures log_check_figures();
-/// The build after a changed line in a task: rebuild_s; nothing on a host where it cannot be measured.
-/// @throws FaultError start_failed
-Figures rebuild_figures();
-/// What share of the documents' commands the tests run: doc_commands_run. At once.
+/// A new clone until its arm moves: fresh_clone_s. Then the build there after a changed line in a task: rebuild_s. As long
+/// as a first build, some ten minutes.
+/// @throws FaultError cannot_write, start_failed
+Figures clone_figures();
+/// Runs the test of the documents' commands; what share of them ended well: doc_commands_run, doc_commands_as_they_stand.
+/// Five minutes.
+/// @throws FaultError start_failed: the test has told nothing
 Figures document_figures();
 
 }  // namespace mrroc::bench

@@ -108,14 +108,19 @@ int run_explain(const std::vector<std::string>& arguments, std::ostream& out, st
     list(out, json);
     return 0;
   }
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const std::string& word : words) {
     const std::optional<FaultCode> code = code_of(word);
     if (!code) {
       err << unknown(word).error_line() << "\n";
       return 2;
     }
-    out << (json ? json_of(fault_entry(*code)).dump(2) + "\n" : explanation(*code));
+    if (json)
+      all.push_back(json_of(fault_entry(*code)));
+    else
+      out << explanation(*code);
   }
+  if (json) out << (all.size() == 1 ? all.front() : all).dump(2) << "\n";
   return 0;
 }
 

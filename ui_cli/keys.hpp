@@ -6,6 +6,7 @@ namespace mrroc::ui {
 /// What Terminal::key() returns for them.
 namespace key {
 inline constexpr int kControlC = 3;
+inline constexpr int kControlE = 5;
 inline constexpr int kEnter = '\n';
 inline constexpr int kReturn = '\r';
 inline constexpr int kEscape = 27;

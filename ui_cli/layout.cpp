@@ -124,7 +124,7 @@ void put_help(Rows& rows) {
       "r  resume   goes on after a pause",
       "t  trigger  ends a behaviour that waits for you, such as a teach-in",
       "x  stop     ends the task for good; the arms come to rest. Asks first",
-      "e  e-stop   the drives brake in the next step; at once, without a question",
+      "e  e-stop   the drives brake in the next step; asks nothing. In a text: Ctrl-E",
       "c  charts   F_z, F_x, F_y, or how far x, y, z have come",
       "m  manual   moves idle arms by hand, in the task `manual`",
       "q  leave    closes this view; the task goes on",
@@ -204,7 +204,7 @@ Canvas lay_out(const View& view, Size size) {
     c.put(row, 0, std::string(static_cast<std::size_t>(std::max(size.columns, 0)), ' '));
   if (size.rows > 2) c.put(limit, 1, view.notice.text, view.notice.style);
   if (by_hand && size.rows > ManualPage::kKeyRows)
-    ManualPage::draw_keys(c, size.rows - ManualPage::kKeyRows);
+    view.manual->draw_keys(c, size.rows - ManualPage::kKeyRows);
   else if (size.rows > 1)
     put_keys(c, view);
   return c;

@@ -24,10 +24,12 @@ constexpr double kLeastWay = 1;    // [mm]
 constexpr int kProcessWidth = 40;
 constexpr double kOldAge = 2;  // [s]; processes tell that they live twice a second
 
+bool too_old(const ProcessView& p) { return p.state != link::ProcessState::done && p.age > kOldAge; }
+
 bool usual(const ProcessView& p) {
   const bool alive = p.state == link::ProcessState::running || p.state == link::ProcessState::ready ||
                      p.state == link::ProcessState::starting;
-  return p.state == link::ProcessState::done || (alive && p.age <= kOldAge);
+  return p.state == link::ProcessState::done || (alive && !too_old(p));
 }
 
 Style style_of(const ProcessView& p) {
@@ -130,7 +132,7 @@ void put_processes(Rows& rows, const Snapshot& s) {
     const ProcessView& p = shown[k];
     c.put(row, left, p.name.substr(0, 21));
     c.put(row, left + 22, to_string(p.state), style_of(p));
-    c.put_right(row, left + kProcessWidth - 2, fixed(p.age, 1) + " s", Style::dim);
+    c.put_right(row, left + kProcessWidth - 2, fixed(p.age, 1) + " s", too_old(p) ? Style::bad : Style::dim);
   }
 }
 

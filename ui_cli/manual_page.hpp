@@ -42,7 +42,7 @@ class ManualPage {
   /// Where the arms are. @param arm  a name; unknown ones are ignored
   void show(const std::string& arm, const EffectorReply& reading);
   ManualDeed key(int key);
-  /// @return whether a line of text is being typed: then every key belongs to it
+  /// @return whether a line of text is being typed: then every key but the panel's Ctrl-E belongs to it
   [[nodiscard]] bool typing() const { return prompt_.has_value(); }
   /// @return the line of text, as far as it has been typed
   [[nodiscard]] std::string prompt() const;
@@ -50,8 +50,8 @@ class ManualPage {
   /// Draws into the rows first..limit-1. On a small screen the lower rows go first; the chosen axis stays.
   void draw(Canvas& c, int first, int limit) const;
   static constexpr int kKeyRows = 3;
-  /// The keys. @param first  the uppermost of their rows
-  static void draw_keys(Canvas& c, int first);
+  /// The keys that mean something now. @param first  the uppermost of their rows
+  void draw_keys(Canvas& c, int first) const;
   [[nodiscard]] const std::vector<ManualArm>& arms() const { return arms_; }
 
  private:

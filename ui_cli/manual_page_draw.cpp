@@ -98,11 +98,15 @@ void ManualPage::draw(Canvas& c, int first, int limit) const {
        [](const EffectorReply& r) { return r.fault ? std::string(mrroc::to_string(r.fault.code)) : "none"; });
 }
 
-void ManualPage::draw_keys(Canvas& c, int first) {
+void ManualPage::draw_keys(Canvas& c, int first) const {
   constexpr std::array<std::string_view, kKeyRows> kKeys{
       "1 2 arm 0 all  arrows axis, jog  c coordinates  a absolute  + - step  < > speed",
       "h home o preset g jaws w tool W weight k model v servo b bias z clear : words",
       "e E-STOP  space stop arm  m back  x stop task  p pause r resume  ? help  q leave"};
+  if (typing()) {
+    c.put(first + kKeyRows - 1, 0, "Ctrl-E E-STOP  Enter sends  Escape drops the line", Style::heading);
+    return;
+  }
   for (std::size_t k = 0; k < kKeys.size(); ++k)
     c.put(first + static_cast<int>(k), 0, kKeys[k], Style::heading);
 }

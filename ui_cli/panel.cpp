@@ -24,8 +24,6 @@ std::optional<OperatorOrder> order_of(int key) {
       return OperatorOrder::trigger;
     case 'x':
       return OperatorOrder::stop;
-    case 'e':
-      return OperatorOrder::emergency_stop;
     default:
       return std::nullopt;
   }
@@ -40,9 +38,11 @@ Panel::Panel(link::Bus& bus, Client& client, Glyphs glyphs, Clock::time_point no
 }
 
 void Panel::key(int key, Clock::time_point now) {
-  if (asks_ && key == 'e') {
+  const bool typing = view_.manual && !view_.help && page_->typing();
+  if (key == key::kControlE || (key == 'e' && !typing)) {  // before everything that could swallow it
     asks_.reset();
-    give(OperatorOrder::emergency_stop, now);
+    view_.help = false;
+    ask_or_give(OperatorOrder::emergency_stop, now);
   } else if (asks_) {
     const OperatorOrder order = *asks_;
     asks_.reset();

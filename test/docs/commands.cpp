@@ -21,7 +21,7 @@ std::string text_of(const fs::path& file) {
 /// What a line to be typed begins with.
 const std::regex& beginning() {
   static const std::regex r(
-      R"(^(\./run|(build/release/bin/)?(ui_cli|cube_solve|calibrate|vsp_\w+)|mrroc|sudo|git|cmake|cpack|ctest|pip3?|python3|ip|source|cd|MRROC_\w+=\S+ \./run)( .*|$))");
+      R"(^(\./run|(build/release/bin/)?(ui_cli|cube_solve|calibrate|vsp_\w+)|mrroc|sudo|git|cmake|cpack|ctest|pip3?|python3|ip|ssh|apt-get|source|cd|MRROC_\w+=\S+ \./run)( .*|$))");
   return r;
 }
 
@@ -80,7 +80,7 @@ std::vector<Command> commands_in(const fs::path& document, const std::string& te
 
 std::vector<Command> document_commands(const fs::path& root) {
   std::vector<fs::path> documents{"README.md"};
-  for (const auto& entry : fs::directory_iterator(root / "docs"))
+  for (const auto& entry : fs::recursive_directory_iterator(root / "docs"))
     if (entry.path().extension() == ".md") documents.push_back(entry.path().lexically_relative(root));
   std::ranges::sort(documents.begin() + 1, documents.end());
   std::vector<Command> all;
@@ -89,6 +89,17 @@ std::vector<Command> document_commands(const fs::path& root) {
     for (Command& c : commands_in(document, text_of(root / document)))
       if (seen.insert(c.text).second) all.push_back(std::move(c));
   return all;
+}
+
+std::string first_words(const std::string& command) {
+  static const std::regex placeholder(R"([A-Z\[<|*]|^-|.[/:])");
+  std::istringstream in(command);
+  std::string words;
+  for (std::string word; in >> word;) {
+    if (!words.empty() && std::regex_search(word, placeholder)) break;
+    words += (words.empty() ? "" : " ") + word;
+  }
+  return words;
 }
 
 std::vector<Trial> read_trials(const fs::path& root) {
@@ -100,9 +111,11 @@ std::vector<Trial> read_trials(const fs::path& root) {
     ++number;
     if (line.empty() || line.starts_with('#')) continue;
     if (line.starts_with("= ")) {
-      trials.push_back({line.substr(2), {}, {}});
+      trials.push_back({line.substr(2), {}, {}, {}});
     } else if (!trials.empty() && line.starts_with("! ")) {
       trials.back().not_run = line.substr(2);
+    } else if (!trials.empty() && line.starts_with("~ ")) {
+      trials.back().stand_in = line.substr(2);
     } else if (!trials.empty() && line.starts_with("  ")) {
       trials.back().script += line.substr(2) + "\n";
     } else {
@@ -115,7 +128,7 @@ std::vector<Trial> read_trials(const fs::path& root) {
 
 Trial trial_of(const std::vector<Trial>& trials, const std::string& command) {
   const auto known = std::ranges::find(trials, command, &Trial::command);
-  if (known == trials.end()) return {command, command, {}};
+  if (known == trials.end()) return {command, command, {}, {}};
   Trial t = *known;
   if (t.script.empty()) t.script = command;
   for (auto at = t.script.find('@'); at != std::string::npos; at = t.script.find('@', at + command.size()))

@@ -19,7 +19,7 @@ struct Command {
 [[nodiscard]] std::vector<Command> commands_in(const std::filesystem::path& document,
                                                const std::string& text);
 
-/// @return the commands of README.md and docs/*.md, each once: where it stands first
+/// @return the commands of README.md and of all documents below docs/, each once: where it stands first
 [[nodiscard]] std::vector<Command> document_commands(const std::filesystem::path& root);
 
 /// How a command is tried.
@@ -27,10 +27,15 @@ struct Trial {
   std::string command;  ///< as in the documents
   std::string script;   ///< lines for a shell that stand for it; empty: it is run as it stands
   std::string not_run;  ///< why it is not run; empty: it is
+  std::string
+      stand_in{};  ///< what of it is another program's work, or left out, in the test; empty: nothing of weight
 };
 
+/// @return the words that a command begins with, up to the first placeholder, option or path: "ui_cli log show"
+[[nodiscard]] std::string first_words(const std::string& command);
+
 /// Reads test/docs/trials.txt: "= COMMAND", below it either lines of a script, indented by two blanks, or one line
-/// "! why it is not run". `@` in a script stands for the command.
+/// "! why it is not run". A line "~ WHY" tells of a stand-in. `@` in a script stands for the command.
 /// @throws std::runtime_error that names a line which is neither
 [[nodiscard]] std::vector<Trial> read_trials(const std::filesystem::path& root);
 

@@ -48,11 +48,23 @@ TEST(DocumentCommands, EveryTrialIsOfACommandThatIsThere) {
     EXPECT_TRUE(there.contains(t.command)) << "no document has: " << t.command;
     EXPECT_TRUE(tried.insert(t.command).second) << "twice: " << t.command;
     EXPECT_TRUE(t.script.empty() || t.not_run.empty()) << t.command;
+    const bool typed = t.script.empty() || t.script.find('@') != std::string::npos ||
+                       t.script.find(first_words(t.command)) != std::string::npos;
+    EXPECT_TRUE(typed || !t.not_run.empty() || !t.stand_in.empty())
+        << t.command << ": its script does not type it, and no stand-in is told:\n"
+        << t.script;
   }
 }
 
+TEST(DocumentCommands, BeginWithWordsThatStandForNothingElse) {
+  EXPECT_EQ(first_words("ui_cli log show RUN [--m]"), "ui_cli log show");
+  EXPECT_EQ(first_words("./run bench --json FILE"), "./run bench");
+  EXPECT_EQ(first_words("sudo apt install ./build/x.deb"), "sudo apt install");
+}
+
 TEST(DocumentCommands, ATrialStandsForTheCommand) {
-  const std::vector<Trial> trials{{"./run a", "cd there\n@ --short\n", {}}, {"./run b", {}, "it is long"}};
+  const std::vector<Trial> trials{{"./run a", "cd there\n@ --short\n", {}, {}},
+                                  {"./run b", {}, "it is long", {}}};
   EXPECT_EQ(trial_of(trials, "./run a").script, "cd there\n./run a --short\n");
   EXPECT_EQ(trial_of(trials, "./run b").not_run, "it is long");
   EXPECT_EQ(trial_of(trials, "./run c").script, "./run c");

@@ -36,7 +36,7 @@ fi
 cmake -S "$tree" -B "$place/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE='-O1 -DNDEBUG' \
   -DMRROC_TREE="$source" -DMRROC_BUILD="$build" >"$place/configure.log"
 cmake --build "$place/build" >"$place/build.log" || { tail -n 40 "$place/build.log"; fail "it does not build"; }
-cp "$build/bin/edp_irb6" "$build/bin/ui_cli" "$bin"  # ui_cli looks for programs beside itself
+cp "$build/bin/edp_irb6" "$build/bin/ecp_press" "$build/bin/ui_cli" "$bin"  # programs are looked for beside each other
 
 for suite in "$bin"/test_*; do
   "$suite" --gtest_brief=1 >"$place/suite.log" 2>&1 || { cat "$place/suite.log"; fail "$(basename "$suite")"; }
@@ -52,4 +52,6 @@ run() {
 }
 run probe_arm
 run probe_task --processes one
+# Any other task on this robot.
+run press --set robots.arm1.model=probe_arm
 echo "all that was written builds, passes its tests and runs"

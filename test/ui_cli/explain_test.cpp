@@ -62,6 +62,12 @@ TEST(Explain, KnowsNamesAndNumbers) {
   EXPECT_EQ(nlohmann::json::parse(run({"over_current", "--json"}).out)["class"], "fatal");
 }
 
+TEST(Explain, SeveralCodesAreOneDocument) {
+  const auto both = nlohmann::json::parse(run({"over_current", "1", "--json"}).out);
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_EQ(both[1]["code"], "lost_command");
+}
+
 TEST(Explain, ListsAllWithoutACode) {
   const auto all = nlohmann::json::parse(run({"--json"}).out);
   EXPECT_EQ(all.size(), kFaultTable.size() - 1);

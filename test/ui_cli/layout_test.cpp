@@ -183,6 +183,7 @@ TEST(Layout, MarksAProcessThatHasNotBeenHeard) {
   const int row = row_of(c, "edp arm1 ");
   EXPECT_NE(c.text(row).find("7.5 s"), std::string::npos);
   EXPECT_EQ(c.cell(row, 1 + 22).style, Style::bad);
+  EXPECT_EQ(c.cell(row, static_cast<int>(c.text(row).find("7.5 s"))).style, Style::bad);
 }
 
 TEST(Layout, ShowsWhatCanBeDoneNow) {

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -160,6 +161,15 @@ TEST_F(RunFolder, CompareNamesTheFirstMessageThatDiffersAndTheFigures) {
   EXPECT_EQ(j["first"]["number"], 41);
   EXPECT_EQ(j["first"]["field"], "F_a[2]");
   EXPECT_EQ(j["figures"]["hold_N"], (Json{"4", "4.5"}));
+}
+
+TEST_F(RunFolder, PlotTakesAnyNameOfAPictureButItsScripts) {
+  EXPECT_EQ(run({"plot", a_.string(), "force", "--output", (home_ / "x.gp").string()}), 2);
+  if (std::system("gnuplot --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
+  const fs::path odd = home_ / "it's \"so\".png";
+  EXPECT_EQ(run({"plot", a_.string(), "force", "--output", odd.string(), "--json"}), 0) << err_.str();
+  EXPECT_TRUE(fs::exists(odd));
+  EXPECT_EQ(Json::parse(out_.str())["picture"], odd.string());
 }
 
 TEST_F(RunFolder, CheckAsksEveryProgramAndJoinsTheVerdicts) {

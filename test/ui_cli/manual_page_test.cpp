@@ -118,13 +118,13 @@ TEST(ManualPage, ShowsTheArmsAndKeepsTheChosenAxisOnAnySize) {
     for (const int columns : {1, 20, 60, 80, 200}) {
       ui::Canvas c({rows, columns});
       p.draw(c, 1, rows - 4);
-      ui::ManualPage::draw_keys(c, rows - 3);
+      p.draw_keys(c, rows - 3);
       if (rows <= 9 || columns < 60) continue;
       EXPECT_NE(c.text().find("> axis 7"), std::string::npos) << c.text();
     }
   ui::Canvas c({24, 80});
   p.draw(c, 1, 20);
-  ui::ManualPage::draw_keys(c, 21);
+  p.draw_keys(c, 21);
   for (const char* text :
        {"arm1", "holding", "not heard yet", "-3.25", "0.0600", "0.5000", "E-STOP", "m back", "stop arm"})
     EXPECT_NE(c.text().find(text), std::string::npos) << text << "\n" << c.text();
@@ -206,14 +206,20 @@ TEST_F(ManualPanel, SendsInstructionsAndTellsWhatBecameOfThem) {
   EXPECT_NE(notice().find(": done"), std::string::npos) << notice();
 }
 
-TEST_F(ManualPanel, TheEmergencyStopIsOnEveryPageButNotInAText) {
+TEST_F(ManualPanel, TheEmergencyStopIsOnEveryPageAndInATextWithControl) {
+  const auto screen = [&] { return panel.picture({24, 80}, now).text(); };
   press('m');
   press('g');
   press('e');
   EXPECT_TRUE(task.obeyed.empty()) << "it is a letter of a text";
+  EXPECT_NE(screen().find("Ctrl-E E-STOP"), std::string::npos) << screen();
+  EXPECT_EQ(screen().find("e E-STOP"), std::string::npos) << "no key is shown that means something else\n"
+                                                          << screen();
+  press(kControlE);
+  EXPECT_EQ(task.obeyed.size(), 1U);
   press(kEscape);
   press('e');
-  EXPECT_EQ(task.obeyed, std::vector{OperatorOrder::emergency_stop});
+  EXPECT_EQ(task.obeyed, std::vector(2, OperatorOrder::emergency_stop));
   press('m');
   EXPECT_NE(panel.picture({24, 80}, now).text().find("PROCESS"), std::string::npos) << "back at the task";
   press('h');

@@ -5,6 +5,7 @@
 #include "base/link/memory_bus.hpp"
 #include "base/link/text.hpp"
 #include "test/ui_cli/fake_task.hpp"
+#include "ui_cli/keys.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -79,6 +80,12 @@ TEST_F(Panel, TheEmergencyStopAsksNothingAndPassesEveryQuestionAndEveryOrder) {
   press('x');
   press('e');
   EXPECT_EQ(task.obeyed.size(), 2U) << "also while it asks";
+  press('?');
+  press('e');
+  EXPECT_EQ(task.obeyed.size(), 3U) << "also while the help is open";
+  EXPECT_EQ(screen().find("Any key goes back"), std::string::npos);
+  press(ui::key::kControlE);
+  EXPECT_EQ(task.obeyed, std::vector(4, OperatorOrder::emergency_stop));
   task.deaf = 2;
   press('p');
   press('e');
@@ -113,7 +120,7 @@ TEST_F(Panel, AsksBeforeATriggerThatComesEarly) {
 TEST_F(Panel, AsksAndOrdersNothingWhenTheTaskIsOver) {
   for (const TaskState state : {TaskState::ending, TaskState::ended}) {
     publish(state);
-    for (const int key : {'x', 's', 't'}) {
+    for (const int key : {'x', 's', 't', 'e'}) {
       press(key);
       EXPECT_EQ(notice(), " the task is over; q leaves");
     }
@@ -121,7 +128,7 @@ TEST_F(Panel, AsksAndOrdersNothingWhenTheTaskIsOver) {
   EXPECT_TRUE(task.heard.empty());
 }
 
-TEST_F(Panel, HelpStandsUntilTheNextKeyWhichDoesNothingElse) {
+TEST_F(Panel, HelpStandsUntilTheNextKeyWhichDoesNothingElseButForTheEmergencyStop) {
   publish(TaskState::running);
   press('?');
   EXPECT_NE(screen().find("Any key goes back"), std::string::npos);

@@ -6,7 +6,9 @@
 #include <fstream>
 #include <functional>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <ostream>
+#include <utility>
 
 #include "base/command_line.hpp"
 #include "base/fault.hpp"
@@ -51,18 +53,23 @@ int write_table(const Words& w, std::ostream& out) {
 
 int draw(const Words& w, std::ostream& out) {
   const fs::path picture = plot_run(RunRecord(w.run), w.what, w.output);
-  out << (w.json ? fmt::format("{{\"picture\": \"{}\"}}\n", picture.string())
+  out << (w.json ? nlohmann::json{{"picture", picture.string()}}.dump() + "\n"
                  : fmt::format("picture: {}\n", picture.string()));
   return 0;
 }
 
 int check(const Words& w, std::ostream& out) {
   int status = 0;
+  // Several reports are one document: a list.
+  const bool list = w.json && w.runs.size() > 1;
+  const char* between = "[\n";
   for (const fs::path& folder : w.runs) {
+    if (list) out << std::exchange(between, ",\n");
     const RunRecord run(folder);
     const auto verdicts = check_run(run, programs_beside());
     status = std::max(status, report_check(folder, verdicts, damage_of(run), w.json, out));
   }
+  if (list) out << "]\n";
   return status;
 }
 

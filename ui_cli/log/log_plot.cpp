@@ -50,6 +50,13 @@ const Subject& subject(const std::string& name) {
                    "plots: force, pose, motors, behaviours");
 }
 
+/// As gnuplot's single quotes take it.
+std::string quoted(const std::string& text) {
+  std::string all = "'";
+  for (const char c : text) all += c == '\'' ? std::string("''") : std::string(1, c);
+  return all + "'";
+}
+
 std::string chart(const RunRecord& run, const Subject& s, const std::string& arm) {
   std::ostringstream table;
   write_channel(run, arm + "." + s.channel, s.fields, false, table);
@@ -79,13 +86,16 @@ fs::path plot_run(const RunRecord& run, const std::string& what, const fs::path&
   if (arms.empty()) throw FaultError(FaultCode::bad_log, "the log tells of no arm");
   const fs::path picture =
       fs::absolute(output.empty() ? run.folder() / "plots" / fmt::format("log-{}.png", what) : output);
+  if (picture.extension() == ".gp")
+    throw FaultError(FaultCode::bad_usage, fmt::format("{} would be the script's own name", picture.string()),
+                     "give the picture a name that ends in .png");
   fs::path script = picture;
   script.replace_extension(".gp");
   std::string text = fmt::format(
-      "set terminal pngcairo size 1000,{} font 'sans,12' background rgb 'white'\nset output '{}'\n"
+      "set terminal pngcairo size 1000,{} font 'sans,12' background rgb 'white'\nset output {}\n"
       "set datafile separator ','\nset border 3\nset tics nomirror\nset grid lc rgb '#e4e8ee'\n"
       "set key outside right\nset xlabel 't [s]'\nset multiplot layout {},1\n",
-      120 + 400 * arms.size(), picture.filename().string(), arms.size());
+      120 + 400 * arms.size(), quoted(picture.filename().string()), arms.size());
   for (const std::string& arm : arms) text += chart(run, s, arm);
   std::error_code ignored;
   fs::create_directories(picture.parent_path(), ignored);

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
+#include <nlohmann/json.hpp>
 #include <ostream>
 #include <thread>
 
@@ -149,9 +150,11 @@ int replay_run(const Words& w, const ReplaySurroundings& around, std::ostream& o
   Replay replay(*bus, run, session, options);
   if (!w.json) out << fmt::format("replay of {}, session {}\n", run.folder().string(), session) << std::flush;
   const double end = play(replay, options);
-  out << (w.json ? fmt::format("{{\"session\": \"{}\", \"messages\": {}, \"sim_s\": {}}}\n", session,
-                               replay.published(), end)
-                 : fmt::format("{} messages, until {:.2f} s\n", replay.published(), end));
+  out << (w.json
+               ? nlohmann::ordered_json{{"session", session}, {"messages", replay.published()}, {"sim_s", end}}
+                         .dump() +
+                     "\n"
+               : fmt::format("{} messages, until {:.2f} s\n", replay.published(), end));
   return 0;
 }
 
