@@ -32,9 +32,10 @@ std::string status_text(const Snapshot& s) {
   text += row("time", fmt::format("{:.2f} s simulated, {:.1f} x real time", s.sim_time, s.speed));
   for (const AgentView& a : s.agents) {
     text += row(a.name, fmt::format("x, y, z {:.1f} {:.1f} {:.1f} mm; rotation {:.3f} {:.3f} {:.3f} rad; F_z "
-                                    "{:.2f} N{}{}",
+                                    "{:.2f} N{}{}{}",
                                     1e3 * a.T_0E[0], 1e3 * a.T_0E[1], 1e3 * a.T_0E[2], a.T_0E[3], a.T_0E[4],
-                                    a.T_0E[5], a.F_a[2], a.sensor.empty() ? "" : "; ", a.sensor));
+                                    a.T_0E[5], a.F_a[2], a.sensor.empty() ? "" : "; ", a.sensor,
+                                    a.m != 0 ? fmt::format("; m = {}", a.m) : ""));
   }
   std::string heading = "processes";
   for (const ProcessView& p : s.processes) {
