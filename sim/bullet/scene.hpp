@@ -20,11 +20,21 @@ inline constexpr int kGripperGroup = 256;
 inline constexpr int kCubeGroup = 512;
 inline constexpr int kFloorGroup = 1024;
 
-/// The dynamics with a word in between: after contacts have been found, before forces are.
+/// The dynamics with a word in between: after contacts have been found, before forces are. And contacts can be found
+/// anew in every integration: Bullet keeps a point of contact with the normal that it had in the world when it was
+/// found, until the bodies part there; two bodies that stick together and are turned would be glued by it.
 class ObservedDynamics final : public btMultiBodyDynamicsWorld {
  public:
   using btMultiBodyDynamicsWorld::btMultiBodyDynamicsWorld;
   std::function<void()> contacts_found;
+  bool forgets_contacts{};
+
+  void performDiscreteCollisionDetection() override {
+    if (forgets_contacts)
+      for (int m = 0; m < getDispatcher()->getNumManifolds(); ++m)
+        getDispatcher()->getManifoldByIndexInternal(m)->clearManifold();
+    btMultiBodyDynamicsWorld::performDiscreteCollisionDetection();
+  }
 
  protected:
   void calculateSimulationIslands() override {
@@ -51,8 +61,8 @@ class Scene {
   /// @param T_UP  of the table, as above
   void add_plate(const Pose& T_UP, const PlateParameters& plate);
 
-  /// Adds the floor, for a cube to fall on, and takes friction in two directions: in one alone a held cube turns in
-  /// its pads.
+  /// Adds the floor, for a cube to fall on, finds contacts anew in every integration, since hands turn the cube, and
+  /// takes friction in two directions: in one alone a held cube turns in its pads.
   void prepare_for_cube();
 
   /// Integrates once. @param h [s]
