@@ -32,7 +32,7 @@ EffectorCommand freely(const X& x) {
 /// otherwise turn the cube in the other hand, with moments up to the end of the sensor's range.
 EffectorCommand close_xy(const X& x) {
   TaskFrameCommand frame = kCloseXY;
-  if (const double B = alignment_of(x.T); B > 0) frame.ax = frame.ay = frame.az = c(0, kTurn.az.inertia, B);
+  if (const double B = alignment_of(x.T); B > 0) frame.ax = frame.ay = frame.az = c(0, kAlignInertia, B);
   return command(x, frame, -kJawStep);
 }
 

@@ -25,10 +25,13 @@ inline constexpr TaskFrameCommand kStill{.x = u(), .y = u(), .z = u(), .ax = u()
 
 inline constexpr double kApproachForce = 0.9 * 0.01 / 0.0025;  ///< threshold of (66) [N]
 inline constexpr std::int64_t kSettling = 25;                  ///< i_d of (69) [macrosteps]
-inline constexpr double kNarrow = 0.06;     ///< distance of the jaws that ends m = 3, (71) [m]
-inline constexpr double kRelease = 0.02;    ///< opening that ends m = 6, (77) [m]
-inline constexpr double kJawStep = 0.001;   ///< dg(m), per macrostep [m]
-inline constexpr double kAligned = 1;       ///< moment of a hand that is aligned with the cube [N m]
+inline constexpr double kNarrow = 0.06;    ///< distance of the jaws that ends m = 3, (71) [m]
+inline constexpr double kRelease = 0.02;   ///< opening that ends m = 6, (77) [m]
+inline constexpr double kJawStep = 0.001;  ///< dg(m), per macrostep [m]
+inline constexpr double kAligned = 1;      ///< moment of a hand that is aligned with the cube [N m]
+/// I about all axes while a hand aligns itself [kg m^2]: above 16 Hz law (28) moves by 1/(I w), whatever B is, and with
+/// tab. 7's 0.5 two closed hands swing at 50 Hz.
+inline constexpr double kAlignInertia = 2;
 inline constexpr double kResists = 0.75;    ///< share of F_d about z at which the face is about to stand
 inline constexpr double kOfStanding = 0.4;  ///< of the ordered mobility, for a face that stands
 inline constexpr double kQuicken = 1.1;  ///< by which the mobility about z grows per macrostep while it turns
