@@ -155,7 +155,7 @@ class World {
   /// From now on a face of the cube has this friction. Without a cube nothing happens.
   void set_face_friction(rubik::Face face, const FaceFriction& friction);
   /// Lays the cube's layers anew, as a turn about another axis does. @param axis 0 x, 1 y, 2 z of the cube
-  /// @return whether they are in their seats, so that it can be done; false without a cube
+  /// @return whether they are in or near their seats, so that it can be done; false without a cube
   bool lay_cube(int axis);
   /// @return where E of an arm is, in the world
   [[nodiscard]] Pose effector(int arm) const;

@@ -14,11 +14,12 @@ using rubik::Face;
 
 constexpr double kQuarter = std::numbers::pi / 2;
 constexpr double kGap = 1e-4;  // between layers [m]
-constexpr double kAligned =
-    1e-3;                      // largest angle of a layer that is forgotten when layers are chosen anew [rad]
-constexpr int kPatience = 2;   // steps in which another axis must be wanted ...
-constexpr double kMore = 1.3;  // compared with the present axis
-constexpr double kWanted = 0.5;  // ... which is that a layer is turned by so much of its breakaway
+// Largest angle of a layer that is forgotten when layers are chosen anew [rad]: so far may a layer be off its seat
+// while another one begins to turn, which straightens it.
+constexpr double kStraightened = 0.05;
+constexpr int kPatience = 2;     // steps in which another axis must be wanted ...
+constexpr double kMore = 1.3;    // compared with the present axis
+constexpr double kWanted = 0.9;  // ... which is that a layer is turned by so much of its breakaway
 constexpr std::array kSides{1., -1.};
 
 // Faces out of which the axes of C come, and those opposite.
@@ -139,8 +140,8 @@ void CubeBody::set_friction(Face f, const FaceFriction& friction) {
 
 bool CubeBody::lay(int axis) {
   observe();
-  for (std::size_t side = 0; side < faces_.size(); ++side)
-    if (!faces_[side].seated() || std::abs(truth_.angle[side]) > kAligned) return false;
+  for (const double angle : truth_.angle)
+    if (std::abs(angle) > kStraightened) return false;
   settled_ = truth_.state;
   const Vector3 velocity = from_bullet(body_->getBaseVel());
   const Vector3 turning = from_bullet(body_->getBaseOmega());

@@ -12,8 +12,8 @@
 namespace mrroc::sim {
 
 /// At any time the layers can turn about one of the three axes: a floating multibody of the middle layer, to which the
-/// core belongs, and the two outer layers. When all faces are in their seats and something turns a layer of another
-/// axis, by half of its breakaway at least, the body is made anew with that axis; pose and speed stay. The 26 pieces are
+/// core belongs, and the two outer layers. When all faces are in or near their seats and something turns a layer of
+/// another axis, with nearly its breakaway, the body is made anew with that axis; pose and speed stay. The 26 pieces are
 /// the numbers of rubik::Cube.
 class CubeBody {
  public:
@@ -34,8 +34,8 @@ class CubeBody {
   [[nodiscard]] const CubeTruth& truth() const { return truth_; }
   /// From now on a face has this friction.
   void set_friction(rubik::Face face, const FaceFriction& friction);
-  /// Makes the body anew with another axis, if all layers are in the middle of their seats: what they are off is
-  /// forgotten, and must be little for what holds them. @param axis 0..2 @return whether
+  /// Makes the body anew with another axis, if no layer is more than 3 degrees off its seat: what they are off is
+  /// forgotten, as a face of a real cube that turns straightens the others. @param axis 0..2 @return whether
   bool lay(int axis);
 
   /// Calls take(double) with every number of the mechanical state.

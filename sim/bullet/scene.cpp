@@ -29,6 +29,7 @@ void Scene::prepare_for_cube() {
   constexpr double kEdge = 10;  // [m]
   add_body(std::make_unique<btBoxShape>(btVector3(kEdge / 2, kEdge / 2, kEdge / 2)),
            Pose{Matrix3::Identity(), {0, 0, -kEdge / 2}}, kFloorGroup, kCubeGroup);
+  dynamics_.contacts_turn = true;
   dynamics_.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
 }
 

@@ -20,16 +20,43 @@ inline constexpr int kGripperGroup = 256;
 inline constexpr int kCubeGroup = 512;
 inline constexpr int kFloorGroup = 1024;
 
-/// The dynamics with a word in between: after contacts have been found, before forces are.
+/// The dynamics with a word in between: after contacts have been found, before forces are. For hands that turn what
+/// they hold, contacts are told differently, as contacts_turn says.
 class ObservedDynamics final : public btMultiBodyDynamicsWorld {
  public:
   using btMultiBodyDynamicsWorld::btMultiBodyDynamicsWorld;
   std::function<void()> contacts_found;
+  /// Bullet keeps a point of contact with the normal that it had in the world when it was found, until the bodies part
+  /// there: it would glue a hand to a cube that it has turned, so points are found anew in every integration. And it
+  /// takes the velocity of each body at its own surface, which the other one is pressed into: two bodies that turn
+  /// together would seem to slip by angular velocity times depth, and friction would turn the cube in the hand. Both
+  /// are taken in the middle between the surfaces.
+  bool contacts_turn{};
+
+  void performDiscreteCollisionDetection() override {
+    if (contacts_turn) each_manifold([](btPersistentManifold& manifold) { manifold.clearManifold(); });
+    btMultiBodyDynamicsWorld::performDiscreteCollisionDetection();
+    if (contacts_turn)
+      each_manifold([](btPersistentManifold& manifold) {
+        for (int k = 0; k < manifold.getNumContacts(); ++k) {
+          btManifoldPoint& point = manifold.getContactPoint(k);
+          point.m_positionWorldOnA = point.m_positionWorldOnB =
+              (point.m_positionWorldOnA + point.m_positionWorldOnB) / 2;
+        }
+      });
+  }
 
  protected:
   void calculateSimulationIslands() override {
     if (contacts_found) contacts_found();
     btMultiBodyDynamicsWorld::calculateSimulationIslands();
+  }
+
+ private:
+  template <class Do>
+  void each_manifold(Do what) {
+    for (int m = 0; m < getDispatcher()->getNumManifolds(); ++m)
+      what(*getDispatcher()->getManifoldByIndexInternal(m));
   }
 };
 
@@ -51,8 +78,8 @@ class Scene {
   /// @param T_UP  of the table, as above
   void add_plate(const Pose& T_UP, const PlateParameters& plate);
 
-  /// Adds the floor, for a cube to fall on, and takes friction in two directions: in one alone a held cube turns in
-  /// its pads.
+  /// Adds the floor, for a cube to fall on, tells contacts as it is right for hands that turn the cube, and takes
+  /// friction in two directions: in one alone a held cube turns in its pads.
   void prepare_for_cube();
 
   /// Integrates once. @param h [s]

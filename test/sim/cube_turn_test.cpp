@@ -10,7 +10,6 @@ namespace {
 
 TurnPlan quick(std::uint64_t seed) {
   TurnPlan plan = random_turn(seed);
-  plan.cell.substeps = 2;
   plan.cell.distance = 0.003;
   plan.cell.jaws = 0.0615;
   return plan;
