@@ -102,10 +102,10 @@ std::string first_words(const std::string& command) {
   return words;
 }
 
-std::vector<Trial> read_trials(const fs::path& root) {
-  const fs::path file = root / "test/docs/trials.txt";
+namespace {
+
+void read_trials_of(const fs::path& file, std::vector<Trial>& trials) {
   std::ifstream in(file);
-  std::vector<Trial> trials;
   int number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
@@ -123,6 +123,16 @@ std::vector<Trial> read_trials(const fs::path& root) {
                                ": neither command, script nor reason");
     }
   }
+}
+
+}  // namespace
+
+std::vector<Trial> read_trials(const fs::path& root) {
+  const fs::directory_iterator folder(root / "test/docs/trials");
+  std::vector<fs::path> files(begin(folder), end(folder));
+  std::ranges::sort(files);
+  std::vector<Trial> trials;
+  for (const fs::path& file : files) read_trials_of(file, trials);
   return trials;
 }
 

@@ -34,7 +34,7 @@ struct Trial {
 /// @return the words that a command begins with, up to the first placeholder, option or path: "ui_cli log show"
 [[nodiscard]] std::string first_words(const std::string& command);
 
-/// Reads test/docs/trials.txt: "= COMMAND", below it either lines of a script, indented by two blanks, or one line
+/// Reads test/docs/trials/*: "= COMMAND", below it either lines of a script, indented by two blanks, or one line
 /// "! why it is not run". A line "~ WHY" tells of a stand-in. `@` in a script stands for the command.
 /// @throws std::runtime_error that names a line which is neither
 [[nodiscard]] std::vector<Trial> read_trials(const std::filesystem::path& root);
