@@ -135,7 +135,7 @@ std::filesystem::path RecordFiles::write() {
 }
 
 std::filesystem::path RecordFiles::write_fault() {
-  const std::filesystem::path file = folder_ / fmt::format("{}-fault-{}.csv", robot_, fault_step_);
+  std::filesystem::path file = folder_ / fmt::format("{}-fault-{}.csv", robot_, fault_step_);
   writer_ = std::jthread([file, copy = recorder_, axes = axes_, dt = dt_] {
     append(file, record_header(axes) + record_lines(copy, axes, dt), true);
   });

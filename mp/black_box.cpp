@@ -63,7 +63,8 @@ std::string sender_of(const std::string& channel) {
   const std::size_t point = channel.rfind('.');
   if (point == std::string::npos)
     return channel == "supervisor" || channel == "task_status" || channel == "answer" ? "mp" : "";
-  const std::string name = channel.substr(0, point), what = channel.substr(point + 1);
+  std::string name = channel.substr(0, point);
+  const std::string what = channel.substr(point + 1);
   if (what == "status" || what == "console") return name;
   if (what == "command" || (what == "report" && name != "hand")) return "ecp-" + name;
   if (what == "reply" || what == "samples") return "edp-" + name;

@@ -49,7 +49,7 @@ WorldParameters read_cell(const Config& config, const std::vector<CellArm>& arms
   read_camera_world(config, keys);
   const World still(parameters, seed);
   for (std::size_t k = 0; k < arms.size(); ++k) {
-    const AxisVector joints = still.start_joints(static_cast<int>(k));
+    const AxisVector& joints = still.start_joints(static_cast<int>(k));
     read_arm(config, arms[k], {joints.begin(), joints.end()});
   }
   return parameters;

@@ -82,7 +82,8 @@ TEST_F(Manual, GoesToEveryPresetWithAllArms) {
       "1200 preset all 2 speed 0.3 acceleration 0.5\n"
       "1600 preset all 0 speed 0.3 acceleration 0.5\n"
       "1700 end\n");
-  for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(all.at(595).motors[k], 0, 1) << k;  // [rad], 0.01 of a joint
+  for (std::size_t k = 0; k < 6; ++k)
+    EXPECT_NEAR(all.at(595).motors[k], 0, 1) << k;  // [rad], 0.01 of a joint
   EXPECT_NEAR(all.at(895).joints[4], 1.57, 2e-3);
   EXPECT_NEAR(all.at(1195).joints[0], 0.5, 2e-3);
   EXPECT_NEAR(all.at(1595).joints[0], -0.5, 2e-3);

@@ -151,10 +151,10 @@ int replay_run(const Words& w, const ReplaySurroundings& around, std::ostream& o
   if (!w.json) out << fmt::format("replay of {}, session {}\n", run.folder().string(), session) << std::flush;
   const double end = play(replay, options);
   out << (w.json
-               ? nlohmann::ordered_json{{"session", session}, {"messages", replay.published()}, {"sim_s", end}}
-                         .dump() +
-                     "\n"
-               : fmt::format("{} messages, until {:.2f} s\n", replay.published(), end));
+              ? nlohmann::ordered_json{{"session", session}, {"messages", replay.published()}, {"sim_s", end}}
+                        .dump() +
+                    "\n"
+              : fmt::format("{} messages, until {:.2f} s\n", replay.published(), end));
   return 0;
 }
 
