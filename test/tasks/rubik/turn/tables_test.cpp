@@ -64,6 +64,26 @@ TEST(RubikTables, TheHolderTurnsWithTheOrdersTorqueAndNoForceElsewhere) {
   for (const Axis a : {Axis::ax, Axis::ay}) EXPECT_EQ(frame[a], u());
 }
 
+TEST(RubikTables, AFaceThatStandsIsTurnedWithLittleMobilityAndOneThatTurnsWithTheOrders) {
+  X x;
+  put_turn({.torque = -4, .mobility = 0.1, .angle = 1.5}, x.T);
+  x.c = begin_turn(x);
+  const double little = x.c.mobility;
+  EXPECT_NEAR(little, kOfStanding * 0.1, 1e-12);
+  for (int k = 0; k < 40; ++k) {
+    const double before = x.c.mobility;
+    x.c = track_turn(x);
+    EXPECT_LE(x.c.mobility, std::min(0.1, kQuicken * before) + 1e-12);
+  }
+  EXPECT_DOUBLE_EQ(x.c.mobility, 0.1);
+  x.e.F_a[Axis::az] = -0.8 * 4;
+  EXPECT_DOUBLE_EQ(track_turn(x).mobility, little) << "at once";
+  put_turn({.torque = 5, .mobility = 0.025, .angle = 1.5}, x.T);
+  x.c = begin_turn(x);
+  EXPECT_DOUBLE_EQ(x.c.mobility, 0.025) << "tab. 7 is as printed";
+  EXPECT_DOUBLE_EQ(track_turn(x).mobility, 0.025);
+}
+
 TEST(RubikTables, TheHolderOpensStandingStill) {
   X x;
   x.e.gripper = 0.057;
