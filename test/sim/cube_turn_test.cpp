@@ -10,7 +10,7 @@ namespace {
 
 TurnPlan quick(std::uint64_t seed) {
   TurnPlan plan = random_turn(seed);
-  plan.cell.distance = 0.003;
+  plan.cell.distance = 0.006;
   plan.cell.jaws = 0.0615;
   return plan;
 }
