@@ -134,6 +134,7 @@ void Supervisor::hear() {
         w->skipped_told = s->skipped;
         w->told_at = w->heard;
       }
+      if (s->m != w->status.m || !std::ranges::equal(s->behaviour, w->status.behaviour)) ++behaviours_begun_;
       w->status = *s;
       const auto state = static_cast<ProcessState>(s->state);
       const bool news = state != w->state;
@@ -293,7 +294,9 @@ void Supervisor::end_threads() {
 std::vector<PartStatus> Supervisor::parts() const {
   std::vector<PartStatus> all;
   for (const auto& w : watched_)
-    all.push_back({w->part.name, w->state, std::chrono::duration<double>(Clock::now() - w->heard).count()});
+    all.push_back({w->part.name, w->state, std::chrono::duration<double>(Clock::now() - w->heard).count(),
+                   w->status.m, link::get_text(w->status.behaviour),
+                   link::get_text(w->status.ended_because)});
   return all;
 }
 

@@ -28,12 +28,6 @@ Style style_of(TaskState s) {
   return Style::bad;
 }
 
-/// @return as much of the text as there is room for; nothing of it where that would say nothing
-std::string cut(const std::string& text, int room) {
-  if (static_cast<int>(text.size()) <= room) return text;
-  return room > 8 ? text.substr(0, static_cast<std::size_t>(room - 2)) + ".." : "";
-}
-
 /// Two texts of one row that do not touch: the right one whole, the left one as far as there is room.
 void put_both(Canvas& c, int row, const std::string& left, Style left_style, const std::string& right,
               Style right_style) {
@@ -79,7 +73,7 @@ int put_task(Canvas& c, const Snapshot& s) {
   std::string wait;
   if (s.waits_for_trigger)
     wait = s.early.empty() ? "waits for your trigger: press t" : "press t later: " + s.early;
-  put_both(c, row++, s.ended_because.empty() ? "" : "after: " + s.ended_because, Style::dim, wait,
+  put_both(c, row++, s.ended_because.empty() ? "" : "after " + s.ended_because, Style::dim, wait,
            Style::warning);
   if (s.progress) {
     const int width = std::clamp(end / 2, 10, 60);
@@ -136,16 +130,21 @@ void put_help(Rows& rows) {
 
 /// Rows of the body's parts.
 struct Plan {
+  bool behaviours{};  // of the agents, a row each
   int chart_height{};
   int gap{};  // blank rows between the parts
 };
 
 Plan plan(int rows, const Snapshot& s, int columns) {
   const int agents = static_cast<int>(s.agents.size());
-  const int fixed_rows = 1 + agents + 1 + process_rows(s, columns);
+  int fixed_rows = 1 + agents + 1 + process_rows(s, columns);
   // A chart of more than one row only where this many lines of messages stay.
   constexpr int kMessages = 6;
+  constexpr int kFewMessages = 2;
   Plan p;
+  p.behaviours = rows - fixed_rows - agents >= kFewMessages &&
+                 std::ranges::any_of(s.agents, [](const AgentView& a) { return !a.behaviour.empty(); });
+  if (p.behaviours) fixed_rows += agents;
   for (int height = 1; height <= 4; ++height) {
     const int left = rows - fixed_rows - agents * height;
     if (left >= (height == 1 ? 1 : kMessages)) p.chart_height = height;
@@ -193,7 +192,7 @@ Canvas lay_out(const View& view, Size size) {
     const int row = put_task(c, s);
     const Plan p = plan(limit - row, s, size.columns);
     Rows body(c, row + p.gap, limit);
-    put_agents(body, view, p.chart_height);
+    put_agents(body, view, p.chart_height, p.behaviours);
     body.skip(p.gap);
     put_processes(body, s);
     body.skip(p.gap);

@@ -56,7 +56,14 @@ void put_agent(Canvas& c, int row, const AgentView& a) {
     c.put_right(row, kSideForce + (k + 1) * kNumber, fixed(a.F_a[static_cast<std::size_t>(k)], 2));
 }
 
-void put_chart(Rows& rows, const View& view, const AgentView& a, int height) {
+void put_behaviour(Canvas& c, int row, const AgentView& a) {
+  const std::string now = a.m != 0 ? fmt::format("m {}  {}", a.m, a.behaviour) : a.behaviour;
+  const int column = c.put(row, kName, cut(now, c.size().columns - 1 - kName), Style::heading) + 3;
+  if (a.ended_because.empty()) return;
+  c.put(row, column, cut("after " + a.ended_because, c.size().columns - 1 - column), Style::dim);
+}
+
+void put_chart(Rows& rows, const View& view, const AgentView& a, int height, bool with_m) {
   constexpr int kScale = 11;  // such as " -0.5..20 N"
   const int width = rows.canvas().size().columns - kName - kScale;
   const bool force = view.chart <= Quantity::F_y;
@@ -66,7 +73,8 @@ void put_chart(Rows& rows, const View& view, const AgentView& a, int height) {
     const int row = rows.take();
     const std::string_view name = to_string(view.chart);
     if (k == 0)
-      rows.canvas().put(row, 1, a.m != 0 ? fmt::format("{} m {}", name, a.m) : std::string(name), Style::dim);
+      rows.canvas().put(row, 1, with_m && a.m != 0 ? fmt::format("{} m {}", name, a.m) : std::string(name),
+                        Style::dim);
     const int end = rows.canvas().put(row, kName, chart.rows[k], Style::good);
     std::string edge = k == 0 ? fmt::format("{:g}", chart.high) : "";
     if (k + 1 == chart.rows.size())
@@ -90,7 +98,17 @@ int process_rows(const Snapshot& s, int columns) {
   return (static_cast<int>(s.processes.size()) + beside - 1) / beside;
 }
 
-void put_agents(Rows& rows, const View& view, int chart_height) {
+std::string cut(const std::string& text, int room) {
+  constexpr int kLeast = 8;
+  if (static_cast<int>(text.size()) <= room) return text;
+  if (room <= kLeast) return "";
+  const auto most = static_cast<std::size_t>(room - 2);
+  std::size_t end = text[most] == ' ' ? most : text.find_last_of(' ', most);
+  if (end == std::string::npos || end < kLeast) end = most;  // one long word
+  return text.substr(0, text.find_last_not_of(" :;,", end - 1) + 1) + "..";
+}
+
+void put_agents(Rows& rows, const View& view, int chart_height, bool behaviours) {
   Canvas& c = rows.canvas();
   const int title = rows.take();
   c.put(title, 1, "AGENT", Style::heading);
@@ -104,7 +122,8 @@ void put_agents(Rows& rows, const View& view, int chart_height) {
   c.put_right(title, kSideForce + 2 * kNumber, "F_y [N]", Style::heading);
   for (const AgentView& a : view.snapshot->agents) {
     put_agent(c, rows.take(), a);
-    put_chart(rows, view, a, chart_height);
+    if (behaviours) put_behaviour(c, rows.take(), a);
+    put_chart(rows, view, a, chart_height, !behaviours);
   }
 }
 

@@ -209,13 +209,13 @@ bool gripped(const X& x) {
 // clang-format off
 const std::array<Motion<Arm>, 7> kManual{{
   // m  name                  entry    memory                                         command        sensors  agents  ends
-  {  1, "wait for an order",  over,    retain,                                        at_rest,       nothing, told,   ordered},
-  {  2, "find the position",  retain,  patient<kPatience, FaultCode::not_ready>,      synchro,       nothing, told,   homed},
-  {  3, "settle",             retain,  retain,                                        at_rest,       nothing, told,   settled},
-  {  4, "set the tool",       retain,  patient<kSetPatience, FaultCode::peer_silent>, tool_of_task,  nothing, told,   answered},
-  {  5, "move",               planned, retain,                                        follow,        nothing, told,   arrived},
-  {  6, "set",                retain,  patient<kSetPatience, FaultCode::peer_silent>, set_once,      nothing, told,   answered},
-  {  7, "grip",               retain,  retain,                                        grip,          nothing, told,   gripped},
+  {  1, "wait for an order",  over,    retain,                                        at_rest,       nothing, told,   ordered,  "an order has come"},
+  {  2, "find the position",  retain,  patient<kPatience, FaultCode::not_ready>,      synchro,       nothing, told,   homed,    "the positions are known, or it was called off"},
+  {  3, "settle",             retain,  retain,                                        at_rest,       nothing, told,   settled,  "the arm rests"},
+  {  4, "set the tool",       retain,  patient<kSetPatience, FaultCode::peer_silent>, tool_of_task,  nothing, told,   answered, "the driver has answered"},
+  {  5, "move",               planned, retain,                                        follow,        nothing, told,   arrived,  "the arm is there, or it was called off"},
+  {  6, "set",                retain,  patient<kSetPatience, FaultCode::peer_silent>, set_once,      nothing, told,   answered, "the driver has answered"},
+  {  7, "grip",               retain,  retain,                                        grip,          nothing, told,   gripped,  "the jaws are there or hold something"},
 }};
 // clang-format on
 

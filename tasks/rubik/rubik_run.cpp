@@ -229,7 +229,7 @@ void RubikRun::show(const Motion<Coordinator>& motion, const X& x) {
                                              : TaskState::running,
                  false);
   auto& board = run_.board();
-  board.set_behaviour(motion.m, motion.name);
+  board.set_behaviour(motion.m, motion.name, motion.until);
   board.set_progress(progress_, doing_);
   for (std::size_t arm = 0; arm < kArms; ++arm) board.set_arm(arm, x.T.agent[arm], "");
 }

@@ -69,7 +69,7 @@ TEST(Layout, ShowsTheWholeTaskOnASmallTerminal) {
                   "i 617",
                   "12.34 s simulated",
                   "8.1 x",
-                  "after: both pens on the paper for 25 macrosteps",
+                  "after lowering: both pens settled on the paper",
                   "63 %",
                   "stroke 3 of 6",
                   "812.3",
@@ -78,7 +78,8 @@ TEST(Layout, ShowsTheWholeTaskOnASmallTerminal) {
                   "1.02",
                   "0.92",
                   "paper_surface",
-                  "0 N",
+                  "copy the coordinator's orders",
+                  "0..2 N",
                   "world",
                   "edp arm1",
                   "vsp arm2",
@@ -224,7 +225,7 @@ TEST(Layout, ColoursMessagesByTheirClass) {
                 {"edp arm1", FaultCode::lost_command, ""},
                 {"edp arm2", FaultCode::over_current, ""},
                 {"mp", FaultCode::process_died, ""}};
-  const Canvas c = lay_out(v, {30, 80});
+  const Canvas c = lay_out(v, {31, 80});
   EXPECT_EQ(style_of(c, "mp: information"), Style::plain);
   EXPECT_EQ(style_of(c, "edp arm1: lost"), Style::warning);
   EXPECT_EQ(style_of(c, "edp arm2: over"), Style::bad);
@@ -255,8 +256,29 @@ TEST(Layout, CannotBeMadeToSpeakToTheTerminal) {
   EXPECT_EQ(text.find('\x07'), std::string::npos);
 }
 
+TEST(Layout, TellsTheBehaviourOfEveryAgentAndWhyTheOneBeforeEnded) {
+  View v = drawing();
+  ui::AgentView& arm = v.snapshot->agents[1];
+  arm.m = 3;
+  arm.behaviour = "hold";
+  arm.ended_because = "settle: 3 s have passed";
+  const Canvas c = lay_out(v, kSmallTerminal);
+  EXPECT_EQ(c.text(row_of(c, "arm2") + 1), "          m 3  hold   after settle: 3 s have passed");
+  EXPECT_EQ(c.text(row_of(c, "arm1") + 1), "          copy the coordinator's orders");
+  arm.ended_because =
+      "a behaviour with a long name: its reason is longer than there is room for on the screen";
+  const Canvas long_one = lay_out(v, kSmallTerminal);
+  const std::string cut = long_one.text(row_of(long_one, "arm2") + 1);
+  EXPECT_LE(cut.size(), 80U);
+  EXPECT_TRUE(cut.ends_with("its reason is..")) << cut << " is cut within a word";
+  for (ui::AgentView& a : v.snapshot->agents) a.behaviour.clear();
+  const Canvas without = lay_out(v, kSmallTerminal);
+  EXPECT_EQ(without.text(row_of(without, "arm2") + 1).substr(0, 8), " F_z m 3") << without.text();
+}
+
 TEST(Layout, DrawsTheForceOfEveryAgent) {
   View v = drawing();
+  for (ui::AgentView& a : v.snapshot->agents) a.behaviour.clear();  // more room for the charts
   v.glyphs = ui::Glyphs::unicode;
   const Canvas c = lay_out(v, kSmallTerminal);
   // 1.02 N and 0.92 N of 2 N: the ninth and the eighth of the sixteen levels of two rows.
