@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "base/fault.hpp"
+#include "base/program.hpp"
 
 namespace mrroc::bench {
 namespace fs = std::filesystem;
@@ -41,7 +42,7 @@ ProcessStat stat_of(const fs::path& process) {
 }  // namespace
 
 TaskProcess::TaskProcess(const std::string& program, const std::vector<std::string>& arguments) {
-  std::vector<std::string> words{(fs::read_symlink("/proc/self/exe").parent_path() / program).string()};
+  std::vector<std::string> words{(program_folder() / program).string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& w : words) argv.push_back(w.data());

@@ -10,6 +10,7 @@
 
 #include "base/link/text.hpp"
 #include "base/msg/convert.hpp"
+#include "base/program.hpp"
 
 namespace mrroc::mp {
 namespace {
@@ -47,7 +48,7 @@ struct Supervisor::Watched {
   Clock::time_point heard{Clock::now()};
   std::int64_t skipped_told{};
   Clock::time_point told_at{};
-  std::optional<Child> child;
+  std::optional<link::Child> child;
   std::atomic<bool> thread_ended{};
   std::jthread thread;
 };

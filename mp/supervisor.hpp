@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "base/fault.hpp"
+#include "base/link/child.hpp"
 #include "base/link/memory_bus.hpp"
 #include "base/link/process.hpp"
-#include "mp/child.hpp"
 
 namespace mrroc::mp {
 
