@@ -5,6 +5,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <deque>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -20,6 +21,7 @@
 #include "mrroc/operator_answer_t.hpp"
 #include "mrroc/operator_image_t.hpp"
 #include "mrroc/operator_order_t.hpp"
+#include "mrroc/process_status_t.hpp"
 #include "mrroc/supervisor_t.hpp"
 #include "ui_cli/log/log_check.hpp"
 #include "ui_cli/log/log_command.hpp"
@@ -27,6 +29,7 @@
 #include "ui_cli/log/log_csv.hpp"
 #include "ui_cli/log/log_show.hpp"
 #include "ui_cli/log/replay.hpp"
+#include "ui_cli/log/replay_check.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -85,6 +88,20 @@ class RunFolder : public ::testing::Test {
     link::put_text(line.text, "late: 3 skipped");
     log(to, "ecp-arm1.console", line, session, 1, 25);
     return folder;
+  }
+
+  /// Adds a process to a run of session 1, which has come to its end and has sent on that channel.
+  static void tell_channels(const fs::path& folder, const std::string& process, const std::string& channel) {
+    Json run = Json::parse(std::ifstream(folder / "processes.json"));
+    run["processes"].push_back({{"name", process}, {"program", "vsp"}, {"arguments", Json::array()}});
+    std::ofstream(folder / "processes.json") << run;
+    const link::LogReader before(folder);
+    link::EventLog to(folder / link::kEventLog);
+    for (const link::LoggedMessage& m : before.messages()) to.receive("s." + m.channel, m.bytes);
+    process_status_t done{};
+    done.n_hashes = 1;
+    link::put_text(done.hash[0].channel, "." + channel);
+    log(to, process + ".status", done, 1, 1, kMacrosteps);
   }
 
   int run(const std::vector<std::string>& arguments) {
@@ -245,6 +262,103 @@ TEST_F(RunFolder, ReplayPublishesEverythingAtItsPaceAndTakesNoOrderButStop) {
   EXPECT_EQ(answers.take()->accepted, 0);
   EXPECT_EQ(answers.take()->accepted, 1);
   EXPECT_EQ(replay.published(), kMacrosteps + 2) << "without the channel of somebody else";
+}
+
+/// A virtual sensor of the run: says for every report what the log has it say, but for one number.
+struct Echo final : link::Sink {
+  Echo(link::Bus& to, std::int64_t wrong_one, std::int64_t last_one)
+      : bus(to), wrong(wrong_one), last(last_one) {
+    bus.subscribe({link::Group::agents, "r.arm1.report"}, *this);
+  }
+  void receive(std::string_view, std::span<const std::uint8_t> bytes) noexcept override {
+    const std::int64_t i = link::header_of(bytes).stamp;
+    if (i <= last) next.push_back(i);
+  }
+  /// What a bus delivers must not publish.
+  void answer() {
+    while (bus.wait(std::chrono::milliseconds(0))) {
+    }
+    for (; !next.empty(); next.pop_front()) {
+      operator_image_t h{};
+      h.header = {1, next.front(), next.front()};
+      h.started = next.front() > 3 || next.front() == wrong;
+      std::vector<std::uint8_t> message(static_cast<std::size_t>(link::encoded_size<operator_image_t>()));
+      h.encode(message.data(), 0, link::encoded_size<operator_image_t>());
+      bus.publish({link::Group::agents, "r.operator.image"}, message);
+    }
+  }
+  link::Bus& bus;
+  std::int64_t wrong, last;
+  std::deque<std::int64_t> next;
+};
+
+TEST_F(RunFolder, ReplayComparesWhatAProcessBesideItSaysWithTheLog) {
+  tell_channels(a_, "vsp-arm1", "operator.image");
+  const ui::RunRecord record(a_);
+  const auto verdict = [&](std::int64_t wrong, std::int64_t last) {
+    link::MemoryHub hub;
+    const auto bus = hub.open(), sensor = hub.open();
+    Echo echo(*sensor, wrong, last);
+    ui::ReplayCheck check(*bus, record, "r", {"vsp-arm1"});
+    ui::Replay replay(*bus, record, "r", {.without = {}, .check = &check});
+    for (int waited = 0; replay.go_on_to(100); ++waited) {
+      EXPECT_TRUE(replay.waits());
+      echo.answer();
+      if (waited == 200) replay.give_up();
+      if (waited > 1000) break;
+    }
+    EXPECT_EQ(echo.bus.wait(std::chrono::milliseconds(0)), false);
+    return check.verdicts().at(0);
+  };
+  const link::LogVerdict same = verdict(0, kMacrosteps);
+  EXPECT_EQ(same.process, "vsp-arm1");
+  EXPECT_EQ(same.compared, kMacrosteps);
+  EXPECT_EQ(same.differences, 0);
+  EXPECT_TRUE(same.incomplete.empty()) << same.incomplete;
+  const link::LogVerdict other = verdict(2, kMacrosteps);
+  EXPECT_EQ(other.differences, 1);
+  ASSERT_TRUE(other.first);
+  EXPECT_EQ(other.first->channel, "operator.image");
+  EXPECT_EQ(other.first->number, 2);
+  EXPECT_EQ(other.first->field, "started");
+  EXPECT_EQ(other.first->logged, "0");
+  EXPECT_EQ(other.first->recomputed, "1");
+  const link::LogVerdict silent = verdict(0, 30);
+  EXPECT_EQ(silent.compared, 30);
+  ASSERT_TRUE(silent.first);
+  EXPECT_EQ(silent.first->number, 31);
+  EXPECT_EQ(silent.first->recomputed, "nothing");
+  EXPECT_FALSE(silent.incomplete.empty());
+}
+
+TEST_F(RunFolder, ReplayNamesTheProcessesThatThereAreAndWantsTheWholeRunOfThem) {
+  const ui::ReplaySurroundings around{home_, [](const link::LcmAddress&) -> std::unique_ptr<link::Bus> {
+                                        throw FaultError(FaultCode::internal_error,
+                                                         "nothing is to be opened");
+                                      }};
+  const auto error = [&](const std::vector<std::string>& arguments) {
+    try {
+      ui::run_replay(arguments, around, out_, err_);
+    } catch (const FaultError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(error({a_.string(), "--with", "vsp-arm1", "--from", "1"}).find("begins with the run"),
+            std::string::npos);
+  link::MemoryHub hub;
+  const auto bus = hub.open();
+  const ui::RunRecord record(a_);
+  const auto wrong = [&](const char* process) {
+    try {
+      const ui::ReplayCheck check(*bus, record, "r", {process});
+    } catch (const FaultError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(wrong("vsp-arm3").find("it has mp, ecp-arm1"), std::string::npos) << wrong("vsp-arm3");
+  EXPECT_NE(wrong("ecp-arm1").find("did not come to its end"), std::string::npos) << wrong("ecp-arm1");
 }
 
 TEST_F(RunFolder, ReplayEndsWellWhenItIsInterruptedOrTerminated) {
