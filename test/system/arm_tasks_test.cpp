@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <fstream>
+#include <thread>
 
 #include "test/system/started_task.hpp"
 
@@ -47,6 +49,21 @@ TEST(Press, StandsStillDuringAPauseAndGoesOn) {
   const auto paused = press("paused", {"--script", orders, "--speed", "50"});
   EXPECT_NEAR(paused["sim_s"].get<double>() - plain, 4, 0.2) << "200 macrosteps of 20 ms";
   EXPECT_NEAR(paused["figures"]["hold_N"].get<double>(), 4, 0.1);
+}
+
+TEST(Press, DoesNotRaceThroughMacrostepsWhileOnlyAPersonCanGoOn) {
+  using Clock = std::chrono::steady_clock;
+  const Folder folder;
+  const auto begun = Clock::now();
+  Started press(folder, "press",
+                {"--attended", "--processes", "one", "--run-dir", (folder / "run").string()});
+  ASSERT_TRUE(press.await_line("waits for the operator"));
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  press.signal(SIGINT);
+  const Ended ended = press.end();
+  EXPECT_EQ(ended.status, 1) << ended.all();
+  const double passed = std::chrono::duration<double>(Clock::now() - begun).count();
+  EXPECT_LT(summary(folder / "run")["sim_s"].get<double>(), passed + 0.5) << "--speed is max";
 }
 
 TEST(Press, StopsInRealTimeAsItsRecordedScriptDoes) {
