@@ -59,15 +59,20 @@ ecp::Coordinates goal(const X& x, const ecp::Coordinates& from) {
                                   from);
 }
 
+/// @throws FaultError out_of_limits, unreachable_pose: the arm cannot be at the goal
 ecp::Trajectory plan(const X& x) {
   const ManualOrder& o = x.T.manual;
   const ecp::Coordinates from = present(x, o.space);
+  const ecp::Coordinates there = goal(x, from);
+  if (x.c.reach)
+    if (const auto wrong = x.c.reach->objection(o.space, there, x.e, x.c.kinematic_model))
+      throw FaultError(*wrong);
   // Motions relative to the motors' positions need no synchronisation.
   const bool by_increments = o.space == Representation::motors && o.reference == Reference::relative;
   const ecp::Coding coding{.space = o.space,
                            .reference = by_increments ? Reference::relative : Reference::absolute,
                            .mu = per_axis(o.space) ? Interpolation::mim : Interpolation::tcim_pose};
-  const ecp::ViaPoint to{goal(x, from), o.velocity, o.acceleration};
+  const ecp::ViaPoint to{there, o.velocity, o.acceleration};
   return {std::make_shared<ecp::Trapezoid>(from, std::vector{to}, ecp::default_limits(o.space, x.c.axes),
                                            x.c.pacing.macrostep_s()),
           coding, x.c.pacing};
@@ -90,6 +95,9 @@ Memory over(const X& x) {
   if (c.done != c.doing && !c.fault && x.e.fault.code != FaultCode::lost_command &&
       (x.e.verdict == Verdict::refused || x.e.verdict == Verdict::failed))
     c.fault = x.e.fault;
+  const bool same = x.T.manual.number == c.doing;
+  if (same && !c.fault && c.done != c.doing && x.T.manual.kind == Kind::kinematic_model)
+    c.kinematic_model = x.T.manual.model;
   c.done = c.doing;
   return c;
 }

@@ -181,6 +181,9 @@ ManualOrder order_of(Reader in, const Verb& verb, const ArmInfo& arm) {
       if (!in.done()) o.parameter_set = static_cast<std::uint8_t>(in.whole("a parameter set", 255));
       break;
     case Kind::gripper:
+      if (!arm.jaws)
+        in.refuse(
+            fmt::format("{0} has no gripper; robots.{0}.gripper in the configuration gives it one", arm.key));
       read_values(in, o, 1);
       if (!(o.value[0] > 0)) in.refuse("a distance of jaws is above 0");
       break;
