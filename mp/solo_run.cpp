@@ -84,8 +84,20 @@ Outcome SoloRun::execute() {
   port.read(x);
   Outcome o = move(Dormant::wait_for_start(), x, port);
   if (o == Outcome::terminated) o = move(Dormant::wait_for_end(), x, port);
-  if (o == Outcome::terminated) links_.send(Dormant::orders(x, SoloOrder::wait, true));
+  if (o != Outcome::terminated) return o;
+  links_.send(Dormant::orders(x, SoloOrder::wait, true));
+  run_.board().set_progress(1, "done");
   return o;
+}
+
+double SoloRun::progress(bool working) {
+  if (!working) return 0;
+  if (working_since_ == 0) working_since_ = links_.i();
+  if (k_.lasts > 0)
+    return std::min(1.0, static_cast<double>(links_.i() - working_since_) / static_cast<double>(k_.lasts));
+  const Report& r = links_.report(0);
+  if (r.event == kWorkDone) return 1;
+  return std::max(0.0, (r.m - 1) / static_cast<double>(std::max<std::size_t>(1, k_.behaviours.size())));
 }
 
 void SoloRun::observe(bool working) {
@@ -129,8 +141,7 @@ void SoloRun::show(bool working) {
                             k_.arms[arm], r.m, words.name));
     if (arm == 0) {
       run_.board().set_behaviour(r.m, words.name, words.until);
-      const double behaviours = static_cast<double>(std::max<std::size_t>(1, k_.behaviours.size()));
-      run_.board().set_progress(std::max(0.0, (r.m - 1) / behaviours), words.name);
+      run_.board().set_progress(progress(working), words.name);
     }
     run_.board().set_arm(arm, r, "");
   }

@@ -30,11 +30,12 @@ struct BehaviourWords {
 struct SoloParameters {
   std::vector<std::string> arms;           ///< keys, e.g. arm1
   std::vector<BehaviourWords> behaviours;  ///< m = 1, 2, ...
-  double dt{0.002};                        ///< duration of a step [s]
-  int n_s{10};                             ///< steps of a macrostep
-  bool gives_start{true};                  ///< false: a person or a script gives it
-  Coordinate* coordinate{};                ///< null: the coordinator is dormant
-  std::function<void()> watch{};           ///< called in every macrostep; may be empty
+  std::int64_t lasts{};      ///< macrosteps of work; 0: until the behaviours have been, one after another
+  double dt{0.002};          ///< duration of a step [s]
+  int n_s{10};               ///< steps of a macrostep
+  bool gives_start{true};    ///< false: a person or a script gives it
+  Coordinate* coordinate{};  ///< null: the coordinator is dormant
+  std::function<void()> watch{};  ///< called in every macrostep; may be empty
 };
 
 /// The coordinator.
@@ -55,6 +56,7 @@ class SoloRun {
   struct Dormant;
   void observe(bool working);
   void show(bool working);
+  [[nodiscard]] double progress(bool working);
 
   TaskRun& run_;
   SoloParameters k_;
@@ -63,6 +65,7 @@ class SoloRun {
   std::function<void(const std::string&)> announce_;
   std::vector<ArmTrace> traces_;
   std::vector<std::array<int, 3>> m_;  // of the last reports, newest first
+  std::int64_t working_since_{};       // macrostep; 0: not yet
 };
 
 }  // namespace mrroc::mp

@@ -70,7 +70,10 @@ Outcome RubikRun::execute() {
       o = Outcome::faulted;
     }
   }
-  if (o == Outcome::terminated) links_.send(std::vector<Order>(kArms, Order{.m = kWait, .finished = true}));
+  if (o == Outcome::terminated) {
+    links_.send(std::vector<Order>(kArms, Order{.m = kWait, .finished = true}));
+    run_.board().set_progress(1, "done");
+  }
   if (o == Outcome::faulted && !fault_) fault_ = links_.fault();
   return o;
 }

@@ -77,6 +77,7 @@ mp::SoloParameters solo_parameters(const Options& o, const Setup& s) {
   };
   for (const visual_servo::Selectable& row : visual_servo::kBehaviours) add(row.motion);
   add(visual_servo::kGiveUp);
+  k.lasts = s.k.duration;
   k.dt = s.k.pacing.dt;
   k.n_s = s.k.pacing.n_s;
   k.gives_start = !o.task.attended && o.task.script.empty();

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <thread>
 
+#include "base/link/log_reader.hpp"
+#include "mrroc/task_status_t.hpp"
 #include "test/system/started_task.hpp"
 
 namespace mrroc::test {
@@ -23,6 +25,9 @@ TEST(Press, SettlesAtFourNewtonsAndDrawsBack) {
   EXPECT_GT(s["figures"]["approach_peak_N"].get<double>(), 4);
   EXPECT_LT(s["figures"]["approach_peak_N"].get<double>(), 8);
   EXPECT_TRUE(std::filesystem::exists(folder / "run" / "arm1.csv"));
+  const auto told = link::LogReader(folder / "run").messages<task_status_t>("task_status");
+  ASSERT_FALSE(told.empty());
+  EXPECT_EQ(told.rbegin()->second.progress, 1) << "all is done";
 }
 
 TEST(Press, SaysTheSameInSeparateProcesses) {
