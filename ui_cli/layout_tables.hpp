@@ -33,10 +33,6 @@ std::string fixed(double value, int decimals);
 /// @return rows that put_processes wants below its heading
 int process_rows(const Snapshot& s, int columns);
 
-/// @return the text, when there is room, or as many of its words as there is room for, and ".."; nothing where that
-///         would say nothing
-std::string cut(const std::string& text, int room);
-
 /// Pose, force and sensor of every agent, and below each its behaviour and the chart of F_z.
 /// @param behaviours  whether there is a row for them: name, and why the one before ended
 void put_agents(Rows& rows, const View& view, int chart_height, bool behaviours);

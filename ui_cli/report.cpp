@@ -27,6 +27,8 @@ std::string status_text(const Snapshot& s) {
   std::string text = row("session", s.session);
   text += row("task", fmt::format("{}: {}{}", s.task, to_string(s.state),
                                   s.waits_for_trigger ? ", waits for a trigger" : ""));
+  if (s.state == TaskState::paused)
+    text += row("pause", "arms rest and keep their forces; simulated time goes on, the task does not");
   if (s.waits_for_trigger) text += row("trigger", s.early.empty() ? "may be given" : "early: " + s.early);
   text += row("behaviour", numbered(s.m, s.behaviour));
   text += row("after", s.ended_because);

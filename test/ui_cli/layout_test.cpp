@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "base/link/text.hpp"
 #include "test/ui_cli/fake_task.hpp"
@@ -166,6 +168,45 @@ TEST(Layout, TellsWhatTheKeysDoWhenAsked) {
   const Canvas c = lay_out(v, {15, 60});
   expect_seen(c, {"t  trigger  ends a behaviour", "Any key goes back", "running", "e E-STOP ? q"});
   EXPECT_EQ(row_of(c, "AGENT"), -1);
+}
+
+TEST(Layout, CutsNoWordOnASmallTerminal) {
+  View v = drawing();
+  v.notice = {
+      "trigger refused: the hand is still drawing: 33 %; give it again when the hand has come to its end",
+      Style::warning};
+  v.messages.push_back(
+      {"mp", FaultCode::none, "a line of a process that is longer than the narrowest terminal is wide"});
+  const auto words_of = [](const Canvas& c, int from, int to) {
+    std::vector<std::string> words;
+    for (int row = from; row < to; ++row) {
+      std::istringstream line(c.text(row));
+      for (std::string word; line >> word;) words.push_back(word);
+    }
+    return words;
+  };
+  for (const bool help : {false, true}) {
+    v.help = help;
+    const auto whole = words_of(lay_out(v, {60, 200}), 0, 60);
+    for (int columns = 60; columns <= 130; columns += 5) {
+      const Canvas c = lay_out(v, {15, columns});
+      const int keys = 14;
+      for (int row = help ? 1 : 4; row < keys; ++row) {
+        if (c.text(row).starts_with(" F_z") || c.text(row).ends_with(" more")) continue;
+        for (const std::string& word : words_of(c, row, row + 1))
+          EXPECT_TRUE(word.ends_with("..") || std::ranges::count(whole, word) > 0)
+              << "'" << word << "' in " << columns << " columns\n"
+              << c.text();
+      }
+      EXPECT_TRUE(c.text(keys - 1).ends_with(" end")) << c.text();
+    }
+  }
+}
+
+TEST(Layout, SaysWhatAPauseIs) {
+  View v = drawing();
+  v.snapshot->state = TaskState::paused;
+  EXPECT_EQ(style_of(lay_out(v, kSmallTerminal), "arms rest, forces stay: press r to go on"), Style::warning);
 }
 
 TEST(Layout, AfterTheEndTheKeysSayThatItIsOver) {
