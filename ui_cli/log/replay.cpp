@@ -12,6 +12,7 @@
 #include <sstream>
 #include <thread>
 
+#include "base/command_line.hpp"
 #include "base/fault.hpp"
 #include "base/link/channel.hpp"
 #include "base/link/child.hpp"
@@ -265,14 +266,7 @@ int run_replay(const std::vector<std::string>& arguments, const ReplaySurroundin
       ->type_name("P,P...");
   app.add_option("--session", w.session, "name of the session (default: unique)")->type_name("NAME");
   app.add_flag("--json", w.json, "print JSON");
-  try {
-    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
-  } catch (const CLI::Success& e) {
-    return app.exit(e, out, err);
-  } catch (const CLI::Error& e) {
-    err << FaultError(FaultCode::bad_usage, e.what()).error_line() << "\n";
-    return exit_status(FaultCode::bad_usage);
-  }
+  if (const auto status = parse_words(app, arguments, out, err)) return *status;
   if (!w.with.empty() && w.options.from > 0)
     throw FaultError(FaultCode::bad_usage,
                      "--with begins with the run: what a process says depends on all that it has "
