@@ -215,6 +215,28 @@ TEST_F(RunFolder, CheckAsksEveryProgramAndJoinsTheVerdicts) {
     EXPECT_NE(out_.str().find(what), std::string::npos) << out_.str();
 }
 
+TEST_F(RunFolder, AFolderThatIsNoneIsToldWhatItLacksAndWhereRunsAre) {
+  const auto error = [&](const fs::path& folder) {
+    EXPECT_EQ(run({"show", folder.string()}), 2);
+    return err_.str();
+  };
+  const fs::path before = fs::current_path(), bare = home_ / "bare";
+  fs::current_path(home_);
+  EXPECT_NE(error("nowhere").find("there is no folder nowhere"), std::string::npos) << err_.str();
+  EXPECT_NE(err_.str().find("there are none here"), std::string::npos) << err_.str();
+  fs::create_directories("runs");
+  fs::rename(make("older", 1, 0), "runs/older");
+  fs::rename(make("newer", 1, 0), "runs/newer");
+  fs::last_write_time(fs::path("runs/older") / link::kEventLog,
+                      fs::file_time_type::clock::now() - std::chrono::hours(1));
+  fs::create_directories(bare);
+  EXPECT_NE(error(bare).find("it has no events.lcmlog"), std::string::npos) << err_.str();
+  EXPECT_NE(err_.str().find("the newest here is runs/newer"), std::string::npos) << err_.str();
+  std::ofstream(bare / link::kEventLog) << "x";
+  EXPECT_NE(error(bare).find("it has no config.toml"), std::string::npos) << err_.str();
+  fs::current_path(before);
+}
+
 TEST_F(RunFolder, ProgramsOfARunAreThoseBesideThisOneAndNoOthers) {
   const auto write = [&](const std::string& task, const std::string& program) {
     std::ofstream(a_ / "processes.json")
