@@ -266,7 +266,7 @@ TEST(Layout, ColoursMessagesByTheirClass) {
                 {"edp arm1", FaultCode::lost_command, ""},
                 {"edp arm2", FaultCode::over_current, ""},
                 {"mp", FaultCode::process_died, ""}};
-  const Canvas c = lay_out(v, {31, 80});
+  const Canvas c = lay_out(v, {32, 80});
   EXPECT_EQ(style_of(c, "mp: information"), Style::plain);
   EXPECT_EQ(style_of(c, "edp arm1: lost"), Style::warning);
   EXPECT_EQ(style_of(c, "edp arm2: over"), Style::bad);

@@ -48,7 +48,7 @@ class NewPartTest : public testing::Test {
     std::ostringstream out, err;
     std::string line = "not refused";
     try {
-      run_new(words, out, err);
+      if (run_new(words, out, err) != 0) line = err.str();
     } catch (const FaultError& e) {
       line = e.error_line();
     }
