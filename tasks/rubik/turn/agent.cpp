@@ -109,17 +109,16 @@ bool other_order(const X& x) {
 constexpr auto kRetain = ecp::retain<Arm>;
 constexpr auto kNoSensor = ecp::no_sensor<Arm>;
 constexpr auto kRest = ecp::at_rest<Arm>;
-constexpr std::string_view kOther = "the coordinator ordered something else";
 
 }  // namespace
 
 // clang-format off
 const std::array<Motion<Arm>, 4> kBetween{{
   // m         name           entry        memory      command  sensors    event                    terminal condition
-  { kWait,    "wait",         kRetain,     kRetain,    kRest,   kNoSensor, tell<kWait, never>,      order_changes,         kOther},
-  { kTakeWay, "take the way", begin_way,   take_point, kRest,   kNoSensor, tell<kTakeWay, never>,   other_order<kTakeWay>, kOther},
-  { kGo,      "go",           plan_path,   kRetain,    follow,  kNoSensor, tell<kGo, arrived>,      other_order<kGo>,      kOther},
-  { kWeigh,   "weigh",        not_weighed, weigh_once, weigh,   kNoSensor, tell<kWeigh, weighed>,   other_order<kWeigh>,   kOther},
+  { kWait,    "wait",         kRetain,     kRetain,    kRest,   kNoSensor, tell<kWait, never>,      order_changes},
+  { kTakeWay, "take the way", begin_way,   take_point, kRest,   kNoSensor, tell<kTakeWay, never>,   other_order<kTakeWay>},
+  { kGo,      "go",           plan_path,   kRetain,    follow,  kNoSensor, tell<kGo, arrived>,      other_order<kGo>},
+  { kWeigh,   "weigh",        not_weighed, weigh_once, weigh,   kNoSensor, tell<kWeigh, weighed>,   other_order<kWeigh>},
 }};
 // clang-format on
 
