@@ -125,7 +125,7 @@ Orders send_point(const X& x) {
   o.m = kTakeWay;
   o.variant = x.c.way.count > 0 ? x.c.next : -1;  // no point: the jaws alone
   o.arm.mu = Interpolation::mim;
-  o.arm.representation = Representation::joints;
+  o.arm.representation = Representation::motors;
   if (x.c.way.count > 0) o.arm.pose = x.c.way.points[static_cast<std::size_t>(x.c.next)];
   o.arm.gripper = x.c.way.jaws;
   return orders;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/representation.hpp"
 #include "tasks/rubik/coordinator.hpp"
 #include "tasks/rubik/journal.hpp"
 #include "tasks/rubik/plan/plan.hpp"
@@ -64,7 +63,7 @@ class Program {
       Way way;
       way.jaws = motion.hand == carrier ? 0 : jaws;
       for (; next < motion.points.size() && way.count < kMostPoints; ++next)
-        way.add(numbers_from_axes(motion.points[next]));
+        way.add(motion.points[next].motors, motion.points[next].speed);
       o = go(motion.hand, way, carrier);
     }
     return o;
@@ -115,7 +114,8 @@ class Program {
     x_.c.trouble = Trouble::none;
     Way way{.jaws = x_.c.k.open};
     if (well(o)) o = go(step.comes, way, step.before_grasp.hand);
-    way.add(numbers_from_axes(step.before.back().points.back()));
+    const WayPoint& begin = step.before.back().points.back();
+    way.add(begin.motors, begin.speed);
     return well(o) ? go(step.comes, way, step.before_grasp.hand) : o;
   }
 

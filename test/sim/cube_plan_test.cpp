@@ -27,7 +27,13 @@ class FlawedCell : public rubik::PlanCell {
   explicit FlawedCell(const rubik::PlanCell& cell) : cell_(cell) {}
   [[nodiscard]] const rubik::Meeting& meeting() const override { return cell_.meeting(); }
   [[nodiscard]] const rubik::Viewing* viewing() const override { return cell_.viewing(); }
-  [[nodiscard]] const rubik::JointLimits& limits(rubik::Hand h) const override { return cell_.limits(h); }
+  [[nodiscard]] const rubik::SpeedLimits& limits(rubik::Hand h) const override { return cell_.limits(h); }
+  [[nodiscard]] AxisVector motors(rubik::Hand h, const AxisVector& q) const override {
+    return cell_.motors(h, q);
+  }
+  [[nodiscard]] AxisVector joints(rubik::Hand h, const AxisVector& m) const override {
+    return cell_.joints(h, m);
+  }
   [[nodiscard]] Pose forward(rubik::Hand h, const AxisVector& q) const override {
     return cell_.forward(h, q);
   }

@@ -46,18 +46,40 @@ class PlanReplay {
               const std::function<void(const rubik::CellState&)>& visit, bool touched = false) {
     ASSERT_GE(motion.points.size(), 2u);
     EXPECT_EQ(motion.carries, carries);
-    expect_at(motion.hand, motion.points.front());
-    for (std::size_t k = 1; k < motion.points.size(); ++k)
-      go(motion.hand, motion.points[k], carries, touched && k == 1, visit);
+    expect_at(motion.hand, motion.points.front().joints);
+    for (std::size_t k = 1; k < motion.points.size(); ++k) {
+      const rubik::WayPoint& point = motion.points[k];
+      EXPECT_LT((cell_.joints(motion.hand, point.motors) - point.joints).cwiseAbs().maxCoeff(), 1e-6);
+      expect_speed(motion.hand, motion.points[k - 1], point);
+      go(motion.hand, point.joints, carries, touched && k == 1, visit);
+    }
+  }
+
+  /// What the drivers of the task let pass: 250 rad/s of the motors, 1.5 m/s and 4 rad/s of E.
+  void expect_speed(rubik::Hand h, const rubik::WayPoint& from, const rubik::WayPoint& to) const {
+    const AxisVector way = to.motors - from.motors;
+    const double seconds =
+        way.cwiseAbs().cwiseQuotient(cell_.limits(h).motors.velocity).maxCoeff() / to.speed;
+    EXPECT_LE(way.cwiseAbs().maxCoeff(), 250 * seconds + 1e-9);
+    constexpr int kParts = 50;
+    Pose before = cell_.forward(h, from.joints);
+    for (int k = 1; k <= kParts; ++k) {
+      const Pose now =
+          cell_.forward(h, cell_.joints(h, from.motors + way * (static_cast<double>(k) / kParts)));
+      const Vector6 r = angle_axis_from_pose(before.inverse() * now);
+      EXPECT_LE(r.head<3>().norm(), 1.5 * seconds / kParts + 1e-9);
+      EXPECT_LE(r.tail<3>().norm(), 4 * seconds / kParts + 1e-9);
+      before = now;
+    }
   }
 
   void go(rubik::Hand h, const AxisVector& to, bool carries, bool touched,
           const std::function<void(const rubik::CellState&)>& visit) {
     constexpr int kParts = 37;
-    const AxisVector from = joints_[index(h)];
+    const AxisVector from = cell_.motors(h, joints_[index(h)]), way = cell_.motors(h, to) - from;
     for (int k = 0; k <= kParts; ++k) {
       rubik::CellState state{joints_, {}, grasp_, touched};
-      state.joints[index(h)] = from + (to - from) * (static_cast<double>(k) / kParts);
+      state.joints[index(h)] = cell_.joints(h, from + way * (static_cast<double>(k) / kParts));
       state.jaws[index(grasp_.hand)] = kCubeEdge;
       state.jaws[index(other(grasp_.hand))] = carries && touched ? kCubeEdge : rubik::kOpenJaws;
       EXPECT_GE(cell_.reserve(h, state.joints[index(h)]), 0);

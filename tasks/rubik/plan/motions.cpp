@@ -103,7 +103,7 @@ double Motions::line_seconds(MotionKind kind, Hand hand, int number, int target)
   } else {
     points = {from.hold, to.hold};
   }
-  return seconds_along(points, cell_.limits(hand));
+  return seconds_along(cell_, hand, points);
 }
 
 double Motions::seconds(const Motion& m) const {
@@ -206,8 +206,9 @@ std::optional<FreeMotion> Motions::look_for(const Motion& m) const {
       }
       break;
   }
-  const double seconds = seconds_along(points, cell_.limits(m.hand));
-  return FreeMotion{m.hand, std::move(points), carries, seconds};
+  FreeMotion motion{m.hand, way_through(cell_, m.hand, points), carries};
+  motion.seconds = seconds_along(motion.points, cell_.limits(m.hand).motors);
+  return motion;
 }
 
 Grasp Motions::seen_from(Hand hand, int of_class, const Grasp& grasp, int others) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/axes.hpp"
+#include "ecp/generators/space.hpp"
 #include "tasks/rubik/cube/move.hpp"
 #include "tasks/rubik/plan/grasp.hpp"
 
@@ -14,10 +15,18 @@ namespace mrroc::rubik {
 /// Joints of both arms, by index(Hand) [rad, track m].
 using ArmJoints = std::array<AxisVector, 2>;
 
-/// Speeds of one arm in free motions, such that any combination is possible for its motors.
-struct JointLimits {
-  AxisVector velocity;      ///< [rad/s], track [m/s]
-  AxisVector acceleration;  ///< [rad/s^2], track [m/s^2]
+/// What free motions of one arm keep to.
+struct SpeedLimits {
+  ecp::MotionLimits motors;  ///< [rad/s], [rad/s^2]
+  double linear{};           ///< of E [m/s]
+  double angular{};          ///< of E [rad/s]
+};
+
+/// A point of a way, and the line that leads there.
+struct WayPoint {
+  AxisVector joints;  ///< [rad], track [m]
+  AxisVector motors;  ///< the same posture [rad]
+  double speed{1};    ///< on the line, as a share of what the motors can: above 0 up to 1
 };
 
 /// Distance of the palm from the cube where a guarded approach begins [m].
@@ -35,13 +44,13 @@ struct CycleTimes {
   double look{0.5};       ///< of the camera at a face, at rest [s]
 };
 
-/// A free motion of one arm while the other one stands: straight lines in joint space from point to point, all axes in
-/// step, at rest at the first and the last one. Every line has been found free of collisions with a margin that
-/// leaves room for passing the inner points without a stop.
+/// A free motion of one arm while the other one stands: lines from point to point that are straight in the space of the
+/// motors, whose speeds bound it (ecp::Polyline). At rest at the first and the last point. Every line has been found
+/// free of collisions.
 struct FreeMotion {
   Hand hand{};
   /// At least two; the first is where the arm stands according to the plan: force control will have moved it a little.
-  std::vector<AxisVector> points;
+  std::vector<WayPoint> points;
   bool carries{};    ///< the hand holds the cube
   double seconds{};  ///< estimate
 };
@@ -80,11 +89,10 @@ struct Plan {
   std::vector<Step> steps;
   Grasp start, end;
   ArmJoints start_joints, end_joints;
-  std::array<JointLimits, 2> limits;  ///< of the free motions, by index(Hand); the estimates keep to them
-  Moves turns;                        ///< in the order of execution
-  int regrasps{};                     ///< steps without turn
-  int grips{};                        ///< steps in which an arm comes and grips
-  double seconds{};                   ///< estimate for all steps
+  Moves turns;       ///< in the order of execution
+  int regrasps{};    ///< steps without turn
+  int grips{};       ///< steps in which an arm comes and grips
+  double seconds{};  ///< estimate for all steps
 };
 
 /// Why there is no plan.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "ecp/generators/polyline.hpp"
+
 namespace mrroc::rubik {
 namespace {
 
@@ -24,9 +26,10 @@ ArmMemory begin_way(const X& x) {
 /// Points come in their order; one that has been taken is sent again until the coordinator knows.
 ArmMemory take_point(const X& x) {
   ArmMemory c = x.c;
-  const auto& joints = x.T.arm.pose;
-  const bool sound = std::ranges::all_of(joints, [](double q) { return std::isfinite(q); });
-  if (x.T.m == kTakeWay && x.T.variant == c.way.count && sound) c.way.add(joints);
+  const auto& point = x.T.arm.pose;
+  const bool sound = std::ranges::all_of(point, [](double q) { return std::isfinite(q); }) &&
+                     point[kSpeedOfLine] > 0 && point[kSpeedOfLine] <= 1;
+  if (x.T.m == kTakeWay && x.T.variant == c.way.count && sound) c.way.add(point);
   c.way.jaws = x.T.arm.gripper;
   return c;
 }
@@ -36,18 +39,20 @@ ArmMemory plan_path(const X& x) {
   c.path = {};
   if (c.way.count == 0) return c;
   const Eigen::Index axes = c.limits.velocity.size();
-  const auto joints_of = [axes](const auto& numbers) {
+  const auto motors_of = [axes](const auto& numbers) {
     return ecp::Coordinates(Eigen::Map<const Eigen::VectorXd>(numbers.data(), axes));
   };
   std::vector<ecp::ViaPoint> list;
-  for (int k = 0; k < c.way.count; ++k)
-    list.push_back({.pose = joints_of(c.way.points[static_cast<std::size_t>(k)]),
-                    .velocity = 1,
+  for (int k = 0; k < c.way.count; ++k) {
+    const PoseNumbers& point = c.way.points[static_cast<std::size_t>(k)];
+    list.push_back({.pose = motors_of(point),
+                    .velocity = point[kSpeedOfLine],
                     .acceleration = 1,
                     .pass = k + 1 < c.way.count});
+  }
   c.path = ecp::Trajectory(
-      std::make_shared<ecp::Trapezoid>(joints_of(x.e.joints), list, c.limits, kPacing.macrostep_s()),
-      {.space = Representation::joints}, kPacing);
+      std::make_shared<ecp::Polyline>(motors_of(x.e.motors), list, c.limits, kPacing.macrostep_s()),
+      {.space = Representation::motors}, kPacing);
   return c;
 }
 

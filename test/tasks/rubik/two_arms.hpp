@@ -54,7 +54,7 @@ class TwoArms {
     r.driver_state = o.m < kWait ? DriverState::executing : DriverState::holding;
     if (r.gripper == 0) r.gripper = 0.0568;
     const bool acts = o.variant == kActs && age_ > 5;
-    if (o.m == kTakeWay && o.variant == taken_[arm] && o.arm.representation == Representation::joints) {
+    if (o.m == kTakeWay && o.variant == taken_[arm] && o.arm.representation == Representation::motors) {
       points[arm].push_back(o.arm.pose);
       ++taken_[arm];
     }
