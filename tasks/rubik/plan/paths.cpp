@@ -17,6 +17,9 @@ constexpr int kRandomPoints = 150;
 constexpr double kWide = 0.7;  // standard deviation of random points [rad]; on the track: as metres of it
 constexpr double kTrackWide = 0.2;
 constexpr int kSamples = 8;  // of the speed of E on a line
+constexpr double kMacrostep = ecp::Pacing{}.macrostep_s();
+constexpr double kTimeSpacing = 0.01;  // of the states of two arms that are checked [s]
+constexpr int kLags = 2;               // that are checked, ahead and behind
 
 double length(const AxisVector& way) {
   double metres = 0;
@@ -45,6 +48,13 @@ double share_of_speed(const PlanCell& cell, Hand hand, const AxisVector& from, c
   return share;
 }
 
+ecp::Polyline curve_through(const std::vector<WayPoint>& points, const ecp::MotionLimits& motors) {
+  std::vector<ecp::ViaPoint> list;
+  for (std::size_t k = 1; k < points.size(); ++k)
+    list.push_back({points[k].motors, points[k].speed, 1, k + 1 < points.size()});
+  return {points.front().motors, list, motors, kMacrostep};
+}
+
 }  // namespace
 
 std::vector<WayPoint> way_through(const PlanCell& cell, Hand hand, const std::vector<AxisVector>& joints) {
@@ -59,12 +69,7 @@ std::vector<WayPoint> way_through(const PlanCell& cell, Hand hand, const std::ve
 
 double seconds_along(const std::vector<WayPoint>& points, const ecp::MotionLimits& motors) {
   if (points.size() < 2) return 0;
-  std::vector<ecp::ViaPoint> list;
-  for (std::size_t k = 1; k < points.size(); ++k)
-    list.push_back({points[k].motors, points[k].speed, 1, k + 1 < points.size()});
-  constexpr double kMacrostep = ecp::Pacing{}.macrostep_s();
-  const ecp::Polyline curve(points.front().motors, list, motors, kMacrostep);
-  return std::ceil(curve.duration() / kMacrostep) * kMacrostep;
+  return std::ceil(curve_through(points, motors).duration() / kMacrostep) * kMacrostep;
 }
 
 double seconds_along(const PlanCell& cell, Hand hand, const std::vector<AxisVector>& joints) {
@@ -89,6 +94,21 @@ bool Paths::is_free(Hand hand, const AxisVector& from, const AxisVector& to, Cel
 bool Paths::is_free(Hand hand, const std::vector<AxisVector>& points, const CellState& state) const {
   for (std::size_t k = 1; k < points.size(); ++k)
     if (!is_free(hand, points[k - 1], points[k], state)) return false;
+  return true;
+}
+
+bool Paths::are_free(const FreeMotion& first, const FreeMotion& second, double delay, CellState state) const {
+  const ecp::Polyline one = curve_through(first.points, cell_.limits(first.hand).motors);
+  const ecp::Polyline two = curve_through(second.points, cell_.limits(second.hand).motors);
+  const double end = std::max(one.duration(), delay + two.duration()) + kLag;
+  const auto free_at = [&](double t, double lag) {
+    state.joints[index(first.hand)] = cell_.joints(first.hand, one.at(t + lag));
+    state.joints[index(second.hand)] = cell_.joints(second.hand, two.at(t - delay));
+    return cell_.is_free(state);
+  };
+  for (double t = 0; t <= end; t += kTimeSpacing)
+    for (int k = -kLags; k <= kLags; ++k)
+      if (!free_at(t, k * kLag / kLags)) return false;
   return true;
 }
 

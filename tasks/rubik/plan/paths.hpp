@@ -30,6 +30,12 @@ class Paths {
   /// @return whether every state on the line is within the limits and free
   [[nodiscard]] bool is_free(Hand hand, const AxisVector& from, const AxisVector& to, CellState state) const;
 
+  /// @param first, second  motions of both arms @param delay  of the second one [s]
+  /// @param state  of everything; the joints do not count
+  /// @return whether every state of both at these times is free, even if one of them is kLag ahead
+  [[nodiscard]] bool are_free(const FreeMotion& first, const FreeMotion& second, double delay,
+                              CellState state) const;
+
   /// The straight line, or the quickest of several ways through one or two other points: both ends drawn back, and
   /// points drawn at random around the line. The same arguments give the same way.
   /// @return points of a free way, with both ends; nothing: none was found

@@ -53,7 +53,13 @@ struct FreeMotion {
   std::vector<WayPoint> points;
   bool carries{};    ///< the hand holds the cube
   double seconds{};  ///< estimate
+  /// It begins while the motion before it still goes on, so long after that one has begun [s], and ends behind it; then
+  /// no state of both arms collides, even if one of them is kLag ahead. Nothing: it begins when that one has ended.
+  std::optional<double> delay{};
 };
+
+/// What arms that move at the same time may be ahead of each other [s].
+inline constexpr double kLag = 0.2;
 
 /// One cycle: an arm comes and grips, a face may be turned, an arm lets go. Or, with `shows`, a look at a face: only
 /// the motions, then the camera.

@@ -138,6 +138,12 @@ struct Planner::Impl {
       else if (motion.seconds > 0)
         s.before.push_back(motion);
     }
+    if (s.before.size() == 2) {
+      const FreeMotion& carry = s.before[0];
+      FreeMotion& reach = s.before[1];
+      reach.delay = motions.delay(wound.motions[0], wound.motions[1]);
+      if (reach.delay) s.seconds -= carry.seconds - *reach.delay;
+    }
     return s;
   }
 

@@ -11,8 +11,8 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int kWayParts = 4;
-constexpr double kEdge = 0.057;        // of the cube: jaws that hold it [m]
+constexpr int kWayParts = 2;     // straight in motors they are less than 0.6 mm beside the straight line
+constexpr double kEdge = 0.057;  // of the cube: jaws that hold it [m]
 constexpr double kSideStep = pi / 36;  // of the directions that are tried
 constexpr double kTrackStep = 0.1;     // [m]
 constexpr int kTrackSteps = 6;

@@ -13,6 +13,9 @@ using X = Arm::X;
 
 constexpr std::int64_t kStillFor = 25;  // macrosteps at rest before anything is weighed
 constexpr double kJawsThere = 0.0015;   // [m]
+// Macrosteps from a report until the order that answers it is obeyed, at least (MG 11-15): who tells so much before the
+// end of its path is not disturbed.
+constexpr std::int64_t kOrderDelay = 2;
 
 // --- memory ----------------------------------------------------------------------------------------------------
 
@@ -75,10 +78,18 @@ ArmMemory weigh_once(const X& x) {
 
 // --- effector --------------------------------------------------------------------------------------------------
 
-EffectorCommand follow(const X& x) {
-  EffectorCommand command = x.c.path.macrosteps() > 0 ? ecp::follow_path(x) : ecp::move_arm(kStill, kPacing);
+EffectorCommand with_jaws(const X& x, EffectorCommand command) {
   if (x.c.way.jaws > 0) command.arm.gripper = std::clamp(x.c.way.jaws, kClosest, kWidest);
   return command;
+}
+
+/// The arm stands, its jaws begin already: an empty hand's come off the cube even if they do not open any farther.
+EffectorCommand stand(const X& x) {
+  return x.c.way.jaws > 0 ? with_jaws(x, ecp::move_arm(kStill, kPacing)) : ecp::rest();
+}
+
+EffectorCommand follow(const X& x) {
+  return with_jaws(x, x.c.path.macrosteps() > 0 ? ecp::follow_path(x) : ecp::move_arm(kStill, kPacing));
 }
 
 EffectorCommand weigh(const X& x) {
@@ -89,8 +100,9 @@ EffectorCommand weigh(const X& x) {
 // --- coordinator -----------------------------------------------------------------------------------------------
 
 bool arrived(const X& x) {
-  const bool jaws = x.c.way.jaws <= 0 || x.e.blocked || std::abs(x.e.gripper - x.c.way.jaws) < kJawsThere;
-  return jaws && ecp::age(x) >= x.c.path.macrosteps() + ecp::kAnswerDelay;
+  const bool jaws = x.T.variant != kActs || x.c.way.jaws <= 0 || x.e.blocked ||
+                    std::abs(x.e.gripper - x.c.way.jaws) < kJawsThere;
+  return jaws && ecp::age(x) >= x.c.path.macrosteps() - kOrderDelay;
 }
 bool weighed(const X& x) { return x.c.weighed != 0 && x.i >= x.c.weighed + ecp::kAnswerDelay; }
 bool never(const X&) { return false; }
@@ -121,7 +133,7 @@ constexpr auto kRest = ecp::at_rest<Arm>;
 const std::array<Motion<Arm>, 4> kBetween{{
   // m         name           entry        memory      command  sensors    event                    terminal condition
   { kWait,    "wait",         kRetain,     kRetain,    kRest,   kNoSensor, tell<kWait, never>,      order_changes},
-  { kTakeWay, "take the way", begin_way,   take_point, kRest,   kNoSensor, tell<kTakeWay, never>,   other_order<kTakeWay>},
+  { kTakeWay, "take the way", begin_way,   take_point, stand,   kNoSensor, tell<kTakeWay, never>,   other_order<kTakeWay>},
   { kGo,      "go",           plan_path,   kRetain,    follow,  kNoSensor, tell<kGo, arrived>,      other_order<kGo>},
   { kWeigh,   "weigh",        not_weighed, weigh_once, weigh,   kNoSensor, tell<kWeigh, weighed>,   other_order<kWeigh>},
 }};

@@ -11,7 +11,7 @@ namespace mrroc::rubik {
 
 /// Order::m besides the behaviours of a cycle, 1..6, which any of them ends.
 inline constexpr int kTakeWay = 7;  ///< remember the point number `variant` of a way, and its jaws
-inline constexpr int kGo = 8;       ///< go along the way
+inline constexpr int kGo = 8;       ///< go along the way; `variant` is kActs: until the jaws are there, too
 inline constexpr int kWeigh = 9;    ///< force tool and bias: pose[0] is w [N], pose[1..3] P [m]
 inline constexpr int kWait = 10;    ///< come to rest, the jaws stay
 

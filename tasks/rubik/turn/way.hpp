@@ -19,6 +19,8 @@ struct Way {
   std::array<PoseNumbers, kMostPoints> points{};
   double jaws{};  ///< distance of the jaws on the way [m], 0: they stay
 
+  /// @return nothing moves
+  [[nodiscard]] bool empty() const { return count == 0 && jaws <= 0; }
   void add(const PoseNumbers& point) {
     if (count < kMostPoints) points[static_cast<std::size_t>(count++)] = point;
   }

@@ -62,6 +62,23 @@ TEST_F(RubikProgram, LeadsBothArmsThroughOneCycle) {
   EXPECT_NEAR(journal.at(0).tool, kQuarter, 0.02);
 }
 
+TEST_F(RubikProgram, BothArmsAreToldAtOnceAndGoOneAfterTheOtherOrAtTheSameTime) {
+  Step step = quarter_turn();
+  step.before.insert(step.before.begin(),
+                     {.hand = Hand::track, .points = {at(0, 7), at(0.3, 7)}, .carries = true});
+  ASSERT_EQ(execute(step), Outcome::terminated);
+  EXPECT_EQ(arms.behaviours, (std::vector{kTakeWay, kGo, kWeigh, 1, 2, 3, 4, 5, 6, kTakeWay, kGo}));
+  EXPECT_EQ(arms.points[0].size(), 2u);
+  EXPECT_EQ(arms.points[1].size(), 2u) << "its way with the cube and its retreat";
+  EXPECT_GT(arms.begun[0] - arms.begun[1], TwoArms::kGoing) << "one after the other";
+
+  step.before[1].delay = 0.1;
+  TwoArms others;
+  arms = others;
+  ASSERT_EQ(execute(step), Outcome::terminated);
+  EXPECT_EQ(arms.begun[0] - arms.begun[1], 5) << "0.1 s later";
+}
+
 TEST_F(RubikProgram, ATurnTheOtherWayHasTheOtherTorque) {
   ASSERT_EQ(execute(quarter_turn(-kQuarter)), Outcome::terminated);
   EXPECT_EQ(arms.turns.at(0).torque, -x.c.k.torque);

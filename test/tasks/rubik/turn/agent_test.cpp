@@ -75,6 +75,8 @@ TEST(RubikAgent, TakesThePointsOfAWayInTheirOrderEachOnce) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_DOUBLE_EQ(x.c.way.points[k][0], 0.1 * static_cast<double>(k));
   EXPECT_EQ(x.c.way.jaws, 0.07);
   EXPECT_EQ(take.f_cT(x).sensor, 3);
+  EXPECT_EQ(take.f_ce(x).arm.frame, kStill);
+  EXPECT_EQ(take.f_ce(x).arm.gripper, 0.07) << "the jaws begin already";
   x.T.variant = 3;
   x.T.arm.pose[2] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(take.f_cc(x).way.count, 3) << "never to a place that is none";
@@ -87,7 +89,7 @@ TEST(RubikAgent, TakesThePointsOfAWayInTheirOrderEachOnce) {
 
 TEST(RubikAgent, GoesFromWhereItIsThroughAllPointsAndTellsWhenItIsThere) {
   const auto& go = between(kGo);
-  X x = ordered(kGo);
+  X x = ordered(kGo, kActs);
   x.e.motors[0] = 50;
   x.e.gripper = 0.07;
   AxisVector motors = AxisVector::Zero(6);
@@ -101,7 +103,8 @@ TEST(RubikAgent, GoesFromWhereItIsThroughAllPointsAndTellsWhenItIsThere) {
   EffectorCommand last;
   PoseNumbers before{50}, most{};
   for (x.i = 0; x.i < x.c.path.macrosteps(); ++x.i) {
-    EXPECT_EQ(go.f_cT(x).event, 0);
+    // An order that answers the report is obeyed two macrosteps later.
+    EXPECT_EQ(go.f_cT(x).event, x.i + 2 >= x.c.path.macrosteps() ? kGo : 0);
     last = go.f_ce(x);
     EXPECT_EQ(last.arm.mu, Interpolation::mim);
     EXPECT_EQ(last.arm.representation, Representation::motors);
@@ -113,10 +116,11 @@ TEST(RubikAgent, GoesFromWhereItIsThroughAllPointsAndTellsWhenItIsThere) {
   EXPECT_NEAR(last.arm.pose[1], -20, 1e-9);
   EXPECT_NEAR(most[0], 0.8 * 50 * kPacing.macrostep_s(), 0.05) << "the speed of the first line";
   EXPECT_NEAR(most[1], 0.5 * 50 * kPacing.macrostep_s(), 0.05);
-  x.i += ecp::kAnswerDelay;
   EXPECT_EQ(go.f_cT(x).event, kGo);
   x.e.gripper = 0.075;
   EXPECT_EQ(go.f_cT(x).event, 0) << "the jaws are not there yet";
+  x.T.variant = kStands;
+  EXPECT_EQ(go.f_cT(x).event, kGo) << "nobody waits for them";
   x.T.m = kWait;
   EXPECT_TRUE(go.f_tau(x));
 }
