@@ -10,15 +10,20 @@
 namespace mrroc::sim {
 namespace {
 
-constexpr double kOfMotors = 0.984;     // share of the motors' speed that is used
-constexpr double kRamp = 0.25;          // from rest to full speed [s]
+constexpr double kOfMotors = 0.984;  // share of the motors' speed that is used
+// From rest to full speed [s]. The large motors draw four fifths of their largest current then, more than which their
+// regulators do not ask for; those of V and N a fifth.
+constexpr double kRamp = 0.25;
+constexpr double kWristRamp = 0.12;
 constexpr double kHandSpeed = 1.4;      // [m/s]: the task's drivers allow 1.5
 constexpr double kHandTurnSpeed = 3.7;  // [rad/s]: they allow 4
 
 rubik::SpeedLimits speed_limits(const irb6::Arm& robot) {
   AxisVector speeds(robot.axes());
   for (int k = 0; k < robot.axes(); ++k) speeds[k] = kOfMotors * robot.axis(k).max_motor_speed;
-  return {{speeds, speeds / kRamp}, kHandSpeed, kHandTurnSpeed};
+  AxisVector accelerations = speeds / kRamp;
+  accelerations.tail<2>() = speeds.tail<2>() / kWristRamp;
+  return {{speeds, accelerations}, kHandSpeed, kHandTurnSpeed};
 }
 
 double share(double x, const edp::Range& range) {

@@ -11,7 +11,7 @@ namespace {
 
 using X = Arm::X;
 
-constexpr std::int64_t kStillFor = 25;  // macrosteps at rest before anything is weighed
+constexpr std::int64_t kStillFor = 12;  // macrosteps at rest before anything is weighed: hands swing for six
 constexpr double kJawsThere = 0.0015;   // [m]
 // Macrosteps from a report until the order that answers it is obeyed, at least (MG 11-15): who tells so much before the
 // end of its path is not disturbed.
