@@ -38,13 +38,13 @@ inline constexpr double kOpenJaws = 0.08;
 
 /// Estimates of what is not free motion, from tables 4-8 of MG and the friction of a face.
 struct CycleTimes {
-  double grip{5};         ///< m = 1..4 from jaws at 68 mm, and the rests in which sensors are biased [s]
+  double grip{3.1};       ///< m = 1..4, the rest in which sensors are biased, and what is told of ways [s]
   double turn_rate{0.3};  ///< of m = 5 with B = 0.1 s/(kg m^2) [rad/s]
-  double open{0.5};       ///< m = 6 [s]
+  double open{1.2};       ///< m = 6 [s]
   double look{0.5};       ///< of the camera at a face, at rest [s]
 };
 
-/// A free motion of one arm while the other one stands: lines from point to point that are straight in the space of the
+/// A free motion of one arm: lines from point to point that are straight in the space of the
 /// motors, whose speeds bound it (ecp::Polyline). At rest at the first and the last point. Every line has been found
 /// free of collisions.
 struct FreeMotion {

@@ -11,7 +11,7 @@ constexpr double kArm = 2;     // of joint 5, which alone moves E [m/rad]
 const SpeedLimits kLimits{{AxisVector::Constant(6, 50), AxisVector::Constant(6, 200)}, 0.5, 1};
 
 /// Arms that move E with joint 5 only. An obstacle stands at joint 0 from 0.4 to 0.6, up to a height in joint 1.
-class Obstacle final : public PlanCell {
+class Obstacle : public PlanCell {
  public:
   explicit Obstacle(double height) : height_(height) {
     for (SpeedLimits& l : limits_) l = kLimits;
@@ -106,6 +106,33 @@ TEST(Paths, AreSlowerWhereTheHandWouldBeTooFast) {
   EXPECT_NEAR(way[3].speed, 0.5, 1e-9);
   EXPECT_EQ(way[2].motors, kGear * moved);
   EXPECT_NEAR(seconds_along({way[1], way[2]}, kLimits.motors), 4 + 0.125, 0.02);
+}
+
+/// Both arms are on one rail: joint 0 of one must not come near that of the other one.
+class Rail final : public Obstacle {
+ public:
+  Rail() : Obstacle(0) {}
+  [[nodiscard]] bool is_free(const CellState& state) const override {
+    return std::abs(state.joints[0][0] - state.joints[1][0]) > 0.1;
+  }
+};
+
+TEST(Paths, OfBothArmsAreFreeOnlyIfNeitherNeedsTheOtherToBeInTime) {
+  const Rail cell;
+  const Paths paths(cell);
+  const auto motion = [&](Hand hand, double from, double to) {
+    FreeMotion m{.hand = hand, .points = way_through(cell, hand, {joints(from, 0), joints(to, 0)})};
+    m.seconds = seconds_along(m.points, kLimits.motors);
+    return m;
+  };
+  const FreeMotion first = motion(Hand::postument, 0, 1);
+  EXPECT_TRUE(paths.are_free(first, motion(Hand::track, -0.5, 0.5), 0, {})) << "it follows";
+  EXPECT_FALSE(paths.are_free(first, motion(Hand::track, 0.5, -0.5), 0, {})) << "they meet";
+  // 0.15 apart all the time; but at 0.5 rad/s the lag is 0.1.
+  const FreeMotion close_behind = motion(Hand::track, -0.15, 0.85);
+  EXPECT_FALSE(paths.are_free(first, close_behind, 0, {}));
+  EXPECT_TRUE(paths.are_free(first, close_behind, 0.5, {}));
+  EXPECT_FALSE(paths.are_free(first, motion(Hand::track, -0.5, 0.95), 5, {})) << "where it ends";
 }
 
 }  // namespace
