@@ -13,9 +13,6 @@ using X = Arm::X;
 
 constexpr std::int64_t kStillFor = 12;  // macrosteps at rest before anything is weighed: hands swing for six
 constexpr double kJawsThere = 0.0015;   // [m]
-// Macrosteps from a report until the order that answers it is obeyed, at least (MG 11-15): who tells so much before the
-// end of its path is not disturbed.
-constexpr std::int64_t kOrderDelay = 2;
 
 // --- memory ----------------------------------------------------------------------------------------------------
 
@@ -102,7 +99,7 @@ EffectorCommand weigh(const X& x) {
 bool arrived(const X& x) {
   const bool jaws = x.T.variant != kActs || x.c.way.jaws <= 0 || x.e.blocked ||
                     std::abs(x.e.gripper - x.c.way.jaws) < kJawsThere;
-  return jaws && ecp::age(x) >= x.c.path.macrosteps() - kOrderDelay;
+  return jaws && ecp::path_ends(x);
 }
 bool weighed(const X& x) { return x.c.weighed != 0 && x.i >= x.c.weighed + ecp::kAnswerDelay; }
 bool never(const X&) { return false; }
