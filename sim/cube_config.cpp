@@ -57,6 +57,8 @@ std::optional<CubeParameters> read_cube(const Config& config, const std::vector<
   p.faces.jam = t.number("jam", p.faces.jam, {0, 50}, "N m");
   p.faces.mean.jam_direction =
       t.choice("jam_direction", 0, {{"both", 0}, {"clockwise", -1}, {"counterclockwise", 1}});
+  p.faces.mean.jam_loosening =
+      t.number("jam_loosening", 0, {0, 1}, "share that a jam loses each time the face leaves it");
   p.friction = t.number("friction", p.friction, {0, 2}, "of the stickers, times that of a pad");
   const Face facing = t.choice(
       "facing", Face::U,

@@ -16,6 +16,7 @@ struct FaceFriction {
   double jam{};            ///< in the middle of the place where the face jams, besides [N m]
   double jam_angle{0.7};   ///< that place, within the quarter turn, the same in both directions [rad]
   int jam_direction{};     ///< 0: a jam resists in both directions; 1, -1: a positive, a negative turn alone
+  double jam_loosening{};  ///< share that a jam loses each time the face leaves its place, 0..1
   double jam_width{0.06};  ///< half of its width [rad]
   double detent{1.5};      ///< largest torque that draws the face into a seat [N m]
   double detent_friction{0.4};  ///< instead of kinetic where a seat draws [N m]
@@ -59,6 +60,8 @@ class FaceDrive {
  private:
   FaceFriction f_;
   bool seated_{true};
+  bool jams_{};          // the face is where it jams
+  double tightness_{1};  // what is left of the jam
 };
 
 }  // namespace mrroc::sim

@@ -64,8 +64,11 @@ std::vector<TurnRow> turns_of(const RunRecord& record, const CubeRecord& cube) {
     r.t_end = seconds(note.ended);
     r.attempts = note.attempts;
     r.tool_deg = kDegrees * note.tool;
+    const CubeRow* const before = cube.at(note.turn_begun);
     if (const CubeRow* const c = cube.at(note.turn_ended)) {
-      const double seat = kQuarter * std::round(std::abs(note.tool) / kQuarter);
+      // A face that the pads only slipped over is where it was.
+      const bool turned = before && c->facelets != before->facelets;
+      const double seat = turned ? kQuarter * std::round(std::abs(note.tool) / kQuarter) : 0;
       r.face_deg = std::copysign(kDegrees * (seat - std::abs(c->angle)), note.tool);
     }
     r.slip_mm = 1e3 * slip(turning, cube);

@@ -115,5 +115,19 @@ TEST(FaceFriction, AJamOfOneDirectionLetsAFacePassInTheOther) {
   }
 }
 
+TEST(FaceFriction, AJamThatLoosensLetsTheFacePassAtALaterAttempt) {
+  FaceFriction f = faces(1)[0];
+  f.jam = 10;
+  f.jam_angle = 0.7;
+  f.jam_loosening = 0.9;
+  Rig rig(f, 0.3);
+  int attempts = 0;
+  for (; rig.angle < 0.8 && attempts < 10; ++attempts) {
+    for (int k = 0; k < 2000 && rig.angle > 0.5; ++k) rig.run(-12, kStep);
+    for (int k = 0; k < 2000 && rig.angle < 0.8; ++k) rig.run(4, kStep);
+  }
+  EXPECT_EQ(attempts, 2) << "10 N m, then 1";
+}
+
 }  // namespace
 }  // namespace mrroc::sim
