@@ -139,14 +139,17 @@ class Program {
     }
   }
 
-  /// The worker has met nothing. Jaws stay where they are when a cube slips out from between them; pressed together, they
-  /// tell.
+  /// The worker has met nothing: has the cube gone, has it slipped, or has the worker not come to it? Jaws stay where
+  /// they are when a cube slips out from between them; pressed together, they tell.
   Outcome feel_cube(const Step& step) {
     Outcome o = behaviour(kStopBoth);
     x_.c.trouble = Trouble::none;
     const Hand holder = step.before_grasp.hand;
     if (o == Outcome::terminated) o = go(holder, Way{.jaws = kClosest}, holder);
-    if (x_.c.trouble == Trouble::none) x_.c.trouble = Trouble::no_contact;
+    if (o == Outcome::terminated && x_.T.agent[index(holder)].gripper < x_.c.k.held)
+      x_.c.trouble = Trouble::dropped;
+    const bool passed_by = x_.c.travelled > kApproachDistance + x_.c.k.slip;
+    if (x_.c.trouble == Trouble::none) x_.c.trouble = passed_by ? Trouble::elsewhere : Trouble::no_contact;
     return o;
   }
 

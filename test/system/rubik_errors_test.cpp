@@ -70,8 +70,8 @@ TEST_F(RubikErrors, AFaceThatDoesNotLeaveItsSeatIsAFault) {
   EXPECT_LT(r.figure("turn_torque_peak_Nm"), kTorqueMost);
 }
 
-TEST_F(RubikErrors, ACubeThatIsBesideTheJawsIsNotMet) {
-  expect_fault(CubeRun(set({"cube.offset=[0.045, 0, 0]", "task.attempts=1"})), "no_contact");
+TEST_F(RubikErrors, ACubeThatIsBesideThePalmIsPassedByAndNotGripped) {
+  expect_fault(CubeRun(set({"cube.offset=[0.045, 0, 0]"})), "cube_slipped");
 }
 
 TEST_F(RubikErrors, ACubeThatHasSlippedOutOfThePalmIsNotGripped) {

@@ -172,6 +172,16 @@ TEST_F(RubikProgram, ACubeThatHasSlippedOutOfJawsThatStandIsFeltToBeGone) {
   EXPECT_EQ(arms.behaviours.back(), kStopBoth.m);
 }
 
+TEST_F(RubikProgram, AWorkerThatPassesByACubeStopsSoonAndTheCubeHasSlipped) {
+  arms.finds_nothing = [](int) { return true; };
+  arms.passes_by = true;
+  ASSERT_EQ(execute(quarter_turn()), Outcome::faulted);
+  EXPECT_EQ(x.c.trouble, Trouble::elsewhere);
+  EXPECT_EQ(journal.at(0).grips, 1);
+  EXPECT_LT(x.c.travelled, 0.016);
+  EXPECT_GT(x.c.travelled, 0.015);
+}
+
 TEST_F(RubikProgram, ACubeThatIsNotWhereItShouldBeIsNotGripped) {
   arms.meets_at = 0.02;
   ASSERT_EQ(execute(quarter_turn()), Outcome::faulted);

@@ -21,6 +21,7 @@ class TwoArms {
   std::function<bool(int turn)> jams = [](int) { return false; };  ///< attempt at m = 5, counted from 1
   std::function<bool(int grip)> misses = [](int) { return false; };
   std::function<bool(int grip)> finds_nothing = [](int) { return false; };
+  bool passes_by{};                                    ///< who finds nothing goes on; else it does not move
   bool gone{};                                         ///< the second arm's hand is empty
   bool stays{};                                        ///< a face that jams cannot be turned back either
   double meets_at{0.01};                               ///< way of the worker to the cube [m]
@@ -78,7 +79,10 @@ class TwoArms {
     if (o.m == 6 && acts) r.gripper = 0.077, r.event = 6;
   }
   void approach(Report& r) const {
-    if (finds_nothing(grips_)) return;
+    if (finds_nothing(grips_)) {
+      if (passes_by) r.T_0E[2] += 0.0002;
+      return;
+    }
     r.T_0E[2] = meets_at;
     r.event = 1;
   }
