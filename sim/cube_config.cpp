@@ -47,15 +47,27 @@ std::optional<CubeParameters> read_cube(const Config& config, const std::vector<
   const auto seed =
       static_cast<std::uint64_t>(t.integer<std::int64_t>("seed", config.integer<std::int64_t>("seed", 1)));
   p.state = read_state(t, seed);
+  // A cube that was taken apart: no turns lead to it.
+  const int twist = t.integer("twist", 0, {0, 2}, "thirds of a turn of the corner at U R F in its place");
+  std::uint8_t& corner = p.state.corners[0];
+  corner = static_cast<std::uint8_t>(corner / 3 * 3 + (corner % 3 + twist) % 3);
   p.faces.seed = seed;
   p.faces.mean.breakaway = t.number("breakaway", p.faces.mean.breakaway, {0.1, 50}, "N m");
   p.faces.mean.kinetic = t.number("kinetic", p.faces.mean.kinetic, {0, 50}, "N m");
   p.faces.jam = t.number("jam", p.faces.jam, {0, 50}, "N m");
+  p.faces.mean.jam_direction =
+      t.choice("jam_direction", 0, {{"both", 0}, {"clockwise", -1}, {"counterclockwise", 1}});
+  p.faces.mean.jam_loosening =
+      t.number("jam_loosening", 0, {0, 1}, "share that a jam loses each time the face leaves it");
+  p.friction = t.number("friction", p.friction, {0, 2}, "of the stickers, times that of a pad");
   const Face facing = t.choice(
       "facing", Face::U,
       {{"U", Face::U}, {"R", Face::R}, {"F", Face::F}, {"D", Face::D}, {"L", Face::L}, {"B", Face::B}});
   const bool two = config.section("robots." + holder).text("fingers", "none") == "two_layers";
   p.T_EC = cube_in_hand(two ? Fingers::two_layers : Fingers::one_layer, facing);
+  const auto offset =
+      t.numbers<3>("offset", std::array{0., 0., 0.}, {-0.1, 0.1}, "m, of the cube in the hand");
+  p.T_EC.p += Vector3(offset[0], offset[1], offset[2]);
   return p;
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/representation.hpp"
 #include "sim/driven_arms.hpp"
+#include "sim/plan_cell.hpp"
 #include "tasks/rubik/program.hpp"
 
 namespace mrroc::sim {
@@ -141,12 +142,12 @@ rubik::Parameters parameters(const TurnPlan& plan, const DrivenCell& cell, const
 }
 
 /// One cycle, from where the worker stands now.
-rubik::Step cycle(const TurnPlan& plan, const WorldParameters& world) {
+rubik::Step cycle(const TurnPlan& plan, const irb6::Arm& worker, const WorldParameters& world) {
   rubik::Step step;
   const std::vector<double>& start = world.arms[kPostument].start;
   const AxisVector here =
       Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Eigen::Index>(start.size()));
-  step.before = {{.hand = rubik::Hand::postument, .points = {here}}};
+  step.before = {{.hand = rubik::Hand::postument, .points = {{here, worker.motors_from_joints(here)}}}};
   step.comes = rubik::Hand::postument;
   step.leaves = rubik::Hand::track;
   step.before_grasp.hand = rubik::Hand::track;
@@ -170,15 +171,18 @@ TurnFigures turn_face(const TurnPlan& plan, std::uint64_t seed,
   close_holder(cell);
 
   Observer observer(cell, plan);
-  DrivenArms arms(cell, cell.world().steps() + static_cast<std::int64_t>(plan.patience / kStep), [&](int m) {
-    observer.macrostep(m);
-    if (watch) watch(cell, m);
-  });
+  const CubePlanCell limits(world);
+  DrivenArms arms(cell,
+                  {limits.limits(rubik::Hand::postument).motors, limits.limits(rubik::Hand::track).motors},
+                  cell.world().steps() + static_cast<std::int64_t>(plan.patience / kStep), [&](int m) {
+                    observer.macrostep(m);
+                    if (watch) watch(cell, m);
+                  });
   rubik::Coordinator::X x;
   x.c.k = parameters(plan, cell, *world.cube);
   rubik::Journal journal;
   rubik::Program<DrivenArms> program(x, arms, journal);
-  const bool done = program.execute(cycle(plan, world)) == Outcome::terminated;
+  const bool done = program.execute(cycle(plan, cell.robot(kPostument), world)) == Outcome::terminated;
   TurnFigures figures = observer.finish(world.cube->state);
   figures.done = done;
   figures.attempts = journal.back().attempts;

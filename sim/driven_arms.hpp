@@ -16,10 +16,14 @@ class DrivenArms {
   using Coordinator = rubik::Coordinator;
 
   /// @param cell  outlives this object
+  /// @param limits  of free motions, by arm: of the motors
   /// @param end  step of the world in which the wait is aborted
   /// @param watch  called in every macrostep with the coordinator's behaviour
-  DrivenArms(DrivenCell& cell, std::int64_t end, std::function<void(int m)> watch)
-      : cell_(cell), end_(end), watch_(std::move(watch)) {}
+  DrivenArms(DrivenCell& cell, const std::array<ecp::MotionLimits, rubik::kArms>& limits, std::int64_t end,
+             std::function<void(int m)> watch)
+      : cell_(cell), end_(end), watch_(std::move(watch)) {
+    for (std::size_t arm = 0; arm < rubik::kArms; ++arm) x_[arm].c.limits = limits[arm];
+  }
 
   /// What the arms read in the macrostep that begins with wait().
   void dispatch(const Motion<Coordinator>& motion, const Coordinator::Y& y);

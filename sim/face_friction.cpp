@@ -38,16 +38,20 @@ FaceDrive::Action FaceDrive::step(double angle, double speed, double h) {
   const double off = angle - kQuarter * std::round(angle / kQuarter);  // from the nearest seat
   if (std::abs(off) > kSeat) seated_ = false;
   if (std::abs(off) < kSeat && std::abs(speed) < kSeatingSpeed) seated_ = true;
-  if (seated_) return {-off / std::max(kSettling, h), f_.breakaway, 0};
+  if (seated_) return {-off / std::max(kSettling, h), f_.breakaway, f_.breakaway, 0};
   if (std::abs(off) < kDetent)
-    return {0, f_.detent_friction, -f_.detent * std::sin(std::numbers::pi * off / kDetent)};
+    return {0, f_.detent_friction, f_.detent_friction,
+            -f_.detent * std::sin(std::numbers::pi * off / kDetent)};
 
   double within = std::fmod(angle, kQuarter);
   if (within < 0) within += kQuarter;
   const double from_jam = std::abs(within - f_.jam_angle) / f_.jam_width;
-  const double jam = from_jam < 1 ? f_.jam * (1 - from_jam) : 0;
-  const double friction = f_.kinetic * (1 + f_.ripple * std::sin(8 * angle + f_.ripple_phase)) + jam;
-  return {0, friction + f_.viscous * std::abs(speed), 0};
+  if (jams_ && from_jam >= 1) tightness_ *= 1 - f_.jam_loosening;
+  jams_ = from_jam < 1;
+  const double jam = jams_ ? tightness_ * f_.jam * (1 - from_jam) : 0;
+  const double friction =
+      f_.kinetic * (1 + f_.ripple * std::sin(8 * angle + f_.ripple_phase)) + f_.viscous * std::abs(speed);
+  return {0, friction + (f_.jam_direction < 0 ? 0 : jam), friction + (f_.jam_direction > 0 ? 0 : jam), 0};
 }
 
 }  // namespace mrroc::sim

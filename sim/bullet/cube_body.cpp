@@ -165,7 +165,7 @@ void CubeBody::push() {
   for (int side = 0; side < 2; ++side) {
     const FaceDrive::Action action =
         faces_[static_cast<std::size_t>(side)].step(body_->getJointPos(side), body_->getJointVel(side), h_);
-    drives_->drive(side, action.speed, action.most);
+    drives_->drive(side, action.speed, -action.positive, action.negative);
     body_->addJointTorque(side, action.torque);
   }
 }

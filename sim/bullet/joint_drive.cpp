@@ -15,9 +15,10 @@ JointDrives::JointDrives(btMultiBody& body, int first, double h)
       first_(first),
       h_(h) {}
 
-void JointDrives::drive(int joint, double speed, double most) {
+void JointDrives::drive(int joint, double speed, double lower, double upper) {
   speed_[static_cast<std::size_t>(joint)] = speed;
-  impulse_[static_cast<std::size_t>(joint)] = most * h_;
+  lower_[static_cast<std::size_t>(joint)] = lower * h_;
+  upper_[static_cast<std::size_t>(joint)] = upper * h_;
 }
 
 double JointDrives::given(int joint) { return getAppliedImpulse(joint) / h_; }
@@ -41,7 +42,7 @@ void JointDrives::createConstraintRows(btMultiBodyConstraintArray& rows, btMulti
     const auto k = static_cast<std::size_t>(joint);
     btMultiBodySolverConstraint& row = rows.expandNonInitializing();
     fillMultiBodyConstraint(row, data, jacobianA(joint), jacobianB(joint), none, none, none, none, 0, info,
-                            -impulse_[k], impulse_[k], false, 1, false, speed_[k]);
+                            lower_[k], upper_[k], false, 1, false, speed_[k]);
     row.m_orgConstraint = this;
     row.m_orgDofIndex = joint;
     row.m_contactNormal1 = row.m_contactNormal2 = none;

@@ -20,8 +20,10 @@ class JointDrives final : public btMultiBodyConstraint {
   /// Sets a drive until the next call.
   /// @param joint  0 or 1
   /// @param speed  [rad/s], [m/s]
-  /// @param most   torque or force that it gives at most [N m], [N]
-  void drive(int joint, double speed, double most);
+  /// @param lower, upper  torque or force that it gives at least and at most, below and above zero [N m], [N]
+  void drive(int joint, double speed, double lower, double upper);
+  /// The same with one bound for both directions.
+  void drive(int joint, double speed, double most) { drive(joint, speed, -most, most); }
 
   /// @return torque or force that the drive gave to the joint in the last integration [N m], [N]
   [[nodiscard]] double given(int joint);
@@ -37,7 +39,7 @@ class JointDrives final : public btMultiBodyConstraint {
   int first_;
   double h_;
   std::array<double, kJoints> speed_{};
-  std::array<double, kJoints> impulse_{};
+  std::array<double, kJoints> lower_{}, upper_{};  // impulses
 };
 
 }  // namespace mrroc::sim

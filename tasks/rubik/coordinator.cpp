@@ -50,7 +50,7 @@ Trouble watch(const X& x, const Memory0& c) {
   const Parameters& k = x.c.k;
   const bool late = ecp::age(x) >= k.patience;
   if (empty(x, m == 6 ? c.cycle.leaves : c.cycle.holds) && m < 6) return Trouble::dropped;
-  if (m == 1 && late) return Trouble::no_contact;
+  if (m == 1 && (late || c.travelled > kApproachDistance + k.slip)) return Trouble::no_contact;
   if ((m == 3 || m == 4) && (late || empty(x, c.cycle.comes))) return Trouble::missed;
   if (m == 5 && x.i - c.last_progress >= k.stall) return Trouble::jammed;
   if (m == 6 && late) return Trouble::not_released;
@@ -233,7 +233,7 @@ const char* to_string(Trouble trouble) {
     case Trouble::no_contact:
       return "the worker does not meet the cube";
     case Trouble::elsewhere:
-      return "the worker meets the cube elsewhere";
+      return "the cube is not where the worker comes to it";
     case Trouble::missed:
       return "the jaws close on nothing";
     case Trouble::jammed:

@@ -42,8 +42,8 @@ struct Parameters {
 /// What is wrong with a behaviour of a cycle.
 enum class Trouble : std::uint8_t {
   none,
-  no_contact,    ///< m = 1: the worker does not meet the cube
-  elsewhere,     ///< m = 1: it meets it where it should not be
+  no_contact,    ///< m = 1: the worker does not meet the cube, in time or where it should be
+  elsewhere,     ///< m = 1: it meets it where it should not be, or passes by one that is there
   missed,        ///< m = 3, 4: its jaws close on nothing
   jammed,        ///< m = 5: the face does not turn
   not_released,  ///< m = 6: the jaws do not open

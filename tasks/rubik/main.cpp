@@ -152,8 +152,10 @@ rubik::Brain make_brain(const Setup& s, Head& head) {
   brain.start.grasp = rubik::grasp_from(hand, s.world.cube->T_EC.R);
   brain.start.joints = {axes(s.world.arms[0].start), axes(s.world.arms[1].start)};
   brain.solve = [&head](const rubik::Cube& cube) { return head.solve(cube); };
-  brain.plan = [&head](const rubik::PlanStart& start, const rubik::Moves& moves) {
-    return head.planner.make_plan(start, moves);
+  brain.plan = [&head](const rubik::PlanStart& start, const rubik::Moves& moves, const rubik::Jams& jams) {
+    rubik::PlanOptions options;
+    options.jams = jams;
+    return head.planner.make_plan(start, moves, options);
   };
   brain.plan_reading = [&head](const rubik::PlanStart& start) {
     return head.planner.make_reading_plan(start);

@@ -29,17 +29,53 @@ class Program {
     journal_.push_back({.comes = step.comes, .leaves = step.leaves, .turn = step.turn, .begun = x_.i});
     Outcome o = go_along(step);
     if (well(o)) o = step.shows ? behaviour(kLook) : cycle(step);
-    journal_.back().ended = x_.i;
-    if (o == Outcome::terminated && x_.c.trouble == Trouble::none) return o;
-    const Trouble trouble = x_.c.trouble;
-    if (o == Outcome::terminated) o = behaviour(kStopBoth);
-    x_.c.trouble = trouble;
-    return o == Outcome::terminated ? Outcome::faulted : o;
+    return end(o);
+  }
+
+  /// @return whether the step ended with a face that jams and is in its seat again, so that withdraw() is possible
+  [[nodiscard]] bool may_withdraw(const Step& step) const {
+    return x_.c.trouble == Trouble::jammed && std::abs(journal_.back().tool) < kSeated &&
+           !step.before.empty() && step.before.back().hand == step.comes;
+  }
+
+  /// Takes back a step whose face jams: the hand that has come lets go and goes back the way it came, to where that
+  /// motion began. The other one holds the cube as before. @return as execute()
+  Outcome withdraw(const Step& step) {
+    x_.c.trouble = Trouble::none;
+    x_.c.cycle.leaves = step.comes;
+    x_.c.coordination = {.m = 6};
+    journal_.back().given_up = true;
+    Outcome o = behaviour(kCycle[5]);
+    if (well(o)) o = go(way_back(step.before.back()), step.before_grasp.hand, false);
+    return end(o);
   }
 
   [[nodiscard]] Trouble trouble() const { return x_.c.trouble; }
 
  private:
+  static constexpr double kSeated = 0.05;  // of a tool, from which its face falls into the seat [rad]
+
+  /// @return from behind the end of the motion, where the arm is, through all of its points
+  [[nodiscard]] static FreeMotion way_back(FreeMotion motion) {
+    auto& points = motion.points;
+    points.push_back(points.back());
+    // The speed belongs to the line that leads to a point.
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) points[k].speed = points[k + 1].speed;
+    std::ranges::reverse(points);
+    return motion;
+  }
+
+  Outcome end(Outcome o) {
+    const Trouble trouble = x_.c.trouble;
+    if (o == Outcome::terminated && trouble != Trouble::none) {
+      o = behaviour(kStopBoth);
+      if (o == Outcome::terminated) o = Outcome::faulted;
+    }
+    x_.c.trouble = trouble;
+    journal_.back().ended = x_.i;
+    return o;
+  }
+
   [[nodiscard]] bool well(Outcome o) const {
     return o == Outcome::terminated && x_.c.trouble == Trouble::none;
   }
@@ -147,6 +183,7 @@ class Program {
                     .turn = order_of(step)};
       for (std::size_t m = 1; m <= 4 && well(o); ++m) o = behaviour(kCycle[m - 1]);
       journal_.back().travelled = x_.c.travelled;
+      if (o == Outcome::terminated && x_.c.trouble == Trouble::no_contact) o = feel_cube(step);
       const Trouble trouble = x_.c.trouble;
       const bool again =
           (trouble == Trouble::no_contact || trouble == Trouble::missed) && attempt < x_.c.k.attempts;
@@ -154,6 +191,20 @@ class Program {
       o = draw_back(step);
       if (!well(o)) return o;
     }
+  }
+
+  /// The worker has met nothing: has the cube gone, has it slipped, or has the worker not come to it? Jaws stay where
+  /// they are when a cube slips out from between them; pressed together, they tell.
+  Outcome feel_cube(const Step& step) {
+    Outcome o = behaviour(kStopBoth);
+    x_.c.trouble = Trouble::none;
+    const Hand holder = step.before_grasp.hand;
+    if (o == Outcome::terminated) o = go(holder, Way{.jaws = kClosest}, holder);
+    if (o == Outcome::terminated && x_.T.agent[index(holder)].gripper < x_.c.k.held)
+      x_.c.trouble = Trouble::dropped;
+    const bool passed_by = x_.c.travelled > kApproachDistance + x_.c.k.slip;
+    if (x_.c.trouble == Trouble::none) x_.c.trouble = passed_by ? Trouble::elsewhere : Trouble::no_contact;
+    return o;
   }
 
   /// Breaks off, opens the jaws and goes back to where the approach began.
@@ -188,19 +239,31 @@ class Program {
       journal_.back().attempts = step.turn ? attempt : 0;
       Outcome o = step.turn ? turn_by(step.angle - done, x_.c.k.mobility) : behaviour(kCycle[4]);
       done += x_.c.angle;
-      journal_.back().turn_ended = x_.i;
-      journal_.back().tool = done;
-      if (o != Outcome::terminated || x_.c.trouble != Trouble::jammed || attempt >= x_.c.k.attempts) return o;
-      o = behaviour(kStopBoth);
-      x_.c.trouble = Trouble::none;
-      if (o == Outcome::terminated && std::abs(done) > x_.c.k.progress) {
-        o = turn_by(-done, kTurn.az.mobility);
-        done += x_.c.angle;
-        if (x_.c.trouble == Trouble::jammed) x_.c.trouble = Trouble::none;  // not back either: on from there
-        if (well(o)) o = behaviour(kStopBoth);
-      }
+      note_turn(done);
+      if (o != Outcome::terminated || x_.c.trouble != Trouble::jammed) return o;
+      o = turn_back(done);
+      note_turn(done);
       if (!well(o)) return o;
+      if (attempt < x_.c.k.attempts) continue;
+      x_.c.trouble = Trouble::jammed;
+      return o;
     }
+  }
+
+  void note_turn(double done) {
+    journal_.back().turn_ended = x_.i;
+    journal_.back().tool = done;
+  }
+
+  /// @param done  turned so far [rad]; that is changed
+  Outcome turn_back(double& done) {
+    Outcome o = behaviour(kStopBoth);
+    x_.c.trouble = Trouble::none;
+    if (o != Outcome::terminated || std::abs(done) <= x_.c.k.progress) return o;
+    o = turn_by(-done, kTurn.az.mobility);
+    done += x_.c.angle;
+    if (x_.c.trouble == Trouble::jammed) x_.c.trouble = Trouble::none;  // not back either: on from there
+    return well(o) ? behaviour(kStopBoth) : o;
   }
 
   Outcome turn_by(double angle, double mobility) {

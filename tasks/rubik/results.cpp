@@ -64,8 +64,11 @@ std::vector<TurnRow> turns_of(const RunRecord& record, const CubeRecord& cube) {
     r.t_end = seconds(note.ended);
     r.attempts = note.attempts;
     r.tool_deg = kDegrees * note.tool;
+    const CubeRow* const before = cube.at(note.turn_begun);
     if (const CubeRow* const c = cube.at(note.turn_ended)) {
-      const double seat = kQuarter * std::round(std::abs(note.tool) / kQuarter);
+      // A face that the pads only slipped over is where it was.
+      const bool turned = before && c->facelets != before->facelets;
+      const double seat = turned ? kQuarter * std::round(std::abs(note.tool) / kQuarter) : 0;
       r.face_deg = std::copysign(kDegrees * (seat - std::abs(c->angle)), note.tool);
     }
     r.slip_mm = 1e3 * slip(turning, cube);
@@ -86,13 +89,14 @@ void write_turns(const std::filesystem::path& file, const std::vector<TurnRow>& 
 
 mp::Figures figures_of(const RunRecord& record, const CubeRecord& cube, const std::vector<TurnRow>& turns) {
   mp::Figures f;
-  double regrasps = 0, retries = 0;
+  double regrasps = 0, retries = 0, given_up = 0;
   double settled = 0, peak = 0;
   int approaches = 0;
   for (const CycleNote& note : record.journal) {
     if (note.grips == 0) continue;
     regrasps += !note.turn;
-    retries += note.grips - 1 + std::max(0, note.attempts - 1);
+    given_up += note.given_up;
+    retries += note.grips - 1 + std::max(0, note.attempts - 1) + note.given_up;
     const mp::ArmTrace& worker = record.traces[index(note.comes)];
     peak = std::max(peak, largest(part(worker, note, {1, 2}), {Axis::z}));
     const mp::ArmTrace settling = part(worker, note, {2});
@@ -100,9 +104,11 @@ mp::Figures figures_of(const RunRecord& record, const CubeRecord& cube, const st
     settled += mp::mean_force(settling, Axis::z, 2, 0.25);
     ++approaches;
   }
-  f["moves"] = static_cast<double>(turns.size());
+  const double moves = static_cast<double>(turns.size()) - given_up;
+  f["moves"] = moves;
   f["regrasps"] = regrasps;
   f["retries"] = retries;
+  f["other_way"] = given_up;
   if (approaches > 0) {
     f["approach_settled_N"] = settled / approaches;
     f["approach_peak_N"] = peak;
@@ -115,8 +121,7 @@ mp::Figures figures_of(const RunRecord& record, const CubeRecord& cube, const st
     double behind = 0;
     for (const TurnRow& r : turns) behind = std::max(behind, std::abs(r.tool_deg - r.face_deg));
     f["turn_angle_err_deg"] = behind;
-    if (record.solved > 0)
-      f["sim_s_per_turn"] = seconds(record.solved - record.solving) / static_cast<double>(turns.size());
+    if (record.solved > 0) f["sim_s_per_turn"] = seconds(record.solved - record.solving) / moves;
   }
   if (record.readings.size() > 1) f["verified"] = record.readings.back().cube == Cube{} ? 1. : 0.;
   if (!cube.rows().empty()) {

@@ -115,9 +115,9 @@ Outcome RubikRun::read_cube(X& x, Port& port, PlanStart& now, std::optional<Cube
         x, port, [&] { return brain_.plan_reading(now); }, planned);
     if (o != Outcome::terminated) return o;
     if (!planned->plan) return plan_failed(*planned);
-    o = execute_plan(*planned->plan, x, program);
+    Moves none;
+    o = execute_plan(*planned->plan, x, program, now, none);
     if (o != Outcome::terminated) return o;
-    now = {planned->plan->end, planned->plan->end_joints};
     record_.readings.push_back(read_state(views_));
     const StateReading& reading = record_.readings.back();
     say(fmt::format("read {}{}{}", reading.facelets, reading.text.empty() ? "" : ": ", reading.text));
@@ -136,7 +136,7 @@ Outcome RubikRun::solve(X& x, Port& port, PlanStart& now, const Cube& cube) {
   std::optional<Thought> thought;
   const auto find = [&] {
     Thought t{brain_.solve(cube), {}};
-    t.planned = brain_.plan(now, t.solution);
+    t.planned = brain_.plan(now, t.solution, jams_);
     return t;
   };
   Outcome o = think<Thought>(x, port, find, thought);
@@ -147,11 +147,27 @@ Outcome RubikRun::solve(X& x, Port& port, PlanStart& now, const Cube& cube) {
   record_.planned_s = plan.seconds;
   say(fmt::format("solution: {} turns: {}; {} re-grasps, about {:.0f} s", plan.turns.size(),
                   to_string(plan.turns), plan.regrasps, plan.seconds));
-  Program<Port> program(x, port, record_.journal);
   record_.solving = x.i;
-  o = execute_plan(plan, x, program);
+  o = turn_all(plan, x, port, now);
   if (o == Outcome::terminated) record_.solved = x.i;
-  now = {plan.end, plan.end_joints};
+  return o;
+}
+
+Outcome RubikRun::turn_all(const Plan& plan, X& x, Port& port, PlanStart& now) {
+  Program<Port> program(x, port, record_.journal);
+  Moves left;
+  Outcome o = execute_plan(plan, x, program, now, left);
+  while (o == Outcome::terminated && !left.empty()) {
+    doing_ = "thinking of the other way round";
+    std::optional<Planned> rest;
+    o = think<Planned>(
+        x, port, [&] { return brain_.plan(now, left, jams_); }, rest);
+    if (o != Outcome::terminated) return o;
+    if (!rest->plan)
+      return fail(FaultCode::face_jammed, fmt::format("{} does not turn, and not the other way round: {}",
+                                                      to_string(left.front()), rest->text));
+    o = execute_plan(*rest->plan, x, program, now, left);
+  }
   return o;
 }
 
@@ -159,26 +175,50 @@ Outcome RubikRun::plan_failed(const Planned& planned) {
   return fail(FaultCode::no_plan, fmt::format("{}: {}", to_string(planned.why), planned.text));
 }
 
-Outcome RubikRun::execute_plan(const Plan& plan, X& x, Program<Port>& program) {
-  std::size_t turn = 0;
+Outcome RubikRun::execute_plan(const Plan& plan, X& x, Program<Port>& program, PlanStart& now, Moves& left) {
+  left.clear();
+  const std::size_t all = std::max(record_.solution.size(), plan.turns.size());
+  std::size_t turn = plan.turns.empty() ? 0 : all - plan.turns.size();
   for (const Step& step : plan.steps) {
     if (step.turn) ++turn;
-    progress_ = plan.seconds > 0 ? static_cast<double>(turn) / static_cast<double>(plan.turns.size() + 1) : 0;
-    doing_ = step.turn    ? fmt::format("move {} of {}: {}", turn, plan.turns.size(), to_string(*step.turn))
+    progress_ = plan.turns.empty() ? 0 : static_cast<double>(turn) / static_cast<double>(all + 1);
+    doing_ = step.turn    ? fmt::format("move {} of {}: {}", turn, all, to_string(*step.turn))
              : step.shows ? fmt::format("show {}", letter(*step.shows))
                           : "re-grasp";
     say(doing_);
-    const Outcome o = program.execute(step);
-    const CycleNote& note = record_.journal.back();
-    if (note.grips > 1) say(fmt::format("gripped at attempt {}", note.grips));
-    if (note.attempts > 1) say(fmt::format("turned at attempt {}", note.attempts));
-    if (o == Outcome::faulted && program.trouble() != Trouble::none)
-      return fail(code_of(program.trouble()), fmt::format("{}: {}", doing_, to_string(program.trouble())));
-    if (o != Outcome::terminated) return o;
+    Outcome o = program.execute(step);
+    const bool otherwise = o == Outcome::faulted && may_turn_otherwise(step, program);
+    if (otherwise) {
+      say(fmt::format("{} jams {}: it will be turned the other way round", letter(step.turn->face()),
+                      step.angle > 0 ? "clockwise" : "counterclockwise"));
+      jams_.add(step.turn->face(), step.angle);
+      now.grasp = step.before_grasp;
+      now.joints = step.contact;
+      now.joints[index(step.comes)] = step.before.back().points.front().joints;
+      left.assign(plan.turns.end() - static_cast<std::ptrdiff_t>(all + 1 - turn), plan.turns.end());
+      o = program.withdraw(step);
+    }
+    o = judge(o, program);
+    if (o != Outcome::terminated || otherwise) return o;
     if (step.shows) note_view(step, x.V.reading);
   }
+  now = {plan.end, plan.end_joints};
   progress_ = 1;
   return Outcome::terminated;
+}
+
+bool RubikRun::may_turn_otherwise(const Step& step, const Program<Port>& program) const {
+  return program.may_withdraw(step) && !jams_.has(step.turn->face(), -step.angle);
+}
+
+Outcome RubikRun::judge(Outcome o, const Program<Port>& program) {
+  const CycleNote& note = record_.journal.back();
+  if (note.grips > 1) say(fmt::format("gripped at attempt {}", note.grips));
+  if (note.attempts > 1 && o == Outcome::terminated && !note.given_up)
+    say(fmt::format("turned at attempt {}", note.attempts));
+  if (o == Outcome::faulted && program.trouble() != Trouble::none)
+    return fail(code_of(program.trouble()), fmt::format("{}: {}", doing_, to_string(program.trouble())));
+  return o;
 }
 
 void RubikRun::note_view(const Step& step, const CubeFaceReading& reading) {

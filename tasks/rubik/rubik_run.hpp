@@ -22,7 +22,7 @@ namespace mrroc::rubik {
 /// What the coordinator asks when it thinks. Called in a thread of their own, one at a time.
 struct Brain {
   std::function<Moves(const Cube&)> solve;
-  std::function<Planned(const PlanStart&, const Moves&)> plan;
+  std::function<Planned(const PlanStart&, const Moves&, const Jams&)> plan;
   std::function<Planned(const PlanStart&)> plan_reading;  ///< shows all six faces
   PlanStart start;                    ///< how the cube is held at the beginning, and where the arms are
   std::optional<Cube> known;          ///< the cube as it is told; none: it is read
@@ -68,7 +68,14 @@ class RubikRun {
   /// Shows all faces to the camera. @param now  how the cube is held; changed
   Outcome read_cube(X& x, Port& port, PlanStart& now, std::optional<Cube>& cube);
   Outcome solve(X& x, Port& port, PlanStart& now, const Cube& cube);
-  Outcome execute_plan(const Plan& plan, X& x, Program<Port>& program);
+  /// A face that jams is left as it was. @param now  how the cube is held at the end; changed @param left  turns that
+  /// have not been done: that of a face which jams, and those after it
+  Outcome execute_plan(const Plan& plan, X& x, Program<Port>& program, PlanStart& now, Moves& left);
+  /// Executes a plan; where a face jams in one direction, the rest is planned anew without turning it so.
+  Outcome turn_all(const Plan& plan, X& x, Port& port, PlanStart& now);
+  [[nodiscard]] bool may_turn_otherwise(const Step& step, const Program<Port>& program) const;
+  /// Says what became of a step, and names the fault.
+  Outcome judge(Outcome o, const Program<Port>& program);
   void note_view(const Step& step, const CubeFaceReading& reading);
   Outcome plan_failed(const Planned& planned);
   /// Thinks for a fixed simulated time, however long it takes. @throws what work throws
@@ -94,6 +101,7 @@ class RubikRun {
   Fault fault_;
   std::function<bool()> thought_;  // while there is thinking: whether it has ended
   std::array<FaceView, kFaces> views_;
+  Jams jams_;                // of this cube
   std::deque<int> ordered_;  // m of the last orders, newest first
   std::string doing_;        // for the operator
   double progress_{};

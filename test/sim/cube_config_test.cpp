@@ -50,6 +50,22 @@ TEST(CubeConfig, PutsTheCubeIntoTheHandThatHoldsIt) {
   EXPECT_NO_THROW(World(w, 1));
 }
 
+TEST(CubeConfig, TakesWhatIsWrongWithTheCubeAndWithItsPlace) {
+  const WorldParameters right = read("");
+  const WorldParameters wrong = read(
+      "jam = 12\njam_direction = \"clockwise\"\njam_loosening = 0.5\nfriction = 0.01\noffset = [0.03, 0, "
+      "-0.002]");
+  EXPECT_EQ(right.cube->faces.mean.jam_direction, 0);
+  EXPECT_EQ(wrong.cube->faces.mean.jam_direction, -1) << "a positive angle is counterclockwise";
+  EXPECT_EQ(wrong.cube->faces.jam, 12);
+  EXPECT_EQ(wrong.cube->faces.mean.jam_loosening, 0.5);
+  EXPECT_EQ(wrong.cube->friction, 0.01);
+  EXPECT_LT((wrong.cube->T_EC.p - right.cube->T_EC.p - Vector3(0.03, 0, -0.002)).norm(), 1e-12);
+  EXPECT_FALSE(rubik::is_reachable(read("scramble = \"R U\"\ntwist = 1").cube->state));
+  EXPECT_TRUE(rubik::is_reachable(read("scramble = \"R U\"").cube->state));
+  EXPECT_THROW(read("jam_direction = \"up\""), FaultError);
+}
+
 TEST(CubeConfig, RefusesWhatContradictsItselfOrCannotBe) {
   EXPECT_THROW(read("scramble = \"R\"\nrandom_turns = 3"), FaultError);
   EXPECT_THROW(read("scramble = \"R Q\""), FaultError);

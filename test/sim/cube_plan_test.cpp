@@ -1,6 +1,7 @@
 // Plans of grasps in the real cell: they do what was asked for, within limits, without collisions, from every grasp.
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <set>
 
 #include "sim/cube_cell.hpp"
@@ -66,8 +67,8 @@ class CubePlan : public testing::Test {
     start.joints[0] = *cell.inverse(kP, back, start.joints[0]);
     start.grasp = {kT, Face::D, Face::B};
   }
-  void expect_plan(Planner& planner, const Moves& moves) {
-    const Planned planned = planner.make_plan(start, moves);
+  void expect_plan(Planner& planner, const Moves& moves, const rubik::PlanOptions& options = {}) {
+    const Planned planned = planner.make_plan(start, moves, options);
     ASSERT_TRUE(planned.plan) << planned.text;
     PlanReplay replay(cell, *planned.plan);
     int states = 0, free = 0;
@@ -79,6 +80,8 @@ class CubePlan : public testing::Test {
     together += replay.together;
     EXPECT_EQ(replay.cube, rubik::after({}, moves)) << to_string(moves);
     EXPECT_EQ(rubik::after({}, planned.plan->turns), rubik::after({}, moves));
+    for (const rubik::Step& s : planned.plan->steps)
+      EXPECT_FALSE(s.turn && options.jams.has(s.turn->face(), s.angle)) << to_string(moves);
   }
 
   WorldParameters world{cube_cell({})};
@@ -94,6 +97,17 @@ TEST_F(CubePlan, DoesExactlyTheTurnsWithinLimitsAndWithoutCollisions) {
   EXPECT_GT(together, 3) << "motions of both arms at the same time";
   // The last joint of the track arm is wound back in time.
   expect_plan(planner, rubik::parse_moves("U R U R U R U R U R U R"));
+}
+
+TEST_F(CubePlan, TurnsAFaceThatJamsByThreeQuartersTheOtherWay) {
+  Planner planner(cell);
+  rubik::PlanOptions options;
+  options.jams.add(Face::R, 1);
+  options.jams.add(Face::U, -1);
+  for (const char* moves : {"R", "U'", "R2", "U2", "R'", "R U' R2 U2 R U' R'"})
+    expect_plan(planner, rubik::parse_moves(moves), options);
+  const Planned planned = planner.make_plan(start, rubik::parse_moves("U'"), options);
+  EXPECT_NEAR(planned.plan->steps.back().angle, 1.5 * std::numbers::pi, 1e-12);
 }
 
 TEST_F(CubePlan, TurnsEveryFaceFromEveryGraspOfEitherHand) {

@@ -1,6 +1,7 @@
 // A cube in a hand: held without slip, its layers chosen anew while it is held, dropped when let go.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -15,10 +16,13 @@ namespace {
 
 class HeldCube : public testing::Test {
  protected:
-  static WorldParameters parameters() {
+  explicit HeldCube(int substeps = 2, double breakaway = FaceFriction{}.breakaway)
+      : cell(parameters(substeps, breakaway), 1, cube_limits()) {}
+  static WorldParameters parameters(int substeps, double breakaway) {
     CubeCellParameters p;
+    p.faces.mean.breakaway = breakaway;
     p.state = rubik::after({}, rubik::parse_moves("R U' F2"));
-    p.substeps = 2;
+    p.substeps = substeps;
     p.distance = 0.08;  // out of the way
     return cube_cell(p);
   }
@@ -32,10 +36,21 @@ class HeldCube : public testing::Test {
       squeeze = std::max(squeeze, cube().squeeze);
     }
   }
+  /// The hand turns about its z, as fast as its last joint can. @param angle [rad]
+  void turn_hand(double angle) {
+    constexpr double kSpeed = 0.8;  // [rad/s]
+    constexpr int kRamp = 10;
+    const int all = kRamp + static_cast<int>(angle / (kSpeed * rubik::kPacing.macrostep_s()));
+    for (int k = 0; k < all; ++k) {
+      const double share = std::min({1.0, k / double{kRamp}, (all - k) / double{kRamp}});
+      run(1, {.az = u(kSpeed * share)});
+    }
+    run(15);
+  }
   [[nodiscard]] const CubeTruth& cube() const { return *cell.world().cube(); }
   [[nodiscard]] Pose in_hand() const { return cell.world().effector(kTrack).inverse() * cube().T_UC; }
 
-  DrivenCell cell{parameters(), 1, cube_limits()};
+  DrivenCell cell;
   double squeeze{};
 };
 
@@ -88,6 +103,54 @@ TEST_F(HeldCube, LiesLooseInTheHandWhenTheJawsOpen) {
   EXPECT_FALSE(cell.reply(kTrack).blocked);
   EXPECT_GT((before.inverse() * in_hand()).p.norm(), 0.005) << "it lies on the lower finger";
   EXPECT_FALSE(cube().on_floor);
+}
+
+/// In the steps of the task; in twice as long ones a held cube creeps by 0.1 mm/s.
+class FinelyHeldCube : public HeldCube {
+ protected:
+  FinelyHeldCube() : HeldCube(4) {}
+};
+
+TEST_F(FinelyHeldCube, GoesAsAWholeWithAHandThatTurnsAsFastAsItCan) {
+  run(25);
+  const Pose before = in_hand();
+  const Matrix3 R = cell.world().effector(kTrack).R;
+  turn_hand(1);
+  EXPECT_GT(angle_axis_from_rotation(R.transpose() * cell.world().effector(kTrack).R).norm(), 0.8);
+  const Pose change = before.inverse() * in_hand();
+  EXPECT_LT(change.p.norm(), 1e-4);
+  EXPECT_LT(angle_axis_from_rotation(change.R).norm(), 1e-3);
+  for (const double angle : cube().angle) EXPECT_LT(std::abs(angle), 1e-3) << "no layer stays behind";
+  EXPECT_EQ(cube().layings, 0);
+  EXPECT_LT(squeeze, 200);
+}
+
+TEST_F(HeldCube, IsLetGoByJawsThatHaveTurnedWithIt) {
+  run(25);
+  turn_hand(1.7);
+  double most = 0;
+  for (int k = 0; k < 60; ++k) {
+    run(1, {}, 0.075);
+    if (cell.world().truth(kTrack).jaws > kCubeEdge + 0.0005)
+      most = std::max(most, std::abs(cell.world().truth(kTrack).jaw_force));
+  }
+  EXPECT_GT(cell.world().truth(kTrack).jaws, 0.07);
+  EXPECT_LT(most, 1) << "nothing sticks to a jaw that opens";
+}
+
+/// Every moment would turn a layer.
+class LooseCube : public HeldCube {
+ protected:
+  LooseCube() : HeldCube(2, 0.02) {}
+};
+
+TEST_F(LooseCube, ChoosesNoLayersByWhatThePadsOfOneHandDoToEachOther) {
+  run(25);
+  for (int k = 0; k < 40; ++k) {
+    const double v = std::sin(2 * std::numbers::pi * k / 20);
+    run(1, {.x = u(0.1 * v), .y = u(0.1 * v), .z = u(-0.1 * v), .az = u(0.6 * v)});
+  }
+  EXPECT_EQ(cube().layings, 0);
 }
 
 TEST(CubeCell, ACubeThatNothingHoldsFallsOnTheFloor) {

@@ -18,16 +18,20 @@ TurnPlan quick(std::uint64_t seed) {
 TEST(CubeTurn, TurnsTheFaceByContactAndHandsTheCubeOver) {
   TurnPlan plan = quick(5);
   bool laid = false, behind = false;
+  double held_fast = 0;  // force on the holder's jaws as they open [N]
   const TurnFigures f = turn_face(plan, 5, [&](DrivenCell& cell, int m) {
     const auto& angle = cell.world().cube()->angle;
     const bool on_its_way = m == 5 && std::max(std::abs(angle[0]), std::abs(angle[1])) > 0.3;
     behind |= on_its_way;
     laid |= on_its_way && cell.world().lay_cube(0);
+    const ArmTruth& holder = cell.world().truth(kTrack);
+    if (m == 6 && holder.jaws > kCubeEdge + 5e-4) held_fast = std::max(held_fast, std::abs(holder.jaw_force));
   });
   EXPECT_TRUE(f.done) << to_string(f.trouble) << ", " << FaultError(f.fault).what();
   EXPECT_TRUE(f.turned);
   EXPECT_TRUE(behind);
   EXPECT_FALSE(laid) << "a face on its way keeps its layers";
+  EXPECT_LT(held_fast, 1) << "nothing sticks to jaws that have turned with the cube";
   EXPECT_FALSE(f.dropped);
   EXPECT_NEAR(f.approach_settled, 4, 0.2);
   EXPECT_LT(f.approach_peak, 8);

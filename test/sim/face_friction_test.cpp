@@ -27,7 +27,8 @@ struct Rig {
       const FaceDrive::Action a = drive.step(angle, speed, kStep);
       const double free = speed + kStep * (torque + a.torque) / kInertia;
       // Friction holds the wanted speed as far as it goes.
-      const double change = std::clamp(a.speed - free, -kStep * a.most / kInertia, kStep * a.most / kInertia);
+      const double change =
+          std::clamp(a.speed - free, -kStep * a.positive / kInertia, kStep * a.negative / kInertia);
       speed = free + change;
       angle += kStep * speed;
     }
@@ -93,6 +94,39 @@ TEST(FaceFriction, AJamStopsWhatTurnedElsewhere) {
   rig.run(4.5, 3);
   EXPECT_GT(rig.angle, 0.6);
   EXPECT_LT(rig.angle, 0.75);
+}
+
+TEST(FaceFriction, AJamOfOneDirectionLetsAFacePassInTheOther) {
+  FaceFriction f = faces(1)[0];
+  f.jam = 10;
+  f.jam_angle = 0.7;
+  for (const int direction : {1, -1}) {
+    f.jam_direction = direction;
+    Rig with(f, 0.7 - direction * 0.5);
+    with.run(direction * 4.5, 3);
+    EXPECT_LT(direction * (with.angle - 0.7), 0.05);
+    EXPECT_GT(direction * (with.angle - 0.7), -0.1);
+    // From where it stands it can be turned back.
+    with.run(-direction * 4.5, 0.5);
+    EXPECT_LT(direction * (with.angle - 0.7), -0.3);
+    Rig against(f, 0.7 + direction * 0.3);
+    against.run(-direction * 4.5, 0.5);
+    EXPECT_LT(direction * (against.angle - 0.7), -0.3);
+  }
+}
+
+TEST(FaceFriction, AJamThatLoosensLetsTheFacePassAtALaterAttempt) {
+  FaceFriction f = faces(1)[0];
+  f.jam = 10;
+  f.jam_angle = 0.7;
+  f.jam_loosening = 0.9;
+  Rig rig(f, 0.3);
+  int attempts = 0;
+  for (; rig.angle < 0.8 && attempts < 10; ++attempts) {
+    for (int k = 0; k < 2000 && rig.angle > 0.5; ++k) rig.run(-12, kStep);
+    for (int k = 0; k < 2000 && rig.angle < 0.8; ++k) rig.run(4, kStep);
+  }
+  EXPECT_EQ(attempts, 2) << "10 N m, then 1";
 }
 
 }  // namespace

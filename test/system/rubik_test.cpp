@@ -1,41 +1,15 @@
-// The task of the cube as a user starts it: one turn, several processes, a face that jams, a part that is killed.
+// The task of the cube as a user starts it: one turn, several processes, what is refused.
 #include <gtest/gtest.h>
-#include <signal.h>
 
-#include <cmath>
-#include <fstream>
+#include <sstream>
 
-#include "test/system/started_task.hpp"
-#include "test/system/tables.hpp"
+#include "test/system/cube_run.hpp"
 
 namespace mrroc::test {
 namespace {
 
 const std::string kMovesHeading =
     "k,turn,t_start,t_end,attempts,tool_deg,face_deg,slip_mm,force_peak_N,torque_peak_Nm";
-
-/// One turn of the face that the track arm shows to the other one; substeps of 1 ms, whose forces are rougher.
-const std::vector<std::string> kOneTurn{"--scramble",     "U'",    "--eyes",           "none", "--set",
-                                        "sim.substeps=2", "--set", "task.tables=small"};
-
-struct CubeRun {
-  explicit CubeRun(const std::vector<std::string>& arguments, const std::string& name = "run")
-      : ended(run(folder, "rubik", words({kOneTurn, arguments, {"--run-dir", (folder / name).string()}}))) {
-    if (std::filesystem::exists(folder / name / "summary.json")) told = summary(folder / name);
-  }
-  [[nodiscard]] double figure(const std::string& key) const {
-    const auto& figures = told["figures"];
-    return figures.contains(key) && figures[key].is_number() ? figures[key].get<double>() : NAN;
-  }
-  [[nodiscard]] std::string text(const std::string& file) const {
-    std::ifstream in(folder / "run" / file);
-    return std::string(std::istreambuf_iterator<char>(in), {});
-  }
-
-  Folder folder;
-  Ended ended;
-  nlohmann::json told;
-};
 
 /// What every process decided follows from the log, to its end.
 void expect_recomputed(const CubeRun& r) {
@@ -58,15 +32,15 @@ TEST(Rubik, TurnsAFaceAndTheCubeIsSolved) {
   if (kSanitized) GTEST_SKIP() << "too long";
   const CubeRun r({"--processes", "one"});
   ASSERT_EQ(r.ended.status, 0) << r.ended.all();
-  EXPECT_EQ(r.told["outcome"], "done");
+  EXPECT_EQ(r.left.told["outcome"], "done");
   EXPECT_EQ(r.figure("solved"), 1);
   EXPECT_EQ(r.figure("moves"), 1);
-  EXPECT_NE(r.text("cube_start.txt"), r.text("cube_end.txt"));
+  EXPECT_NE(r.left.text("cube_start.txt"), r.left.text("cube_end.txt"));
   EXPECT_NEAR(r.figure("approach_settled_N"), 4, 0.2);
   EXPECT_LE(r.figure("turn_lateral_peak_N"), 12);
   EXPECT_LE(r.figure("turn_slip_mm"), 2);
   EXPECT_LT(r.figure("squeeze_N"), 450) << "not crushed";
-  std::istringstream moves(r.text("moves.csv"));
+  std::istringstream moves(r.left.text("moves.csv"));
   std::string heading, row;
   std::getline(moves, heading);
   std::getline(moves, row);
@@ -83,35 +57,8 @@ TEST(Rubik, IsTheSameWhateverCarriesItsMessages) {
   const CubeRun separate({"--processes", "separate"});
   ASSERT_EQ(one.ended.status, 0) << one.ended.all();
   ASSERT_EQ(separate.ended.status, 0) << separate.ended.all();
-  EXPECT_EQ(one.told["log_hash"], separate.told["log_hash"]);
-  EXPECT_EQ(one.text("arm2.csv"), separate.text("arm2.csv"));
-}
-
-TEST(Rubik, AFaceThatDoesNotTurnIsANamedFaultWithTheCubeHeld) {
-  if (kSanitized) GTEST_SKIP() << "too long";
-  const CubeRun r({"--processes", "one", "--set", "cube.breakaway=30", "--set", "task.attempts=2"});
-  EXPECT_EQ(r.ended.status, 1) << r.ended.all();
-  const std::string code = r.told["fault"]["code"];
-  EXPECT_TRUE(code == "face_jammed" || code == "force_limit" || code == "force_stuck") << code;
-  EXPECT_EQ(r.figure("solved"), 0);
-  EXPECT_LT(r.figure("turn_torque_peak_Nm"), 5.5);
-}
-
-TEST(Rubik, AnArmsProcessThatIsKilledInATurnBringsBothArmsToRest) {
-  if (kSanitized || !multicast()) GTEST_SKIP() << (kSanitized ? "too long" : "no multicast");
-  Folder folder;
-  Started task(folder, "rubik",
-               words({kOneTurn, {"--processes", "separate", "--run-dir", (folder / "run").string()}}));
-  ASSERT_TRUE(task.await_line("move 1 of 1"));
-  const ProcessId victim = task.child("ecp-arm2");
-  const auto children = task.children();
-  ::kill(victim.pid, SIGKILL);
-  const Ended ended = task.end();
-  EXPECT_EQ(ended.status, 3) << ended.all();
-  EXPECT_TRUE(all_gone(children));
-  const auto told = summary(folder / "run");
-  EXPECT_EQ(told["fault"]["code"], "process_died");
-  EXPECT_LE(told["figures"]["stop_steps_max"].get<double>(), 100);
+  EXPECT_EQ(one.left.told["log_hash"], separate.left.told["log_hash"]);
+  EXPECT_EQ(one.left.text("arm2.csv"), separate.left.text("arm2.csv"));
 }
 
 TEST(Rubik, RefusesWhatItCannotDoBeforeAnythingStarts) {

@@ -75,9 +75,10 @@ struct Step {
 
   Hand comes{};              ///< worker of m = 1..4: approaches along its z and grips; the other arm holds
   std::optional<Move> turn;  ///< m = 5: the track arm turns about its z, whichever arm came
-  double angle{};            ///< signed angle of that turn about z of the track arm's E [rad], +-pi/2 or +-pi
-  Hand leaves{};             ///< m = 6: opens; the other arm has the cube then
-  FreeMotion retreat;        ///< of `leaves`, straight along its z
+  double
+      angle{};    ///< signed angle of that turn about z of the track arm's E [rad], +-pi/2, +-pi, or +-3 pi/2
+  Hand leaves{};  ///< m = 6: opens; the other arm has the cube then
+  FreeMotion retreat;  ///< of `leaves`, straight along its z
 
   Grasp before_grasp;  ///< of the arm that holds at the beginning
   Grasp grasp;         ///< of `comes`, when it has gripped, before the turn

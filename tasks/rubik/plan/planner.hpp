@@ -4,6 +4,7 @@
 #include <span>
 
 #include "tasks/rubik/plan/cell.hpp"
+#include "tasks/rubik/plan/jams.hpp"
 #include "tasks/rubik/plan/plan.hpp"
 
 namespace mrroc::rubik {
@@ -18,6 +19,7 @@ struct PlanStart {
 struct PlanOptions {
   CycleTimes times;
   double grip_penalty{2};  ///< what a grip costs besides its time [s]: each one can fail
+  Jams jams;               ///< where a face jams, it is turned by three quarters the other way
 };
 
 /// Plans in one cell. Paths that have been found are kept, so that later plans cost less.

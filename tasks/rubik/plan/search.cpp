@@ -92,6 +92,10 @@ double GraspSearch::turning(Move m) const {
   return (m.quarters() == 2 ? pi : pi / 2) / options_.times.turn_rate;
 }
 
+double GraspSearch::turning(const Edge& edge) const {
+  return std::abs(edge.quarters) * pi / 2 / options_.times.turn_rate;
+}
+
 double GraspSearch::least_rest(const Node& node) const {
   if (goal_.show_all) return (kFaces - std::popcount(static_cast<unsigned>(node.done))) * options_.times.look;
   const auto g = static_cast<std::size_t>(node.done / kPerGroup);
@@ -139,7 +143,7 @@ void GraspSearch::add(std::vector<Edge>& edges, const Node& node, Edge edge) con
   edge.cost = edge.shows ? times.look : times.grip + times.open + options_.grip_penalty;
   for (const Motion& m : motions_of(h, edge, stances)) {
     const double seconds = motions_.class_seconds(m);
-    edge.cost += m.kind == MotionKind::turn && std::isfinite(seconds) ? turning(*edge.turn) : seconds;
+    edge.cost += m.kind == MotionKind::turn && std::isfinite(seconds) ? turning(edge) : seconds;
   }
   if (std::isfinite(edge.cost)) edges.push_back(std::move(edge));
 }
@@ -155,13 +159,14 @@ void GraspSearch::add_turns(std::vector<Edge>& edges, const Node& node, const Ed
   for (std::size_t k = 0; k < moves.size(); ++k) {
     const int done = node.done | (1 << k);
     if (done == node.done || moves[k].face() != keeps.palm) continue;
-    const int quarters = moves[k].quarters() == 3 ? -1 : moves[k].quarters();
+    const auto [quarters, either_way] = way_of(moves[k], options_.jams);
     const auto to = motions_.turned_class(w == Hand::track ? meeting.comer : meeting.holder, quarters);
     if (!to) continue;
     for (const bool comer_leaves : {false, true}) {
       Edge e = meeting;
       e.turn = moves[k];
       e.quarters = quarters;
+      e.either_way = either_way;
       e.comer_leaves = comer_leaves;
       e.to.stances[index(Hand::track)] = *to;
       const bool postument_stays = (w == Hand::postument) != comer_leaves;

@@ -24,6 +24,7 @@ struct Edge {
   int holder{}, comer{};  ///< classes of postures in which both hands meet; `shows`: holder's alone
   std::optional<Move> turn;
   int quarters{};       ///< by which the track arm turns
+  bool either_way{};    ///< or by as much the other way
   bool comer_leaves{};  ///< the hand that has come also goes
   std::optional<Face> shows;
   Node to;
@@ -57,7 +58,9 @@ class GraspSearch {
   [[nodiscard]] bool is_done(const Node& node) const;
   // A lower bound of what is left to pay.
   [[nodiscard]] double least_rest(const Node& node) const;
+  // Time of m = 5, at least and as the edge has it.
   [[nodiscard]] double turning(Move m) const;
+  [[nodiscard]] double turning(const Edge& edge) const;
   [[nodiscard]] double least(MotionKind kind, Hand hand, std::optional<Place> from, Place to) const;
 
   const Motions& motions_;

@@ -56,7 +56,7 @@ class Layer {
     if (!edge_.turn) return add(s, 0, seconds);
     const std::size_t T = index(Hand::track);
     for (const int sign : {1, -1}) {
-      if (sign < 0 && std::abs(edge_.quarters) != 2) break;
+      if (sign < 0 && !edge_.either_way) break;
       const auto to = turned_by(motions_, s.meeting[T], sign * edge_.quarters);
       if (!to) continue;
       s.after[T] = *to;

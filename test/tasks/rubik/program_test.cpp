@@ -113,6 +113,54 @@ TEST_F(RubikProgram, AFaceThatNeverTurnsEndsWithBothArmsAtRest) {
   EXPECT_EQ(count(6), 0) << "the cube is not let go";
 }
 
+TEST_F(RubikProgram, AFaceThatJamsIsBackInItsSeatWhenAttemptsAreOver) {
+  arms.jams = [](int turn) { return turn % 2 == 1; };  // forth, never back
+  ASSERT_EQ(execute(quarter_turn()), Outcome::faulted);
+  EXPECT_EQ(arms.turns.size(), 2u * static_cast<std::size_t>(x.c.k.attempts));
+  EXPECT_NEAR(journal.at(0).tool, 0, 0.03);
+}
+
+TEST_F(RubikProgram, AStepWhoseFaceJamsIsTakenBack) {
+  arms.jams = [](int turn) { return turn % 2 == 1; };
+  const Step step = quarter_turn();
+  Program<TwoArms> program(x, arms, journal);
+  ASSERT_EQ(program.wait_for_start(), Outcome::terminated);
+  ASSERT_EQ(program.execute(step), Outcome::faulted);
+  ASSERT_TRUE(program.may_withdraw(step));
+  arms.behaviours.clear();
+  for (auto& points : arms.points) points.clear();
+  ASSERT_EQ(program.withdraw(step), Outcome::terminated);
+  EXPECT_EQ(arms.behaviours, (std::vector{6, kTakeWay, kGo}));
+  EXPECT_EQ(x.c.cycle.leaves, step.comes) << "the hand that held the cube keeps it";
+  ASSERT_EQ(arms.points[0].size(), 3u);
+  EXPECT_EQ(arms.points[0][0][0], 0.2) << "where the approach began";
+  EXPECT_EQ(arms.points[0][2][0], 0) << "where it came from";
+  EXPECT_TRUE(arms.points[1].empty());
+  EXPECT_TRUE(journal.at(0).given_up);
+}
+
+TEST_F(RubikProgram, AStepIsNotTakenBackWithAFaceBetweenItsSeats) {
+  arms.jams = [](int turn) { return turn == 1; };
+  Step step = quarter_turn();
+  x.c.k.attempts = 1;
+  arms.stays = true;
+  Program<TwoArms> program(x, arms, journal);
+  ASSERT_EQ(program.wait_for_start(), Outcome::terminated);
+  ASSERT_EQ(program.execute(step), Outcome::faulted);
+  EXPECT_EQ(program.trouble(), Trouble::jammed);
+  EXPECT_FALSE(program.may_withdraw(step));
+  EXPECT_EQ(arms.behaviours.back(), kStopBoth.m);
+}
+
+TEST_F(RubikProgram, AStepIsTakenBackForAJamAlone) {
+  arms.finds_nothing = [](int) { return true; };
+  const Step step = quarter_turn();
+  Program<TwoArms> program(x, arms, journal);
+  ASSERT_EQ(program.wait_for_start(), Outcome::terminated);
+  ASSERT_EQ(program.execute(step), Outcome::faulted);
+  EXPECT_FALSE(program.may_withdraw(step));
+}
+
 TEST_F(RubikProgram, AGripThatMissesIsTriedAgainFromWhereTheApproachBegan) {
   arms.misses = [](int grip) { return grip == 1; };
   ASSERT_EQ(execute(quarter_turn()), Outcome::terminated) << to_string(x.c.trouble);
@@ -127,6 +175,31 @@ TEST_F(RubikProgram, AWorkerThatFindsNothingGivesUpAfterItsAttempts) {
   EXPECT_EQ(x.c.trouble, Trouble::no_contact);
   EXPECT_EQ(journal.at(0).grips, x.c.k.attempts);
   EXPECT_EQ(count(5), 0);
+}
+
+TEST_F(RubikProgram, AWorkerThatFindsNothingMakesTheHolderFeelWhetherItHasTheCube) {
+  arms.finds_nothing = [](int grip) { return grip == 1; };
+  ASSERT_EQ(execute(quarter_turn()), Outcome::terminated);
+  EXPECT_EQ(journal.at(0).grips, 2);
+}
+
+TEST_F(RubikProgram, ACubeThatHasSlippedOutOfJawsThatStandIsFeltToBeGone) {
+  arms.finds_nothing = [](int) { return true; };
+  arms.gone = true;
+  ASSERT_EQ(execute(quarter_turn()), Outcome::faulted);
+  EXPECT_EQ(x.c.trouble, Trouble::dropped);
+  EXPECT_EQ(journal.at(0).grips, 1) << "no second attempt at nothing";
+  EXPECT_EQ(arms.behaviours.back(), kStopBoth.m);
+}
+
+TEST_F(RubikProgram, AWorkerThatPassesByACubeStopsSoonAndTheCubeHasSlipped) {
+  arms.finds_nothing = [](int) { return true; };
+  arms.passes_by = true;
+  ASSERT_EQ(execute(quarter_turn()), Outcome::faulted);
+  EXPECT_EQ(x.c.trouble, Trouble::elsewhere);
+  EXPECT_EQ(journal.at(0).grips, 1);
+  EXPECT_LT(x.c.travelled, 0.016);
+  EXPECT_GT(x.c.travelled, 0.015);
 }
 
 TEST_F(RubikProgram, ACubeThatIsNotWhereItShouldBeIsNotGripped) {

@@ -8,6 +8,7 @@
 
 #include "base/representation.hpp"
 #include "tasks/rubik/coordinator.hpp"
+#include "tasks/rubik/turn/tables.hpp"
 
 namespace mrroc::rubik {
 
@@ -20,6 +21,9 @@ class TwoArms {
   std::function<bool(int turn)> jams = [](int) { return false; };  ///< attempt at m = 5, counted from 1
   std::function<bool(int grip)> misses = [](int) { return false; };
   std::function<bool(int grip)> finds_nothing = [](int) { return false; };
+  bool passes_by{};                                    ///< who finds nothing goes on; else it does not move
+  bool gone{};                                         ///< the second arm's hand is empty
+  bool stays{};                                        ///< a face that jams cannot be turned back either
   double meets_at{0.01};                               ///< way of the worker to the cube [m]
   bool drops{};                                        ///< the holder's jaws close in m = 5
   std::vector<int> behaviours;                         ///< of the coordinator, one after another
@@ -67,7 +71,8 @@ class TwoArms {
     if (o.m != kGo) going_[arm] = 0;
     if (o.m == kGo && going_[arm] > kGoing) {
       r.event = kGo;
-      if (jaws_[arm] > 0) r.gripper = jaws_[arm];
+      const bool holds = arm == 1 && !gone && jaws_[arm] == kClosest;
+      if (jaws_[arm] > 0) r.gripper = holds ? 0.0568 : jaws_[arm];
     }
     if (o.m == kWeigh && age_ > 20) r.event = kWeigh;
     if (o.m == kGo) r.T_0E[2] = 0;
@@ -79,7 +84,10 @@ class TwoArms {
     if (o.m == 6 && acts) r.gripper = 0.077, r.event = 6;
   }
   void approach(Report& r) const {
-    if (finds_nothing(grips_)) return;
+    if (finds_nothing(grips_)) {
+      if (passes_by) r.T_0E[2] += 0.0002;
+      return;
+    }
     r.T_0E[2] = meets_at;
     r.event = 1;
   }
@@ -91,8 +99,10 @@ class TwoArms {
     if (drops) r.gripper = 0.054;
     if (!acts) return;
     const TurnOrder t = turn_of(o);
-    const double most = jams(static_cast<int>(turns.size())) ? 0.4 : 10;
-    if (std::abs(angle_ - begun_) < most) angle_ += std::copysign(0.01, t.torque);
+    const bool jammed = jams(static_cast<int>(turns.size()));
+    const double most = jammed ? 0.4 : 10;
+    if (jammed) stands_ = stays && std::abs(angle_ - begun_) >= most;
+    if (std::abs(angle_ - begun_) < most && !stands_) angle_ += std::copysign(0.01, t.torque);
     r.T_0E[5] = angle_;
     if (std::copysign(1., t.torque) * (angle_ - begun_) >= t.angle) r.event = 5;
   }
@@ -101,6 +111,7 @@ class TwoArms {
   std::array<int, kArms> taken_{}, going_{};
   std::array<double, kArms> jaws_{};
   double angle_{}, begun_{};
+  bool stands_{};
   int age_{}, grips_{};
   std::int64_t i_{};
 };
