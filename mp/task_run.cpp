@@ -13,6 +13,7 @@
 
 #include "base/link/log_reader.hpp"
 #include "base/link/lossy_bus.hpp"
+#include "base/link/real_time.hpp"
 #include "base/program.hpp"
 #include "mp/black_box.hpp"
 #include "mp/hosts.hpp"
@@ -217,11 +218,25 @@ void TaskRun::start() {
     supervisor_->start_threads(*hub_);
   } else {
     const link::Membership& m = process_->membership();
-    supervisor_->start_processes(
-        {"--session", m.session, "--session-id", fmt::to_string(m.session_id), "--url", address_->url(),
-         "--roster", fmt::format("{}", fmt::join(m.roster, ",")), "--clock", clock_, "--patience",
-         fmt::to_string(std::chrono::duration<double>(m.patience).count()), "--config",
-         std::filesystem::absolute(folder_ / "config.toml").string()});  // another host begins elsewhere
+    const bool paced = m.macrostep.count() > 0;
+    if (paced) link::keep_in_memory();
+    std::vector<std::string> words{
+        "--session",
+        m.session,
+        "--session-id",
+        fmt::to_string(m.session_id),
+        "--url",
+        address_->url(),
+        "--roster",
+        fmt::format("{}", fmt::join(m.roster, ",")),
+        "--clock",
+        clock_,
+        "--patience",
+        fmt::to_string(std::chrono::duration<double>(m.patience).count()),
+        "--config",
+        std::filesystem::absolute(folder_ / "config.toml").string()};  // another host begins elsewhere
+    if (paced) words.emplace_back("--paced");
+    supervisor_->start_processes(words);
   }
 }
 

@@ -1,7 +1,6 @@
 #include <dlfcn.h>
 #include <sched.h>
 #include <sys/mman.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include <thread>
 
 #include "base/link/lcm_bus.hpp"
+#include "base/link/real_time.hpp"
 #include "base/link/session.hpp"
 #include "ui_cli/doctor.hpp"
 
@@ -68,9 +68,7 @@ Permitted try_out() {
       if (::sched_setscheduler(0, SCHED_FIFO, &parameters) == 0) permitted.priority = p;
     }
   }).join();
-  rlimit limit{};
-  permitted.memory_lock = ::getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY &&
-                          ::mlockall(MCL_CURRENT) == 0;
+  permitted.memory_lock = link::may_keep_in_memory() && ::mlockall(MCL_CURRENT) == 0;
   if (permitted.memory_lock) ::munlockall();
   return permitted;
 }

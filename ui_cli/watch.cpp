@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include "base/link/real_time.hpp"
 #include "ui_cli/panel.hpp"
 #include "ui_cli/terminal.hpp"
 
@@ -16,6 +17,7 @@ constexpr auto kKeys = 20ms;  // a key waits no longer than this, on a bus that 
 }  // namespace
 
 void watch(link::Bus& bus, Client& client) {
+  link::keep_in_memory();  // a key that has never been pressed takes no longer
   Terminal terminal;
   Panel panel(bus, client, terminal.glyphs(), Clock::now());
   bus.wake_on(STDIN_FILENO);

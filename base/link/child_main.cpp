@@ -31,12 +31,17 @@ int priority_of(const std::string& process) {
   return process.starts_with("edp-") ? 30 : 20;
 }
 
-int run(const Membership& membership, const std::string& url, const std::string& config_file,
+/// @return what was permitted
+std::string keep_time(const Membership& membership, bool paced) {
+  if (membership.clock == ClockKind::wall) return become_real_time(priority_of(membership.name));
+  return paced && keep_in_memory() ? "memory locked" : "";
+}
+
+int run(const Membership& membership, const std::string& url, bool paced, const std::string& config_file,
         const PartArguments& arguments, const PartBody& body) {
   const Config config = Config::load(config_file);
   // Before the bus: its thread is to be scheduled like this one.
-  const std::string real_time =
-      membership.clock == ClockKind::wall ? become_real_time(priority_of(membership.name)) : "";
+  const std::string real_time = keep_time(membership, paced);
   const auto network = open_lcm(LcmAddress::parse(url));
   const double loss = read_loss(config);
   LossyBus lossy(*network, loses(loss, std::hash<std::string>{}(membership.name)));
@@ -73,6 +78,7 @@ int child_main(int argc, char** argv, const std::string& about, const PartBody& 
   std::string url = LcmAddress{}.url();
   std::string config_file;
   std::string clock = "step";
+  bool paced = false;
   double patience = std::chrono::duration<double>(membership.patience).count();
 
   std::filesystem::path checked;
@@ -90,6 +96,8 @@ int child_main(int argc, char** argv, const std::string& about, const PartBody& 
       ->delimiter(',');
   app.add_option("--config", config_file, "the run's config.toml")->required(joins);
   app.add_option("--clock", clock, "step or wall")->check(CLI::IsMember({"step", "wall"}));
+  app.add_flag("--paced", paced,
+               "macrosteps last as long as they say: stays in memory, if that is permitted");
   app.add_option("--patience", patience, "wait so long for a message that must come [s], 0: for ever")
       ->check(CLI::Range(0.0, 1e6));
   app.add_option("--arm", arguments.arm, "which arm it belongs to");
@@ -111,7 +119,7 @@ int child_main(int argc, char** argv, const std::string& about, const PartBody& 
   membership.patience = std::chrono::milliseconds(std::llround(1e3 * patience));
   try {
     if (!joins) return check(checked, membership, arguments, body);
-    return run(membership, url, config_file, arguments, body);
+    return run(membership, url, paced, config_file, arguments, body);
   } catch (const FaultError& e) {
     return complain(e);
   } catch (const NoMulticast& e) {
