@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -10,12 +9,6 @@ namespace mrroc::link {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::int64_t session_id_of(const LogReader& log) {
-  const auto& all = log.messages();
-  const auto found = std::ranges::find(all, "supervisor", &LoggedMessage::channel);
-  return header_of((found == all.end() ? all.front() : *found).bytes).session;
-}
 
 /// What the process had sent in the run and has not sent now.
 void judge_not_sent(const ReplayBus& bus, const std::string& behaviour, LogVerdict& v) {
@@ -46,7 +39,7 @@ LogVerdict check_process(const LogReader& log, const std::string& name, ClockKin
   }
   ReplayBus bus(log, left_out);
   Process process(bus, {.session = log.session(),
-                        .session_id = session_id_of(log),
+                        .session_id = log.session_id(),
                         .name = name,
                         .roster = {"mp", name},
                         .clock = clock,

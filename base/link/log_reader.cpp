@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <lcm/eventlog.h>
 
+#include <algorithm>
 #include <memory>
 #include <set>
 
@@ -48,6 +49,11 @@ std::vector<std::string> LogReader::channels() const {
   std::set<std::string> names;
   for (const LoggedMessage& m : messages_) names.insert(m.channel);
   return {names.begin(), names.end()};
+}
+
+std::int64_t LogReader::session_id() const {
+  const auto supervisor = std::ranges::find(messages_, "supervisor", &LoggedMessage::channel);
+  return header_of((supervisor == messages_.end() ? messages_.front() : *supervisor).bytes).session;
 }
 
 }  // namespace mrroc::link

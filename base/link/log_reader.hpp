@@ -54,6 +54,8 @@ class LogReader {
   [[nodiscard]] std::vector<std::string> channels() const;
   /// @return the session's name, which precedes every channel on the wire
   [[nodiscard]] const std::string& session() const { return session_; }
+  /// @return the number of the run, which its own messages carry
+  [[nodiscard]] std::int64_t session_id() const;
 
  private:
   std::string session_;

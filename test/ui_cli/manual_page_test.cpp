@@ -219,7 +219,8 @@ TEST_F(ManualPanel, HasAHelpOfItsOwnKeysThatFitsASmallTerminal) {
   EXPECT_EQ(help, [&] {
     std::string wide;  // nothing is cut
     const ui::Canvas c = panel.picture({15, 61}, now);
-    for (int row = 0; row < 15; ++row) wide += (row == 0 || row == 14 ? screen().text(row) : c.text(row)) + "\n";
+    for (int row = 0; row < 15; ++row)
+      wide += (row == 0 || row == 14 ? screen().text(row) : c.text(row)) + "\n";
     return wide;
   }());
   press('?');

@@ -52,13 +52,6 @@ class Interruptible {
   void (*term_)(int) = std::signal(SIGTERM, interrupt);
 };
 
-/// The number of the run, which is in every message.
-std::int64_t session_id_of(const RunRecord& run) {
-  for (const link::LoggedMessage& m : run.log().messages())
-    if (m.channel == "supervisor") return link::header_of(m.bytes).session;
-  return link::header_of(run.log().messages().front().bytes).session;
-}
-
 }  // namespace
 
 /// Answers terminals: what has happened cannot be changed.
@@ -92,7 +85,7 @@ Replay::Replay(link::Bus& bus, const RunRecord& run, const std::string& session,
       run_(run),
       session_(session),
       options_(options),
-      desk_(std::make_shared<Desk>(bus, session, session_id_of(run))) {
+      desk_(std::make_shared<Desk>(bus, session, run.log().session_id())) {
   // What the desk says itself is not said twice.
   options_.without.insert({"operator", "answer"});
   if (options_.check)
@@ -181,7 +174,7 @@ std::vector<link::Child> start(const RunRecord& run, const Words& w, const std::
     const LoggedProcess& p = *std::ranges::find(run.processes(), name, &LoggedProcess::name);
     std::vector<std::string> arguments{
         "--session",    session,
-        "--session-id", fmt::to_string(session_id_of(run)),
+        "--session-id", fmt::to_string(run.log().session_id()),
         "--url",        address.url(),
         "--roster",     "mp," + name,
         "--clock",      "step",
@@ -213,7 +206,7 @@ int replay_run(const Words& w, const ReplaySurroundings& around, std::ostream& o
   const link::LcmAddress address = link::address_for(session);
   const Interruptible while_replaying;
   const link::SessionFile file({.name = session,
-                                .id = session_id_of(run),
+                                .id = run.log().session_id(),
                                 .address = address,
                                 .task = "replay of " + (run.task().empty() ? "a run" : run.task()),
                                 .run_folder = std::filesystem::absolute(run.folder()),

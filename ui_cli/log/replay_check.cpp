@@ -70,7 +70,7 @@ ReplayCheck::ReplayCheck(link::Bus& bus, const RunRecord& run, const std::string
     throw FaultError(FaultCode::bad_usage,
                      "the run went by the wall clock: a log does not tell what had arrived when a process "
                      "decided, so there is nothing to compare");
-  const std::int64_t id = link::header_of(run.log().messages().front().bytes).session;
+  const std::int64_t id = run.log().session_id();
   for (const std::string& name : processes) {
     if (std::ranges::find(run.processes(), name, &LoggedProcess::name) == run.processes().end())
       throw FaultError(
