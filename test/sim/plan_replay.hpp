@@ -77,7 +77,7 @@ class PlanReplay {
         state.joints[index(second.hand)] = cell_.joints(second.hand, curves[1]->at(t - *second.delay));
         visit(state);
       }
-    ++together;
+    if (first.seconds > 0) ++together;
   }
   [[nodiscard]] std::unique_ptr<ecp::Polyline> curve(const rubik::FreeMotion& motion) const {
     std::vector<ecp::ViaPoint> list;

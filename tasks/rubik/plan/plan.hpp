@@ -64,8 +64,9 @@ inline constexpr double kLag = 0.2;
 /// One cycle: an arm comes and grips, a face may be turned, an arm lets go. Or, with `shows`, a look at a face: only
 /// the motions, then the camera.
 struct Step {
-  std::vector<FreeMotion>
-      before;  ///< one after the other; the last one of `comes` ends kApproachDistance before contact
+  /// One after the other, but for a delay; the last one of `comes` ends kApproachDistance before contact. A holder that
+  /// stays has a motion of no length: to where it should be.
+  std::vector<FreeMotion> before;
 
   std::optional<Face>
       shows;  ///< the holder stands so that the camera sees this face; nothing below happens then

@@ -135,13 +135,15 @@ struct Planner::Impl {
       s.seconds += motion.seconds;
       if (m.kind == MotionKind::retreat)
         s.retreat = motion;
-      else if (motion.seconds > 0)
+      else if (motion.seconds > 0 || m.kind == MotionKind::carry)
         s.before.push_back(motion);
     }
     if (s.before.size() == 2) {
       const FreeMotion& carry = s.before[0];
       FreeMotion& reach = s.before[1];
-      reach.delay = motions.delay(wound.motions[0], wound.motions[1]);
+      // A holder that stays goes to where it should be: force control has left it a millimetre beside.
+      reach.delay =
+          carry.seconds > 0 ? motions.delay(wound.motions[0], wound.motions[1]) : std::optional(0.0);
       if (reach.delay) s.seconds -= carry.seconds - *reach.delay;
     }
     return s;
