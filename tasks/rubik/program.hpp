@@ -36,21 +36,18 @@ class Program {
   /// @return whether the step ended with a face that jams and is in its seat again, so that withdraw() is possible
   [[nodiscard]] bool may_withdraw(const Step& step) const {
     return x_.c.trouble == Trouble::jammed && std::abs(journal_.back().tool) < kSeated &&
-           !step.before.empty() && step.before.back().hand == step.comes;
+           !step.withdrawal.points.empty();
   }
 
-  /// Takes back a step whose face jams: the hand that has come lets go and goes back the way it came, to where that
-  /// motion began. The other one holds the cube as before. @return as execute()
+  /// Takes back a step whose face jams: the hand that has come lets go and draws back, the other one holds the cube as
+  /// before. @return as execute()
   Outcome withdraw(const Step& step) {
     x_.c.trouble = Trouble::none;
     x_.c.cycle.leaves = step.comes;
     x_.c.coordination = {.m = 6};
     journal_.back().given_up = true;
     Outcome o = behaviour(kCycle[5]);
-    FreeMotion back = step.before.back();
-    back.points.push_back(step.contact[index(step.comes)]);
-    std::ranges::reverse(back.points);
-    if (well(o)) o = go(back, step.before_grasp.hand, 0);
+    if (well(o)) o = go(step.withdrawal, step.before_grasp.hand, 0);
     return end(o);
   }
 
