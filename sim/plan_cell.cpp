@@ -10,18 +10,20 @@
 namespace mrroc::sim {
 namespace {
 
-// The pitch axes add up at the absolute angle of T, whose motor turns along with that of V: at these speeds of all
-// joints together the motor of V, the one that is used most, makes 246 of its 250 rad/s.
-constexpr std::array<double, 6> kSpeeds{1.0, 0.4, 0.4, 0.4, 1.2, 0.75};  // [rad/s]
-constexpr double kTrackSpeed = 0.12;                                     // [m/s]
-constexpr double kRamp = 0.25;                                           // from rest to full speed [s]
+constexpr double kOfMotors = 0.984;  // share of the motors' speed that is used
+// From rest to full speed [s]. The large motors draw four fifths of their largest current then, more than which their
+// regulators do not ask for; those of V and N a fifth.
+constexpr double kRamp = 0.25;
+constexpr double kWristRamp = 0.12;
+constexpr double kHandSpeed = 1.4;      // [m/s]: the task's drivers allow 1.5
+constexpr double kHandTurnSpeed = 3.7;  // [rad/s]: they allow 4
 
-rubik::JointLimits joint_limits(const irb6::Arm& robot) {
-  rubik::JointLimits limits{AxisVector(robot.axes()), {}};
-  if (robot.parameters().on_track) limits.velocity[0] = kTrackSpeed;
-  limits.velocity.tail<irb6::kArmAxes>() = Eigen::Map<const Vector6>(kSpeeds.data());
-  limits.acceleration = limits.velocity / kRamp;
-  return limits;
+rubik::SpeedLimits speed_limits(const irb6::Arm& robot) {
+  AxisVector speeds(robot.axes());
+  for (int k = 0; k < robot.axes(); ++k) speeds[k] = kOfMotors * robot.axis(k).max_motor_speed;
+  AxisVector accelerations = speeds / kRamp;
+  accelerations.tail<2>() = speeds.tail<2>() / kWristRamp;
+  return {{speeds, accelerations}, kHandSpeed, kHandTurnSpeed};
 }
 
 double share(double x, const edp::Range& range) {
@@ -38,7 +40,7 @@ CubePlanCell::CubePlanCell(const WorldParameters& world, const std::optional<rub
     s.robot = irb6::make_arm(robot_name(p.model), irb6::model_number(p.kinematics));
     s.T_UB = p.T_UB;
     s.T_EW = s.robot->tool_in_wrist().inverse();
-    s.limits = joint_limits(*s.robot);
+    s.limits = speed_limits(*s.robot);
     meeting_.joints[k] = meeting_joints(static_cast<int>(k));
   }
   meeting_.T_UM = meeting_place();
@@ -46,7 +48,15 @@ CubePlanCell::CubePlanCell(const WorldParameters& world, const std::optional<rub
 
 CubePlanCell::~CubePlanCell() = default;
 
-const rubik::JointLimits& CubePlanCell::limits(rubik::Hand hand) const { return side(hand).limits; }
+const rubik::SpeedLimits& CubePlanCell::limits(rubik::Hand hand) const { return side(hand).limits; }
+
+AxisVector CubePlanCell::motors(rubik::Hand hand, const AxisVector& joints) const {
+  return side(hand).robot->motors_from_joints(joints);
+}
+
+AxisVector CubePlanCell::joints(rubik::Hand hand, const AxisVector& motors) const {
+  return side(hand).robot->joints_from_motors(motors);
+}
 
 Pose CubePlanCell::forward(rubik::Hand hand, const AxisVector& joints) const {
   const Side& s = side(hand);

@@ -21,7 +21,9 @@ class CubePlanCell final : public rubik::PlanCell {
 
   [[nodiscard]] const rubik::Meeting& meeting() const override { return meeting_; }
   [[nodiscard]] const rubik::Viewing* viewing() const override { return viewing_ ? &*viewing_ : nullptr; }
-  [[nodiscard]] const rubik::JointLimits& limits(rubik::Hand hand) const override;
+  [[nodiscard]] const rubik::SpeedLimits& limits(rubik::Hand hand) const override;
+  [[nodiscard]] AxisVector motors(rubik::Hand hand, const AxisVector& joints) const override;
+  [[nodiscard]] AxisVector joints(rubik::Hand hand, const AxisVector& motors) const override;
   [[nodiscard]] Pose forward(rubik::Hand hand, const AxisVector& joints) const override;
   [[nodiscard]] std::optional<AxisVector> inverse(rubik::Hand hand, const Pose& T_UE,
                                                   const AxisVector& near) const override;
@@ -36,7 +38,7 @@ class CubePlanCell final : public rubik::PlanCell {
   struct Side {
     std::unique_ptr<irb6::Arm> robot;
     Pose T_UB, T_EW;
-    rubik::JointLimits limits;
+    rubik::SpeedLimits limits;
   };
   [[nodiscard]] const Side& side(rubik::Hand hand) const { return sides_[rubik::index(hand)]; }
 

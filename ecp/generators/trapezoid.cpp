@@ -154,9 +154,8 @@ class Trapezoid::Planner {
   std::vector<Coordinates> mean_;  // speed over each section, if it were made from rest to rest
 };
 
-Trapezoid::Trapezoid(const Coordinates& from, std::vector<ViaPoint> list, const MotionLimits& limits,
-                     double macrostep_s)
-    : macrostep_s_(macrostep_s) {
+void check_list(const Coordinates& from, const std::vector<ViaPoint>& list, const MotionLimits& limits,
+                double macrostep_s) {
   if (list.empty()) refuse("the list has no pose");
   if (!(macrostep_s > 0)) refuse("a macrostep must last");
   check(from, from.size(), "the first pose");
@@ -170,6 +169,12 @@ Trapezoid::Trapezoid(const Coordinates& from, std::vector<ViaPoint> list, const 
     if (!fraction(via.velocity) || !fraction(via.acceleration))
       refuse("fractions of velocity and acceleration must lie above 0 and up to 1");
   }
+}
+
+Trapezoid::Trapezoid(const Coordinates& from, std::vector<ViaPoint> list, const MotionLimits& limits,
+                     double macrostep_s)
+    : macrostep_s_(macrostep_s) {
+  check_list(from, list, limits, macrostep_s);
   end_ = list.back().pose;
   sections_ = Planner(from, list, limits, macrostep_s).plan(arrivals_);
 }

@@ -14,6 +14,11 @@ struct ViaPoint {
   bool pass{};  ///< blend: goes through it without stopping; the last pose is always a stop
 };
 
+/// For generators that take such lists.
+/// @throws FaultError bad_trajectory  as Trapezoid's constructor
+void check_list(const Coordinates& from, const std::vector<ViaPoint>& list, const MotionLimits& limits,
+                double macrostep_s);
+
 /// Every axis accelerates, keeps its speed and slows down, all in the same time, as fast as the limits of the
 /// slowest one allow. Time to a pose is a whole number of macrosteps, so that a set position lies exactly on
 /// every pose. Where poses are passed, each axis has one speed before and behind: the smaller of the mean

@@ -50,8 +50,8 @@ Parameters read_parameters(const Config& config) {
 ecp::MotionLimits read_motion_limits(const Config& config, const std::string& arm, int axes) {
   const Config t = config.section("robots." + arm + ".motion");
   const auto n = static_cast<std::size_t>(axes);
-  const auto v = t.list("velocity", Config::kRequired, {0.001, 3}, "rad/s, m/s", n);
-  const auto a = t.list("acceleration", Config::kRequired, {0.001, 20}, "rad/s^2, m/s^2", n);
+  const auto v = t.list("velocity", Config::kRequired, {1, 250}, "rad/s", n);
+  const auto a = t.list("acceleration", Config::kRequired, {1, 10'000}, "rad/s^2", n);
   return {Eigen::Map<const Eigen::VectorXd>(v.data(), axes),
           Eigen::Map<const Eigen::VectorXd>(a.data(), axes)};
 }

@@ -20,7 +20,7 @@ std::string_view config();
 /// @throws ConfigError
 Parameters read_parameters(const Config& config);
 
-/// @return largest speeds and accelerations of an arm's free motions, from [robots.ARM.motion] velocity and
+/// @return largest speeds and accelerations of an arm's motors in free motions, from [robots.ARM.motion] velocity and
 ///         acceleration, one number per axis
 /// @param axes  of the arm
 ecp::MotionLimits read_motion_limits(const Config& config, const std::string& arm, int axes);

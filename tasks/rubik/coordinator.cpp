@@ -79,15 +79,18 @@ Memory0 coordinate_arms(const X& x) {
 
 Memory0 first_point(const X& x) {
   Memory0 c = x.c;
-  c.next = 0;
+  c.next = {};
   return c;
 }
 
 /// Point after point; what has been lost is sent again when all others have been.
 Memory0 next_point(const X& x) {
   Memory0 c = x.c;
-  if (++c.next >= c.way.count)
-    c.next = std::clamp(report(x, c.mover).sensor, 0, std::max(0, c.way.count - 1));
+  for (const Hand hand : kHands) {
+    const Way& way = c.ways[index(hand)];
+    int& next = c.next[index(hand)];
+    if (++next >= way.count) next = std::clamp(report(x, hand).sensor, 0, std::max(0, way.count - 1));
+  }
   return c;
 }
 
@@ -119,21 +122,30 @@ Orders cycle(const X& x) {
   return orders;
 }
 
-Orders send_point(const X& x) {
+Orders send_points(const X& x) {
   Orders orders = both<kWait>(x);
-  Order& o = orders[index(x.c.mover)];
-  o.m = kTakeWay;
-  o.variant = x.c.way.count > 0 ? x.c.next : -1;  // no point: the jaws alone
-  o.arm.mu = Interpolation::mim;
-  o.arm.representation = Representation::joints;
-  if (x.c.way.count > 0) o.arm.pose = x.c.way.points[static_cast<std::size_t>(x.c.next)];
-  o.arm.gripper = x.c.way.jaws;
+  for (const Hand hand : kHands) {
+    const Way& way = x.c.ways[index(hand)];
+    if (way.empty()) continue;
+    const int next = x.c.next[index(hand)];
+    Order& o = orders[index(hand)];
+    o.m = kTakeWay;
+    o.variant = way.count > 0 ? next : -1;  // no point: the jaws alone
+    o.arm.mu = Interpolation::mim;
+    o.arm.representation = Representation::motors;
+    if (way.count > 0) o.arm.pose = way.points[static_cast<std::size_t>(next)];
+    o.arm.gripper = way.jaws;
+  }
   return orders;
 }
 
 Orders go(const X& x) {
   Orders orders = both<kWait>(x);
-  orders[index(x.c.mover)].m = kGo;
+  for (const Hand hand : kHands)
+    if (const int at = x.c.goes_at[index(hand)]; at >= 0 && ecp::age(x) >= at) {
+      orders[index(hand)].m = kGo;
+      orders[index(hand)].variant = x.c.jaws_too ? kActs : kStands;
+    }
   return orders;
 }
 
@@ -167,9 +179,19 @@ bool ended(const X& x) {
   return x.c.coordination.m != m || x.c.trouble != Trouble::none;
 }
 
-bool way_known(const X& x) { return ecp::age(x) >= kLoop && report(x, x.c.mover).sensor >= x.c.way.count; }
+bool ways_known(const X& x) {
+  const auto knows = [&x](Hand hand) {
+    const Way& way = x.c.ways[index(hand)];
+    return way.empty() || report(x, hand).sensor >= way.count;
+  };
+  return ecp::age(x) >= kLoop && knows(Hand::postument) && knows(Hand::track);
+}
 bool arrived(const X& x) {
-  return x.c.trouble != Trouble::none || (ecp::age(x) >= kLoop && report(x, x.c.mover).event == kGo);
+  const auto there = [&x](Hand hand) {
+    const int at = x.c.goes_at[index(hand)];
+    return at < 0 || (ecp::age(x) >= at + kLoop && report(x, hand).event == kGo);
+  };
+  return x.c.trouble != Trouble::none || (there(Hand::postument) && there(Hand::track));
 }
 bool weighed(const X& x) {
   return ecp::age(x) >= kLoop && x.T.agent[0].event == kWeigh && x.T.agent[1].event == kWeigh;
@@ -196,7 +218,7 @@ const std::array<Motion<Coordinator>, 6> kCycle{row<1>("approach"), row<2>("sett
 // clang-format off
 // m                                      name               entry        memory      effector sensors orders           terminal condition
 const Motion<Coordinator> kWaitForStart{ 0, "wait for start", retain,      retain,     nothing, nothing, both<kWait>,     may_start};
-const Motion<Coordinator> kSendWay     { kTakeWay, "tell the way", first_point, next_point, nothing, nothing, send_point, way_known};
+const Motion<Coordinator> kSendWay     { kTakeWay, "tell the way", first_point, next_point, nothing, nothing, send_points, ways_known};
 const Motion<Coordinator> kMoveAlong   { kGo, "go",           retain,      watch_cube, nothing, nothing, go,              arrived};
 const Motion<Coordinator> kWeighBoth   { kWeigh, "weigh",     retain,      retain,     nothing, nothing, weigh,           weighed};
 const Motion<Coordinator> kStopBoth    { kWait, "break off",     retain,      retain,     nothing, nothing, both<kWait>, resting};

@@ -71,9 +71,10 @@ struct Coordinator {
     Parameters k;
     Coordination coordination;  ///< of the present cycle
     Cycle cycle;
-    Hand mover{};                      ///< of a free motion
-    Way way;                           ///< of that motion
-    int next{};                        ///< point to be sent
+    std::array<Way, kArms> ways;       ///< of the next free motions; an arm with an empty one is told nothing
+    std::array<int, kArms> next{};     ///< point to be sent
+    std::array<int, kArms> goes_at{};  ///< along its way: macrostep of the behaviour; negative: it stays
+    bool jaws_too{};                   ///< it has arrived when also its jaws have
     std::array<bool, kArms> loaded{};  ///< the cube is in the hand that is weighed
     Trouble trouble{};                 ///< of the present cycle
     Pose begun;                        ///< E of the arm that acts, at the begin of the behaviour
@@ -107,8 +108,9 @@ extern const std::array<Motion<Coordinator>, 6> kCycle;
 
 extern const Motion<Coordinator>
     kWaitForStart;                          ///< until both agents are ready and the operator has given start
-extern const Motion<Coordinator> kSendWay;  ///< c.way goes to c.mover
-extern const Motion<Coordinator> kMoveAlong;  ///< c.mover goes along it; c.trouble watches the cube
+extern const Motion<Coordinator> kSendWay;  ///< the arms are told c.ways
+extern const Motion<Coordinator>
+    kMoveAlong;  ///< arms go along them, by c.goes_at; c.trouble watches the cube
 extern const Motion<Coordinator> kWeighBoth;  ///< both arms at rest, without contact; c.loaded
 extern const Motion<Coordinator> kStopBoth;   ///< a cycle is broken off; both come to rest
 extern const Motion<Coordinator> kThink;      ///< the arms wait for kThinking macrosteps

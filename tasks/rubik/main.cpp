@@ -87,8 +87,8 @@ Setup prepare(const Options& o) {
   for (const rubik::Hand hand : rubik::kHands) {
     const std::string& arm = kKeys[rubik::index(hand)];
     settings.push_back(setting(arm, "start_joints", cell.arms[rubik::index(hand)].start));
-    settings.push_back(setting(arm, "motion.velocity", limits.limits(hand).velocity));
-    settings.push_back(setting(arm, "motion.acceleration", limits.limits(hand).acceleration));
+    settings.push_back(setting(arm, "motion.velocity", limits.limits(hand).motors.velocity));
+    settings.push_back(setting(arm, "motion.acceleration", limits.limits(hand).motors.acceleration));
   }
   with.settings.insert(with.settings.begin(), settings.begin(), settings.end());
   s.config = sim::load_task_config(with, rubik::config(), "rubik");

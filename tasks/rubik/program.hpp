@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/representation.hpp"
 #include "tasks/rubik/coordinator.hpp"
 #include "tasks/rubik/journal.hpp"
 #include "tasks/rubik/plan/plan.hpp"
@@ -47,7 +46,7 @@ class Program {
     x_.c.coordination = {.m = 6};
     journal_.back().given_up = true;
     Outcome o = behaviour(kCycle[5]);
-    if (well(o)) o = go(step.withdrawal, step.before_grasp.hand, 0);
+    if (well(o)) o = go(step.withdrawal, step.before_grasp.hand, false);
     return end(o);
   }
 
@@ -76,33 +75,80 @@ class Program {
   Outcome pause() { return x_.T.h.paused ? move(kResume, x_, port_) : Outcome::terminated; }
 
   Outcome go_along(const Step& step) {
+    const Hand carrier = step.before_grasp.hand;
     Outcome o = Outcome::terminated;
-    for (const FreeMotion& motion : step.before)
-      if (well(o)) o = go(motion, step.before_grasp.hand, x_.c.k.open);
-    return o;
+    if (!told_at_once(step.before)) {
+      for (const FreeMotion& motion : step.before)
+        if (well(o)) o = go(motion, carrier, true);
+      return o;
+    }
+    std::array<Way, kArms> ways;
+    for (const FreeMotion& motion : step.before) {
+      std::size_t next = 1;  // the arm is at the first point
+      ways[index(motion.hand)] = part_of(motion, next, carrier);
+    }
+    o = pause();
+    if (well(o)) o = tell(ways);
+    if (well(o)) o = pause();
+    std::array<int, kArms> goes_at = only(step.before[0].hand);
+    if (const auto& delay = step.before[1].delay) {
+      goes_at[index(step.before[1].hand)] = static_cast<int>(std::ceil(*delay / kPacing.macrostep_s()));
+      return well(o) ? go(goes_at, carrier, true) : o;
+    }
+    if (well(o)) o = go(goes_at, carrier, true);
+    if (well(o)) o = pause();
+    return well(o) ? go(only(step.before[1].hand), carrier, true) : o;
   }
 
-  /// @param carrier  hand that has the cube @param jaws  of the other hand, when that one moves; 0: they stay
-  Outcome go(const FreeMotion& motion, Hand carrier, double jaws) {
+  /// @return whether these are ways of different arms that an arm can remember
+  [[nodiscard]] static bool told_at_once(const std::vector<FreeMotion>& motions) {
+    return motions.size() == kArms && motions[0].hand != motions[1].hand &&
+           std::ranges::all_of(motions, [](const FreeMotion& motion) {
+             return motion.points.size() <= static_cast<std::size_t>(kMostPoints) + 1;
+           });
+  }
+  /// @return when each arm goes: this one at once, the other one not at all
+  [[nodiscard]] static std::array<int, kArms> only(Hand hand) {
+    std::array<int, kArms> goes_at{-1, -1};
+    goes_at[index(hand)] = 0;
+    return goes_at;
+  }
+
+  /// @param next  number of its first point, then of the one behind its last @return as much as an arm can remember
+  [[nodiscard]] Way part_of(const FreeMotion& motion, std::size_t& next, Hand carrier) const {
+    Way way;
+    way.jaws = motion.hand == carrier ? 0 : x_.c.k.open;
+    for (; next < motion.points.size() && way.count < kMostPoints; ++next)
+      way.add(motion.points[next].motors, motion.points[next].speed);
+    return way;
+  }
+
+  /// @param carrier  hand that has the cube; the jaws of the other one go to where an empty hand has them
+  Outcome go(const FreeMotion& motion, Hand carrier, bool jaws_too) {
     Outcome o = pause();
     std::size_t next = 1;  // the arm is at the first point
-    while (well(o) && next < motion.points.size()) {
-      Way way;
-      way.jaws = motion.hand == carrier ? 0 : jaws;
-      for (; next < motion.points.size() && way.count < kMostPoints; ++next)
-        way.add(numbers_from_axes(motion.points[next]));
-      o = go(motion.hand, way, carrier);
-    }
+    while (well(o) && next < motion.points.size())
+      o = go(motion.hand, part_of(motion, next, carrier), carrier, jaws_too);
     return o;
   }
 
-  Outcome go(Hand hand, const Way& way, Hand carrier) {
-    x_.c.mover = hand;
-    x_.c.way = way;
+  Outcome go(Hand hand, const Way& way, Hand carrier, bool jaws_too = true) {
+    std::array<Way, kArms> ways;
+    ways[index(hand)] = way;
+    const Outcome o = tell(ways);
+    return well(o) ? go(only(hand), carrier, jaws_too) : o;
+  }
+
+  Outcome tell(const std::array<Way, kArms>& ways) {
+    x_.c.ways = ways;
+    return behaviour(kSendWay);
+  }
+  Outcome go(const std::array<int, kArms>& goes_at, Hand carrier, bool jaws_too) {
+    x_.c.goes_at = goes_at;
+    x_.c.jaws_too = jaws_too;
     x_.c.loaded = {};
     x_.c.loaded[index(carrier)] = true;
-    const Outcome o = behaviour(kSendWay);
-    return well(o) ? behaviour(kMoveAlong) : o;
+    return behaviour(kMoveAlong);
   }
 
   Outcome cycle(const Step& step) {
@@ -110,7 +156,8 @@ class Program {
     if (well(o)) o = grip(step);
     if (well(o)) o = turn(step);
     if (well(o)) o = behaviour(kCycle[5]);
-    if (well(o)) o = go(step.retreat, step.after_grasp.hand, 0);
+    // The jaws come nearer to each other again meanwhile, and on the ways that follow.
+    if (well(o)) o = go(step.retreat, step.after_grasp.hand, false);
     return o;
   }
 
@@ -156,7 +203,8 @@ class Program {
     x_.c.trouble = Trouble::none;
     Way way{.jaws = x_.c.k.open};
     if (well(o)) o = go(step.comes, way, step.before_grasp.hand);
-    way.add(numbers_from_axes(step.before.back().points.back()));
+    const WayPoint& begin = step.before.back().points.back();
+    way.add(begin.motors, begin.speed);
     return well(o) ? go(step.comes, way, step.before_grasp.hand) : o;
   }
 

@@ -28,7 +28,13 @@ class FlawedCell : public rubik::PlanCell {
   explicit FlawedCell(const rubik::PlanCell& cell) : cell_(cell) {}
   [[nodiscard]] const rubik::Meeting& meeting() const override { return cell_.meeting(); }
   [[nodiscard]] const rubik::Viewing* viewing() const override { return cell_.viewing(); }
-  [[nodiscard]] const rubik::JointLimits& limits(rubik::Hand h) const override { return cell_.limits(h); }
+  [[nodiscard]] const rubik::SpeedLimits& limits(rubik::Hand h) const override { return cell_.limits(h); }
+  [[nodiscard]] AxisVector motors(rubik::Hand h, const AxisVector& q) const override {
+    return cell_.motors(h, q);
+  }
+  [[nodiscard]] AxisVector joints(rubik::Hand h, const AxisVector& m) const override {
+    return cell_.joints(h, m);
+  }
   [[nodiscard]] Pose forward(rubik::Hand h, const AxisVector& q) const override {
     return cell_.forward(h, q);
   }
@@ -71,6 +77,7 @@ class CubePlan : public testing::Test {
       free += cell.is_free(s);
     });
     EXPECT_EQ(states, free) << cell.touching();
+    together += replay.together;
     EXPECT_EQ(replay.cube, rubik::after({}, moves)) << to_string(moves);
     EXPECT_EQ(rubik::after({}, planned.plan->turns), rubik::after({}, moves));
     for (const rubik::Step& s : planned.plan->steps)
@@ -80,12 +87,14 @@ class CubePlan : public testing::Test {
   WorldParameters world{cube_cell({})};
   CubePlanCell cell{world, viewing_place()};
   PlanStart start;
+  int together{};
 };
 
 TEST_F(CubePlan, DoesExactlyTheTurnsWithinLimitsAndWithoutCollisions) {
   Planner planner(cell);
   std::mt19937_64 random(1);
   for (int n = 0; n < 5; ++n) expect_plan(planner, rubik::random_moves(1 + 3 * n, random));
+  EXPECT_GT(together, 3) << "motions of both arms at the same time";
   // The last joint of the track arm is wound back in time.
   expect_plan(planner, rubik::parse_moves("U R U R U R U R U R U R"));
 }
@@ -156,7 +165,8 @@ TEST_F(CubePlan, TellsHowLongItTakesBySumsOfItsSteps) {
   int grips = 0, regrasps = 0;
   for (const rubik::Step& s : planned.plan->steps) {
     double motions = s.retreat.seconds;
-    for (const auto& m : s.before) motions += m.seconds;
+    for (const auto& m : s.before)
+      motions = m.delay ? s.retreat.seconds + *m.delay + m.seconds : motions + m.seconds;
     EXPECT_GT(s.seconds, motions);
     seconds += s.seconds;
     ++grips;

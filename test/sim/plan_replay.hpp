@@ -4,8 +4,11 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numbers>
 
+#include "ecp/generators/polyline.hpp"
+#include "ecp/generators/trajectory.hpp"
 #include "sim/plan_cell.hpp"
 #include "tasks/rubik/plan/plan.hpp"
 
@@ -21,6 +24,7 @@ class PlanReplay {
   void run(const rubik::Plan& plan, const std::function<void(const rubik::CellState&)>& visit) {
     for (const rubik::Step& step : plan.steps) {
       EXPECT_EQ(step.before_grasp, grasp_);
+      if (step.before.size() == 2 && step.before[1].delay) follow_both(step.before[0], step.before[1], visit);
       for (const rubik::FreeMotion& motion : step.before) follow(motion, motion.hand == grasp_.hand, visit);
       if (step.shows)
         show(step, visit);
@@ -33,6 +37,7 @@ class PlanReplay {
 
   rubik::Cube cube;                ///< solved at the beginning
   std::vector<rubik::Face> shown;  ///< in their order
+  int together{};                  ///< motions of both arms at the same time
 
  private:
   static std::size_t index(rubik::Hand hand) { return rubik::index(hand); }
@@ -46,18 +51,67 @@ class PlanReplay {
               const std::function<void(const rubik::CellState&)>& visit, bool touched = false) {
     ASSERT_GE(motion.points.size(), 2u);
     EXPECT_EQ(motion.carries, carries);
-    expect_at(motion.hand, motion.points.front());
+    expect_at(motion.hand, motion.points.front().joints);
+    for (std::size_t k = 1; k < motion.points.size(); ++k) {
+      const rubik::WayPoint& point = motion.points[k];
+      EXPECT_LT((cell_.joints(motion.hand, point.motors) - point.joints).cwiseAbs().maxCoeff(), 1e-6);
+      expect_speed(motion.hand, motion.points[k - 1], point);
+      go(motion.hand, point.joints, carries, touched && k == 1, visit);
+    }
+  }
+
+  /// Both arms at the times at which they are driven; then they are where they were.
+  void follow_both(const rubik::FreeMotion& first, const rubik::FreeMotion& second,
+                   const std::function<void(const rubik::CellState&)>& visit) {
+    constexpr double kSpacing = 0.017;
+    const double end = *second.delay + second.seconds;
+    EXPECT_NE(first.hand, second.hand);
+    EXPECT_GE(*second.delay, 0);
+    EXPECT_GE(end, first.seconds) << "it comes before the cube is there";
+    const std::array curves{curve(first), curve(second)};
+    rubik::CellState state{joints_, {rubik::kOpenJaws, rubik::kOpenJaws}, grasp_, false};
+    state.jaws[index(grasp_.hand)] = kCubeEdge;
+    for (const double ahead : {-rubik::kLag, 0.0, rubik::kLag})
+      for (double t = 0; t < end; t += kSpacing) {
+        state.joints[index(first.hand)] = cell_.joints(first.hand, curves[0]->at(t + ahead));
+        state.joints[index(second.hand)] = cell_.joints(second.hand, curves[1]->at(t - *second.delay));
+        visit(state);
+      }
+    ++together;
+  }
+  [[nodiscard]] std::unique_ptr<ecp::Polyline> curve(const rubik::FreeMotion& motion) const {
+    std::vector<ecp::ViaPoint> list;
     for (std::size_t k = 1; k < motion.points.size(); ++k)
-      go(motion.hand, motion.points[k], carries, touched && k == 1, visit);
+      list.push_back({motion.points[k].motors, motion.points[k].speed, 1, k + 1 < motion.points.size()});
+    return std::make_unique<ecp::Polyline>(motion.points[0].motors, list, cell_.limits(motion.hand).motors,
+                                           ecp::Pacing{}.macrostep_s());
+  }
+
+  /// What the drivers of the task let pass: 250 rad/s of the motors, 1.5 m/s and 4 rad/s of E.
+  void expect_speed(rubik::Hand h, const rubik::WayPoint& from, const rubik::WayPoint& to) const {
+    const AxisVector way = to.motors - from.motors;
+    const double seconds =
+        way.cwiseAbs().cwiseQuotient(cell_.limits(h).motors.velocity).maxCoeff() / to.speed;
+    EXPECT_LE(way.cwiseAbs().maxCoeff(), 250 * seconds + 1e-9);
+    constexpr int kParts = 50;
+    Pose before = cell_.forward(h, from.joints);
+    for (int k = 1; k <= kParts; ++k) {
+      const Pose now =
+          cell_.forward(h, cell_.joints(h, from.motors + way * (static_cast<double>(k) / kParts)));
+      const Vector6 r = angle_axis_from_pose(before.inverse() * now);
+      EXPECT_LE(r.head<3>().norm(), 1.5 * seconds / kParts + 1e-9);
+      EXPECT_LE(r.tail<3>().norm(), 4 * seconds / kParts + 1e-9);
+      before = now;
+    }
   }
 
   void go(rubik::Hand h, const AxisVector& to, bool carries, bool touched,
           const std::function<void(const rubik::CellState&)>& visit) {
     constexpr int kParts = 37;
-    const AxisVector from = joints_[index(h)];
+    const AxisVector from = cell_.motors(h, joints_[index(h)]), way = cell_.motors(h, to) - from;
     for (int k = 0; k <= kParts; ++k) {
       rubik::CellState state{joints_, {}, grasp_, touched};
-      state.joints[index(h)] = from + (to - from) * (static_cast<double>(k) / kParts);
+      state.joints[index(h)] = cell_.joints(h, from + way * (static_cast<double>(k) / kParts));
       state.jaws[index(grasp_.hand)] = kCubeEdge;
       state.jaws[index(other(grasp_.hand))] = carries && touched ? kCubeEdge : rubik::kOpenJaws;
       EXPECT_GE(cell_.reserve(h, state.joints[index(h)]), 0);

@@ -41,7 +41,11 @@ class PlanCell {
   /// @return where faces are shown; null: nowhere
   [[nodiscard]] virtual const Viewing* viewing() const = 0;
   /// @return what free motions of an arm keep to
-  [[nodiscard]] virtual const JointLimits& limits(Hand hand) const = 0;
+  [[nodiscard]] virtual const SpeedLimits& limits(Hand hand) const = 0;
+  /// @return motors of an arm [rad], from joints within the limits
+  [[nodiscard]] virtual AxisVector motors(Hand hand, const AxisVector& joints) const = 0;
+  /// @return the inverse of it [rad, track m]
+  [[nodiscard]] virtual AxisVector joints(Hand hand, const AxisVector& motors) const = 0;
   /// @return T_UE, E of a hand in the world
   [[nodiscard]] virtual Pose forward(Hand hand, const AxisVector& joints) const = 0;
   /// @param near  decides the branch, the turns of the angles and the place on the track

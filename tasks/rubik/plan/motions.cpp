@@ -10,6 +10,9 @@ namespace {
 
 constexpr double kHolding = 0.057;  // distance between the jaws at the cube [m]
 
+constexpr double kDelayStep = 0.25;  // of the delays that are tried, as a share of the first motion
+constexpr double kLatest = 0.8;      // of them that pays
+
 constexpr std::array kKinds{MotionKind::carry, MotionKind::reach, MotionKind::turn, MotionKind::retreat};
 
 /// @return turns of the last joint from one posture to the other
@@ -35,6 +38,10 @@ void Motions::start_at(const ArmJoints& joints) {
   std::erase_if(known_, [this](const auto& entry) {
     const Motion& m = entry.first;
     return m.from == start(m.hand) || m.others == start(other(m.hand));
+  });
+  std::erase_if(delays_, [this](const auto& entry) {
+    const auto& [carry, reach] = entry.first;
+    return carry.from == start(carry.hand) || reach.from == start(reach.hand);
   });
   for (const Hand hand : kHands) {
     Stance& s = stances_[index(hand)].back();
@@ -103,7 +110,7 @@ double Motions::line_seconds(MotionKind kind, Hand hand, int number, int target)
   } else {
     points = {from.hold, to.hold};
   }
-  return seconds_along(points, cell_.limits(hand));
+  return seconds_along(cell_, hand, points);
 }
 
 double Motions::seconds(const Motion& m) const {
@@ -206,8 +213,31 @@ std::optional<FreeMotion> Motions::look_for(const Motion& m) const {
       }
       break;
   }
-  const double seconds = seconds_along(points, cell_.limits(m.hand));
-  return FreeMotion{m.hand, std::move(points), carries, seconds};
+  FreeMotion motion{.hand = m.hand, .points = way_through(cell_, m.hand, points), .carries = carries};
+  motion.seconds = seconds_along(motion.points, cell_.limits(m.hand).motors);
+  return motion;
+}
+
+std::optional<double> Motions::look_for_delay(const FreeMotion& carry, const FreeMotion& reach) const {
+  CellState state;
+  state.grasp = {carry.hand, Face::D, Face::B};
+  state.jaws[index(carry.hand)] = kHolding;
+  state.jaws[index(reach.hand)] = kOpenJaws;
+  // The hand that comes is where its approach begins when the cube has been there for a while.
+  const double least = std::max(0.0, carry.seconds + kLag - reach.seconds);
+  for (double share = 0; share < kLatest; share += kDelayStep) {
+    const double delay = std::max(least, share * carry.seconds);
+    if (delay < kLatest * carry.seconds && paths_.are_free(carry, reach, delay, state)) return delay;
+  }
+  return {};
+}
+
+std::optional<double> Motions::delay(const Motion& carry, const Motion& reach) {
+  const FreeMotion *first = find(carry), *second = find(reach);
+  if (!first || !second) return {};
+  const auto [place, is_new] = delays_.try_emplace({carry, reach});
+  if (is_new) place->second = look_for_delay(*first, *second);
+  return place->second;
 }
 
 Grasp Motions::seen_from(Hand hand, int of_class, const Grasp& grasp, int others) const {

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "tasks/rubik/plan/paths.hpp"
@@ -67,11 +68,16 @@ class Motions {
   [[nodiscard]] double straight_seconds(MotionKind kind, Hand hand, int from, int to) const;
   /// Looks for the way. @return null: there is none
   [[nodiscard]] const FreeMotion* find(const Motion& motion);
+  /// @param carry, reach  of one step, with ways that have been found
+  /// @return how long after the carrying hand the other one may set out, such that it does not come before the cube has
+  ///         come; nothing: when that one has arrived
+  [[nodiscard]] std::optional<double> delay(const Motion& carry, const Motion& reach);
   /// @return the cube in the one hand when the other one holds it so, both in postures of these classes
   [[nodiscard]] Grasp seen_from(Hand hand, int of_class, const Grasp& grasp, int others) const;
 
  private:
   [[nodiscard]] std::optional<FreeMotion> look_for(const Motion& motion) const;
+  [[nodiscard]] std::optional<double> look_for_delay(const FreeMotion& carry, const FreeMotion& reach) const;
   [[nodiscard]] double line_seconds(MotionKind kind, Hand hand, int from, int to) const;
   void sort_into_classes(Hand hand);
   [[nodiscard]] Motion classified(const Motion& motion) const;
@@ -92,6 +98,7 @@ class Motions {
   std::array<std::vector<Matrix3>, 2> R_UE_;    // of the grips, by class
   std::array<std::array<Table, 2>, 4> tables_;  // by kind and hand
   std::map<Motion, std::optional<FreeMotion>> known_;
+  std::map<std::pair<Motion, Motion>, std::optional<double>> delays_;  // of reaches after carries
 };
 
 }  // namespace mrroc::rubik

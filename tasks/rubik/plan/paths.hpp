@@ -1,4 +1,5 @@
-// Ways of one arm past the other one: straight lines in joint space, and lines through points beside them.
+// Ways of one arm past the other one: lines that are straight in the space of the motors, and lines through points beside
+// them.
 #pragma once
 #include <optional>
 #include <random>
@@ -8,9 +9,16 @@
 
 namespace mrroc::rubik {
 
+/// @param joints  of the points
+/// @return the points; on each line the speed is what motors and E may have
+[[nodiscard]] std::vector<WayPoint> way_through(const PlanCell& cell, Hand hand,
+                                                const std::vector<AxisVector>& joints);
+
 /// @param points  at least one
-/// @return time along straight lines from point to point, with a ramp at the beginning and the end [s]
-[[nodiscard]] double seconds_along(const std::vector<AxisVector>& points, const JointLimits& limits);
+/// @return time of the motion, as the arm will drive it: in whole macrosteps [s]
+[[nodiscard]] double seconds_along(const std::vector<WayPoint>& points, const ecp::MotionLimits& motors);
+/// The same through way_through().
+[[nodiscard]] double seconds_along(const PlanCell& cell, Hand hand, const std::vector<AxisVector>& joints);
 
 /// Checks and finds ways.
 class Paths {
@@ -19,8 +27,14 @@ class Paths {
   explicit Paths(const PlanCell& cell) : cell_(cell) {}
 
   /// @param state  of everything; the joints of the hand's arm do not count
-  /// @return whether every state on the straight line is within the limits and free
+  /// @return whether every state on the line is within the limits and free
   [[nodiscard]] bool is_free(Hand hand, const AxisVector& from, const AxisVector& to, CellState state) const;
+
+  /// @param first, second  motions of both arms @param delay  of the second one [s]
+  /// @param state  of everything; the joints do not count
+  /// @return whether every state of both at these times is free, even if one of them is kLag ahead
+  [[nodiscard]] bool are_free(const FreeMotion& first, const FreeMotion& second, double delay,
+                              CellState state) const;
 
   /// The straight line, or the quickest of several ways through one or two other points: both ends drawn back, and
   /// points drawn at random around the line. The same arguments give the same way.

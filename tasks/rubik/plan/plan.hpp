@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/axes.hpp"
+#include "ecp/generators/space.hpp"
 #include "tasks/rubik/cube/move.hpp"
 #include "tasks/rubik/plan/grasp.hpp"
 
@@ -14,10 +15,18 @@ namespace mrroc::rubik {
 /// Joints of both arms, by index(Hand) [rad, track m].
 using ArmJoints = std::array<AxisVector, 2>;
 
-/// Speeds of one arm in free motions, such that any combination is possible for its motors.
-struct JointLimits {
-  AxisVector velocity;      ///< [rad/s], track [m/s]
-  AxisVector acceleration;  ///< [rad/s^2], track [m/s^2]
+/// What free motions of one arm keep to.
+struct SpeedLimits {
+  ecp::MotionLimits motors;  ///< [rad/s], [rad/s^2]
+  double linear{};           ///< of E [m/s]
+  double angular{};          ///< of E [rad/s]
+};
+
+/// A point of a way, and the line that leads there.
+struct WayPoint {
+  AxisVector joints;  ///< [rad], track [m]
+  AxisVector motors;  ///< the same posture [rad]
+  double speed{1};    ///< on the line, as a share of what the motors can: above 0 up to 1
 };
 
 /// Distance of the palm from the cube where a guarded approach begins [m].
@@ -29,22 +38,28 @@ inline constexpr double kOpenJaws = 0.08;
 
 /// Estimates of what is not free motion, from tables 4-8 of MG and the friction of a face.
 struct CycleTimes {
-  double grip{5};         ///< m = 1..4 from jaws at 68 mm, and the rests in which sensors are biased [s]
+  double grip{3.1};       ///< m = 1..4, the rest in which sensors are biased, and what is told of ways [s]
   double turn_rate{0.3};  ///< of m = 5 with B = 0.1 s/(kg m^2) [rad/s]
-  double open{0.5};       ///< m = 6 [s]
+  double open{1.2};       ///< m = 6 [s]
   double look{0.5};       ///< of the camera at a face, at rest [s]
 };
 
-/// A free motion of one arm while the other one stands: straight lines in joint space from point to point, all axes in
-/// step, at rest at the first and the last one. Every line has been found free of collisions with a margin that
-/// leaves room for passing the inner points without a stop.
+/// A free motion of one arm: lines from point to point that are straight in the space of the
+/// motors, whose speeds bound it (ecp::Polyline). At rest at the first and the last point. Every line has been found
+/// free of collisions.
 struct FreeMotion {
   Hand hand{};
   /// At least two; the first is where the arm stands according to the plan: force control will have moved it a little.
-  std::vector<AxisVector> points;
+  std::vector<WayPoint> points;
   bool carries{};    ///< the hand holds the cube
   double seconds{};  ///< estimate
+  /// It begins while the motion before it still goes on, so long after that one has begun [s], and ends behind it; then
+  /// no state of both arms collides, even if one of them is kLag ahead. Nothing: it begins when that one has ended.
+  std::optional<double> delay{};
 };
+
+/// What arms that move at the same time may be ahead of each other [s].
+inline constexpr double kLag = 0.2;
 
 /// One cycle: an arm comes and grips, a face may be turned, an arm lets go. Or, with `shows`, a look at a face: only
 /// the motions, then the camera.
@@ -83,11 +98,10 @@ struct Plan {
   std::vector<Step> steps;
   Grasp start, end;
   ArmJoints start_joints, end_joints;
-  std::array<JointLimits, 2> limits;  ///< of the free motions, by index(Hand); the estimates keep to them
-  Moves turns;                        ///< in the order of execution
-  int regrasps{};                     ///< steps without turn
-  int grips{};                        ///< steps in which an arm comes and grips
-  double seconds{};                   ///< estimate for all steps
+  Moves turns;       ///< in the order of execution
+  int regrasps{};    ///< steps without turn
+  int grips{};       ///< steps in which an arm comes and grips
+  double seconds{};  ///< estimate for all steps
 };
 
 /// Why there is no plan.

@@ -41,7 +41,7 @@ struct Planner::Impl {
     if (!is_valid(start.grasp)) return refused(NoPlan::bad_start, "palm and jaw lie on opposite faces");
     for (const Hand hand : kHands) {
       const AxisVector& joints = start.joints[index(hand)];
-      if (joints.size() != cell.limits(hand).velocity.size() || !joints.allFinite())
+      if (joints.size() != cell.limits(hand).motors.velocity.size() || !joints.allFinite())
         return refused(NoPlan::bad_start, "the joints are not those of the arms");
       if (cell.reserve(hand, joints) < 0)
         return refused(NoPlan::bad_start, "an arm is beyond its limits at the start");
@@ -88,7 +88,6 @@ struct Planner::Impl {
     Plan plan;
     plan.start = plan.end = start.grasp;
     plan.start_joints = plan.end_joints = start.joints;
-    for (const Hand hand : kHands) plan.limits[index(hand)] = cell.limits(hand);
     for (std::size_t k = 0; k < edges.size(); ++k) {
       const Step s = step(plan.end, edges[k], wound[k], options);
       plan.end = s.after_grasp;
@@ -145,6 +144,12 @@ struct Planner::Impl {
         s.retreat = motion;
       else if (motion.seconds > 0)
         s.before.push_back(motion);
+    }
+    if (s.before.size() == 2) {
+      const FreeMotion& carry = s.before[0];
+      FreeMotion& reach = s.before[1];
+      reach.delay = motions.delay(wound.motions[0], wound.motions[1]);
+      if (reach.delay) s.seconds -= carry.seconds - *reach.delay;
     }
     return s;
   }

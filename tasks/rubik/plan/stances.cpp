@@ -11,8 +11,8 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int kWayParts = 4;
-constexpr double kEdge = 0.057;        // of the cube: jaws that hold it [m]
+constexpr int kWayParts = 2;     // straight in motors they are less than 0.6 mm beside the straight line
+constexpr double kEdge = 0.057;  // of the cube: jaws that hold it [m]
 constexpr double kSideStep = pi / 36;  // of the directions that are tried
 constexpr double kTrackStep = 0.1;     // [m]
 constexpr int kTrackSteps = 6;
@@ -102,8 +102,7 @@ class SideSearch {
     for (const double turn : {0.0, pi}) {
       const auto joints = cell_.inverse(hand, T_UE * turn_about_z(turn), near);
       if (joints && cell_.reserve(hand, *joints) > reserves_.limits &&
-          (!best || seconds_along({near, *joints}, cell_.limits(hand)) <
-                        seconds_along({near, *best}, cell_.limits(hand))))
+          (!best || seconds_along(cell_, hand, {near, *joints}) < seconds_along(cell_, hand, {near, *best})))
         best = joints;
     }
     return best;
@@ -116,8 +115,8 @@ class SideSearch {
                                      cell_.dexterity(hand_, comes) - reserves_.dexterity});
     if (reserve < reserves_.limits) return;
     const Hand giver = other(hand_);
-    const double cost = seconds_along({cell_.meeting().joints[index(hand_)], comes}, cell_.limits(hand_)) +
-                        seconds_along({cell_.meeting().joints[index(giver)], offers}, cell_.limits(giver)) +
+    const double cost = seconds_along(cell_, hand_, {cell_.meeting().joints[index(hand_)], comes}) +
+                        seconds_along(cell_, giver, {cell_.meeting().joints[index(giver)], offers}) +
                         kReserveSeconds * std::max(0.0, kGoodReserve - reserve);
     if (cost >= best_.cost) return;
     CellState state;
@@ -171,7 +170,7 @@ void add_shown(std::vector<Stance>& stances, const PlanCell& cell, Hand hand,
         if (on_track) near[0] = start[0] + k * kTrackStep;
         const auto joints = cell.inverse(hand, viewing.T_UG * T_GE, near);
         if (!joints) continue;
-        const double seconds = seconds_along({start, *joints}, cell.limits(hand));
+        const double seconds = seconds_along(cell, hand, {start, *joints});
         if (seconds >= least || !is_good(*joints)) continue;
         best = joints;
         least = seconds;

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "ecp/generators/polyline.hpp"
+
 namespace mrroc::rubik {
 namespace {
 
 using X = Arm::X;
 
-constexpr std::int64_t kStillFor = 25;  // macrosteps at rest before anything is weighed
+constexpr std::int64_t kStillFor = 12;  // macrosteps at rest before anything is weighed: hands swing for six
 constexpr double kJawsThere = 0.0015;   // [m]
 
 // --- memory ----------------------------------------------------------------------------------------------------
@@ -24,9 +26,10 @@ ArmMemory begin_way(const X& x) {
 /// Points come in their order; one that has been taken is sent again until the coordinator knows.
 ArmMemory take_point(const X& x) {
   ArmMemory c = x.c;
-  const auto& joints = x.T.arm.pose;
-  const bool sound = std::ranges::all_of(joints, [](double q) { return std::isfinite(q); });
-  if (x.T.m == kTakeWay && x.T.variant == c.way.count && sound) c.way.add(joints);
+  const auto& point = x.T.arm.pose;
+  const bool sound = std::ranges::all_of(point, [](double q) { return std::isfinite(q); }) &&
+                     point[kSpeedOfLine] > 0 && point[kSpeedOfLine] <= 1;
+  if (x.T.m == kTakeWay && x.T.variant == c.way.count && sound) c.way.add(point);
   c.way.jaws = x.T.arm.gripper;
   return c;
 }
@@ -36,18 +39,20 @@ ArmMemory plan_path(const X& x) {
   c.path = {};
   if (c.way.count == 0) return c;
   const Eigen::Index axes = c.limits.velocity.size();
-  const auto joints_of = [axes](const auto& numbers) {
+  const auto motors_of = [axes](const auto& numbers) {
     return ecp::Coordinates(Eigen::Map<const Eigen::VectorXd>(numbers.data(), axes));
   };
   std::vector<ecp::ViaPoint> list;
-  for (int k = 0; k < c.way.count; ++k)
-    list.push_back({.pose = joints_of(c.way.points[static_cast<std::size_t>(k)]),
-                    .velocity = 1,
+  for (int k = 0; k < c.way.count; ++k) {
+    const PoseNumbers& point = c.way.points[static_cast<std::size_t>(k)];
+    list.push_back({.pose = motors_of(point),
+                    .velocity = point[kSpeedOfLine],
                     .acceleration = 1,
                     .pass = k + 1 < c.way.count});
+  }
   c.path = ecp::Trajectory(
-      std::make_shared<ecp::Trapezoid>(joints_of(x.e.joints), list, c.limits, kPacing.macrostep_s()),
-      {.space = Representation::joints}, kPacing);
+      std::make_shared<ecp::Polyline>(motors_of(x.e.motors), list, c.limits, kPacing.macrostep_s()),
+      {.space = Representation::motors}, kPacing);
   return c;
 }
 
@@ -70,10 +75,18 @@ ArmMemory weigh_once(const X& x) {
 
 // --- effector --------------------------------------------------------------------------------------------------
 
-EffectorCommand follow(const X& x) {
-  EffectorCommand command = x.c.path.macrosteps() > 0 ? ecp::follow_path(x) : ecp::move_arm(kStill, kPacing);
+EffectorCommand with_jaws(const X& x, EffectorCommand command) {
   if (x.c.way.jaws > 0) command.arm.gripper = std::clamp(x.c.way.jaws, kClosest, kWidest);
   return command;
+}
+
+/// The arm stands, its jaws begin already: an empty hand's come off the cube even if they do not open any farther.
+EffectorCommand stand(const X& x) {
+  return x.c.way.jaws > 0 ? with_jaws(x, ecp::move_arm(kStill, kPacing)) : ecp::rest();
+}
+
+EffectorCommand follow(const X& x) {
+  return with_jaws(x, x.c.path.macrosteps() > 0 ? ecp::follow_path(x) : ecp::move_arm(kStill, kPacing));
 }
 
 EffectorCommand weigh(const X& x) {
@@ -84,8 +97,9 @@ EffectorCommand weigh(const X& x) {
 // --- coordinator -----------------------------------------------------------------------------------------------
 
 bool arrived(const X& x) {
-  const bool jaws = x.c.way.jaws <= 0 || x.e.blocked || std::abs(x.e.gripper - x.c.way.jaws) < kJawsThere;
-  return jaws && ecp::age(x) >= x.c.path.macrosteps() + ecp::kAnswerDelay;
+  const bool jaws = x.T.variant != kActs || x.c.way.jaws <= 0 || x.e.blocked ||
+                    std::abs(x.e.gripper - x.c.way.jaws) < kJawsThere;
+  return jaws && ecp::path_ends(x);
 }
 bool weighed(const X& x) { return x.c.weighed != 0 && x.i >= x.c.weighed + ecp::kAnswerDelay; }
 bool never(const X&) { return false; }
@@ -116,7 +130,7 @@ constexpr auto kRest = ecp::at_rest<Arm>;
 const std::array<Motion<Arm>, 4> kBetween{{
   // m         name           entry        memory      command  sensors    event                    terminal condition
   { kWait,    "wait",         kRetain,     kRetain,    kRest,   kNoSensor, tell<kWait, never>,      order_changes},
-  { kTakeWay, "take the way", begin_way,   take_point, kRest,   kNoSensor, tell<kTakeWay, never>,   other_order<kTakeWay>},
+  { kTakeWay, "take the way", begin_way,   take_point, stand,   kNoSensor, tell<kTakeWay, never>,   other_order<kTakeWay>},
   { kGo,      "go",           plan_path,   kRetain,    follow,  kNoSensor, tell<kGo, arrived>,      other_order<kGo>},
   { kWeigh,   "weigh",        not_weighed, weigh_once, weigh,   kNoSensor, tell<kWeigh, weighed>,   other_order<kWeigh>},
 }};

@@ -4,13 +4,14 @@
 
 #include "base/pose.hpp"
 #include "ecp/generators/rows.hpp"
+#include "ecp/generators/space.hpp"
 #include "tasks/rubik/turn/way.hpp"
 
 namespace mrroc::rubik {
 
 /// Order::m besides the behaviours of a cycle, 1..6, which any of them ends.
-inline constexpr int kTakeWay = 7;  ///< remember the point number `variant` of a way: joints, jaws
-inline constexpr int kGo = 8;       ///< go along the way
+inline constexpr int kTakeWay = 7;  ///< remember the point number `variant` of a way, and its jaws
+inline constexpr int kGo = 8;       ///< go along the way; `variant` is kActs: until the jaws are there, too
 inline constexpr int kWeigh = 9;    ///< force tool and bias: pose[0] is w [N], pose[1..3] P [m]
 inline constexpr int kWait = 10;    ///< come to rest, the jaws stay
 
@@ -38,7 +39,7 @@ void put_alignment(double mobility, Order& order);
 
 /// c_c of an arm: what the entry functions memorise, and the order.
 struct ArmMemory {
-  ecp::MotionLimits limits;  ///< of free motions in joints; as many coordinates as the arm has axes
+  ecp::MotionLimits limits;  ///< of its motors in free motions; as many as the arm has axes
   Way way;                   ///< of the next free motion, as far as it is known
   ecp::Trajectory path;      ///< of the present free motion
   std::int64_t weighed{};    ///< macrostep in which the force tool was set in this behaviour, 0: not yet

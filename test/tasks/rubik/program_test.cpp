@@ -10,7 +10,9 @@ namespace {
 
 constexpr double kQuarter = std::numbers::pi / 2;
 
-AxisVector at(double q, int axes) { return AxisVector::Constant(axes, q); }
+WayPoint at(double q, int axes) {
+  return {AxisVector::Constant(axes, q), AxisVector::Constant(axes, 100 * q), 0.5};
+}
 
 Step quarter_turn(double angle = kQuarter) {
   Step step;
@@ -54,10 +56,28 @@ TEST_F(RubikProgram, LeadsBothArmsThroughOneCycle) {
   EXPECT_EQ(arms.turns[0].torque, x.c.k.torque);
   EXPECT_NEAR(arms.turns[0].angle, kQuarter, 1e-12);
   ASSERT_EQ(arms.points[0].size(), 2u) << "without the one where the arm is";
-  EXPECT_EQ(arms.points[0][1][3], 0.2);
+  EXPECT_EQ(arms.points[0][1][3], 20) << "in motors";
+  EXPECT_EQ(arms.points[0][1][kSpeedOfLine], 0.5);
   ASSERT_EQ(arms.points[1].size(), 1u);
   EXPECT_EQ(journal.at(0).attempts, 1);
   EXPECT_NEAR(journal.at(0).tool, kQuarter, 0.02);
+}
+
+TEST_F(RubikProgram, BothArmsAreToldAtOnceAndGoOneAfterTheOtherOrAtTheSameTime) {
+  Step step = quarter_turn();
+  step.before.insert(step.before.begin(),
+                     {.hand = Hand::track, .points = {at(0, 7), at(0.3, 7)}, .carries = true});
+  ASSERT_EQ(execute(step), Outcome::terminated);
+  EXPECT_EQ(arms.behaviours, (std::vector{kTakeWay, kGo, kWeigh, 1, 2, 3, 4, 5, 6, kTakeWay, kGo}));
+  EXPECT_EQ(arms.points[0].size(), 2u);
+  EXPECT_EQ(arms.points[1].size(), 2u) << "its way with the cube and its retreat";
+  EXPECT_GT(arms.begun[0] - arms.begun[1], TwoArms::kGoing) << "one after the other";
+
+  step.before[1].delay = 0.1;
+  TwoArms others;
+  arms = others;
+  ASSERT_EQ(execute(step), Outcome::terminated);
+  EXPECT_EQ(arms.begun[0] - arms.begun[1], 5) << "0.1 s later";
 }
 
 TEST_F(RubikProgram, ATurnTheOtherWayHasTheOtherTorque) {
@@ -114,7 +134,7 @@ TEST_F(RubikProgram, AStepWhoseFaceJamsIsTakenBack) {
   EXPECT_EQ(arms.behaviours, (std::vector{6, kTakeWay, kGo}));
   EXPECT_EQ(x.c.cycle.leaves, step.comes) << "the hand that held the cube keeps it";
   ASSERT_EQ(arms.points[0].size(), 2u);
-  EXPECT_EQ(arms.points[0][1][0], 0.1) << "drawn back";
+  EXPECT_EQ(arms.points[0][1][0], 10) << "drawn back";
   EXPECT_TRUE(arms.points[1].empty());
   EXPECT_TRUE(journal.at(0).given_up);
 }
@@ -146,7 +166,7 @@ TEST_F(RubikProgram, AGripThatMissesIsTriedAgainFromWhereTheApproachBegan) {
   ASSERT_EQ(execute(quarter_turn()), Outcome::terminated) << to_string(x.c.trouble);
   EXPECT_EQ(journal.at(0).grips, 2);
   EXPECT_EQ(count(1), 2);
-  EXPECT_EQ(arms.points[0].back()[0], 0.2);
+  EXPECT_EQ(arms.points[0].back()[0], 20);
 }
 
 TEST_F(RubikProgram, AWorkerThatFindsNothingGivesUpAfterItsAttempts) {

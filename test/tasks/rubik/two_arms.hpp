@@ -29,6 +29,9 @@ class TwoArms {
   std::vector<int> behaviours;                         ///< of the coordinator, one after another
   std::array<std::vector<PoseNumbers>, kArms> points;  ///< that each arm was told
   std::vector<TurnOrder> turns;                        ///< ordered, at the begin of each m = 5
+  std::array<std::int64_t, kArms> begun{};             ///< macrostep in which each arm first set out
+
+  static constexpr int kGoing = 20;  ///< macrosteps that a free motion takes
 
   void dispatch(const Motion<Coordinator>& motion, const Coordinator::Y& y) {
     if (behaviours.empty() || behaviours.back() != motion.m) {
@@ -58,13 +61,15 @@ class TwoArms {
     r.driver_state = o.m < kWait ? DriverState::executing : DriverState::holding;
     if (r.gripper == 0) r.gripper = 0.0568;
     const bool acts = o.variant == kActs && age_ > 5;
-    if (o.m == kTakeWay && o.variant == taken_[arm] && o.arm.representation == Representation::joints) {
+    if (o.m == kTakeWay && o.variant == taken_[arm] && o.arm.representation == Representation::motors) {
       points[arm].push_back(o.arm.pose);
       ++taken_[arm];
     }
     if (o.m == kTakeWay) jaws_[arm] = o.arm.gripper;
     if (o.m == kTakeWay) r.sensor = taken_[arm];
-    if (o.m == kGo && age_ > 20) {
+    if (o.m == kGo && ++going_[arm] == 1 && begun[arm] == 0) begun[arm] = i_;
+    if (o.m != kGo) going_[arm] = 0;
+    if (o.m == kGo && going_[arm] > kGoing) {
       r.event = kGo;
       const bool holds = arm == 1 && !gone && jaws_[arm] == kClosest;
       if (jaws_[arm] > 0) r.gripper = holds ? 0.0568 : jaws_[arm];
@@ -103,7 +108,7 @@ class TwoArms {
   }
 
   std::array<Report, kArms> reports_;
-  std::array<int, kArms> taken_{};
+  std::array<int, kArms> taken_{}, going_{};
   std::array<double, kArms> jaws_{};
   double angle_{}, begun_{};
   bool stands_{};

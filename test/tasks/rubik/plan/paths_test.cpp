@@ -6,16 +6,24 @@
 namespace mrroc::rubik {
 namespace {
 
-/// Arms whose E does not matter. An obstacle stands at joint 0 from 0.4 to 0.6, up to a height in joint 1.
-class Obstacle final : public PlanCell {
+constexpr double kGear = 100;  // of all joints
+constexpr double kArm = 2;     // of joint 5, which alone moves E [m/rad]
+const SpeedLimits kLimits{{AxisVector::Constant(6, 50), AxisVector::Constant(6, 200)}, 0.5, 1};
+
+/// Arms that move E with joint 5 only. An obstacle stands at joint 0 from 0.4 to 0.6, up to a height in joint 1.
+class Obstacle : public PlanCell {
  public:
   explicit Obstacle(double height) : height_(height) {
-    for (JointLimits& l : limits_) l = {AxisVector::Constant(6, 0.5), AxisVector::Constant(6, 2)};
+    for (SpeedLimits& l : limits_) l = kLimits;
   }
   [[nodiscard]] const Meeting& meeting() const override { return meeting_; }
   [[nodiscard]] const Viewing* viewing() const override { return nullptr; }
-  [[nodiscard]] const JointLimits& limits(Hand hand) const override { return limits_[index(hand)]; }
-  [[nodiscard]] Pose forward(Hand, const AxisVector&) const override { return {}; }
+  [[nodiscard]] const SpeedLimits& limits(Hand hand) const override { return limits_[index(hand)]; }
+  [[nodiscard]] AxisVector motors(Hand, const AxisVector& joints) const override { return kGear * joints; }
+  [[nodiscard]] AxisVector joints(Hand, const AxisVector& motors) const override { return motors / kGear; }
+  [[nodiscard]] Pose forward(Hand, const AxisVector& joints) const override {
+    return {Matrix3::Identity(), {kArm * joints[5], 0, 0}};
+  }
   [[nodiscard]] std::optional<AxisVector> inverse(Hand, const Pose&, const AxisVector&) const override {
     return {};
   }
@@ -33,7 +41,7 @@ class Obstacle final : public PlanCell {
  private:
   double height_;
   Meeting meeting_;
-  std::array<JointLimits, 2> limits_;
+  std::array<SpeedLimits, 2> limits_;
 };
 
 AxisVector joints(double first, double second) {
@@ -78,11 +86,53 @@ TEST(Paths, MissNoObstacleThatIsThinnerThanTheWayIsLong) {
   EXPECT_GE(cell.checks, 100);
 }
 
-TEST(Paths, TakeTheTimeOfTheSlowestJointOnEachLineAndOneRamp) {
-  const JointLimits limits{AxisVector::Constant(6, 0.5), AxisVector::Constant(6, 2)};
-  EXPECT_DOUBLE_EQ(seconds_along({joints(0, 0), joints(1, 0.5)}, limits), 2 + 0.25);
-  EXPECT_DOUBLE_EQ(seconds_along({joints(0, 0), joints(1, 0), joints(1, 0.5)}, limits), 3 + 0.25);
-  EXPECT_DOUBLE_EQ(seconds_along({joints(0, 0), joints(0, 0)}, limits), 0);
+TEST(Paths, TakeTheTimeOfTheMotorThatIsUsedMostAndOneRamp) {
+  const Obstacle cell(0.3);
+  EXPECT_NEAR(seconds_along(cell, Hand::track, {joints(0, 0), joints(1, 0.5)}), 2 + 0.26, 1e-9);
+  EXPECT_NEAR(seconds_along(cell, Hand::track, {joints(0, 0), joints(0.5, 0.25), joints(1, 0.5)}), 2 + 0.26,
+              1e-9);
+  EXPECT_EQ(seconds_along(cell, Hand::track, {joints(0, 0), joints(0, 0)}), 0);
+  EXPECT_EQ(seconds_along(cell, Hand::track, {joints(0, 0)}), 0);
+}
+
+TEST(Paths, AreSlowerWhereTheHandWouldBeTooFast) {
+  const Obstacle cell(0.3);
+  AxisVector moved = joints(0.5, 0);
+  moved[5] = 1;
+  const auto way = way_through(cell, Hand::track, {joints(0, 0), joints(0.5, 0), moved, joints(0.5, 0)});
+  ASSERT_EQ(way.size(), 4u);
+  EXPECT_EQ(way[1].speed, 1);
+  EXPECT_NEAR(way[2].speed, 0.5, 1e-9) << "2 m in 4 s instead of 2";
+  EXPECT_NEAR(way[3].speed, 0.5, 1e-9);
+  EXPECT_EQ(way[2].motors, kGear * moved);
+  EXPECT_NEAR(seconds_along({way[1], way[2]}, kLimits.motors), 4 + 0.125, 0.02);
+}
+
+/// Both arms are on one rail: joint 0 of one must not come near that of the other one.
+class Rail final : public Obstacle {
+ public:
+  Rail() : Obstacle(0) {}
+  [[nodiscard]] bool is_free(const CellState& state) const override {
+    return std::abs(state.joints[0][0] - state.joints[1][0]) > 0.1;
+  }
+};
+
+TEST(Paths, OfBothArmsAreFreeOnlyIfNeitherNeedsTheOtherToBeInTime) {
+  const Rail cell;
+  const Paths paths(cell);
+  const auto motion = [&](Hand hand, double from, double to) {
+    FreeMotion m{.hand = hand, .points = way_through(cell, hand, {joints(from, 0), joints(to, 0)})};
+    m.seconds = seconds_along(m.points, kLimits.motors);
+    return m;
+  };
+  const FreeMotion first = motion(Hand::postument, 0, 1);
+  EXPECT_TRUE(paths.are_free(first, motion(Hand::track, -0.5, 0.5), 0, {})) << "it follows";
+  EXPECT_FALSE(paths.are_free(first, motion(Hand::track, 0.5, -0.5), 0, {})) << "they meet";
+  // 0.15 apart all the time; but at 0.5 rad/s the lag is 0.1.
+  const FreeMotion close_behind = motion(Hand::track, -0.15, 0.85);
+  EXPECT_FALSE(paths.are_free(first, close_behind, 0, {}));
+  EXPECT_TRUE(paths.are_free(first, close_behind, 0.5, {}));
+  EXPECT_FALSE(paths.are_free(first, motion(Hand::track, -0.5, 0.95), 5, {})) << "where it ends";
 }
 
 }  // namespace

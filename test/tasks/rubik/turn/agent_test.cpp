@@ -12,7 +12,7 @@ using X = Arm::X;
 
 ArmMemory memory_of_six_axes() {
   ArmMemory c;
-  c.limits = {AxisVector::Constant(6, 0.5), AxisVector::Constant(6, 1)};
+  c.limits = {AxisVector::Constant(6, 50), AxisVector::Constant(6, 100)};
   return c;
 }
 
@@ -67,6 +67,7 @@ TEST(RubikAgent, TakesThePointsOfAWayInTheirOrderEachOnce) {
   for (const int number : {0, 0, 2, 1, 1, 0, 2, 5}) {
     x.T.variant = number;
     x.T.arm.pose[0] = 0.1 * number;
+    x.T.arm.pose[kSpeedOfLine] = 1;
     x.T.arm.gripper = 0.07;
     x.c = take.f_cc(x);
   }
@@ -74,41 +75,51 @@ TEST(RubikAgent, TakesThePointsOfAWayInTheirOrderEachOnce) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_DOUBLE_EQ(x.c.way.points[k][0], 0.1 * static_cast<double>(k));
   EXPECT_EQ(x.c.way.jaws, 0.07);
   EXPECT_EQ(take.f_cT(x).sensor, 3);
+  EXPECT_EQ(take.f_ce(x).arm.frame, kStill);
+  EXPECT_EQ(take.f_ce(x).arm.gripper, 0.07) << "the jaws begin already";
   x.T.variant = 3;
   x.T.arm.pose[2] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(take.f_cc(x).way.count, 3) << "never to a place that is none";
+  x.T.arm.pose[2] = 0;
+  for (const double speed : {0.0, -1.0, 1.1}) {
+    x.T.arm.pose[kSpeedOfLine] = speed;
+    EXPECT_EQ(take.f_cc(x).way.count, 3) << "never at a speed that is none";
+  }
 }
 
 TEST(RubikAgent, GoesFromWhereItIsThroughAllPointsAndTellsWhenItIsThere) {
   const auto& go = between(kGo);
-  X x = ordered(kGo);
-  x.e.joints[0] = 0.5;
+  X x = ordered(kGo, kActs);
+  x.e.motors[0] = 50;
   x.e.gripper = 0.07;
-  PoseNumbers point{};
-  point[0] = 0.7;
-  x.c.way.add(point);
-  point[1] = -0.2;
-  x.c.way.add(point);
+  AxisVector motors = AxisVector::Zero(6);
+  motors[0] = 70;
+  x.c.way.add(motors, 0.8);
+  motors[1] = -20;
+  x.c.way.add(motors, 0.5);
   x.c.way.jaws = 0.07;
   x.c = go.f_entry(x);
   ASSERT_GT(x.c.path.macrosteps(), 10);
   EffectorCommand last;
-  double largest = 0, before = 0.5;
+  PoseNumbers before{50}, most{};
   for (x.i = 0; x.i < x.c.path.macrosteps(); ++x.i) {
     EXPECT_EQ(go.f_cT(x).event, 0);
     last = go.f_ce(x);
     EXPECT_EQ(last.arm.mu, Interpolation::mim);
+    EXPECT_EQ(last.arm.representation, Representation::motors);
     EXPECT_EQ(last.arm.gripper, 0.07);
-    largest = std::max(largest, std::abs(last.arm.pose[0] - before));
-    before = last.arm.pose[0];
+    for (std::size_t k = 0; k < 6; ++k) most[k] = std::max(most[k], std::abs(last.arm.pose[k] - before[k]));
+    before = last.arm.pose;
   }
-  EXPECT_NEAR(last.arm.pose[0], 0.7, 1e-9);
-  EXPECT_NEAR(last.arm.pose[1], -0.2, 1e-9);
-  EXPECT_LE(largest, 0.5 * kPacing.macrostep_s() + 1e-9) << "within the speed";
-  x.i += ecp::kAnswerDelay;
-  EXPECT_EQ(go.f_cT(x).event, kGo);
+  EXPECT_NEAR(last.arm.pose[0], 70, 1e-9);
+  EXPECT_NEAR(last.arm.pose[1], -20, 1e-9);
+  EXPECT_NEAR(most[0], 0.8 * 50 * kPacing.macrostep_s(), 0.05) << "the speed of the first line";
+  EXPECT_NEAR(most[1], 0.5 * 50 * kPacing.macrostep_s(), 0.05);
+  EXPECT_EQ(go.f_cT(x).event, kGo) << "all of the path has been commanded";
   x.e.gripper = 0.075;
   EXPECT_EQ(go.f_cT(x).event, 0) << "the jaws are not there yet";
+  x.T.variant = kStands;
+  EXPECT_EQ(go.f_cT(x).event, kGo) << "nobody waits for them";
   x.T.m = kWait;
   EXPECT_TRUE(go.f_tau(x));
 }
