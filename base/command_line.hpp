@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <optional>
+#include <ostream>
 #include <string>
+#include <vector>
 
 #include "base/fault.hpp"
 #include "base/nearest.hpp"
@@ -34,6 +37,24 @@ inline void refuse_unknown_options(const CLI::App& app, int argc, const char* co
     if (word == "--") return;
     const std::string name = word.substr(0, word.find('='));
     if (name.starts_with("--") && !known.contains(name)) throw unknown_word("option", name, known);
+  }
+}
+
+/// Takes apart the words behind the name of a command.
+/// @param out  gets the help that was asked for @param err  is told what is wrong
+/// @return exit status when there is nothing more to do
+inline std::optional<int> parse_words(CLI::App& app, const std::vector<std::string>& words, std::ostream& out,
+                                      std::ostream& err) {
+  try {
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+    return std::nullopt;
+  } catch (const CLI::Success& e) {
+    return app.exit(e, out, err);
+  } catch (const CLI::Error& e) {
+    err << FaultError(FaultCode::bad_usage, e.what(), fmt::format("look at `{} --help`", app.get_name()))
+               .error_line()
+        << std::endl;
+    return exit_status(FaultCode::bad_usage);
   }
 }
 

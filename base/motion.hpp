@@ -35,6 +35,7 @@ struct Motion {
   decltype(Y::V) (*f_cV)(const X&);     ///< virtual sensors
   decltype(Y::T) (*f_cT)(const X&);     ///< other agents
   bool (*f_tau)(const X&);              ///< terminal condition
+  std::string_view until{};             ///< what it waits for, in words for the operator; may be empty
 };
 
 /// Why a Move ended.

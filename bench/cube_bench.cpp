@@ -12,7 +12,7 @@
 namespace mrroc::bench {
 namespace {
 
-constexpr int kTurns = 24;
+constexpr int kTurns = 100;
 constexpr int kAtOnce = 2;
 
 std::vector<sim::TurnFigures> turns(int first) {
@@ -47,11 +47,16 @@ Figures run_cube_group() {
     return std::ranges::max(all, {}, figure).*figure;
   };
   using F = sim::TurnFigures;
-  const auto good = std::ranges::count_if(all, [](const F& f) { return f.turned && f.m == 7; });
+  const auto share = [&](auto is_so) {
+    return 100. * static_cast<double>(std::ranges::count_if(all, is_so)) / kTurns;
+  };
+  const double good = share([](const F& f) { return f.turned && f.done; });
+  const double at_once = share([](const F& f) { return f.turned && f.done && f.attempts == 1; });
   constexpr double kDegrees = 180 / std::numbers::pi;
   return {
-      {"turn_first_try_pct", 100. * static_cast<double>(good) / kTurns, "%",
-       "quarter turns that end well, over faces, directions, friction, 1 mm and 1 deg"},
+      {"turn_first_try_pct", at_once, "%",
+       "quarter turns that end well at once, over faces, directions, friction, 1 mm and 1 deg, wanted >= 99"},
+      {"turn_final_pct", good, "%", "the same after the task's three attempts, wanted 100"},
       {"turn_approach_settled_N", mean(&F::approach_settled), "N", "F_z of the worker at the end of m = 2"},
       {"turn_approach_peak_N", most(&F::approach_peak), "N", "F_z of the worker, impact, largest"},
       {"turn_lateral_std_N", most(&F::lateral_std), "N", "x, y, z of the holder in m = 5, worst"},

@@ -13,17 +13,12 @@
 #include <thread>
 
 #include "base/fault.hpp"
+#include "base/file_content.hpp"
+#include "base/program.hpp"
 
 namespace mrroc::bench {
 namespace fs = std::filesystem;
 namespace {
-
-std::string contents(const fs::path& file) {
-  std::ifstream stream(file);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 /// State and parent of a process, from /proc/PID/stat: "PID (name) STATE PARENT ..."
 struct ProcessStat {
@@ -31,7 +26,7 @@ struct ProcessStat {
   pid_t parent{};
 };
 ProcessStat stat_of(const fs::path& process) {
-  const std::string text = contents(process / "stat");
+  const std::string text = file_content(process / "stat");
   ProcessStat s;
   const auto after_name = text.rfind(')');
   if (after_name != std::string::npos) std::istringstream(text.substr(after_name + 1)) >> s.state >> s.parent;
@@ -41,7 +36,7 @@ ProcessStat stat_of(const fs::path& process) {
 }  // namespace
 
 TaskProcess::TaskProcess(const std::string& program, const std::vector<std::string>& arguments) {
-  std::vector<std::string> words{(fs::read_symlink("/proc/self/exe").parent_path() / program).string()};
+  std::vector<std::string> words{(program_folder() / program).string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& w : words) argv.push_back(w.data());
@@ -113,7 +108,7 @@ std::vector<pid_t> TaskProcess::children() const {
 
 pid_t TaskProcess::child(const std::string& word) const {
   for (const pid_t pid : children()) {
-    const std::string words = contents(fs::path("/proc") / std::to_string(pid) / "cmdline");
+    const std::string words = file_content(fs::path("/proc") / std::to_string(pid) / "cmdline");
     if (words.find('\0' + word + '\0') != std::string::npos) return pid;
   }
   return 0;

@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "base/fault.hpp"
+#include "base/program.hpp"
 
 namespace mrroc::bench {
 namespace {
@@ -19,8 +20,7 @@ constexpr int kLook = 10;  // [ms] between looks at whether to leave
 }  // namespace
 
 TerminalProgram::TerminalProgram(const std::string& program, const std::vector<std::string>& arguments) {
-  std::vector<std::string> words{
-      (std::filesystem::read_symlink("/proc/self/exe").parent_path() / program).string()};
+  std::vector<std::string> words{(program_folder() / program).string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& w : words) argv.push_back(w.data());

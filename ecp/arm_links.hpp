@@ -45,7 +45,9 @@ class ArmLinks {
   Outcome begin();
 
   /// Says which behaviour decides on what is sent from now on.
-  void in_behaviour(int m, std::string_view name) { process_.in_behaviour(m, name); }
+  void in_behaviour(int m, std::string_view name, std::string_view until) {
+    process_.in_behaviour(m, name, until);
+  }
 
   /// Sends what is for macrostep i + 1.
   void send(const EffectorCommand& command, const Report& report);

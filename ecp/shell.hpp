@@ -19,7 +19,7 @@ class ArmPort {
   explicit ArmPort(ArmLinks& links) : links_(links) {}
 
   void dispatch(const Motion<A>& motion, const typename A::Y& y) {
-    links_.in_behaviour(motion.m, motion.name);
+    links_.in_behaviour(motion.m, motion.name, motion.until);
     links_.send(y.e, y.T);
   }
   Outcome wait() { return links_.wait(); }

@@ -24,7 +24,7 @@ class SoloPort {
     command_ = y.e;
     report_ = y.T;
     report_.m = motion.m;
-    links_.in_behaviour(motion.m, motion.name);
+    links_.in_behaviour(motion.m, motion.name, motion.until);
     links_.send(command_, report_);
   }
   /// Waits until time goes on.
@@ -77,7 +77,8 @@ void run_solo_ecp(link::Process& process, const Config& config, const link::Part
     return r;
   };
   const Motion<A> wait_for_start = row<A>(
-      0, "wait for start", at_rest<A>, [](const X& x) { return x.T.m == static_cast<int>(SoloOrder::work); });
+      0, "wait for start", at_rest<A>, [](const X& x) { return x.T.m == static_cast<int>(SoloOrder::work); },
+      "start given");
   Motion<A> wait_for_end = row<A>(0, "done", at_rest<A>, [](const X& x) { return x.T.finished; });
   wait_for_end.f_cT = done;
   const Preparation prepare{.model = read_tool_model(config, arguments.arm)};

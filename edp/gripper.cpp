@@ -1,7 +1,10 @@
 #include "edp/gripper.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <string_view>
 
 #include "edp/guard.hpp"
 #include "edp/regulator.hpp"
@@ -114,7 +117,13 @@ void Gripper::braked() noexcept {
 
 std::optional<Fault> check_distance(const GripperParameters& gripper, double distance) noexcept {
   if (distance == 0 || gripper.legal.contains(distance)) return {};
-  return make_fault(FaultCode::out_of_limits, "distance of the jaws [m]", -1, distance,
+  constexpr std::string_view kWhat = "distance of the jaws [m], legal ", kTo = " to ";
+  std::array<char, 96> text{};  // a number has at most 24 characters
+  char* at = std::ranges::copy(kWhat, text.data()).out;
+  at = std::to_chars(at, text.data() + text.size(), gripper.legal.lower).ptr;
+  at = std::ranges::copy(kTo, at).out;
+  at = std::to_chars(at, text.data() + text.size(), gripper.legal.upper).ptr;
+  return make_fault(FaultCode::out_of_limits, std::string_view(text.data(), at), -1, distance,
                     distance < gripper.legal.lower ? gripper.legal.lower : gripper.legal.upper);
 }
 

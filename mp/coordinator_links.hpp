@@ -43,7 +43,9 @@ class CoordinatorLinks {
   /// Publishes the defined messages of macrostep 1 and receives the first images.
   Outcome begin(const Order& order);
   /// Says which behaviour of the coordinator decides on what is sent from now on.
-  void in_behaviour(int m, std::string_view name) { process_.in_behaviour(m, name); }
+  void in_behaviour(int m, std::string_view name, std::string_view until) {
+    process_.in_behaviour(m, name, until);
+  }
   /// Sends what is for macrostep i + 1, one order per arm.
   void send(std::span<const Order> orders);
   /// i := i + 1, receives the images.
@@ -88,7 +90,7 @@ class CoordinatorPort {
 
   void dispatch(const Motion<A>& motion, const typename A::Y& y) {
     motion_ = &motion;
-    links_.in_behaviour(motion.m, motion.name);
+    links_.in_behaviour(motion.m, motion.name, motion.until);
     links_.send(y.T);
   }
   Outcome wait() { return links_.wait(); }

@@ -200,6 +200,11 @@ bool OperatorDesk::stop_accepted() const {
   return stop_ || std::ranges::find(waiting_, OperatorOrder::stop) != waiting_.end();
 }
 
+bool OperatorDesk::waits_for_a_person() const {
+  const bool waits = state_ == TaskState::waiting_for_start && !image_.started;
+  return waits && waiting_.empty() && script_.empty() && !stop_ && !emergency_;
+}
+
 void OperatorDesk::set_behaviour(int m) {
   if (m == m_) return;
   if (std::erase(waiting_, OperatorOrder::trigger) > 0)

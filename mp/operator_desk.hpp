@@ -61,6 +61,9 @@ class OperatorDesk {
   [[nodiscard]] bool stop_ordered() const { return stop_; }
   /// @return whether stop has been accepted, taken or not: macrosteps may have ceased
   [[nodiscard]] bool stop_accepted() const;
+  /// @return whether the task waits for its start, which only a person can give: no order is on its way, and no script
+  ///         has one
+  [[nodiscard]] bool waits_for_a_person() const;
   /// @return whether an emergency stop has been accepted; it does not wait for a macrostep
   [[nodiscard]] bool emergency() const { return emergency_; }
   /// Tells the effector drivers of the emergency stop once more: they may have missed the terminal's message, and

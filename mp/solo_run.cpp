@@ -84,8 +84,20 @@ Outcome SoloRun::execute() {
   port.read(x);
   Outcome o = move(Dormant::wait_for_start(), x, port);
   if (o == Outcome::terminated) o = move(Dormant::wait_for_end(), x, port);
-  if (o == Outcome::terminated) links_.send(Dormant::orders(x, SoloOrder::wait, true));
+  if (o != Outcome::terminated) return o;
+  links_.send(Dormant::orders(x, SoloOrder::wait, true));
+  run_.board().set_progress(1, "done");
   return o;
+}
+
+double SoloRun::progress(bool working) {
+  if (!working) return 0;
+  if (working_since_ == 0) working_since_ = links_.i();
+  if (k_.lasts > 0)
+    return std::min(1.0, static_cast<double>(links_.i() - working_since_) / static_cast<double>(k_.lasts));
+  const Report& r = links_.report(0);
+  if (r.event == kWorkDone) return 1;
+  return std::max(0.0, (r.m - 1) / static_cast<double>(std::max<std::size_t>(1, k_.behaviours.size())));
 }
 
 void SoloRun::observe(bool working) {
@@ -121,19 +133,15 @@ void SoloRun::show(bool working) {
   for (std::size_t arm = 0; arm < m_.size(); ++arm) {
     const Report& r = links_.report(arm);
     const auto number = static_cast<std::size_t>(std::max(0, r.m));
-    const std::string name = number >= 1 && number <= k_.behaviours.size() ? k_.behaviours[number - 1]
-                             : working                                     ? "done"
-                                                                           : "waits";
+    const BehaviourWords words = number >= 1 && number <= k_.behaviours.size() ? k_.behaviours[number - 1]
+                                 : working                                     ? BehaviourWords{"done"}
+                                           : BehaviourWords{"waits", "start given"};
     if (working && r.m != m_[arm][1])
       announce_(fmt::format("{:8.2f} s  {}  m = {}  {}", static_cast<double>(links_.i()) * k_.n_s * k_.dt,
-                            k_.arms[arm], r.m, name));
+                            k_.arms[arm], r.m, words.name));
     if (arm == 0) {
-      const auto before = static_cast<std::size_t>(std::max(0, m_[arm][1]));
-      if (r.m != m_[arm][1] && before >= 1 && before <= k_.ends.size())
-        run_.board().set_ended_because(k_.ends[before - 1]);
-      run_.board().set_behaviour(r.m, name);
-      const double behaviours = static_cast<double>(std::max<std::size_t>(1, k_.behaviours.size()));
-      run_.board().set_progress(std::max(0.0, (r.m - 1) / behaviours), name);
+      run_.board().set_behaviour(r.m, words.name, words.until);
+      run_.board().set_progress(progress(working), words.name);
     }
     run_.board().set_arm(arm, r, "");
   }

@@ -20,16 +20,22 @@ namespace mrroc::mp {
 /// @param orders  y_cT_0j, one per arm: go_on and variant are the coordinator's to set
 using Coordinate = void(std::span<const Report> agents, std::span<Order> orders);
 
+/// A behaviour of the arms, in words for the operator.
+struct BehaviourWords {
+  std::string name;
+  std::string until{};  ///< what it waits for; may be empty
+};
+
 /// What the run is told.
 struct SoloParameters {
-  std::vector<std::string> arms;        ///< keys, e.g. arm1
-  std::vector<std::string> behaviours;  ///< names of m = 1, 2, ... for the operator
-  std::vector<std::string> ends{};      ///< why they end, in words for the operator; may be empty
-  double dt{0.002};                     ///< duration of a step [s]
-  int n_s{10};                          ///< steps of a macrostep
-  bool gives_start{true};               ///< false: a person or a script gives it
-  Coordinate* coordinate{};             ///< null: the coordinator is dormant
-  std::function<void()> watch{};        ///< called in every macrostep; may be empty
+  std::vector<std::string> arms;           ///< keys, e.g. arm1
+  std::vector<BehaviourWords> behaviours;  ///< m = 1, 2, ...
+  std::int64_t lasts{};      ///< macrosteps of work; 0: until the behaviours have been, one after another
+  double dt{0.002};          ///< duration of a step [s]
+  int n_s{10};               ///< steps of a macrostep
+  bool gives_start{true};    ///< false: a person or a script gives it
+  Coordinate* coordinate{};  ///< null: the coordinator is dormant
+  std::function<void()> watch{};  ///< called in every macrostep; may be empty
 };
 
 /// The coordinator.
@@ -50,6 +56,7 @@ class SoloRun {
   struct Dormant;
   void observe(bool working);
   void show(bool working);
+  [[nodiscard]] double progress(bool working);
 
   TaskRun& run_;
   SoloParameters k_;
@@ -58,6 +65,7 @@ class SoloRun {
   std::function<void(const std::string&)> announce_;
   std::vector<ArmTrace> traces_;
   std::vector<std::array<int, 3>> m_;  // of the last reports, newest first
+  std::int64_t working_since_{};       // macrostep; 0: not yet
 };
 
 }  // namespace mrroc::mp

@@ -22,16 +22,16 @@ StatusBoard::StatusBoard(link::Process& process, const Supervisor& supervisor, c
     link::put_text(status_.agent[k], arms[static_cast<std::size_t>(k)]);
 }
 
-void StatusBoard::set_behaviour(int m, std::string_view name) {
-  if (m != status_.m) {
-    news_ = true;
-    if (status_.m != 0 && !reason_given_)
-      link::put_text(status_.ended_because,
-                     fmt::format("{}, ended after {:.2f} s", link::get_text(status_.behaviour),
-                                 status_.sim_time - begun_s_));
-    reason_given_ = false;
-    begun_s_ = status_.sim_time;
-  }
+void StatusBoard::set_behaviour(int m, std::string_view name, std::string_view until) {
+  const std::string before = link::get_text(status_.behaviour);
+  if (m == status_.m && name == before) return;
+  news_ = true;
+  if (!before.empty())
+    link::put_text(
+        status_.ended_because,
+        link::end_of_behaviour(before, until_, fmt::format("{:.2f} s", status_.sim_time - begun_s_)));
+  until_ = until;
+  begun_s_ = status_.sim_time;
   status_.m = m;
   link::put_text(status_.behaviour, name);
 }
@@ -40,10 +40,6 @@ void StatusBoard::set_state(TaskState state, bool waits_for_trigger) {
   status_.waits_for_trigger = waits_for_trigger;
 }
 void StatusBoard::set_early(std::string_view why) { link::put_text(status_.early, why); }
-void StatusBoard::set_ended_because(std::string_view why) {
-  link::put_text(status_.ended_because, why);
-  reason_given_ = true;
-}
 void StatusBoard::set_progress(double share, const std::string& text) {
   status_.progress = share;
   link::put_text(status_.progress_text, text);
@@ -55,13 +51,13 @@ void StatusBoard::set_time(std::int64_t macrostep, double sim_s) {
 void StatusBoard::set_arm(std::size_t arm, const Report& report, std::string_view sensor_text) {
   std::ranges::copy(report.T_0E, status_.T_0E[arm]);
   std::ranges::copy(report.F_a.v, status_.F_a[arm]);
-  status_.agent_m[arm] = report.m;
   status_.sensor[arm] = report.sensor;
   link::put_text(status_.sensor_text[arm], sensor_text);
 }
 
 void StatusBoard::poll() {
-  if (news_ || link::Process::Clock::now() - last_ > kPeriod) publish();
+  const bool news = news_ || supervisor_.behaviours_begun() != agents_begun_;
+  if (news || link::Process::Clock::now() - last_ > kPeriod) publish();
 }
 
 void StatusBoard::publish() {
@@ -72,6 +68,14 @@ void StatusBoard::publish() {
   last_ = now;
   news_ = false;
   last_sim_s_ = status_.sim_time;
+  take_processes();
+  link::put_text(status_.last_message, supervisor_.last_message());
+  status_.last_code = static_cast<int>(supervisor_.last_code());
+  out_.publish(status_, macrostep_);
+}
+
+void StatusBoard::take_processes() {
+  agents_begun_ = supervisor_.behaviours_begun();
   const auto parts = supervisor_.parts();
   status_.n_processes = static_cast<int>(std::min(parts.size(), std::size(status_.process)));
   for (int k = 0; k < status_.n_processes; ++k) {
@@ -80,9 +84,13 @@ void StatusBoard::publish() {
     status_.process_state[k] = static_cast<int>(p.state);
     status_.process_age[k] = p.age;
   }
-  link::put_text(status_.last_message, supervisor_.last_message());
-  status_.last_code = static_cast<int>(supervisor_.last_code());
-  out_.publish(status_, macrostep_);
+  for (int k = 0; k < status_.n_agents; ++k) {
+    const auto ecp = std::ranges::find(parts, "ecp-" + link::get_text(status_.agent[k]), &PartStatus::name);
+    if (ecp == parts.end()) continue;
+    status_.agent_m[k] = ecp->m;
+    link::put_text(status_.agent_behaviour[k], ecp->behaviour);
+    link::put_text(status_.agent_ended_because[k], ecp->ended_because);
+  }
 }
 
 }  // namespace mrroc::mp

@@ -18,15 +18,14 @@ class StatusBoard {
   StatusBoard(link::Process& process, const Supervisor& supervisor, const std::string& task,
               const std::vector<std::string>& arms, const std::string& run_folder);
 
-  /// A new behaviour is told at the next poll(): terminals and viewers learn the name of a short one, too.
-  void set_behaviour(int m, std::string_view name);
+  /// A new behaviour is told at the next poll(): terminals and viewers learn the name of a short one, too. So are those
+  /// of the agents, which the supervisor hears of.
+  /// @param until  what it waits for, in words: why it will have ended; empty: it is told how long it has lasted
+  void set_behaviour(int m, std::string_view name, std::string_view until);
   /// @param waits_for_trigger  whether the present behaviour ends with the operator's trigger
   void set_state(TaskState state, bool waits_for_trigger);
   /// @param why  why a trigger now would come early, such as "the hand is still drawing: 33 %"; empty: it would not
   void set_early(std::string_view why);
-  /// To be called before set_behaviour(); otherwise it is told how long the behaviour before has lasted.
-  /// @param why  why the behaviour before the present one ended
-  void set_ended_because(std::string_view why);
   /// @param share  of the task that is done, 0..1; negative: unknown
   void set_progress(double share, const std::string& text);
   void set_time(std::int64_t macrostep, double sim_s);
@@ -39,15 +38,18 @@ class StatusBoard {
   void publish();
 
  private:
+  void take_processes();
+
   const Supervisor& supervisor_;
   link::Outbox<task_status_t> out_;
   task_status_t status_{};
   link::Process::Clock::time_point last_{};
   std::int64_t macrostep_{};
   double last_sim_s_{};
-  bool news_{};  // to be told at once
-  bool reason_given_{};
-  double begun_s_{};  // simulated time at which the present behaviour began [s]
+  bool news_{};                  // to be told at once
+  std::string until_;            // of the present behaviour
+  double begun_s_{};             // simulated time at which it began [s]
+  std::int64_t agents_begun_{};  // behaviours that the agents had begun when they were told
 };
 
 }  // namespace mrroc::mp

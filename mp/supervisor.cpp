@@ -10,6 +10,7 @@
 
 #include "base/link/text.hpp"
 #include "base/msg/convert.hpp"
+#include "base/program.hpp"
 
 namespace mrroc::mp {
 namespace {
@@ -47,7 +48,7 @@ struct Supervisor::Watched {
   Clock::time_point heard{Clock::now()};
   std::int64_t skipped_told{};
   Clock::time_point told_at{};
-  std::optional<Child> child;
+  std::optional<link::Child> child;
   std::atomic<bool> thread_ended{};
   std::jthread thread;
 };
@@ -134,6 +135,7 @@ void Supervisor::hear() {
         w->skipped_told = s->skipped;
         w->told_at = w->heard;
       }
+      if (s->m != w->status.m || !std::ranges::equal(s->behaviour, w->status.behaviour)) ++behaviours_begun_;
       w->status = *s;
       const auto state = static_cast<ProcessState>(s->state);
       const bool news = state != w->state;
@@ -293,7 +295,9 @@ void Supervisor::end_threads() {
 std::vector<PartStatus> Supervisor::parts() const {
   std::vector<PartStatus> all;
   for (const auto& w : watched_)
-    all.push_back({w->part.name, w->state, std::chrono::duration<double>(Clock::now() - w->heard).count()});
+    all.push_back({w->part.name, w->state, std::chrono::duration<double>(Clock::now() - w->heard).count(),
+                   w->status.m, link::get_text(w->status.behaviour),
+                   link::get_text(w->status.ended_because)});
   return all;
 }
 

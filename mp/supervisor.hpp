@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "base/fault.hpp"
+#include "base/link/child.hpp"
 #include "base/link/memory_bus.hpp"
 #include "base/link/process.hpp"
-#include "mp/child.hpp"
 
 namespace mrroc::mp {
 
@@ -32,6 +32,9 @@ struct PartStatus {
   std::string name;
   link::ProcessState state{link::ProcessState::starting};
   double age{};  ///< [s] since it was last heard
+  int m{};       ///< behaviour of its agent, 0: none, or one without a number
+  std::string behaviour;
+  std::string ended_because;  ///< the behaviour before, and why it ended
 };
 
 /// The supervisor. Lives in MP's thread; everything happens in poll(), which MP's process calls whenever it
@@ -68,6 +71,8 @@ class Supervisor {
 
   [[nodiscard]] const std::optional<Fault>& fault() const { return fault_; }
   [[nodiscard]] std::vector<PartStatus> parts() const;
+  /// @return how often any process has begun another behaviour
+  [[nodiscard]] std::int64_t behaviours_begun() const { return behaviours_begun_; }
   /// @return steps from the end of the last commanded macrostep to rest, per arm; -1 unknown
   [[nodiscard]] const std::array<int, 4>& stop_steps() const { return stop_steps_; }
   /// @return fingerprint of all control messages; 0 when not every process has told its own
@@ -112,6 +117,7 @@ class Supervisor {
   std::optional<Fault> fault_;
   bool led_{};  // everybody was there, and the system ran
   std::array<int, 4> stop_steps_{-1, -1, -1, -1};
+  std::int64_t behaviours_begun_{};
   bool at_rest_{};
   bool ending_{};
   bool abandons_threads_{};

@@ -13,6 +13,7 @@
 
 #include "base/link/log_reader.hpp"
 #include "base/link/lossy_bus.hpp"
+#include "base/program.hpp"
 #include "mp/black_box.hpp"
 #include "mp/hosts.hpp"
 #include "mp/viewer.hpp"
@@ -124,7 +125,7 @@ void TaskRun::furnish(const std::vector<std::string>& arms, std::vector<Part> pa
 
 void TaskRun::write_processes(const std::vector<Part>& parts) const {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  const std::string self = std::filesystem::read_symlink("/proc/self/exe").filename().string();
+  const std::string self = this_program().filename().string();
   list.push_back({{"name", "mp"}, {"program", self}, {"arguments", nlohmann::ordered_json::array()}});
   for (const Part& p : parts)
     list.push_back({{"name", p.name}, {"program", p.program}, {"arguments", p.arguments}});
@@ -224,7 +225,16 @@ void TaskRun::start() {
   }
 }
 
+// As fast as the machine can, nothing but waiting would fill the log with megabytes in a second. What is sent stays the
+// same, and orders end the wait.
+void TaskRun::wait_for_a_person(double macrostep_s) {
+  if (!own_process_ || !process_->lock_step() || process_->membership().macrostep.count() > 0) return;
+  const auto over = [this] { return !desk_->waits_for_a_person() || process_->over(); };
+  process_->await(over, last_macrostep_ + std::chrono::microseconds(std::llround(1e6 * macrostep_s)));
+}
+
 void TaskRun::each_macrostep(std::int64_t i, double sim_s) {
+  wait_for_a_person(sim_s - sim_s_);
   if (!running_) {
     running_ = true;
     begun_ = link::Process::Clock::now();

@@ -47,7 +47,8 @@ class TaskRun {
   /// @throws FaultError start_failed
   void start();
 
-  /// To be called once per macrostep: passes the operator's stop on (rule R3).
+  /// To be called once per macrostep: passes the operator's stop on (rule R3). While the task waits for a start that only
+  /// a person can give, macrosteps do not go by faster than they last.
   /// @param sim_s  simulated time [s]
   void each_macrostep(std::int64_t i, double sim_s);
 
@@ -71,6 +72,7 @@ class TaskRun {
                const std::filesystem::path& record);
   [[nodiscard]] Fault stop_reason() const;
   void look_after_orders();
+  void wait_for_a_person(double macrostep_s);
   void stop_promptly();
   void tell_lateness();
 

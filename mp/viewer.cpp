@@ -8,7 +8,7 @@
 #include <chrono>
 #include <filesystem>
 
-#include "mp/child.hpp"
+#include "base/program.hpp"
 
 namespace mrroc::mp {
 namespace {

@@ -45,7 +45,6 @@ mp::SoloParameters solo_parameters(const ArmTask& task, const mp::TaskOptions& o
   mp::SoloParameters k;
   for (const CellArm& arm : task.arms) k.arms.push_back(arm.key);
   k.behaviours = task.behaviours;
-  k.ends = task.ends;
   k.dt = config.number("time.dt", k.dt, {0.002, 0.002}, "s");
   k.n_s = config.integer("time.n_s", task.n_s, {task.n_s, task.n_s}, "steps");
   k.coordinate = task.coordinate;

@@ -28,12 +28,11 @@ struct Receptor {
 
 /// What a task is.
 struct ArmTask {
-  std::string name;                     ///< the program; `ecp_NAME` is its control subsystem
-  std::string about;                    ///< for --help
-  std::string_view config;              ///< its TOML file
-  std::vector<std::string> behaviours;  ///< names of m = 1, 2, ...
-  std::vector<std::string> ends{};      ///< why they end, in words for the operator; may be empty
-  link::PartBody ecp;                   ///< body of the ECP of each arm
+  std::string name;                            ///< the program; `ecp_NAME` is its control subsystem
+  std::string about;                           ///< for --help
+  std::string_view config;                     ///< its TOML file
+  std::vector<mp::BehaviourWords> behaviours;  ///< m = 1, 2, ...
+  link::PartBody ecp;                          ///< body of the ECP of each arm
   /// Reads the task's own parameters once, so that a wrong one is found before anything starts. May be empty.
   std::function<void(const Config&)> read{};
   /// Figures for summary.json and the table at the end, from the rows of all arms.
@@ -65,12 +64,12 @@ void draw(const std::filesystem::path& folder, const std::vector<Picture>& pictu
 /// @return exit status
 int run_arm_task(const ArmTask& task, int argc, char** argv);
 
-/// @return names of the rows of a table, in their order
+/// @return what the rows of a table say about themselves, in their order
 template <class Rows>
-std::vector<std::string> names_of(const Rows& rows) {
-  std::vector<std::string> names;
-  for (const auto& row : rows) names.emplace_back(row.name);
-  return names;
+std::vector<mp::BehaviourWords> words_of(const Rows& rows) {
+  std::vector<mp::BehaviourWords> words;
+  for (const auto& row : rows) words.push_back({std::string(row.name), std::string(row.until)});
+  return words;
 }
 
 }  // namespace mrroc::sim

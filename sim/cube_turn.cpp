@@ -1,14 +1,14 @@
 #include "sim/cube_turn.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
 
 #include "base/representation.hpp"
-#include "tasks/rubik/turn/coordination.hpp"
-#include "tasks/rubik/turn/roles.hpp"
+#include "sim/driven_arms.hpp"
+#include "sim/plan_cell.hpp"
+#include "tasks/rubik/program.hpp"
 
 namespace mrroc::sim {
 namespace {
@@ -49,7 +49,7 @@ class Observer {
     if (m != m_) enter(m);
     const Wrench& F_worker = cell_.reply(kPostument).F_a;
     const double F_z = F_worker[Axis::z];
-    if (m <= 2) figures_.approach_peak = std::max(figures_.approach_peak, F_z);
+    if (m == 1 || m == 2) figures_.approach_peak = std::max(figures_.approach_peak, F_z);
     if (m == 2 && ++settling_ > rubik::kSettling / 2) {
       settled_ += F_z;
       figures_.approach_settled = settled_ / ++settled_count_;
@@ -58,15 +58,14 @@ class Observer {
   }
 
   /// @param state  of the cube before
-  TurnFigures finish(int m, const rubik::Cube& state) {
+  TurnFigures finish(const rubik::Cube& state) {
     const CubeTruth& cube = *cell_.world().cube();
-    figures_.m = m;
     figures_.turned = cube.state == state * rubik::turn(move_of(plan_));
     figures_.dropped = cube.on_floor;
     figures_.lateral_std = all_.largest();
     figures_.steady_std = steady_.largest();
-    if (m > 5) figures_.turn_s = begun_[6] - begun_[5];
-    figures_.cycle_s = now() - begun_[1];
+    figures_.turn_s = turn_s_;
+    figures_.cycle_s = now() - begun_;
     return figures_;
   }
 
@@ -77,9 +76,11 @@ class Observer {
   }
 
   void enter(int m) {
+    if (m_ == 5) turn_s_ += now() - turn_begun_;
     m_ = m;
-    begun_[static_cast<std::size_t>(m)] = now();
+    if (m == 1) begun_ = now();
     if (m != 5) return;
+    turn_begun_ = now();
     held_ = in_holder();
     T_UE_ = cell_.world().effector(kTrack);
     T_UF_ = cell_.world().effector(kPostument);
@@ -88,7 +89,7 @@ class Observer {
   void turning() {
     const Wrench& F = cell_.reply(kTrack).F_a;
     all_.add(F.linear());
-    if (now() - begun_[5] >= kSteady) steady_.add(F.linear());
+    if (now() - turn_begun_ >= kSteady) steady_.add(F.linear());
     figures_.lateral_peak = std::max(figures_.lateral_peak, F.linear().cwiseAbs().maxCoeff());
     figures_.torque_peak = std::max(figures_.torque_peak, std::abs(F[Axis::az]));
     figures_.slip = std::max(figures_.slip, (in_holder().p - held_.p).norm());
@@ -106,7 +107,7 @@ class Observer {
   const TurnPlan& plan_;
   TurnFigures figures_;
   Spread all_, steady_;
-  std::array<double, 8> begun_{};
+  double begun_{}, turn_begun_{}, turn_s_{};
   int m_{}, settled_count_{};
   std::int64_t settling_{};
   double settled_{};
@@ -118,73 +119,75 @@ bool resting(const DrivenCell& cell) {
          cell.reply(kTrack).state == DriverState::holding;
 }
 
-Fault fault_of(const DrivenCell& cell) {
-  for (const int arm : {kPostument, kTrack})
-    if (cell.reply(arm).verdict == Verdict::refused || cell.reply(arm).verdict == Verdict::failed)
-      return cell.reply(arm).fault;
-  return {};
-}
-
-/// The holder presses, both come to rest and are told what hangs on their sensors.
-void prepare(DrivenCell& cell, const CubeParameters& cube) {
-  const auto wait = [&] {
-    if (cell.wait() == Outcome::faulted) throw FaultError(fault_of(cell));
-  };
+/// The holder presses, and both come to rest.
+void close_holder(DrivenCell& cell) {
   EffectorCommand grip = ecp::move_arm(rubik::kStill, rubik::kPacing);
   grip.arm.gripper = rubik::kClosest;
   for (int k = 0; k < kClosing; ++k) {
     cell.send(kTrack, grip);
-    wait();
+    cell.wait();
   }
-  for (int k = 0; k < kResting && !(k > 3 && resting(cell)); ++k) wait();
-  const LoadedTool tool = tool_with_cube(kTrack, cube);
-  cell.send(kTrack, ecp::change_force_tool(tool.weight, tool.mass_centre));
-  cell.send(kPostument, ecp::bias_force());
-  for (int k = 0; k < 4; ++k) wait();
+  for (int k = 0; k < kResting && !(k > 3 && resting(cell)); ++k) cell.wait();
+}
+
+rubik::Load load_of(const LoadedTool& tool) { return {tool.weight, tool.mass_centre}; }
+
+/// @return the task's parameters with what hangs on the sensors: the worker has the cube never, the holder always
+rubik::Parameters parameters(const TurnPlan& plan, const DrivenCell& cell, const CubeParameters& cube) {
+  rubik::Parameters k = plan.task;
+  const irb6::ArmParameters& worker = cell.robot(kPostument).parameters();
+  k.load[kPostument].fill({worker.tool_weight, Eigen::Map<const Vector3>(worker.tool_mass_centre.data())});
+  k.load[kTrack].fill(load_of(tool_with_cube(kTrack, cube)));
+  return k;
+}
+
+/// One cycle, from where the worker stands now.
+rubik::Step cycle(const TurnPlan& plan, const irb6::Arm& worker, const WorldParameters& world) {
+  rubik::Step step;
+  const std::vector<double>& start = world.arms[kPostument].start;
+  const AxisVector here =
+      Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Eigen::Index>(start.size()));
+  step.before = {{.hand = rubik::Hand::postument, .points = {{here, worker.motors_from_joints(here)}}}};
+  step.comes = rubik::Hand::postument;
+  step.leaves = rubik::Hand::track;
+  step.before_grasp.hand = rubik::Hand::track;
+  step.after_grasp.hand = rubik::Hand::postument;
+  step.turn = move_of(plan);
+  step.angle = plan.quarters * pi / 2;
+  return step;
 }
 
 }  // namespace
 
 rubik::Move move_of(const TurnPlan& plan) {
   // The worker keeps the face, the holder turns the rest about z, which comes out of the face: the other way round.
-  return {plan.cell.face, plan.order.torque > 0 ? 1 : 3};
+  return {plan.cell.face, plan.quarters > 0 ? 1 : 3};
 }
 
 TurnFigures turn_face(const TurnPlan& plan, std::uint64_t seed,
                       const std::function<void(DrivenCell&, int m)>& watch) {
   const WorldParameters world = cube_cell(plan.cell);
   DrivenCell cell(world, seed, cube_limits());
-  prepare(cell, *world.cube);
+  close_holder(cell);
 
   Observer observer(cell, plan);
-  std::array roles{rubik::Role(rubik::kWorker), rubik::Role(rubik::kHolder)};
-  std::array<rubik::Arm::X, 2> x;
-  rubik::Coordination a_0;
-  Fault fault;
-  const auto end = cell.world().steps() + static_cast<std::int64_t>(plan.patience / kStep);
-  while (a_0.m <= 6 && cell.world().steps() < end) {
-    std::array<Report, 2> reports;
-    for (const int arm : {kPostument, kTrack}) {
-      const auto k = static_cast<std::size_t>(arm);
-      x[k].e = cell.reply(arm);
-      x[k].i = cell.i();
-      x[k].T = rubik::order(a_0);
-      rubik::put_turn(plan.order, x[k].T);
-      const rubik::Arm::Y y = roles[k].step(x[k]);
-      cell.send(arm, y.e);
-      reports[k] = y.T;
-    }
-    observer.macrostep(a_0.m);
-    if (watch) watch(cell, a_0.m);
-    const Outcome outcome = cell.wait();
-    if (outcome == Outcome::faulted) {
-      fault = fault_of(cell);
-      break;
-    }
-    a_0 = rubik::coordinate(a_0, reports);
-  }
-  TurnFigures figures = observer.finish(a_0.m, world.cube->state);
-  figures.fault = fault;
+  const CubePlanCell limits(world);
+  DrivenArms arms(cell,
+                  {limits.limits(rubik::Hand::postument).motors, limits.limits(rubik::Hand::track).motors},
+                  cell.world().steps() + static_cast<std::int64_t>(plan.patience / kStep), [&](int m) {
+                    observer.macrostep(m);
+                    if (watch) watch(cell, m);
+                  });
+  rubik::Coordinator::X x;
+  x.c.k = parameters(plan, cell, *world.cube);
+  rubik::Journal journal;
+  rubik::Program<DrivenArms> program(x, arms, journal);
+  const bool done = program.execute(cycle(plan, cell.robot(kPostument), world)) == Outcome::terminated;
+  TurnFigures figures = observer.finish(world.cube->state);
+  figures.done = done;
+  figures.attempts = journal.back().attempts;
+  figures.trouble = program.trouble();
+  figures.fault = arms.fault();
   return figures;
 }
 
@@ -197,7 +200,7 @@ TurnPlan random_turn(std::uint64_t seed) {
   plan.cell.faces.seed = random();
   plan.cell.state = rubik::random_cube(random);
   plan.cell.face = static_cast<rubik::Face>(random() % 6);
-  plan.order.torque = random() % 2 ? 5 : -5;
+  plan.quarters = random() % 2 ? 1 : -1;
   const double direction = uniform(pi);
   const double off = std::abs(uniform(0.001));
   plan.cell.grasp_error = {off * std::cos(direction), off * std::sin(direction), 0};

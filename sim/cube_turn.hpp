@@ -1,19 +1,21 @@
-// One turn of a face of the cube by two driven arms, m = 1..6 of MG 9, and what is measured of it.
+// One turn of a face of the cube by two driven arms, a cycle of the task's program, and what is measured of it.
 #pragma once
 #include <functional>
 
 #include "base/fault.hpp"
 #include "sim/cube_cell.hpp"
 #include "sim/driven_cell.hpp"
+#include "tasks/rubik/coordinator.hpp"
 #include "tasks/rubik/cube/move.hpp"
-#include "tasks/rubik/turn/arm.hpp"
 
 namespace mrroc::sim {
 
 /// Figures of a turn. "Lateral" are x, y and z of the holder while it turns.
 struct TurnFigures {
-  int m{};                    ///< behaviour at the end, 7: all six have ended
-  Fault fault{};              ///< why an arm stopped; none: m = 7, or time ran out
+  bool done{};                ///< the cycle has come to its end
+  int attempts{};             ///< at m = 5
+  rubik::Trouble trouble{};   ///< why the cycle was broken off
+  Fault fault{};              ///< why an arm stopped
   bool turned{};              ///< the face is where it should be, all others are where they were
   bool dropped{};             ///< the cube is on the floor
   double approach_peak{};     ///< F_z of the worker in m = 1, 2, largest [N]
@@ -33,15 +35,16 @@ struct TurnFigures {
 /// What is to be done.
 struct TurnPlan {
   CubeCellParameters cell;
-  rubik::TurnOrder order{.mobility = 0.1};
-  double patience{40};  ///< longest cycle [s]
+  int quarters{1};         ///< that the track arm's tool turns about its z: 1 or -1
+  rubik::Parameters task;  ///< as it solves; `load` is found from the cell
+  double patience{120};    ///< longest cycle [s]
 };
 
 /// @return the turn of the face that the plan stands for, as seen by the cube
 rubik::Move move_of(const TurnPlan& plan);
 
 /// @param seed   of the world's sensors
-/// @param watch  called after every macrostep with the cell and the behaviour; may be empty
+/// @param watch  called in every macrostep with the cell and the coordinator's behaviour; may be empty
 /// @throws FaultError  a driver refused to start
 TurnFigures turn_face(const TurnPlan& plan, std::uint64_t seed,
                       const std::function<void(DrivenCell&, int m)>& watch = {});

@@ -48,7 +48,8 @@ struct OrderHelp {
 };
 constexpr std::array<OrderHelp, 6> kOrders{{
     {OperatorOrder::start, "Let a task begin that waits for its operator"},
-    {OperatorOrder::pause, "Let the task's time stand still; its arms come to rest and keep their forces"},
+    {OperatorOrder::pause,
+     "Let the arms come to rest and keep their forces; simulated time goes on, the task does not"},
     {OperatorOrder::resume, "Go on after a pause"},
     {OperatorOrder::trigger, "End a behaviour that waits for the operator"},
     {OperatorOrder::stop, "Stop the task for good; its arms come to rest"},

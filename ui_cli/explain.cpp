@@ -5,9 +5,11 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <utility>
 
 #include "base/fault_table.hpp"
 #include "base/nearest.hpp"
+#include "ui_cli/wrap.hpp"
 
 namespace mrroc::ui {
 namespace {
@@ -75,14 +77,20 @@ std::string explanation(FaultCode code) {
   const FaultEntry& e = fault_entry(code);
   std::string text = fmt::format("{} ({}, number {}): {}\n", e.name, to_string(e.fault_class),
                                  static_cast<int>(code), e.text);
-  text += fmt::format("  what follows:  {}; exit status {}\n", meaning(e.fault_class), exit_status(code));
+  const auto add = [&text](std::string_view head, std::string_view words) {
+    constexpr int kWidth = 80, kHead = 17;
+    for (const std::string& line : wrap(words, kWidth - kHead))
+      text += fmt::format("{:<{}}{}\n", std::exchange(head, ""), kHead, line);
+  };
+  add("  what follows:", fmt::format("{}; exit status {}", meaning(e.fault_class), exit_status(code)));
   std::string_view rest = e.causes;
-  for (std::string_view head = "  likely causes: "; !rest.empty(); head = "                 ") {
+  for (std::string_view head = "  likely causes:"; !rest.empty(); head = "") {
     const std::size_t end = std::min(rest.find(';'), rest.size());
-    text += fmt::format("{}{}\n", head, rest.substr(0, end));
+    add(head, rest.substr(0, end));
     rest.remove_prefix(std::min(end + 2, rest.size()));
   }
-  return text + fmt::format("  what to do:    {}\n", e.remedy);
+  add("  what to do:", e.remedy);
+  return text;
 }
 
 std::vector<std::string> explain_words() {

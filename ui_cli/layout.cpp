@@ -8,6 +8,7 @@
 
 #include "ui_cli/layout_tables.hpp"
 #include "ui_cli/manual_page.hpp"
+#include "ui_cli/wrap.hpp"
 
 namespace mrroc::ui {
 namespace {
@@ -26,12 +27,6 @@ Style style_of(TaskState s) {
       return Style::title;
   }
   return Style::bad;
-}
-
-/// @return as much of the text as there is room for; nothing of it where that would say nothing
-std::string cut(const std::string& text, int room) {
-  if (static_cast<int>(text.size()) <= room) return text;
-  return room > 8 ? text.substr(0, static_cast<std::size_t>(room - 2)) + ".." : "";
 }
 
 /// Two texts of one row that do not touch: the right one whole, the left one as far as there is room.
@@ -79,7 +74,8 @@ int put_task(Canvas& c, const Snapshot& s) {
   std::string wait;
   if (s.waits_for_trigger)
     wait = s.early.empty() ? "waits for your trigger: press t" : "press t later: " + s.early;
-  put_both(c, row++, s.ended_because.empty() ? "" : "after: " + s.ended_because, Style::dim, wait,
+  if (s.state == TaskState::paused) wait = "arms rest, forces stay: press r to go on";
+  put_both(c, row++, s.ended_because.empty() ? "" : "after " + s.ended_because, Style::dim, wait,
            Style::warning);
   if (s.progress) {
     const int width = std::clamp(end / 2, 10, 60);
@@ -88,9 +84,9 @@ int put_task(Canvas& c, const Snapshot& s) {
     column = c.put(row, column, std::string(static_cast<std::size_t>(done), '#'), Style::good);
     column = c.put(row, column, std::string(static_cast<std::size_t>(width - done), '.'), Style::dim);
     column = c.put(row, column, fmt::format("] {:3.0f} %  ", std::floor(100 * *s.progress)));
-    c.put(row++, column, s.progress_text);
+    c.put(row++, column, cut(s.progress_text, end - column));
   } else {
-    c.put(row++, 1, s.progress_text);
+    c.put(row++, 1, cut(s.progress_text, end - 1));
   }
   return row;
 }
@@ -119,33 +115,52 @@ void put_keys(Canvas& c, const View& v) {
 
 void put_help(Rows& rows) {
   constexpr std::array<std::string_view, 12> kHelp{
-      "s  start    lets a task begin that waits for its operator",
-      "p  pause    the task's time stands still; the arms keep their forces",
+      "s  start    begins a task that waits for its operator",
+      "p  pause    the arms come to rest and keep their forces",
       "r  resume   goes on after a pause",
-      "t  trigger  ends a behaviour that waits for you, such as a teach-in",
-      "x  stop     ends the task for good; the arms come to rest. Asks first",
-      "e  e-stop   the drives brake in the next step; asks nothing. In a text: Ctrl-E",
+      "t  trigger  ends a behaviour that waits for you",
+      "x  stop     ends the task, the arms come to rest; asks",
+      "e  e-stop   the drives brake at once; in a text: Ctrl-E",
       "c  charts   F_z, F_x, F_y, or how far x, y, z have come",
       "m  manual   moves idle arms by hand, in the task `manual`",
       "q  leave    closes this view; the task goes on",
-      "m: behaviour   i: macrostep   F_z: force along the tool's z axis",
+      "m: behaviour  i: macrostep  F_z: force along the tool's z",
       "Bright keys mean something now. From a shell: ui_cli --help",
       "Any key goes back."};
   for (const std::string_view line : kHelp) rows.canvas().put(rows.take(), 1, line);
 }
 
+/// @return the notice in lines, at least one; on a low screen not more
+std::vector<std::string> notice_lines(const std::string& text, Size size) {
+  constexpr std::size_t kMost = 3;
+  constexpr int kLow = 12;
+  std::vector<std::string> lines = wrap(text, size.columns - 1);
+  const std::size_t most = size.rows < kLow ? 1 : kMost;
+  if (lines.size() > most) {
+    for (std::size_t k = most; k < lines.size(); ++k) lines[most - 1] += " " + lines[k];
+    lines[most - 1] = cut(lines[most - 1], size.columns - 1);
+  }
+  lines.resize(std::clamp<std::size_t>(lines.size(), 1, most));
+  return lines;
+}
+
 /// Rows of the body's parts.
 struct Plan {
+  bool behaviours{};  // of the agents, a row each
   int chart_height{};
   int gap{};  // blank rows between the parts
 };
 
 Plan plan(int rows, const Snapshot& s, int columns) {
   const int agents = static_cast<int>(s.agents.size());
-  const int fixed_rows = 1 + agents + 1 + process_rows(s, columns);
+  int fixed_rows = 1 + agents + 1 + process_rows(s, columns);
   // A chart of more than one row only where this many lines of messages stay.
   constexpr int kMessages = 6;
+  constexpr int kFewMessages = 2;
   Plan p;
+  p.behaviours = rows - fixed_rows - agents >= kFewMessages &&
+                 std::ranges::any_of(s.agents, [](const AgentView& a) { return !a.behaviour.empty(); });
+  if (p.behaviours) fixed_rows += agents;
   for (int height = 1; height <= 4; ++height) {
     const int left = rows - fixed_rows - agents * height;
     if (left >= (height == 1 ? 1 : kMessages)) p.chart_height = height;
@@ -178,10 +193,15 @@ Canvas lay_out(const View& view, Size size) {
   Canvas c(size);
   put_title(c, view);
   const bool by_hand = view.manual && !view.help;
-  const int limit = size.rows - (by_hand ? 1 + ManualPage::kKeyRows : 2);  // the notice and the keys
+  const int keys = by_hand ? ManualPage::kKeyRows : 1;
+  const std::vector<std::string> notice = notice_lines(view.notice.text, size);
+  const int limit = size.rows - keys - static_cast<int>(notice.size());
   if (view.help) {
     Rows body(c, 1, limit);
-    put_help(body);
+    if (view.manual)
+      ManualPage::draw_help(body);
+    else
+      put_help(body);
   } else if (by_hand) {
     constexpr int kMessages = 3;
     const int messages = limit > 14 + kMessages ? kMessages + 1 : 0;
@@ -193,7 +213,7 @@ Canvas lay_out(const View& view, Size size) {
     const int row = put_task(c, s);
     const Plan p = plan(limit - row, s, size.columns);
     Rows body(c, row + p.gap, limit);
-    put_agents(body, view, p.chart_height);
+    put_agents(body, view, p.chart_height, p.behaviours);
     body.skip(p.gap);
     put_processes(body, s);
     body.skip(p.gap);
@@ -202,7 +222,8 @@ Canvas lay_out(const View& view, Size size) {
   // Last, so that on the smallest screens they stand over everything else.
   for (int row = std::max(1, limit); row < size.rows; ++row)
     c.put(row, 0, std::string(static_cast<std::size_t>(std::max(size.columns, 0)), ' '));
-  if (size.rows > 2) c.put(limit, 1, view.notice.text, view.notice.style);
+  for (std::size_t k = 0; k < notice.size(); ++k)
+    if (const int row = limit + static_cast<int>(k); row > 0) c.put(row, 1, notice[k], view.notice.style);
   if (by_hand && size.rows > ManualPage::kKeyRows)
     view.manual->draw_keys(c, size.rows - ManualPage::kKeyRows);
   else if (size.rows > 1)

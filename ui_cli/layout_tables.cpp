@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui_cli/wrap.hpp"
+
 namespace mrroc::ui {
 namespace {
 
@@ -43,20 +45,32 @@ Style style_of(FaultCode code) {
   return class_of(code) == FaultClass::non_fatal ? Style::warning : Style::bad;
 }
 
+/// A column that there is no room for is left out.
+void put_column(Canvas& c, int row, int end, std::string_view text, Style style = Style::plain) {
+  if (end <= c.size().columns) c.put_right(row, end, text, style);
+}
+
 void put_agent(Canvas& c, int row, const AgentView& a) {
   c.put(row, 1, a.name.substr(0, kName - 1));
   for (int k = 0; k < 3; ++k) {
     const auto axis = static_cast<std::size_t>(k);
-    c.put_right(row, kName + (k + 1) * kNumber, fixed(1e3 * a.T_0E[axis], 1));
-    c.put_right(row, kRotation + (k + 1) * kAngle, fixed(a.T_0E[axis + 3], 3));
+    put_column(c, row, kName + (k + 1) * kNumber, fixed(1e3 * a.T_0E[axis], 1));
+    put_column(c, row, kRotation + (k + 1) * kAngle, fixed(a.T_0E[axis + 3], 3));
   }
-  c.put_right(row, kForce, fixed(a.F_a[2], 2), Style::heading);
-  c.put(row, kSensor, a.sensor.substr(0, kRotation - kSensor));
+  put_column(c, row, kForce, fixed(a.F_a[2], 2), Style::heading);
+  c.put(row, kSensor, cut(a.sensor, std::min(kRotation, c.size().columns) - kSensor));
   for (int k = 0; k < 2; ++k)
-    c.put_right(row, kSideForce + (k + 1) * kNumber, fixed(a.F_a[static_cast<std::size_t>(k)], 2));
+    put_column(c, row, kSideForce + (k + 1) * kNumber, fixed(a.F_a[static_cast<std::size_t>(k)], 2));
 }
 
-void put_chart(Rows& rows, const View& view, const AgentView& a, int height) {
+void put_behaviour(Canvas& c, int row, const AgentView& a) {
+  const std::string now = a.m != 0 ? fmt::format("m {}  {}", a.m, a.behaviour) : a.behaviour;
+  const int column = c.put(row, kName, cut(now, c.size().columns - 1 - kName), Style::heading) + 3;
+  if (a.ended_because.empty()) return;
+  c.put(row, column, cut("after " + a.ended_because, c.size().columns - 1 - column), Style::dim);
+}
+
+void put_chart(Rows& rows, const View& view, const AgentView& a, int height, bool with_m) {
   constexpr int kScale = 11;  // such as " -0.5..20 N"
   const int width = rows.canvas().size().columns - kName - kScale;
   const bool force = view.chart <= Quantity::F_y;
@@ -66,7 +80,8 @@ void put_chart(Rows& rows, const View& view, const AgentView& a, int height) {
     const int row = rows.take();
     const std::string_view name = to_string(view.chart);
     if (k == 0)
-      rows.canvas().put(row, 1, a.m != 0 ? fmt::format("{} m {}", name, a.m) : std::string(name), Style::dim);
+      rows.canvas().put(row, 1, with_m && a.m != 0 ? fmt::format("{} m {}", name, a.m) : std::string(name),
+                        Style::dim);
     const int end = rows.canvas().put(row, kName, chart.rows[k], Style::good);
     std::string edge = k == 0 ? fmt::format("{:g}", chart.high) : "";
     if (k + 1 == chart.rows.size())
@@ -90,21 +105,22 @@ int process_rows(const Snapshot& s, int columns) {
   return (static_cast<int>(s.processes.size()) + beside - 1) / beside;
 }
 
-void put_agents(Rows& rows, const View& view, int chart_height) {
+void put_agents(Rows& rows, const View& view, int chart_height, bool behaviours) {
   Canvas& c = rows.canvas();
   const int title = rows.take();
   c.put(title, 1, "AGENT", Style::heading);
   constexpr std::array<std::string_view, 3> kAxes{"x [mm]", "y [mm]", "z [mm]"};
   for (int k = 0; k < 3; ++k)
-    c.put_right(title, kName + (k + 1) * kNumber, kAxes[static_cast<std::size_t>(k)], Style::heading);
-  c.put_right(title, kForce, "F_z [N]", Style::heading);
+    put_column(c, title, kName + (k + 1) * kNumber, kAxes[static_cast<std::size_t>(k)], Style::heading);
+  put_column(c, title, kForce, "F_z [N]", Style::heading);
   c.put(title, kSensor, "SENSOR", Style::heading);
-  c.put_right(title, kRotation + 3 * kAngle, "rotation [rad]", Style::heading);
-  c.put_right(title, kSideForce + kNumber, "F_x [N]", Style::heading);
-  c.put_right(title, kSideForce + 2 * kNumber, "F_y [N]", Style::heading);
+  put_column(c, title, kRotation + 3 * kAngle, "rotation [rad]", Style::heading);
+  put_column(c, title, kSideForce + kNumber, "F_x [N]", Style::heading);
+  put_column(c, title, kSideForce + 2 * kNumber, "F_y [N]", Style::heading);
   for (const AgentView& a : view.snapshot->agents) {
     put_agent(c, rows.take(), a);
-    put_chart(rows, view, a, chart_height);
+    if (behaviours) put_behaviour(c, rows.take(), a);
+    put_chart(rows, view, a, chart_height, !behaviours);
   }
 }
 
@@ -143,7 +159,7 @@ void put_messages(Rows& rows, const std::vector<Message>& messages) {
     const Message& m = messages[k];
     std::string text = m.process.empty() ? "" : m.process + ": ";
     if (m.code != FaultCode::none) text += std::string(to_string(m.code)) + ": ";
-    rows.canvas().put(rows.take(), 1, text + m.text, style_of(m.code));
+    rows.canvas().put(rows.take(), 1, cut(text + m.text, rows.canvas().size().columns - 1), style_of(m.code));
   }
 }
 

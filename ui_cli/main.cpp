@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
          [](const auto& arguments, std::ostream& out, std::ostream& err) {
            return ui::run_replay(arguments, {link::session_directory(), link::open_lcm}, out, err);
          },
-         {"--speed", "--from", "--without", "--session", "--json"}},
+         {"--with", "--speed", "--from", "--without", "--session", "--json"}},
         {"view",
          "Show a running task, or a run folder, as a web page on this host",
          view::run_view,

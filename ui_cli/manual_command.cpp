@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <utility>
 
 #include "base/fault.hpp"
 #include "base/representation.hpp"
@@ -26,7 +27,7 @@ const char* const kManualHelp =
     "  model ARM NUMBER                        servo ARM ALGORITHM [SET]\n"
     "  gripper ARM METRES                      bias ARM\n"
     "  reset ARM                               stop ARM\n"
-    "  show ARM                                positions, pose, force, state\n"
+    "  show ARM                                positions, pose, force, state; with --json and `all` a list\n"
     "  save ARM FILE                           adds the position to a file: a line `move ARM joints ...`\n"
     "  load FILE                               the instructions of a file, one after the other\n"
     "  end                                     the session\n"
@@ -97,6 +98,20 @@ void show(const EffectorReply& r, const std::string& arm, bool json, std::ostrea
   row("euler", e, "m, rad");
   row("force F_a", F, "N, N m in E");
   out << fmt::format("{:<11} {:9.4f}  m{}\n", "gripper", r.gripper, r.blocked ? ", holds something" : "");
+}
+
+void show_all(link::Bus& bus, const link::SessionInfo& session, bool json, const Patience& patience,
+              std::ostream& out) {
+  const auto arms = manual_arms(session.run_folder);
+  if (arms.empty())
+    throw FaultError(FaultCode::bad_usage, "which arms there are is not known on this host",
+                     "name one: show arm1");
+  std::string between = json ? "[" : "";
+  for (const ManualArm& arm : arms) {
+    out << std::exchange(between, json ? "," : "\n");
+    show(look_at(bus, session, arm.name, patience), arm.name, json, out);
+  }
+  if (json) out << "]\n";
 }
 
 /// Adds where the arm is to the file.
@@ -200,6 +215,10 @@ std::vector<std::string> manual_words() {
 
 void execute_manual(link::Bus& bus, const link::SessionInfo& session, const ManualWish& wish,
                     const Patience& patience, std::ostream& out) {
+  if (wish.show == "all" && wish.save.empty()) {
+    show_all(bus, session, wish.json, patience, out);
+    return;
+  }
   if (!wish.show.empty()) {
     const EffectorReply reading = look_at(bus, session, wish.show, patience);
     if (wish.save.empty())

@@ -11,13 +11,11 @@
 #include "base/effector_command.hpp"
 #include "base/link/bus.hpp"
 #include "base/link/session.hpp"
+#include "base/manual.hpp"
 #include "mrroc/manual_answer_t.hpp"
 #include "ui_cli/client.hpp"
 
 namespace mrroc::ui {
-
-/// What became of an instruction; the numbers of manual_answer_t::state.
-enum class ManualState : std::uint8_t { refused, taken, done, failed };
 
 /// The task's word on an instruction.
 struct ManualAnswer {

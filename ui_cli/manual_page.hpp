@@ -49,6 +49,8 @@ class ManualPage {
 
   /// Draws into the rows first..limit-1. On a small screen the lower rows go first; the chosen axis stays.
   void draw(Canvas& c, int first, int limit) const;
+  /// What the keys of this page do.
+  static void draw_help(class Rows& rows);
   static constexpr int kKeyRows = 3;
   /// The keys that mean something now. @param first  the uppermost of their rows
   void draw_keys(Canvas& c, int first) const;

@@ -98,6 +98,22 @@ void ManualPage::draw(Canvas& c, int first, int limit) const {
        [](const EffectorReply& r) { return r.fault ? std::string(mrroc::to_string(r.fault.code)) : "none"; });
 }
 
+void ManualPage::draw_help(Rows& rows) {
+  constexpr std::array<std::string_view, 11> kHelp{
+      "1 2  0       the arm; all arms",
+      "arrows       up, down: the coordinate; left, right: jog it",
+      "c  + -  < >  coordinates; the step; the speed",
+      "a            to an absolute coordinate: type it, Enter",
+      "h  b  z      home, bias the force, clear the fault",
+      "o  g  w  W   preset, jaws, tool, weight: type what it needs",
+      "k  v         kinematic model, servo algorithm: the same",
+      "blank        stops what the arm does",
+      ":            any words of `ui_cli manual --help`",
+      "m or Escape  back to the task; e x p r ? q as there",
+      "Any key goes back."};
+  for (const std::string_view line : kHelp) rows.canvas().put(rows.take(), 1, line);
+}
+
 void ManualPage::draw_keys(Canvas& c, int first) const {
   constexpr std::array<std::string_view, kKeyRows> kKeys{
       "1 2 arm 0 all  arrows axis, jog  c coordinates  a absolute  + - step  < > speed",

@@ -15,14 +15,22 @@ std::string row(std::string_view name, const std::string& value) {
   return value.empty() ? std::string() : fmt::format("{:<10} {}\n", name, value);
 }
 
+/// A behaviour: those of waiting have no number.
+std::string numbered(int m, const std::string& name) {
+  if (m == 0) return name;
+  return name.empty() ? fmt::format("m = {}", m) : fmt::format("m = {}, {}", m, name);
+}
+
 }  // namespace
 
 std::string status_text(const Snapshot& s) {
   std::string text = row("session", s.session);
   text += row("task", fmt::format("{}: {}{}", s.task, to_string(s.state),
                                   s.waits_for_trigger ? ", waits for a trigger" : ""));
+  if (s.state == TaskState::paused)
+    text += row("pause", "arms rest and keep their forces; simulated time goes on, the task does not");
   if (s.waits_for_trigger) text += row("trigger", s.early.empty() ? "may be given" : "early: " + s.early);
-  if (s.m != 0 || !s.behaviour.empty()) text += row("behaviour", fmt::format("m = {}, {}", s.m, s.behaviour));
+  text += row("behaviour", numbered(s.m, s.behaviour));
   text += row("after", s.ended_because);
   if (s.progress)
     text += row("progress", fmt::format("{:.0f} %{}{}", 100 * *s.progress,
@@ -32,10 +40,11 @@ std::string status_text(const Snapshot& s) {
   text += row("time", fmt::format("{:.2f} s simulated, {:.1f} x real time", s.sim_time, s.speed));
   for (const AgentView& a : s.agents) {
     text += row(a.name, fmt::format("x, y, z {:.1f} {:.1f} {:.1f} mm; rotation {:.3f} {:.3f} {:.3f} rad; F_z "
-                                    "{:.2f} N{}{}{}",
+                                    "{:.2f} N{}{}",
                                     1e3 * a.T_0E[0], 1e3 * a.T_0E[1], 1e3 * a.T_0E[2], a.T_0E[3], a.T_0E[4],
-                                    a.T_0E[5], a.F_a[2], a.sensor.empty() ? "" : "; ", a.sensor,
-                                    a.m != 0 ? fmt::format("; m = {}", a.m) : ""));
+                                    a.T_0E[5], a.F_a[2], a.sensor.empty() ? "" : "; ", a.sensor));
+    text += row("", numbered(a.m, a.behaviour));
+    text += row("", a.ended_because.empty() ? "" : "after " + a.ended_because);
   }
   std::string heading = "processes";
   for (const ProcessView& p : s.processes) {
@@ -69,8 +78,13 @@ std::string status_json(const Snapshot& s) {
          {"run_folder", s.run_folder}};
   if (s.progress) j["progress"] = *s.progress;
   for (const AgentView& a : s.agents)
-    j["agents"].push_back(
-        {{"name", a.name}, {"m", a.m}, {"T_0E", a.T_0E}, {"F_a", a.F_a}, {"sensor", a.sensor}});
+    j["agents"].push_back({{"name", a.name},
+                           {"m", a.m},
+                           {"behaviour", a.behaviour},
+                           {"ended_because", a.ended_because},
+                           {"T_0E", a.T_0E},
+                           {"F_a", a.F_a},
+                           {"sensor", a.sensor}});
   for (const ProcessView& p : s.processes)
     j["processes"].push_back({{"name", p.name}, {"state", to_string(p.state)}, {"age_s", p.age}});
   return dump(j);

@@ -42,7 +42,11 @@ Snapshot snapshot(const task_status_t& m, const std::string& session) {
   if (m.progress >= 0) s.progress = std::min(m.progress, 1.0);
   s.progress_text = get_text(m.progress_text);
   for (int k = 0; k < count(m.n_agents, std::size(m.agent)); ++k) {
-    AgentView a{get_text(m.agent[k]), m.agent_m[k], {}, {}, get_text(m.sensor_text[k])};
+    AgentView a{.name = get_text(m.agent[k]),
+                .m = m.agent_m[k],
+                .behaviour = get_text(m.agent_behaviour[k]),
+                .ended_because = get_text(m.agent_ended_because[k]),
+                .sensor = get_text(m.sensor_text[k])};
     std::ranges::copy(m.T_0E[k], a.T_0E.begin());
     std::ranges::copy(m.F_a[k], a.F_a.begin());
     s.agents.push_back(std::move(a));

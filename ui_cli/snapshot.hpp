@@ -16,7 +16,9 @@ namespace mrroc::ui {
 /// One embodied agent.
 struct AgentView {
   std::string name;
-  int m{};                       ///< its behaviour, 0: it has none of its own
+  int m{};                       ///< its behaviour, 0: it has none, or one without a number
+  std::string behaviour;         ///< its name; empty: it has not told any
+  std::string ended_because;     ///< the behaviour before it, and why it ended; may be empty
   std::array<double, 6> T_0E{};  ///< pose of E in the arm's base [m], angle-axis [rad]
   std::array<double, 6> F_a{};   ///< adjusted force in E [N], [N m]
   std::string sensor;            ///< reading of its virtual sensor, such as the pen's state; may be empty
@@ -40,7 +42,7 @@ struct Snapshot {
   std::string early;  ///< why a trigger now would come early; empty: it would not
   int m{};            ///< behaviour of the coordinator, 0: none yet
   std::string behaviour;
-  std::string ended_because;  ///< why the behaviour before it ended
+  std::string ended_because;  ///< the behaviour before it, and why it ended
   std::int64_t macrostep{};   ///< 0: not told
   double sim_time{};          ///< [s]
   double speed{};             ///< simulated time per time

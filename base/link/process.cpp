@@ -38,6 +38,10 @@ std::string_view to_string(ProcessState s) {
   return "?";
 }
 
+std::string end_of_behaviour(std::string_view name, std::string_view until, std::string_view lasted) {
+  return until.empty() ? fmt::format("{}, ended after {}", name, lasted) : fmt::format("{}: {}", name, until);
+}
+
 Process::Process(Bus& bus, Membership membership)
     : bus_(bus),
       membership_(std::move(membership)),
@@ -62,6 +66,21 @@ void Process::add(OutboxBase& box) {
 
 bool Process::sends(std::string_view channel) const {
   return std::ranges::find(sent_, channel) != sent_.end();
+}
+
+void Process::in_behaviour(int m, std::string_view name, std::string_view until) {
+  if (m == m_ && name == behaviour_) return;
+  if (!behaviour_.empty())
+    put_text(status_.ended_because,
+             end_of_behaviour(behaviour_, until_,
+                              fmt::format("{} macrosteps", status_.macrostep - behaves_since_)));
+  m_ = m;
+  behaviour_ = name;
+  until_ = until;
+  behaves_since_ = status_.macrostep;
+  status_.m = m;
+  put_text(status_.behaviour, name);
+  send_status();
 }
 
 std::string Process::behaviour() const {

@@ -23,6 +23,12 @@ namespace mrroc::link {
 enum class ProcessState : std::uint8_t { starting, ready, running, done, faulted, dead };
 std::string_view to_string(ProcessState s);
 
+/// @param until  what the behaviour waited for, in words; may be empty
+/// @param lasted  how long it lasted, with the unit
+/// @return "NAME: UNTIL", or, without a reason, "NAME, ended after LASTED"
+[[nodiscard]] std::string end_of_behaviour(std::string_view name, std::string_view until,
+                                           std::string_view lasted);
+
 /// What the supervisor tells everybody.
 enum class Phase : std::uint8_t {
   assembling,  ///< wait until everybody is there
@@ -94,11 +100,10 @@ class Process {
     if (membership_.replayed) throw NotInLog{what + " are not in the log"};
   }
 
-  /// Says which behaviour decides on what is sent from now on.
-  void in_behaviour(int m, std::string_view name) {
-    m_ = m;
-    behaviour_ = name;
-  }
+  /// Says which behaviour decides on what is sent from now on: every agent tells it here. When it is another one than
+  /// before, the supervisor hears of it, and of why that one ended, at once.
+  /// @param name, until  of a row (base/motion.hpp), which live as long as the program
+  void in_behaviour(int m, std::string_view name, std::string_view until = {});
   /// @return it as "3, hold"; empty before the first one
   [[nodiscard]] std::string behaviour() const;
 
@@ -188,7 +193,8 @@ class Process {
   Inbox<supervisor_t> supervisor_in_;
   process_status_t status_{};
   int m_{};
-  std::string_view behaviour_;  // name of a row, which lives as long as the program
+  std::string_view behaviour_, until_;  // of a row, which lives as long as the program
+  std::int64_t behaves_since_{};        // macrostep
   Clock::time_point last_status_{};
   Clock::time_point waiting_since_{};  // or since own messages were repeated
   Clock::time_point supervisor_heard_{Clock::now()};

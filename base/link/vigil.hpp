@@ -15,7 +15,7 @@ namespace mrroc::link {
 #ifdef MRROC_SANITIZED
 inline constexpr std::chrono::seconds kPatience{0};
 #else
-inline constexpr std::chrono::seconds kPatience{12};
+inline constexpr std::chrono::seconds kPatience{30};
 #endif
 
 /// The channels that somebody waits for.

@@ -84,10 +84,11 @@ Report tell(const typename A::X& x) {
 }
 
 /// A row of a behaviour that moves the effector and remembers nothing new.
+/// @param until  what f_tau waits for, in words for the operator; may be empty
 template <Images A>
 constexpr Motion<A> row(int m, std::string_view name, EffectorCommand (*f_ce)(const typename A::X&),
-                        bool (*f_tau)(const typename A::X&)) {
-  return {m, name, retain<A>, retain<A>, f_ce, no_sensor<A>, tell<A>, f_tau};
+                        bool (*f_tau)(const typename A::X&), std::string_view until = {}) {
+  return {m, name, retain<A>, retain<A>, f_ce, no_sensor<A>, tell<A>, f_tau, until};
 }
 
 }  // namespace mrroc::ecp

@@ -114,21 +114,22 @@ struct WeighingRows {
   }
   /// @param m  number of the first of the ten rows
   static constexpr std::array<Motion<A>, 10> rows(int m) {
-    const auto row = [&](const char* name, auto entry, auto memory, auto command, auto ends) {
-      return Motion<A>{m++, name, entry, memory, command, no_sensor<A>, tell<A>, ends};
+    const auto row = [&](const char* name, auto entry, auto memory, auto command, auto ends,
+                         const char* until) {
+      return Motion<A>{m++, name, entry, memory, command, no_sensor<A>, tell<A>, ends, until};
     };
     // clang-format off
     return {{
-        row("turn the tool down",     plan_way<Goal::down>, retain<A>, follow, arrived),
-        row("rest with the tool down", retain<A>, retain<A>, stand, settled),
-        row("bias with the tool down", retain<A>,              retain<A>, begin,     answered),
-        row("turn the tool up",       plan_way<Goal::up>,   retain<A>, follow, arrived),
-        row("rest with the tool up", retain<A>, retain<A>, stand, settled),
-        row("weigh with the tool up", clear,                add,    stand,     averaged),
-        row("turn the tool sideways", keep_b,               retain<A>, follow, arrived),
-        row("rest with the tool sideways", retain<A>, retain<A>, stand, settled),
-        row("weigh with the tool sideways", clear,          add,    stand,     averaged),
-        row("set the tool found",     identify,             retain<A>, set_found, answered),
+        row("turn the tool down",     plan_way<Goal::down>, retain<A>, follow, arrived, "the tool is there"),
+        row("rest with the tool down", retain<A>, retain<A>, stand, settled, "the arm rests"),
+        row("bias with the tool down", retain<A>,              retain<A>, begin,     answered, "the force is zero"),
+        row("turn the tool up",       plan_way<Goal::up>,   retain<A>, follow, arrived, "the tool is there"),
+        row("rest with the tool up", retain<A>, retain<A>, stand, settled, "the arm rests"),
+        row("weigh with the tool up", clear,                add,    stand,     averaged, "all readings taken"),
+        row("turn the tool sideways", keep_b,               retain<A>, follow, arrived, "the tool is there"),
+        row("rest with the tool sideways", retain<A>, retain<A>, stand, settled, "the arm rests"),
+        row("weigh with the tool sideways", clear,          add,    stand,     averaged, "all readings taken"),
+        row("set the tool found",     identify,             retain<A>, set_found, answered, "the driver has it"),
     }};
     // clang-format on
   }

@@ -4,9 +4,9 @@
 #include "robots/irb6/homing.hpp"
 
 namespace mrroc::irb6 {
-namespace {
 
-std::unique_ptr<Arm> read_arm(const Config& table, std::string_view model) {
+std::unique_ptr<Arm> read_arm(const Config& config, const std::string& key, std::string_view model) {
+  const Config table = config.section("robots." + key);
   const auto name = table.choice<std::string_view>(
       "model", model, {{"irb6_postument", "irb6_postument"}, {"irb6_track", "irb6_track"}});
   const auto set =
@@ -19,6 +19,8 @@ std::unique_ptr<Arm> read_arm(const Config& table, std::string_view model) {
                                   {"column_kept", TrackRule::column_kept}});
   return make_arm(name, model_number(set, rule));
 }
+
+namespace {
 
 robots::DriverDefaults defaults_of(const Arm& arm) {
   const ArmParameters& p = arm.parameters();
@@ -35,13 +37,13 @@ robots::DriverDefaults defaults_of(const Arm& arm) {
 DriverSetup read_driver(const Config& config, const std::string& key, std::string_view model,
                         const std::vector<double>& synchro_joints) {
   DriverSetup s;
-  s.arm = read_arm(config.section("robots." + key), model);
+  s.arm = read_arm(config, key, model);
   s.driver = robots::read_driver(config, key, *s.arm, defaults_of(*s.arm), synchro_joints);
   return s;
 }
 
 RobotModel read_tool(const Config& config, const std::string& key, std::string_view model) {
-  return robots::read_tool(config, key, defaults_of(*read_arm(config.section("robots." + key), model)));
+  return robots::read_tool(config, key, defaults_of(*read_arm(config, key, model)));
 }
 
 }  // namespace mrroc::irb6

@@ -15,6 +15,12 @@ struct DriverSetup {
   edp::DriverParameters driver;
 };
 
+/// @param key    of the arm, e.g. "arm1"
+/// @param model  fallback for the robot's name
+/// @return the arm alone, with the kinematic model of the configuration
+/// @throws ConfigError
+std::unique_ptr<Arm> read_arm(const Config& config, const std::string& key, std::string_view model);
+
 /// @param key             of the arm, e.g. "arm1"
 /// @param model           fallback for the robot's name
 /// @param synchro_joints  joints at which SYNCHRO finds the arm [rad], track [m], when it is known: then

@@ -1,28 +1,17 @@
 #include "sim/bullet/arm.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 
+#include "sim/bullet/arm_kind.hpp"
 #include "sim/bullet/convert.hpp"
-#include "sim/robot_description.hpp"
 
 namespace mrroc::sim {
 namespace {
 
-using std::numbers::pi;
-
-// Motor T, counted from the column; motor V, the next one, turns along with it.
-constexpr int kAxisT = 3;
-
 std::unique_ptr<edp::Robot> checked_robot(const ArmParameters& p) {
-  if (p.model == ArmModel::other && !p.kind) throw std::invalid_argument("world: an arm is of no kind");
-  std::unique_ptr<edp::Robot> robot;
-  if (p.kind)
-    robot = p.kind->make();
-  else
-    robot = irb6::make_arm(robot_name(p.model), irb6::model_number(p.kinematics));
+  auto robot = kind_of(p).make(p);
   const auto refuse = [&](const std::string& what) {
     throw std::invalid_argument("world: " + std::string(robot->name()) + ": " + what);
   };
@@ -35,38 +24,6 @@ std::unique_ptr<edp::Robot> checked_robot(const ArmParameters& p) {
     refuse("the paper's stiffness and size and the pen's radius must be positive");
   if (p.gripper && !p.jaws) refuse("a gripper's body needs jaws");
   return robot;
-}
-
-// Rotors behind their gears, as felt at the joints. Products between the joints are neglected.
-AxisVector reflected_inertia(const edp::Robot& robot, const ArmParameters& p, const AxisVector& joints) {
-  const AxisMatrix J = robot.motors_per_joints(joints);
-  AxisVector inertia = AxisVector::Zero(robot.axes());
-  for (int k = 0; k < robot.axes(); ++k)
-    for (int m = 0; m < robot.axes(); ++m)
-      inertia[k] += p.motors[static_cast<std::size_t>(m)].rotor_inertia * J(m, k) * J(m, k);
-  return inertia;
-}
-
-// The pitch links are driven by absolute angles, so a rotor
-// belongs to the link alone; the product term between T and V is neglected (docs/plant.md).
-AxisVector irb6_inertia(const irb6::Arm& robot, const ArmParameters& p, const AxisVector& joints) {
-  const AxisMatrix J = robot.transmission().jacobian(joints);
-  AxisVector inertia(robot.axes());
-  for (int k = 0; k < robot.axes(); ++k)
-    inertia[k] = p.motors[static_cast<std::size_t>(k)].rotor_inertia * J(k, k) * J(k, k);
-  const int T = robot.parameters().first() + kAxisT;
-  const int V = T + 1;
-  inertia[T] += p.motors[static_cast<std::size_t>(V)].rotor_inertia * J(V, T) * J(V, T);
-  return inertia;
-}
-
-ArmBody body_of(const edp::Robot& robot, const ArmParameters& p, const AxisVector& joints,
-                const std::optional<ToolMass>& tool) {
-  if (p.kind)
-    return build_arm(p.kind->urdf, nullptr, p.T_UB, reflected_inertia(robot, p, joints), tool, p.gripper);
-  const auto& arm = static_cast<const irb6::Arm&>(robot);
-  return build_arm(robot_description(p.model), &arm.parameters().lengths, p.T_UB,
-                   irb6_inertia(arm, p, joints), tool, p.gripper);
 }
 
 AxisVector brake_torques(const ArmParameters& p) {
@@ -94,17 +51,7 @@ AxisVector start_joints(const edp::Robot& robot, const ArmParameters& p) {
       throw std::invalid_argument("world: " + std::string(robot.name()) + " starts with one joint per axis");
     return Eigen::Map<const Eigen::VectorXd>(p.start.data(), robot.axes());
   }
-  if (p.kind)
-    throw std::invalid_argument("world: " + std::string(robot.name()) + " has no joints to start with");
-  const Vector3 tip = p.paper.T_0P * Vector3(0, 0, p.start_height);
-  const Pose T_0E{Eigen::DiagonalMatrix<double, 3>(1, -1, -1), tip};
-  AxisVector near = AxisVector::Zero(robot.axes());
-  near.tail<irb6::kArmAxes>() << 0, -pi / 2, 0, 0, 3 * pi / 2, pi / 2;
-  const auto solution =
-      robot.inverse(T_0E * static_cast<const irb6::Arm&>(robot).tool_in_wrist().inverse(), near);
-  if (!solution.reached)
-    throw std::invalid_argument("world: " + std::string(robot.name()) + " does not reach the sheet");
-  return solution.joints;
+  return kind_of(p).start(robot, p);
 }
 
 SimulatedArm::SimulatedArm(const ArmParameters& p, Scene& scene, double h, int substeps, std::uint64_t seed)
@@ -118,7 +65,7 @@ SimulatedArm::SimulatedArm(const ArmParameters& p, Scene& scene, double h, int s
       paper_normal_(T_PU_.R.row(2).transpose()),
       start_joints_(sim::start_joints(*robot_, p)),
       start_motors_(robot_->motors_from_joints(start_joints_)),
-      arm_(body_of(*robot_, p, start_joints_, tool_mass(p, scene))),
+      arm_(kind_of(p).build(*robot_, p, start_joints_, tool_mass(p, scene))),
       brakes_(std::make_unique<Brakes>(*arm_.body, brake_torques(p), h)),
       load_(arm_, scene.gravity(), h),
       jaw_encoder_(gripper::two_jaw().increments_per_rad, 0.5),

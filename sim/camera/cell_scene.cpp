@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "sim/camera/bodies.hpp"
 #include "sim/camera/cube_view.hpp"
 
 namespace mrroc::sim {
@@ -17,8 +18,6 @@ using camera::Shape;
 constexpr Colour kFloor{0.45, 0.46, 0.48};
 constexpr Colour kWood{0.55, 0.47, 0.38};
 constexpr Colour kPaper{0.88, 0.88, 0.86};
-constexpr Colour kSteel{0.55, 0.56, 0.58};
-constexpr Colour kDark{0.17, 0.17, 0.19};
 constexpr Colour kOrange{0.92, 0.42, 0.08};  // that of the IRb-6
 
 constexpr double kFloorEdge = 8;
@@ -26,36 +25,23 @@ constexpr double kTableEdge = 0.6;
 constexpr double kTableThickness = 0.05;
 constexpr double kPenLength = 0.03;  // beyond its holder
 
-Body body(Shape shape, const Vector3& size, const Pose& T_UB, const Colour& colour, double shine = 0.1) {
-  Body b;
-  b.shape = shape;
-  b.size = size;
-  b.T_UB = T_UB;
-  b.colour = colour;
-  b.shine = shine;
-  return b;
-}
-
-Pose shifted(const Pose& T, const Vector3& by) { return T * Pose{Matrix3::Identity(), by}; }
-
 void add_table(std::vector<Body>& bodies, const ArmParameters& arm) {
   const Pose T_UP = arm.T_UB * arm.paper.T_0P;
   bodies.push_back(body(Shape::box, {kTableEdge, kTableEdge, kTableThickness},
-                        shifted(T_UP, {0, 0, -kTableThickness / 2}), kWood));
+                        at(T_UP, {0, 0, -kTableThickness / 2}), kWood));
   const double leg = T_UP.p.z() - kTableThickness;
   for (const double x : {-0.45, 0.45})
     for (const double y : {-0.45, 0.45})
       bodies.push_back(body(Shape::box, {0.05, 0.05, leg},
-                            shifted(T_UP, {x * kTableEdge, y * kTableEdge, -kTableThickness - leg / 2}),
-                            kDark));
-  Body sheet = body(Shape::quad, {arm.paper.size, arm.paper.size, 1}, shifted(T_UP, {0, 0, 2e-4}), kPaper, 0);
+                            at(T_UP, {x * kTableEdge, y * kTableEdge, -kTableThickness - leg / 2}), kDark));
+  Body sheet = body(Shape::quad, {arm.paper.size, arm.paper.size, 1}, at(T_UP, {0, 0, 2e-4}), kPaper, 0);
   sheet.casts_shadow = false;
   bodies.push_back(sheet);
   const PlateParameters& plate = arm.plate;
   if (plate.shape == PlateShape::none) return;
   const Shape shape = plate.shape == PlateShape::ellipse ? Shape::cylinder : Shape::box;
   bodies.push_back(body(shape, {plate.length, plate.width, plate.thickness},
-                        shifted(T_UP, {0, plate.distance, plate.thickness / 2}), kSteel, 0.3));
+                        at(T_UP, {0, plate.distance, plate.thickness / 2}), kSteel, 0.3));
 }
 
 bool is_dark(std::string_view link) {
@@ -73,15 +59,15 @@ void add_arm(std::vector<Body>& bodies, const World& world, int arm, const ArmPa
     return;
   }
   if (!parameters.jaws) {
-    bodies.push_back(body(Shape::cylinder, {0.008, 0.008, kPenLength}, shifted(T_UE, {0, 0, -kPenLength / 2}),
-                          kSteel, 0.3));
+    bodies.push_back(
+        body(Shape::cylinder, {0.008, 0.008, kPenLength}, at(T_UE, {0, 0, -kPenLength / 2}), kSteel, 0.3));
     return;
   }
   const Vector3 jaw(0.03, 0.012, 0.06);
-  bodies.push_back(body(Shape::box, {0.04, 0.13, 0.02}, shifted(T_UE, {0, 0, -jaw.z() - 0.01}), kDark, 0.3));
+  bodies.push_back(body(Shape::box, {0.04, 0.13, 0.02}, at(T_UE, {0, 0, -jaw.z() - 0.01}), kDark, 0.3));
   for (const double side : {-0.5, 0.5})
     bodies.push_back(
-        body(Shape::box, jaw, shifted(T_UE, {0, side * (truth.jaws + jaw.y()), -jaw.z() / 2}), kSteel, 0.3));
+        body(Shape::box, jaw, at(T_UE, {0, side * (truth.jaws + jaw.y()), -jaw.z() / 2}), kSteel, 0.3));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "sim/camera/bodies.hpp"
 #include "tasks/rubik/cube/facelets.hpp"
 #include "tasks/rubik/reading/face_view.hpp"
 
@@ -16,21 +17,7 @@ using camera::Shape;
 constexpr double kSlit = 4e-4;       // between pieces [m]
 constexpr double kThickness = 1e-4;  // of a sticker [m]
 
-constexpr Colour kSteel{0.55, 0.56, 0.58};
 constexpr Colour kRubber{0.14, 0.14, 0.15};
-constexpr Colour kDark{0.17, 0.17, 0.19};
-
-Body body(Shape shape, const Vector3& size, const Pose& T_UB, const Colour& colour, double shine) {
-  Body b;
-  b.shape = shape;
-  b.size = size;
-  b.T_UB = T_UB;
-  b.colour = colour;
-  b.shine = shine;
-  return b;
-}
-
-Pose at(const Pose& T, const Vector3& place) { return T * Pose{Matrix3::Identity(), place}; }
 
 /// How far the layer in which a place is has been turned from its seat.
 /// @param place  in C [m]

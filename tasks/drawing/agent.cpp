@@ -15,7 +15,7 @@ bool finished(const X& x) { return x.T.finished; }
 }  // namespace
 
 const Motion<Arm> kTransparent{
-    1,       "copy the coordinator's orders", nothing, nothing, ecp::copied_order<X>, nothing, copy_images,
+    0,       "copy the coordinator's orders", nothing, nothing, ecp::copied_order<X>, nothing, copy_images,
     finished};
 
 }  // namespace mrroc::drawing

@@ -172,19 +172,26 @@ TaskFrameCommand at_pace(TaskFrameCommand frame, double pace) {
   return frame;
 }
 
-const Motion<Coordinator> kWaitForStart{0,       "wait for start",  retain,   in_time, nothing,
-                                        nothing, both<0, kBlocked>, may_start};
+const Motion<Coordinator> kWaitForStart{0,
+                                        "wait for start",
+                                        retain,
+                                        in_time,
+                                        nothing,
+                                        nothing,
+                                        both<0, kBlocked>,
+                                        may_start,
+                                        "both arms ready and start given"};
 
 // clang-format off
 const std::array<Motion<Coordinator>, 7> kCoordinator{{
   // m  name                  entry                  memory            effector sensors  orders                 terminal condition
-  {  1, "lead to the paper",  begin_recording,       follow_pose,      nothing, nothing, teach<1>,              touched_paper},
-  {  2, "record",             note_pose_and_trigger, record,           nothing, nothing, teach<2>,              triggered},
-  {  3, "lead to the start",  note_trigger,          in_time,          nothing, nothing, both<3, kCompliant>,   triggered},
-  {  4, "lowering",           not_touched,           watch_contact,    nothing, nothing, both<4, kLowering>,    lowered},
-  {  5, "draw on the paper",  retain,                reproduce<true>,  nothing, nothing, replay<5, true>,       stroke_ends},
-  {  6, "lift off",           note_instant,          in_time,          nothing, nothing, both<6, kLiftOff>,     lifted},
-  {  7, "travel above paper", retain,                reproduce<false>, nothing, nothing, replay<7, false>,      travel_ends},
+  {  1, "lead to the paper",  begin_recording,       follow_pose,      nothing, nothing, teach<1>,              touched_paper, "the taught pen touched the paper"},
+  {  2, "record",             note_pose_and_trigger, record,           nothing, nothing, teach<2>,              triggered, "the operator's trigger"},
+  {  3, "lead to the start",  note_trigger,          in_time,          nothing, nothing, both<3, kCompliant>,   triggered, "the operator's trigger"},
+  {  4, "lowering",           not_touched,           watch_contact,    nothing, nothing, both<4, kLowering>,    lowered, "both pens settled on the paper"},
+  {  5, "draw on the paper",  retain,                reproduce<true>,  nothing, nothing, replay<5, true>,       stroke_ends, "the stroke ended"},
+  {  6, "lift off",           note_instant,          in_time,          nothing, nothing, both<6, kLiftOff>,     lifted, "the time of the lift-off elapsed"},
+  {  7, "travel above paper", retain,                reproduce<false>, nothing, nothing, replay<7, false>,      travel_ends, "the next stroke begins"},
 }};
 // clang-format on
 

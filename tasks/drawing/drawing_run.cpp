@@ -14,13 +14,6 @@ namespace {
 /// From an order of the coordinator to the report about its execution (MG 11-15).
 constexpr std::size_t kLoopDelay = 3;
 
-/// Why behaviours m = 0..7 end, for the operator.
-constexpr std::array<std::string_view, 8> kEnds{
-    "both arms ready and start given",  "the taught pen touched the paper",
-    "the operator's trigger",           "the operator's trigger",
-    "both pens settled on the paper",   "the stroke ended",
-    "the time of the lift-off elapsed", "the next stroke begins"};
-
 /// Strokes among the first p nodes.
 int strokes_until(const Recording& recording, std::size_t p) {
   int strokes = 0;
@@ -145,7 +138,6 @@ void DrawingRun::show(const Motion<Coordinator>& motion, const X& x) {
     const bool ask = operator_.waits_for_orders() && (motion.m == 2 || motion.m == 3);
     announce_(fmt::format("{:8.2f} s  m = {}  {}{}{}", seconds(x.i), motion.m, motion.name, stroke,
                           ask ? "  (until the operator's trigger)" : ""));
-    if (m_ >= 0) run_.board().set_ended_because(kEnds[static_cast<std::size_t>(m_)]);
     m_ = motion.m;
     told_done_ = false;
   }
@@ -161,7 +153,7 @@ void DrawingRun::show(const Motion<Coordinator>& motion, const X& x) {
     announce_(fmt::format("{:8.2f} s  the hand is done; a trigger goes on (key t, or `ui_cli trigger`)",
                           seconds(x.i)));
   }
-  board.set_behaviour(motion.m, motion.name);
+  board.set_behaviour(motion.m, motion.name, motion.until);
   const double nodes = static_cast<double>(c.recording.size());
   if (motion.m >= 4) {
     board.set_progress(nodes > 0 ? 0.5 + 0.5 * c.p / nodes : 0.5,

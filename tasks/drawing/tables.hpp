@@ -30,7 +30,7 @@ extern const std::array<Motion<Coordinator>, 7> kCoordinator;
 /// m = 0: the arms stand still until both agents are ready and the operator has given start.
 extern const Motion<Coordinator> kWaitForStart;
 
-/// The agents' only behaviour: copying, until the task is over (MS 34-36).
+/// The agents' only behaviour, which has no number in the paper: copying, until the task is over (MS 34-36).
 extern const Motion<Arm> kTransparent;
 
 /// @return whether m = 4 has ended because the pens were not both on the paper in time

@@ -86,9 +86,9 @@ bool round_done(const X& x) {
 const std::array<Motion<Arm>, 3> kEdgeFollow{{
   // m  name                entry             memory         command         sensors              coordinator 
   //    terminal condition
-  {  1, "to the edge",      ecp::retain<Arm>, count_contact, to_the_edge,    ecp::no_sensor<Arm>, ecp::tell<Arm>, pushing},
-  {  2, "along the edge",   note_contact,     turn,          along_the_edge, ecp::no_sensor<Arm>, ecp::tell<Arm>, round_done},
-  {  3, "away",             ecp::retain<Arm>, ecp::retain<Arm>, away,        ecp::no_sensor<Arm>, ecp::tell<Arm>, ecp::after<Arm, 60>},
+  {  1, "to the edge",      ecp::retain<Arm>, count_contact, to_the_edge,    ecp::no_sensor<Arm>, ecp::tell<Arm>, pushing, "the finger pushes on the edge"},
+  {  2, "along the edge",   note_contact,     turn,          along_the_edge, ecp::no_sensor<Arm>, ecp::tell<Arm>, round_done, "once around the plate"},
+  {  3, "away",             ecp::retain<Arm>, ecp::retain<Arm>, away,        ecp::no_sensor<Arm>, ecp::tell<Arm>, ecp::after<Arm, 60>, "the arm has drawn back"},
 }};
 // clang-format on
 

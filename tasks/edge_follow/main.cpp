@@ -38,20 +38,19 @@ std::vector<sim::Picture> pictures(const std::vector<mp::ArmTrace>&, const Confi
 }  // namespace
 
 int main(int argc, char** argv) {
-  return sim::run_arm_task(
-      {.name = "edge_follow",
-       .about = "Two arms lead a finger around a plate each, pushing with 4 N.",
-       .config = edge_follow::config(),
-       .behaviours = sim::names_of(edge_follow::kEdgeFollow),
-       .ends = {"the finger pushes on the edge", "once around the plate", "the arm has drawn back"},
-       .ecp = edge_follow::run_ecp,
-       .read =
-           [](const Config& config) {
-             for (const char* arm : {"arm1", "arm2"}) std::ignore = edge_follow::read_memory(config, arm);
-           },
-       .figures = edge_follow::figures,
-       .pictures = pictures,
-       .n_s = edge_follow::kPacing.n_s,
-       .arms = {{"arm1", "irb6_postument"}, {"arm2", "irb6_track"}}},
-      argc, argv);
+  return sim::run_arm_task({.name = "edge_follow",
+                            .about = "Two arms lead a finger around a plate each, pushing with 4 N.",
+                            .config = edge_follow::config(),
+                            .behaviours = sim::words_of(edge_follow::kEdgeFollow),
+                            .ecp = edge_follow::run_ecp,
+                            .read =
+                                [](const Config& config) {
+                                  for (const char* arm : {"arm1", "arm2"})
+                                    std::ignore = edge_follow::read_memory(config, arm);
+                                },
+                            .figures = edge_follow::figures,
+                            .pictures = pictures,
+                            .n_s = edge_follow::kPacing.n_s,
+                            .arms = {{"arm1", "irb6_postument"}, {"arm2", "irb6_track"}}},
+                           argc, argv);
 }

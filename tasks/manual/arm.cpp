@@ -59,15 +59,20 @@ ecp::Coordinates goal(const X& x, const ecp::Coordinates& from) {
                                   from);
 }
 
+/// @throws FaultError out_of_limits, unreachable_pose: the arm cannot be at the goal
 ecp::Trajectory plan(const X& x) {
   const ManualOrder& o = x.T.manual;
   const ecp::Coordinates from = present(x, o.space);
+  const ecp::Coordinates there = goal(x, from);
+  if (x.c.reach)
+    if (const auto wrong = x.c.reach->objection(o.space, there, x.e, x.c.kinematic_model))
+      throw FaultError(*wrong);
   // Motions relative to the motors' positions need no synchronisation.
   const bool by_increments = o.space == Representation::motors && o.reference == Reference::relative;
   const ecp::Coding coding{.space = o.space,
                            .reference = by_increments ? Reference::relative : Reference::absolute,
                            .mu = per_axis(o.space) ? Interpolation::mim : Interpolation::tcim_pose};
-  const ecp::ViaPoint to{goal(x, from), o.velocity, o.acceleration};
+  const ecp::ViaPoint to{there, o.velocity, o.acceleration};
   return {std::make_shared<ecp::Trapezoid>(from, std::vector{to}, ecp::default_limits(o.space, x.c.axes),
                                            x.c.pacing.macrostep_s()),
           coding, x.c.pacing};
@@ -90,6 +95,9 @@ Memory over(const X& x) {
   if (c.done != c.doing && !c.fault && x.e.fault.code != FaultCode::lost_command &&
       (x.e.verdict == Verdict::refused || x.e.verdict == Verdict::failed))
     c.fault = x.e.fault;
+  const bool same = x.T.manual.number == c.doing;
+  if (same && !c.fault && c.done != c.doing && x.T.manual.kind == Kind::kinematic_model)
+    c.kinematic_model = x.T.manual.model;
   c.done = c.doing;
   return c;
 }
@@ -209,13 +217,13 @@ bool gripped(const X& x) {
 // clang-format off
 const std::array<Motion<Arm>, 7> kManual{{
   // m  name                  entry    memory                                         command        sensors  agents  ends
-  {  1, "wait for an order",  over,    retain,                                        at_rest,       nothing, told,   ordered},
-  {  2, "find the position",  retain,  patient<kPatience, FaultCode::not_ready>,      synchro,       nothing, told,   homed},
-  {  3, "settle",             retain,  retain,                                        at_rest,       nothing, told,   settled},
-  {  4, "set the tool",       retain,  patient<kSetPatience, FaultCode::peer_silent>, tool_of_task,  nothing, told,   answered},
-  {  5, "move",               planned, retain,                                        follow,        nothing, told,   arrived},
-  {  6, "set",                retain,  patient<kSetPatience, FaultCode::peer_silent>, set_once,      nothing, told,   answered},
-  {  7, "grip",               retain,  retain,                                        grip,          nothing, told,   gripped},
+  {  1, "wait for an order",  over,    retain,                                        at_rest,       nothing, told,   ordered,  "an order has come"},
+  {  2, "find the position",  retain,  patient<kPatience, FaultCode::not_ready>,      synchro,       nothing, told,   homed,    "the positions are known, or it was called off"},
+  {  3, "settle",             retain,  retain,                                        at_rest,       nothing, told,   settled,  "the arm rests"},
+  {  4, "set the tool",       retain,  patient<kSetPatience, FaultCode::peer_silent>, tool_of_task,  nothing, told,   answered, "the driver has answered"},
+  {  5, "move",               planned, retain,                                        follow,        nothing, told,   arrived,  "the arm is there, or it was called off"},
+  {  6, "set",                retain,  patient<kSetPatience, FaultCode::peer_silent>, set_once,      nothing, told,   answered, "the driver has answered"},
+  {  7, "grip",               retain,  retain,                                        grip,          nothing, told,   gripped,  "the jaws are there or hold something"},
 }};
 // clang-format on
 

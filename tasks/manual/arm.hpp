@@ -4,6 +4,7 @@
 
 #include "ecp/generators/rows.hpp"
 #include "tasks/manual/order.hpp"
+#include "tasks/manual/reach.hpp"
 
 namespace mrroc::manual {
 
@@ -16,6 +17,8 @@ struct Memory {
   std::int64_t done{};   ///< number of the order that has ended last
   Fault fault;           ///< why the last order failed; none: it did not
   ecp::Trajectory path;  ///< of the present motion
+  const Reach* reach{};  ///< refuses goals beyond the arm's ranges; none: the driver does when it comes there
+  std::optional<int> kinematic_model;  ///< as the operator set it; nothing: that of the configuration
 };
 
 /// Images. T is what the coordinator says: its Order, and the operator's order for this arm. The report's `event` is the

@@ -36,6 +36,7 @@ std::vector<ArmInfo> read_arms(const Config& config) {
   std::vector<ArmInfo> arms;
   for (const std::string& key : config.texts("robots.order", std::vector<std::string>{"arm1"})) {
     ArmInfo arm{.key = key, .axes = axes_of(config, key), .presets = {}};
+    arm.jaws = config.choice("robots." + key + ".gripper", false, {{"none", false}, {"two_jaw", true}});
     for (const char* name : kPresets) {
       const std::string preset = fmt::format("robots.{}.presets.{}", key, name);
       if (config.has(preset)) arm.presets[name] = read_preset(config, preset, arm.axes);

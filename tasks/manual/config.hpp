@@ -20,6 +20,8 @@ namespace mrroc::manual {
 [[nodiscard]] Memory read_memory(const Config& config, const std::string& arm);
 
 /// Runs the control subsystem of one arm.
-void run_ecp(link::Process& process, const Config& config, const link::PartArguments& arguments);
+/// @param reach  of that arm
+void run_ecp(link::Process& process, const Config& config, const link::PartArguments& arguments,
+             const Reach& reach);
 
 }  // namespace mrroc::manual

@@ -62,7 +62,7 @@ class ManualRun::Port {
  public:
   explicit Port(ManualRun& run) : run_(run) {}
   void dispatch(const Motion<Coordinator>& motion, const Coordinator::Y& y) {
-    run_.links_.in_behaviour(motion.m, motion.name);
+    run_.links_.in_behaviour(motion.m, motion.name, motion.until);
     run_.send(y.T);
     given_ = y.c.given;
   }
@@ -128,7 +128,7 @@ void ManualRun::read(X& x) {
 
 void ManualRun::show(const X& x) {
   run_.set_state(x.T.h.paused ? TaskState::paused : TaskState::running, false);
-  run_.board().set_behaviour(kManualOperation.m, kManualOperation.name);
+  run_.board().set_behaviour(kManualOperation.m, kManualOperation.name, kManualOperation.until);
   run_.board().set_progress(-1, fmt::format("instructions taken: {}", taken(x)));
   for (std::size_t arm = 0; arm < m_.size(); ++arm) {
     const Report& r = x.T.agent[arm];
@@ -137,7 +137,7 @@ void ManualRun::show(const X& x) {
       announce_(fmt::format("{:8.2f} s  {}  {}{}", static_cast<double>(x.i) * k_.macrostep_s,
                             k_.arms[arm].key, kManual[m - 1].name, r.fault ? ": " + describe(r.fault) : ""));
     m_[arm] = r.m;
-    run_.board().set_arm(arm, r, kManual[m - 1].name);
+    run_.board().set_arm(arm, r, "");
   }
 }
 

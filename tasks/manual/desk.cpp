@@ -6,6 +6,7 @@
 
 #include "base/fault.hpp"
 #include "base/link/text.hpp"
+#include "base/manual.hpp"
 
 namespace mrroc::manual {
 namespace {
@@ -15,11 +16,10 @@ constexpr std::size_t kRemembered = 64;
 /// In place of the number of an order that no arm has got, because a stop came in the same macrostep. Below all numbers.
 constexpr std::int64_t kCalledOff = -1;
 
-// manual_answer_t::state
-constexpr int kRefused = 0;
-constexpr int kTaken = 1;
-constexpr int kDone = 2;
-constexpr int kFailed = 3;
+void set(manual_answer_t& answer, ManualState state) { answer.state = static_cast<std::int32_t>(state); }
+bool is(const manual_answer_t& answer, ManualState state) {
+  return answer.state == static_cast<std::int32_t>(state);
+}
 
 }  // namespace
 
@@ -85,14 +85,16 @@ void Desk::call_off(std::size_t arm, std::int64_t number) {
 void Desk::answer_terminals(std::int64_t i, const std::vector<std::int64_t>& given,
                             const std::vector<Report>& reports, Hands& hands) {
   for (Asked& a : asked_)
-    if (a.answer.state == kTaken) conclude(a, reports);
+    if (is(a.answer, ManualState::taken)) conclude(a, reports);
   while (const auto m = words_in_.take()) {
     auto known = std::ranges::find(asked_, m->id, &Asked::id);
     if (known == asked_.end()) {
       Asked asked{.id = m->id, .orders = {}, .answer = {}};
       const auto reason = obey(i, link::get_text(m->text), given, reports, hands, asked);
       asked.answer.id = m->id;
-      asked.answer.state = reason ? kRefused : asked.orders.empty() ? kDone : kTaken;
+      set(asked.answer, reason                 ? ManualState::refused
+                        : asked.orders.empty() ? ManualState::done
+                                               : ManualState::taken);
       link::put_text(asked.answer.text, reason ? *reason : std::string("accepted"));
       asked_.push_back(std::move(asked));
       if (asked_.size() > kRemembered) asked_.pop_front();
@@ -112,7 +114,7 @@ void Desk::conclude(Asked& asked, const std::vector<Report>& reports) {
     else if (r.fault)
       failures += fmt::format("{}{}: {}", failures.empty() ? "" : "; ", arms_[arm].key, describe(r.fault));
   }
-  asked.answer.state = failures.empty() ? kDone : kFailed;
+  set(asked.answer, failures.empty() ? ManualState::done : ManualState::failed);
   link::put_text(asked.answer.text, failures.empty() ? std::string("done") : failures);
   answer_out_.publish(asked.answer, 0);
 }

@@ -27,11 +27,13 @@ class ManualPort {
 
 }  // namespace
 
-void run_ecp(link::Process& process, const Config& config, const link::PartArguments& arguments) {
+void run_ecp(link::Process& process, const Config& config, const link::PartArguments& arguments,
+             const Reach& reach) {
   const auto orders = process.inbox<manual_order_t>(arguments.arm + ".manual");
   const ecp::OtherLinks others{{orders.get()},
                                [&](std::int64_t i, std::int64_t) { return orders->at(i) != nullptr; }};
-  const Memory memory = read_memory(config, arguments.arm);
+  Memory memory = read_memory(config, arguments.arm);
+  memory.reach = &reach;
   ecp::run_ecp<Arm>(process, {.robot = arguments.arm, .sensor = {}, .others = others}, {.by_program = true},
                     [&](Arm::X& x, ecp::ArmPort<Arm>& arm) {
                       ecp::SoloPort<Arm> solo(arm.links());

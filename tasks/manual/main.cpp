@@ -7,6 +7,7 @@
 #include "mp/check_run.hpp"
 #include "mp/summary_text.hpp"
 #include "mp/task_run.hpp"
+#include "sim/arm_reach.hpp"
 #include "sim/cell_parts.hpp"
 #include "tasks/manual/config.hpp"
 #include "tasks/manual/coordinator.hpp"
@@ -49,7 +50,7 @@ Setup prepare(const Options& o) {
 std::vector<mp::Part> parts_of(const Config& config) {
   auto parts = sim::cell_parts(config, kArms);
   for (const sim::CellArm& arm : kArms)
-    parts.push_back(sim::make_part(config, "ecp-" + arm.key, "ecp_manual", &arm, manual::run_ecp));
+    parts.push_back(sim::make_part(config, "ecp-" + arm.key, "ecp_manual", &arm, sim::run_manual_ecp));
   return parts;
 }
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fstream>
 #include <optional>
+#include <ranges>
 #include <sstream>
 
 #include "base/fault.hpp"
@@ -103,9 +104,8 @@ std::vector<std::size_t> arms_of(Reader& in, const std::vector<ArmInfo>& arms) {
     } else if (found != arms.end()) {
       chosen.push_back(static_cast<std::size_t>(found - arms.begin()));
     } else {
-      std::vector<std::string> known;
-      for (const ArmInfo& a : arms) known.push_back(a.key);
-      in.refuse(fmt::format("there is no arm '{}'; there are {} and all", key, fmt::join(known, ", ")));
+      in.refuse(fmt::format("there is no arm '{}'; there are {} and all", key,
+                            fmt::join(arms | std::views::transform(&ArmInfo::key), ", ")));
     }
   }
   std::ranges::sort(chosen);
@@ -151,11 +151,9 @@ ManualOrder order_of(Reader in, const Verb& verb, const ArmInfo& arm) {
       if (verb.name == "preset") {
         const std::string name = in.word("the name");
         const auto found = arm.presets.find(name);
-        if (found == arm.presets.end()) {
-          std::vector<std::string> known;
-          for (const auto& [key, joints] : arm.presets) known.push_back(key);
-          in.refuse(fmt::format("{} has no preset '{}'; it has {}", arm.key, name, fmt::join(known, ", ")));
-        }
+        if (found == arm.presets.end())
+          in.refuse(fmt::format("{} has no preset '{}'; it has {}", arm.key, name,
+                                fmt::join(arm.presets | std::views::keys, ", ")));
         o.value = found->second;
       } else {
         o.space = space_of(in);
@@ -181,6 +179,9 @@ ManualOrder order_of(Reader in, const Verb& verb, const ArmInfo& arm) {
       if (!in.done()) o.parameter_set = static_cast<std::uint8_t>(in.whole("a parameter set", 255));
       break;
     case Kind::gripper:
+      if (!arm.jaws)
+        in.refuse(
+            fmt::format("{0} has no gripper; robots.{0}.gripper in the configuration gives it one", arm.key));
       read_values(in, o, 1);
       if (!(o.value[0] > 0)) in.refuse("a distance of jaws is above 0");
       break;

@@ -16,6 +16,7 @@ struct ArmInfo {
   std::string key;                             ///< arm1
   int axes{6};                                 ///< of its robot
   std::map<std::string, PoseNumbers> presets;  ///< joints [rad, track m] of named positions
+  bool jaws{};                                 ///< it has a gripper
 };
 
 /// An instruction that has been understood.

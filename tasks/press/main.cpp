@@ -6,7 +6,7 @@ int main(int argc, char** argv) {
   return sim::run_arm_task({.name = "press",
                             .about = "One arm comes to a surface, holds 4 N and draws back.",
                             .config = press::config(),
-                            .behaviours = sim::names_of(press::kPress),
+                            .behaviours = sim::words_of(press::kPress),
                             .ecp = ecp::solo(press::kPress),
                             .figures = press::figures,
                             .pictures = sim::force_picture<Axis::z, 4>},

@@ -12,10 +12,10 @@ bool pushing(const Arm::X& x) { return x.e.F_a[Axis::z] > 0.9 * 4; }  // MG (66)
 }  // namespace
 
 const std::array<Motion<Arm>, 4> kPress{{
-    ecp::row<Arm>(1, "approach", ecp::command<Arm, kApproach>, pushing),
-    ecp::row<Arm>(2, "settle", ecp::command<Arm, kApproach>, ecp::after<Arm, 150>),
-    ecp::row<Arm>(3, "hold", ecp::command<Arm, kHold>, ecp::after<Arm, 100>),
-    ecp::row<Arm>(4, "draw back", ecp::command<Arm, kDrawBack>, ecp::after<Arm, 50>),
+    ecp::row<Arm>(1, "approach", ecp::command<Arm, kApproach>, pushing, "F_z above 3.6 N"),
+    ecp::row<Arm>(2, "settle", ecp::command<Arm, kApproach>, ecp::after<Arm, 150>, "3 s have passed"),
+    ecp::row<Arm>(3, "hold", ecp::command<Arm, kHold>, ecp::after<Arm, 100>, "2 s have passed"),
+    ecp::row<Arm>(4, "draw back", ecp::command<Arm, kDrawBack>, ecp::after<Arm, 50>, "1 s has passed"),
 }};
 
 mp::TaskFigures figures(const std::vector<mp::ArmTrace>& arms, const Config&) {

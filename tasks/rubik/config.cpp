@@ -29,8 +29,6 @@ Parameters read_parameters(const Config& config) {
   Parameters k;
   k.torque = config.number("task.torque", k.torque, {0.5, 5}, "N m about the face's axis");
   k.mobility = config.number("task.mobility", k.mobility, {0.001, 0.5}, "s/(kg m^2): B about it");
-  k.alignment =
-      config.number("task.alignment", k.alignment, {0, 0.1}, "s/(kg m^2): B about all axes in m = 4");
   k.attempts = config.integer("task.attempts", k.attempts, {1, 10}, "at a turn or a grip");
   k.patience = config.integer("task.patience", k.patience, {50, 10'000}, "macrosteps of a behaviour");
   k.progress = config.number("task.progress", k.progress, {0.001, 1}, "rad of a turn");

@@ -116,7 +116,6 @@ Orders cycle(const X& x) {
     o = order(x.c.coordination);
     o.variant = actor(x.c.cycle, m) == hand ? kActs : kStands;
     put_turn(x.c.cycle.turn, o);
-    if (m == 4) put_alignment(x.c.k.alignment, o);
     o.arm.gripper = m == 6 ? x.c.k.opening_step : x.c.k.jaw_step;
   }
   return orders;

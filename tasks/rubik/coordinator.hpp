@@ -27,7 +27,6 @@ struct Load {
 struct Parameters {
   double torque{4.0};         ///< F_d about the face's axis [N m]
   double mobility{0.1};       ///< B about it [s/(kg m^2)]
-  double alignment{};         ///< B about all axes while the jaws grip [s/(kg m^2)]; 0: none, as in MG tab. 6
   int attempts{3};            ///< at a turn or at a grip, until it is a fault
   int patience{400};          ///< macrosteps until a behaviour that has not ended is in trouble
   int stall{125};             ///< the same of m = 5 without progress

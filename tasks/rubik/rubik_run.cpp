@@ -70,7 +70,10 @@ Outcome RubikRun::execute() {
       o = Outcome::faulted;
     }
   }
-  if (o == Outcome::terminated) links_.send(std::vector<Order>(kArms, Order{.m = kWait, .finished = true}));
+  if (o == Outcome::terminated) {
+    links_.send(std::vector<Order>(kArms, Order{.m = kWait, .finished = true}));
+    run_.board().set_progress(1, "done");
+  }
   if (o == Outcome::faulted && !fault_) fault_ = links_.fault();
   return o;
 }
@@ -267,7 +270,7 @@ void RubikRun::show(const Motion<Coordinator>& motion, const X& x) {
                                              : TaskState::running,
                  false);
   auto& board = run_.board();
-  board.set_behaviour(motion.m, motion.name);
+  board.set_behaviour(motion.m, motion.name, motion.until);
   board.set_progress(progress_, doing_);
   for (std::size_t arm = 0; arm < kArms; ++arm) board.set_arm(arm, x.T.agent[arm], "");
 }

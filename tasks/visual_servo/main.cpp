@@ -71,9 +71,13 @@ std::vector<mp::Part> parts_of(const Setup& s) {
 mp::SoloParameters solo_parameters(const Options& o, const Setup& s) {
   mp::SoloParameters k;
   k.arms = kArmKeys;
-  k.behaviours = {"PB-SAC", "PB-EIH", "PB-SAC and EIH", "idle", "give up"};
-  const std::string selected = "the initial condition of another behaviour holds";
-  k.ends = {selected, selected, selected, selected, "nothing was seen for too long"};
+  k.behaviours.resize(static_cast<std::size_t>(visual_servo::kGiveUp.m));
+  const auto add = [&k](const auto& row) {
+    k.behaviours[static_cast<std::size_t>(row.m - 1)] = {std::string(row.name), std::string(row.until)};
+  };
+  for (const visual_servo::Selectable& row : visual_servo::kBehaviours) add(row.motion);
+  add(visual_servo::kGiveUp);
+  k.lasts = s.k.duration;
   k.dt = s.k.pacing.dt;
   k.n_s = s.k.pacing.n_s;
   k.gives_start = !o.task.attended && o.task.script.empty();

@@ -80,16 +80,17 @@ bool never(const X&) { return false; }
 
 constexpr auto kRetain = ecp::retain<Arm>;
 constexpr auto kNoSensor = ecp::no_sensor<Arm>;
+constexpr std::string_view kSelected = "the initial condition of another behaviour holds";
 
 }  // namespace
 
 // clang-format off
 const std::array<Selectable, 4> kBehaviours{{
   // f_sigma    m      name              entry   memory           command       receptors  coordinator  f_tau
-  { neither,  { kIdle, "idle",           kRetain, remember<kNone>, hold,         kNoSensor, tell,        one_step } },
-  { only_sac, { 1,     "PB-SAC",         kRetain, remember<kSac>,  servo<kSac>,  kNoSensor, tell,        no_more<only_sac> } },
-  { only_eih, { 2,     "PB-EIH",         kRetain, remember<kEih>,  servo<kEih>,  kNoSensor, tell,        no_more<only_eih> } },
-  { both,     { 3,     "PB-SAC and EIH", kRetain, remember<kBoth>, servo<kBoth>, kNoSensor, tell,        no_more<both> } },
+  { neither,  { kIdle, "idle",           kRetain, remember<kNone>, hold,         kNoSensor, tell,        one_step, kSelected } },
+  { only_sac, { 1,     "PB-SAC",         kRetain, remember<kSac>,  servo<kSac>,  kNoSensor, tell,        no_more<only_sac>, kSelected } },
+  { only_eih, { 2,     "PB-EIH",         kRetain, remember<kEih>,  servo<kEih>,  kNoSensor, tell,        no_more<only_eih>, kSelected } },
+  { both,     { 3,     "PB-SAC and EIH", kRetain, remember<kBoth>, servo<kBoth>, kNoSensor, tell,        no_more<both>, kSelected } },
 }};
 const Motion<Arm> kGiveUp{ 5, "give up", kRetain, kRetain, hold, kNoSensor, not_seen, never };
 // clang-format on

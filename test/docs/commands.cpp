@@ -7,16 +7,11 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "base/file_content.hpp"
+
 namespace mrroc::test {
 namespace fs = std::filesystem;
 namespace {
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 /// What a line to be typed begins with.
 const std::regex& beginning() {
@@ -86,7 +81,7 @@ std::vector<Command> document_commands(const fs::path& root) {
   std::vector<Command> all;
   std::set<std::string> seen;
   for (const fs::path& document : documents)
-    for (Command& c : commands_in(document, text_of(root / document)))
+    for (Command& c : commands_in(document, file_content(root / document)))
       if (seen.insert(c.text).second) all.push_back(std::move(c));
   return all;
 }

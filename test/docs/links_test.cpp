@@ -9,19 +9,14 @@
 #include <string>
 #include <vector>
 
+#include "base/file_content.hpp"
+
 namespace mrroc::test {
 namespace {
 
 namespace fs = std::filesystem;
 
 const fs::path kRoot = MRROC_SOURCE_DIR;
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 std::vector<fs::path> documents() {
   std::vector<fs::path> files{"README.md", "CHANGELOG.md"};
@@ -63,7 +58,7 @@ TEST(Documents, LinksAndPathsAreFoundInText) {
 TEST(Documents, LinkOnlyToWhatIsThere) {
   std::size_t links = 0;
   for (const fs::path& document : documents())
-    for (const std::string& link : links_in(text_of(kRoot / document))) {
+    for (const std::string& link : links_in(file_content(kRoot / document))) {
       if (link.find("://") != std::string::npos) continue;
       ++links;
       EXPECT_TRUE(fs::exists(kRoot / document.parent_path() / link)) << document << ": " << link;
@@ -74,7 +69,7 @@ TEST(Documents, LinkOnlyToWhatIsThere) {
 TEST(Documents, NameOnlyFilesThatAreThere) {
   std::size_t paths = 0;
   for (const fs::path& document : documents())
-    for (const std::string& path : paths_in(text_of(kRoot / document))) {
+    for (const std::string& path : paths_in(file_content(kRoot / document))) {
       ++paths;
       EXPECT_TRUE(fs::exists(kRoot / path)) << document << ": " << path;
     }
@@ -88,7 +83,7 @@ TEST(Documents, AreAllReachedFromTheReadme) {
     const fs::path document = open.back();
     open.pop_back();
     if (!reached.insert(document).second) continue;
-    for (const std::string& link : links_in(text_of(kRoot / document)))
+    for (const std::string& link : links_in(file_content(kRoot / document)))
       if (link.ends_with(".md")) open.push_back((document.parent_path() / link).lexically_normal());
   }
   for (const fs::path& document : documents())

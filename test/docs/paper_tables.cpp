@@ -76,43 +76,30 @@ std::vector<PaperTable> drawing_tables() {
 
 std::vector<PaperTable> cube_tables() {
   const std::string free = "c 0 - 20 0.005";
+  const auto moves = [](const char* table, const char* words, const char* jaws, const PrintedRows& rows,
+                        const char* name, const auto& role, int m) {
+    return PaperTable{table, words, jaws, rows, kCube + "`" + name + "`", cube_command(role, m), {}};
+  };
+  const auto stands = [&](const char* table, const char* words, const auto& role, int m) {
+    return moves(table, words, "0", kAllStill, "kStill", role, m);
+  };
   const auto& worker = rubik::kWorker;
   const auto& holder = rubik::kHolder;
   return {
-      {"MG 4(a)",
-       "m = 1, 2: W comes to the cube",
-       "0",
-       {kStill, kStill, "g - 0.01 5 0.0025", kStill, kStill, kStill},
-       kCube + "`kApproach`",
-       cube_command(worker, 1),
-       {}},
-      {"MG 4(b)", "m = 1, 2: H stands", "0", kAllStill, kCube + "`kStill`", cube_command(holder, 1), {}},
-      {"MG 5(a)", "m = 3: H stands", "0", kAllStill, kCube + "`kStill`", cube_command(holder, 3), {}},
-      {"MG 5(b)",
-       "m = 3: W closes, compliant along y",
-       "-0.001",
-       {kStill, free, kStill, kStill, kStill, kStill},
-       kCube + "`kCloseY`",
-       cube_command(worker, 3),
-       {}},
-      {"MG 6(a)", "m = 4: H stands", "0", kAllStill, kCube + "`kStill`", cube_command(holder, 4), {}},
-      {"MG 6(b)",
-       "m = 4: W closes, compliant along x and y",
-       "-0.001",
-       {free, free, kStill, kStill, kStill, kStill},
-       kCube + "`kCloseXY`",
-       cube_command(worker, 4),
-       {}},
-      {"MG 7(a)",
-       "m = 5: H turns the face",
-       "0",
-       {free, free, free, kStill, kStill, "c 5 - 0.5 0.025"},
-       kCube + "`kTurn`",
-       cube_command(holder, 5),
-       {}},
-      {"MG 7(b)", "m = 5: W stands", "0", kAllStill, kCube + "`kStill`", cube_command(worker, 5), {}},
-      {"MG 8(a)", "m = 6: H opens", "0.001", kAllStill, kCube + "`kStill`", cube_command(holder, 6), {}},
-      {"MG 8(b)", "m = 6: W stands", "0", kAllStill, kCube + "`kStill`", cube_command(worker, 6), {}},
+      moves("MG 4(a)", "m = 1, 2: W comes to the cube", "0",
+            {kStill, kStill, "g - 0.01 5 0.0025", kStill, kStill, kStill}, "kApproach", worker, 1),
+      stands("MG 4(b)", "m = 1, 2: H stands", holder, 1),
+      stands("MG 5(a)", "m = 3: H stands", holder, 3),
+      moves("MG 5(b)", "m = 3: W closes, compliant along y", "-0.001",
+            {kStill, free, kStill, kStill, kStill, kStill}, "kCloseY", worker, 3),
+      stands("MG 6(a)", "m = 4: H stands", holder, 4),
+      moves("MG 6(b)", "m = 4: W closes, compliant along x and y", "-0.001",
+            {free, free, kStill, kStill, kStill, kStill}, "kCloseXY", worker, 4),
+      moves("MG 7(a)", "m = 5: H turns the face", "0", {free, free, free, kStill, kStill, "c 5 - 0.5 0.025"},
+            "kTurn", holder, 5),
+      stands("MG 7(b)", "m = 5: W stands", worker, 5),
+      moves("MG 8(a)", "m = 6: H opens", "0.001", kAllStill, "kStill", holder, 6),
+      stands("MG 8(b)", "m = 6: W stands", worker, 6),
   };
 }
 

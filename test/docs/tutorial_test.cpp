@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "base/file_content.hpp"
+
 namespace mrroc::test {
 namespace {
 
@@ -25,13 +27,6 @@ struct Block {
   std::string code;
   int line;  ///< of the tutorial
 };
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 /// @return blocks of code in a language: those without one are commands
 std::vector<Block> blocks() {
@@ -62,7 +57,7 @@ TEST(Tutorial, EveryBlockOfCodeIsInTheFileThatIsNamedAboveIt) {
   EXPECT_GE(all.size(), 12U);
   for (const Block& block : all) {
     ASSERT_TRUE(std::filesystem::is_regular_file(kRoot / block.file)) << "line " << block.line;
-    EXPECT_NE(text_of(kRoot / block.file).find(block.code), std::string::npos)
+    EXPECT_NE(file_content(kRoot / block.file).find(block.code), std::string::npos)
         << block.file << " has not what stands in line " << block.line << ":\n"
         << block.code;
   }
@@ -82,7 +77,7 @@ TEST(Tutorial, NoLineOfTheTaskIsLeftOut) {
 }
 
 TEST(Tutorial, HasSixSteps) {
-  const std::string text = text_of(kRoot / "docs/tutorial.md");
+  const std::string text = file_content(kRoot / "docs/tutorial.md");
   std::size_t at = 0;
   for (int step = 1; step <= 6; ++step) {
     at = text.find("\n## Step " + std::to_string(step) + ":", at);

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <random>
+#include <tuple>
 
 #include "base/fault.hpp"
 #include "base/link/text.hpp"
@@ -334,6 +335,26 @@ TEST_F(Desk, AScriptThatCannotBeUsedIsRefusedWithItsLine) {
   }
   EXPECT_THROW(load_script(folder_ / "missing"), FaultError);
   EXPECT_THROW(load_script(folder_), FaultError);
+}
+
+TEST_F(Desk, KnowsWhenOnlyAPersonCanGoOn) {
+  Office office;
+  EXPECT_FALSE(office.desk.waits_for_a_person()) << "the task is starting by itself";
+  office.desk.set_state(TaskState::waiting_for_start, false);
+  EXPECT_TRUE(office.desk.waits_for_a_person());
+  EXPECT_TRUE(office.desk.give(start));
+  EXPECT_FALSE(office.desk.waits_for_a_person()) << "the order waits for its macrostep";
+  std::ignore = office.desk.take(5);
+  EXPECT_FALSE(office.desk.waits_for_a_person()) << "it has been started, whatever the arms still have to do";
+  office.desk.set_state(TaskState::running, false);
+  EXPECT_FALSE(office.desk.waits_for_a_person());
+  Office stopped;
+  stopped.desk.set_state(TaskState::waiting_for_start, false);
+  EXPECT_TRUE(stopped.desk.give(stop));
+  EXPECT_FALSE(stopped.desk.waits_for_a_person());
+  Office scripted({{100, start}});
+  scripted.desk.set_state(TaskState::waiting_for_start, false);
+  EXPECT_FALSE(scripted.desk.waits_for_a_person()) << "the script gives the start in macrostep 100";
 }
 
 }  // namespace

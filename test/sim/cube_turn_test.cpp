@@ -10,7 +10,7 @@ namespace {
 
 TurnPlan quick(std::uint64_t seed) {
   TurnPlan plan = random_turn(seed);
-  plan.cell.distance = 0.003;
+  plan.cell.distance = 0.006;
   plan.cell.jaws = 0.0615;
   return plan;
 }
@@ -27,7 +27,7 @@ TEST(CubeTurn, TurnsTheFaceByContactAndHandsTheCubeOver) {
     const ArmTruth& holder = cell.world().truth(kTrack);
     if (m == 6 && holder.jaws > kCubeEdge + 5e-4) held_fast = std::max(held_fast, std::abs(holder.jaw_force));
   });
-  EXPECT_EQ(f.m, 7) << FaultError(f.fault).what();
+  EXPECT_TRUE(f.done) << to_string(f.trouble) << ", " << FaultError(f.fault).what();
   EXPECT_TRUE(f.turned);
   EXPECT_TRUE(behind);
   EXPECT_FALSE(laid) << "a face on its way keeps its layers";
@@ -43,16 +43,17 @@ TEST(CubeTurn, TurnsTheFaceByContactAndHandsTheCubeOver) {
   EXPECT_LT(f.squeeze, 450);
 }
 
-TEST(CubeTurn, AFaceThatJamsEndsInANamedFaultWithTheCubeHeld) {
+TEST(CubeTurn, AFaceThatJamsIsTriedAgainAndThenNamedWithTheCubeHeld) {
   TurnPlan plan = quick(6);
-  plan.patience = 6;
   plan.cell.faces.mean.breakaway = 30;
   const TurnFigures f = turn_face(plan, 6);
-  EXPECT_EQ(f.m, 5);
-  EXPECT_EQ(f.fault.code, FaultCode::force_limit);
+  EXPECT_EQ(f.trouble, rubik::Trouble::jammed);
+  EXPECT_FALSE(f.fault) << FaultError(f.fault).what();
+  EXPECT_EQ(f.attempts, 3);
+  EXPECT_FALSE(f.done);
   EXPECT_FALSE(f.turned);
   EXPECT_FALSE(f.dropped);
-  EXPECT_LT(f.torque_peak, 6);
+  EXPECT_LT(f.torque_peak, 4.95) << "what the sensor's limit allows";
   EXPECT_LT(f.squeeze, 450);
 }
 

@@ -2,9 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <fstream>
+#include <thread>
 
+#include "base/link/log_reader.hpp"
+#include "mrroc/task_status_t.hpp"
 #include "test/system/started_task.hpp"
 
 namespace mrroc::test {
@@ -21,6 +25,9 @@ TEST(Press, SettlesAtFourNewtonsAndDrawsBack) {
   EXPECT_GT(s["figures"]["approach_peak_N"].get<double>(), 4);
   EXPECT_LT(s["figures"]["approach_peak_N"].get<double>(), 8);
   EXPECT_TRUE(std::filesystem::exists(folder / "run" / "arm1.csv"));
+  const auto told = link::LogReader(folder / "run").messages<task_status_t>("task_status");
+  ASSERT_FALSE(told.empty());
+  EXPECT_EQ(told.rbegin()->second.progress, 1) << "all is done";
 }
 
 TEST(Press, SaysTheSameInSeparateProcesses) {
@@ -47,6 +54,21 @@ TEST(Press, StandsStillDuringAPauseAndGoesOn) {
   const auto paused = press("paused", {"--script", orders, "--speed", "50"});
   EXPECT_NEAR(paused["sim_s"].get<double>() - plain, 4, 0.2) << "200 macrosteps of 20 ms";
   EXPECT_NEAR(paused["figures"]["hold_N"].get<double>(), 4, 0.1);
+}
+
+TEST(Press, DoesNotRaceThroughMacrostepsWhileOnlyAPersonCanGoOn) {
+  using Clock = std::chrono::steady_clock;
+  const Folder folder;
+  const auto begun = Clock::now();
+  Started press(folder, "press",
+                {"--attended", "--processes", "one", "--run-dir", (folder / "run").string()});
+  ASSERT_TRUE(press.await_line("waits for the operator"));
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  press.signal(SIGINT);
+  const Ended ended = press.end();
+  EXPECT_EQ(ended.status, 1) << ended.all();
+  const double passed = std::chrono::duration<double>(Clock::now() - begun).count();
+  EXPECT_LT(summary(folder / "run")["sim_s"].get<double>(), passed + 0.5) << "--speed is max";
 }
 
 TEST(Press, StopsInRealTimeAsItsRecordedScriptDoes) {

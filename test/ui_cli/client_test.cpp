@@ -195,6 +195,7 @@ TEST(Snapshot, TakesOverWhatTheTaskTold) {
   EXPECT_EQ(s.agents[1].T_0E[1], -0.25);
   EXPECT_EQ(s.agents[0].F_a[2], 1.02);
   EXPECT_EQ(s.agents[0].sensor, "paper_surface");
+  EXPECT_EQ(s.agents[1].behaviour, "copy the coordinator's orders");
   ASSERT_EQ(s.processes.size(), 8U);
   EXPECT_EQ(s.processes[2].name, "edp arm1");
   EXPECT_EQ(s.processes[2].state, link::ProcessState::running);

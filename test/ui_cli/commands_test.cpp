@@ -139,7 +139,8 @@ TEST_F(Commands, StatusShowsTheTask) {
   EXPECT_EQ(run({"status"}), 0) << error();
   for (const char* part :
        {"drawing: running", "m = 5, draw on the paper", "63 %, stroke 3 of 6", "12.34 s simulated", "arm1",
-        "F_z 1.02 N; paper_surface", "edp arm1", "/runs/drawing-1"})
+        "F_z 1.02 N; paper_surface", "copy the coordinator's orders",
+        "after      lowering: both pens settled on the paper", "edp arm1", "/runs/drawing-1"})
     EXPECT_NE(out_.str().find(part), std::string::npos) << part << " is not in\n" << out_.str();
 }
 
@@ -159,6 +160,9 @@ TEST_F(Commands, StatusInJsonHasTheDocumentedKeys) {
   EXPECT_EQ(j.at("progress"), 0.63);
   EXPECT_EQ(j.at("agents").at(0).at("T_0E").size(), 6U);
   EXPECT_EQ(j.at("agents").at(1).at("F_a").at(2), 0.92);
+  EXPECT_EQ(j.at("agents").at(1).at("m"), 0);
+  EXPECT_EQ(j.at("agents").at(1).at("behaviour"), "copy the coordinator's orders");
+  EXPECT_EQ(j.at("agents").at(1).at("ended_because"), "");
   EXPECT_EQ(j.at("processes").at(7).at("state"), "running");
   EXPECT_EQ(j.at("last_message").at("code"), "none");
 }

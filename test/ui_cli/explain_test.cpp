@@ -21,9 +21,17 @@ Ended run(const std::vector<std::string>& arguments) {
   return {status, out.str(), err.str()};
 }
 
+/// @return its words with one blank between them
+std::string in_one_line(const std::string& text) {
+  std::istringstream in(text);
+  std::string line;
+  for (std::string word; in >> word;) line += (line.empty() ? "" : " ") + word;
+  return line;
+}
+
 TEST(Explain, SaysEverythingThatTheTableKnowsOfEveryError) {
   for (const FaultEntry& e : kFaultTable) {
-    const std::string text = explanation(e.code);
+    const std::string text = in_one_line(explanation(e.code));
     for (const std::string_view part : {e.name, e.text, e.remedy, e.causes.substr(0, e.causes.find(';'))})
       EXPECT_NE(text.find(part), std::string::npos) << e.name << " lacks: " << part << "\n" << text;
   }

@@ -26,7 +26,7 @@ task_status_t drawing_status() {
   s.state = static_cast<std::int32_t>(TaskState::running);
   s.m = 5;
   link::put_text(s.behaviour, "draw on the paper");
-  link::put_text(s.ended_because, "both pens on the paper for 25 macrosteps");
+  link::put_text(s.ended_because, "lowering: both pens settled on the paper");
   s.header.stamp = 617;
   s.sim_time = 12.34;
   s.progress = 0.63;
@@ -41,6 +41,7 @@ task_status_t drawing_status() {
     s.F_a[k][2] = 1.02 - 0.1 * k;
     s.sensor[k] = 2;
     link::put_text(s.sensor_text[k], "paper_surface");
+    link::put_text(s.agent_behaviour[k], "copy the coordinator's orders");
   }
   const char* const names[]{"mp",       "world",    "edp arm1", "edp arm2",
                             "ecp arm1", "ecp arm2", "vsp arm1", "vsp arm2"};

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "base/link/text.hpp"
 #include "test/ui_cli/fake_task.hpp"
@@ -69,7 +71,7 @@ TEST(Layout, ShowsTheWholeTaskOnASmallTerminal) {
                   "i 617",
                   "12.34 s simulated",
                   "8.1 x",
-                  "after: both pens on the paper for 25 macrosteps",
+                  "after lowering: both pens settled on the paper",
                   "63 %",
                   "stroke 3 of 6",
                   "812.3",
@@ -78,7 +80,8 @@ TEST(Layout, ShowsTheWholeTaskOnASmallTerminal) {
                   "1.02",
                   "0.92",
                   "paper_surface",
-                  "0 N",
+                  "copy the coordinator's orders",
+                  "0..2 N",
                   "world",
                   "edp arm1",
                   "vsp arm2",
@@ -167,6 +170,45 @@ TEST(Layout, TellsWhatTheKeysDoWhenAsked) {
   EXPECT_EQ(row_of(c, "AGENT"), -1);
 }
 
+TEST(Layout, CutsNoWordOnASmallTerminal) {
+  View v = drawing();
+  v.notice = {
+      "trigger refused: the hand is still drawing: 33 %; give it again when the hand has come to its end",
+      Style::warning};
+  v.messages.push_back(
+      {"mp", FaultCode::none, "a line of a process that is longer than the narrowest terminal is wide"});
+  const auto words_of = [](const Canvas& c, int from, int to) {
+    std::vector<std::string> words;
+    for (int row = from; row < to; ++row) {
+      std::istringstream line(c.text(row));
+      for (std::string word; line >> word;) words.push_back(word);
+    }
+    return words;
+  };
+  for (const bool help : {false, true}) {
+    v.help = help;
+    const auto whole = words_of(lay_out(v, {60, 200}), 0, 60);
+    for (int columns = 60; columns <= 130; columns += 5) {
+      const Canvas c = lay_out(v, {15, columns});
+      const int keys = 14;
+      for (int row = help ? 1 : 4; row < keys; ++row) {
+        if (c.text(row).starts_with(" F_z") || c.text(row).ends_with(" more")) continue;
+        for (const std::string& word : words_of(c, row, row + 1))
+          EXPECT_TRUE(word.ends_with("..") || std::ranges::count(whole, word) > 0)
+              << "'" << word << "' in " << columns << " columns\n"
+              << c.text();
+      }
+      EXPECT_TRUE(c.text(keys - 1).ends_with(" end")) << c.text();
+    }
+  }
+}
+
+TEST(Layout, SaysWhatAPauseIs) {
+  View v = drawing();
+  v.snapshot->state = TaskState::paused;
+  EXPECT_EQ(style_of(lay_out(v, kSmallTerminal), "arms rest, forces stay: press r to go on"), Style::warning);
+}
+
 TEST(Layout, AfterTheEndTheKeysSayThatItIsOver) {
   View v = drawing();
   v.snapshot->state = TaskState::ended;
@@ -224,7 +266,7 @@ TEST(Layout, ColoursMessagesByTheirClass) {
                 {"edp arm1", FaultCode::lost_command, ""},
                 {"edp arm2", FaultCode::over_current, ""},
                 {"mp", FaultCode::process_died, ""}};
-  const Canvas c = lay_out(v, {30, 80});
+  const Canvas c = lay_out(v, {32, 80});
   EXPECT_EQ(style_of(c, "mp: information"), Style::plain);
   EXPECT_EQ(style_of(c, "edp arm1: lost"), Style::warning);
   EXPECT_EQ(style_of(c, "edp arm2: over"), Style::bad);
@@ -255,8 +297,29 @@ TEST(Layout, CannotBeMadeToSpeakToTheTerminal) {
   EXPECT_EQ(text.find('\x07'), std::string::npos);
 }
 
+TEST(Layout, TellsTheBehaviourOfEveryAgentAndWhyTheOneBeforeEnded) {
+  View v = drawing();
+  ui::AgentView& arm = v.snapshot->agents[1];
+  arm.m = 3;
+  arm.behaviour = "hold";
+  arm.ended_because = "settle: 3 s have passed";
+  const Canvas c = lay_out(v, kSmallTerminal);
+  EXPECT_EQ(c.text(row_of(c, "arm2") + 1), "          m 3  hold   after settle: 3 s have passed");
+  EXPECT_EQ(c.text(row_of(c, "arm1") + 1), "          copy the coordinator's orders");
+  arm.ended_because =
+      "a behaviour with a long name: its reason is longer than there is room for on the screen";
+  const Canvas long_one = lay_out(v, kSmallTerminal);
+  const std::string cut = long_one.text(row_of(long_one, "arm2") + 1);
+  EXPECT_LE(cut.size(), 80U);
+  EXPECT_TRUE(cut.ends_with("its reason is..")) << cut << " is cut within a word";
+  for (ui::AgentView& a : v.snapshot->agents) a.behaviour.clear();
+  const Canvas without = lay_out(v, kSmallTerminal);
+  EXPECT_EQ(without.text(row_of(without, "arm2") + 1).substr(0, 8), " F_z m 3") << without.text();
+}
+
 TEST(Layout, DrawsTheForceOfEveryAgent) {
   View v = drawing();
+  for (ui::AgentView& a : v.snapshot->agents) a.behaviour.clear();  // more room for the charts
   v.glyphs = ui::Glyphs::unicode;
   const Canvas c = lay_out(v, kSmallTerminal);
   // 1.02 N and 0.92 N of 2 N: the ninth and the eighth of the sixteen levels of two rows.

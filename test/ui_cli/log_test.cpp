@@ -1,120 +1,12 @@
 // The commands for run folders, on a small folder made here.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <csignal>
-#include <cstdlib>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <sstream>
-#include <thread>
-
-#include "base/fault.hpp"
-#include "base/link/event_log.hpp"
-#include "base/link/memory_bus.hpp"
-#include "base/link/text.hpp"
-#include "base/msg/convert.hpp"
-#include "base/operator.hpp"
-#include "mrroc/console_t.hpp"
-#include "mrroc/operator_answer_t.hpp"
-#include "mrroc/operator_image_t.hpp"
-#include "mrroc/operator_order_t.hpp"
-#include "mrroc/supervisor_t.hpp"
+#include "test/ui_cli/run_folder.hpp"
 #include "ui_cli/log/log_check.hpp"
-#include "ui_cli/log/log_command.hpp"
 #include "ui_cli/log/log_compare.hpp"
 #include "ui_cli/log/log_csv.hpp"
 #include "ui_cli/log/log_show.hpp"
-#include "ui_cli/log/replay.hpp"
 
 namespace mrroc::test {
 namespace {
-
-namespace fs = std::filesystem;
-using Json = nlohmann::json;
-
-class RunFolder : public ::testing::Test {
- protected:
-  static constexpr std::int64_t kMacrosteps = 50;
-
-  RunFolder() {
-    std::string pattern = (fs::temp_directory_path() / "log_test.XXXXXX").string();
-    home_ = ::mkdtemp(pattern.data());
-    a_ = make("a", 1, 0);
-  }
-  ~RunFolder() override { fs::remove_all(home_); }
-
-  template <link::FixedMessage M>
-  static void log(link::EventLog& to, const std::string& channel, M m, std::int64_t session,
-                  std::int64_t number, std::int64_t stamp) {
-    m.header = {session, number, stamp};
-    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(link::encoded_size<M>()));
-    m.encode(bytes.data(), 0, link::encoded_size<M>());
-    to.receive("s." + channel, bytes);
-  }
-
-  /// An arm that approaches until macrostep 20, refuses a command in 30, and a process that says something.
-  fs::path make(const std::string& name, std::int64_t session, double more_force) const {
-    const fs::path folder = home_ / name;
-    fs::create_directories(folder);
-    std::ofstream(folder / "config.toml") << "[time]\nn_s = 10\n";
-    std::ofstream(folder / "summary.json")
-        << R"({"outcome": "done", "figures": {"hold_N": )" << 4 + more_force << "}}";
-    std::ofstream(folder / "processes.json")
-        << R"({"task": "press", "clock": "step", "processes": [{"name": "mp", "program": "press", "arguments": []},
-               {"name": "ecp-arm1", "program": "ecp_press", "arguments": ["--name", "ecp-arm1"]}]})";
-    link::EventLog to(folder / link::kEventLog);
-    supervisor_t s{};
-    log(to, "supervisor", s, session, 1, 0);
-    for (std::int64_t i = 1; i <= kMacrosteps; ++i) {
-      Report r{.m = i < 20 ? 1 : 2};
-      r.driver_state = DriverState::executing;
-      r.F_a[Axis::z] = 0.1 * static_cast<double>(i) + (i > 40 ? more_force : 0);
-      if (i == 30) {
-        r.verdict = Verdict::refused;
-        r.fault.code = FaultCode::too_fast;
-      }
-      log(to, "arm1.report", to_message(r), session, i, i);
-      operator_image_t h{};
-      h.started = i > 3;
-      log(to, "operator.image", h, session, i, i);
-    }
-    console_t line{};
-    link::put_text(line.process, "ecp-arm1");
-    link::put_text(line.text, "late: 3 skipped");
-    log(to, "ecp-arm1.console", line, session, 1, 25);
-    return folder;
-  }
-
-  int run(const std::vector<std::string>& arguments) {
-    out_.str("");
-    err_.str("");
-    try {
-      return ui::run_log(arguments, out_, err_);
-    } catch (const FaultError& e) {
-      err_ << e.error_line();
-      return exit_status(e.fault().code);
-    }
-  }
-  [[nodiscard]] std::vector<std::string> lines() const {
-    std::vector<std::string> all;
-    std::istringstream in(out_.str());
-    for (std::string line; std::getline(in, line);) all.push_back(line);
-    return all;
-  }
-  static std::string bad_run(const fs::path& folder) {
-    try {
-      static_cast<void>(ui::RunRecord(folder));
-    } catch (const FaultError& e) {
-      return std::string(to_string(e.fault().code));
-    }
-    return "";
-  }
-
-  fs::path home_, a_;
-  std::ostringstream out_, err_;
-};
 
 TEST_F(RunFolder, ShowTellsEveryMacrostepAndEveryChange) {
   ASSERT_EQ(run({"show", a_.string()}), 0) << err_.str();
@@ -198,6 +90,28 @@ TEST_F(RunFolder, CheckAsksEveryProgramAndJoinsTheVerdicts) {
     EXPECT_NE(out_.str().find(what), std::string::npos) << out_.str();
 }
 
+TEST_F(RunFolder, AFolderThatIsNoneIsToldWhatItLacksAndWhereRunsAre) {
+  const auto error = [&](const fs::path& folder) {
+    EXPECT_EQ(run({"show", folder.string()}), 2);
+    return err_.str();
+  };
+  const fs::path before = fs::current_path(), bare = home_ / "bare";
+  fs::current_path(home_);
+  EXPECT_NE(error("nowhere").find("there is no folder nowhere"), std::string::npos) << err_.str();
+  EXPECT_NE(err_.str().find("there are none here"), std::string::npos) << err_.str();
+  fs::create_directories("runs");
+  fs::rename(make("older", 1, 0), "runs/older");
+  fs::rename(make("newer", 1, 0), "runs/newer");
+  fs::last_write_time(fs::path("runs/older") / link::kEventLog,
+                      fs::file_time_type::clock::now() - std::chrono::hours(1));
+  fs::create_directories(bare);
+  EXPECT_NE(error(bare).find("it has no events.lcmlog"), std::string::npos) << err_.str();
+  EXPECT_NE(err_.str().find("the newest here is runs/newer"), std::string::npos) << err_.str();
+  std::ofstream(bare / link::kEventLog) << "x";
+  EXPECT_NE(error(bare).find("it has no config.toml"), std::string::npos) << err_.str();
+  fs::current_path(before);
+}
+
 TEST_F(RunFolder, ProgramsOfARunAreThoseBesideThisOneAndNoOthers) {
   const auto write = [&](const std::string& task, const std::string& program) {
     std::ofstream(a_ / "processes.json")
@@ -212,64 +126,6 @@ TEST_F(RunFolder, ProgramsOfARunAreThoseBesideThisOneAndNoOthers) {
     EXPECT_EQ(bad_run(a_), "bad_log") << elsewhere;
     write(elsewhere, "press");
     EXPECT_EQ(bad_run(a_), "bad_log") << elsewhere;
-  }
-}
-
-TEST_F(RunFolder, ReplayPublishesEverythingAtItsPaceAndTakesNoOrderButStop) {
-  const ui::RunRecord record(a_);
-  link::MemoryHub hub;
-  const auto bus = hub.open(), terminal = hub.open();
-  struct Count final : link::Sink {
-    void receive(std::string_view channel, std::span<const std::uint8_t>) noexcept override {
-      reports += channel == "r.arm1.report";
-    }
-    int reports{};
-  } count;
-  terminal->subscribe_all("r.", count);
-  link::Outbox<operator_order_t> orders(*terminal, {link::Group::agents, "r.operator"}, 1);
-  link::Queue<operator_answer_t> answers(*terminal, {link::Group::agents, "r.answer"}, 1);
-  ui::Replay replay(*bus, record, "r", {.without = {"operator.image"}});
-  EXPECT_TRUE(replay.go_on_to(0.5));
-  while (terminal->wait(std::chrono::milliseconds(0))) {
-  }
-  EXPECT_EQ(count.reports, 25);
-  orders.publish({.header = {}, .id = 5, .order = static_cast<int>(OperatorOrder::pause)}, 0);
-  EXPECT_TRUE(replay.go_on_to(0.6));
-  EXPECT_FALSE(replay.stopped());
-  orders.publish({.header = {}, .id = 6, .order = static_cast<int>(OperatorOrder::stop)}, 0);
-  EXPECT_FALSE(replay.go_on_to(100));
-  EXPECT_TRUE(replay.stopped());
-  while (terminal->wait(std::chrono::milliseconds(0))) {
-  }
-  EXPECT_EQ(count.reports, kMacrosteps);
-  EXPECT_EQ(answers.take()->accepted, 0);
-  EXPECT_EQ(answers.take()->accepted, 1);
-  EXPECT_EQ(replay.published(), kMacrosteps + 2) << "without the channel of somebody else";
-}
-
-TEST_F(RunFolder, ReplayEndsWellWhenItIsInterruptedOrTerminated) {
-  for (const int signal : {SIGINT, SIGTERM}) {
-    const fs::path sessions = home_ / std::to_string(signal);
-    fs::create_directories(sessions);
-    const pid_t child = ::fork();
-    if (child == 0) {
-      link::MemoryHub hub;
-      const ui::ReplaySurroundings around{sessions, [&](const link::LcmAddress&) { return hub.open(); }};
-      std::ostringstream out, err;
-      const int status = ui::run_replay({a_.string(), "--speed", "0.001"}, around, out, err);
-      ::_exit(out.str().find("messages, until") == std::string::npos ? 9 : status);
-    }
-    const auto runs = [&] {
-      return std::ranges::any_of(fs::directory_iterator(sessions),
-                                 [](const auto& e) { return e.path().extension() == ".json"; });
-    };
-    for (int k = 0; k < 1000 && !runs(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    ::kill(child, signal);
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    EXPECT_TRUE(WIFEXITED(status)) << signal;
-    EXPECT_EQ(WEXITSTATUS(status), 0) << signal;
-    EXPECT_FALSE(runs()) << "the session is over";
   }
 }
 

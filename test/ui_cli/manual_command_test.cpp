@@ -112,6 +112,18 @@ TEST(ManualCommand, ShowsAnArm) {
   EXPECT_NE(execute({2}, {"show", "arm1"}).find("joints"), std::string::npos);
 }
 
+TEST(ManualCommand, ShowsAllArms) {
+  std::string pattern = (std::filesystem::temp_directory_path() / "manual_command.XXXXXX").string();
+  const std::filesystem::path folder = ::mkdtemp(pattern.data());
+  std::ofstream(folder / "config.toml") << "[robots]\norder = ['arm1']\n[robots.arm1]\naxes = 6\n";
+  const auto json = nlohmann::json::parse(execute({2}, {"show", "all", "--json"}, nullptr, folder));
+  ASSERT_EQ(json.size(), 1U);
+  EXPECT_EQ(json[0]["arm"], "arm1");
+  EXPECT_NE(execute({2}, {"show", "all"}, nullptr, folder).find("joints"), std::string::npos);
+  EXPECT_NE(execute({2}, {"show", "all"}, nullptr, folder / "elsewhere").find("name one"), std::string::npos);
+  std::filesystem::remove_all(folder);
+}
+
 TEST(ManualCommand, SavesPositionsAndGoesToThemAgain) {
   std::string pattern = (std::filesystem::temp_directory_path() / "manual_command.XXXXXX").string();
   const std::filesystem::path folder = ::mkdtemp(pattern.data());

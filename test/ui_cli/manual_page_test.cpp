@@ -206,6 +206,27 @@ TEST_F(ManualPanel, SendsInstructionsAndTellsWhatBecameOfThem) {
   EXPECT_NE(notice().find(": done"), std::string::npos) << notice();
 }
 
+TEST_F(ManualPanel, HasAHelpOfItsOwnKeysThatFitsASmallTerminal) {
+  const auto screen = [&] { return panel.picture({15, 60}, now); };
+  press('?');
+  EXPECT_NE(screen().text().find("resume"), std::string::npos) << "outside of the page: that of the task\n";
+  press('?');
+  press('m');
+  press('?');
+  const std::string help = screen().text();
+  for (const char* what : {"jog", "preset", "absolute coordinate", "bias the force", "Any key goes back"})
+    EXPECT_NE(help.find(what), std::string::npos) << what << " is not in\n" << help;
+  EXPECT_EQ(help, [&] {
+    std::string wide;  // nothing is cut
+    const ui::Canvas c = panel.picture({15, 61}, now);
+    for (int row = 0; row < 15; ++row) wide += (row == 0 || row == 14 ? screen().text(row) : c.text(row)) + "\n";
+    return wide;
+  }());
+  press('?');
+  EXPECT_NE(screen().text().find("MANUAL"), std::string::npos) << "back at the page";
+  EXPECT_TRUE(heard.empty());
+}
+
 TEST_F(ManualPanel, TheEmergencyStopIsOnEveryPageAndInATextWithControl) {
   const auto screen = [&] { return panel.picture({24, 80}, now).text(); };
   press('m');

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "base/fault.hpp"
+#include "base/file_content.hpp"
 #include "ui_cli/new/template_files.hpp"
 #include "ui_cli/new/tree.hpp"
 
@@ -17,13 +18,6 @@ namespace mrroc::ui {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 /// A clone in which nothing is yet.
 class NewPartTest : public testing::Test {
@@ -54,7 +48,7 @@ class NewPartTest : public testing::Test {
     std::ostringstream out, err;
     std::string line = "not refused";
     try {
-      run_new(words, out, err);
+      if (run_new(words, out, err) != 0) line = err.str();
     } catch (const FaultError& e) {
       line = e.error_line();
     }
@@ -66,7 +60,7 @@ class NewPartTest : public testing::Test {
     std::map<std::string, std::string> all;
     for (const auto& entry : fs::recursive_directory_iterator(root_))
       all[entry.path().lexically_relative(root_)] =
-          entry.is_regular_file() ? text_of(entry.path()) : "folder";
+          entry.is_regular_file() ? file_content(entry.path()) : "folder";
     return all;
   }
 
@@ -80,26 +74,9 @@ bool names_fault(const std::string& line, const std::string& code) {
 TEST(NewName, IsALowerCaseIdentifierThatMeansNothingYet) {
   for (const char* good : {"arm", "probe_arm", "arm7", "x1_y2"})
     EXPECT_NO_THROW(check_new_name(good)) << good;
-  for (const char* bad : {"",
-                          "Probe",
-                          "7arm",
-                          "_arm",
-                          "arm_",
-                          "probe__arm",
-                          "probe-arm",
-                          "probe arm",
-                          "../arm",
-                          "arm/left",
-                          "arm.left",
-                          "class",
-                          "int",
-                          "build",
-                          "robots",
-                          "sim",
-                          "irb6_track",
-                          "my_task",
-                          "abcdefghijabcdefghijabcdefghijabcdefghija",
-                          "\xc5\x82\x61pa"})
+  for (const char* bad : {"", "Probe", "7arm", "_arm", "arm_", "probe__arm", "probe-arm", "probe arm",
+                          "../arm", "arm/left", "arm.left", "class", "int", "build", "robots", "sim",
+                          "irb6_track", "abcdefghijabcdefghijabcdefghijabcdefghija", "\xc5\x82\x61pa"})
     EXPECT_THROW(check_new_name(bad), FaultError) << bad;
 }
 
@@ -136,6 +113,17 @@ TEST(NewPlan, LeavesNothingOfTheTemplatesNames) {
   }
 }
 
+TEST(NewPlan, APartMayHaveTheNameThatTheTemplatesHave) {
+  EXPECT_NO_THROW(check_new_name("my_task"));
+  const Scaffold wish{.part = NewPart::task, .name = "my_task", .sensor = "my_sensor"};
+  const ScaffoldPlan plan = plan_scaffold(wish);
+  const auto main =
+      std::ranges::find(plan.files, std::filesystem::path("tasks/my_task/main.cpp"), &NewFile::path);
+  ASSERT_NE(main, plan.files.end());
+  EXPECT_NE(main->text.find("my_task"), std::string::npos);
+  EXPECT_NE(main->text.find("my_sensor"), std::string::npos);
+}
+
 TEST(NewPlan, ATaskWithASensorReadsItAndOneWithoutDoesNot) {
   const auto all = [](const std::string& sensor) {
     std::string text;
@@ -164,8 +152,8 @@ TEST_F(NewPartTest, WritesFilesAndEntersThem) {
 
 TEST_F(NewPartTest, ARobotComesWithATaskThatMovesIt) {
   run({"robot", "probe"});
-  EXPECT_NE(text_of(root_ / "tasks/probe/probe.toml").find("model = \"probe\""), std::string::npos);
-  EXPECT_NE(text_of(root_ / "tasks/probe/CMakeLists.txt").find("edp_probe"), std::string::npos);
+  EXPECT_NE(file_content(root_ / "tasks/probe/probe.toml").find("model = \"probe\""), std::string::npos);
+  EXPECT_NE(file_content(root_ / "tasks/probe/CMakeLists.txt").find("edp_probe"), std::string::npos);
 }
 
 TEST_F(NewPartTest, ADryRunListsWhatWouldBeWrittenAndWritesNothing) {
@@ -226,7 +214,7 @@ TEST_F(NewPartTest, AProjectOutsideNeedsNoClone) {
   std::ostringstream out, err;
   const fs::path place = root_ / "outside";
   EXPECT_EQ(run_new({"task", "probe", "--outside", place.string()}, out, err), 0);
-  EXPECT_NE(text_of(place / "CMakeLists.txt").find("find_package(mrroc REQUIRED)"), std::string::npos);
+  EXPECT_NE(file_content(place / "CMakeLists.txt").find("find_package(mrroc REQUIRED)"), std::string::npos);
   EXPECT_TRUE(fs::exists(place / "tasks/probe/main.cpp"));
   EXPECT_FALSE(fs::exists(place / "test"));
 }

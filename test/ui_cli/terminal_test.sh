@@ -54,7 +54,7 @@ press s
 see 'start accepted'
 see '^ drawing .* running'
 see 'mp: operator: start'
-see '[▁▂▃▄▅▆▇█]+ +(2|0 N)$'
+see '[▁▂▃▄▅▆▇█]+ +(2|0(..2)? N)$'
 press p
 see '^ drawing .* paused'
 press p
@@ -90,7 +90,7 @@ see '^prompt'
 # A terminal without colours and without UTF-8.
 tmux send-keys "clear; LC_ALL=C TERM=vt100 $bin/ui_cli watch; echo \"left with \$?\"" Enter
 see '^ drawing   session demo +running'
-see '[_.=+*%#-]+ +(2|0 N)$'
+see '[_.=+*%#-]+ +(2|0(..2)? N)$'
 press C-c
 see 'left with 0'
 

@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "base/fault.hpp"
+#include "base/program.hpp"
 #include "ui_cli/log/subprocess.hpp"
 
 namespace mrroc::ui {

@@ -1,27 +1,37 @@
 #include "ui_cli/log/replay.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
+#include <sstream>
 #include <thread>
 
+#include "base/command_line.hpp"
 #include "base/fault.hpp"
 #include "base/link/channel.hpp"
+#include "base/link/child.hpp"
 #include "base/link/text.hpp"
 #include "base/operator.hpp"
+#include "base/program.hpp"
 #include "mrroc/operator_answer_t.hpp"
 #include "mrroc/operator_order_t.hpp"
+#include "ui_cli/log/log_check.hpp"
+#include "ui_cli/log/replay_check.hpp"
 
 namespace mrroc::ui {
 namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kTick = 5ms;  // between two looks at the clock
+constexpr auto kTick = 5ms;      // between two looks at the clock
+constexpr auto kRepeat = 200ms;  // of waiting for a process: something may have been lost
+constexpr auto kSilent = 10s;    // of waiting for it in vain
 
 volatile std::sig_atomic_t interrupted = 0;
 void interrupt(int) { interrupted = 1; }
@@ -85,6 +95,8 @@ Replay::Replay(link::Bus& bus, const RunRecord& run, const std::string& session,
       desk_(std::make_shared<Desk>(bus, session, session_id_of(run))) {
   // What the desk says itself is not said twice.
   options_.without.insert({"operator", "answer"});
+  if (options_.check)
+    options_.without.insert(options_.check->channels().begin(), options_.check->channels().end());
 }
 
 bool Replay::stopped() const { return desk_->stopped(); }
@@ -95,15 +107,28 @@ void Replay::publish(const link::LoggedMessage& m) {
   ++published_;
 }
 
+void Replay::repeat() {
+  constexpr std::size_t kLast = 64;  // more than a macrostep of any task
+  const auto& all = run_.log().messages();
+  for (std::size_t k = next_ - std::min(next_, kLast); k < next_; ++k)
+    if (!by_wall_clock(all[k].channel) || all[k].channel == "supervisor") publish(all[k]);
+}
+
+void Replay::give_up() { options_.check->give_up(run_.log().messages()[next_]); }
+
 bool Replay::go_on_to(double time) {
-  bus_.wait(0ms);
+  while (bus_.wait(0ms)) {
+  }
   desk_->poll();
+  waits_ = false;
   const auto& all = run_.log().messages();
   while (next_ < all.size()) {
     // The log is in the order in which things happened; messages without a time go with their neighbours.
     if (!by_wall_clock(all[next_].channel))
       if (const auto t = run_.time_of(all[next_])) time_ = std::max(time_, *t);
     if (time_ > time) return true;
+    waits_ = options_.check && !options_.check->passed(all[next_]);
+    if (waits_) return true;
     if (time_ >= options_.from) publish(all[next_]);
     ++next_;
   }
@@ -116,19 +141,67 @@ struct Words {
   std::string run, session;
   ReplayOptions options;
   std::vector<std::string> without;
+  std::vector<std::string> with;
   bool json{};
 };
 
-double play(Replay& replay, const ReplayOptions& o) {
-  using Clock = std::chrono::steady_clock;
+using Clock = std::chrono::steady_clock;
+
+/// @return whether the log has come to its end
+bool play(Replay& replay, const ReplayOptions& o, link::Bus& bus) {
   const auto begun = Clock::now();
+  auto waits_since = begun, repeated = begun;
   while (interrupted == 0 && !replay.stopped()) {
     const double passed = std::chrono::duration<double>(Clock::now() - begun).count();
     const double until = o.speed > 0 ? o.from + passed * o.speed : replay.time() + 0.1;
-    if (!replay.go_on_to(until)) break;
-    if (o.speed > 0) std::this_thread::sleep_for(kTick);
+    const std::int64_t before = replay.published();
+    if (!replay.go_on_to(until)) return true;
+    const auto now = Clock::now();
+    if (!replay.waits() || replay.published() != before) {
+      waits_since = repeated = now;
+    } else if (now - waits_since > kSilent) {
+      replay.give_up();
+    } else if (now - repeated > kRepeat) {
+      replay.repeat();
+      repeated = now;
+    }
+    if (replay.waits())
+      bus.wait(1ms);
+    else if (o.speed > 0)
+      std::this_thread::sleep_for(kTick);
   }
-  return replay.time();
+  return false;
+}
+
+/// Starts processes of the run beside the replay and waits until they wait for its beginning.
+std::vector<link::Child> start(const RunRecord& run, const Words& w, const std::string& session,
+                               const link::LcmAddress& address, const ReplayCheck& check, link::Bus& bus) {
+  std::vector<link::Child> children;
+  for (const std::string& name : w.with) {
+    const LoggedProcess& p = *std::ranges::find(run.processes(), name, &LoggedProcess::name);
+    std::vector<std::string> arguments{
+        "--session",    session,
+        "--session-id", fmt::to_string(session_id_of(run)),
+        "--url",        address.url(),
+        "--roster",     "mp," + name,
+        "--clock",      "step",
+        "--patience",   "0",
+        "--config",     std::filesystem::absolute(run.folder() / "config.toml").string()};
+    arguments.insert(arguments.end(), p.arguments.begin(), p.arguments.end());
+    children.emplace_back(program_folder() / p.program, arguments);
+  }
+  const auto begun = Clock::now();
+  while (!check.ready() && interrupted == 0) {
+    bus.wait(20ms);
+    for (std::size_t k = 0; k < children.size(); ++k)
+      if (children[k].reap())
+        throw FaultError(FaultCode::start_failed,
+                         fmt::format("{} ended with {}", w.with[k], *children[k].ended()),
+                         "see its own line above");
+    if (Clock::now() - begun > kSilent)
+      throw FaultError(FaultCode::peer_silent, fmt::format("{} did not get ready", fmt::join(w.with, ", ")));
+  }
+  return children;
 }
 
 int replay_run(const Words& w, const ReplaySurroundings& around, std::ostream& out) {
@@ -147,15 +220,24 @@ int replay_run(const Words& w, const ReplaySurroundings& around, std::ostream& o
                                 .pid = 0},
                                around.sessions);
   const auto bus = around.open(address);
+  std::optional<ReplayCheck> check;
+  if (!w.with.empty()) options.check = &check.emplace(*bus, run, session, w.with);
   Replay replay(*bus, run, session, options);
+  std::vector<link::Child> children;
+  if (check) children = start(run, w, session, address, *check, *bus);
   if (!w.json) out << fmt::format("replay of {}, session {}\n", run.folder().string(), session) << std::flush;
-  const double end = play(replay, options);
-  out << (w.json
-              ? nlohmann::ordered_json{{"session", session}, {"messages", replay.published()}, {"sim_s", end}}
-                        .dump() +
-                    "\n"
-              : fmt::format("{} messages, until {:.2f} s\n", replay.published(), end));
-  return 0;
+  const bool to_its_end = play(replay, options, *bus);
+  if (check && !to_its_end) check->cut_short();
+  nlohmann::ordered_json told{
+      {"session", session}, {"messages", replay.published()}, {"sim_s", replay.time()}};
+  const auto verdicts = check ? check->verdicts() : std::vector<link::LogVerdict>{};
+  for (const link::LogVerdict& v : verdicts)
+    told["processes"].push_back(nlohmann::ordered_json::parse(link::to_json(v)));
+  out << (w.json ? told.dump() + "\n"
+                 : fmt::format("{} messages, until {:.2f} s\n", replay.published(), replay.time()));
+  if (!check) return 0;
+  std::ostringstream unread;
+  return report_check(run.folder(), verdicts, "", false, w.json ? unread : out);
 }
 
 }  // namespace
@@ -176,16 +258,20 @@ int run_replay(const std::vector<std::string>& arguments, const ReplaySurroundin
   app.add_option("--without", w.without, "channels that somebody else publishes, such as arm1.pen_state")
       ->delimiter(',')
       ->type_name("C,C...");
+  app.add_option(
+         "--with", w.with,
+         "processes of the run that are started before the replay begins and listen to it, such as vsp-arm1: "
+         "what they say is compared with the log")
+      ->delimiter(',')
+      ->type_name("P,P...");
   app.add_option("--session", w.session, "name of the session (default: unique)")->type_name("NAME");
   app.add_flag("--json", w.json, "print JSON");
-  try {
-    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
-  } catch (const CLI::Success& e) {
-    return app.exit(e, out, err);
-  } catch (const CLI::Error& e) {
-    err << FaultError(FaultCode::bad_usage, e.what()).error_line() << "\n";
-    return exit_status(FaultCode::bad_usage);
-  }
+  if (const auto status = parse_words(app, arguments, out, err)) return *status;
+  if (!w.with.empty() && w.options.from > 0)
+    throw FaultError(FaultCode::bad_usage,
+                     "--with begins with the run: what a process says depends on all that it has "
+                     "seen",
+                     "leave --from out");
   return replay_run(w, around, out);
 }
 

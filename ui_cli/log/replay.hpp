@@ -1,5 +1,5 @@
 // The command `ui_cli replay RUN`: the messages of a run once more, at their pace, on a session of their own, for
-// terminals, viewers and virtual sensors.
+// terminals, viewers, and virtual sensors, whose output is compared with the log.
 #pragma once
 #include <chrono>
 #include <cstdint>
@@ -22,6 +22,7 @@ struct ReplayOptions {
   double speed{1};                ///< simulated seconds per second; 0: as fast as possible
   double from{0};                 ///< simulated time at which to begin [s]
   std::set<std::string> without;  ///< channels that somebody else publishes, without the session
+  class ReplayCheck* check{};     ///< of what somebody else publishes; none: nothing is compared
 };
 
 /// Publishes a log. It never looks at a clock itself.
@@ -30,9 +31,15 @@ class Replay {
   /// @param bus, run  must outlive the replay  @param session  name before the channels
   Replay(link::Bus& bus, const RunRecord& run, const std::string& session, const ReplayOptions& options);
 
-  /// Publishes everything up to a simulated time [s].
+  /// Publishes everything up to a simulated time [s], or up to what is waited for.
   /// @return false when the log is at its end
   bool go_on_to(double time);
+  /// @return whether it waits for a message of a process that listens
+  [[nodiscard]] bool waits() const { return waits_; }
+  /// Publishes what came last once more: some of it may have been lost.
+  void repeat();
+  /// Goes on without the message that is waited for.
+  void give_up();
   /// @return simulated time of the next message, or of the last one [s]
   [[nodiscard]] double time() const { return time_; }
   /// @return messages published
@@ -50,6 +57,7 @@ class Replay {
   ReplayOptions options_;
   std::shared_ptr<Desk> desk_;
   std::size_t next_{};
+  bool waits_{};
   double time_{};
   std::int64_t published_{};
 };

@@ -67,8 +67,4 @@ Finished run_program(const std::filesystem::path& program, const std::vector<std
   return finished;
 }
 
-std::filesystem::path program_folder() {
-  return std::filesystem::read_symlink("/proc/self/exe").parent_path();
-}
-
 }  // namespace mrroc::ui

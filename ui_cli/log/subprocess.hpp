@@ -18,7 +18,4 @@ struct Finished {
 Finished run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                      const std::filesystem::path& folder = {});
 
-/// @return folder of the running program, in which the others of the framework are
-std::filesystem::path program_folder();
-
 }  // namespace mrroc::ui

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "base/command_line.hpp"
 #include "base/fault.hpp"
 #include "base/nearest.hpp"
 #include "ui_cli/new/tree.hpp"
@@ -139,13 +140,7 @@ int run_new(const std::vector<std::string>& arguments, std::ostream& out, std::o
   app.add_flag("--dry-run", o.dry_run, "only list what would be written");
   app.add_flag("--json", o.json, "print JSON");
   app.footer(kFooter);
-  try {
-    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
-  } catch (const CLI::Success& e) {
-    return app.exit(e, out, err);
-  } catch (const CLI::Error& e) {
-    throw FaultError(FaultCode::bad_usage, e.what(), "look at `ui_cli new --help`");
-  }
+  if (const auto status = parse_words(app, arguments, out, err)) return *status;
   execute(o, out);
   return 0;
 }

@@ -25,8 +25,7 @@ not_eq nullptr operator or or_eq private protected public register reinterpret_c
 sizeof static static_assert static_cast struct switch template this thread_local throw true try typedef typeid
 typename union unsigned using virtual void volatile wchar_t while xor xor_eq
 std main mrroc base edp ecp vsp ui_cli robots tasks sim test tests bench docs link view contract camera gripper irb6
-irb6_postument irb6_track world programs all clean build help package install sensor robot task shell
-my_sensor my_robot my_task)";
+irb6_postument irb6_track world programs all clean build help package install sensor robot task shell)";
 
 bool is_taken(const std::string& name) {
   std::istringstream words(kTaken);

@@ -11,19 +11,13 @@
 #include <vector>
 
 #include "base/fault.hpp"
+#include "base/file_content.hpp"
 #include "base/text_file.hpp"
 
 namespace mrroc::ui {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 void check_writable(const fs::path& path) {
   if (access(path.c_str(), W_OK) == 0) return;
@@ -120,7 +114,7 @@ void check_free(const fs::path& tree, const std::string& name) {
       const fs::path& file = entry.path();
       const bool list = file.filename() == "CMakeLists.txt";
       const bool header = file.extension() == ".hpp" && file.parent_path() == tree / "base";
-      if ((list || header) && std::regex_search(text_of(file), list ? target : function)) refuse(file);
+      if ((list || header) && std::regex_search(file_content(file), list ? target : function)) refuse(file);
     }
   }
 }
@@ -145,7 +139,7 @@ void write_plan(const fs::path& tree, const ScaffoldPlan& plan) {
     write(tree / file.path, file.text);
   }
   for (const NewEntry& entry : plan.entries) {
-    const std::string before = text_of(tree / entry.list);
+    const std::string before = file_content(tree / entry.list);
     undo.changes(tree / entry.list, before);
     write(tree / entry.list, with_entry(before, entry.folder));
   }

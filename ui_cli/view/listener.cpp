@@ -124,13 +124,16 @@ void Listener::take_status(const task_status_t& m) {
   std::string text = ui::status_json(s);
   std::erase(text, '\n');  // those within texts are escaped
   record_.set("status", std::move(text));
-  std::string& name = behaviours_[s.m];
-  if (s.behaviour.empty() || s.m == 0 || name == s.behaviour) return;
-  name = s.behaviour;
-  Json names = Json::object();
-  for (const auto& [number, words] : behaviours_)
-    if (!words.empty()) names[std::to_string(number)] = words;
-  record_.set("behaviours", compact(names));
+  name_behaviour("", s.m, s.behaviour);
+  for (const ui::AgentView& a : s.agents) name_behaviour(a.name, a.m, a.behaviour);
+}
+
+void Listener::name_behaviour(const std::string& agent, int m, const std::string& name) {
+  if (m == 0 || name.empty()) return;
+  std::string& known = behaviours_[agent][std::to_string(m)];
+  if (known == name) return;
+  known = name;
+  record_.set("behaviours", compact(behaviours_));
 }
 
 void Listener::take_hands(const hand_order_t& m) {

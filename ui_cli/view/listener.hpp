@@ -26,7 +26,7 @@ namespace mrroc::view {
 /// Listens to every channel of one session. What it makes of them, in the record:
 ///   tracks  one per arm from ARM.reply (samples.hpp); "object" from object.truth; "cube" from cube.truth
 ///   lines   {t [s], process, code, text, fault: 0 or 1} from *.console, and what a driver refused
-///   values  "status" (ui::status_json), "behaviours" {m: name}, "frames" {camera: number}, "count" {messages, lost}
+///   values  "status" (ui::status_json), "behaviours" {agent: {m: name}} with "" for the coordinator, "frames" {camera: number}, "count" {messages, lost}
 /// A message that comes again is ignored; numbers that are missing are counted as lost. A reading of a driver that
 /// does not know its position yet is no row: there is nothing to draw.
 class Listener final : public link::Sink {
@@ -59,6 +59,7 @@ class Listener final : public link::Sink {
   void take_reply(const std::string& arm, const effector_reply_t& m);
   void take_refusal(const std::string& name, Arm& arm, const fault_t& fault);
   void take_status(const task_status_t& m);
+  void name_behaviour(const std::string& agent, int m, const std::string& name);
   void take_hands(const hand_order_t& m);
   void take_object(const object_truth_t& m);
   void take_cube(const cube_truth_t& m);
@@ -70,8 +71,8 @@ class Listener final : public link::Sink {
   std::string session_;
   std::int64_t session_id_;
   std::map<std::string, Arm, std::less<>> arms_;
-  std::map<std::string, std::int64_t, std::less<>> last_;  // number by channel
-  std::map<int, std::string> behaviours_;
+  std::map<std::string, std::int64_t, std::less<>> last_;                 // number by channel
+  std::map<std::string, std::map<std::string, std::string>> behaviours_;  // name by agent and m
   std::map<std::string, std::int64_t> frames_;
   std::int64_t messages_{};
   std::int64_t lost_{};

@@ -12,6 +12,7 @@
 #include <thread>
 #include <tuple>
 
+#include "base/command_line.hpp"
 #include "base/fault.hpp"
 #include "ui_cli/view/run_source.hpp"
 #include "ui_cli/view/server.hpp"
@@ -105,15 +106,9 @@ int run_view(const std::vector<std::string>& arguments, std::ostream& out, std::
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
   std::signal(SIGPIPE, SIG_IGN);  // a page that goes away is no error
+  if (const auto status = parse_words(app, arguments, out, err)) return *status;
   try {
-    std::vector<std::string> words(arguments.rbegin(), arguments.rend());
-    app.parse(std::move(words));
     return serve(o, out);
-  } catch (const CLI::CallForHelp& e) {
-    return app.exit(e, out, err);
-  } catch (const CLI::Error& e) {
-    err << FaultError(FaultCode::bad_usage, e.what()).error_line() << std::endl;
-    return 2;
   } catch (const FaultError& e) {
     err << e.error_line() << std::endl;
     return exit_status(e.fault().code);

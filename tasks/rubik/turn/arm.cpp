@@ -25,15 +25,6 @@ void put_turn(const TurnOrder& turn, Order& order) {
   order.arm.pose[kAngle] = turn.angle;
 }
 
-double alignment_of(const Order& order) {
-  const AxisCommand& about_x = order.arm.frame.ax;
-  return about_x.b == Behaviour::contact ? about_x.mobility : 0;
-}
-
-void put_alignment(double mobility, Order& order) {
-  if (mobility > 0) order.arm.frame.ax = c(0, kTurn.az.inertia, mobility);
-}
-
 double jaw_step_of(const Order& order) { return order.arm.gripper > 0 ? order.arm.gripper : kJawStep; }
 
 }  // namespace mrroc::rubik

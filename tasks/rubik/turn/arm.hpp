@@ -30,10 +30,6 @@ struct TurnOrder {
 [[nodiscard]] TurnOrder turn_of(const Order& order);
 /// Puts it into an order.
 void put_turn(const TurnOrder& turn, Order& order);
-/// @return B about all axes while the jaws grip [s/(kg m^2)], 0: none, as in MG tab. 6
-[[nodiscard]] double alignment_of(const Order& order);
-/// Puts it into an order that has a turn already.
-void put_alignment(double mobility, Order& order);
 /// @return dg of jaws that touch nothing, per macrostep [m]: gripper of the order's command; without one the tables'
 [[nodiscard]] double jaw_step_of(const Order& order);
 

@@ -28,14 +28,6 @@ EffectorCommand freely(const X& x) {
   return command(x, frame, sign * jaw_step_of(x.T));
 }
 
-/// tab. 6(b); where it is ordered, also compliant about all axes: a hand that is not quite aligned with the cube would
-/// otherwise turn the cube in the other hand, with moments up to the end of the sensor's range.
-EffectorCommand close_xy(const X& x) {
-  TaskFrameCommand frame = kCloseXY;
-  if (const double B = alignment_of(x.T); B > 0) frame.ax = frame.ay = frame.az = c(0, kAlignInertia, B);
-  return command(x, frame, -kJawStep);
-}
-
 /// B about z of a face that stands: tab. 7's, or a share of the order's when that is far above it.
 double least_mobility(const TurnOrder& turn) {
   return std::min(turn.mobility, std::max(kTurn.az.mobility, kOfStanding * turn.mobility));
@@ -76,10 +68,7 @@ EffectorCommand command(const X& x, const TaskFrameCommand& frame, double dg) {
 bool pushing(const X& x) { return x.e.F_a[Axis::z] > kApproachForce; }
 bool settled(const X& x) { return ecp::age(x) >= kSettling; }
 bool narrow(const X& x) { return x.e.gripper <= kNarrow; }
-bool gripped(const X& x) {
-  const bool aligned = x.e.F_a.angular().cwiseAbs().maxCoeff() < kAligned;
-  return x.e.blocked && (aligned || alignment_of(x.T) == 0);
-}
+bool gripped(const X& x) { return x.e.blocked; }
 bool turned(const X& x) {
   return std::copysign(1.0, x.c.turn.torque) * track_angle(x).angle >= x.c.turn.angle;
 }
@@ -132,7 +121,7 @@ const std::array<Motion<Arm>, 6> kWorker{{
   {  1, "approach", kRetain,   kRetain,     row<kApproach, 0>, kNoSensor, event<1, pushing>,  told<1>},
   {  2, "settle",   kRetain,   kRetain,     row<kApproach, 0>, kNoSensor, event<2, settled>,  told<2>},
   {  3, "close y",  kRetain,   kRetain,     freely<kCloseY, -1>, kNoSensor, event<3, narrow>,   told<1>},
-  {  4, "close xy", kRetain,   kRetain,     close_xy, kNoSensor, event<4, gripped>,  told<2>},
+  {  4, "close xy", kRetain,   kRetain,     row<kCloseXY, -1>, kNoSensor, event<4, gripped>,  told<2>},
   {  5, "await the turn", kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<5, nothing>,  told<1>},
   {  6, "await release", kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<6, nothing>,  told<2>},
 }};

@@ -25,13 +25,9 @@ inline constexpr TaskFrameCommand kStill{.x = u(), .y = u(), .z = u(), .ax = u()
 
 inline constexpr double kApproachForce = 0.9 * 0.01 / 0.0025;  ///< threshold of (66) [N]
 inline constexpr std::int64_t kSettling = 25;                  ///< i_d of (69) [macrosteps]
-inline constexpr double kNarrow = 0.06;    ///< distance of the jaws that ends m = 3, (71) [m]
-inline constexpr double kRelease = 0.02;   ///< opening that ends m = 6, (77) [m]
-inline constexpr double kJawStep = 0.001;  ///< dg(m), per macrostep [m]
-inline constexpr double kAligned = 1;      ///< moment of a hand that is aligned with the cube [N m]
-/// I about all axes while a hand aligns itself [kg m^2]: above 16 Hz law (28) moves by 1/(I w), whatever B is, and with
-/// tab. 7's 0.5 two closed hands swing at 50 Hz.
-inline constexpr double kAlignInertia = 2;
+inline constexpr double kNarrow = 0.06;     ///< distance of the jaws that ends m = 3, (71) [m]
+inline constexpr double kRelease = 0.02;    ///< opening that ends m = 6, (77) [m]
+inline constexpr double kJawStep = 0.001;   ///< dg(m), per macrostep [m]
 inline constexpr double kResists = 0.75;    ///< share of F_d about z at which the face is about to stand
 inline constexpr double kOfStanding = 0.4;  ///< of the ordered mobility, for a face that stands
 inline constexpr double kQuicken = 1.1;  ///< by which the mobility about z grows per macrostep while it turns
@@ -43,11 +39,10 @@ inline constexpr double kWidest = 0.089;
 EffectorCommand command(const Arm::X& x, const TaskFrameCommand& frame, double dg);
 
 // Predicates, (66)-(77). Each is a function of x_c alone.
-bool pushing(const Arm::X& x);  ///< (66) W presses against the cube
-bool settled(const Arm::X& x);  ///< (69) i_d macrosteps have passed since entry
-bool narrow(const Arm::X& x);   ///< (71) the jaws are about to touch
-/// (72) the jaws are blocked; and the hand is aligned with the cube, where that is ordered.
-bool gripped(const Arm::X& x);
+bool pushing(const Arm::X& x);   ///< (66) W presses against the cube
+bool settled(const Arm::X& x);   ///< (69) i_d macrosteps have passed since entry
+bool narrow(const Arm::X& x);    ///< (71) the jaws are about to touch
+bool gripped(const Arm::X& x);   ///< (72) the jaws are blocked
 bool turned(const Arm::X& x);    ///< (75) the unwrapped angle about z since entry has reached the order's
 bool released(const Arm::X& x);  ///< (77) the jaws have opened by kRelease since entry
 bool nothing(const Arm::X& x);   ///< the other arm looks for the event

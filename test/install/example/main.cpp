@@ -6,7 +6,7 @@ int main(int argc, char** argv) {
   return sim::run_arm_task({.name = "touch",
                             .about = "One arm touches a surface with 2 N and draws back.",
                             .config = touch::config(),
-                            .behaviours = sim::names_of(touch::kTouch),
+                            .behaviours = sim::words_of(touch::kTouch),
                             .ecp = ecp::solo(touch::kTouch),
                             .figures = touch::figures,
                             .pictures = sim::force_picture<Axis::z, 2>},

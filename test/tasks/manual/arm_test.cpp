@@ -133,6 +133,31 @@ TEST(ManualArm, ARefusedOrderEndsWithItsReasonAndTheNextOneIsTaken) {
   EXPECT_EQ(play.decisions.back().y.T.fault.code, FaultCode::unknown_model);
 }
 
+TEST(ManualArm, AGoalOutOfReachFailsBeforeAnythingMoves) {
+  struct UpToOne final : Reach {
+    [[nodiscard]] std::optional<Fault> objection(Representation space, const ecp::Coordinates& goal,
+                                                 const EffectorReply& now,
+                                                 std::optional<int> model) const override {
+      EXPECT_EQ(space, Representation::joints);
+      EXPECT_EQ(now.joints[0], 0.1);
+      EXPECT_EQ(model, std::nullopt);
+      if (goal[0] <= 1) return {};
+      return Fault{.code = FaultCode::joint_limit, .axis = 0, .value = goal[0], .limit = 1};
+    }
+  } const reach;
+  ManualOrder o{.kind = Kind::move, .space = Representation::joints, .reference = Reference::relative};
+  for (const double jog : {0.5, 0.95}) {
+    o.value = {jog, 0, 0, 0, 0, 0};
+    X first = image(o);
+    first.c.reach = &reach;
+    const Play play(first, 400);
+    EXPECT_EQ(play.x.c.done, 1);
+    EXPECT_EQ(play.commands(5).empty(), jog > 0.9) << "0.1 + " << jog;
+    EXPECT_EQ(play.x.c.fault.code, jog > 0.9 ? FaultCode::joint_limit : FaultCode::none);
+    EXPECT_EQ(play.decisions.back().y.T.fault.limit, jog > 0.9 ? 1 : 0);
+  }
+}
+
 TEST(ManualArm, AMotionThatCannotBePlannedFails) {
   ManualOrder o{.kind = Kind::move, .space = Representation::joints};
   o.velocity = 7;

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<ArmInfo> kArms{{"arm1", 6, {}}, {"arm2", 7, {}}};
+const std::vector<ArmInfo> kArms{{"arm1", 6, {}}, {"arm2", 7, {}, true}};
 
 /// The desk, a terminal, and arms that say what the test wants.
 struct Office {

@@ -11,7 +11,7 @@
 namespace mrroc::manual {
 namespace {
 
-const std::vector<ArmInfo> kArms{{"arm1", 6, {{"front", {0, -1.57, 0, 1.56, 1.57, -1.57}}}},
+const std::vector<ArmInfo> kArms{{"arm1", 6, {{"front", {0, -1.57, 0, 1.56, 1.57, -1.57}}}, true},
                                  {"arm2", 7, {{"front", {0.1, 0, -1.57, 0, 1.56, 1.57, -1.57}}}}};
 
 ManualOrder only(std::string_view line) {
@@ -92,6 +92,7 @@ TEST(Words, WhatIsNotUnderstoodIsRefusedWithTheWayToWriteIt) {
   EXPECT_NE(refusal("jgo arm1 motors 1 2 3 4 5 6").find("did you mean 'jog'"), std::string::npos);
   EXPECT_NE(refusal("move arm1 legs 1 2 3").find("motors, joints, euler and angle-axis"), std::string::npos);
   EXPECT_NE(refusal("gripper arm1").find("gripper ARM METRES"), std::string::npos);
+  EXPECT_NE(refusal("gripper all 0.07").find("arm2 has no gripper"), std::string::npos);
   for (const char* line :
        {"", "home", "home arm1 now", "gripper arm1 -1", "gripper arm1 nan", "model arm1 1.5",
         "move arm1 joints 1 2 3 4 5 inf", "jog arm1 joints 1 2 3 4 5 6 speed 0",

@@ -90,7 +90,7 @@ def look_at_a_run(page, folder: Path):
     page.wait("document.querySelector('#sheets canvas').clientWidth === 300")
     check(page.share("#sheets canvas", INK) > 0.002, "the ink is on the sheet, and a click makes it larger")
     page.click("#sheets canvas")
-    check(page.value("document.querySelector('#behaviour').innerText") == "m = 2 draw", "the behaviour has its name")
+    check(page.value("document.querySelector('#behaviour').innerText") == "m = 2 arm1 does: draw", "the behaviour has its name")
     play_and_pause(page)
     turn_the_cube(page)
     before = page.share("#charts", BLUE)

@@ -41,7 +41,9 @@ TEST(ViewRun, ShowsEveryReadingOfARunFolder) {
     ASSERT_EQ(row[column("ink")], i == 25 ? -1 : i <= 50 ? 0 : 1) << "macrostep " << i;
   }
   const json values = json::parse(news).at("values");
-  EXPECT_EQ(values.at("behaviours"), (json{{"1", "approach"}, {"2", "draw"}}));
+  EXPECT_EQ(values.at("behaviours"),
+            (json{{"", {{"1", "approach"}, {"2", "draw"}}},
+                  {"arm1", {{"1", "arm1 does: approach"}, {"2", "arm1 does: draw"}}}}));
   EXPECT_EQ(values.at("summary").at("outcome"), "done");
   EXPECT_EQ(values.at("count").at("lost"), 0);
   EXPECT_EQ(json::parse(news).at("lines").at(0).at("text"), "operator: start");

@@ -90,6 +90,10 @@ task_status_t status(int m, std::string_view name) {
   s.m = m;
   link::put_text(s.task, "sample");
   link::put_text(s.behaviour, name);
+  s.n_agents = 1;  // arm1 has behaviours of its own
+  s.agent_m[0] = m;
+  link::put_text(s.agent[0], "arm1");
+  link::put_text(s.agent_behaviour[0], "arm1 does: " + std::string(name));
   return s;
 }
 

@@ -106,5 +106,9 @@ export class History {
     const row = track ? track.find(t) : -1;
     return row < 0 ? 0 : track.at(row, this.column.m);
   }
-  name_of(m) { return (this.values.behaviours || {})[m] || (m ? `m = ${m}` : ''); }
+  /** @return what the arm calls it, or else the coordinator, whose orders it copies */
+  name_of(arm, m) {
+    const names = this.values.behaviours || {};
+    return names[arm]?.[m] || names['']?.[m] || (m ? `m = ${m}` : '');
+  }
 }

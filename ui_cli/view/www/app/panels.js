@@ -46,8 +46,10 @@ export function show_header(history, connected, arm, t) {
   const [words, kind] = state_of(history, connected), pill = by_id('state'), chip = by_id('behaviour');
   pill.textContent = words;
   pill.className = `pill ${kind}`;
-  const m = history.behaviour(arm, t), name = history.name_of(m);
+  const m = history.behaviour(arm, t), name = history.name_of(arm, m);
+  const agent = history.values.status?.agents?.find((a) => a.name === arm);
   chip.hidden = !m;
+  chip.title = agent?.m === m && agent.ended_because ? `after ${agent.ended_because}` : '';
   const dot = element('i');
   dot.style.background = colour_of(m);
   chip.replaceChildren(dot, name.startsWith('m =') ? name : `m = ${m}  ${name}`);

@@ -45,7 +45,7 @@ export class Timeline {
     const box = this.canvas.getBoundingClientRect(), y = event.clientY - box.top, t = this.time(event.clientX - box.left);
     const lane = this.lanes(this.canvas.clientHeight).find((l) => y >= l.y && y <= l.y + l.h);
     const m = lane ? this.history.behaviour(lane.name, t) : 0;
-    this.canvas.title = m ? `${lane.name}, ${t.toFixed(2)} s: m = ${m}, ${this.history.name_of(m)}` : '';
+    this.canvas.title = m ? `${lane.name}, ${t.toFixed(2)} s: m = ${m}, ${this.history.name_of(lane.name, m)}` : '';
   }
   draw() {
     const {c, width, height} = prepare(this.canvas), {begin, end} = this.range;
@@ -79,7 +79,7 @@ export class Timeline {
       c.save();
       c.beginPath(); c.rect(from, y, wide - 3, h); c.clip();
       c.fillStyle = theme.dark ? '#0e1116' : '#ffffff';
-      const name_of = this.history.name_of(band.m), full = `${band.m}  ${name_of}`;
+      const name_of = this.history.name_of(name, band.m), full = `${band.m}  ${name_of}`;
       c.fillText(c.measureText(full).width + 10 < wide && !name_of.startsWith('m =') ? full : `${band.m}`, from + 5, y + h / 2 + 0.5);
       c.restore();
     }

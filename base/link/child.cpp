@@ -1,4 +1,4 @@
-#include "mp/child.hpp"
+#include "base/link/child.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 
 #include "base/fault.hpp"
 
-namespace mrroc::mp {
+namespace mrroc::link {
 namespace {
 
 /// In the child, between fork and exec: only calls that are safe there.
@@ -91,8 +91,4 @@ void Child::kill() {
   if (!ended_) ::kill(pid_, SIGKILL);
 }
 
-std::filesystem::path program_folder() {
-  return std::filesystem::read_symlink("/proc/self/exe").parent_path();
-}
-
-}  // namespace mrroc::mp
+}  // namespace mrroc::link

@@ -1,5 +1,5 @@
 // Child processes: started, watched, and never left behind.
-#include "mp/child.hpp"
+#include "base/link/child.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -12,7 +12,7 @@
 
 #include "base/fault.hpp"
 
-namespace mrroc::mp {
+namespace mrroc::link {
 namespace {
 
 using namespace std::chrono_literals;
@@ -156,4 +156,4 @@ TEST(Child, CanBeMoved) {
 }
 
 }  // namespace
-}  // namespace mrroc::mp
+}  // namespace mrroc::link

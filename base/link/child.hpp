@@ -1,4 +1,4 @@
-// Child processes of a task.
+// Child processes: those of a task, and those that a replay starts.
 #pragma once
 #include <sys/types.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace mrroc::mp {
+namespace mrroc::link {
 
 /// A started program, with nothing to read. It ends when this process ends, however that happens.
 class Child {
@@ -37,7 +37,4 @@ class Child {
   bool well_{};
 };
 
-/// @return folder of the running program
-std::filesystem::path program_folder();
-
-}  // namespace mrroc::mp
+}  // namespace mrroc::link

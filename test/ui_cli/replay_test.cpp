@@ -1,0 +1,176 @@
+// Replays: their pace, whom they obey, and what they compare.
+#include "ui_cli/log/replay.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <deque>
+#include <thread>
+
+#include "base/link/memory_bus.hpp"
+#include "base/operator.hpp"
+#include "mrroc/operator_answer_t.hpp"
+#include "mrroc/operator_order_t.hpp"
+#include "test/ui_cli/run_folder.hpp"
+#include "ui_cli/log/replay_check.hpp"
+
+namespace mrroc::test {
+namespace {
+
+TEST_F(RunFolder, ReplayPublishesEverythingAtItsPaceAndTakesNoOrderButStop) {
+  const ui::RunRecord record(a_);
+  link::MemoryHub hub;
+  const auto bus = hub.open(), terminal = hub.open();
+  struct Count final : link::Sink {
+    void receive(std::string_view channel, std::span<const std::uint8_t>) noexcept override {
+      reports += channel == "r.arm1.report";
+    }
+    int reports{};
+  } count;
+  terminal->subscribe_all("r.", count);
+  link::Outbox<operator_order_t> orders(*terminal, {link::Group::agents, "r.operator"}, 1);
+  link::Queue<operator_answer_t> answers(*terminal, {link::Group::agents, "r.answer"}, 1);
+  ui::Replay replay(*bus, record, "r", {.without = {"operator.image"}});
+  EXPECT_TRUE(replay.go_on_to(0.5));
+  while (terminal->wait(std::chrono::milliseconds(0))) {
+  }
+  EXPECT_EQ(count.reports, 25);
+  orders.publish({.header = {}, .id = 5, .order = static_cast<int>(OperatorOrder::pause)}, 0);
+  EXPECT_TRUE(replay.go_on_to(0.6));
+  EXPECT_FALSE(replay.stopped());
+  orders.publish({.header = {}, .id = 6, .order = static_cast<int>(OperatorOrder::stop)}, 0);
+  EXPECT_FALSE(replay.go_on_to(100));
+  EXPECT_TRUE(replay.stopped());
+  while (terminal->wait(std::chrono::milliseconds(0))) {
+  }
+  EXPECT_EQ(count.reports, kMacrosteps);
+  EXPECT_EQ(answers.take()->accepted, 0);
+  EXPECT_EQ(answers.take()->accepted, 1);
+  EXPECT_EQ(replay.published(), kMacrosteps + 2) << "without the channel of somebody else";
+}
+
+/// A virtual sensor of the run: says for every report what the log has it say, but for one number.
+struct Echo final : link::Sink {
+  Echo(link::Bus& to, std::int64_t wrong_one, std::int64_t last_one)
+      : bus(to), wrong(wrong_one), last(last_one) {
+    bus.subscribe({link::Group::agents, "r.arm1.report"}, *this);
+  }
+  void receive(std::string_view, std::span<const std::uint8_t> bytes) noexcept override {
+    const std::int64_t i = link::header_of(bytes).stamp;
+    if (i <= last) next.push_back(i);
+  }
+  /// What a bus delivers must not publish.
+  void answer() {
+    while (bus.wait(std::chrono::milliseconds(0))) {
+    }
+    for (; !next.empty(); next.pop_front()) {
+      operator_image_t h{};
+      h.header = {1, next.front(), next.front()};
+      h.started = next.front() > 3 || next.front() == wrong;
+      std::vector<std::uint8_t> message(static_cast<std::size_t>(link::encoded_size<operator_image_t>()));
+      h.encode(message.data(), 0, link::encoded_size<operator_image_t>());
+      bus.publish({link::Group::agents, "r.operator.image"}, message);
+    }
+  }
+  link::Bus& bus;
+  std::int64_t wrong, last;
+  std::deque<std::int64_t> next;
+};
+
+TEST_F(RunFolder, ReplayComparesWhatAProcessBesideItSaysWithTheLog) {
+  tell_channels(a_, "vsp-arm1", "operator.image");
+  const ui::RunRecord record(a_);
+  const auto verdict = [&](std::int64_t wrong, std::int64_t last) {
+    link::MemoryHub hub;
+    const auto bus = hub.open(), sensor = hub.open();
+    Echo echo(*sensor, wrong, last);
+    ui::ReplayCheck check(*bus, record, "r", {"vsp-arm1"});
+    ui::Replay replay(*bus, record, "r", {.without = {}, .check = &check});
+    for (int waited = 0; replay.go_on_to(100); ++waited) {
+      EXPECT_TRUE(replay.waits());
+      echo.answer();
+      if (waited == 200) replay.give_up();
+      if (waited > 1000) break;
+    }
+    return check.verdicts().at(0);
+  };
+  const link::LogVerdict same = verdict(0, kMacrosteps);
+  EXPECT_EQ(same.process, "vsp-arm1");
+  EXPECT_EQ(same.compared, kMacrosteps);
+  EXPECT_EQ(same.differences, 0);
+  EXPECT_TRUE(same.incomplete.empty()) << same.incomplete;
+  const link::LogVerdict other = verdict(2, kMacrosteps);
+  EXPECT_EQ(other.differences, 1);
+  ASSERT_TRUE(other.first);
+  EXPECT_EQ(other.first->channel, "operator.image");
+  EXPECT_EQ(other.first->number, 2);
+  EXPECT_EQ(other.first->field, "started");
+  EXPECT_EQ(other.first->logged, "0");
+  EXPECT_EQ(other.first->recomputed, "1");
+  const link::LogVerdict silent = verdict(0, 30);
+  EXPECT_EQ(silent.compared, 30);
+  ASSERT_TRUE(silent.first);
+  EXPECT_EQ(silent.first->number, 31);
+  EXPECT_EQ(silent.first->recomputed, "nothing");
+  EXPECT_FALSE(silent.incomplete.empty());
+}
+
+TEST_F(RunFolder, ReplayNamesTheProcessesThatThereAreAndWantsTheWholeRunOfThem) {
+  const ui::ReplaySurroundings around{home_, [](const link::LcmAddress&) -> std::unique_ptr<link::Bus> {
+                                        throw FaultError(FaultCode::internal_error,
+                                                         "nothing is to be opened");
+                                      }};
+  const auto error = [&](const std::vector<std::string>& arguments) {
+    try {
+      ui::run_replay(arguments, around, out_, err_);
+    } catch (const FaultError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(error({a_.string(), "--with", "vsp-arm1", "--from", "1"}).find("begins with the run"),
+            std::string::npos);
+  link::MemoryHub hub;
+  const auto bus = hub.open();
+  const ui::RunRecord record(a_);
+  const auto wrong = [&](const char* process) {
+    try {
+      const ui::ReplayCheck check(*bus, record, "r", {process});
+    } catch (const FaultError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(wrong("vsp-arm3").find("it has mp, ecp-arm1"), std::string::npos) << wrong("vsp-arm3");
+  EXPECT_NE(wrong("ecp-arm1").find("did not come to its end"), std::string::npos) << wrong("ecp-arm1");
+}
+
+TEST_F(RunFolder, ReplayEndsWellWhenItIsInterruptedOrTerminated) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const fs::path sessions = home_ / std::to_string(signal);
+    fs::create_directories(sessions);
+    const pid_t child = ::fork();
+    if (child == 0) {
+      link::MemoryHub hub;
+      const ui::ReplaySurroundings around{sessions, [&](const link::LcmAddress&) { return hub.open(); }};
+      std::ostringstream out, err;
+      const int status = ui::run_replay({a_.string(), "--speed", "0.001"}, around, out, err);
+      ::_exit(out.str().find("messages, until") == std::string::npos ? 9 : status);
+    }
+    const auto runs = [&] {
+      return std::ranges::any_of(fs::directory_iterator(sessions),
+                                 [](const auto& e) { return e.path().extension() == ".json"; });
+    };
+    for (int k = 0; k < 1000 && !runs(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ::kill(child, signal);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status)) << signal;
+    EXPECT_EQ(WEXITSTATUS(status), 0) << signal;
+    EXPECT_FALSE(runs()) << "the session is over";
+  }
+}
+
+}  // namespace
+}  // namespace mrroc::test
