@@ -35,18 +35,18 @@ class Program {
   /// @return whether the step ended with a face that jams and is in its seat again, so that withdraw() is possible
   [[nodiscard]] bool may_withdraw(const Step& step) const {
     return x_.c.trouble == Trouble::jammed && std::abs(journal_.back().tool) < kSeated &&
-           !step.before.empty() && step.before.back().hand == step.comes;
+           !step.withdrawal.points.empty();
   }
 
-  /// Takes back a step whose face jams: the hand that has come lets go and goes back the way it came, to where that
-  /// motion began. The other one holds the cube as before. @return as execute()
+  /// Takes back a step whose face jams: the hand that has come lets go and draws back, the other one holds the cube as
+  /// before. @return as execute()
   Outcome withdraw(const Step& step) {
     x_.c.trouble = Trouble::none;
     x_.c.cycle.leaves = step.comes;
     x_.c.coordination = {.m = 6};
     journal_.back().given_up = true;
     Outcome o = behaviour(kCycle[5]);
-    if (well(o)) o = go(way_back(step.before.back()), step.before_grasp.hand, false);
+    if (well(o)) o = go(step.withdrawal, step.before_grasp.hand, false);
     return end(o);
   }
 
@@ -54,16 +54,6 @@ class Program {
 
  private:
   static constexpr double kSeated = 0.05;  // of a tool, from which its face falls into the seat [rad]
-
-  /// @return from behind the end of the motion, where the arm is, through all of its points
-  [[nodiscard]] static FreeMotion way_back(FreeMotion motion) {
-    auto& points = motion.points;
-    points.push_back(points.back());
-    // The speed belongs to the line that leads to a point.
-    for (std::size_t k = 0; k + 1 < points.size(); ++k) points[k].speed = points[k + 1].speed;
-    std::ranges::reverse(points);
-    return motion;
-  }
 
   Outcome end(Outcome o) {
     const Trouble trouble = x_.c.trouble;

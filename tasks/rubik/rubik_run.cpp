@@ -192,9 +192,7 @@ Outcome RubikRun::execute_plan(const Plan& plan, X& x, Program<Port>& program, P
       say(fmt::format("{} jams {}: it will be turned the other way round", letter(step.turn->face()),
                       step.angle > 0 ? "clockwise" : "counterclockwise"));
       jams_.add(step.turn->face(), step.angle);
-      now.grasp = step.before_grasp;
-      now.joints = step.contact;
-      now.joints[index(step.comes)] = step.before.back().points.front().joints;
+      now = {step.before_grasp, step.withdrawn};
       left.assign(plan.turns.end() - static_cast<std::ptrdiff_t>(all + 1 - turn), plan.turns.end());
       o = program.withdraw(step);
     }

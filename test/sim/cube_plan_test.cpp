@@ -107,6 +107,12 @@ TEST_F(CubePlan, TurnsAFaceThatJamsByThreeQuartersTheOtherWay) {
   for (const char* moves : {"R", "U'", "R2", "U2", "R'", "R U' R2 U2 R U' R'"})
     expect_plan(planner, rubik::parse_moves(moves), options);
   const Planned planned = planner.make_plan(start, rubik::parse_moves("U'"), options);
+  const rubik::Step& step = planned.plan->steps.back();
+  // If the other direction jams as well, the hand that has come can go back.
+  ASSERT_FALSE(step.withdrawal.points.empty());
+  EXPECT_EQ(step.withdrawal.hand, step.comes);
+  const PlanStart again{step.before_grasp, step.withdrawn};
+  EXPECT_TRUE(planner.make_plan(again, rubik::parse_moves("U'"), {}).plan);
   EXPECT_NEAR(planned.plan->steps.back().angle, 1.5 * std::numbers::pi, 1e-12);
 }
 

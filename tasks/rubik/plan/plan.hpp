@@ -76,10 +76,12 @@ struct Step {
 
   Hand comes{};              ///< worker of m = 1..4: approaches along its z and grips; the other arm holds
   std::optional<Move> turn;  ///< m = 5: the track arm turns about its z, whichever arm came
-  double
-      angle{};    ///< signed angle of that turn about z of the track arm's E [rad], +-pi/2, +-pi, or +-3 pi/2
-  Hand leaves{};  ///< m = 6: opens; the other arm has the cube then
+  double angle{};      ///< signed, of that turn about z of the track arm's E [rad]: +-1, 2 or 3 times pi/2
+  Hand leaves{};       ///< m = 6: opens; the other arm has the cube then
   FreeMotion retreat;  ///< of `leaves`, straight along its z
+  FreeMotion
+      withdrawal;  ///< the same of `comes` before the turn, for a face that jams; without points: not free
+  ArmJoints withdrawn;  ///< nominal joints when that has been done: `before_grasp` holds
 
   Grasp before_grasp;  ///< of the arm that holds at the beginning
   Grasp grasp;         ///< of `comes`, when it has gripped, before the turn

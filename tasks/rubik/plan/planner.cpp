@@ -124,6 +124,13 @@ struct Planner::Impl {
       const Stance& after = motions.stance(hand, at.after[index(hand)]);
       s.after[index(hand)] = hand == s.leaves ? after.back() : after.hold;
     }
+    if (edge.turn) {
+      const int from = at.meeting[index(w)];
+      if (const auto* away = motions.find({MotionKind::retreat, w, from, from, at.meeting[index(h)]}))
+        s.withdrawal = *away;
+      s.withdrawn = s.contact;
+      s.withdrawn[index(w)] = motions.stance(w, from).back();
+    }
     const CycleTimes& times = options.times;
     s.seconds = edge.shows ? times.look : times.grip + times.open;
     for (const Motion& m : wound.motions) {
