@@ -205,25 +205,30 @@ bool resting(const X& x) {
 ecp::None nothing(const X&) { return {}; }
 
 template <int m>
-constexpr Motion<Coordinator> row(const char* name) {
-  return {m, name, begin<m>, coordinate_arms<m>, nothing, nothing, cycle<m>, ended<m>};
+constexpr Motion<Coordinator> row(const char* name, const char* until) {
+  return {m, name, begin<m>, coordinate_arms<m>, nothing, nothing, cycle<m>, ended<m>, until};
 }
 
 }  // namespace
 
-const std::array<Motion<Coordinator>, 6> kCycle{row<1>("approach"), row<2>("settle"), row<3>("close y"),
-                                                row<4>("close xy"), row<5>("turn"),   row<6>("open")};
+const std::array<Motion<Coordinator>, 6> kCycle{
+    row<1>("approach", "the worker presses, or there is trouble"),
+    row<2>("settle", "the force has settled, or there is trouble"),
+    row<3>("close y", "the worker's jaws are about to touch, or there is trouble"),
+    row<4>("close xy", "the worker's jaws are blocked, or there is trouble"),
+    row<5>("turn", "the angle is reached, or there is trouble"),
+    row<6>("open", "the jaws have opened, or there is trouble")};
 
 // clang-format off
-// m                                      name               entry        memory      effector sensors orders           terminal condition
-const Motion<Coordinator> kWaitForStart{ 0, "wait for start", retain,      retain,     nothing, nothing, both<kWait>,     may_start};
-const Motion<Coordinator> kSendWay     { kTakeWay, "tell the way", first_point, next_point, nothing, nothing, send_points, ways_known};
-const Motion<Coordinator> kMoveAlong   { kGo, "go",           retain,      watch_cube, nothing, nothing, go,              arrived};
-const Motion<Coordinator> kWeighBoth   { kWeigh, "weigh",     retain,      retain,     nothing, nothing, weigh,           weighed};
-const Motion<Coordinator> kStopBoth    { kWait, "break off",     retain,      retain,     nothing, nothing, both<kWait>, resting};
-const Motion<Coordinator> kThink       { 12, "think",         retain,      retain,     nothing, nothing, both<kWait>,     has_thought};
-const Motion<Coordinator> kLook        { 13, "look",          retain,      retain,     nothing, nothing, both<kWait>,     has_seen};
-const Motion<Coordinator> kResume      { 11, "pause",         retain,      retain,     nothing, nothing, both<kWait>,     goes_on};
+// m                                      name               entry        memory      effector sensors orders           terminal condition, in words
+const Motion<Coordinator> kWaitForStart{ 0, "wait for start", retain,      retain,     nothing, nothing, both<kWait>,     may_start, "both arms are ready and start was given"};
+const Motion<Coordinator> kSendWay     { kTakeWay, "tell the way", first_point, next_point, nothing, nothing, send_points, ways_known, "the arms know their ways"};
+const Motion<Coordinator> kMoveAlong   { kGo, "go",           retain,      watch_cube, nothing, nothing, go,              arrived, "the arms have arrived"};
+const Motion<Coordinator> kWeighBoth   { kWeigh, "weigh",     retain,      retain,     nothing, nothing, weigh,           weighed, "both hands are weighed"};
+const Motion<Coordinator> kStopBoth    { kWait, "break off",     retain,      retain,     nothing, nothing, both<kWait>, resting, "both arms are at rest"};
+const Motion<Coordinator> kThink       { 12, "think",         retain,      retain,     nothing, nothing, both<kWait>,     has_thought, "the time to think is over"};
+const Motion<Coordinator> kLook        { 13, "look",          retain,      retain,     nothing, nothing, both<kWait>,     has_seen, "there is a picture of the face"};
+const Motion<Coordinator> kResume      { 11, "pause",         retain,      retain,     nothing, nothing, both<kWait>,     goes_on, "the operator lets it go on"};
 // clang-format on
 
 const char* to_string(Trouble trouble) {

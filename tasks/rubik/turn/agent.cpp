@@ -128,11 +128,11 @@ constexpr auto kRest = ecp::at_rest<Arm>;
 
 // clang-format off
 const std::array<Motion<Arm>, 4> kBetween{{
-  // m         name           entry        memory      command  sensors    event                    terminal condition
-  { kWait,    "wait",         kRetain,     kRetain,    kRest,   kNoSensor, tell<kWait, never>,      order_changes},
-  { kTakeWay, "take the way", begin_way,   take_point, stand,   kNoSensor, tell<kTakeWay, never>,   other_order<kTakeWay>},
-  { kGo,      "go",           plan_path,   kRetain,    follow,  kNoSensor, tell<kGo, arrived>,      other_order<kGo>},
-  { kWeigh,   "weigh",        not_weighed, weigh_once, weigh,   kNoSensor, tell<kWeigh, weighed>,   other_order<kWeigh>},
+  // m         name           entry        memory      command  sensors    event                    terminal condition, in words
+  { kWait,    "wait",         kRetain,     kRetain,    kRest,   kNoSensor, tell<kWait, never>,      order_changes, "the coordinator orders something"},
+  { kTakeWay, "take the way", begin_way,   take_point, stand,   kNoSensor, tell<kTakeWay, never>,   other_order<kTakeWay>, "the coordinator orders something else"},
+  { kGo,      "go",           plan_path,   kRetain,    follow,  kNoSensor, tell<kGo, arrived>,      other_order<kGo>, "the coordinator has seen the arrival"},
+  { kWeigh,   "weigh",        not_weighed, weigh_once, weigh,   kNoSensor, tell<kWeigh, weighed>,   other_order<kWeigh>, "the coordinator has seen that the hand is weighed"},
 }};
 // clang-format on
 
