@@ -184,6 +184,7 @@ void OperatorDesk::obey(OperatorOrder order, std::int64_t i) {
       break;
     case OperatorOrder::trigger:
       ++image_.trigger;
+      trigger_due_ = false;
       break;
     case OperatorOrder::stop:
       stop_ = true;
@@ -201,8 +202,10 @@ bool OperatorDesk::stop_accepted() const {
 }
 
 bool OperatorDesk::waits_for_a_person() const {
-  const bool waits = state_ == TaskState::waiting_for_start && !image_.started;
-  return waits && waiting_.empty() && script_.empty() && !stop_ && !emergency_;
+  const bool start = state_ == TaskState::waiting_for_start && !image_.started;
+  const bool resume = state_ == TaskState::paused && image_.paused;
+  const bool trigger = state_ == TaskState::running && waits_for_trigger_ && trigger_due_;
+  return (start || resume || trigger) && waiting_.empty() && script_.empty() && !stop_ && !emergency_;
 }
 
 void OperatorDesk::set_behaviour(int m) {
@@ -210,7 +213,7 @@ void OperatorDesk::set_behaviour(int m) {
   if (std::erase(waiting_, OperatorOrder::trigger) > 0)
     process_.say(fmt::format("operator: the trigger came when behaviour {} had ended, it is not obeyed", m_));
   m_ = m;
-  waits_for_trigger_ = false;
+  waits_for_trigger_ = trigger_due_ = false;
 }
 
 void OperatorDesk::set_state(TaskState state, bool waits_for_trigger) {

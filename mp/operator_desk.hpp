@@ -55,14 +55,17 @@ class OperatorDesk {
   /// for the behaviour in which it was given: one that has not been taken when another behaviour begins is
   /// dropped, and until set_state() says so, the new behaviour does not wait for one.
   void set_behaviour(int m);
+  /// @param due  all that the present behaviour does before its trigger is done, and a person gives the trigger; forgotten
+  ///             when it is taken, and when another behaviour begins
+  void set_trigger_due(bool due) { trigger_due_ = due; }
 
   [[nodiscard]] TaskState state() const { return state_; }
   /// @return whether stop has been ordered
   [[nodiscard]] bool stop_ordered() const { return stop_; }
   /// @return whether stop has been accepted, taken or not: macrosteps may have ceased
   [[nodiscard]] bool stop_accepted() const;
-  /// @return whether the task waits for its start, which only a person can give: no order is on its way, and no script
-  ///         has one
+  /// @return whether only a person can go on, with the start, the end of a pause or a trigger that is due: no order is on
+  ///         its way, and no script has one
   [[nodiscard]] bool waits_for_a_person() const;
   /// @return whether an emergency stop has been accepted; it does not wait for a macrostep
   [[nodiscard]] bool emergency() const { return emergency_; }
@@ -87,6 +90,7 @@ class OperatorDesk {
   OperatorImage image_;
   TaskState state_{TaskState::starting};
   bool waits_for_trigger_{};
+  bool trigger_due_{};
   int m_{};           // behaviour of the coordinator
   std::int64_t i_{};  // of the last take()
   bool stop_{};

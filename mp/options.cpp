@@ -54,7 +54,11 @@ void add_task_options(CLI::App& app, TaskOptions& o) {
       ->check(CLI::IsMember({"step", "wall"}))
       ->type_name("step|wall");
   app.add_option_function<std::string>(
-         "--speed", [&o](const std::string& s) { o.speed = parse_speed(s); },
+         "--speed",
+         [&o](const std::string& s) {
+           o.speed = parse_speed(s);
+           o.speed_asked = true;
+         },
          "simulated seconds per second in lock-step, or max (default)")
       ->type_name("X|max");
   app.add_option("--run-dir", o.run_dir, "the run folder (default runs/TASK-TIME)")->type_name("DIR");

@@ -20,6 +20,7 @@ struct TaskOptions {
   std::uint64_t seed{1};
   ClockKind clock{ClockKind::step};
   double speed{0};                    ///< simulated seconds per second; 0: as fast as possible
+  bool speed_asked{};                 ///< --speed was given
   std::filesystem::path run_dir;      ///< empty: runs/TASK-TIME
   std::filesystem::path config_file;  ///< empty: the task's own
   std::vector<std::string> settings;  ///< key=value, over the configuration file

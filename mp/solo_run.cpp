@@ -57,10 +57,10 @@ struct SoloRun::Dormant {
 };
 
 constexpr Motion<SoloRun::Dormant> SoloRun::Dormant::wait_for_start() {
-  return {0, "wait for start", retain, retain, nothing, nothing, wait, may_start};
+  return {0, "wait for start", retain, retain, nothing, nothing, wait, may_start, "start, arms ready"};
 }
 constexpr Motion<SoloRun::Dormant> SoloRun::Dormant::wait_for_end() {
-  return {1, "the arms work", retain, retain, nothing, nothing, work, all_done};
+  return {1, "the arms work", retain, retain, nothing, nothing, work, all_done, "all arms are done"};
 }
 
 SoloRun::SoloRun(TaskRun& run, const SoloParameters& parameters,

@@ -47,8 +47,8 @@ class TaskRun {
   /// @throws FaultError start_failed
   void start();
 
-  /// To be called once per macrostep: passes the operator's stop on (rule R3). While the task waits for a start that only
-  /// a person can give, macrosteps do not go by faster than they last.
+  /// To be called once per macrostep: passes the operator's stop on (rule R3). While only a person can go on, see
+  /// OperatorDesk::waits_for_a_person(), macrosteps do not go by faster than they last.
   /// @param sim_s  simulated time [s]
   void each_macrostep(std::int64_t i, double sim_s);
 

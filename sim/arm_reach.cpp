@@ -2,6 +2,7 @@
 
 #include "base/representation.hpp"
 #include "edp/guard.hpp"
+#include "robots/catalogue.hpp"
 #include "robots/irb6/config.hpp"
 #include "tasks/manual/config.hpp"
 
@@ -14,7 +15,7 @@ Pose pose_of(Representation r, const PoseNumbers& numbers) {
 
 class ArmReach final : public manual::Reach {
  public:
-  explicit ArmReach(std::unique_ptr<irb6::Arm> arm) : arm_(std::move(arm)) {}
+  explicit ArmReach(std::unique_ptr<edp::Robot> arm) : arm_(std::move(arm)) {}
 
   [[nodiscard]] std::optional<Fault> objection(Representation space, const ecp::Coordinates& goal,
                                                const EffectorReply& now,
@@ -49,13 +50,15 @@ class ArmReach final : public manual::Reach {
   }
 
  private:
-  std::unique_ptr<irb6::Arm> arm_;
+  std::unique_ptr<edp::Robot> arm_;
 };
 
 }  // namespace
 
 std::unique_ptr<manual::Reach> make_arm_reach(const Config& config, const std::string& arm) {
-  return std::make_unique<ArmReach>(irb6::read_arm(config, arm, "irb6_postument"));
+  constexpr const char* kUsual = "irb6_postument";
+  const robots::Kind* const kind = robots::find(config.section("robots." + arm).text("model", kUsual));
+  return std::make_unique<ArmReach>(kind ? kind->make() : irb6::read_arm(config, arm, kUsual));
 }
 
 void run_manual_ecp(link::Process& process, const Config& config, const link::PartArguments& arguments) {

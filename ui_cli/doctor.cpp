@@ -53,7 +53,8 @@ Finding real_time(const Host& h) {
   if (h.real_time_priority >= kPriority && h.memory_lock)
     return {"real time", Verdict::good, "SCHED_FIFO and locked memory are permitted", ""};
   return {
-      "real time", Verdict::limited, "not permitted; only --clock wall would use it",
+      "real time", Verdict::limited,
+      "not permitted; --clock wall would use both, --speed and the full-screen view locked memory",
       "printf '%s - rtprio 40\\n%s - memlock unlimited\\n' $USER $USER > /etc/security/limits.d/mrroc.conf"
       "    (as root), then log in again"};
 }

@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
         {"view",
          "Show a running task, or a run folder, as a web page on this host",
          view::run_view,
-         {"--port", "--session", "--url", "--with-task"}},
+         {"--port", "--session", "--url", "--with-task", "--json"}},
         {"stability",
          "Tell which contact the force law bears (no task needed)",
          edp::run_stability,

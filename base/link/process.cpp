@@ -16,7 +16,6 @@ using namespace std::chrono_literals;
 constexpr auto kRepeat = 100ms;
 constexpr auto kStatusPeriod = 500ms;  // between signs of life
 constexpr auto kReadyPeriod = 20ms;    // the same while assembling
-constexpr int kOrphaned = 5;           // times the patience without a word of the supervisor
 
 }  // namespace
 
@@ -125,7 +124,7 @@ void Process::check_supervisor() {
     heard_ = heard;
     supervisor_heard_ = now;
   }
-  if (now - supervisor_heard_ > kOrphaned * membership_.patience)
+  if (now - supervisor_heard_ > membership_.alone)
     throw FaultError(FaultCode::peer_silent, "nothing has been heard of the supervisor");
 }
 

@@ -46,6 +46,8 @@ struct Membership {
   ClockKind clock{ClockKind::step};
   /// How long a message that must come is waited for [wall time]; 0: for ever
   std::chrono::milliseconds patience{kPatience};
+  /// How long it goes on without a word of the supervisor [wall time]; with patience 0 for ever
+  std::chrono::milliseconds alone{kAlone};
   /// How long a macrostep lasts [wall time]; 0: as short as it can be
   std::chrono::microseconds macrostep{0};
   bool replayed{};  ///< the process runs once more on the log of a run, see base/link/log_check.hpp

@@ -18,6 +18,10 @@ inline constexpr std::chrono::seconds kPatience{0};
 inline constexpr std::chrono::seconds kPatience{30};
 #endif
 
+/// A process that has heard nothing of its supervisor for so long is alone. The supervisor gives a sign of life ten times
+/// a second, at any speed of the run.
+inline constexpr std::chrono::seconds kAlone{60};
+
 /// The channels that somebody waits for.
 using Sources = std::vector<const InboxBase*>;
 

@@ -146,6 +146,7 @@ void DrawingRun::show(const Motion<Coordinator>& motion, const X& x) {
                  : x.T.h.paused ? TaskState::paused
                                 : TaskState::running,
                  waits);
+  run_.desk().set_trigger_due(waits && operator_.done() && operator_.waits_for_orders());
   auto& board = run_.board();
   board.set_early(operator_.done() || !waits ? "" : still_busy(motion.m, operator_.progress()));
   if (waits && !told_done_ && operator_.done() && operator_.waits_for_orders()) {

@@ -54,8 +54,8 @@ bool ended(const X& x) { return x.T.hands.end && idle(x); }
 
 }  // namespace
 
-const Motion<Coordinator> kManualOperation{1,    "manual operation", retain, given, nothing, nothing, pass_on,
-                                           ended};
+const Motion<Coordinator> kManualOperation{
+    1, "manual operation", retain, given, nothing, nothing, pass_on, ended, "the operator's end, arms idle"};
 
 /// Between Move and the links.
 class ManualRun::Port {

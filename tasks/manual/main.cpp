@@ -66,6 +66,13 @@ int check(const Options& o, const Setup& s) {
   });
 }
 
+/// Who gives the instructions by hand wants motions that last as long as those of an arm.
+mp::TaskOptions paced(const Options& o) {
+  mp::TaskOptions task = o.task;
+  if (!task.speed_asked && o.words.empty() && task.clock == ClockKind::step) task.speed = 1;
+  return task;
+}
+
 int run(const Options& o) {
   Setup s = prepare(o);
   if (!o.task.check.empty()) return check(o, s);
@@ -104,5 +111,10 @@ int main(int argc, char** argv) {
   app.add_option("--words", o.words, "instructions that need no terminal: lines MACROSTEP WORDS...")
       ->type_name("FILE");
   mp::add_task_options(app, o.task);
-  return mp::run_command_line(app, argc, argv, [&] { return run(o); });
+  app.get_option("--speed")->description(
+      "simulated seconds per second in lock-step, or max (default: 1, with --words max)");
+  return mp::run_command_line(app, argc, argv, [&] {
+    o.task = paced(o);
+    return run(o);
+  });
 }

@@ -23,6 +23,9 @@ std::string refusal(const std::vector<std::string>& words, TaskOptions* result =
 
 TEST(TaskOptions, AreWhatTheCommandLineSays) {
   TaskOptions o;
+  EXPECT_EQ(refusal({}, &o), "");
+  EXPECT_EQ(o.speed, 0);
+  EXPECT_FALSE(o.speed_asked);
   EXPECT_EQ(refusal({"--seed", "7", "--speed", "2.5", "--clock", "wall", "--processes", "one"}, &o), "");
   EXPECT_EQ(o.seed, 7U);
   EXPECT_EQ(o.speed, 2.5);
@@ -30,6 +33,7 @@ TEST(TaskOptions, AreWhatTheCommandLineSays) {
   EXPECT_FALSE(o.separate);
   EXPECT_EQ(refusal({"--speed", "max", "--seed", "9223372036854775807"}, &o), "");
   EXPECT_EQ(o.speed, 0);
+  EXPECT_TRUE(o.speed_asked);
   EXPECT_EQ(o.seed, 9223372036854775807U);
 }
 

@@ -54,4 +54,11 @@ run probe_arm
 run probe_task --processes one
 # Any other task on this robot.
 run press --set robots.arm1.model=probe_arm
+# Manual operation moves it, and refuses what is beyond its ranges before it moves.
+printf '%s\n' '5 home arm1' '80 jog arm1 joints 0.01 0 0 0 0 0 speed 0.5 acceleration 0.2' \
+  '160 jog arm1 joints 50 0 0 0 0 0' '180 end' >"$place/words"
+timeout 120 "$bin/manual" --run-dir "$place/run-manual" --words "$place/words" --set robots.arm1.model=probe_arm \
+  --set 'robots.arm1.synchro="known_pose"' >"$place/run.log" 2>&1 || { cat "$place/run.log"; fail "manual"; }
+[[ $(grep -c 'arm1  move' "$place/run.log") == 1 ]] || { cat "$place/run.log"; fail "manual: the arm shall move once"; }
+"$bin/ui_cli" log check "$place/run-manual" >"$place/check.log" 2>&1 || { cat "$place/check.log"; fail "manual: log check"; }
 echo "all that was written builds, passes its tests and runs"

@@ -150,6 +150,8 @@ TEST_F(Manual, ATerminalIsAnsweredWhenItIsDoneOrWhyNot) {
   EXPECT_EQ(manual({"show", "arm1"}).status, 0);
   EXPECT_EQ(manual({"end"}).status, 0);
   EXPECT_EQ(task.end().status, 0);
+  const auto times = summary(folder_ / "run");
+  EXPECT_GT(times["wall_s"].get<double>(), 0.9 * times["sim_s"].get<double>()) << "who uses hands has time";
 }
 
 }  // namespace

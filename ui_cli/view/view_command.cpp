@@ -7,6 +7,7 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <ostream>
 #include <stdexcept>
 #include <thread>
@@ -44,6 +45,7 @@ struct Options {
   int port{};
   ui::Wish wish;
   bool with_task{};
+  bool json{};
 };
 
 /// A name or an address that cannot be one is told at once, not on the page.
@@ -81,7 +83,10 @@ int serve(const Options& o, std::ostream& out) {
     load_run(o.run, record);
   const Server server(
       {record, cameras, [&]() -> fs::path { return source ? source->folder() : fs::path(o.run); }}, o.port);
-  out << "view: " << server.url() << std::endl;
+  if (o.json)
+    out << nlohmann::json{{"url", server.url()}}.dump() << std::endl;
+  else
+    out << "view: " << server.url() << std::endl;
   stay(o, server, source.get());
   return 0;
 }
@@ -101,6 +106,7 @@ int run_view(const std::vector<std::string>& arguments, std::ostream& out, std::
       ->needs(session)
       ->type_name("URL");
   app.add_flag("--with-task", o.with_task, "end when no task runs and no page is open for 5 s");
+  app.add_flag("--json", o.json, "the address as JSON: {\"url\": ...}");
   app.footer(kFooter);
   interrupted = false;
   std::signal(SIGINT, interrupt);

@@ -223,7 +223,8 @@ TEST(Process, EndsWhenNothingIsHeardOfTheSupervisor) {
   const auto bus = hub.open();
   Membership orphan = member("b");
   orphan.roster = {"a", "b"};
-  orphan.patience = std::chrono::milliseconds(10);
+  orphan.patience = std::chrono::hours(1);  // a run at a slow pace
+  orphan.alone = std::chrono::milliseconds(50);
   Process b(*bus, orphan);
   try {
     b.assemble();

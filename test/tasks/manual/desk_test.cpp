@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "base/link/text.hpp"
+#include "tasks/manual/coordinator.hpp"
 #include "test/base/link/buses.hpp"
 
 namespace mrroc::manual {
@@ -168,6 +169,8 @@ TEST(ManualDesk, WhatWasTakenIsWrittenDownAndReplaysTheSame) {
   EXPECT_THROW(static_cast<void>(load_words(folder / "bad", kArms)), FaultError);
   fs::remove_all(folder);
 }
+
+TEST(ManualOperation, TellsTheOperatorWhatItWaitsFor) { EXPECT_FALSE(kManualOperation.until.empty()); }
 
 }  // namespace
 }  // namespace mrroc::manual
