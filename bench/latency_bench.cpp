@@ -2,20 +2,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
-#include <fstream>
-#include <functional>
-#include <limits>
+#include <cstdio>
 #include <optional>
 #include <random>
-#include <sstream>
 #include <thread>
 
 #include "base/fault.hpp"
 #include "base/link/channel.hpp"
 #include "base/link/session.hpp"
+#include "bench/latency_samples.hpp"
 #include "bench/operator_figures.hpp"
 #include "bench/task_process.hpp"
 #include "bench/terminal_program.hpp"
@@ -29,47 +25,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kKeys = 100;
 constexpr int kPausesPerRun = 4;
-constexpr double kStep = 0.002;          // [s]
-constexpr double kMacrostep = 0.02;      // [s]
 constexpr double kApproachSpeed = 0.01;  // of the task press in its first behaviour [m/s]
-
-/// One line of the driver's record of every step.
-struct Step {
-  std::int64_t k{};
-  std::string state;
-  std::array<double, 3> set{};  // set position of E [m]
-};
-
-std::vector<std::string> fields(const std::string& line) {
-  std::vector<std::string> found;
-  std::istringstream in(line);
-  for (std::string field; std::getline(in, field, ',');) found.push_back(field);
-  return found;
-}
-
-std::vector<Step> read_steps(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  std::string line;
-  std::getline(in, line);
-  const auto header = fields(line);
-  const auto column = [&](const char* name) { return std::ranges::find(header, name) - header.begin(); };
-  const auto x = static_cast<std::size_t>(column("set_x"));
-  std::vector<Step> steps;
-  while (std::getline(in, line)) {
-    const auto field = fields(line);
-    if (field.size() != header.size()) continue;
-    steps.push_back({std::stoll(field[0]),
-                     field[2],
-                     {std::stod(field[x]), std::stod(field[x + 1]), std::stod(field[x + 2])}});
-  }
-  return steps;
-}
-
-double speed(const Step& a, const Step& b) {
-  double sum = 0;
-  for (std::size_t l = 0; l < 3; ++l) sum += std::pow(b.set[l] - a.set[l], 2);
-  return std::sqrt(sum) / kStep;
-}
 
 /// The task press in real time, watched on its channels, and the full-screen terminal beside it.
 class Watched {
@@ -77,8 +33,10 @@ class Watched {
   explicit Watched(const std::filesystem::path& folder)
       : folder_(folder),
         session_(link::unique_session_name("latency")),
-        task_("press", {"--speed", "1", "--processes", "separate", "--session", session_, "--run-dir",
-                        folder.string(), "--set", "robots.arm1.record=always"}) {
+        task_("press",
+              {"--speed", "1", "--processes", "separate", "--session", session_, "--run-dir", folder.string(),
+               "--set", "robots.arm1.record=always"},
+              1min) {
     if (!task_.read_until("m = 1  approach"))
       throw FaultError(FaultCode::start_failed, "the task press did not start; look at ./run press");
     for (const auto& s : link::running_sessions())
@@ -100,26 +58,34 @@ class Watched {
     while (Clock::now() < until) {
       bus_->wait(std::chrono::milliseconds(2));
       const auto now = Clock::now();
-      while (const auto reply = replies_->take()) {
-        const double begun = seconds(now) - static_cast<double>(reply->step) * kStep;
-        begun_ = std::min(begun_, begun);
-      }
+      while (const auto reply = replies_->take()) newest_ = {now, static_cast<double>(reply->step)};
     }
   }
 
-  /// @return the step, with its fraction, that was executed then
-  [[nodiscard]] double step_at(Clock::time_point t) const { return (seconds(t) - begun_) / kStep; }
+  /// Call it at once after the key: only what came before it counts.
+  /// @param t  not before the last watch() @return the step, with its fraction, that was executed then. A world that
+  /// lags has not gone farther than to its next reply, so a latency may come out too long, but not too short
+  [[nodiscard]] double step_at(Clock::time_point t) const {
+    const double passed = std::chrono::duration<double>(t - newest_.at).count();
+    return newest_.step + std::clamp(passed, 0.0, kMacrostep) / kStep;
+  }
 
+  struct Record {
+    std::vector<Step> steps;
+    bool done{};         // the task has come to its own end: no stop was obeyed
+    std::string screen;  // what the terminal has shown since the last key
+  };
   /// Waits for the end. @return every step of the run
-  std::vector<Step> steps() {
-    task_.wait();
-    return read_steps(folder_ / "arm1-steps.csv");
+  Record record() {
+    const bool done = task_.wait() == 0;
+    return {read_steps(folder_ / "arm1-steps.csv"), done, terminal_->written()};
   }
 
  private:
-  static double seconds(Clock::time_point t) {
-    return std::chrono::duration<double>(t.time_since_epoch()).count();
-  }
+  struct Newest {
+    Clock::time_point at;
+    double step{};
+  };
 
   std::filesystem::path folder_;
   std::string session_;
@@ -127,19 +93,8 @@ class Watched {
   std::unique_ptr<link::Bus> bus_;
   std::optional<link::Queue<effector_reply_t>> replies_;
   std::optional<TerminalProgram> terminal_;
-  double begun_{std::numeric_limits<double>::infinity()};  // [s] of step 0
+  Newest newest_;
 };
-
-/// @return macrosteps from the key to the first step that is as wanted; infinite without one
-double latency(const std::vector<Step>& steps, double pressed,
-               const std::function<bool(const Step& before, const Step& now)>& wanted) {
-  for (std::size_t k = 1; k < steps.size(); ++k) {
-    if (static_cast<double>(steps[k].k) < pressed) continue;
-    if (wanted(steps[k - 1], steps[k]))
-      return (static_cast<double>(steps[k].k) - pressed) * kStep / kMacrostep;
-  }
-  return std::numeric_limits<double>::infinity();
-}
 
 /// The speed along the way drops at once by a seventh when the velocity that is commanded becomes zero; the noise of
 /// the force sensor changes it by a hundredth.
@@ -148,62 +103,100 @@ bool slower(const Step& before, const Step& now) { return speed(before, now) < 0
 bool decelerates(const Step&, const Step& now) { return now.state == "decelerating"; }
 bool brakes(const Step&, const Step& now) { return now.state == "faulted"; }
 
-using Latencies = std::vector<double>;
+/// What the presses of one key have shown.
+struct Samples {
+  std::string name;
+  std::vector<double> macrosteps{};
+  int discarded{};
+  int never{};
 
-void pause_in_one_run(std::mt19937& random, Latencies& found) {
+  void add(const Latency& l, bool without_effect, const std::string& screen) {
+    if (without_effect || l.kind == Latency::Kind::never) {
+      ++never;
+      std::fprintf(stderr, "operator: %s had no effect; the screen since the key: %s\n", name.c_str(),
+                   screen.c_str());
+    } else if (l.kind == Latency::Kind::nothing_to_see) {
+      ++discarded;
+    } else {
+      macrosteps.push_back(l.macrosteps);
+    }
+    if (discarded + never > kKeys)
+      throw FaultError(FaultCode::peer_silent,
+                       fmt::format("{}: {} keys were too late, {} without effect; leave the machine alone",
+                                   name, discarded, never));
+  }
+};
+
+void pause_in_one_run(std::mt19937& random, Samples& samples) {
   const ScratchFolder scratch;
   Watched press(scratch.path() / "run");
   std::uniform_real_distribution<double> moment(0.2, 0.26);
-  std::vector<double> pressed;
+  struct Pair {
+    double pause{}, resume{}, next{};
+  };
+  std::vector<Pair> pressed;
   for (int k = 0; k < kPausesPerRun; ++k) {
     press.watch(std::chrono::duration<double>(moment(random)));
-    const auto at = press.terminal().press('p');
+    Pair p;
+    p.pause = press.step_at(press.terminal().press('p'));
     press.watch(0.4s);
-    pressed.push_back(press.step_at(at));
-    press.terminal().press('r');
+    p.resume = press.step_at(press.terminal().press('r'));
+    p.next = p.resume + 0.2 / kStep;
+    pressed.push_back(p);
   }
-  press.watch(0.1s);
+  press.watch(0.2s);
   press.terminal().press('x');
   press.watch(0.05s);
   press.terminal().press('y');
-  const auto steps = press.steps();
-  for (const double p : pressed) found.push_back(latency(steps, p, slower));
+  const Watched::Record run = press.record();
+  for (const Pair& p : pressed) {
+    Latency l = latency(run.steps, p.pause, slower);
+    // An arm that does not move on has met what it approaches: it may be that which has made it slower.
+    if (!is_undone(run.steps, p.resume, p.next, slower)) l.kind = Latency::Kind::nothing_to_see;
+    samples.add(l, false, run.screen);
+  }
 }
 
 /// @param keys     all that have to be pressed, the last one is the order
-void stop_one_run(std::mt19937& random, const std::string& keys,
-                  const std::function<bool(const Step&, const Step&)>& wanted, Latencies& found) {
+void stop_one_run(std::mt19937& random, const std::string& keys, const Wanted& wanted, Samples& samples) {
   const ScratchFolder scratch;
   Watched press(scratch.path() / "run");
   std::uniform_real_distribution<double> moment(0.15, 0.5);
   press.watch(std::chrono::duration<double>(moment(random)));
-  Clock::time_point at;
+  double pressed = 0;
   for (const char key : keys) {
-    at = press.terminal().press(key);
+    pressed = press.step_at(press.terminal().press(key));
     press.watch(0.05s);
   }
-  const double pressed = press.step_at(at);
-  found.push_back(latency(press.steps(), pressed, wanted));
+  const Watched::Record run = press.record();
+  samples.add(latency(run.steps, pressed, wanted), run.done, run.screen);
 }
 
-Figure worst(const std::string& key, const Latencies& l, const std::string& wanted) {
-  auto sorted = l;
+Figure worst(const std::string& key, const Samples& samples, const std::string& wanted) {
+  auto sorted = samples.macrosteps;
   std::ranges::sort(sorted);
-  return {key, sorted.back(), "macrosteps",
-          fmt::format("key to decelerating set point, {} times in real time, median {:.2f}, wanted <= {}",
-                      sorted.size(), sorted[sorted.size() / 2], wanted)};
+  return {
+      key, sorted.back(), "macrosteps",
+      fmt::format(
+          "key to decelerating set point, {} times in real time, median {:.2f}, {} keys came too late and "
+          "were repeated, {} had no effect, wanted <= {}",
+          sorted.size(), sorted[sorted.size() / 2], samples.discarded, samples.never, wanted)};
 }
 
 }  // namespace
 
 Figures latency_figures() {
   std::mt19937 random(1);
-  Latencies pause, stop, emergency;
-  while (pause.size() < kKeys) pause_in_one_run(random, pause);
-  while (stop.size() < kKeys) stop_one_run(random, "xy", decelerates, stop);
-  while (emergency.size() < kKeys) stop_one_run(random, "e", brakes, emergency);
-  return {worst("pause_latency_macrosteps", pause, "4"), worst("stop_latency_macrosteps", stop, "2"),
-          worst("emergency_stop_latency_macrosteps", emergency, "2")};
+  Samples pause{"pause"}, stop{"stop"}, emergency{"emergency stop"};
+  while (pause.macrosteps.size() < kKeys) pause_in_one_run(random, pause);
+  while (stop.macrosteps.size() < kKeys) stop_one_run(random, "xy", decelerates, stop);
+  while (emergency.macrosteps.size() < kKeys) stop_one_run(random, "e", brakes, emergency);
+  const int never = pause.never + stop.never + emergency.never;
+  return {
+      worst("pause_latency_macrosteps", pause, "4"),
+      worst("stop_latency_macrosteps", stop, "2"),
+      worst("emergency_stop_latency_macrosteps", emergency, "2"),
+      {"keys_without_effect", static_cast<double>(never), "", "pauses and stops that never came, wanted 0"}};
 }
 
 }  // namespace mrroc::bench

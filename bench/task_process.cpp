@@ -1,6 +1,8 @@
 #include "bench/task_process.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <csignal>
@@ -35,7 +37,9 @@ ProcessStat stat_of(const fs::path& process) {
 
 }  // namespace
 
-TaskProcess::TaskProcess(const std::string& program, const std::vector<std::string>& arguments) {
+TaskProcess::TaskProcess(const std::string& program, const std::vector<std::string>& arguments,
+                         std::chrono::milliseconds patience)
+    : program_(program), patience_(patience) {
   std::vector<std::string> words{(program_folder() / program).string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
@@ -57,11 +61,22 @@ TaskProcess::TaskProcess(const std::string& program, const std::vector<std::stri
 }
 
 TaskProcess::~TaskProcess() {
-  if (pid_ > 0) {
-    ::kill(pid_, SIGKILL);
-    ::waitpid(pid_, nullptr, 0);
-  }
+  kill();
   ::close(output_);
+}
+
+void TaskProcess::kill() {
+  if (pid_ <= 0) return;
+  ::kill(pid_, SIGKILL);
+  ::waitpid(pid_, nullptr, 0);
+  pid_ = 0;
+}
+
+void TaskProcess::give_up() {
+  kill();
+  throw FaultError(FaultCode::peer_silent,
+                   fmt::format("{} has said nothing for {} s and has been ended", program_,
+                               std::chrono::duration<double>(patience_).count()));
 }
 
 bool TaskProcess::read_line(std::string& line) {
@@ -71,6 +86,8 @@ bool TaskProcess::read_line(std::string& line) {
       buffer_.erase(0, end + 1);
       return true;
     }
+    pollfd file{output_, POLLIN, 0};
+    if (::poll(&file, 1, static_cast<int>(patience_.count())) == 0) give_up();
     char part[4096];
     const auto n = ::read(output_, part, sizeof part);
     if (n <= 0) return false;
@@ -91,7 +108,11 @@ int TaskProcess::wait() {
   for (std::string line; read_line(line);) {
   }
   int status = 0;
-  ::waitpid(pid_, &status, 0);
+  const auto deadline = std::chrono::steady_clock::now() + patience_;
+  while (::waitpid(pid_, &status, WNOHANG) == 0) {
+    if (std::chrono::steady_clock::now() > deadline) give_up();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
   pid_ = 0;
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }

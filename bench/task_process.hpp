@@ -2,6 +2,7 @@
 #pragma once
 #include <sys/types.h>
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -12,16 +13,20 @@ namespace mrroc::bench {
 class TaskProcess {
  public:
   /// @param program    name of a program in the folder of this one
+  /// @param patience   for its next line, and for its end after the last one; then it is killed
   /// @throws FaultError start_failed
-  TaskProcess(const std::string& program, const std::vector<std::string>& arguments);
+  TaskProcess(const std::string& program, const std::vector<std::string>& arguments,
+              std::chrono::milliseconds patience = std::chrono::minutes(30));
   /// Kills it if it runs.
   ~TaskProcess();
   TaskProcess(const TaskProcess&) = delete;
   TaskProcess& operator=(const TaskProcess&) = delete;
 
   /// Reads lines until one contains the text. @param found  gets that line @return false when the output ended before
+  /// @throws FaultError peer_silent
   bool read_until(const std::string& text, std::string* found = nullptr);
   /// Reads the rest of the output and waits for the end. @return exit status; 128 + number of a signal
+  /// @throws FaultError peer_silent
   int wait();
   /// @return the program's direct children
   [[nodiscard]] std::vector<pid_t> children() const;
@@ -32,7 +37,11 @@ class TaskProcess {
 
  private:
   bool read_line(std::string& line);
+  void kill();
+  [[noreturn]] void give_up();
 
+  std::string program_;
+  std::chrono::milliseconds patience_;
   pid_t pid_{};
   int output_{-1};
   std::string buffer_;

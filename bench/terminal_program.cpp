@@ -8,6 +8,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <regex>
 
 #include "base/fault.hpp"
 #include "base/program.hpp"
@@ -66,6 +67,12 @@ bool TerminalProgram::await(const std::string& text, std::chrono::milliseconds p
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   return false;
+}
+
+std::string TerminalProgram::written() {
+  static const std::regex moves("(\x1b(\\[[0-9;?]*[a-zA-Z]|[()].|.)|[^ -~])+");
+  const std::lock_guard lock(mutex_);
+  return std::regex_replace(written_, moves, " ");
 }
 
 void TerminalProgram::read() {

@@ -29,6 +29,8 @@ class TerminalProgram {
   /// @param text  without spaces: a screen moves over cells that stay as they are
   /// @return whether the program writes it, since the last key, within the patience
   bool await(const std::string& text, std::chrono::milliseconds patience);
+  /// @return what it has written since the last key: printable characters, a blank for what moves the cursor
+  [[nodiscard]] std::string written();
 
  private:
   void read();

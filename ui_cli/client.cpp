@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <vector>
 
 #include "base/fault.hpp"
@@ -69,13 +68,8 @@ std::optional<Answer> Client::poll(Clock::time_point now) {
 void Client::send() {
   if (status_.session == 0) return;  // whose order it is, is not known yet
   answer_.session = status_.session;
-  // Several terminals may send on this channel one after the other, and a receiver drops numbers that do not
-  // grow: so it is the time.
-  const auto time = std::chrono::system_clock::now().time_since_epoch();
-  number_ = std::max<std::int64_t>(number_ + 1,
-                                   std::chrono::duration_cast<std::chrono::microseconds>(time).count());
   operator_order_t m{};
-  m.header = {status_.session, number_, 0};
+  m.header = {status_.session, ++number_, 0};
   m.id = pending_->id;
   m.order = static_cast<std::int32_t>(pending_->order);
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(link::encoded_size<operator_order_t>()));

@@ -99,7 +99,7 @@ class Client {
   StatusSink status_;
   AnswerSink answer_;
   std::optional<Pending> pending_;
-  std::int64_t number_{};
+  std::int64_t number_{};  // of the last sending; several terminals may send, so the task goes by Pending::id
 };
 
 }  // namespace mrroc::ui

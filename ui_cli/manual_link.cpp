@@ -9,15 +9,29 @@
 #include "mrroc/manual_words_t.hpp"
 
 namespace mrroc::ui {
+namespace {
+
+/// @param session  of the task; 0: of the first message that comes
+/// @return whether the message is of this session
+bool is_of(std::int64_t& session, const header_t& header) {
+  if (session == 0) session = header.session;
+  return header.session == session;
+}
+
+}  // namespace
 
 /// Keeps the newest answer to one instruction; a later state is never followed by an earlier one.
 struct ManualLink::Answers final : link::Sink {
+  explicit Answers(std::int64_t& of) : session(of) {}
   void receive(std::string_view, std::span<const std::uint8_t> bytes) noexcept override {
     const auto m = link::decode<manual_answer_t>(bytes);
-    if (!m || m->id != id || m->state < 0 || m->state > static_cast<int>(ManualState::failed)) return;
+    if (!m || !is_of(session, m->header) || m->id != id || m->state < 0 ||
+        m->state > static_cast<int>(ManualState::failed))
+      return;
     ++count;
     if (!newest || m->state >= newest->state) newest = *m;
   }
+  std::int64_t& session;
   std::int64_t id{};
   std::int64_t count{};
   std::optional<manual_answer_t> newest;
@@ -25,18 +39,21 @@ struct ManualLink::Answers final : link::Sink {
 
 /// Keeps the newest reply of a driver.
 struct ManualLink::Readings final : link::Sink {
+  explicit Readings(std::int64_t& of) : session(of) {}
   void receive(std::string_view, std::span<const std::uint8_t> bytes) noexcept override {
-    if (const auto m = link::decode<effector_reply_t>(bytes)) newest = *m;
+    const auto m = link::decode<effector_reply_t>(bytes);
+    if (m && is_of(session, m->header)) newest = *m;
   }
+  std::int64_t& session;
   std::optional<effector_reply_t> newest;
 };
 
 ManualLink::ManualLink(link::Bus& bus, const link::SessionInfo& session, const std::vector<std::string>& arms,
                        Patience patience)
-    : bus_(bus), session_(session), patience_(patience), answers_(std::make_unique<Answers>()) {
+    : bus_(bus), session_(session), patience_(patience), answers_(std::make_unique<Answers>(session_.id)) {
   bus_.subscribe({link::Group::agents, session_.name + ".manual.answer"}, *answers_);
   for (const std::string& arm : arms) {
-    auto& readings = readings_[arm] = std::make_unique<Readings>();
+    auto& readings = readings_[arm] = std::make_unique<Readings>(session_.id);
     bus_.subscribe({link::Group::agents, fmt::format("{}.{}.reply", session_.name, arm)}, *readings);
   }
 }

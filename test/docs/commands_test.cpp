@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <regex>
 #include <set>
 
 namespace mrroc::test {
@@ -54,6 +55,30 @@ TEST(DocumentCommands, EveryTrialIsOfACommandThatIsThere) {
         << t.command << ": its script does not type it, and no stand-in is told:\n"
         << t.script;
   }
+}
+
+/// @return whether the script types another command, or does not wait for the end of a task
+bool stands_for_another(const Trial& t) {
+  static const std::regex placeholder(R"([A-Z]{3}| [A-Z]( |$)|[\[|]|\.\.\.|runs/)");
+  if (t.script.find("@ --") != std::string::npos) return true;
+  if (t.script.find('@') == std::string::npos && t.script.find(t.command) == std::string::npos &&
+      !std::regex_search(t.command, placeholder))
+    return true;
+  return t.command.starts_with("./run ") && !t.command.starts_with("./run ui_cli") &&
+         t.script.find("background @") != std::string::npos &&
+         t.script.find("run folder:") == std::string::npos;
+}
+
+TEST(DocumentCommands, AreStandInsWhenTheyAreAlteredOrCutOff) {
+  EXPECT_TRUE(stands_for_another({"./run a", "@ --short\n", {}, {}}));
+  EXPECT_TRUE(stands_for_another({"./run a", "background @\nawait 3 there\n", {}, {}}));
+  EXPECT_TRUE(stands_for_another({"./run a --as \"R\"", "./run a --as \"U\"\n", {}, {}}));
+  EXPECT_FALSE(stands_for_another({"./run a FILE", "./run a my.svg\n", {}, {}}));
+  EXPECT_FALSE(stands_for_another({"./run a", "@ | grep well\n", {}, {}}));
+  for (const Trial& t : read_trials(MRROC_SOURCE_DIR))
+    EXPECT_TRUE(t.script.empty() || !t.stand_in.empty() || !stands_for_another(t))
+        << t.command << ": no line \"~ WHY\" tells that it is not run as it stands:\n"
+        << t.script;
 }
 
 TEST(DocumentCommands, BeginWithWordsThatStandForNothingElse) {

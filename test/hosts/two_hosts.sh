@@ -36,11 +36,11 @@ for side in "$desk d$$" "$robot r$$"; do
   number=$((number + 1))
 done
 
-over_there="ip netns exec $robot"
+over_there="ip netns exec $robot" clocks=two
 if unshare --time --monotonic 12345 --boottime 12345 --fork true 2>/dev/null; then
   over_there+=" unshare --time --monotonic 12345 --boottime 12345 --kill-child --fork"
 else
-  echo "time namespaces are not allowed here: both hosts have one clock"
+  clocks=one
 fi
 # What ssh does with its words: a shell reads them as one line, in a folder of its own.
 printf '#!/bin/sh\nshift\ncd /\nexec %s /bin/sh -c "$*"\n' "$over_there" >"$place/ssh"
@@ -69,3 +69,4 @@ grep -q edp-arm1 "$place/status" || fail "the terminal does not list the driver"
 hash_of() { sed -n 's/.*"log_hash": "\(.*\)".*/\1/p' "$1/summary.json"; }
 [[ -n $(hash_of "$place/one run") ]] || fail "no fingerprint"
 [[ $(hash_of "$place/one run") == $(hash_of "$place/alone") ]] || fail "the run differs from that on one host"
+[[ $clocks == two ]] || skip "time namespaces are not allowed here: the run is the same, but both hosts had one clock"

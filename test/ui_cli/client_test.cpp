@@ -108,7 +108,6 @@ TEST_F(OperatorProtocol, HearsTheSecondTerminalAsWellAsTheFirst) {
   other.receive(0ms);
   client.receive(0ms);
   EXPECT_TRUE(other.poll(now));
-  EXPECT_GT(task.heard[1].header.number, task.heard[0].header.number);
   EXPECT_FALSE(client.poll(now)) << "the answer to another terminal is not ours";
 }
 

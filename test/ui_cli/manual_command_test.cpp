@@ -18,6 +18,7 @@
 #include "mrroc/manual_answer_t.hpp"
 #include "mrroc/manual_words_t.hpp"
 #include "ui_cli/completion.hpp"
+#include "ui_cli/manual_link.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -110,6 +111,42 @@ TEST(ManualCommand, ShowsAnArm) {
   EXPECT_EQ(json["state"], "holding");
   EXPECT_EQ(json["joints"][1], -1.57);
   EXPECT_NE(execute({2}, {"show", "arm1"}).find("joints"), std::string::npos);
+}
+
+TEST(ManualLink, HearsItsOwnSessionOnlyAndLearnsItsNumberWhereItIsNotKnown) {
+  link::MemoryHub hub;
+  const auto bus = hub.open(), task_bus = hub.open();
+  ui::ManualLink link(*bus, {"m", 9, {}, {}, {}, 0}, {"arm1"}),
+      unnamed(*bus, {"m", 0, {}, {}, {}, 0}, {"arm1"});
+  link::Queue<manual_words_t> words(*task_bus, {link::Group::agents, "m.manual.words"}, 9);
+  const auto now = ui::Clock::now();
+  link.begin("bias arm1", now);
+  EXPECT_FALSE(link.poll(now));
+  while (task_bus->wait(0ms)) {
+  }
+  const auto sent = words.take();
+  ASSERT_TRUE(sent);
+  const auto say = [&](std::int64_t session, double joint) {
+    link::Outbox<manual_answer_t> out(*task_bus, {link::Group::agents, "m.manual.answer"}, session);
+    link::Outbox<effector_reply_t> reply(*task_bus, {link::Group::agents, "m.arm1.reply"}, session);
+    manual_answer_t a{};
+    a.id = sent->id;
+    a.state = static_cast<int>(ManualState::done);
+    out.publish(a, 0);
+    EffectorReply r;
+    r.joints[0] = joint;
+    reply.publish(to_message(r), 1);
+    while (bus->wait(0ms)) {
+    }
+  };
+  say(8, 0.5);
+  EXPECT_FALSE(link.poll(now)) << "another session's answer";
+  EXPECT_FALSE(link.reading("arm1")) << "another session's arm";
+  EXPECT_EQ(unnamed.reading("arm1")->joints[0], 0.5);
+  say(9, 0.25);
+  EXPECT_TRUE(link.poll(now));
+  EXPECT_EQ(link.reading("arm1")->joints[0], 0.25);
+  EXPECT_EQ(unnamed.reading("arm1")->joints[0], 0.5) << "it stays with the session that it has met";
 }
 
 TEST(ManualCommand, ShowsAllArms) {

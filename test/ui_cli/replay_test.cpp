@@ -116,6 +116,83 @@ TEST_F(RunFolder, ReplayComparesWhatAProcessBesideItSaysWithTheLog) {
   EXPECT_FALSE(silent.incomplete.empty());
 }
 
+TEST_F(RunFolder, ReplayHearsTheListenersSessionOnlyAndMessagesOfTheRightSize) {
+  tell_channels(a_, "vsp-arm1", "operator.image");
+  const ui::RunRecord record(a_);
+  link::MemoryHub hub;
+  const auto bus = hub.open(), other = hub.open();
+  ui::ReplayCheck check(*bus, record, "r", {"vsp-arm1"});
+  const auto& all = record.log().messages();
+  const auto& first = *std::ranges::find(all, "operator.image", &link::LoggedMessage::channel);
+  const auto say = [&](std::vector<std::uint8_t> bytes) {
+    other->publish({link::Group::agents, "r.operator.image"}, bytes);
+    while (bus->wait(std::chrono::milliseconds(0))) {
+    }
+  };
+  operator_image_t strange{};
+  strange.header = {2, 1, 1};
+  std::vector<std::uint8_t> bytes(first.bytes.size());
+  strange.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+  say(bytes);
+  EXPECT_FALSE(check.passed(first)) << "of another session";
+  bytes.assign(first.bytes.begin(), first.bytes.end());
+  bytes.push_back(0);
+  say(bytes);
+  EXPECT_FALSE(check.passed(first)) << "too long";
+  bytes.pop_back();
+  say(bytes);
+  EXPECT_TRUE(check.passed(first));
+  EXPECT_EQ(check.verdicts().at(0).differences, 0);
+}
+
+TEST_F(RunFolder, ReplayDoesNotWaitForAProcessThatHasEndedAndTellsHow) {
+  tell_channels(a_, "vsp-arm1", "operator.image");
+  const ui::RunRecord record(a_);
+  link::MemoryHub hub;
+  const auto bus = hub.open(), sensor = hub.open();
+  Echo echo(*sensor, 0, 30);
+  ui::ReplayCheck check(*bus, record, "r", {"vsp-arm1"});
+  ui::Replay replay(*bus, record, "r", {.without = {}, .check = &check});
+  EXPECT_TRUE(replay.go_on_to(100));
+  replay.repeat();
+  for (int waited = 0; waited < 200 && replay.go_on_to(100); ++waited) echo.answer();
+  ASSERT_TRUE(replay.waits());
+  check.ended("vsp-arm1", "signal 9 (Killed)");
+  EXPECT_FALSE(replay.go_on_to(100));
+  const link::LogVerdict v = check.verdicts().at(0);
+  EXPECT_EQ(v.compared, 30);
+  EXPECT_EQ(v.differences, 1);
+  EXPECT_NE(v.incomplete.find("it ended with signal 9 (Killed)"), std::string::npos) << v.incomplete;
+  EXPECT_LE(replay.published(), static_cast<std::int64_t>(record.log().messages().size()))
+      << "repeated messages are counted once";
+}
+
+TEST_F(RunFolder, ReplayRefusesProcessesThatNeedMoreThanMessagesWithTheReasonOfLogCheck) {
+  tell_channels(a_, "world", "operator.image");
+  link::MemoryHub hub;
+  std::vector<std::string> asked;
+  const ui::ReplaySurroundings around{
+      home_, [&](const link::LcmAddress&) { return hub.open(); },
+      [&](const std::string& program, const std::vector<std::string>&) {
+        asked.push_back(program);
+        return link::to_json({.process = "world", .not_checked = "the servo links are not in the log"});
+      }};
+  const auto error = [&](const std::string& with) {
+    try {
+      ui::run_replay({a_.string(), "--with", with}, around, out_, err_);
+    } catch (const FaultError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(error("world,world").find("world cannot listen to a replay: the servo links are not in the log"),
+            std::string::npos)
+      << error("world,world");
+  EXPECT_EQ(asked.front(), "vsp");
+  tell_channels(a_, "mp", "operator.image");
+  EXPECT_NE(error("mp").find("mp cannot listen to a replay"), std::string::npos) << error("mp");
+}
+
 TEST_F(RunFolder, ReplayNamesTheProcessesThatThereAreAndWantsTheWholeRunOfThem) {
   const ui::ReplaySurroundings around{home_, [](const link::LcmAddress&) -> std::unique_ptr<link::Bus> {
                                         throw FaultError(FaultCode::internal_error,

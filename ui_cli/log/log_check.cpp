@@ -48,19 +48,21 @@ Prover programs_beside() {
   };
 }
 
+link::LogVerdict check_process_of(const RunRecord& run, const LoggedProcess& process, const Prover& prove) {
+  std::vector<std::string> arguments{"--check", std::filesystem::absolute(run.folder()).string(), "--clock",
+                                     run.clock()};
+  arguments.insert(arguments.end(), process.arguments.begin(), process.arguments.end());
+  return link::verdict_from_json(prove(process.program, arguments));
+}
+
 std::vector<link::LogVerdict> check_run(const RunRecord& run, const Prover& prove) {
   if (run.processes().empty())
     throw FaultError(
         FaultCode::bad_log,
         fmt::format("{} does not tell what ran: it has no processes.json", run.folder().string()),
         "check a run of this version");
-  const std::string folder = std::filesystem::absolute(run.folder()).string();
   std::vector<link::LogVerdict> verdicts;
-  for (const LoggedProcess& p : run.processes()) {
-    std::vector<std::string> arguments{"--check", folder, "--clock", run.clock()};
-    arguments.insert(arguments.end(), p.arguments.begin(), p.arguments.end());
-    verdicts.push_back(link::verdict_from_json(prove(p.program, arguments)));
-  }
+  for (const LoggedProcess& p : run.processes()) verdicts.push_back(check_process_of(run, p, prove));
   return verdicts;
 }
 

@@ -19,6 +19,11 @@ using Prover =
 /// @throws FaultError (when called) start_failed, bad_log
 [[nodiscard]] Prover programs_beside();
 
+/// Asks the program of one process of the run for its verdict.
+/// @throws FaultError what the prover throws
+[[nodiscard]] link::LogVerdict check_process_of(const RunRecord& run, const LoggedProcess& process,
+                                                const Prover& prove);
+
 /// Asks the program of every process of the run for its verdict.
 /// @throws FaultError bad_log: the folder does not tell what ran; what the prover throws
 [[nodiscard]] std::vector<link::LogVerdict> check_run(const RunRecord& run, const Prover& prove);

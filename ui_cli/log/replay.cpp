@@ -97,7 +97,6 @@ bool Replay::stopped() const { return desk_->stopped(); }
 void Replay::publish(const link::LoggedMessage& m) {
   if (options_.without.contains(m.channel)) return;
   bus_.publish({link::Group::agents, session_ + "." + m.channel}, m.bytes);
-  ++published_;
 }
 
 void Replay::repeat() {
@@ -122,7 +121,10 @@ bool Replay::go_on_to(double time) {
     if (time_ > time) return true;
     waits_ = options_.check && !options_.check->passed(all[next_]);
     if (waits_) return true;
-    if (time_ >= options_.from) publish(all[next_]);
+    if (time_ >= options_.from) {
+      publish(all[next_]);
+      published_ += !options_.without.contains(all[next_].channel);
+    }
     ++next_;
   }
   return false;
@@ -140,14 +142,22 @@ struct Words {
 
 using Clock = std::chrono::steady_clock;
 
+/// A process of the run that listens to the replay.
+struct Listener {
+  std::string name;
+  link::Child child;
+};
+
 /// @return whether the log has come to its end
-bool play(Replay& replay, const ReplayOptions& o, link::Bus& bus) {
+bool play(Replay& replay, const ReplayOptions& o, std::vector<Listener>& listeners, link::Bus& bus) {
   const auto begun = Clock::now();
   auto waits_since = begun, repeated = begun;
   while (interrupted == 0 && !replay.stopped()) {
     const double passed = std::chrono::duration<double>(Clock::now() - begun).count();
     const double until = o.speed > 0 ? o.from + passed * o.speed : replay.time() + 0.1;
     const std::int64_t before = replay.published();
+    for (Listener& l : listeners)
+      if (l.child.reap()) o.check->ended(l.name, *l.child.ended());
     if (!replay.go_on_to(until)) return true;
     const auto now = Clock::now();
     if (!replay.waits() || replay.published() != before) {
@@ -167,9 +177,9 @@ bool play(Replay& replay, const ReplayOptions& o, link::Bus& bus) {
 }
 
 /// Starts processes of the run beside the replay and waits until they wait for its beginning.
-std::vector<link::Child> start(const RunRecord& run, const Words& w, const std::string& session,
-                               const link::LcmAddress& address, const ReplayCheck& check, link::Bus& bus) {
-  std::vector<link::Child> children;
+std::vector<Listener> start(const RunRecord& run, const Words& w, const std::string& session,
+                            const link::LcmAddress& address, const ReplayCheck& check, link::Bus& bus) {
+  std::vector<Listener> listeners;
   for (const std::string& name : w.with) {
     const LoggedProcess& p = *std::ranges::find(run.processes(), name, &LoggedProcess::name);
     std::vector<std::string> arguments{
@@ -181,20 +191,36 @@ std::vector<link::Child> start(const RunRecord& run, const Words& w, const std::
         "--patience",   "0",
         "--config",     std::filesystem::absolute(run.folder() / "config.toml").string()};
     arguments.insert(arguments.end(), p.arguments.begin(), p.arguments.end());
-    children.emplace_back(program_folder() / p.program, arguments);
+    listeners.push_back({name, link::Child(program_folder() / p.program, arguments)});
   }
   const auto begun = Clock::now();
   while (!check.ready() && interrupted == 0) {
     bus.wait(20ms);
-    for (std::size_t k = 0; k < children.size(); ++k)
-      if (children[k].reap())
-        throw FaultError(FaultCode::start_failed,
-                         fmt::format("{} ended with {}", w.with[k], *children[k].ended()),
+    for (Listener& l : listeners)
+      if (l.child.reap())
+        throw FaultError(FaultCode::start_failed, fmt::format("{} ended with {}", l.name, *l.child.ended()),
                          "see its own line above");
     if (Clock::now() - begun > kSilent)
       throw FaultError(FaultCode::peer_silent, fmt::format("{} did not get ready", fmt::join(w.with, ", ")));
   }
-  return children;
+  return listeners;
+}
+
+/// Refuses processes that need more than messages.
+void check_can_listen(const RunRecord& run, const std::vector<std::string>& names, const Prover& prove) {
+  for (const std::string& name : names) {
+    if (name == "mp")
+      throw FaultError(
+          FaultCode::bad_usage,
+          "mp cannot listen to a replay: its supervisor would start and step the processes, which the "
+          "replay does from the log",
+          "recompute it: ui_cli log check " + run.folder().string());
+    const link::LogVerdict verdict =
+        check_process_of(run, *std::ranges::find(run.processes(), name, &LoggedProcess::name), prove);
+    if (!verdict.not_checked.empty())
+      throw FaultError(FaultCode::bad_usage,
+                       fmt::format("{} cannot listen to a replay: {}", name, verdict.not_checked));
+  }
 }
 
 int replay_run(const Words& w, const ReplaySurroundings& around, std::ostream& out) {
@@ -214,12 +240,15 @@ int replay_run(const Words& w, const ReplaySurroundings& around, std::ostream& o
                                around.sessions);
   const auto bus = around.open(address);
   std::optional<ReplayCheck> check;
-  if (!w.with.empty()) options.check = &check.emplace(*bus, run, session, w.with);
+  if (!w.with.empty()) {
+    options.check = &check.emplace(*bus, run, session, w.with);
+    check_can_listen(run, w.with, around.prove);
+  }
   Replay replay(*bus, run, session, options);
-  std::vector<link::Child> children;
-  if (check) children = start(run, w, session, address, *check, *bus);
+  std::vector<Listener> listeners;
+  if (check) listeners = start(run, w, session, address, *check, *bus);
   if (!w.json) out << fmt::format("replay of {}, session {}\n", run.folder().string(), session) << std::flush;
-  const bool to_its_end = play(replay, options, *bus);
+  const bool to_its_end = play(replay, options, listeners, *bus);
   if (check && !to_its_end) check->cut_short();
   nlohmann::ordered_json told{
       {"session", session}, {"messages", replay.published()}, {"sim_s", replay.time()}};
@@ -260,6 +289,9 @@ int run_replay(const std::vector<std::string>& arguments, const ReplaySurroundin
   app.add_option("--session", w.session, "name of the session (default: unique)")->type_name("NAME");
   app.add_flag("--json", w.json, "print JSON");
   if (const auto status = parse_words(app, arguments, out, err)) return *status;
+  // Each process once, in the order in which they are named.
+  std::set<std::string> named;
+  std::erase_if(w.with, [&](const std::string& name) { return !named.insert(name).second; });
   if (!w.with.empty() && w.options.from > 0)
     throw FaultError(FaultCode::bad_usage,
                      "--with begins with the run: what a process says depends on all that it has "

@@ -13,6 +13,7 @@
 #include "base/link/bus.hpp"
 #include "base/link/lcm_bus.hpp"
 #include "base/link/session.hpp"
+#include "ui_cli/log/log_check.hpp"
 #include "ui_cli/log/run_record.hpp"
 
 namespace mrroc::ui {
@@ -42,7 +43,7 @@ class Replay {
   void give_up();
   /// @return simulated time of the next message, or of the last one [s]
   [[nodiscard]] double time() const { return time_; }
-  /// @return messages published
+  /// @return messages published, each counted once however often it was repeated
   [[nodiscard]] std::int64_t published() const { return published_; }
   /// @return whether a terminal has ordered stop; every other order is refused
   [[nodiscard]] bool stopped() const;
@@ -66,6 +67,7 @@ class Replay {
 struct ReplaySurroundings {
   std::filesystem::path sessions;  ///< directory of the running sessions
   std::function<std::unique_ptr<link::Bus>(const link::LcmAddress&)> open;
+  Prover prove{programs_beside()};  ///< tells which processes messages alone can drive
 };
 
 /// Runs the command. @param arguments behind the word replay

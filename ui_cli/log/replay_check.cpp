@@ -42,26 +42,30 @@ std::set<std::string> channels_of(const RunRecord& run, const std::string& proce
 
 struct ReplayCheck::Watched final : link::Sink {
   Watched(link::Bus& bus, const std::string& session, const std::string& name, std::int64_t session_id)
-      : status(bus, {link::Group::agents, session + "." + name + ".status"}, session_id) {
+      : status(bus, {link::Group::agents, session + "." + name + ".status"}, session_id), of(session_id) {
     verdict.process = name;
   }
   void receive(std::string_view channel, std::span<const std::uint8_t> bytes) noexcept override {
     try {
-      const std::int64_t number = link::header_of(bytes).number;
+      const link::RawHeader header = link::header_of(bytes);
       auto& said = heard[std::string(channel.substr(channel.find('.') + 1))];
-      if (number > said.passed) said.messages.try_emplace(number, bytes.begin(), bytes.end());
+      if (header.session != of || bytes.size() != said.size) return;
+      if (header.number > said.passed) said.messages.try_emplace(header.number, bytes.begin(), bytes.end());
     } catch (const std::exception&) {  // no memory: it is told as not said
     }
   }
 
   struct Said {
+    std::size_t size{};     // of a message, in the log [bytes]
     std::int64_t passed{};  // number of the last one that was compared
     std::map<std::int64_t, std::vector<std::uint8_t>> messages;
   };
   link::Inbox<process_status_t> status;
   std::map<std::string, Said> heard;  // by channel without the session
+  std::int64_t of;                    // this session
   link::LogVerdict verdict;
   bool silent{};
+  std::string ended;  // how; empty: it runs
 };
 
 ReplayCheck::ReplayCheck(link::Bus& bus, const RunRecord& run, const std::string& session,
@@ -79,7 +83,8 @@ ReplayCheck::ReplayCheck(link::Bus& bus, const RunRecord& run, const std::string
                       fmt::join(run.processes() | std::views::transform(&LoggedProcess::name), ", ")));
     auto& w = *watched_.emplace_back(std::make_unique<Watched>(bus, session, name, id));
     for (const std::string& channel : channels_of(run, name)) {
-      w.heard[channel];
+      const auto first = std::ranges::find(run.log().messages(), channel, &LoggedMessage::channel);
+      w.heard[channel].size = first == run.log().messages().end() ? 0 : first->bytes.size();
       channels_.insert(channel);
       bus.subscribe({link::Group::agents, session + "." + channel}, w);
     }
@@ -110,7 +115,11 @@ bool ReplayCheck::passed(const LoggedMessage& m) {
   Watched::Said& said = w->heard[m.channel];
   const std::int64_t number = link::header_of(m.bytes).number;
   const auto now = said.messages.find(number);
-  if (now == said.messages.end()) return false;
+  if (now == said.messages.end()) {
+    if (w->ended.empty()) return false;
+    give_up(m);
+    return true;
+  }
   ++w->verdict.compared;
   if (const auto d = link::difference(m.channel, m.bytes, now->second)) {
     ++w->verdict.differences;
@@ -121,13 +130,20 @@ bool ReplayCheck::passed(const LoggedMessage& m) {
   return true;
 }
 
+void ReplayCheck::ended(const std::string& process, const std::string& how) {
+  for (const auto& w : watched_)
+    if (w->verdict.process == process) w->ended = how;
+}
+
 void ReplayCheck::give_up(const LoggedMessage& m) {
   Watched* const w = sender(m.channel);
   if (!w) return;
   const link::RawHeader header = link::header_of(m.bytes);
   w->silent = true;
   ++w->verdict.differences;
-  w->verdict.incomplete = fmt::format("it said nothing more on {}", m.channel);
+  w->verdict.incomplete =
+      w->ended.empty() ? fmt::format("it said nothing more on {}", m.channel)
+                       : fmt::format("it ended with {} and said nothing more on {}", w->ended, m.channel);
   if (!w->verdict.first)
     w->verdict.first = link::LogDifference{.channel = m.channel,
                                            .number = header.number,

@@ -33,6 +33,8 @@ class ReplayCheck {
   [[nodiscard]] bool ready() const;
   /// @return whether what the process was to say with this message has come, or never will: the replay may go on
   bool passed(const link::LoggedMessage& m);
+  /// The process has ended; what it has not said by now it never will. @param how  as Child::ended()
+  void ended(const std::string& process, const std::string& how);
   /// That message is not waited for any more, and none of its process after it.
   void give_up(const link::LoggedMessage& m);
   /// The replay has ended before the log has.
