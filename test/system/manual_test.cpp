@@ -154,5 +154,20 @@ TEST_F(Manual, ATerminalIsAnsweredWhenItIsDoneOrWhyNot) {
   EXPECT_GT(times["wall_s"].get<double>(), 0.9 * times["sim_s"].get<double>()) << "who uses hands has time";
 }
 
+TEST_F(Manual, EndsWhileItIsPaused) {
+  if (!multicast()) GTEST_SKIP() << "no multicast";
+  Started task(folder_, "manual",
+               words({{"--session", "hand", "--run-dir", (folder_ / "run").string()}, kKnown}));
+  ASSERT_TRUE(task.await_line("session hand"));
+  const auto ui = [&](const std::vector<std::string>& order) {
+    return run(folder_, "ui_cli", words({{"--session", "hand"}, order})).status;
+  };
+  EXPECT_EQ(ui({"manual", "home", "arm1"}), 0);
+  EXPECT_EQ(ui({"pause"}), 0);
+  EXPECT_EQ(ui({"manual", "end"}), 0);
+  const Ended ended = task.end();
+  EXPECT_EQ(ended.status, 0) << ended.all();
+}
+
 }  // namespace
 }  // namespace mrroc::test

@@ -170,6 +170,22 @@ TEST(ManualDesk, WhatWasTakenIsWrittenDownAndReplaysTheSame) {
   fs::remove_all(folder);
 }
 
+TEST(ManualOperation, EndsAPauseWithItselfBecauseAnArmThatStandsHearsNoEnd) {
+  Coordinator::X x;
+  x.c.given = {ManualOrder{.number = 3}, ManualOrder{.number = 5}};
+  x.T.agent.resize(2);
+  x.T.hands.orders.resize(2);
+  x.T.h.paused = true;
+  EXPECT_EQ(kManualOperation.f_cT(x).order[0].m, static_cast<int>(SoloOrder::pause));
+  const Coordinator::Said last = farewell(x);
+  ASSERT_EQ(last.order.size(), 2U);
+  for (const Order& order : last.order) {
+    EXPECT_EQ(order.m, static_cast<int>(SoloOrder::work));
+    EXPECT_TRUE(order.finished);
+  }
+  EXPECT_EQ(last.manual.at(1).number, 5) << "no arm begins anything";
+}
+
 TEST(ManualOperation, TellsTheOperatorWhatItWaitsFor) { EXPECT_FALSE(kManualOperation.until.empty()); }
 
 }  // namespace
