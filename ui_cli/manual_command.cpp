@@ -123,9 +123,10 @@ void save(const EffectorReply& r, const ManualWish& wish, const link::SessionInf
     throw FaultError(FaultCode::bad_usage,
                      fmt::format("{} is no arm of the run in {}", wish.show, session.run_folder.string()),
                      "save on the host of the task, where its run folder is");
-  if (r.state == DriverState::not_synchronised)
-    throw FaultError(FaultCode::illegal_in_state, wish.show + " does not know its position",
-                     fmt::format("type `ui_cli manual home {}` first", wish.show));
+  if (!position_known(r))
+    throw FaultError(FaultCode::illegal_in_state,
+                     fmt::format("{} does not know its position, it is {}", wish.show, to_string(r.state)),
+                     fmt::format("`ui_cli manual home {}` finds it; save when that is done", wish.show));
   const std::vector<double> joints(r.joints.begin(), r.joints.begin() + arm->axes);
   const std::string line = fmt::format("move {} joints {:.6f}", wish.show, fmt::join(joints, " "));
   std::ofstream file(wish.save, std::ios::app);
