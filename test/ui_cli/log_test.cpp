@@ -22,6 +22,31 @@ TEST_F(RunFolder, ShowTellsEveryMacrostepAndEveryChange) {
   EXPECT_EQ(Json::parse(lines()[0])["i"], 20);
 }
 
+TEST_F(RunFolder, ShowNamesTheBehavioursOfAnArmAsItsAgentDoes) {
+  {
+    const link::LogReader before(a_);
+    link::EventLog to(a_ / link::kEventLog);
+    for (const link::LoggedMessage& m : before.messages()) to.receive("s." + m.channel, m.bytes);
+    task_status_t s{};
+    s.m = 1;
+    link::put_text(s.behaviour, "manual operation");
+    s.n_agents = 1;
+    link::put_text(s.agent[0], "arm1");
+    s.agent_m[0] = 1;
+    link::put_text(s.agent_behaviour[0], "wait for an order");
+    log(to, "task_status", s, 1, 1, 1);
+    process_status_t p{};
+    p.m = 2;
+    link::put_text(p.behaviour, "find the position");
+    log(to, "ecp-arm1.status", p, 1, 1, 20);
+  }
+  ASSERT_EQ(run({"show", a_.string(), "--m"}), 0) << err_.str();
+  EXPECT_NE(out_.str().find("behaviour m = 1, wait for an order"), std::string::npos) << out_.str();
+  EXPECT_NE(out_.str().find("behaviour m = 2, find the position"), std::string::npos)
+      << "a behaviour that is too short for the task's status is known from the agent's own";
+  EXPECT_EQ(out_.str().find("manual operation"), std::string::npos) << "that is the coordinator's";
+}
+
 TEST_F(RunFolder, ShowTellsTheMessagesOfAChannel) {
   ASSERT_EQ(run({"show", a_.string(), "--channel", "arm1.report", "--to", "0.1"}), 0);
   EXPECT_EQ(lines().size(), 5U);

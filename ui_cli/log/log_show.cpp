@@ -13,6 +13,7 @@
 #include "base/msg/convert.hpp"
 #include "mrroc/console_t.hpp"
 #include "mrroc/operator_image_t.hpp"
+#include "mrroc/process_status_t.hpp"
 #include "mrroc/task_status_t.hpp"
 
 namespace mrroc::ui {
@@ -31,8 +32,15 @@ struct Line {
 class Story {
  public:
   explicit Story(const RunRecord& run) : run_(run) {
-    for (const auto& [stamp, s] : run.log().messages<task_status_t>("task_status"))
-      if (s.m != 0) names_.try_emplace(s.m, link::get_text(s.behaviour));
+    for (const link::LoggedMessage& m : run.log().messages()) {
+      if (m.channel == "task_status") {
+        if (const auto s = link::decode<task_status_t>(m.bytes)) learn(*s);
+      } else if (m.channel.starts_with(kAgent) && m.channel.ends_with(kStatus)) {
+        if (const auto s = link::decode<process_status_t>(m.bytes))
+          learn(m.channel.substr(kAgent.size(), m.channel.size() - kAgent.size() - kStatus.size()), s->m,
+                link::get_text(s->behaviour));
+      }
+    }
   }
 
   std::vector<Line> lines() {
@@ -46,8 +54,19 @@ class Story {
   }
 
  private:
-  [[nodiscard]] std::string name(int m) const {
-    const auto it = names_.find(m);
+  static constexpr std::string_view kAgent = "ecp-", kStatus = ".status";
+
+  void learn(const task_status_t& s) {
+    for (int k = 0; k < std::clamp(s.n_agents, 0, static_cast<int>(std::size(s.agent))); ++k)
+      learn(link::get_text(s.agent[k]), s.agent_m[k], link::get_text(s.agent_behaviour[k]));
+  }
+  void learn(const std::string& arm, int m, const std::string& behaviour) {
+    if (m != 0 && !behaviour.empty()) names_.try_emplace({arm, m}, behaviour);
+  }
+
+  /// @return the behaviour as the agent calls it: its numbers are its own, the coordinator's mean something else
+  [[nodiscard]] std::string name(const std::string& arm, int m) const {
+    const auto it = names_.find({arm, m});
     return it == names_.end() ? fmt::format("m = {}", m) : fmt::format("m = {}, {}", m, it->second);
   }
 
@@ -55,7 +74,7 @@ class Story {
     std::optional<Report> before;
     for (const auto& [stamp, message] : run_.log().messages<agent_report_t>(arm + ".report")) {
       const Report r = from_message(message);
-      if (!before || r.m != before->m) add(stamp, arm, "behaviour " + name(r.m));
+      if (!before || r.m != before->m) add(stamp, arm, "behaviour " + name(arm, r.m));
       if (!before || r.driver_state != before->driver_state)
         add(stamp, arm, fmt::format("driver {}", to_string(r.driver_state)));
       const bool wrong = r.verdict == Verdict::refused || r.verdict == Verdict::failed;
@@ -95,7 +114,7 @@ class Story {
   }
 
   const RunRecord& run_;
-  std::map<int, std::string> names_;
+  std::map<std::pair<std::string, int>, std::string> names_;  // of arm and m
   std::vector<Line> lines_;
 };
 
