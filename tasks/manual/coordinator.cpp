@@ -121,7 +121,7 @@ void ManualRun::read(X& x) {
   for (std::size_t arm = 0; arm < k_.arms.size(); ++arm) x.T.agent.push_back(links_.report(arm));
   std::vector<std::int64_t> numbers;
   for (const ManualOrder& o : x.c.given) numbers.push_back(o.number);
-  x.T.hands = desk_.take(x.i, numbers, x.T.agent);
+  x.T.hands = desk_.take(x.i, numbers, x.T.agent, x.T.h.paused);
   x.T.hands.end = x.T.hands.end || end;
   show(x);
   run_.each_macrostep(x.i, static_cast<double>(x.i) * k_.macrostep_s);

@@ -35,22 +35,24 @@ Desk::Desk(link::Process& process, std::vector<ArmInfo> arms, std::vector<Script
   record_ << "# Instructions of the operator: macrostep and words. Replay with --words.\n";
 }
 
-Hands Desk::take(std::int64_t i, const std::vector<std::int64_t>& given, const std::vector<Report>& reports) {
+Hands Desk::take(std::int64_t i, const std::vector<std::int64_t>& given, const std::vector<Report>& reports,
+                 bool paused) {
   Hands hands{.orders = std::vector<std::optional<ManualOrder>>(arms_.size())};
   for (; !script_.empty() && script_.front().i <= i; script_.pop_front()) {
     Asked asked;
     const std::string words = script_.front().words;
-    if (const auto reason = obey(i, words, given, reports, hands, asked))
+    if (const auto reason = obey(i, words, given, reports, false, hands, asked))
       process_.say(fmt::format("script: '{}' in macrostep {} is refused, {}", words, i, *reason),
                    FaultCode::bad_script);
   }
-  answer_terminals(i, given, reports, hands);
+  answer_terminals(i, given, reports, paused, hands);
   return hands;
 }
 
 std::optional<std::string> Desk::obey(std::int64_t i, const std::string& words,
                                       const std::vector<std::int64_t>& given,
-                                      const std::vector<Report>& reports, Hands& hands, Asked& asked) {
+                                      const std::vector<Report>& reports, bool paused, Hands& hands,
+                                      Asked& asked) {
   Instructions wanted;
   try {
     wanted = understand(words, arms_);
@@ -60,6 +62,7 @@ std::optional<std::string> Desk::obey(std::int64_t i, const std::string& words,
   for (std::size_t k = 0; k < wanted.arms.size(); ++k) {
     const std::size_t arm = wanted.arms[k];
     const bool stop = wanted.orders[k].kind == Kind::stop;
+    if (paused && !stop) return "paused; resume first, with `ui_cli resume`";
     const bool busy = reports[arm].event != given[arm] || hands.orders[arm];
     if (busy && !stop)
       return fmt::format("{} is busy; `stop {}` ends what it does", arms_[arm].key, arms_[arm].key);
@@ -83,18 +86,19 @@ void Desk::call_off(std::size_t arm, std::int64_t number) {
 }
 
 void Desk::answer_terminals(std::int64_t i, const std::vector<std::int64_t>& given,
-                            const std::vector<Report>& reports, Hands& hands) {
+                            const std::vector<Report>& reports, bool paused, Hands& hands) {
   for (Asked& a : asked_)
     if (is(a.answer, ManualState::taken)) conclude(a, reports);
   while (const auto m = words_in_.take()) {
     auto known = std::ranges::find(asked_, m->id, &Asked::id);
     if (known == asked_.end()) {
       Asked asked{.id = m->id, .orders = {}, .answer = {}};
-      const auto reason = obey(i, link::get_text(m->text), given, reports, hands, asked);
+      const auto reason = obey(i, link::get_text(m->text), given, reports, paused, hands, asked);
       asked.answer.id = m->id;
-      set(asked.answer, reason                 ? ManualState::refused
-                        : asked.orders.empty() ? ManualState::done
-                                               : ManualState::taken);
+      // In a pause only stops come that far. The arm stands already, and does not go on when the pause ends.
+      set(asked.answer, reason                           ? ManualState::refused
+                        : asked.orders.empty() || paused ? ManualState::done
+                                                         : ManualState::taken);
       link::put_text(asked.answer.text, reason ? *reason : std::string("accepted"));
       asked_.push_back(std::move(asked));
       if (asked_.size() > kRemembered) asked_.pop_front();

@@ -34,7 +34,7 @@ struct Office {
   }
   Hands step() {
     process.poll();
-    Hands hands = desk.take(++i, given, reports);
+    Hands hands = desk.take(++i, given, reports, paused);
     for (std::size_t arm = 0; arm < given.size(); ++arm)
       if (hands.orders[arm]) ++given[arm];
     process.poll();
@@ -59,6 +59,7 @@ struct Office {
   std::vector<std::int64_t> given{0, 0};
   std::vector<Report> reports = std::vector<Report>(2);
   std::int64_t i{};
+  bool paused{};
 };
 
 TEST(ManualDesk, AnInstructionIsTakenOnceAndAnsweredUntilItIsDone) {
@@ -122,6 +123,23 @@ TEST(ManualDesk, WhatAStopReplacesInTheSameMacrostepIsCalledOffAndNotDone) {
     office.step();
     EXPECT_EQ(office.answer().first, 2) << stop;
   }
+}
+
+TEST(ManualDesk, APauseRefusesWhatWouldBeginAtItsEndButNoStopAndNoEnd) {
+  Office office;
+  office.say(1, "home arm1");
+  office.answer();
+  office.paused = true;
+  EXPECT_FALSE(office.say(2, "jog arm2 motors 1 0 0 0 0 0 0").orders[1]);
+  auto [state, text] = office.answer();
+  EXPECT_EQ(state, 0);
+  EXPECT_NE(text.find("paused; resume first"), std::string::npos) << text;
+  EXPECT_TRUE(office.say(3, "stop arm1").orders[0]);
+  EXPECT_EQ(office.answer().first, 2) << "the arm stands already";
+  EXPECT_TRUE(office.say(4, "end").end);
+  Office scripted({{1, "bias arm1"}});
+  scripted.paused = true;
+  EXPECT_TRUE(scripted.step().orders[0]) << "a script's instruction is kept for the end of the pause";
 }
 
 TEST(ManualDesk, AFailureIsToldWithItsReason) {
