@@ -17,6 +17,15 @@ constexpr std::size_t kRemembered = 64;
 constexpr std::int64_t kCalledOff = -1;
 
 void set(manual_answer_t& answer, ManualState state) { answer.state = static_cast<std::int32_t>(state); }
+/// Several reasons have to fit into one answer.
+/// @param alone  no other arm was told the same
+std::string why(const std::string& arm, const Fault& fault, bool alone) {
+  if (fault.code == FaultCode::not_synchronised)
+    return fmt::format("{0} does not know its position; `ui_cli manual home {0}` finds it", arm);
+  return alone ? fmt::format("{}: {}", arm, describe(fault))
+               : fmt::format("{}: {}: {}", arm, to_string(fault.code), what_happened(fault));
+}
+
 bool is(const manual_answer_t& answer, ManualState state) {
   return answer.state == static_cast<std::int32_t>(state);
 }
@@ -116,7 +125,7 @@ void Desk::conclude(Asked& asked, const std::vector<Report>& reports) {
     if (r.event > number)
       failures += fmt::format("{}{}: called off", failures.empty() ? "" : "; ", arms_[arm].key);
     else if (r.fault)
-      failures += fmt::format("{}{}: {}", failures.empty() ? "" : "; ", arms_[arm].key, describe(r.fault));
+      failures += (failures.empty() ? "" : "; ") + why(arms_[arm].key, r.fault, asked.orders.size() == 1);
   }
   set(asked.answer, failures.empty() ? ManualState::done : ManualState::failed);
   link::put_text(asked.answer.text, failures.empty() ? std::string("done") : failures);

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<ArmInfo> kArms{{"arm1", 6, {}}, {"arm2", 7, {}, true}};
+const std::vector<ArmInfo> kArms{{"arm1", 6, {{"front", {}}}}, {"arm2", 7, {{"front", {}}}, true}};
 
 /// The desk, a terminal, and arms that say what the test wants.
 struct Office {
@@ -150,6 +150,26 @@ TEST(ManualDesk, AFailureIsToldWithItsReason) {
   const auto [state, text] = office.answer();
   EXPECT_EQ(state, 3);
   EXPECT_NE(text.find("arm1"), std::string::npos);
+}
+
+TEST(ManualDesk, ArmsThatAreNotHomedAreToldHowAndAllReasonsFit) {
+  Office office;
+  const auto fail = [&](std::int64_t id, FaultCode code) {
+    office.say(id, "preset all front");
+    for (const std::size_t arm : {0U, 1U}) office.done(arm, Fault{.code = code});
+    office.step();
+    return office.answer().second;
+  };
+  const std::string lost = fail(1, FaultCode::not_synchronised);
+  for (const char* what : {"`ui_cli manual home arm1`", "`ui_cli manual home arm2` finds it"})
+    EXPECT_NE(lost.find(what), std::string::npos) << lost;
+  EXPECT_EQ(lost.find("SYNCHRO"), std::string::npos);
+  const std::string far = fail(2, FaultCode::unreachable_pose);
+  const auto says = [&](const std::string& arm) {
+    return far.find(arm + ": unreachable_pose: " + what_happened(Fault{.code = FaultCode::unreachable_pose}));
+  };
+  EXPECT_NE(says("arm1"), std::string::npos) << far;
+  EXPECT_NE(says("arm2"), std::string::npos) << far;
 }
 
 TEST(ManualDesk, AFaultedArmWaitsForItsReset) {
