@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <ranges>
 #include <utility>
 
 #include "base/fault.hpp"
@@ -53,9 +54,15 @@ ManualAnswer ask(link::Bus& bus, const link::SessionInfo& session, const std::st
   }
 }
 
-/// @return the newest reading of an arm
+/// @return the newest reading of an arm @throws FaultError bad_usage: there is none of this name; peer_silent
 EffectorReply look_at(link::Bus& bus, const link::SessionInfo& session, const std::string& arm,
                       const Patience& patience) {
+  const auto arms = manual_arms(session.run_folder);
+  if (!arms.empty() && std::ranges::find(arms, arm, &ManualArm::name) == arms.end())
+    throw FaultError(FaultCode::bad_usage,
+                     fmt::format("there is no arm '{}'; there are {} and all", arm,
+                                 fmt::join(arms | std::views::transform(&ManualArm::name), ", ")),
+                     "name one of them");
   const ManualLink link(bus, session, {arm}, patience);
   const auto begun = Clock::now();
   while (!link.reading(arm)) {
@@ -151,9 +158,12 @@ std::vector<std::string> instructions_in(const std::filesystem::path& name) {
   return lines;
 }
 
-/// @throws FaultError illegal_in_state: refused or failed
+/// @throws FaultError bad_usage: not understood; illegal_in_state: refused or failed
 void must_be_good(const ManualAnswer& answer, const std::string& words) {
   if (answer.state == ManualState::taken || answer.state == ManualState::done) return;
+  if (answer.state == ManualState::not_understood)
+    throw FaultError(FaultCode::bad_usage, fmt::format("{}: {}", words, answer.text),
+                     "`ui_cli manual --help` tells them all");
   throw FaultError(FaultCode::illegal_in_state,
                    fmt::format("{} {}: {}", words,
                                answer.state == ManualState::refused ? "refused" : "failed", answer.text),
@@ -241,7 +251,8 @@ void execute_manual(link::Bus& bus, const link::SessionInfo& session, const Manu
   const ManualAnswer answer = ask(bus, session, wish.words, wish.wait, patience);
   if (wish.json)
     out << Json{{"words", wish.words},
-                {"accepted", answer.state != ManualState::refused},
+                {"accepted",
+                 answer.state != ManualState::refused && answer.state != ManualState::not_understood},
                 {"done", answer.state == ManualState::done},
                 {"text", answer.text}}
                .dump(-1, ' ', false, Json::error_handler_t::replace)

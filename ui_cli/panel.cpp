@@ -160,8 +160,10 @@ void Panel::update_manual(Clock::time_point now) {
   try {
     const auto answer = instructions_->poll(now);
     if (!answer) return;
-    const bool bad = answer->state == ManualState::refused || answer->state == ManualState::failed;
-    const std::string_view what = answer->state == ManualState::refused  ? " refused: "
+    const bool refused =
+        answer->state == ManualState::refused || answer->state == ManualState::not_understood;
+    const bool bad = refused || answer->state == ManualState::failed;
+    const std::string_view what = refused                                ? " refused: "
                                   : answer->state == ManualState::failed ? " failed: "
                                                                          : ": ";
     const std::string text = answer->state == ManualState::taken ? "is being done" : answer->text;

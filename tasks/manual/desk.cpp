@@ -6,7 +6,6 @@
 
 #include "base/fault.hpp"
 #include "base/link/text.hpp"
-#include "base/manual.hpp"
 
 namespace mrroc::manual {
 namespace {
@@ -50,33 +49,33 @@ Hands Desk::take(std::int64_t i, const std::vector<std::int64_t>& given, const s
   for (; !script_.empty() && script_.front().i <= i; script_.pop_front()) {
     Asked asked;
     const std::string words = script_.front().words;
-    if (const auto reason = obey(i, words, given, reports, false, hands, asked))
-      process_.say(fmt::format("script: '{}' in macrostep {} is refused, {}", words, i, *reason),
+    if (const auto refusal = obey(i, words, given, reports, false, hands, asked))
+      process_.say(fmt::format("script: '{}' in macrostep {} is refused, {}", words, i, refusal->reason),
                    FaultCode::bad_script);
   }
   answer_terminals(i, given, reports, paused, hands);
   return hands;
 }
 
-std::optional<std::string> Desk::obey(std::int64_t i, const std::string& words,
-                                      const std::vector<std::int64_t>& given,
-                                      const std::vector<Report>& reports, bool paused, Hands& hands,
-                                      Asked& asked) {
+std::optional<Desk::Refusal> Desk::obey(std::int64_t i, const std::string& words,
+                                        const std::vector<std::int64_t>& given,
+                                        const std::vector<Report>& reports, bool paused, Hands& hands,
+                                        Asked& asked) {
   Instructions wanted;
   try {
     wanted = understand(words, arms_);
   } catch (const FaultError& e) {
-    return e.what();
+    return Refusal{fmt::format("{}; {}", e.what(), e.remedy()), ManualState::not_understood};
   }
   for (std::size_t k = 0; k < wanted.arms.size(); ++k) {
     const std::size_t arm = wanted.arms[k];
     const bool stop = wanted.orders[k].kind == Kind::stop;
-    if (paused && !stop) return "paused; resume first, with `ui_cli resume`";
+    if (paused && !stop) return Refusal{"paused; resume first, with `ui_cli resume`"};
     const bool busy = reports[arm].event != given[arm] || hands.orders[arm];
     if (busy && !stop)
-      return fmt::format("{} is busy; `stop {}` ends what it does", arms_[arm].key, arms_[arm].key);
+      return Refusal{fmt::format("{0} is busy; `stop {0}` ends what it does", arms_[arm].key)};
     if (reports[arm].driver_state == DriverState::faulted && wanted.orders[k].kind != Kind::reset && !stop)
-      return fmt::format("{} waits for `reset {}` after a fault", arms_[arm].key, arms_[arm].key);
+      return Refusal{fmt::format("{0} waits for `reset {0}` after a fault", arms_[arm].key)};
   }
   for (std::size_t k = 0; k < wanted.arms.size(); ++k) {
     auto& order = hands.orders[wanted.arms[k]];
@@ -102,13 +101,13 @@ void Desk::answer_terminals(std::int64_t i, const std::vector<std::int64_t>& giv
     auto known = std::ranges::find(asked_, m->id, &Asked::id);
     if (known == asked_.end()) {
       Asked asked{.id = m->id, .orders = {}, .answer = {}};
-      const auto reason = obey(i, link::get_text(m->text), given, reports, paused, hands, asked);
+      const auto refusal = obey(i, link::get_text(m->text), given, reports, paused, hands, asked);
       asked.answer.id = m->id;
       // In a pause only stops come that far. The arm stands already, and does not go on when the pause ends.
-      set(asked.answer, reason                           ? ManualState::refused
+      set(asked.answer, refusal                          ? refusal->state
                         : asked.orders.empty() || paused ? ManualState::done
                                                          : ManualState::taken);
-      link::put_text(asked.answer.text, reason ? *reason : std::string("accepted"));
+      link::put_text(asked.answer.text, refusal ? refusal->reason : std::string("accepted"));
       asked_.push_back(std::move(asked));
       if (asked_.size() > kRemembered) asked_.pop_front();
       known = std::prev(asked_.end());

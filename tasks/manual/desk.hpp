@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/link/process.hpp"
+#include "base/manual.hpp"
 #include "base/transmission.hpp"
 #include "mrroc/manual_answer_t.hpp"
 #include "mrroc/manual_words_t.hpp"
@@ -47,11 +48,15 @@ class Desk {
     std::vector<std::pair<std::size_t, std::int64_t>> orders;  ///< arm and number
     manual_answer_t answer{};
   };
+  struct Refusal {
+    std::string reason;
+    ManualState state{ManualState::refused};
+  };
   /// @param paused  only what asks no arm to move is taken
   /// @return why the instruction is refused, or nothing: it is in hands
-  std::optional<std::string> obey(std::int64_t i, const std::string& words,
-                                  const std::vector<std::int64_t>& given, const std::vector<Report>& reports,
-                                  bool paused, Hands& hands, Asked& asked);
+  std::optional<Refusal> obey(std::int64_t i, const std::string& words,
+                              const std::vector<std::int64_t>& given, const std::vector<Report>& reports,
+                              bool paused, Hands& hands, Asked& asked);
   /// A stop takes the place, and the number, of the order in the same macrostep.
   void call_off(std::size_t arm, std::int64_t number);
   void answer_terminals(std::int64_t i, const std::vector<std::int64_t>& given,

@@ -146,7 +146,8 @@ TEST_F(Manual, ATerminalIsAnsweredWhenItIsDoneOrWhyNot) {
   const Ended unreachable = manual({"move", "arm1", "angle-axis", "5", "0", "1", "0", "0", "0"});
   EXPECT_EQ(unreachable.status, 1);
   EXPECT_NE(unreachable.last_err().find("failed: arm1"), std::string::npos) << unreachable.all();
-  EXPECT_EQ(manual({"dance", "arm1"}).status, 1);
+  EXPECT_EQ(manual({"dance", "arm1"}).status, 2);
+  EXPECT_EQ(manual({"show", "arm3"}).status, 2);
   EXPECT_EQ(manual({"show", "arm1"}).status, 0);
   EXPECT_EQ(manual({"end"}).status, 0);
   EXPECT_EQ(task.end().status, 0);

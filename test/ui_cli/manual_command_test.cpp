@@ -105,6 +105,8 @@ TEST(ManualCommand, WaitsUntilItIsDoneAndKeepsNegativeNumbers) {
 TEST(ManualCommand, ARefusalAndAFailureAreErrorsWithTheirReason) {
   EXPECT_NE(execute({0}, {"bias", "arm1"}).find("refused: arm1 is busy"), std::string::npos);
   EXPECT_NE(execute({1, 3}, {"bias", "arm1"}).find("failed: arm1: joint_limit"), std::string::npos);
+  EXPECT_EQ(execute({4}, {"fly", "arm1"}).find("error: bad_usage: fly arm1: "), 0U);
+  EXPECT_EQ(execute({0}, {"bias", "arm1"}).find("error: illegal_in_state"), 0U);
 }
 
 TEST(ManualCommand, ShowsAnArm) {
@@ -158,6 +160,9 @@ TEST(ManualCommand, ShowsAllArms) {
   ASSERT_EQ(json.size(), 1U);
   EXPECT_EQ(json[0]["arm"], "arm1");
   EXPECT_NE(execute({2}, {"show", "all"}, nullptr, folder).find("joints"), std::string::npos);
+  EXPECT_EQ(execute({2}, {"show", "arm3"}, nullptr, folder)
+                .find("error: bad_usage: there is no arm 'arm3'; there are arm1 and all"),
+            0U);
   EXPECT_NE(execute({2}, {"show", "all"}, nullptr, folder / "elsewhere").find("name one"), std::string::npos);
   std::filesystem::remove_all(folder);
 }

@@ -183,7 +183,11 @@ TEST(ManualDesk, AFaultedArmWaitsForItsReset) {
 TEST(ManualDesk, NonsenseIsRefusedAndTheEndIsTaken) {
   Office office;
   office.say(1, "dance arm1");
-  EXPECT_EQ(office.answer().first, 0);
+  EXPECT_EQ(office.answer().first, 4);
+  office.say(3, "jog arm1 cartesian 0 0 0");
+  const auto [state, text] = office.answer();
+  EXPECT_EQ(state, 4);
+  EXPECT_NE(text.find("it is written `jog ARM"), std::string::npos) << text;
   EXPECT_TRUE(office.say(2, "end").end);
   EXPECT_EQ(office.answer().first, 2);
 }
