@@ -29,6 +29,9 @@ std::optional<OperatorOrder> order_of(int key) {
   }
 }
 
+/// A screen that changes its size, an arrow and the like come from curses as keys too; they are no answer to a question.
+bool answers(int key) { return (key >= 0 && key < 256) || key == key::kKeypadEnter; }
+
 }  // namespace
 
 Panel::Panel(link::Bus& bus, Client& client, Glyphs glyphs, Clock::time_point now)
@@ -43,6 +46,7 @@ void Panel::key(int key, Clock::time_point now) {
     asks_.reset();
     view_.help = false;
     ask_or_give(OperatorOrder::emergency_stop, now);
+  } else if (asks_ && !answers(key)) {  // the question stays
   } else if (asks_) {
     const OperatorOrder order = *asks_;
     asks_.reset();
