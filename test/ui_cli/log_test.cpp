@@ -47,6 +47,26 @@ TEST_F(RunFolder, ShowNamesTheBehavioursOfAnArmAsItsAgentDoes) {
   EXPECT_EQ(out_.str().find("manual operation"), std::string::npos) << "that is the coordinator's";
 }
 
+TEST_F(RunFolder, ShowClosesWithTheOutcomeOfTheRun) {
+  const auto last = [&](const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words{"show", a_.string(), "--m"};
+    words.insert(words.end(), more.begin(), more.end());
+    EXPECT_EQ(run(words), 0) << err_.str();
+    return lines().back();
+  };
+  EXPECT_EQ(last(), "outcome: done");
+  EXPECT_EQ(last({"--to", "1"}).find("outcome"), std::string::npos) << "the end is not asked for";
+  std::ofstream(a_ / "summary.json")
+      << R"x({"outcome": "fault", "fault": {"class": "system", "code": "process_died", "process": "vsp-arm1",
+                "text": "a process has died (signal 9)"}})x";
+  EXPECT_EQ(last(), "outcome: fault, process_died, vsp-arm1: a process has died (signal 9)");
+  EXPECT_EQ(Json::parse(last({"--json"}))["fault"]["code"], "process_died");
+  fs::remove(a_ / "summary.json");
+  std::ofstream(a_ / "messages.log") << "start\n12.3 s ecp-arm1: too_fast\n";
+  EXPECT_NE(last().find("no summary"), std::string::npos);
+  EXPECT_NE(last().find("its last message: 12.3 s ecp-arm1: too_fast"), std::string::npos);
+}
+
 TEST_F(RunFolder, ShowTellsTheMessagesOfAChannel) {
   ASSERT_EQ(run({"show", a_.string(), "--channel", "arm1.report", "--to", "0.1"}), 0);
   EXPECT_EQ(lines().size(), 5U);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -132,6 +133,36 @@ void show_story(const RunRecord& run, const ShowOptions& o, std::ostream& out) {
   }
 }
 
+/// @return the last line of a file; empty: there is none
+std::string last_line(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::string last;
+  for (std::string line; std::getline(in, line);)
+    if (!line.empty()) last = line;
+  return last;
+}
+
+/// How the run ended, from its summary; where it has none, the last message that an operator has seen.
+void show_outcome(const RunRecord& run, bool json, std::ostream& out) {
+  std::ifstream in(run.folder() / "summary.json");
+  const Json summary = Json::parse(in, nullptr, false);
+  const bool told = summary.is_object() && summary.contains("outcome") && summary["outcome"].is_string();
+  Json outcome{{"outcome", told ? summary["outcome"] : Json(nullptr)}, {"fault", nullptr}};
+  std::string text = told ? summary["outcome"].get<std::string>()
+                          : "not told, the run has no summary: it was ended from outside, or still goes on";
+  if (told && summary.contains("fault") && summary["fault"].is_object()) {
+    outcome["fault"] = summary["fault"];
+    for (const auto& [key, between] : {std::pair{"code", ", "}, {"process", ", "}, {"text", ": "}})
+      if (const Json part = summary["fault"].value(key, Json()); part.is_string() && part != "")
+        text += between + part.get<std::string>();
+  } else if (!told) {
+    const std::string last = last_line(run.folder() / "messages.log");
+    outcome["last_message"] = last;
+    if (!last.empty()) text += "; its last message: " + last;
+  }
+  out << (json ? outcome.dump(-1, ' ', false, Json::error_handler_t::replace) : "outcome: " + text) << "\n";
+}
+
 Json value_of(const link::LoggedMessage& m, const Field& f) {
   if (f.kind == FieldKind::text) {
     const std::string quoted = value_in(m.bytes, f);
@@ -170,6 +201,7 @@ void show_channel(const RunRecord& run, const ShowOptions& o, std::ostream& out)
 void show_log(const RunRecord& run, const ShowOptions& options, std::ostream& out) {
   if (options.channel.empty()) {
     show_story(run, options, out);
+    if (std::isinf(options.to)) show_outcome(run, options.json, out);
     return;
   }
   check_channel(run, options.channel);
