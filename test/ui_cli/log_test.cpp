@@ -89,6 +89,24 @@ TEST_F(RunFolder, CsvHasARowPerMessageThatCanBeReadBack) {
   EXPECT_EQ(run({"csv", a_.string(), "arm1.report", "--fields", "F_b"}), 2);
 }
 
+TEST_F(RunFolder, WhoeverReadsALogThatIsCutOffIsWarned) {
+  const std::string warning = "warning: the log is not whole: ";
+  tell_channels(a_, "vsp-arm1", "no.such");  // a process that came to its end
+  ASSERT_EQ(run({"show", a_.string()}), 0);
+  EXPECT_EQ(err_.str(), "");
+  const fs::path log = a_ / link::kEventLog;
+  fs::resize_file(log, fs::file_size(log) - 7);
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"show", a_.string()}, {"csv", a_.string(), "arm1.report"}}) {
+    ASSERT_EQ(run(words), 0);
+    EXPECT_EQ(err_.str().find(warning), 0U) << words[0] << ": " << err_.str();
+    EXPECT_EQ(out_.str().find(warning), std::string::npos) << "tables stay tables";
+  }
+  fs::remove(a_ / "processes.json");
+  ASSERT_EQ(run({"show", a_.string()}), 0);
+  EXPECT_EQ(err_.str(), "") << "who ran is not known";
+}
+
 TEST_F(RunFolder, CompareNamesTheFirstMessageThatDiffersAndTheFigures) {
   EXPECT_EQ(run({"compare", a_.string(), make("same", 77, 0).string()}), 0) << out_.str();
   EXPECT_EQ(run({"compare", a_.string(), make("other", 2, 0.5).string(), "--json"}), 1);
