@@ -81,13 +81,15 @@ void show(const EffectorReply& r, const std::string& arm, bool json, std::ostrea
   const auto T_0E = pose_from_numbers(Representation::xyz_angle_axis, pose);
   const PoseNumbers euler = T_0E ? numbers_from_pose(Representation::xyz_euler_zyz, *T_0E) : PoseNumbers{};
   const std::vector<double> F(r.F_a.v.data(), r.F_a.v.data() + 6), e(euler.begin(), euler.begin() + 6);
+  const bool known = position_known(r);
   if (json) {
+    const auto if_known = [&](const auto& numbers) { return known ? Json(numbers) : Json(nullptr); };
     out << Json{{"arm", arm},
                 {"state", to_string(r.state)},
                 {"motors", r.motors},
-                {"joints", r.joints},
-                {"T_0E", r.T_0E},
-                {"euler", e},
+                {"joints", if_known(r.joints)},
+                {"T_0E", if_known(r.T_0E)},
+                {"euler", if_known(e)},
                 {"F_a", F},
                 {"gripper", r.gripper},
                 {"blocked", r.blocked}}
@@ -100,9 +102,15 @@ void show(const EffectorReply& r, const std::string& arm, bool json, std::ostrea
   };
   out << fmt::format("{:<11} {}\n", arm, to_string(r.state));
   row("motors", r.motors, "rad");
-  row("joints", r.joints, "rad, m");
-  row("angle-axis", r.T_0E, "m, rad");
-  row("euler", e, "m, rad");
+  const auto row_if_known = [&](const char* name, const auto& numbers, const char* unit) {
+    if (known)
+      row(name, numbers, unit);
+    else
+      out << fmt::format("{:<11} {:>9}  {}\n", name, "-", unit);
+  };
+  row_if_known("joints", r.joints, "rad, m");
+  row_if_known("angle-axis", r.T_0E, "m, rad");
+  row_if_known("euler", e, "m, rad");
   row("force F_a", F, "N, N m in E");
   out << fmt::format("{:<11} {:9.4f}  m{}\n", "gripper", r.gripper, r.blocked ? ", holds something" : "");
 }

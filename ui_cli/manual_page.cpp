@@ -173,6 +173,8 @@ ManualDeed ManualPage::go_to(const std::string& text) const {
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(target))
     return refusal(fmt::format("'{}' is not a number", text));
   if (!arms_[arm_].reading) return refusal(fmt::format("where {} is has not been told yet", whom()));
+  if (!position_known(*arms_[arm_].reading))
+    return refusal(fmt::format("{} does not know its position; h homes it", whom()));
   const auto now = values(arms_[arm_]);
   std::vector<std::string> numbers;
   for (int k = 0; k < coordinates(); ++k)

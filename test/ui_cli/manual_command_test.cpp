@@ -116,6 +116,17 @@ TEST(ManualCommand, ShowsAnArm) {
   EXPECT_NE(execute({2}, {"show", "arm1"}).find("joints"), std::string::npos);
 }
 
+TEST(ManualCommand, ShowsNoPositionBeforeHoming) {
+  const auto show = [](const std::vector<std::string>& words) {
+    return execute({2}, words, nullptr, {}, nullptr, DriverState::not_synchronised);
+  };
+  const auto json = nlohmann::json::parse(show({"show", "arm1", "--json"}));
+  for (const char* what : {"joints", "T_0E", "euler"}) EXPECT_TRUE(json[what].is_null()) << what;
+  EXPECT_TRUE(json["motors"].is_array());
+  const std::string text = show({"show", "arm1"});
+  EXPECT_NE(text.find("joints              -  rad, m\n"), std::string::npos) << text;
+}
+
 TEST(ManualLink, HearsItsOwnSessionOnlyAndLearnsItsNumberWhereItIsNotKnown) {
   link::MemoryHub hub;
   const auto bus = hub.open(), task_bus = hub.open();
