@@ -9,7 +9,8 @@ enum class ManualState : std::uint8_t {
   refused,  ///< nothing is done
   taken,    ///< it is being done
   done,
-  failed,  ///< or called off
+  failed,          ///< or called off
+  not_understood,  ///< nothing is done: the words are no instruction, or not for these arms
 };
 
 }  // namespace mrroc

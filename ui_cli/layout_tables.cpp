@@ -54,8 +54,8 @@ void put_agent(Canvas& c, int row, const AgentView& a) {
   c.put(row, 1, a.name.substr(0, kName - 1));
   for (int k = 0; k < 3; ++k) {
     const auto axis = static_cast<std::size_t>(k);
-    put_column(c, row, kName + (k + 1) * kNumber, fixed(1e3 * a.T_0E[axis], 1));
-    put_column(c, row, kRotation + (k + 1) * kAngle, fixed(a.T_0E[axis + 3], 3));
+    put_column(c, row, kName + (k + 1) * kNumber, a.pose_known() ? fixed(1e3 * a.T_0E[axis], 1) : "-");
+    put_column(c, row, kRotation + (k + 1) * kAngle, a.pose_known() ? fixed(a.T_0E[axis + 3], 3) : "-");
   }
   put_column(c, row, kForce, fixed(a.F_a[2], 2), Style::heading);
   c.put(row, kSensor, cut(a.sensor, std::min(kRotation, c.size().columns) - kSensor));

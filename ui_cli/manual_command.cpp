@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <ranges>
 #include <utility>
 
 #include "base/fault.hpp"
@@ -53,9 +54,15 @@ ManualAnswer ask(link::Bus& bus, const link::SessionInfo& session, const std::st
   }
 }
 
-/// @return the newest reading of an arm
+/// @return the newest reading of an arm @throws FaultError bad_usage: there is none of this name; peer_silent
 EffectorReply look_at(link::Bus& bus, const link::SessionInfo& session, const std::string& arm,
                       const Patience& patience) {
+  const auto arms = manual_arms(session.run_folder);
+  if (!arms.empty() && std::ranges::find(arms, arm, &ManualArm::name) == arms.end())
+    throw FaultError(FaultCode::bad_usage,
+                     fmt::format("there is no arm '{}'; there are {} and all", arm,
+                                 fmt::join(arms | std::views::transform(&ManualArm::name), ", ")),
+                     "name one of them");
   const ManualLink link(bus, session, {arm}, patience);
   const auto begun = Clock::now();
   while (!link.reading(arm)) {
@@ -74,13 +81,15 @@ void show(const EffectorReply& r, const std::string& arm, bool json, std::ostrea
   const auto T_0E = pose_from_numbers(Representation::xyz_angle_axis, pose);
   const PoseNumbers euler = T_0E ? numbers_from_pose(Representation::xyz_euler_zyz, *T_0E) : PoseNumbers{};
   const std::vector<double> F(r.F_a.v.data(), r.F_a.v.data() + 6), e(euler.begin(), euler.begin() + 6);
+  const bool known = position_known(r);
   if (json) {
+    const auto if_known = [&](const auto& numbers) { return known ? Json(numbers) : Json(nullptr); };
     out << Json{{"arm", arm},
                 {"state", to_string(r.state)},
                 {"motors", r.motors},
-                {"joints", r.joints},
-                {"T_0E", r.T_0E},
-                {"euler", e},
+                {"joints", if_known(r.joints)},
+                {"T_0E", if_known(r.T_0E)},
+                {"euler", if_known(e)},
                 {"F_a", F},
                 {"gripper", r.gripper},
                 {"blocked", r.blocked}}
@@ -93,9 +102,15 @@ void show(const EffectorReply& r, const std::string& arm, bool json, std::ostrea
   };
   out << fmt::format("{:<11} {}\n", arm, to_string(r.state));
   row("motors", r.motors, "rad");
-  row("joints", r.joints, "rad, m");
-  row("angle-axis", r.T_0E, "m, rad");
-  row("euler", e, "m, rad");
+  const auto row_if_known = [&](const char* name, const auto& numbers, const char* unit) {
+    if (known)
+      row(name, numbers, unit);
+    else
+      out << fmt::format("{:<11} {:>9}  {}\n", name, "-", unit);
+  };
+  row_if_known("joints", r.joints, "rad, m");
+  row_if_known("angle-axis", r.T_0E, "m, rad");
+  row_if_known("euler", e, "m, rad");
   row("force F_a", F, "N, N m in E");
   out << fmt::format("{:<11} {:9.4f}  m{}\n", "gripper", r.gripper, r.blocked ? ", holds something" : "");
 }
@@ -123,9 +138,10 @@ void save(const EffectorReply& r, const ManualWish& wish, const link::SessionInf
     throw FaultError(FaultCode::bad_usage,
                      fmt::format("{} is no arm of the run in {}", wish.show, session.run_folder.string()),
                      "save on the host of the task, where its run folder is");
-  if (r.state == DriverState::not_synchronised)
-    throw FaultError(FaultCode::illegal_in_state, wish.show + " does not know its position",
-                     fmt::format("type `ui_cli manual home {}` first", wish.show));
+  if (!position_known(r))
+    throw FaultError(FaultCode::illegal_in_state,
+                     fmt::format("{} does not know its position, it is {}", wish.show, to_string(r.state)),
+                     fmt::format("`ui_cli manual home {}` finds it; save when that is done", wish.show));
   const std::vector<double> joints(r.joints.begin(), r.joints.begin() + arm->axes);
   const std::string line = fmt::format("move {} joints {:.6f}", wish.show, fmt::join(joints, " "));
   std::ofstream file(wish.save, std::ios::app);
@@ -150,9 +166,12 @@ std::vector<std::string> instructions_in(const std::filesystem::path& name) {
   return lines;
 }
 
-/// @throws FaultError illegal_in_state: refused or failed
+/// @throws FaultError bad_usage: not understood; illegal_in_state: refused or failed
 void must_be_good(const ManualAnswer& answer, const std::string& words) {
   if (answer.state == ManualState::taken || answer.state == ManualState::done) return;
+  if (answer.state == ManualState::not_understood)
+    throw FaultError(FaultCode::bad_usage, fmt::format("{}: {}", words, answer.text),
+                     "`ui_cli manual --help` tells them all");
   throw FaultError(FaultCode::illegal_in_state,
                    fmt::format("{} {}: {}", words,
                                answer.state == ManualState::refused ? "refused" : "failed", answer.text),
@@ -240,7 +259,8 @@ void execute_manual(link::Bus& bus, const link::SessionInfo& session, const Manu
   const ManualAnswer answer = ask(bus, session, wish.words, wish.wait, patience);
   if (wish.json)
     out << Json{{"words", wish.words},
-                {"accepted", answer.state != ManualState::refused},
+                {"accepted",
+                 answer.state != ManualState::refused && answer.state != ManualState::not_understood},
                 {"done", answer.state == ManualState::done},
                 {"text", answer.text}}
                .dump(-1, ' ', false, Json::error_handler_t::replace)

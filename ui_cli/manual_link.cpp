@@ -26,7 +26,7 @@ struct ManualLink::Answers final : link::Sink {
   void receive(std::string_view, std::span<const std::uint8_t> bytes) noexcept override {
     const auto m = link::decode<manual_answer_t>(bytes);
     if (!m || !is_of(session, m->header) || m->id != id || m->state < 0 ||
-        m->state > static_cast<int>(ManualState::failed))
+        m->state > static_cast<int>(ManualState::not_understood))
       return;
     ++count;
     if (!newest || m->state >= newest->state) newest = *m;

@@ -45,6 +45,15 @@ std::vector<ManualArm> manual_arms(const std::filesystem::path& run_folder) {
   return arms;
 }
 
+bool position_known(const EffectorReply& r) {
+  if (r.state == DriverState::not_synchronised || r.state == DriverState::homing ||
+      r.state == DriverState::jogging)
+    return false;
+  // A fault may come before the position is known: no arm is at zero in every joint and in its pose.
+  const auto zero = [](double x) { return x == 0; };
+  return !std::ranges::all_of(r.joints, zero) || !std::ranges::all_of(r.T_0E, zero);
+}
+
 void ManualPage::show(const std::string& arm, const EffectorReply& reading) {
   const auto found = std::ranges::find(arms_, arm, &ManualArm::name);
   if (found != arms_.end()) found->reading = reading;
@@ -164,6 +173,8 @@ ManualDeed ManualPage::go_to(const std::string& text) const {
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(target))
     return refusal(fmt::format("'{}' is not a number", text));
   if (!arms_[arm_].reading) return refusal(fmt::format("where {} is has not been told yet", whom()));
+  if (!position_known(*arms_[arm_].reading))
+    return refusal(fmt::format("{} does not know its position; h homes it", whom()));
   const auto now = values(arms_[arm_]);
   std::vector<std::string> numbers;
   for (int k = 0; k < coordinates(); ++k)

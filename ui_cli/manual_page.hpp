@@ -23,6 +23,10 @@ struct ManualArm {
 /// @return the arms of its config.toml; none when it cannot be read
 [[nodiscard]] std::vector<ManualArm> manual_arms(const std::filesystem::path& run_folder);
 
+/// @return whether the reading tells where the arm is. Before homing, and while it lasts, joints and pose are zeros that
+///         mean nothing
+[[nodiscard]] bool position_known(const EffectorReply& reading);
+
 /// What a key means. At most one of the texts is there.
 struct ManualDeed {
   bool known{true};       ///< false: the key is none of this page

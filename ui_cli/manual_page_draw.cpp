@@ -73,7 +73,9 @@ void ManualPage::draw(Canvas& c, int first, int limit) const {
       const bool track = space_ == Space::joints && arms_[k].axes > 6 && axis == 0;
       const bool length = track || (pose && axis < 3);
       const auto at = static_cast<std::size_t>(axis);
-      c.put_right(row, left(k) + 11, fixed(values(arms_[k])[at], 4), mine ? Style::title : Style::plain);
+      const bool known = space_ == Space::motors || position_known(*arms_[k].reading);
+      c.put_right(row, left(k) + 11, known ? fixed(values(arms_[k])[at], 4) : "-",
+                  mine ? Style::title : Style::plain);
       c.put(row, left(k) + 12, unit_name(!length), Style::dim);
     }
   }

@@ -29,6 +29,9 @@ std::optional<OperatorOrder> order_of(int key) {
   }
 }
 
+/// A screen that changes its size, an arrow and the like come from curses as keys too; they are no answer to a question.
+bool answers(int key) { return (key >= 0 && key < 256) || key == key::kKeypadEnter; }
+
 }  // namespace
 
 Panel::Panel(link::Bus& bus, Client& client, Glyphs glyphs, Clock::time_point now)
@@ -43,6 +46,7 @@ void Panel::key(int key, Clock::time_point now) {
     asks_.reset();
     view_.help = false;
     ask_or_give(OperatorOrder::emergency_stop, now);
+  } else if (asks_ && !answers(key)) {  // the question stays
   } else if (asks_) {
     const OperatorOrder order = *asks_;
     asks_.reset();
@@ -160,8 +164,10 @@ void Panel::update_manual(Clock::time_point now) {
   try {
     const auto answer = instructions_->poll(now);
     if (!answer) return;
-    const bool bad = answer->state == ManualState::refused || answer->state == ManualState::failed;
-    const std::string_view what = answer->state == ManualState::refused  ? " refused: "
+    const bool refused =
+        answer->state == ManualState::refused || answer->state == ManualState::not_understood;
+    const bool bad = refused || answer->state == ManualState::failed;
+    const std::string_view what = refused                                ? " refused: "
                                   : answer->state == ManualState::failed ? " failed: "
                                                                          : ": ";
     const std::string text = answer->state == ManualState::taken ? "is being done" : answer->text;

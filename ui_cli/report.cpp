@@ -39,10 +39,13 @@ std::string status_text(const Snapshot& s) {
     text += row("progress", s.progress_text);
   text += row("time", fmt::format("{:.2f} s simulated, {:.1f} x real time", s.sim_time, s.speed));
   for (const AgentView& a : s.agents) {
-    text += row(a.name, fmt::format("x, y, z {:.1f} {:.1f} {:.1f} mm; rotation {:.3f} {:.3f} {:.3f} rad; F_z "
-                                    "{:.2f} N{}{}",
-                                    1e3 * a.T_0E[0], 1e3 * a.T_0E[1], 1e3 * a.T_0E[2], a.T_0E[3], a.T_0E[4],
-                                    a.T_0E[5], a.F_a[2], a.sensor.empty() ? "" : "; ", a.sensor));
+    const std::string pose =
+        a.pose_known()
+            ? fmt::format("x, y, z {:.1f} {:.1f} {:.1f} mm; rotation {:.3f} {:.3f} {:.3f} rad",
+                          1e3 * a.T_0E[0], 1e3 * a.T_0E[1], 1e3 * a.T_0E[2], a.T_0E[3], a.T_0E[4], a.T_0E[5])
+            : "x, y, z - mm; rotation - rad";
+    text += row(a.name,
+                fmt::format("{}; F_z {:.2f} N{}{}", pose, a.F_a[2], a.sensor.empty() ? "" : "; ", a.sensor));
     text += row("", numbered(a.m, a.behaviour));
     text += row("", a.ended_because.empty() ? "" : "after " + a.ended_because);
   }
@@ -82,7 +85,7 @@ std::string status_json(const Snapshot& s) {
                            {"m", a.m},
                            {"behaviour", a.behaviour},
                            {"ended_because", a.ended_because},
-                           {"T_0E", a.T_0E},
+                           {"T_0E", a.pose_known() ? Json(a.T_0E) : Json(nullptr)},
                            {"F_a", a.F_a},
                            {"sensor", a.sensor}});
   for (const ProcessView& p : s.processes)

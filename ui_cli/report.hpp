@@ -14,7 +14,7 @@ std::string status_text(const Snapshot& s);
 /// One object: session, task, state, m, behaviour, ended_because, waits_for_trigger, macrostep, sim_s [s],
 /// speed, progress (0..1 or null), progress_text, agents: [{name, m, behaviour, ended_because, T_0E: [m, angle-axis
 /// rad], F_a: [N, N m], sensor}], processes: [{name, state, age_s}], last_message: {code, text}, run_folder. Numbers that are
-/// not finite are null.
+/// not finite are null, and T_0E before homing.
 std::string status_json(const Snapshot& s);
 
 /// @return a table with a line per session, or a line that says that there is none

@@ -1,5 +1,6 @@
 // What a task told about itself at one moment, as the terminal uses it.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -22,6 +23,11 @@ struct AgentView {
   std::array<double, 6> T_0E{};  ///< pose of E in the arm's base [m], angle-axis [rad]
   std::array<double, 6> F_a{};   ///< adjusted force in E [N], [N m]
   std::string sensor;            ///< reading of its virtual sensor, such as the pen's state; may be empty
+
+  /// @return whether T_0E is one: before homing it is zeros, which no arm can reach
+  [[nodiscard]] bool pose_known() const {
+    return std::ranges::any_of(T_0E, [](double x) { return x != 0; });
+  }
 };
 
 /// One process.

@@ -62,13 +62,15 @@ ecp::Coordinates goal(const X& x, const ecp::Coordinates& from) {
 /// @throws FaultError out_of_limits, unreachable_pose: the arm cannot be at the goal
 ecp::Trajectory plan(const X& x) {
   const ManualOrder& o = x.T.manual;
+  // Motions relative to the motors' positions need no synchronisation. The rest does, also to where the arm seems to be.
+  const bool by_increments = o.space == Representation::motors && o.reference == Reference::relative;
+  const bool lost = x.e.state == DriverState::not_synchronised || x.e.state == DriverState::jogging;
+  if (lost && !by_increments) throw FaultError(Fault{.code = FaultCode::not_synchronised});
   const ecp::Coordinates from = present(x, o.space);
   const ecp::Coordinates there = goal(x, from);
   if (x.c.reach)
     if (const auto wrong = x.c.reach->objection(o.space, there, x.e, x.c.kinematic_model))
       throw FaultError(*wrong);
-  // Motions relative to the motors' positions need no synchronisation.
-  const bool by_increments = o.space == Representation::motors && o.reference == Reference::relative;
   const ecp::Coding coding{.space = o.space,
                            .reference = by_increments ? Reference::relative : Reference::absolute,
                            .mu = per_axis(o.space) ? Interpolation::mim : Interpolation::tcim_pose};

@@ -57,6 +57,11 @@ bool ended(const X& x) { return x.T.hands.end && idle(x); }
 const Motion<Coordinator> kManualOperation{
     1, "manual operation", retain, given, nothing, nothing, pass_on, ended, "the operator's end, arms idle"};
 
+Coordinator::Said farewell(const Coordinator::X& x) {
+  const Order over{.m = static_cast<int>(SoloOrder::work), .finished = true};
+  return {std::vector<Order>(x.T.agent.size(), over), x.c.given};
+}
+
 /// Between Move and the links.
 class ManualRun::Port {
  public:
@@ -98,11 +103,7 @@ Outcome ManualRun::execute() {
   read(x);
   Port port(*this);
   const Outcome o = move(kManualOperation, x, port);
-  if (o == Outcome::terminated) {
-    Coordinator::Said last = kManualOperation.f_cT(x);
-    for (Order& order : last.order) order.finished = true;
-    send(last);
-  }
+  if (o == Outcome::terminated) send(farewell(x));
   return o;
 }
 
@@ -120,7 +121,7 @@ void ManualRun::read(X& x) {
   for (std::size_t arm = 0; arm < k_.arms.size(); ++arm) x.T.agent.push_back(links_.report(arm));
   std::vector<std::int64_t> numbers;
   for (const ManualOrder& o : x.c.given) numbers.push_back(o.number);
-  x.T.hands = desk_.take(x.i, numbers, x.T.agent);
+  x.T.hands = desk_.take(x.i, numbers, x.T.agent, x.T.h.paused);
   x.T.hands.end = x.T.hands.end || end;
   show(x);
   run_.each_macrostep(x.i, static_cast<double>(x.i) * k_.macrostep_s);

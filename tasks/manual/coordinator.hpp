@@ -46,6 +46,9 @@ struct Coordinator {
 /// m = 1: the operator's orders reach the arms, until he ends it and all have done what they had to.
 extern const Motion<Coordinator> kManualOperation;
 
+/// @return the order that ends the task. It also ends a pause: an arm that stands for one hears of nothing else
+[[nodiscard]] Coordinator::Said farewell(const Coordinator::X& x);
+
 /// What the run is told.
 struct ManualParameters {
   std::vector<ArmInfo> arms;

@@ -6,7 +6,6 @@
 
 #include "base/fault.hpp"
 #include "base/link/text.hpp"
-#include "base/manual.hpp"
 
 namespace mrroc::manual {
 namespace {
@@ -17,6 +16,15 @@ constexpr std::size_t kRemembered = 64;
 constexpr std::int64_t kCalledOff = -1;
 
 void set(manual_answer_t& answer, ManualState state) { answer.state = static_cast<std::int32_t>(state); }
+/// Several reasons have to fit into one answer.
+/// @param alone  no other arm was told the same
+std::string why(const std::string& arm, const Fault& fault, bool alone) {
+  if (fault.code == FaultCode::not_synchronised)
+    return fmt::format("{0} does not know its position; `ui_cli manual home {0}` finds it", arm);
+  return alone ? fmt::format("{}: {}", arm, describe(fault))
+               : fmt::format("{}: {}: {}", arm, to_string(fault.code), what_happened(fault));
+}
+
 bool is(const manual_answer_t& answer, ManualState state) {
   return answer.state == static_cast<std::int32_t>(state);
 }
@@ -35,36 +43,39 @@ Desk::Desk(link::Process& process, std::vector<ArmInfo> arms, std::vector<Script
   record_ << "# Instructions of the operator: macrostep and words. Replay with --words.\n";
 }
 
-Hands Desk::take(std::int64_t i, const std::vector<std::int64_t>& given, const std::vector<Report>& reports) {
+Hands Desk::take(std::int64_t i, const std::vector<std::int64_t>& given, const std::vector<Report>& reports,
+                 bool paused) {
   Hands hands{.orders = std::vector<std::optional<ManualOrder>>(arms_.size())};
   for (; !script_.empty() && script_.front().i <= i; script_.pop_front()) {
     Asked asked;
     const std::string words = script_.front().words;
-    if (const auto reason = obey(i, words, given, reports, hands, asked))
-      process_.say(fmt::format("script: '{}' in macrostep {} is refused, {}", words, i, *reason),
+    if (const auto refusal = obey(i, words, given, reports, false, hands, asked))
+      process_.say(fmt::format("script: '{}' in macrostep {} is refused, {}", words, i, refusal->reason),
                    FaultCode::bad_script);
   }
-  answer_terminals(i, given, reports, hands);
+  answer_terminals(i, given, reports, paused, hands);
   return hands;
 }
 
-std::optional<std::string> Desk::obey(std::int64_t i, const std::string& words,
-                                      const std::vector<std::int64_t>& given,
-                                      const std::vector<Report>& reports, Hands& hands, Asked& asked) {
+std::optional<Desk::Refusal> Desk::obey(std::int64_t i, const std::string& words,
+                                        const std::vector<std::int64_t>& given,
+                                        const std::vector<Report>& reports, bool paused, Hands& hands,
+                                        Asked& asked) {
   Instructions wanted;
   try {
     wanted = understand(words, arms_);
   } catch (const FaultError& e) {
-    return e.what();
+    return Refusal{fmt::format("{}; {}", e.what(), e.remedy()), ManualState::not_understood};
   }
   for (std::size_t k = 0; k < wanted.arms.size(); ++k) {
     const std::size_t arm = wanted.arms[k];
     const bool stop = wanted.orders[k].kind == Kind::stop;
+    if (paused && !stop) return Refusal{"paused; resume first, with `ui_cli resume`"};
     const bool busy = reports[arm].event != given[arm] || hands.orders[arm];
     if (busy && !stop)
-      return fmt::format("{} is busy; `stop {}` ends what it does", arms_[arm].key, arms_[arm].key);
+      return Refusal{fmt::format("{0} is busy; `stop {0}` ends what it does", arms_[arm].key)};
     if (reports[arm].driver_state == DriverState::faulted && wanted.orders[k].kind != Kind::reset && !stop)
-      return fmt::format("{} waits for `reset {}` after a fault", arms_[arm].key, arms_[arm].key);
+      return Refusal{fmt::format("{0} waits for `reset {0}` after a fault", arms_[arm].key)};
   }
   for (std::size_t k = 0; k < wanted.arms.size(); ++k) {
     auto& order = hands.orders[wanted.arms[k]];
@@ -83,19 +94,20 @@ void Desk::call_off(std::size_t arm, std::int64_t number) {
 }
 
 void Desk::answer_terminals(std::int64_t i, const std::vector<std::int64_t>& given,
-                            const std::vector<Report>& reports, Hands& hands) {
+                            const std::vector<Report>& reports, bool paused, Hands& hands) {
   for (Asked& a : asked_)
     if (is(a.answer, ManualState::taken)) conclude(a, reports);
   while (const auto m = words_in_.take()) {
     auto known = std::ranges::find(asked_, m->id, &Asked::id);
     if (known == asked_.end()) {
       Asked asked{.id = m->id, .orders = {}, .answer = {}};
-      const auto reason = obey(i, link::get_text(m->text), given, reports, hands, asked);
+      const auto refusal = obey(i, link::get_text(m->text), given, reports, paused, hands, asked);
       asked.answer.id = m->id;
-      set(asked.answer, reason                 ? ManualState::refused
-                        : asked.orders.empty() ? ManualState::done
-                                               : ManualState::taken);
-      link::put_text(asked.answer.text, reason ? *reason : std::string("accepted"));
+      // In a pause only stops come that far. The arm stands already, and does not go on when the pause ends.
+      set(asked.answer, refusal                          ? refusal->state
+                        : asked.orders.empty() || paused ? ManualState::done
+                                                         : ManualState::taken);
+      link::put_text(asked.answer.text, refusal ? refusal->reason : std::string("accepted"));
       asked_.push_back(std::move(asked));
       if (asked_.size() > kRemembered) asked_.pop_front();
       known = std::prev(asked_.end());
@@ -112,7 +124,7 @@ void Desk::conclude(Asked& asked, const std::vector<Report>& reports) {
     if (r.event > number)
       failures += fmt::format("{}{}: called off", failures.empty() ? "" : "; ", arms_[arm].key);
     else if (r.fault)
-      failures += fmt::format("{}{}: {}", failures.empty() ? "" : "; ", arms_[arm].key, describe(r.fault));
+      failures += (failures.empty() ? "" : "; ") + why(arms_[arm].key, r.fault, asked.orders.size() == 1);
   }
   set(asked.answer, failures.empty() ? ManualState::done : ManualState::failed);
   link::put_text(asked.answer.text, failures.empty() ? std::string("done") : failures);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/link/process.hpp"
+#include "base/manual.hpp"
 #include "base/transmission.hpp"
 #include "mrroc/manual_answer_t.hpp"
 #include "mrroc/manual_words_t.hpp"
@@ -36,7 +37,10 @@ class Desk {
   /// Instructions for macrostep i.
   /// @param given    numbers of the last orders that the arms have got
   /// @param reports  what the arms say now
-  Hands take(std::int64_t i, const std::vector<std::int64_t>& given, const std::vector<Report>& reports);
+  /// @param paused   the arms stand for a pause: terminals are refused what would begin at its end, when nobody waits
+  ///                 for it any more; a stop is done at once. A script goes on
+  Hands take(std::int64_t i, const std::vector<std::int64_t>& given, const std::vector<Report>& reports,
+             bool paused);
 
  private:
   struct Asked {
@@ -44,14 +48,19 @@ class Desk {
     std::vector<std::pair<std::size_t, std::int64_t>> orders;  ///< arm and number
     manual_answer_t answer{};
   };
+  struct Refusal {
+    std::string reason;
+    ManualState state{ManualState::refused};
+  };
+  /// @param paused  only what asks no arm to move is taken
   /// @return why the instruction is refused, or nothing: it is in hands
-  std::optional<std::string> obey(std::int64_t i, const std::string& words,
-                                  const std::vector<std::int64_t>& given, const std::vector<Report>& reports,
-                                  Hands& hands, Asked& asked);
+  std::optional<Refusal> obey(std::int64_t i, const std::string& words,
+                              const std::vector<std::int64_t>& given, const std::vector<Report>& reports,
+                              bool paused, Hands& hands, Asked& asked);
   /// A stop takes the place, and the number, of the order in the same macrostep.
   void call_off(std::size_t arm, std::int64_t number);
   void answer_terminals(std::int64_t i, const std::vector<std::int64_t>& given,
-                        const std::vector<Report>& reports, Hands& hands);
+                        const std::vector<Report>& reports, bool paused, Hands& hands);
   void conclude(Asked& asked, const std::vector<Report>& reports);
 
   link::Process& process_;

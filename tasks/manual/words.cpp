@@ -70,6 +70,10 @@ class Reader {
       refuse(fmt::format("{} is a whole number from 0 to {}", what, most));
     return static_cast<int>(value);
   }
+  /// @return whether a word comes next that is no keyword behind the numbers
+  [[nodiscard]] bool has_number() const {
+    return !done() && words_[next_] != "speed" && words_[next_] != "acceleration";
+  }
   /// Takes the word if it is the next one.
   bool take(std::string_view wanted) {
     if (done() || words_[next_] != wanted) return false;
@@ -140,8 +144,13 @@ void read_shares(Reader& in, ManualOrder& o) {
   }
 }
 
-void read_values(Reader& in, ManualOrder& o, std::size_t count) {
-  for (std::size_t k = 0; k < count; ++k) o.value[k] = in.number("a number");
+void read_values(Reader& in, ManualOrder& o, std::size_t count, const std::string& arm) {
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!in.has_number())
+      in.refuse(
+          fmt::format("a number is missing: {} wants {}, there {} {}", arm, count, k == 1 ? "is" : "are", k));
+    o.value[k] = in.number("a number");
+  }
 }
 
 ManualOrder order_of(Reader in, const Verb& verb, const ArmInfo& arm) {
@@ -159,15 +168,15 @@ ManualOrder order_of(Reader in, const Verb& verb, const ArmInfo& arm) {
         o.space = space_of(in);
         o.reference = verb.name == "jog" ? Reference::relative : Reference::absolute;
         const bool per_axis = o.space == Representation::motors || o.space == Representation::joints;
-        read_values(in, o, per_axis ? static_cast<std::size_t>(arm.axes) : 6);
+        read_values(in, o, per_axis ? static_cast<std::size_t>(arm.axes) : 6, arm.key);
       }
       read_shares(in, o);
       break;
     case Kind::tool:
-      read_values(in, o, 6);
+      read_values(in, o, 6, arm.key);
       break;
     case Kind::force_tool:
-      read_values(in, o, 1);
+      read_values(in, o, 1, arm.key);
       if (!in.done())
         for (std::size_t k = 1; k < 4; ++k) o.value[k] = in.number("the mass centre");
       break;
@@ -182,7 +191,7 @@ ManualOrder order_of(Reader in, const Verb& verb, const ArmInfo& arm) {
       if (!arm.jaws)
         in.refuse(
             fmt::format("{0} has no gripper; robots.{0}.gripper in the configuration gives it one", arm.key));
-      read_values(in, o, 1);
+      read_values(in, o, 1, arm.key);
       if (!(o.value[0] > 0)) in.refuse("a distance of jaws is above 0");
       break;
     default:

@@ -146,12 +146,28 @@ TEST_F(Manual, ATerminalIsAnsweredWhenItIsDoneOrWhyNot) {
   const Ended unreachable = manual({"move", "arm1", "angle-axis", "5", "0", "1", "0", "0", "0"});
   EXPECT_EQ(unreachable.status, 1);
   EXPECT_NE(unreachable.last_err().find("failed: arm1"), std::string::npos) << unreachable.all();
-  EXPECT_EQ(manual({"dance", "arm1"}).status, 1);
+  EXPECT_EQ(manual({"dance", "arm1"}).status, 2);
+  EXPECT_EQ(manual({"show", "arm3"}).status, 2);
   EXPECT_EQ(manual({"show", "arm1"}).status, 0);
   EXPECT_EQ(manual({"end"}).status, 0);
   EXPECT_EQ(task.end().status, 0);
   const auto times = summary(folder_ / "run");
   EXPECT_GT(times["wall_s"].get<double>(), 0.9 * times["sim_s"].get<double>()) << "who uses hands has time";
+}
+
+TEST_F(Manual, EndsWhileItIsPaused) {
+  if (!multicast()) GTEST_SKIP() << "no multicast";
+  Started task(folder_, "manual",
+               words({{"--session", "hand", "--run-dir", (folder_ / "run").string()}, kKnown}));
+  ASSERT_TRUE(task.await_line("session hand"));
+  const auto ui = [&](const std::vector<std::string>& order) {
+    return run(folder_, "ui_cli", words({{"--session", "hand"}, order})).status;
+  };
+  EXPECT_EQ(ui({"manual", "home", "arm1"}), 0);
+  EXPECT_EQ(ui({"pause"}), 0);
+  EXPECT_EQ(ui({"manual", "end"}), 0);
+  const Ended ended = task.end();
+  EXPECT_EQ(ended.status, 0) << ended.all();
 }
 
 }  // namespace

@@ -167,6 +167,17 @@ TEST_F(Commands, StatusInJsonHasTheDocumentedKeys) {
   EXPECT_EQ(j.at("last_message").at("code"), "none");
 }
 
+TEST_F(Commands, StatusTellsNoPoseBeforeHoming) {
+  RunningTask task(*this, "one");
+  std::ranges::fill(task.status.T_0E[0], 0.0);
+  task.start();
+  EXPECT_EQ(run({"status"}), 0) << error();
+  EXPECT_NE(out_.str().find("x, y, z - mm; rotation - rad; F_z 1.02 N"), std::string::npos) << out_.str();
+  EXPECT_NE(out_.str().find("x, y, z 900.0"), std::string::npos) << "the other arm is homed";
+  EXPECT_EQ(run({"status", "--json"}), 0) << error();
+  EXPECT_TRUE(nlohmann::json::parse(out_.str()).at("agents").at(0).at("T_0E").is_null());
+}
+
 TEST_F(Commands, OptionsMayStandBeforeAndAfterTheCommand) {
   RunningTask a(*this, "a"), b(*this, "b");
   b.start();

@@ -22,6 +22,51 @@ TEST_F(RunFolder, ShowTellsEveryMacrostepAndEveryChange) {
   EXPECT_EQ(Json::parse(lines()[0])["i"], 20);
 }
 
+TEST_F(RunFolder, ShowNamesTheBehavioursOfAnArmAsItsAgentDoes) {
+  {
+    const link::LogReader before(a_);
+    link::EventLog to(a_ / link::kEventLog);
+    for (const link::LoggedMessage& m : before.messages()) to.receive("s." + m.channel, m.bytes);
+    task_status_t s{};
+    s.m = 1;
+    link::put_text(s.behaviour, "manual operation");
+    s.n_agents = 1;
+    link::put_text(s.agent[0], "arm1");
+    s.agent_m[0] = 1;
+    link::put_text(s.agent_behaviour[0], "wait for an order");
+    log(to, "task_status", s, 1, 1, 1);
+    process_status_t p{};
+    p.m = 2;
+    link::put_text(p.behaviour, "find the position");
+    log(to, "ecp-arm1.status", p, 1, 1, 20);
+  }
+  ASSERT_EQ(run({"show", a_.string(), "--m"}), 0) << err_.str();
+  EXPECT_NE(out_.str().find("behaviour m = 1, wait for an order"), std::string::npos) << out_.str();
+  EXPECT_NE(out_.str().find("behaviour m = 2, find the position"), std::string::npos)
+      << "a behaviour that is too short for the task's status is known from the agent's own";
+  EXPECT_EQ(out_.str().find("manual operation"), std::string::npos) << "that is the coordinator's";
+}
+
+TEST_F(RunFolder, ShowClosesWithTheOutcomeOfTheRun) {
+  const auto last = [&](const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words{"show", a_.string(), "--m"};
+    words.insert(words.end(), more.begin(), more.end());
+    EXPECT_EQ(run(words), 0) << err_.str();
+    return lines().back();
+  };
+  EXPECT_EQ(last(), "outcome: done");
+  EXPECT_EQ(last({"--to", "1"}).find("outcome"), std::string::npos) << "the end is not asked for";
+  std::ofstream(a_ / "summary.json")
+      << R"x({"outcome": "fault", "fault": {"class": "system", "code": "process_died", "process": "vsp-arm1",
+                "text": "a process has died (signal 9)"}})x";
+  EXPECT_EQ(last(), "outcome: fault, process_died, vsp-arm1: a process has died (signal 9)");
+  EXPECT_EQ(Json::parse(last({"--json"}))["fault"]["code"], "process_died");
+  fs::remove(a_ / "summary.json");
+  std::ofstream(a_ / "messages.log") << "start\n12.3 s ecp-arm1: too_fast\n";
+  EXPECT_NE(last().find("no summary"), std::string::npos);
+  EXPECT_NE(last().find("its last message: 12.3 s ecp-arm1: too_fast"), std::string::npos);
+}
+
 TEST_F(RunFolder, ShowTellsTheMessagesOfAChannel) {
   ASSERT_EQ(run({"show", a_.string(), "--channel", "arm1.report", "--to", "0.1"}), 0);
   EXPECT_EQ(lines().size(), 5U);
@@ -42,6 +87,24 @@ TEST_F(RunFolder, CsvHasARowPerMessageThatCanBeReadBack) {
   ASSERT_EQ(run({"csv", a_.string()}), 0);
   EXPECT_NE(out_.str().find("agent_report_t"), std::string::npos);
   EXPECT_EQ(run({"csv", a_.string(), "arm1.report", "--fields", "F_b"}), 2);
+}
+
+TEST_F(RunFolder, WhoeverReadsALogThatIsCutOffIsWarned) {
+  const std::string warning = "warning: the log is not whole: ";
+  tell_channels(a_, "vsp-arm1", "no.such");  // a process that came to its end
+  ASSERT_EQ(run({"show", a_.string()}), 0);
+  EXPECT_EQ(err_.str(), "");
+  const fs::path log = a_ / link::kEventLog;
+  fs::resize_file(log, fs::file_size(log) - 7);
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"show", a_.string()}, {"csv", a_.string(), "arm1.report"}}) {
+    ASSERT_EQ(run(words), 0);
+    EXPECT_EQ(err_.str().find(warning), 0U) << words[0] << ": " << err_.str();
+    EXPECT_EQ(out_.str().find(warning), std::string::npos) << "tables stay tables";
+  }
+  fs::remove(a_ / "processes.json");
+  ASSERT_EQ(run({"show", a_.string()}), 0);
+  EXPECT_EQ(err_.str(), "") << "who ran is not known";
 }
 
 TEST_F(RunFolder, CompareNamesTheFirstMessageThatDiffersAndTheFigures) {

@@ -19,6 +19,7 @@
 #include "mrroc/manual_words_t.hpp"
 #include "ui_cli/completion.hpp"
 #include "ui_cli/manual_link.hpp"
+#include "ui_cli/manual_page.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -28,12 +29,12 @@ using namespace std::chrono_literals;
 /// MP of the task, which answers with the states it is given, one per message; the last one stays.
 class Answering {
  public:
-  Answering(link::MemoryHub& hub, std::vector<int> states)
+  Answering(link::MemoryHub& hub, std::vector<int> states, DriverState driver)
       : bus_(hub.open()),
         in_(*bus_, {link::Group::agents, "m.manual.words"}, 9),
         out_(*bus_, {link::Group::agents, "m.manual.answer"}, 9),
         reply_(*bus_, {link::Group::agents, "m.arm1.reply"}, 9),
-        thread_([this, states = std::move(states)](const std::stop_token& stop) {
+        thread_([this, driver, states = std::move(states)](const std::stop_token& stop) {
           std::size_t k = 0;
           while (!stop.stop_requested()) {
             bus_->wait(2ms);
@@ -49,7 +50,7 @@ class Answering {
               out_.publish(a, 0);
             }
             EffectorReply r;
-            r.state = DriverState::holding;
+            r.state = driver;
             r.joints[1] = -1.57;
             r.joints[5] = 0.25;
             reply_.publish(to_message(r), 1);
@@ -72,9 +73,9 @@ class Answering {
 
 std::string execute(std::vector<int> states, const std::vector<std::string>& arguments,
                     std::string* heard = nullptr, const std::filesystem::path& run_folder = {},
-                    std::vector<std::string>* all = nullptr) {
+                    std::vector<std::string>* all = nullptr, DriverState driver = DriverState::holding) {
   link::MemoryHub hub;
-  Answering task(hub, std::move(states));
+  Answering task(hub, std::move(states), driver);
   const auto bus = hub.open();
   std::ostringstream out;
   std::string result;
@@ -104,6 +105,8 @@ TEST(ManualCommand, WaitsUntilItIsDoneAndKeepsNegativeNumbers) {
 TEST(ManualCommand, ARefusalAndAFailureAreErrorsWithTheirReason) {
   EXPECT_NE(execute({0}, {"bias", "arm1"}).find("refused: arm1 is busy"), std::string::npos);
   EXPECT_NE(execute({1, 3}, {"bias", "arm1"}).find("failed: arm1: joint_limit"), std::string::npos);
+  EXPECT_EQ(execute({4}, {"fly", "arm1"}).find("error: bad_usage: fly arm1: "), 0U);
+  EXPECT_EQ(execute({0}, {"bias", "arm1"}).find("error: illegal_in_state"), 0U);
 }
 
 TEST(ManualCommand, ShowsAnArm) {
@@ -111,6 +114,17 @@ TEST(ManualCommand, ShowsAnArm) {
   EXPECT_EQ(json["state"], "holding");
   EXPECT_EQ(json["joints"][1], -1.57);
   EXPECT_NE(execute({2}, {"show", "arm1"}).find("joints"), std::string::npos);
+}
+
+TEST(ManualCommand, ShowsNoPositionBeforeHoming) {
+  const auto show = [](const std::vector<std::string>& words) {
+    return execute({2}, words, nullptr, {}, nullptr, DriverState::not_synchronised);
+  };
+  const auto json = nlohmann::json::parse(show({"show", "arm1", "--json"}));
+  for (const char* what : {"joints", "T_0E", "euler"}) EXPECT_TRUE(json[what].is_null()) << what;
+  EXPECT_TRUE(json["motors"].is_array());
+  const std::string text = show({"show", "arm1"});
+  EXPECT_NE(text.find("joints              -  rad, m\n"), std::string::npos) << text;
 }
 
 TEST(ManualLink, HearsItsOwnSessionOnlyAndLearnsItsNumberWhereItIsNotKnown) {
@@ -157,6 +171,9 @@ TEST(ManualCommand, ShowsAllArms) {
   ASSERT_EQ(json.size(), 1U);
   EXPECT_EQ(json[0]["arm"], "arm1");
   EXPECT_NE(execute({2}, {"show", "all"}, nullptr, folder).find("joints"), std::string::npos);
+  EXPECT_EQ(execute({2}, {"show", "arm3"}, nullptr, folder)
+                .find("error: bad_usage: there is no arm 'arm3'; there are arm1 and all"),
+            0U);
   EXPECT_NE(execute({2}, {"show", "all"}, nullptr, folder / "elsewhere").find("name one"), std::string::npos);
   std::filesystem::remove_all(folder);
 }
@@ -180,6 +197,35 @@ TEST(ManualCommand, SavesPositionsAndGoesToThemAgain) {
   EXPECT_EQ(execute({2}, {"load", "/no/such/file"}).find("error: bad_script"), 0U);
   std::ofstream(file) << std::string(300, 'x');
   EXPECT_EQ(execute({2}, {"load", file}).find("error: bad_script"), 0U);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(ManualCommand, APositionIsKnownOnlyBehindHoming) {
+  EffectorReply r;
+  r.joints[1] = -1.57;
+  for (const auto& [state, known] : {std::pair{DriverState::not_synchronised, false},
+                                     {DriverState::homing, false},
+                                     {DriverState::jogging, false},
+                                     {DriverState::ready, true},
+                                     {DriverState::executing, true},
+                                     {DriverState::faulted, true}}) {
+    r.state = state;
+    EXPECT_EQ(ui::position_known(r), known) << to_string(state);
+  }
+  r.joints[1] = 0;
+  EXPECT_FALSE(ui::position_known(r)) << "a fault during homing: zeros";
+}
+
+TEST(ManualCommand, SavesNothingDuringHoming) {
+  std::string pattern = (std::filesystem::temp_directory_path() / "manual_command.XXXXXX").string();
+  const std::filesystem::path folder = ::mkdtemp(pattern.data());
+  std::ofstream(folder / "config.toml") << "[robots]\norder = ['arm1']\n[robots.arm1]\naxes = 6\n";
+  const std::string file = (folder / "positions").string();
+  const std::string error =
+      execute({2}, {"save", "arm1", file}, nullptr, folder, nullptr, DriverState::homing);
+  EXPECT_EQ(error.find("error: illegal_in_state: arm1 does not know its position, it is homing"), 0U)
+      << error;
+  EXPECT_FALSE(std::filesystem::exists(file));
   std::filesystem::remove_all(folder);
 }
 

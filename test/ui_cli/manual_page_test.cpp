@@ -108,6 +108,18 @@ TEST(ManualPage, GoesToAnAbsoluteCoordinateFromWhereTheArmIs) {
   EXPECT_NE(p.key(kEnter).refusal.find("'1e' is not a number"), std::string::npos);
 }
 
+TEST(ManualPage, BeforeHomingThereAreNoJointsToShowOrToGoFrom) {
+  auto p = page();
+  EffectorReply r = reading();
+  r.state = DriverState::not_synchronised;
+  p.show("arm1", r);
+  ui::Canvas c({24, 80});
+  p.draw(c, 1, 20);
+  EXPECT_EQ(c.text().find("0.1000"), std::string::npos) << c.text();
+  words(p, "a0.7");
+  EXPECT_NE(p.key(kEnter).refusal.find("does not know its position"), std::string::npos);
+}
+
 TEST(ManualPage, ShowsTheArmsAndKeepsTheChosenAxisOnAnySize) {
   auto p = page();
   p.show("arm1", reading());

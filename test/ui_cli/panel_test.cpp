@@ -74,6 +74,18 @@ TEST_F(Panel, StopsOnlyAfterAYes) {
   EXPECT_EQ(task.obeyed, std::vector{OperatorOrder::stop});
 }
 
+TEST_F(Panel, AKeyThatIsNoCharacterIsNoAnswer) {
+  constexpr int kResize = 0632;  // of curses: the screen has another size
+  press('x');
+  for (const int key : {kResize, ui::key::kUp, ui::key::kLeft}) press(key);
+  EXPECT_NE(notice().find("y/n"), std::string::npos);
+  press('y');
+  EXPECT_EQ(task.obeyed, std::vector{OperatorOrder::stop});
+  press('x');
+  press(ui::key::kEscape);
+  EXPECT_EQ(notice(), " not stopped");
+}
+
 TEST_F(Panel, TheEmergencyStopAsksNothingAndPassesEveryQuestionAndEveryOrder) {
   press('e');
   EXPECT_EQ(task.obeyed, std::vector{OperatorOrder::emergency_stop});

@@ -19,6 +19,7 @@
 #include "mrroc/operator_image_t.hpp"
 #include "mrroc/process_status_t.hpp"
 #include "mrroc/supervisor_t.hpp"
+#include "mrroc/task_status_t.hpp"
 #include "ui_cli/log/log_command.hpp"
 #include "ui_cli/log/run_record.hpp"
 

@@ -32,11 +32,12 @@ struct Words {
   std::string output;
   ShowOptions show;
   bool json{};
-  std::function<int(std::ostream&)> command;
+  std::function<int(std::ostream& out, std::ostream& err)> command;
 };
 
-int write_table(const Words& w, std::ostream& out) {
+int write_table(const Words& w, std::ostream& out, std::ostream& err) {
   const RunRecord run(w.run);
+  warn_of_damage(run, err);
   std::ofstream file;
   if (!w.output.empty()) {
     file.open(w.output);
@@ -51,8 +52,10 @@ int write_table(const Words& w, std::ostream& out) {
   return 0;
 }
 
-int draw(const Words& w, std::ostream& out) {
-  const fs::path picture = plot_run(RunRecord(w.run), w.what, w.output);
+int draw(const Words& w, std::ostream& out, std::ostream& err) {
+  const RunRecord run(w.run);
+  warn_of_damage(run, err);
+  const fs::path picture = plot_run(run, w.what, w.output);
   out << (w.json ? nlohmann::json{{"picture", picture.string()}}.dump() + "\n"
                  : fmt::format("picture: {}\n", picture.string()));
   return 0;
@@ -78,7 +81,7 @@ void add_run(CLI::App* command, Words& w) {
 }
 
 void add_commands(CLI::App& app, Words& w) {
-  const auto runs = [&w](CLI::App* command, std::function<int(std::ostream&)> what) {
+  const auto runs = [&w](CLI::App* command, std::function<int(std::ostream&, std::ostream&)> what) {
     command->add_flag("--json", w.json, "print JSON");
     command->callback([&w, what = std::move(what)] { w.command = what; });
   };
@@ -89,9 +92,11 @@ void add_commands(CLI::App& app, Words& w) {
   show->add_option("--from", w.show.from, "simulated time")->type_name("S");
   show->add_option("--to", w.show.to, "simulated time")->type_name("S");
   show->add_flag("--m", w.show.changes, "only what changes: behaviours, states, orders, faults, messages");
-  runs(show, [&w](std::ostream& out) {
+  runs(show, [&w](std::ostream& out, std::ostream& err) {
     w.show.json = w.json;
-    show_log(RunRecord(w.run), w.show, out);
+    const RunRecord run(w.run);
+    warn_of_damage(run, err);
+    show_log(run, w.show, out);
     return 0;
   });
   auto* csv = app.add_subcommand("csv", "Write a channel as a table; without a channel: list the channels");
@@ -99,22 +104,22 @@ void add_commands(CLI::App& app, Words& w) {
   csv->add_option("channel", w.what, "such as arm1.reply")->type_name("CHANNEL");
   csv->add_option("--fields", w.fields, "only these, such as F_a,T_0E")->delimiter(',')->type_name("F,F...");
   csv->add_option("--output", w.output, "file instead of the standard output")->type_name("FILE");
-  runs(csv, [&w](std::ostream& out) { return write_table(w, out); });
+  runs(csv, [&w](std::ostream& out, std::ostream& err) { return write_table(w, out, err); });
   auto* plot = app.add_subcommand("plot", "Draw a picture: force, pose, motors or behaviours");
   add_run(plot, w);
   plot->add_option("what", w.what, "")->required()->check(CLI::IsMember(plot_subjects()));
   plot->add_option("--output", w.output, "PNG file (default RUN/plots/log-WHAT.png)")->type_name("FILE");
-  runs(plot, [&w](std::ostream& out) { return draw(w, out); });
+  runs(plot, [&w](std::ostream& out, std::ostream& err) { return draw(w, out, err); });
   auto* compare = app.add_subcommand("compare", "Find the first message in which two runs differ");
   compare->add_option("a", w.run, "a run folder")->required()->type_name("A");
   compare->add_option("b", w.other, "another")->required()->type_name("B");
-  runs(compare, [&w](std::ostream& out) {
+  runs(compare, [&w](std::ostream& out, std::ostream&) {
     return report_comparison(compare_runs(RunRecord(w.run), RunRecord(w.other)), w.json, out);
   });
   auto* check_command =
       app.add_subcommand("check", "Recompute from the log what every process decided, and name what differs");
   check_command->add_option("run", w.runs, "run folders")->required()->type_name("RUN...");
-  runs(check_command, [&w](std::ostream& out) { return check(w, out); });
+  runs(check_command, [&w](std::ostream& out, std::ostream&) { return check(w, out); });
 }
 
 }  // namespace
@@ -135,7 +140,7 @@ int run_log(const std::vector<std::string>& arguments, std::ostream& out, std::o
       "error.");
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
-    return w.command(out);
+    return w.command(out, err);
   } catch (const CLI::Success& e) {
     return app.exit(e, out, err);
   } catch (const CLI::ExtrasError& e) {

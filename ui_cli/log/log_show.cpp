@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -13,6 +14,7 @@
 #include "base/msg/convert.hpp"
 #include "mrroc/console_t.hpp"
 #include "mrroc/operator_image_t.hpp"
+#include "mrroc/process_status_t.hpp"
 #include "mrroc/task_status_t.hpp"
 
 namespace mrroc::ui {
@@ -31,8 +33,15 @@ struct Line {
 class Story {
  public:
   explicit Story(const RunRecord& run) : run_(run) {
-    for (const auto& [stamp, s] : run.log().messages<task_status_t>("task_status"))
-      if (s.m != 0) names_.try_emplace(s.m, link::get_text(s.behaviour));
+    for (const link::LoggedMessage& m : run.log().messages()) {
+      if (m.channel == "task_status") {
+        if (const auto s = link::decode<task_status_t>(m.bytes)) learn(*s);
+      } else if (m.channel.starts_with(kAgent) && m.channel.ends_with(kStatus)) {
+        if (const auto s = link::decode<process_status_t>(m.bytes))
+          learn(m.channel.substr(kAgent.size(), m.channel.size() - kAgent.size() - kStatus.size()), s->m,
+                link::get_text(s->behaviour));
+      }
+    }
   }
 
   std::vector<Line> lines() {
@@ -46,8 +55,19 @@ class Story {
   }
 
  private:
-  [[nodiscard]] std::string name(int m) const {
-    const auto it = names_.find(m);
+  static constexpr std::string_view kAgent = "ecp-", kStatus = ".status";
+
+  void learn(const task_status_t& s) {
+    for (int k = 0; k < std::clamp(s.n_agents, 0, static_cast<int>(std::size(s.agent))); ++k)
+      learn(link::get_text(s.agent[k]), s.agent_m[k], link::get_text(s.agent_behaviour[k]));
+  }
+  void learn(const std::string& arm, int m, const std::string& behaviour) {
+    if (m != 0 && !behaviour.empty()) names_.try_emplace({arm, m}, behaviour);
+  }
+
+  /// @return the behaviour as the agent calls it: its numbers are its own, the coordinator's mean something else
+  [[nodiscard]] std::string name(const std::string& arm, int m) const {
+    const auto it = names_.find({arm, m});
     return it == names_.end() ? fmt::format("m = {}", m) : fmt::format("m = {}, {}", m, it->second);
   }
 
@@ -55,7 +75,7 @@ class Story {
     std::optional<Report> before;
     for (const auto& [stamp, message] : run_.log().messages<agent_report_t>(arm + ".report")) {
       const Report r = from_message(message);
-      if (!before || r.m != before->m) add(stamp, arm, "behaviour " + name(r.m));
+      if (!before || r.m != before->m) add(stamp, arm, "behaviour " + name(arm, r.m));
       if (!before || r.driver_state != before->driver_state)
         add(stamp, arm, fmt::format("driver {}", to_string(r.driver_state)));
       const bool wrong = r.verdict == Verdict::refused || r.verdict == Verdict::failed;
@@ -95,7 +115,7 @@ class Story {
   }
 
   const RunRecord& run_;
-  std::map<int, std::string> names_;
+  std::map<std::pair<std::string, int>, std::string> names_;  // of arm and m
   std::vector<Line> lines_;
 };
 
@@ -111,6 +131,36 @@ void show_story(const RunRecord& run, const ShowOptions& o, std::ostream& out) {
       out << fmt::format("{:9.3f} s {:6}  {} {:<10} {}\n", t, line.i, line.change ? '*' : ' ', line.who,
                          line.what);
   }
+}
+
+/// @return the last line of a file; empty: there is none
+std::string last_line(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::string last;
+  for (std::string line; std::getline(in, line);)
+    if (!line.empty()) last = line;
+  return last;
+}
+
+/// How the run ended, from its summary; where it has none, the last message that an operator has seen.
+void show_outcome(const RunRecord& run, bool json, std::ostream& out) {
+  std::ifstream in(run.folder() / "summary.json");
+  const Json summary = Json::parse(in, nullptr, false);
+  const bool told = summary.is_object() && summary.contains("outcome") && summary["outcome"].is_string();
+  Json outcome{{"outcome", told ? summary["outcome"] : Json(nullptr)}, {"fault", nullptr}};
+  std::string text = told ? summary["outcome"].get<std::string>()
+                          : "not told, the run has no summary: it was ended from outside, or still goes on";
+  if (told && summary.contains("fault") && summary["fault"].is_object()) {
+    outcome["fault"] = summary["fault"];
+    for (const auto& [key, between] : {std::pair{"code", ", "}, {"process", ", "}, {"text", ": "}})
+      if (const Json part = summary["fault"].value(key, Json()); part.is_string() && part != "")
+        text += between + part.get<std::string>();
+  } else if (!told) {
+    const std::string last = last_line(run.folder() / "messages.log");
+    outcome["last_message"] = last;
+    if (!last.empty()) text += "; its last message: " + last;
+  }
+  out << (json ? outcome.dump(-1, ' ', false, Json::error_handler_t::replace) : "outcome: " + text) << "\n";
 }
 
 Json value_of(const link::LoggedMessage& m, const Field& f) {
@@ -151,6 +201,7 @@ void show_channel(const RunRecord& run, const ShowOptions& o, std::ostream& out)
 void show_log(const RunRecord& run, const ShowOptions& options, std::ostream& out) {
   if (options.channel.empty()) {
     show_story(run, options, out);
+    if (std::isinf(options.to)) show_outcome(run, options.json, out);
     return;
   }
   check_channel(run, options.channel);

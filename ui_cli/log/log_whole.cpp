@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <ostream>
 #include <span>
 #include <utility>
 
@@ -56,6 +57,12 @@ std::string damage_of(const RunRecord& run) {
     }
   }
   return ended ? "" : "no process has told in it that it ended: the log is cut off, or the run was";
+}
+
+void warn_of_damage(const RunRecord& run, std::ostream& err) {
+  if (run.processes().empty()) return;  // nobody could have told what was sent
+  if (const std::string damage = damage_of(run); !damage.empty())
+    err << fmt::format("warning: the log is not whole: {}\n", damage);
 }
 
 }  // namespace mrroc::ui

@@ -1,5 +1,6 @@
 // Whether a log has everything that the processes of its run say they have sent.
 #pragma once
+#include <iosfwd>
 #include <string>
 
 #include "ui_cli/log/run_record.hpp"
@@ -10,5 +11,9 @@ namespace mrroc::ui {
 /// Channels that were never logged (the servo links) are left out, and processes that did not end well.
 /// @return what is wrong first, for people; empty: nothing
 [[nodiscard]] std::string damage_of(const RunRecord& run);
+
+/// Writes a line on `err` when the log of a run whose processes are known is not whole: what is shown of it may lack
+/// something.
+void warn_of_damage(const RunRecord& run, std::ostream& err);
 
 }  // namespace mrroc::ui

@@ -22,6 +22,7 @@
 #include "mrroc/operator_answer_t.hpp"
 #include "mrroc/operator_order_t.hpp"
 #include "ui_cli/log/log_check.hpp"
+#include "ui_cli/log/log_whole.hpp"
 #include "ui_cli/log/replay_check.hpp"
 
 namespace mrroc::ui {
@@ -223,8 +224,9 @@ void check_can_listen(const RunRecord& run, const std::vector<std::string>& name
   }
 }
 
-int replay_run(const Words& w, const ReplaySurroundings& around, std::ostream& out) {
+int replay_run(const Words& w, const ReplaySurroundings& around, std::ostream& out, std::ostream& err) {
   const RunRecord run(w.run);
+  warn_of_damage(run, err);
   ReplayOptions options = w.options;
   options.without.insert(w.without.begin(), w.without.end());
   const std::string session =
@@ -297,7 +299,7 @@ int run_replay(const std::vector<std::string>& arguments, const ReplaySurroundin
                      "--with begins with the run: what a process says depends on all that it has "
                      "seen",
                      "leave --from out");
-  return replay_run(w, around, out);
+  return replay_run(w, around, out, err);
 }
 
 }  // namespace mrroc::ui

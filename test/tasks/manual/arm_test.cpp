@@ -63,6 +63,22 @@ TEST(ManualArm, AMotionGoesToTheCoordinatesAndTheOrderIsDone) {
   EXPECT_EQ(play.decisions.back().y.T.verdict, Verdict::none);
 }
 
+TEST(ManualArm, BeforeHomingEveryGoalIsRefusedAlsoWhereTheArmSeemsToBe) {
+  ManualOrder o{.kind = Kind::move, .space = Representation::joints};
+  X x = image(o);
+  x.e.state = DriverState::not_synchronised;
+  x.e.joints.fill(0);
+  x.e.T_0E.fill(0);
+  const Play zeros(x);
+  EXPECT_EQ(zeros.x.c.fault.code, FaultCode::not_synchronised);
+  for (const EffectorCommand& c : zeros.commands(5)) EXPECT_EQ(c.instruction, Instruction::keep);
+  x.T.manual.space = Representation::motors;
+  EXPECT_EQ(Play(x).x.c.fault.code, FaultCode::not_synchronised);
+  x.T.manual.reference = Reference::relative;
+  x.T.manual.value[5] = 1;
+  EXPECT_FALSE(Play(x).x.c.fault) << "motors are jogged";
+}
+
 TEST(ManualArm, AJogIsAddedToWhereTheArmIsAndInMotorsGoesByIncrements) {
   ManualOrder o{.kind = Kind::move, .space = Representation::motors, .reference = Reference::relative};
   o.value = {10, 0, 0, 0, 0, 0};

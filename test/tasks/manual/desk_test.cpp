@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<ArmInfo> kArms{{"arm1", 6, {}}, {"arm2", 7, {}, true}};
+const std::vector<ArmInfo> kArms{{"arm1", 6, {{"front", {}}}}, {"arm2", 7, {{"front", {}}}, true}};
 
 /// The desk, a terminal, and arms that say what the test wants.
 struct Office {
@@ -34,7 +34,7 @@ struct Office {
   }
   Hands step() {
     process.poll();
-    Hands hands = desk.take(++i, given, reports);
+    Hands hands = desk.take(++i, given, reports, paused);
     for (std::size_t arm = 0; arm < given.size(); ++arm)
       if (hands.orders[arm]) ++given[arm];
     process.poll();
@@ -59,6 +59,7 @@ struct Office {
   std::vector<std::int64_t> given{0, 0};
   std::vector<Report> reports = std::vector<Report>(2);
   std::int64_t i{};
+  bool paused{};
 };
 
 TEST(ManualDesk, AnInstructionIsTakenOnceAndAnsweredUntilItIsDone) {
@@ -124,6 +125,23 @@ TEST(ManualDesk, WhatAStopReplacesInTheSameMacrostepIsCalledOffAndNotDone) {
   }
 }
 
+TEST(ManualDesk, APauseRefusesWhatWouldBeginAtItsEndButNoStopAndNoEnd) {
+  Office office;
+  office.say(1, "home arm1");
+  office.answer();
+  office.paused = true;
+  EXPECT_FALSE(office.say(2, "jog arm2 motors 1 0 0 0 0 0 0").orders[1]);
+  auto [state, text] = office.answer();
+  EXPECT_EQ(state, 0);
+  EXPECT_NE(text.find("paused; resume first"), std::string::npos) << text;
+  EXPECT_TRUE(office.say(3, "stop arm1").orders[0]);
+  EXPECT_EQ(office.answer().first, 2) << "the arm stands already";
+  EXPECT_TRUE(office.say(4, "end").end);
+  Office scripted({{1, "bias arm1"}});
+  scripted.paused = true;
+  EXPECT_TRUE(scripted.step().orders[0]) << "a script's instruction is kept for the end of the pause";
+}
+
 TEST(ManualDesk, AFailureIsToldWithItsReason) {
   Office office;
   office.say(1, "model arm1 9");
@@ -132,6 +150,26 @@ TEST(ManualDesk, AFailureIsToldWithItsReason) {
   const auto [state, text] = office.answer();
   EXPECT_EQ(state, 3);
   EXPECT_NE(text.find("arm1"), std::string::npos);
+}
+
+TEST(ManualDesk, ArmsThatAreNotHomedAreToldHowAndAllReasonsFit) {
+  Office office;
+  const auto fail = [&](std::int64_t id, FaultCode code) {
+    office.say(id, "preset all front");
+    for (const std::size_t arm : {0U, 1U}) office.done(arm, Fault{.code = code});
+    office.step();
+    return office.answer().second;
+  };
+  const std::string lost = fail(1, FaultCode::not_synchronised);
+  for (const char* what : {"`ui_cli manual home arm1`", "`ui_cli manual home arm2` finds it"})
+    EXPECT_NE(lost.find(what), std::string::npos) << lost;
+  EXPECT_EQ(lost.find("SYNCHRO"), std::string::npos);
+  const std::string far = fail(2, FaultCode::unreachable_pose);
+  const auto says = [&](const std::string& arm) {
+    return far.find(arm + ": unreachable_pose: " + what_happened(Fault{.code = FaultCode::unreachable_pose}));
+  };
+  EXPECT_NE(says("arm1"), std::string::npos) << far;
+  EXPECT_NE(says("arm2"), std::string::npos) << far;
 }
 
 TEST(ManualDesk, AFaultedArmWaitsForItsReset) {
@@ -145,7 +183,11 @@ TEST(ManualDesk, AFaultedArmWaitsForItsReset) {
 TEST(ManualDesk, NonsenseIsRefusedAndTheEndIsTaken) {
   Office office;
   office.say(1, "dance arm1");
-  EXPECT_EQ(office.answer().first, 0);
+  EXPECT_EQ(office.answer().first, 4);
+  office.say(3, "jog arm1 cartesian 0 0 0");
+  const auto [state, text] = office.answer();
+  EXPECT_EQ(state, 4);
+  EXPECT_NE(text.find("it is written `jog ARM"), std::string::npos) << text;
   EXPECT_TRUE(office.say(2, "end").end);
   EXPECT_EQ(office.answer().first, 2);
 }
@@ -168,6 +210,22 @@ TEST(ManualDesk, WhatWasTakenIsWrittenDownAndReplaysTheSame) {
   std::ofstream(folder / "bad") << "3 dance arm1\n";
   EXPECT_THROW(static_cast<void>(load_words(folder / "bad", kArms)), FaultError);
   fs::remove_all(folder);
+}
+
+TEST(ManualOperation, EndsAPauseWithItselfBecauseAnArmThatStandsHearsNoEnd) {
+  Coordinator::X x;
+  x.c.given = {ManualOrder{.number = 3}, ManualOrder{.number = 5}};
+  x.T.agent.resize(2);
+  x.T.hands.orders.resize(2);
+  x.T.h.paused = true;
+  EXPECT_EQ(kManualOperation.f_cT(x).order[0].m, static_cast<int>(SoloOrder::pause));
+  const Coordinator::Said last = farewell(x);
+  ASSERT_EQ(last.order.size(), 2U);
+  for (const Order& order : last.order) {
+    EXPECT_EQ(order.m, static_cast<int>(SoloOrder::work));
+    EXPECT_TRUE(order.finished);
+  }
+  EXPECT_EQ(last.manual.at(1).number, 5) << "no arm begins anything";
 }
 
 TEST(ManualOperation, TellsTheOperatorWhatItWaitsFor) { EXPECT_FALSE(kManualOperation.until.empty()); }

@@ -44,7 +44,9 @@ TEST(Words, AMotionHasAsManyNumbersAsItsSpace) {
   EXPECT_EQ(only("jog arm1 euler 0 0 0.01 0 0 0").space, Representation::xyz_euler_zyz);
   EXPECT_NE(refusal("move arm1 joints 1 2 3 4 5").find("missing"), std::string::npos);
   EXPECT_NE(refusal("move arm1 joints 1 2 3 4 5 6 7").find("one word too many"), std::string::npos);
-  EXPECT_NE(refusal("move arm2 joints 1 2 3 4 5 6").find("missing"), std::string::npos);
+  EXPECT_NE(refusal("move arm2 joints 1 2 3 4 5 6").find("a number is missing: arm2 wants 7, there are 6"),
+            std::string::npos);
+  EXPECT_NE(refusal("jog arm1 motors 1 speed 0.5").find("arm1 wants 6, there is 1"), std::string::npos);
 }
 
 TEST(Words, AnInstructionIsForOneArmSeveralOrAll) {
