@@ -13,6 +13,7 @@
 
 #include "base/fault.hpp"
 #include "base/link/event_log.hpp"
+#include "base/link/process.hpp"
 #include "base/link/text.hpp"
 #include "base/msg/convert.hpp"
 #include "mrroc/console_t.hpp"
@@ -90,6 +91,7 @@ class RunFolder : public ::testing::Test {
     link::EventLog to(folder / link::kEventLog);
     for (const link::LoggedMessage& m : before.messages()) to.receive("s." + m.channel, m.bytes);
     process_status_t done{};
+    done.state = static_cast<std::int32_t>(link::ProcessState::done);
     done.n_hashes = 1;
     link::put_text(done.hash[0].channel, "." + channel);
     log(to, process + ".status", done, 1, 1, kMacrosteps);

@@ -127,7 +127,7 @@ press m
 see '^ MANUAL +1 arm1 +2 arm2'
 see '> axis 1 .* rad'
 press Right
-see 'jog arm1 failed: arm1: .*not_synchronised'
+see 'jog arm1 failed: arm1 does not know its position'
 press c; press c; press c
 see 'step 5 rad'
 press Down; press Right
