@@ -12,7 +12,8 @@
 namespace mrroc::link {
 namespace {
 
-constexpr std::size_t kNumberAt = 16;  // of header_t::number, behind LCM's fingerprint and header_t::session
+constexpr std::size_t kSessionAt = 8;  // of header_t::session, behind LCM's fingerprint
+constexpr std::size_t kNumberAt = 16;  // of header_t::number, behind the session
 
 std::int64_t big_endian(std::span<const std::uint8_t> bytes) {
   std::uint64_t number = 0;
@@ -26,8 +27,9 @@ struct EventLog::File {
   lcm_eventlog_t* log;
 };
 
-EventLog::EventLog(const std::filesystem::path& file, Channels several_senders)
+EventLog::EventLog(const std::filesystem::path& file, std::int64_t session, Channels several_senders)
     : file_(std::make_unique<File>(File{lcm_eventlog_create(file.c_str(), "w")})),
+      session_(session),
       several_senders_(std::move(several_senders)) {
   if (!file_->log) throw FaultError(FaultCode::cannot_write, fmt::format("cannot write {}", file.string()));
 }
@@ -50,7 +52,7 @@ bool EventLog::note(std::int64_t number, Heard& heard) noexcept {
 }
 
 void EventLog::receive(std::string_view channel, std::span<const std::uint8_t> bytes) noexcept {
-  if (bytes.size() < kNumberAt + 8) return;
+  if (bytes.size() < kNumberAt + 8 || big_endian(bytes.subspan(kSessionAt, 8)) != session_) return;
   const std::int64_t number = big_endian(bytes.subspan(kNumberAt, 8));
   auto it = heard_.find(channel);
   if (it == heard_.end()) it = heard_.emplace(channel, Heard{}).first;

@@ -11,16 +11,17 @@
 
 namespace mrroc::link {
 
-/// Writes what it receives. Repeated messages are written once, also those that were missing until they were repeated; missing
-/// numbers are counted. On a channel with
+/// Writes what it receives of one session; messages of another one with the same name are left out. Repeated messages are
+/// written once, also those that were missing until they were repeated; missing numbers are counted. On a channel with
 /// several senders numbers say nothing: everything is written and nothing is counted.
 class EventLog final : public Sink {
  public:
   using Channels = std::set<std::string, std::less<>>;
 
+  /// @param session          as in header_t::session
   /// @param several_senders  channels, with the session's name
   /// @throws FaultError cannot_write
-  explicit EventLog(const std::filesystem::path& file, Channels several_senders = {});
+  explicit EventLog(const std::filesystem::path& file, std::int64_t session, Channels several_senders = {});
   ~EventLog() override;
   EventLog(const EventLog&) = delete;
   EventLog& operator=(const EventLog&) = delete;
@@ -47,6 +48,7 @@ class EventLog final : public Sink {
 
   std::unique_ptr<File> file_;
   std::map<std::string, Heard, std::less<>> heard_;  // by channel
+  std::int64_t session_;
   std::int64_t events_{};
   std::int64_t gaps_{};
   Channels several_senders_;

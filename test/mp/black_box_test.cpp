@@ -36,7 +36,7 @@ class BlackBox : public ::testing::Test {
 TEST_F(BlackBox, HasTheLastFiveSecondsOfEveryProcess) {
   {
     link::test::DirectBus bus;
-    link::EventLog log(folder_ / "events.lcmlog");
+    link::EventLog log(folder_ / "events.lcmlog", 1);
     bus.subscribe_all("s.", log);
     link::Outbox<effector_reply_t> reply(bus, {link::Group::agents, "s.arm1.reply"}, 1);
     link::Outbox<agent_report_t> report(bus, {link::Group::agents, "s.arm1.report"}, 1);

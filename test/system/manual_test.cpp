@@ -158,10 +158,10 @@ TEST_F(Manual, ATerminalIsAnsweredWhenItIsDoneOrWhyNot) {
 TEST_F(Manual, EndsWhileItIsPaused) {
   if (!multicast()) GTEST_SKIP() << "no multicast";
   Started task(folder_, "manual",
-               words({{"--session", "hand", "--run-dir", (folder_ / "run").string()}, kKnown}));
-  ASSERT_TRUE(task.await_line("session hand"));
+               words({{"--session", "paused_hand", "--run-dir", (folder_ / "run").string()}, kKnown}));
+  ASSERT_TRUE(task.await_line("session paused_hand"));
   const auto ui = [&](const std::vector<std::string>& order) {
-    return run(folder_, "ui_cli", words({{"--session", "hand"}, order})).status;
+    return run(folder_, "ui_cli", words({{"--session", "paused_hand"}, order})).status;
   };
   EXPECT_EQ(ui({"manual", "home", "arm1"}), 0);
   EXPECT_EQ(ui({"pause"}), 0);

@@ -25,7 +25,7 @@ TEST_F(RunFolder, ShowTellsEveryMacrostepAndEveryChange) {
 TEST_F(RunFolder, ShowNamesTheBehavioursOfAnArmAsItsAgentDoes) {
   {
     const link::LogReader before(a_);
-    link::EventLog to(a_ / link::kEventLog);
+    link::EventLog to(a_ / link::kEventLog, before.session_id());
     for (const link::LoggedMessage& m : before.messages()) to.receive("s." + m.channel, m.bytes);
     task_status_t s{};
     s.m = 1;

@@ -59,7 +59,7 @@ class RunFolder : public ::testing::Test {
     std::ofstream(folder / "processes.json")
         << R"({"task": "press", "clock": "step", "processes": [{"name": "mp", "program": "press", "arguments": []},
                {"name": "ecp-arm1", "program": "ecp_press", "arguments": ["--name", "ecp-arm1"]}]})";
-    link::EventLog to(folder / link::kEventLog);
+    link::EventLog to(folder / link::kEventLog, session);
     supervisor_t s{};
     log(to, "supervisor", s, session, 1, 0);
     for (std::int64_t i = 1; i <= kMacrosteps; ++i) {
@@ -88,7 +88,7 @@ class RunFolder : public ::testing::Test {
     run["processes"].push_back({{"name", process}, {"program", "vsp"}, {"arguments", Json::array()}});
     std::ofstream(folder / "processes.json") << run;
     const link::LogReader before(folder);
-    link::EventLog to(folder / link::kEventLog);
+    link::EventLog to(folder / link::kEventLog, 1);
     for (const link::LoggedMessage& m : before.messages()) to.receive("s." + m.channel, m.bytes);
     process_status_t done{};
     done.state = static_cast<std::int32_t>(link::ProcessState::done);

@@ -150,7 +150,7 @@ TEST_F(EventLogTest, HoldsEveryMessageOnceAndCountsWhatIsMissing) {
   const auto file = folder_ / "events.lcmlog";
   {
     test::DirectBus bus;
-    EventLog log(file);
+    EventLog log(file, 1);
     bus.subscribe_all("s.", log);
     Outbox<operator_order_t> a(bus, {Group::agents, "s.a"}, 1);
     Outbox<sensor_reading_t> b(bus, {Group::agents, "s.b"}, 1);
@@ -180,6 +180,25 @@ TEST_F(EventLogTest, HoldsEveryMessageOnceAndCountsWhatIsMissing) {
   EXPECT_TRUE(reader.messages<sensor_reading_t>("nothing").empty());
 }
 
+TEST_F(EventLogTest, MessagesOfAnotherSessionWithTheSameNameAreLeftOut) {
+  const auto file = folder_ / "events.lcmlog";
+  {
+    test::DirectBus bus;
+    EventLog log(file, 1, {"s.operator"});
+    bus.subscribe_all("s.", log);
+    Outbox<operator_order_t> own(bus, {Group::agents, "s.a"}, 1);
+    Outbox<operator_order_t> foreign(bus, {Group::agents, "s.a"}, 2);
+    Outbox<operator_order_t> foreign_operator(bus, {Group::agents, "s.operator"}, 2);
+    for (std::int64_t stamp = 1; stamp <= 9; ++stamp) foreign.publish({}, stamp);
+    foreign_operator.publish({}, 1);
+    own.publish({}, 1);
+    EXPECT_EQ(log.gaps(), 0);
+  }
+  const LogReader reader(file);
+  EXPECT_EQ(reader.session_id(), 1);
+  EXPECT_EQ(reader.messages().size(), 1U);
+}
+
 TEST_F(EventLogTest, WhatCannotBeWrittenOrReadIsSaid) {
   const auto code_of = [](const auto& f) {
     try {
@@ -189,7 +208,7 @@ TEST_F(EventLogTest, WhatCannotBeWrittenOrReadIsSaid) {
     }
     return FaultCode::none;
   };
-  EXPECT_EQ(code_of([&] { EventLog(folder_ / "no" / "such" / "folder"); }), FaultCode::cannot_write);
+  EXPECT_EQ(code_of([&] { EventLog(folder_ / "no" / "such" / "folder", 1); }), FaultCode::cannot_write);
   EXPECT_EQ(code_of([&] { LogReader(folder_ / "missing"); }), FaultCode::bad_log);
 }
 

@@ -35,7 +35,7 @@ class LogFile : public ::testing::Test {
 TEST_F(LogFile, CountsWhatIsMissingAndWritesRepetitionsOnce) {
   const fs::path file = folder_ / "log";
   {
-    EventLog log(file);
+    EventLog log(file, 1);
     for (const std::int64_t number : {1, 2, 2, 1, 3, 7}) give(log, "s.a", number, number);
     EXPECT_EQ(log.gaps(), 3);
     EXPECT_TRUE(log.flush());
@@ -47,7 +47,7 @@ TEST_F(LogFile, CountsWhatIsMissingAndWritesRepetitionsOnce) {
 TEST_F(LogFile, WritesWhatWasMissingWhenItIsRepeated) {
   const fs::path file = folder_ / "log";
   {
-    EventLog log(file);
+    EventLog log(file, 1);
     for (const std::int64_t number : {1, 4, 2, 2, 4, 3, 3}) give(log, "s.a", number, number);
     EXPECT_EQ(log.gaps(), 0);
   }
@@ -57,7 +57,7 @@ TEST_F(LogFile, WritesWhatWasMissingWhenItIsRepeated) {
 TEST_F(LogFile, CountsNothingOnAChannelWithSeveralSendersAndWritesEverything) {
   const fs::path file = folder_ / "log";
   {
-    EventLog log(file, {"s.operator"});
+    EventLog log(file, 1, {"s.operator"});
     const std::int64_t by_time = 1'760'000'000'000'000;  // as terminals number their orders
     for (const std::int64_t number : {by_time, by_time + 500'000, by_time - 7, std::int64_t{3}})
       give(log, "s.operator", number, number);
@@ -69,10 +69,10 @@ TEST_F(LogFile, CountsNothingOnAChannelWithSeveralSendersAndWritesEverything) {
 }
 
 TEST_F(LogFile, AFullDiskIsTold) {
-  EventLog log("/dev/full");
+  EventLog log("/dev/full", 1);
   for (std::int64_t number = 1; number < 2000; ++number) give(log, "s.a", number);
   EXPECT_TRUE(log.failed()) << "as soon as the buffer could not be written";
-  EventLog small("/dev/full");
+  EventLog small("/dev/full", 1);
   give(small, "s.a", 1);
   EXPECT_FALSE(small.flush());
   EXPECT_TRUE(small.failed());

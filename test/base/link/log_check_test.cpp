@@ -27,7 +27,7 @@ Bytes bytes_of(const M& m) {
 /// Gives a process its messages one by one and writes down everything, as a run does.
 class RecordedBus final : public Bus {
  public:
-  explicit RecordedBus(const fs::path& log) : log_(log) {}
+  explicit RecordedBus(const fs::path& log) : log_(log, 77) {}
   void say(const std::string& channel, const Bytes& bytes) { coming_.emplace_back("s." + channel, bytes); }
   void publish(const Route& route, std::span<const std::uint8_t> bytes) override {
     log_.receive(route.channel, bytes);
@@ -101,7 +101,7 @@ class LogCheck : public ::testing::Test {
   /// Writes the log anew. @param change  gets every message; false: it is left out
   void rewrite(const std::function<bool(LoggedMessage&)>& change) {
     const LogReader before(file());
-    EventLog log(file());
+    EventLog log(file(), before.session_id());
     for (LoggedMessage m : before.messages())
       if (change(m)) log.receive(before.session() + "." + m.channel, m.bytes);
   }

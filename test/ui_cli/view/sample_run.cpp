@@ -110,7 +110,7 @@ void write_run(const fs::path& folder, int macrosteps) {
   std::ofstream(folder / "summary.json") << R"({"task": "sample", "outcome": "done", "fault": null})";
   std::ofstream(folder / "sac_board.png") << "camera";
   std::ofstream(folder / "plots" / "force.png") << "plot";
-  link::EventLog log(folder / "events.lcmlog");
+  link::EventLog log(folder / "events.lcmlog", 7);
   log.receive("s.task_status", encoded(status(1, "approach"), 1, 0));
   log.receive("s.mp.console", encoded(line("operator: start"), 1, 0));
   for (int i = 1; i <= macrosteps; ++i) {
