@@ -1,6 +1,9 @@
 #include "sim/cube_config.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "sim/cube_cell.hpp"
@@ -11,6 +14,8 @@ namespace mrroc::sim {
 namespace {
 
 using rubik::Face;
+
+constexpr double kMostInJaws = 0.001;  // that a pad may be pressed into a sticker at the beginning [m]
 
 [[noreturn]] void refuse(const std::string& what) {
   throw FaultError(FaultCode::bad_configuration, "cube: " + what);
@@ -67,6 +72,9 @@ std::optional<CubeParameters> read_cube(const Config& config, const std::vector<
   p.T_EC = cube_in_hand(two ? Fingers::two_layers : Fingers::one_layer, facing);
   const auto offset =
       t.numbers<3>("offset", std::array{0., 0., 0.}, {-0.1, 0.1}, "m, of the cube in the hand");
+  if (std::abs(offset[1]) > kMostInJaws)
+    refuse(fmt::format("offset: along y, from jaw to jaw, the cube cannot be farther off than {} m",
+                       kMostInJaws));
   p.T_EC.p += Vector3(offset[0], offset[1], offset[2]);
   return p;
 }

@@ -19,6 +19,7 @@ struct CycleNote {
   std::int64_t turn_ended{};  ///< and ended
   int grips{};                ///< attempts at m = 1..4
   int attempts{};             ///< attempts at m = 5
+  bool done{};                ///< turn: m = 5 came to its end, the face is where it should be
   bool given_up{};            ///< the face jammed; it is turned the other way round in a later cycle
   double tool{};              ///< turned by the track arm's tool [rad]
   double travelled{};         ///< by the worker until it met the cube [m]

@@ -69,6 +69,14 @@ std::vector<std::string> camera_settings() {
           pose_setting("cube_face.places.shown.pose", viewing.T_UG)};
 }
 
+/// The grips of the cell begin with the cube in the hand whose fingers cover two layers.
+void check_holder(const sim::WorldParameters& world) {
+  if (!world.cube || world.cube->held_by != static_cast<int>(rubik::index(rubik::Hand::track)))
+    throw FaultError(FaultCode::bad_configuration,
+                     fmt::format("cube.held_by: {} holds the cube at the beginning; give that, or nothing",
+                                 kKeys[rubik::index(rubik::Hand::track)]));
+}
+
 Setup prepare(const Options& o) {
   Setup s;
   mp::TaskOptions with = o.task;
@@ -93,6 +101,7 @@ Setup prepare(const Options& o) {
   with.settings.insert(with.settings.begin(), settings.begin(), settings.end());
   s.config = sim::load_task_config(with, rubik::config(), "rubik");
   s.world = sim::read_cell(s.config, kArms, o.task.seed);
+  check_holder(s.world);
   s.k = rubik::read_parameters(s.config);
   for (std::size_t arm = 0; arm < kKeys.size(); ++arm)
     rubik::read_motion_limits(s.config, kKeys[arm], static_cast<int>(s.world.arms[arm].start.size()));

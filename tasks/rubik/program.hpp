@@ -155,6 +155,7 @@ class Program {
     Outcome o = pause();
     if (well(o)) o = grip(step);
     if (well(o)) o = turn(step);
+    journal_.back().done = step.turn && well(o);
     if (well(o)) o = behaviour(kCycle[5]);
     // The jaws come nearer to each other again meanwhile, and on the ways that follow.
     if (well(o)) o = go(step.retreat, step.after_grasp.hand, false);

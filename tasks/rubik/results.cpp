@@ -9,12 +9,16 @@
 #include "base/representation.hpp"
 #include "tasks/rubik/config.hpp"
 #include "tasks/rubik/cube/facelets.hpp"
+#include "tasks/rubik/turn/tables.hpp"
 
 namespace mrroc::rubik {
 namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kQuarter = std::numbers::pi / 2;
+constexpr double kHalfWay =
+    0.57;  // of a quarter turn: also a face that is behind the tool is nearest to the seat to which it goes
+constexpr double kDrawnIn = 0.061;  // from its seat, by which the face is drawn in [rad]
 
 double seconds(std::int64_t macrosteps) { return static_cast<double>(macrosteps) * kPacing.macrostep_s(); }
 
@@ -43,6 +47,23 @@ double slip(const mp::ArmTrace& turning, const CubeRecord& cube) {
   return most;
 }
 
+/// @return by which the face is behind the tool of the track arm, largest between half of a quarter turn and the seat to
+///         which it goes [rad]; of half and three quarter turns the last quarter counts
+double behind(const mp::ArmTrace& turning, const CubeRecord& cube) {
+  double most = 0, tool = 0;
+  for (const mp::ArmRow& row : turning) {
+    const CubeRow* const c = cube.at(row.i - 1);
+    if (!c) continue;
+    tool = angle_about_z(pose_of(turning.front()), pose_of(row), tool);
+    const double left = std::abs(c->angle);  // of the face from the nearest seat
+    const double quarters = std::abs(tool) / kQuarter;
+    const double seat = kQuarter * std::ceil(quarters);
+    if (quarters - std::floor(quarters) > kHalfWay && left > kDrawnIn)
+      most = std::max(most, std::abs(std::abs(tool) - (seat - left)));
+  }
+  return most;
+}
+
 double largest(const mp::ArmTrace& rows, std::initializer_list<Axis> axes) {
   double most = 0;
   for (const mp::ArmRow& row : rows)
@@ -52,38 +73,43 @@ double largest(const mp::ArmTrace& rows, std::initializer_list<Axis> axes) {
 
 }  // namespace
 
+TurnRow turn_of(const CycleNote& note, int k, const RunRecord& record, const CubeRecord& cube) {
+  const mp::ArmTrace turning = part(record.traces[index(Hand::track)], note, {5});
+  TurnRow r;
+  r.k = k;
+  r.turn = *note.turn;
+  r.t_start = seconds(note.begun);
+  r.t_end = seconds(note.ended);
+  r.attempts = note.attempts;
+  r.tool_deg = kDegrees * note.tool;
+  const CubeRow* const before = cube.at(note.turn_begun);
+  if (const CubeRow* const c = cube.at(note.turn_ended)) {
+    // A face that the pads only slipped over is where it was.
+    const bool turned = before && c->facelets != before->facelets;
+    const double seat = turned ? kQuarter * std::round(std::abs(note.tool) / kQuarter) : 0;
+    r.face_deg = std::copysign(kDegrees * (seat - std::abs(c->angle)), note.tool);
+  }
+  r.behind_deg = kDegrees * behind(turning, cube);
+  r.slip_mm = 1e3 * slip(turning, cube);
+  r.force_peak_N = largest(turning, {Axis::x, Axis::y, Axis::z});
+  r.torque_peak_Nm = largest(turning, {Axis::az});
+  return r;
+}
+
 std::vector<TurnRow> turns_of(const RunRecord& record, const CubeRecord& cube) {
   std::vector<TurnRow> rows;
-  for (const CycleNote& note : record.journal) {
-    if (!note.turn) continue;
-    const mp::ArmTrace turning = part(record.traces[index(Hand::track)], note, {5});
-    TurnRow& r = rows.emplace_back();
-    r.k = static_cast<int>(rows.size());
-    r.turn = *note.turn;
-    r.t_start = seconds(note.begun);
-    r.t_end = seconds(note.ended);
-    r.attempts = note.attempts;
-    r.tool_deg = kDegrees * note.tool;
-    const CubeRow* const before = cube.at(note.turn_begun);
-    if (const CubeRow* const c = cube.at(note.turn_ended)) {
-      // A face that the pads only slipped over is where it was.
-      const bool turned = before && c->facelets != before->facelets;
-      const double seat = turned ? kQuarter * std::round(std::abs(note.tool) / kQuarter) : 0;
-      r.face_deg = std::copysign(kDegrees * (seat - std::abs(c->angle)), note.tool);
-    }
-    r.slip_mm = 1e3 * slip(turning, cube);
-    r.force_peak_N = largest(turning, {Axis::x, Axis::y, Axis::z});
-    r.torque_peak_Nm = largest(turning, {Axis::az});
-  }
+  for (const CycleNote& note : record.journal)
+    if (note.turn) rows.push_back(turn_of(note, static_cast<int>(rows.size()) + 1, record, cube));
   return rows;
 }
 
 void write_turns(const std::filesystem::path& file, const std::vector<TurnRow>& turns) {
-  std::string text = "k,turn,t_start,t_end,attempts,tool_deg,face_deg,slip_mm,force_peak_N,torque_peak_Nm\n";
+  std::string text =
+      "k,turn,t_start,t_end,attempts,tool_deg,face_deg,behind_deg,slip_mm,force_peak_N,torque_peak_Nm\n";
   for (const TurnRow& r : turns)
-    text += fmt::format("{},{},{:.2f},{:.2f},{},{:.2f},{:.2f},{:.3f},{:.3f},{:.3f}\n", r.k, to_string(r.turn),
-                        r.t_start, r.t_end, r.attempts, r.tool_deg, r.face_deg, r.slip_mm, r.force_peak_N,
-                        r.torque_peak_Nm);
+    text += fmt::format("{},{},{:.2f},{:.2f},{},{:.2f},{:.2f},{:.2f},{:.3f},{:.3f},{:.3f}\n", r.k,
+                        to_string(r.turn), r.t_start, r.t_end, r.attempts, r.tool_deg, r.face_deg,
+                        r.behind_deg, r.slip_mm, r.force_peak_N, r.torque_peak_Nm);
   mp::write_text(file, text);
 }
 
@@ -104,7 +130,7 @@ mp::Figures figures_of(const RunRecord& record, const CubeRecord& cube, const st
     settled += mp::mean_force(settling, Axis::z, 2, 0.25);
     ++approaches;
   }
-  const double moves = static_cast<double>(turns.size()) - given_up;
+  const double moves = static_cast<double>(std::ranges::count_if(record.journal, &CycleNote::done));
   f["moves"] = moves;
   f["regrasps"] = regrasps;
   f["retries"] = retries;
@@ -118,10 +144,8 @@ mp::Figures figures_of(const RunRecord& record, const CubeRecord& cube, const st
     f["turn_lateral_peak_N"] = most(&TurnRow::force_peak_N);
     f["turn_torque_peak_Nm"] = most(&TurnRow::torque_peak_Nm);
     f["turn_slip_mm"] = most(&TurnRow::slip_mm);
-    double behind = 0;
-    for (const TurnRow& r : turns) behind = std::max(behind, std::abs(r.tool_deg - r.face_deg));
-    f["turn_angle_err_deg"] = behind;
-    if (record.solved > 0) f["sim_s_per_turn"] = seconds(record.solved - record.solving) / moves;
+    f["turn_angle_err_deg"] = most(&TurnRow::behind_deg);
+    if (record.solved > 0 && moves > 0) f["sim_s_per_turn"] = seconds(record.solved - record.solving) / moves;
   }
   if (record.readings.size() > 1) f["verified"] = record.readings.back().cube == Cube{} ? 1. : 0.;
   if (!cube.rows().empty()) {

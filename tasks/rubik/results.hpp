@@ -11,20 +11,26 @@ namespace mrroc::rubik {
 struct TurnRow {
   int k{};  ///< 1, 2, ...
   Move turn;
-  double t_start{};         ///< the free motions to it begin [s]
-  double t_end{};           ///< the hand that lets go has retreated [s]
-  int attempts{};           ///< at m = 5
-  double tool_deg{};        ///< turned by the tool
-  double face_deg{};        ///< by the face, at the end of m = 5, before its seat draws it in
-  double slip_mm{};         ///< of the cube in the track arm's jaws during m = 5, largest
+  double t_start{};   ///< the free motions to it begin [s]
+  double t_end{};     ///< the hand that lets go has retreated [s]
+  int attempts{};     ///< at m = 5
+  double tool_deg{};  ///< turned by the tool
+  double face_deg{};  ///< by the face, at the end of m = 5
+  double
+      behind_deg{};  ///< the face behind the tool, largest from half of the turn until its seat draws it in
+  double slip_mm{};  ///< of the cube in the track arm's jaws during m = 5, largest
   double force_peak_N{};    ///< of x, y, z of the track arm in m = 5
   double torque_peak_Nm{};  ///< about z
 };
 
+/// @param note  of a cycle with a turn
+/// @return its row, with number k
+[[nodiscard]] TurnRow turn_of(const CycleNote& note, int k, const RunRecord& record, const CubeRecord& cube);
+
 /// @return a row for every turn that was begun
 [[nodiscard]] std::vector<TurnRow> turns_of(const RunRecord& record, const CubeRecord& cube);
 
-/// Writes `k,turn,t_start,t_end,attempts,tool_deg,face_deg,slip_mm,force_peak_N,torque_peak_Nm`.
+/// Writes `k,turn,t_start,t_end,attempts,tool_deg,face_deg,behind_deg,slip_mm,force_peak_N,torque_peak_Nm`.
 /// @throws FaultError cannot_write
 void write_turns(const std::filesystem::path& file, const std::vector<TurnRow>& turns);
 

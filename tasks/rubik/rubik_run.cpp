@@ -6,6 +6,7 @@
 #include <future>
 
 #include "tasks/rubik/config.hpp"
+#include "tasks/rubik/results.hpp"
 
 namespace mrroc::rubik {
 namespace {
@@ -108,6 +109,7 @@ Outcome RubikRun::work(X& x, Port& port) {
 
 Outcome RubikRun::read_cube(X& x, Port& port, PlanStart& now, std::optional<Cube>& cube) {
   Program<Port> program(x, port, record_.journal);
+  views_.clear();
   for (int attempt = 0; attempt < kReadings; ++attempt) {
     doing_ = "thinking of how to look";
     std::optional<Planned> planned;
@@ -197,6 +199,7 @@ Outcome RubikRun::execute_plan(const Plan& plan, X& x, Program<Port>& program, P
       o = program.withdraw(step);
     }
     o = judge(o, program);
+    if (record_.journal.back().done) tell_turn(record_.journal.back());
     if (o != Outcome::terminated || otherwise) return o;
     if (step.shows) note_view(step, x.V.reading);
   }
@@ -219,10 +222,14 @@ Outcome RubikRun::judge(Outcome o, const Program<Port>& program) {
   return o;
 }
 
+void RubikRun::tell_turn(const CycleNote& note) {
+  const TurnRow turn = turn_of(note, 0, record_, truth_);
+  say(fmt::format("turned in {:.1f} s, at most {:.1f} N across, {:.1f} N m",
+                  seconds(note.turn_ended - note.turn_begun), turn.force_peak_N, turn.torque_peak_Nm));
+}
+
 void RubikRun::note_view(const Step& step, const CubeFaceReading& reading) {
-  FaceView& view = views_[static_cast<std::size_t>(number(*step.shows))];
-  view.shown = shown_face(step.R_GC);
-  view.stickers = reading.stickers;
+  views_.push_back({.shown = shown_face(step.R_GC), .stickers = reading.stickers});
   if (!reading.valid) say(fmt::format("face {} is not seen well", letter(*step.shows)));
 }
 

@@ -76,6 +76,8 @@ class RubikRun {
   [[nodiscard]] bool may_turn_otherwise(const Step& step, const Program<Port>& program) const;
   /// Says what became of a step, and names the fault.
   Outcome judge(Outcome o, const Program<Port>& program);
+  /// Tells how long m = 5 took, and the forces.
+  void tell_turn(const CycleNote& note);
   void note_view(const Step& step, const CubeFaceReading& reading);
   Outcome plan_failed(const Planned& planned);
   /// Thinks for a fixed simulated time, however long it takes. @throws what work throws
@@ -100,10 +102,10 @@ class RubikRun {
   RunRecord record_;
   Fault fault_;
   std::function<bool()> thought_;  // while there is thinking: whether it has ended
-  std::array<FaceView, kFaces> views_;
-  Jams jams_;                // of this cube
-  std::deque<int> ordered_;  // m of the last orders, newest first
-  std::string doing_;        // for the operator
+  std::vector<FaceView> views_;    // since the cube was last turned
+  Jams jams_;                      // of this cube
+  std::deque<int> ordered_;        // m of the last orders, newest first
+  std::string doing_;              // for the operator
   double progress_{};
   std::int64_t i_{};
 };

@@ -9,7 +9,7 @@ namespace mrroc::test {
 namespace {
 
 const std::string kMovesHeading =
-    "k,turn,t_start,t_end,attempts,tool_deg,face_deg,slip_mm,force_peak_N,torque_peak_Nm";
+    "k,turn,t_start,t_end,attempts,tool_deg,face_deg,behind_deg,slip_mm,force_peak_N,torque_peak_Nm";
 
 /// What every process decided follows from the log, to its end.
 void expect_recomputed(const CubeRun& r) {
@@ -38,6 +38,8 @@ TEST(Rubik, TurnsAFaceAndTheCubeIsSolved) {
   EXPECT_NE(r.left.text("cube_start.txt"), r.left.text("cube_end.txt"));
   EXPECT_NEAR(r.figure("approach_settled_N"), 4, 0.2);
   EXPECT_LE(r.figure("turn_lateral_peak_N"), 12);
+  EXPECT_LE(r.figure("turn_angle_err_deg"), 2);
+  EXPECT_TRUE(r.said("N across, ")) << "forces of the turn are told";
   EXPECT_LE(r.figure("turn_slip_mm"), 2);
   EXPECT_LT(r.figure("squeeze_N"), 450) << "not crushed";
   std::istringstream moves(r.left.text("moves.csv"));
@@ -67,7 +69,9 @@ TEST(Rubik, RefusesWhatItCannotDoBeforeAnythingStarts) {
        {std::pair{words({{"--scramble", "R Q"}}), "Q"},
         {words({{"--state", "UUU"}}), "54"},
         {words({{"--scramble", "R", "--set", "task.torqe=3"}}), "torqe"},
-        {words({{"--scramble", "R", "--set", "cube.held_by=arm3"}}), "arm3"}}) {
+        {words({{"--scramble", "R", "--set", "cube.held_by=arm3"}}), "arm3"},
+        {words({{"--scramble", "R", "--set", "cube.held_by=arm1"}}), "arm2 holds the cube"},
+        {words({{"--scramble", "R", "--set", "cube.offset=[0, 0.002, 0]"}}), "from jaw to jaw"}}) {
     const Ended ended = run(folder, "rubik", arguments);
     EXPECT_EQ(ended.status, 2) << ended.all();
     EXPECT_NE(ended.last_err().find(word), std::string::npos) << ended.last_err();
