@@ -22,7 +22,6 @@ struct JawParameters {
   double object_stiffness{1e5};  ///< of an object and the pads together [N/m]
   double relaxation{0.3};        ///< damping of all contacts over their stiffness [s]: jaws do not bounce
   double damping{1e-7};          ///< at the motor's shaft [N m s/rad]
-  double driven_by_load{0.5};    ///< share of a load's torque that reaches the motor when the load drives
   double start{0.074};           ///< distance between the jaws after reset [m]
 };
 
@@ -50,11 +49,13 @@ class Jaws {
       speed_ = 0;
       return;
     }
-    // A turn of the motor moves the jaws by a tenth of a millimetre: such a gear is hard to drive by the load.
-    const double load = gripper::slope(motor_) * force();
-    const double torque = motor_torque(p_.motor, current) + friction_.step(p_.motor, speed_, h_) -
-                          p_.damping * speed_ + (load * speed_ > 0 ? p_.driven_by_load * load : load);
+    const double torque =
+        motor_torque(p_.motor, current) + friction_.step(p_.motor, speed_, h_) - p_.damping * speed_;
     speed_ += h_ * torque / p_.motor.rotor_inertia;
+    // A turn of the motor moves the jaws by a tenth of a millimetre. Such a gear locks itself: a load resists the motor, and
+    // never drives it.
+    const double slowed = h_ * gripper::slope(motor_) * force() / p_.motor.rotor_inertia;
+    if (slowed * speed_ < 0) speed_ = std::abs(slowed) < std::abs(speed_) ? speed_ + slowed : 0;
     motor_ += h_ * speed_;
   }
 

@@ -73,6 +73,22 @@ TEST(Jaws, HoldAnObjectWithTheForceOfTheirCurrentAndSayIt) {
   }
 }
 
+TEST(Jaws, NoLoadDrivesThemOpen) {
+  Rig rig(0.06);
+  rig.gripper.set_distance(0.06);
+  rig.run(500);
+  const double before = rig.jaws.distance();
+  for (const double load : {100., 400.}) {
+    rig.jaws.set_load(load);
+    for (int k = 0; k < 2000; ++k) {
+      rig.gripper.braked();
+      rig.jaws.begin_step();
+      rig.jaws.step(0, true, 1);
+    }
+    EXPECT_NEAR(rig.jaws.distance(), before, 1e-5) << load << " N on a motor without voltage";
+  }
+}
+
 TEST(Jaws, FindTheirPositionAtTheStopOfTheOpening) {
   for (const double start : {0.054, 0.074, 0.0905}) {
     Rig rig(start);
