@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kTurns = 100;
 constexpr int kAtOnce = 2;
+constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr int kKinds = 12;  // six faces in two directions
 
 /// Faces and directions in order, everything else drawn from the seed.
@@ -30,9 +31,9 @@ void turn(int first, std::vector<sim::TurnFigures>& all) {
   for (int k = first; k < kTurns; k += kAtOnce) {
     sim::TurnFigures& f = all[static_cast<std::size_t>(k)];
     f = sim::turn_face(plan_of(k), static_cast<std::uint64_t>(k + 1));
-    std::fprintf(
-        stderr, "cube: turn %d of %d, %s\n", k + 1, kTurns,
-        f.turned && f.done ? f.attempts == 1 ? "turned" : "turned at a later attempt" : "NOT TURNED");
+    std::fprintf(stderr, "cube: turn %d of %d, %s: %.2f mm, %.2f deg, %.1f N, %.1f N m\n", k + 1, kTurns,
+                 f.turned && f.done ? f.attempts == 1 ? "turned" : "turned at a later attempt" : "NOT TURNED",
+                 1e3 * f.slip, kDegrees * f.angle_error, f.lateral_peak, f.torque_peak);
   }
 }
 
@@ -73,7 +74,6 @@ Figures run_cube_group() {
     return 100. * static_cast<double>(std::ranges::count_if(all, is_so)) / kTurns;
   };
   const double good = share([](const F& f) { return f.turned && f.done; });
-  constexpr double kDegrees = 180 / std::numbers::pi;
   return {
       {"turn_first_try_pct", share(at_once), "%",
        "quarter turns that end well at once, over faces, directions, friction, 1 mm and 1 deg, wanted >= 99"},
