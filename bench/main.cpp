@@ -4,12 +4,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/fault.hpp"
 #include "bench/figures.hpp"
+#include "bench/own_output.hpp"
 #include "bench/report.hpp"
 
 namespace {
@@ -41,9 +43,23 @@ std::vector<std::string> group_names() {
   return names;
 }
 
-int run(const std::vector<std::string>& wanted, const std::string& file, const std::string& plots,
+/// Where the JSON goes.
+struct JsonOutput {
+  bool wanted{};
+  std::string file;  ///< empty: the standard output
+};
+
+int run(const std::vector<std::string>& wanted, const JsonOutput& json, const std::string& plots,
         bool resume) {
-  bench::Report report(file);
+  const auto known = group_names();
+  if (std::ranges::find(known, json.file) != known.end())
+    throw FaultError(FaultCode::bad_usage, fmt::format("--json takes '{}' for its file", json.file),
+                     fmt::format("name groups before it: bench {} --json", json.file));
+  if (resume && json.file.empty())
+    throw FaultError(FaultCode::bad_usage, "--resume goes on with a file", "name it: --json FILE --resume");
+  std::optional<bench::OwnOutput> out;
+  if (json.wanted && json.file.empty()) out.emplace();
+  bench::Report report(json.file);
   if (resume) report.resume();
   for (const auto& [name, measure] : kGroups) {
     const auto& list = wanted.empty() ? kLong : wanted;
@@ -51,6 +67,7 @@ int run(const std::vector<std::string>& wanted, const std::string& file, const s
     if (resume && report.has(name)) continue;
     report.add(name, measure(plots, resume));
   }
+  if (out) out->write(report.json());
   return 0;
 }
 
@@ -60,20 +77,24 @@ int main(int argc, char** argv) {
   CLI::App app{"Measures the framework and prints a table. The machine should have nothing else to do."};
   app.name("bench");
   std::vector<std::string> groups;
-  std::string file;
+  JsonOutput json;
   std::string plots;
   bool resume = false;
   app.add_option("group", groups,
                  "edp, servo, stability, vision, drawing, robustness, solver, cube, plan, operator, rubik "
                  "(default: all but rubik, which takes hours)")
       ->check(CLI::IsMember(group_names()));
-  auto* json = app.add_option("--json", file, "writes {\"figures\": {KEY: number}, \"context\": {...}}");
-  json->type_name("FILE");
-  app.add_flag("--resume", resume, "leaves out groups whose figures are in the file already")->needs(json);
+  auto* to =
+      app.add_option("--json", json.file,
+                     "prints {\"figures\": {KEY: number}, ...}, and the table on the standard error; with a "
+                     "FILE behind it: writes it there, after each group");
+  to->type_name("[FILE]")->expected(0, 1);
+  app.add_flag("--resume", resume, "leaves out groups whose figures are in the file already");
   app.add_option("--plots", plots, "draws pictures of the servo group there (gnuplot)")->type_name("DIR");
   try {
     app.parse(argc, argv);
-    return run(groups, file, plots, resume);
+    json.wanted = to->count() > 0;
+    return run(groups, json, plots, resume);
   } catch (const CLI::CallForHelp& e) {
     return app.exit(e);
   } catch (const CLI::ParseError& e) {

@@ -13,17 +13,17 @@
 #include "base/fault.hpp"
 
 namespace mrroc::bench {
-using nlohmann::json;
+using Json = nlohmann::json;
 
 void Report::resume() {
   std::ifstream stream(file_);
   if (!stream) return;
-  const json old = json::parse(stream, nullptr, false);
+  const Json old = Json::parse(stream, nullptr, false);
   try {
-    for (const json& group : old.at("groups"))
+    for (const Json& group : old.at("groups"))
       groups_.emplace_back(group.at("name").get<std::string>(),
                            group.at("figures").get<std::map<std::string, double>>());
-  } catch (const json::exception&) {
+  } catch (const Json::exception&) {
     throw FaultError(FaultCode::bad_usage, file_.string() + " is not a report of the benchmarks");
   }
 }
@@ -40,17 +40,20 @@ void Report::add(const std::string& group, const Figures& figures) {
     fmt::print("  {:22} {:>10.4g} {:6} {}\n", f.key, f.value, f.unit, f.about);
   }
   std::fflush(stdout);
-  if (!file_.empty()) write();
+  if (file_.empty()) return;
+  std::ofstream stream(file_);
+  stream << json();
+  if (!stream.flush()) throw FaultError(FaultCode::cannot_write, "cannot write " + file_.string());
 }
 
-void Report::write() const {
+std::string Report::json() const {
   std::map<std::string, double> figures;
-  json groups = json::array();
+  Json groups = Json::array();
   for (const auto& [name, values] : groups_) {
     figures.insert(values.begin(), values.end());
     groups.push_back({{"name", name}, {"figures", values}});
   }
-  json report;
+  Json report;
   report["figures"] = figures;
   report["groups"] = groups;
   report["context"] = {{"compiler", MRROC_COMPILER},
@@ -58,9 +61,7 @@ void Report::write() const {
                        {"flags", MRROC_FLAGS},
                        {"cores", std::thread::hardware_concurrency()},
                        {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))}};
-  std::ofstream stream(file_);
-  stream << report.dump(2) << '\n';
-  if (!stream.flush()) throw FaultError(FaultCode::cannot_write, "cannot write " + file_.string());
+  return report.dump(2) + "\n";
 }
 
 }  // namespace mrroc::bench

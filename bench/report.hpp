@@ -1,4 +1,4 @@
-// The table and the file that a run of the benchmarks leaves.
+// The table that a run of the benchmarks prints, and the JSON that it leaves.
 #pragma once
 #include <filesystem>
 #include <map>
@@ -14,7 +14,7 @@ namespace mrroc::bench {
 /// first one under "figures", and all of them by group under "groups".
 class Report {
  public:
-  /// @param file where write() writes; empty: nowhere
+  /// @param file  where the JSON is written after each group; empty: nowhere
   explicit Report(std::filesystem::path file) : file_(std::move(file)) {}
 
   /// Takes over what the file already holds, if anything.
@@ -25,10 +25,10 @@ class Report {
   /// Adds a group's figures, prints their table and writes the file.
   /// @throws FaultError cannot_write
   void add(const std::string& group, const Figures& figures);
+  /// @return the JSON of all groups so far: {"figures", "groups", "context"}
+  [[nodiscard]] std::string json() const;
 
  private:
-  void write() const;
-
   std::filesystem::path file_;
   std::vector<std::pair<std::string, std::map<std::string, double>>> groups_;  // as they were measured
 };

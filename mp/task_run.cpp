@@ -87,9 +87,7 @@ TaskRun::TaskRun(const std::string& task, const TaskOptions& options, const std:
                                                             .address = address_,
                                                             .task = task,
                                                             .run_folder = std::filesystem::absolute(folder)});
-  log_ = std::make_unique<link::EventLog>(
-      folder / link::kEventLog, membership.session_id,
-      link::EventLog::Channels{session_ + ".operator", session_ + ".manual.words"});
+  log_ = std::make_unique<link::EventLog>(folder / link::kEventLog, membership.session_id);
   bus_->subscribe_all(session_ + ".", *log_);
   write_processes(parts);
   own_process_ = std::make_unique<link::Process>(*bus_, membership);

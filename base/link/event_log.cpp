@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "base/fault.hpp"
+#include "base/link/senders.hpp"
 
 namespace mrroc::link {
 namespace {
@@ -27,10 +28,8 @@ struct EventLog::File {
   lcm_eventlog_t* log;
 };
 
-EventLog::EventLog(const std::filesystem::path& file, std::int64_t session, Channels several_senders)
-    : file_(std::make_unique<File>(File{lcm_eventlog_create(file.c_str(), "w")})),
-      session_(session),
-      several_senders_(std::move(several_senders)) {
+EventLog::EventLog(const std::filesystem::path& file, std::int64_t session)
+    : file_(std::make_unique<File>(File{lcm_eventlog_create(file.c_str(), "w")})), session_(session) {
   if (!file_->log) throw FaultError(FaultCode::cannot_write, fmt::format("cannot write {}", file.string()));
 }
 
@@ -56,7 +55,7 @@ void EventLog::receive(std::string_view channel, std::span<const std::uint8_t> b
   const std::int64_t number = big_endian(bytes.subspan(kNumberAt, 8));
   auto it = heard_.find(channel);
   if (it == heard_.end()) it = heard_.emplace(channel, Heard{}).first;
-  if (!several_senders_.contains(channel) && !note(number, it->second)) return;
+  if (!has_several_senders(channel) && !note(number, it->second)) return;
 
   using namespace std::chrono;
   lcm_eventlog_event_t event{};

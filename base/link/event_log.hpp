@@ -16,12 +16,9 @@ namespace mrroc::link {
 /// several senders numbers say nothing: everything is written and nothing is counted.
 class EventLog final : public Sink {
  public:
-  using Channels = std::set<std::string, std::less<>>;
-
-  /// @param session          as in header_t::session
-  /// @param several_senders  channels, with the session's name
+  /// @param session  as in header_t::session
   /// @throws FaultError cannot_write
-  explicit EventLog(const std::filesystem::path& file, std::int64_t session, Channels several_senders = {});
+  EventLog(const std::filesystem::path& file, std::int64_t session);
   ~EventLog() override;
   EventLog(const EventLog&) = delete;
   EventLog& operator=(const EventLog&) = delete;
@@ -51,7 +48,6 @@ class EventLog final : public Sink {
   std::int64_t session_;
   std::int64_t events_{};
   std::int64_t gaps_{};
-  Channels several_senders_;
   bool failed_{};
 };
 

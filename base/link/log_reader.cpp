@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/fault.hpp"
+#include "base/link/senders.hpp"
 
 namespace mrroc::link {
 namespace {
@@ -43,6 +44,33 @@ LogReader::LogReader(const std::filesystem::path& where) {
   }
   if (messages_.empty())
     throw FaultError(FaultCode::bad_log, fmt::format("{} holds no message", file.string()));
+  put_late_ones_in_their_place();
+}
+
+void LogReader::put_late_ones_in_their_place() {
+  struct Place {
+    std::size_t at;       // of the first message of the channel with this number or a higher one
+    std::int64_t number;  // of the message; the same for all where numbers tell no order
+    std::size_t written;
+  };
+  std::map<std::string_view, std::vector<Place>> by_channel;
+  for (std::size_t k = 0; k < messages_.size(); ++k) {
+    const LoggedMessage& m = messages_[k];
+    const bool ordered = !has_several_senders(session_ + "." + m.channel);
+    by_channel[m.channel].push_back({k, ordered ? header_of(m.bytes).number : 0, k});
+  }
+  std::vector<Place> places;
+  for (auto& [name, channel] : by_channel) {
+    std::ranges::stable_sort(channel, {}, &Place::number);
+    for (std::size_t k = channel.size(); k-- > 1;)
+      channel[k - 1].at = std::min(channel[k - 1].at, channel[k].at);
+    places.insert(places.end(), channel.begin(), channel.end());
+  }
+  std::ranges::stable_sort(places, {}, &Place::at);
+  std::vector<LoggedMessage> sorted;
+  sorted.reserve(messages_.size());
+  for (const Place& p : places) sorted.push_back(std::move(messages_[p.written]));
+  messages_ = std::move(sorted);
 }
 
 std::vector<std::string> LogReader::channels() const {

@@ -1,4 +1,4 @@
-// Reads the record of a run: every message, in the order in which it was written.
+// Reads the record of a run: every message, in the order in which it was sent.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -48,7 +48,8 @@ class LogReader {
     return by_stamp;
   }
 
-  /// @return every message, in the order in which they were written
+  /// @return every message, in the order in which they were written; one that came late, when it was sent again, stands
+  ///         before the next one of its channel
   [[nodiscard]] const std::vector<LoggedMessage>& messages() const { return messages_; }
   /// @return every channel of the log
   [[nodiscard]] std::vector<std::string> channels() const;
@@ -58,6 +59,8 @@ class LogReader {
   [[nodiscard]] std::int64_t session_id() const;
 
  private:
+  void put_late_ones_in_their_place();
+
   std::string session_;
   std::vector<LoggedMessage> messages_;
 };

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "test/docs/json_table.hpp"
+
 namespace mrroc::edp {
 namespace {
 
@@ -31,6 +33,7 @@ TEST(StabilityCommand, TellsTheLimitAndJudgesAStiffness) {
 TEST(StabilityCommand, AdviceHelps) {
   const auto bad = nlohmann::json::parse(run({"--K", "1e5", "--json"}).out);
   EXPECT_FALSE(bad["stable"]);
+  EXPECT_TRUE(test::documented("stability", bad));
   const double B = bad["B_for_damping_0.5"];
   const auto good = nlohmann::json::parse(run({"--K", "1e5", "--json", "--B", std::to_string(B)}).out);
   EXPECT_TRUE(good["stable"]);

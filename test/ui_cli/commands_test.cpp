@@ -11,6 +11,7 @@
 #include "base/link/memory_bus.hpp"
 #include "base/link/session.hpp"
 #include "base/link/text.hpp"
+#include "test/docs/json_table.hpp"
 #include "test/ui_cli/fake_task.hpp"
 #include "ui_cli/attach.hpp"
 
@@ -114,7 +115,9 @@ TEST_F(Commands, ARefusedOrderEndsWithOneAndTheReason) {
             "look at the state with `ui_cli status`");
   EXPECT_EQ(out_.str(), "");
   EXPECT_EQ(run({"resume", "--json"}), 1);
-  EXPECT_EQ(nlohmann::json::parse(out_.str()).at("accepted"), false);
+  const auto told = nlohmann::json::parse(out_.str());
+  EXPECT_EQ(told.at("accepted"), false);
+  EXPECT_TRUE(documented("resume", told));
 }
 
 TEST_F(Commands, ATriggerThatComesEarlyIsGivenOnlyWithAYes) {
@@ -149,6 +152,7 @@ TEST_F(Commands, StatusInJsonHasTheDocumentedKeys) {
   task.start();
   EXPECT_EQ(run({"status", "--json"}), 0) << error();
   const auto j = nlohmann::json::parse(out_.str());
+  EXPECT_TRUE(documented("status", j));
   EXPECT_EQ(j.at("session"), "one");
   EXPECT_EQ(j.at("task"), "drawing");
   EXPECT_EQ(j.at("state"), "running");
@@ -247,6 +251,7 @@ TEST_F(Commands, ListWhatRuns) {
   EXPECT_EQ(run({"list", "--json"}), 0);
   const auto j = nlohmann::json::parse(out_.str());
   ASSERT_EQ(j.size(), 2U);
+  EXPECT_TRUE(documented("list", j));
   EXPECT_EQ(j.at(0).at("session"), "a");
   EXPECT_EQ(j.at(0).at("pid"), ::getpid());
   EXPECT_EQ(link::LcmAddress::parse(j.at(0).at("url")).port, link::address_for("a").port);

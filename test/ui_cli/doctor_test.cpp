@@ -11,6 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "test/docs/json_table.hpp"
+
 namespace mrroc::ui {
 namespace {
 
@@ -106,6 +108,7 @@ TEST(Doctor, SaysTheSameToScripts) {
   const int status = run_doctor({"--json"}, out, err);
   const auto all = nlohmann::json::parse(out.str());
   ASSERT_EQ(all.size(), examine(healthy()).size());
+  EXPECT_TRUE(test::documented("doctor", all));
   bool bad = false;
   for (const auto& f : all) bad = bad || f["verdict"] == "NOT OK";
   EXPECT_EQ(status, bad ? 1 : 0);

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/fault_table.hpp"
+#include "test/docs/json_table.hpp"
 
 namespace mrroc::ui {
 namespace {
@@ -73,6 +74,7 @@ TEST(Explain, KnowsNamesAndNumbers) {
 TEST(Explain, SeveralCodesAreOneDocument) {
   const auto both = nlohmann::json::parse(run({"over_current", "1", "--json"}).out);
   ASSERT_EQ(both.size(), 2U);
+  EXPECT_TRUE(test::documented("explain CODE", both));
   EXPECT_EQ(both[1]["code"], "lost_command");
 }
 

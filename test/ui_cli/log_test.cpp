@@ -1,4 +1,5 @@
 // The commands for run folders, on a small folder made here.
+#include "test/docs/json_table.hpp"
 #include "test/ui_cli/run_folder.hpp"
 #include "ui_cli/log/log_check.hpp"
 #include "ui_cli/log/log_compare.hpp"
@@ -20,6 +21,7 @@ TEST_F(RunFolder, ShowTellsEveryMacrostepAndEveryChange) {
   ASSERT_EQ(run({"show", a_.string(), "--m", "--from", "0.39", "--to", "0.41", "--json"}), 0);
   ASSERT_EQ(lines().size(), 1U);
   EXPECT_EQ(Json::parse(lines()[0])["i"], 20);
+  EXPECT_TRUE(documented("log show RUN", Json::parse(lines()[0])));
 }
 
 TEST_F(RunFolder, ShowNamesTheBehavioursOfAnArmAsItsAgentDoes) {
@@ -65,6 +67,7 @@ TEST_F(RunFolder, ShowClosesWithTheOutcomeOfTheRun) {
   std::ofstream(a_ / "messages.log") << "start\n12.3 s ecp-arm1: too_fast\n";
   EXPECT_NE(last().find("no summary"), std::string::npos);
   EXPECT_NE(last().find("its last message: 12.3 s ecp-arm1: too_fast"), std::string::npos);
+  EXPECT_TRUE(documented("log show RUN, its last line", Json::parse(last({"--json"}))));
 }
 
 TEST_F(RunFolder, ShowTellsTheMessagesOfAChannel) {
@@ -86,6 +89,8 @@ TEST_F(RunFolder, CsvHasARowPerMessageThatCanBeReadBack) {
   EXPECT_EQ(Json::parse(out_.str())[29]["verdict"], static_cast<int>(Verdict::refused));
   ASSERT_EQ(run({"csv", a_.string()}), 0);
   EXPECT_NE(out_.str().find("agent_report_t"), std::string::npos);
+  ASSERT_EQ(run({"csv", a_.string(), "--json"}), 0);
+  EXPECT_TRUE(documented("log csv RUN", Json::parse(out_.str())));
   EXPECT_EQ(run({"csv", a_.string(), "arm1.report", "--fields", "F_b"}), 2);
 }
 
@@ -111,6 +116,7 @@ TEST_F(RunFolder, CompareNamesTheFirstMessageThatDiffersAndTheFigures) {
   EXPECT_EQ(run({"compare", a_.string(), make("same", 77, 0).string()}), 0) << out_.str();
   EXPECT_EQ(run({"compare", a_.string(), make("other", 2, 0.5).string(), "--json"}), 1);
   const Json j = Json::parse(out_.str());
+  EXPECT_TRUE(documented("log compare A B", j, {"figures"}));
   EXPECT_EQ(j["differences"], 10);
   EXPECT_EQ(j["first"]["channel"], "arm1.report");
   EXPECT_EQ(j["first"]["number"], 41);
@@ -125,6 +131,26 @@ TEST_F(RunFolder, PlotTakesAnyNameOfAPictureButItsScripts) {
   EXPECT_EQ(run({"plot", a_.string(), "force", "--output", odd.string(), "--json"}), 0) << err_.str();
   EXPECT_TRUE(fs::exists(odd));
   EXPECT_EQ(Json::parse(out_.str())["picture"], odd.string());
+  EXPECT_TRUE(documented("log plot RUN WHAT", Json::parse(out_.str())));
+}
+
+TEST_F(RunFolder, PlotDrawsArmsWhoseNamesMeanSomethingElseToGnuplot) {
+  const std::string odd = "arm-1's $x_2 << EOD";
+  {
+    const link::LogReader before(a_);
+    link::EventLog to(a_ / link::kEventLog, before.session_id());
+    for (const link::LoggedMessage& m : before.messages())
+      to.receive(m.channel == "arm1.report" ? "s." + odd + ".report" : "s." + m.channel, m.bytes);
+  }
+  const fs::path picture = home_ / "odd.png";
+  const int status = run({"plot", a_.string(), "force", "--output", picture.string()});
+  std::ifstream in(home_ / "odd.gp");
+  const std::string script{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_NE(script.find("\n$table1 << EOD\n"), std::string::npos) << script.substr(0, 600);
+  EXPECT_NE(script.find("set title 'arm-1''s $x_2 << EOD' noenhanced\n"), std::string::npos);
+  if (std::system("gnuplot --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
+  EXPECT_EQ(status, 0) << err_.str();
+  EXPECT_TRUE(fs::exists(picture));
 }
 
 TEST_F(RunFolder, CheckAsksEveryProgramAndJoinsTheVerdicts) {
@@ -151,6 +177,31 @@ TEST_F(RunFolder, CheckAsksEveryProgramAndJoinsTheVerdicts) {
   for (const char* what : {"2 DIFFER", "behaviour 2, settle", "f_ce", "field arm.n_s",
                            "logged 10, recomputed 9", "20 messages recomputed, 2 differ"})
     EXPECT_NE(out_.str().find(what), std::string::npos) << out_.str();
+  out_.str("");
+  EXPECT_EQ(ui::report_check(a_, verdicts, "", true, out_), 1);
+  EXPECT_TRUE(documented("log check RUN", Json::parse(out_.str())));
+}
+
+TEST_F(RunFolder, ARunOfWhichNothingCanBeCheckedIsNotTakenForOneWithoutADifference) {
+  std::vector<link::LogVerdict> verdicts{
+      {.process = "mp", .not_checked = "the run went by the wall clock"},
+      {.process = "world", .not_checked = "the run went by the wall clock"}};
+  EXPECT_EQ(ui::report_check(a_, verdicts, "", true, out_), 1);
+  const Json none = Json::parse(out_.str());
+  EXPECT_EQ(none["checked"], false);
+  EXPECT_EQ(none["differences"], nullptr);
+  EXPECT_EQ(none["complete"], false);
+  out_.str("");
+  EXPECT_EQ(ui::report_check(a_, verdicts, "", false, out_), 1);
+  EXPECT_NE(out_.str().find("NOT CHECKED"), std::string::npos) << out_.str();
+  EXPECT_EQ(out_.str().find("differ"), std::string::npos) << out_.str();
+  out_.str("");
+  verdicts[0] = {.process = "mp", .compared = 10};
+  EXPECT_EQ(ui::report_check(a_, verdicts, "", true, out_), 0)
+      << "links that are not in the log are no fault";
+  const Json some = Json::parse(out_.str());
+  EXPECT_EQ(some["checked"], true);
+  EXPECT_EQ(some["differences"], 0);
 }
 
 TEST_F(RunFolder, AFolderThatIsNoneIsToldWhatItLacksAndWhereRunsAre) {

@@ -17,6 +17,7 @@
 #include "base/msg/convert.hpp"
 #include "mrroc/manual_answer_t.hpp"
 #include "mrroc/manual_words_t.hpp"
+#include "test/docs/json_table.hpp"
 #include "ui_cli/completion.hpp"
 #include "ui_cli/manual_link.hpp"
 #include "ui_cli/manual_page.hpp"
@@ -100,6 +101,7 @@ TEST(ManualCommand, WaitsUntilItIsDoneAndKeepsNegativeNumbers) {
   EXPECT_EQ(execute({1}, {"--no-wait", "home", "all"}), "done\n") << "the text of the first answer";
   const auto json = nlohmann::json::parse(execute({2}, {"bias", "arm1", "--json"}));
   EXPECT_EQ(json["done"], true);
+  EXPECT_TRUE(documented("manual INSTRUCTION", json));
 }
 
 TEST(ManualCommand, ARefusalAndAFailureAreErrorsWithTheirReason) {
@@ -112,6 +114,7 @@ TEST(ManualCommand, ARefusalAndAFailureAreErrorsWithTheirReason) {
 TEST(ManualCommand, ShowsAnArm) {
   const auto json = nlohmann::json::parse(execute({2}, {"show", "arm1", "--json"}));
   EXPECT_EQ(json["state"], "holding");
+  EXPECT_TRUE(documented("manual show ARM", json));
   EXPECT_EQ(json["joints"][1], -1.57);
   EXPECT_NE(execute({2}, {"show", "arm1"}).find("joints"), std::string::npos);
 }
@@ -191,7 +194,12 @@ TEST(ManualCommand, SavesPositionsAndGoesToThemAgain) {
   EXPECT_EQ(all, (std::vector<std::string>{"bias arm1", there}));
   EXPECT_NE(execute({2, 3}, {"load", file}, nullptr, folder).find("failed: arm1: joint_limit"),
             std::string::npos);
-  EXPECT_EQ(nlohmann::json::parse(execute({2}, {"load", file, "--json"}))["done"], 2);
+  const auto loaded = nlohmann::json::parse(execute({2}, {"load", file, "--json"}));
+  EXPECT_EQ(loaded["done"], 2);
+  EXPECT_TRUE(documented("manual load FILE", loaded));
+  EXPECT_TRUE(
+      documented("manual save ARM FILE",
+                 nlohmann::json::parse(execute({2}, {"save", "arm1", file, "--json"}, nullptr, folder))));
   EXPECT_EQ(execute({2}, {"save", "arm1", file}).find("error: bad_usage"), 0U) << "its axes are not known";
   EXPECT_EQ(execute({2}, {"save", "arm1", "/no/such/file"}, nullptr, folder).find("error: cannot_write"), 0U);
   EXPECT_EQ(execute({2}, {"load", "/no/such/file"}).find("error: bad_script"), 0U);

@@ -11,6 +11,7 @@
 
 #include "base/fault.hpp"
 #include "base/file_content.hpp"
+#include "test/docs/json_table.hpp"
 #include "ui_cli/new/template_files.hpp"
 #include "ui_cli/new/tree.hpp"
 
@@ -163,6 +164,7 @@ TEST_F(NewPartTest, ADryRunListsWhatWouldBeWrittenAndWritesNothing) {
   EXPECT_EQ(j["written"], false);
   const auto k = nlohmann::json::parse(run({"task", "probe", "--json"}));
   EXPECT_EQ(k["written"], true);
+  EXPECT_TRUE(test::documented("new", k));
   EXPECT_EQ(k["files"], j["files"]);
   for (const std::string file : k["files"]) EXPECT_TRUE(fs::exists(root_ / file)) << file;
   EXPECT_EQ(k["changed"].size(), 2U);

@@ -103,6 +103,23 @@ class Reader(unittest.TestCase):
         self.assertTrue(Path(told[0]).is_relative_to(place), told[0])
         self.assertEqual(int(told[1]), self.run_.channels()["arm1.reply"])
 
+    def test_message_that_came_late_stands_where_it_was_sent(self):
+        late = self.home / "late"
+        shutil.copytree(self.folder, late)
+        log, channel = late / "events.lcmlog", "arm1.reply"
+        data = log.read_bytes()
+        events, at = [], 0
+        for event in mrroc_runs.lcm_log.events(log):
+            size = 28 + len(event.channel) + len(event.data)
+            events.append((event.channel.split(".", 1)[1], data[at : at + size]))
+            at += size
+        of_channel = [k for k, (name, _) in enumerate(events) if name == channel]
+        events.append(events.pop(of_channel[5]))
+        log.write_bytes(b"".join(event for _, event in events))
+        run = mrroc_runs.open_run(late)
+        for field, values in self.run_.messages(channel).items():
+            np.testing.assert_array_equal(run.messages(channel)[field], values, field)
+
     def test_log_that_was_cut_off_gives_what_is_whole(self):
         cut = self.home / "cut"
         shutil.copytree(self.folder, cut)

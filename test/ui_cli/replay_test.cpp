@@ -12,6 +12,7 @@
 #include "base/operator.hpp"
 #include "mrroc/operator_answer_t.hpp"
 #include "mrroc/operator_order_t.hpp"
+#include "test/docs/json_table.hpp"
 #include "test/ui_cli/run_folder.hpp"
 #include "ui_cli/log/replay_check.hpp"
 
@@ -48,6 +49,15 @@ TEST_F(RunFolder, ReplayPublishesEverythingAtItsPaceAndTakesNoOrderButStop) {
   EXPECT_EQ(answers.take()->accepted, 0);
   EXPECT_EQ(answers.take()->accepted, 1);
   EXPECT_EQ(replay.published(), kMacrosteps + 2) << "without the channel of somebody else";
+}
+
+TEST_F(RunFolder, ReplayTellsScriptsWhatItHasPublished) {
+  link::MemoryHub hub;
+  const ui::ReplaySurroundings around{home_, [&](const link::LcmAddress&) { return hub.open(); }};
+  EXPECT_EQ(ui::run_replay({a_.string(), "--speed", "0", "--json"}, around, out_, err_), 0);
+  const Json told = Json::parse(out_.str());
+  EXPECT_TRUE(documented("replay RUN", told));
+  EXPECT_DOUBLE_EQ(told["sim_s"], 1.0);
 }
 
 /// A virtual sensor of the run: says for every report what the log has it say, but for one number.

@@ -70,6 +70,8 @@ int report_check(const std::filesystem::path& folder, const std::vector<link::Lo
                  const std::string& damage, bool json, std::ostream& out) {
   std::int64_t compared = 0, differences = 0;
   bool whole = damage.empty();
+  const bool checked =
+      std::ranges::any_of(verdicts, [](const link::LogVerdict& v) { return v.not_checked.empty(); });
   for (const link::LogVerdict& v : verdicts) {
     compared += v.compared;
     differences += v.differences;
@@ -78,20 +80,21 @@ int report_check(const std::filesystem::path& folder, const std::vector<link::Lo
   if (json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const link::LogVerdict& v : verdicts) list.push_back(nlohmann::ordered_json::parse(to_json(v)));
-    out << nlohmann::ordered_json{{"run", folder.string()},     {"compared", compared},
-                                  {"differences", differences}, {"complete", whole},
-                                  {"damage", damage},           {"processes", list}}
-               .dump(2)
-        << "\n";
+    nlohmann::ordered_json j{{"run", folder.string()}, {"checked", checked},           {"compared", compared},
+                             {"differences", nullptr}, {"complete", checked && whole}, {"damage", damage},
+                             {"processes", list}};
+    if (checked) j["differences"] = differences;
+    out << j.dump(2) << "\n";
   } else {
     out << folder.string() << "\n";
     for (const link::LogVerdict& v : verdicts) out << fmt::format("  {:<14} {}\n", v.process, result(v));
     for (const link::LogVerdict& v : verdicts)
       if (v.first) out << "  first difference of " << sentence(v) << "\n";
-    out << fmt::format("  {} messages recomputed, {} differ\n", compared, differences);
+    out << (checked ? fmt::format("  {} messages recomputed, {} differ\n", compared, differences)
+                    : "  NOT CHECKED: no process of this run can be recomputed\n");
     if (!damage.empty()) out << fmt::format("  the log is not whole: {}\n", damage);
   }
-  return differences > 0 || !whole ? 1 : 0;
+  return differences > 0 || !whole || !checked ? 1 : 0;
 }
 
 }  // namespace mrroc::ui

@@ -30,8 +30,8 @@ using Prover =
 
 /// Prints a line per process and what differs first.
 /// @param damage  what is wrong with the log itself (log_whole.hpp), empty: nothing
-/// @return exit status: 1 when something differs or could not
-/// be checked to its end, otherwise 0
+/// @return exit status: 1 when something differs, or could not be checked to its end, or no process could be checked at
+///         all, otherwise 0
 int report_check(const std::filesystem::path& folder, const std::vector<link::LogVerdict>& verdicts,
                  const std::string& damage, bool json, std::ostream& out);
 

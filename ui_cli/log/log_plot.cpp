@@ -50,21 +50,23 @@ const Subject& subject(const std::string& name) {
                    "plots: force, pose, motors, behaviours");
 }
 
-/// As gnuplot's single quotes take it.
+/// As gnuplot's single quotes take it; what would end the line becomes a question mark.
 std::string quoted(const std::string& text) {
   std::string all = "'";
-  for (const char c : text) all += c == '\'' ? std::string("''") : std::string(1, c);
+  for (const char c : text)
+    all += c == '\'' ? std::string("''") : std::string(1, c == '\n' || c == '\r' ? '?' : c);
   return all + "'";
 }
 
-std::string chart(const RunRecord& run, const Subject& s, const std::string& arm) {
+/// @param block  name of the data block: that of an arm may be more than gnuplot's names can hold
+std::string chart(const RunRecord& run, const Subject& s, const std::string& arm, const std::string& block) {
   std::ostringstream table;
   write_channel(run, arm + "." + s.channel, s.fields, false, table);
   // In the script itself, so that the picture can be drawn again from one file.
-  std::string text =
-      fmt::format("${} << EOD\n{}EOD\nset title '{}'\nset ylabel '{}'\nplot ", arm, table.str(), arm, s.axis);
+  std::string text = fmt::format("${} << EOD\n{}EOD\nset title {} noenhanced\nset ylabel '{}'\nplot ", block,
+                                 table.str(), quoted(arm), s.axis);
   for (std::size_t k = 0; k < s.titles.size(); ++k)
-    text += fmt::format("{}${} skip 1 using 1:(${}*{}) with {} title '{}'", k > 0 ? ", " : "", arm, k + 2,
+    text += fmt::format("{}${} skip 1 using 1:(${}*{}) with {} title '{}'", k > 0 ? ", " : "", block, k + 2,
                         s.scale, s.style, s.titles[k]);
   return text + "\n";
 }
@@ -96,7 +98,7 @@ fs::path plot_run(const RunRecord& run, const std::string& what, const fs::path&
       "set datafile separator ','\nset border 3\nset tics nomirror\nset grid lc rgb '#e4e8ee'\n"
       "set key outside right\nset xlabel 't [s]'\nset multiplot layout {},1\n",
       120 + 400 * arms.size(), quoted(picture.filename().string()), arms.size());
-  for (const std::string& arm : arms) text += chart(run, s, arm);
+  for (std::size_t k = 0; k < arms.size(); ++k) text += chart(run, s, arms[k], fmt::format("table{}", k + 1));
   std::error_code ignored;
   fs::create_directories(picture.parent_path(), ignored);
   write_text_file(script, text + "unset multiplot\n");

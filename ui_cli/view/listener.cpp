@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/link/decode.hpp"
+#include "base/link/senders.hpp"
 #include "base/link/text.hpp"
 #include "base/msg/convert.hpp"
 #include "ui_cli/report.hpp"
@@ -57,7 +58,7 @@ bool Listener::is_new(std::string_view channel, std::span<const std::uint8_t> by
   constexpr std::size_t kHeader = 32;  // LCM's fingerprint and header_t
   if (bytes.size() < kHeader) return false;
   if (session_id_ != 0 && big_endian(bytes.data() + 8) != session_id_) return false;
-  const bool one_sender = !channel.ends_with(".operator");
+  const bool one_sender = !link::has_several_senders(channel);
   const std::int64_t number = big_endian(bytes.data() + 16);
   auto it = last_.find(channel);
   if (it == last_.end()) it = last_.emplace(std::string(channel), one_sender ? number - 1 : 0).first;
@@ -183,7 +184,7 @@ void Listener::say(const std::string& process, std::int32_t code, const std::str
 }
 
 void Listener::publish_count() {
-  record_.set("count", fmt::format("{{\"messages\":{},\"lost\":{}}}", messages_, lost_));
+  record_.set("count", compact({{"messages", messages_}, {"lost", lost_}, {"refused", record_.refused()}}));
 }
 
 }  // namespace mrroc::view

@@ -26,7 +26,8 @@ namespace mrroc::view {
 /// Listens to every channel of one session. What it makes of them, in the record:
 ///   tracks  one per arm from ARM.reply (samples.hpp); "object" from object.truth; "cube" from cube.truth
 ///   lines   {t [s], process, code, text, fault: 0 or 1} from *.console, and what a driver refused
-///   values  "status" (ui::status_json), "behaviours" {agent: {m: name}} with "" for the coordinator, "frames" {camera: number}, "count" {messages, lost}
+///   values  "status" (ui::status_json), "behaviours" {agent: {m: name}} with "" for the coordinator, "frames" {camera:
+///           number}, "count" {messages, lost, refused: what the record had no room for}
 /// A message that comes again is ignored; numbers that are missing are counted as lost. A reading of a driver that
 /// does not know its position yet is no row: there is nothing to draw.
 class Listener final : public link::Sink {

@@ -51,7 +51,10 @@ void Record::add(const std::string& track, std::span<const float> row) {
 
 void Record::say(std::string line) {
   const std::lock_guard lock(mutex_);
-  if (lines_.size() >= kMostLines) return;
+  if (lines_.size() >= kMostLines) {
+    ++refused_;
+    return;
+  }
   lines_.push_back(std::move(line));
   ++change_;
 }

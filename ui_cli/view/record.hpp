@@ -28,9 +28,9 @@ class Record {
 
   /// Rows of one track that one piece of news carries at most: about 0.3 MB as text.
   static constexpr std::size_t kMostRows = 2000;
-  /// Rows of one track that are kept at most: eleven hours at 50 a second. Later ones are counted in refused().
+  /// Rows of one track that are kept at most: eleven hours at 50 a second. Later ones are left out and counted.
   static constexpr std::size_t kMostKept = 2'000'000;
-  /// Lines that are kept at most; later ones are left out, too.
+  /// Lines that are kept at most; later ones are left out and counted, too.
   static constexpr std::size_t kMostLines = 20'000;
 
   /// Forgets everything and begins anew. @param scene  JSON that the page gets first
@@ -46,7 +46,7 @@ class Record {
   [[nodiscard]] std::int64_t changes() const;
   /// @return rows of a track so far
   [[nodiscard]] std::size_t rows(const std::string& track) const;
-  /// @return rows that did not find room
+  /// @return rows and lines that did not find room since begin()
   [[nodiscard]] std::size_t refused() const;
   /// @return JSON of the scene
   [[nodiscard]] std::string scene() const;

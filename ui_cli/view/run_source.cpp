@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/fault.hpp"
-#include "base/link/log_events.hpp"
+#include "base/link/log_reader.hpp"
 #include "ui_cli/view/listener.hpp"
 
 namespace mrroc::view {
@@ -72,9 +72,11 @@ std::vector<std::string> load_run(const fs::path& folder, Record& record) {
   if (summary.is_object()) frame.task = summary.value("task", "");
   record.begin(scene_json(scene, frame));
   Listener listener(record, scene, "", 0);
-  link::pass_events(folder / "events.lcmlog", listener);
-  listener.publish_count();
+  const link::LogReader log(folder);
+  for (const link::LoggedMessage& m : log.messages())
+    listener.receive(log.session() + "." + m.channel, m.bytes);
   load_summary(folder, record);
+  listener.publish_count();
   return frame.pictures;
 }
 

@@ -67,20 +67,27 @@ bool SessionSource::pause(std::chrono::milliseconds time) {
 
 std::optional<link::SessionInfo> SessionSource::find() {
   try {
-    std::vector<link::SessionInfo> running = link::running_sessions(around_.sessions);
-    std::erase_if(running, [&](const auto& s) { return s.id == followed_; });
-    return ui::choose_session(around_.wish, running);
+    return ui::choose_session(around_.wish, link::running_sessions(around_.sessions));
   } catch (const FaultError& e) {
-    if (followed_ == 0) set_state("waiting", e.what());
+    if (!shown_) set_state("waiting", e.what());
     return {};
   }
+}
+
+bool SessionSource::talks(link::Bus& bus, const link::SessionInfo& session) {
+  struct Flag final : link::Sink {
+    bool heard = false;
+    void receive(std::string_view, std::span<const std::uint8_t>) noexcept override { heard = true; }
+  } flag;
+  bus.subscribe_all(session.name + ".", flag);
+  while (!stop_ && !flag.heard) bus.wait(kReceive);
+  return flag.heard;
 }
 
 void SessionSource::work() {
   do {
     const auto session = find();
     if (!session) continue;
-    following_ = true;
     try {
       follow(*session);
     } catch (const std::exception& e) {
@@ -91,6 +98,9 @@ void SessionSource::work() {
 }
 
 void SessionSource::follow(const link::SessionInfo& session) {
+  // Of another host: no entry tells when the next run begins, and the one before is to stay on the page until then.
+  if (shown_ && session.pid == 0 && !talks(*around_.open(*session.address), session)) return;
+  following_ = true;
   const auto bus = around_.open(*session.address);
   const auto [scene, note] = cell_of(session);
   Listener listener(record_, scene, session.name, session.id);
@@ -110,10 +120,10 @@ void SessionSource::follow(const link::SessionInfo& session) {
   set_state("live", "");
   bus->subscribe_all(session.name + ".", listener);
   pump(*bus, session, listener);
-  followed_ = session.id;
+  shown_ = true;
   if (stop_) return;
-  listener.publish_count();
   load_summary(session.run_folder, record_);
+  listener.publish_count();
   nlohmann::json pictures = pictures_of(session.run_folder);
   record_.set("pictures", pictures.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
   set_state("ended", "");
@@ -132,7 +142,10 @@ void SessionSource::pump(link::Bus& bus, const link::SessionInfo& session, Liste
       if (seeking) cameras_.look_hidden();
       listener.publish_count();
       const auto running = link::running_sessions(around_.sessions);
-      const bool here = std::ranges::find(running, session.id, &link::SessionInfo::id) != running.end();
+      // A replay has the number of its run, and may have its name.
+      const bool here = std::ranges::any_of(running, [&](const link::SessionInfo& s) {
+        return s.name == session.name && s.id == session.id && s.pid == session.pid;
+      });
       if (!here && (session.pid != 0 || now - heard > kSilence)) return;
     }
   }

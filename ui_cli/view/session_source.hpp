@@ -25,9 +25,9 @@ struct SessionSurroundings {
   std::function<std::unique_ptr<link::Bus>(const link::LcmAddress&)> open{link::open_lcm};
 };
 
-/// Waits for a session, follows it to its end, waits for the next: a viewer can be left open. Works in a thread of its
-/// own from construction to destruction. Beyond the listener's values the record has "state": {"name": "waiting",
-/// "live" or "ended", "text": why}.
+/// Waits for a session, follows it to its end, waits for the next, also for a replay of one that has been: a viewer can
+/// be left open. Works in a thread of its own from construction to destruction. Beyond the listener's values the record
+/// has "state": {"name": "waiting", "live" or "ended", "text": why}.
 class SessionSource {
  public:
   /// @param record @param cameras  outlive this
@@ -45,6 +45,8 @@ class SessionSource {
   void work();
   std::optional<link::SessionInfo> find();
   void follow(const link::SessionInfo& session);
+  /// Waits for a message of the session. @return false when the source is to end before
+  bool talks(link::Bus& bus, const link::SessionInfo& session);
   void pump(link::Bus& bus, const link::SessionInfo& session, class Listener& listener);
   void set_state(const char* name, const std::string& text);
   /// @return false when the source is to end
@@ -55,7 +57,7 @@ class SessionSource {
   CameraWindow& cameras_;
   std::atomic<bool> stop_{};
   std::atomic<bool> following_{};
-  std::int64_t followed_{};  // id of the session before
+  bool shown_{};  // a session that has ended stays on the page
   mutable std::mutex mutex_;
   std::filesystem::path folder_;
   std::thread thread_;

@@ -184,7 +184,7 @@ TEST_F(EventLogTest, MessagesOfAnotherSessionWithTheSameNameAreLeftOut) {
   const auto file = folder_ / "events.lcmlog";
   {
     test::DirectBus bus;
-    EventLog log(file, 1, {"s.operator"});
+    EventLog log(file, 1);
     bus.subscribe_all("s.", log);
     Outbox<operator_order_t> own(bus, {Group::agents, "s.a"}, 1);
     Outbox<operator_order_t> foreign(bus, {Group::agents, "s.a"}, 2);

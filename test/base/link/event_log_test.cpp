@@ -54,10 +54,40 @@ TEST_F(LogFile, WritesWhatWasMissingWhenItIsRepeated) {
   EXPECT_EQ(LogReader(file).messages().size(), 4U);
 }
 
+TEST_F(LogFile, IsReadWithEveryMessageBeforeTheNextOfItsChannelAlsoWhereItCameLate) {
+  const fs::path file = folder_ / "log";
+  using Message = std::pair<std::string, std::int64_t>;
+  {
+    EventLog log(file, 1);
+    for (const auto& [channel, number] : {Message{"a", 1},
+                                          {"b", 1},
+                                          {"a", 4},
+                                          {"operator", 9},
+                                          {"b", 2},
+                                          {"a", 3},
+                                          {"operator", 5},
+                                          {"a", 2},
+                                          {"b", 3}})
+      give(log, "s." + channel, number);
+  }
+  std::vector<Message> read;
+  const LogReader reader(file);
+  for (const LoggedMessage& m : reader.messages()) read.emplace_back(m.channel, header_of(m.bytes).number);
+  EXPECT_EQ(read, (std::vector<Message>{{"a", 1},
+                                        {"b", 1},
+                                        {"a", 2},
+                                        {"a", 3},
+                                        {"a", 4},
+                                        {"operator", 9},
+                                        {"b", 2},
+                                        {"operator", 5},
+                                        {"b", 3}}));
+}
+
 TEST_F(LogFile, CountsNothingOnAChannelWithSeveralSendersAndWritesEverything) {
   const fs::path file = folder_ / "log";
   {
-    EventLog log(file, 1, {"s.operator"});
+    EventLog log(file, 1);
     const std::int64_t by_time = 1'760'000'000'000'000;  // as terminals number their orders
     for (const std::int64_t number : {by_time, by_time + 500'000, by_time - 7, std::int64_t{3}})
       give(log, "s.operator", number, number);

@@ -10,6 +10,7 @@
 #include "base/link/log_reader.hpp"
 #include "base/msg/convert.hpp"
 #include "base/msg/message_type.hpp"
+#include "mrroc/operator_order_t.hpp"
 
 namespace mrroc::link {
 namespace {
@@ -183,6 +184,24 @@ TEST_F(LogCheck, WhatIsNotSentAgainDiffers) {
   EXPECT_EQ(v.differences, kMacrosteps);
   ASSERT_TRUE(v.first);
   EXPECT_EQ(v.first->recomputed, "nothing");
+}
+
+TEST_F(LogCheck, ATerminalThatNumbersItsOrdersItselfHidesNoDifference) {
+  {
+    const LogReader before(file());
+    EventLog log(file(), before.session_id());
+    operator_order_t order{};
+    order.header = {77, 1'760'000'000, 0};
+    log.receive("s.operator", bytes_of(order));
+    for (const LoggedMessage& m : before.messages()) log.receive("s." + m.channel, m.bytes);
+  }
+  const LogVerdict v = check_process(LogReader(file()), "mp", ClockKind::step, [](Process& process) {
+    const auto in = process.inbox<operator_order_t>("operator");
+    const auto out = process.outbox<agent_order_t>("arm1.order");
+    if (process.assemble()) throw FaultError(FaultCode::internal_error, "gives up");
+  });
+  EXPECT_EQ(v.incomplete, "");
+  EXPECT_EQ(v.differences, kMacrosteps);
 }
 
 TEST_F(LogCheck, AProcessBeyondTheLogIsNotChecked) {

@@ -76,6 +76,18 @@ TEST(ViewRecord, BeginsAnewForPagesThatWereInTheMiddle) {
   EXPECT_EQ(test::rows_of(news, "arm1"), std::vector{2.0F});
 }
 
+TEST(ViewRecord, CountsRowsAndLinesThatItHasNoRoomFor) {
+  Record record;
+  record.begin("{}");
+  for (std::size_t k = 0; k < Record::kMostLines + 2; ++k) record.say("{}");
+  EXPECT_EQ(record.refused(), 2U);
+  for (std::size_t k = 0; k < Record::kMostKept + 3; ++k) record.add("arm1", std::array{0.0F});
+  EXPECT_EQ(record.refused(), 5U);
+  EXPECT_EQ(record.rows("arm1"), Record::kMostKept);
+  record.begin("{}");
+  EXPECT_EQ(record.refused(), 0U);
+}
+
 TEST(ViewRecord, IsReadByManyWhileOneWrites) {
   Record record;
   record.begin("{}");

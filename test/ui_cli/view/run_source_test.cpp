@@ -9,6 +9,9 @@
 
 #include "base/effector_command.hpp"
 #include "base/fault.hpp"
+#include "base/link/event_log.hpp"
+#include "base/link/log_reader.hpp"
+#include "mrroc/manual_words_t.hpp"
 #include "test/ui_cli/view/sample_run.hpp"
 #include "ui_cli/view/listener.hpp"
 #include "ui_cli/view/samples.hpp"
@@ -47,6 +50,25 @@ TEST(ViewRun, ShowsEveryReadingOfARunFolder) {
   EXPECT_EQ(values.at("summary").at("outcome"), "done");
   EXPECT_EQ(values.at("count").at("lost"), 0);
   EXPECT_EQ(json::parse(news).at("lines").at(0).at("text"), "operator: start");
+}
+
+TEST(ViewRun, ShowsAReadingThatCameLateInItsPlace) {
+  const test::ScratchFolder folder("mrroc-view-late");
+  test::write_run(folder.path(), 1);
+  {
+    link::EventLog log(folder.path() / link::kEventLog, 7);
+    for (const std::int64_t i : {1, 2, 4, 5, 3})
+      log.receive("s.arm1.reply", test::encoded(test::reply(i, 0.9, 0, 1), i, i));
+  }
+  Record record;
+  load_run(folder.path(), record);
+  Record::Cursor page;
+  const std::string news = record.news(page);
+  const auto rows = test::rows_of(news, "arm1");
+  ASSERT_EQ(rows.size(), 5 * kWidth);
+  for (std::size_t i = 1; i <= 5; ++i)
+    EXPECT_FLOAT_EQ(rows[(i - 1) * kWidth + column("t")], 0.02F * static_cast<float>(i));
+  EXPECT_EQ(json::parse(news).at("values").at("count").at("lost"), 0);
 }
 
 TEST(ViewRun, TellsTheFaultThatEndedARun) {
@@ -122,6 +144,33 @@ TEST(ViewListener, CountsWhatIsLostAndIgnoresWhatComesAgainOrFromOthers) {
   EXPECT_EQ(record.rows("arm1"), 3U);
   EXPECT_EQ(listener.lost(), 2);
   EXPECT_EQ(listener.messages(), 3);
+}
+
+TEST(ViewListener, LosesNothingWhereEveryTerminalNumbersItsOwnMessages) {
+  Record record;
+  record.begin("{}");
+  Listener listener(record, {}, "s", 7);
+  std::mt19937_64 random(1);
+  for (const char* channel : {"s.manual.words", "s.operator"})
+    for (int k = 0; k < 5; ++k) {
+      const auto number = static_cast<std::int64_t>(random() >> 1);
+      listener.receive(channel, test::encoded(manual_words_t{}, number, 0));
+    }
+  EXPECT_EQ(listener.lost(), 0);
+  EXPECT_EQ(listener.messages(), 10);
+}
+
+TEST(ViewListener, TellsWhatTheRecordHadNoRoomFor) {
+  Record record;
+  record.begin("{}");
+  Listener listener(record, {}, "s", 7);
+  const auto more = static_cast<std::int64_t>(Record::kMostLines) + 3;
+  for (std::int64_t k = 1; k <= more; ++k)
+    listener.receive("s.mp.console", test::encoded(test::line("again"), k, k));
+  listener.publish_count();
+  Record::Cursor page;
+  EXPECT_EQ(json::parse(record.news(page)).at("values").at("count"),
+            (json{{"messages", more}, {"lost", 0}, {"refused", 3}}));
 }
 
 TEST(ViewListener, BearsAnyBytes) {

@@ -63,7 +63,7 @@ TEST(ViewSession, WaitsFollowsAndWaitsForTheNext) {
     return std::string(page.values.at("state").at("text")).find("no task runs") != std::string::npos;
   })) << page.values;
 
-  for (const std::int64_t id : {7, 8}) {
+  for (const std::int64_t id : {7, 8, 8}) {  // at last a replay: number, name and numbers of the one before
     auto file = std::make_unique<link::SessionFile>(link::SessionInfo{.name = "s",
                                                                       .id = id,
                                                                       .address = link::address_for("s"),
@@ -102,6 +102,40 @@ TEST(ViewSession, WaitsFollowsAndWaitsForTheNext) {
     EXPECT_EQ(page.values.at("pictures").size(), 2U);
     EXPECT_TRUE(page.wait([&] { return !source.following(); }));
   }
+}
+
+TEST(ViewSession, KeepsARunOfAnotherHostOnThePageUntilTheNextOneTalks) {
+  const test::ScratchFolder folder("mrroc-view-far");
+  link::MemoryHub hub;
+  Record record;
+  CameraWindow cameras;
+  SessionSource source({.wish = {"far", "udpm://239.255.76.67:7800?ttl=0"},
+                        .sessions = folder.path() / "sessions",
+                        .open = [&](const auto&) { return hub.open(); }},
+                       record, cameras);
+  Page page(record);
+  const auto bus = hub.open();
+  std::int64_t number = 0;
+  const auto talk = [&] {
+    ++number;
+    bus->publish({link::Group::agents, "far.arm1.reply"},
+                 test::encoded(test::reply(number, 0.9, 0, 1), number, number));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  };
+  const auto shown = [&] {
+    talk();
+    return page.state() == "live" && record.rows("arm1") > 0;
+  };
+  ASSERT_TRUE(page.wait(shown));
+  ASSERT_TRUE(page.wait([&] { return page.state() == "ended"; }));
+  const std::size_t rows = record.rows("arm1");
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  page.read();
+  EXPECT_EQ(page.state(), "ended");
+  EXPECT_EQ(record.rows("arm1"), rows);
+  EXPECT_FALSE(source.following());
+  number = 0;
+  EXPECT_TRUE(page.wait(shown));
 }
 
 TEST(ViewSession, NamesTheCandidatesWhenSeveralRun) {

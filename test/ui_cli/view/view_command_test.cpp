@@ -6,6 +6,8 @@
 #include <csignal>
 #include <nlohmann/json.hpp>
 
+#include "test/docs/json_table.hpp"
+
 namespace mrroc::view {
 namespace {
 
@@ -27,7 +29,7 @@ TEST(ViewCommand, TellsTheAddressInWordsOrAsJson) {
   const std::string words = first_line({"--session", "nobody"});
   EXPECT_EQ(words.find("view: http://127.0.0.1:"), 0U) << words;
   const auto json = nlohmann::json::parse(first_line({"--session", "nobody", "--json"}));
-  EXPECT_EQ(json.size(), 1U);
+  EXPECT_TRUE(test::documented("view", json));
   EXPECT_EQ(json.at("url").get<std::string>().find("http://127.0.0.1:"), 0U) << json;
 }
 

@@ -10,6 +10,9 @@ import numpy as np
 
 from . import lcm_log, lcm_types
 
+# Each terminal numbers its own messages: numbers tell no order there (base/link/senders.hpp).
+_SEVERAL_SENDERS = ("operator", "manual.words")
+
 
 class Run:
     """One run folder. Files are read when they are asked for, and once."""
@@ -63,7 +66,7 @@ class Run:
 
     def messages(self, channel: str) -> dict[str, np.ndarray]:
         """All messages of a channel: an array per field, nested fields as `header.stamp`. The first index counts
-        messages. Raises KeyError for a channel that is not there, ValueError for messages of another version."""
+        messages, in the order in which they were sent, also those that came late. Raises KeyError for a channel that is not there, ValueError for messages of another version."""
         by_channel = self._by_channel()
         if channel not in by_channel:
             raise KeyError(f"no channel {channel}; there are {', '.join(sorted(by_channel))}")
@@ -84,7 +87,14 @@ class Run:
             self._events = {}
             for event in lcm_log.events(self.folder / "events.lcmlog"):
                 self._events.setdefault(_without_session(event.channel), []).append(event.data)
+            for channel, data in self._events.items():
+                if channel not in _SEVERAL_SENDERS:
+                    data.sort(key=_number)
         return self._events
+
+
+def _number(message: bytes) -> int:
+    return int.from_bytes(message[16:24], "big", signed=True)  # behind LCM's fingerprint and the session
 
 
 def _without_session(channel: str) -> str:

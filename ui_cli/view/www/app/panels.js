@@ -91,7 +91,8 @@ export class Messages {
     }
     [...this.place.children].forEach((item, k) => item.classList.toggle('later', k < history.lines.length && history.lines[k].t > t + 1e-3));
     const {count} = history.values;
-    by_id('count').textContent = count ? `${count.messages.toLocaleString('en')} heard${count.lost ? `, ${count.lost} lost` : ''}` : '';
+    const told = count ? [[count.messages, 'heard'], [count.lost, 'lost'], [count.refused, 'without room']] : [];
+    by_id('count').textContent = told.filter(([n], k) => n || !k).map(([n, what]) => `${n.toLocaleString('en')} ${what}`).join(', ');
   }
 }
 
