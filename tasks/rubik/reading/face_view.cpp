@@ -11,17 +11,16 @@ Matrix3 facelet_frame(Face face) {
   const Vector3 right = Vector3::UnitX();
   const Vector3 back = Vector3::UnitY();
   const Vector3 above = Vector3::UnitZ();
-  Vector3 x;
+  Vector3 x = right;
   Vector3 y = above;
   switch (face) {
     case Face::U:
-      x = right, y = back;
+      y = back;
       break;
     case Face::D:
-      x = right, y = -back;
+      y = -back;
       break;
     case Face::F:
-      x = right;
       break;
     case Face::B:
       x = -right;
