@@ -129,14 +129,14 @@ Outcome RubikRun::read_cube(X& x, Port& port, PlanStart& now, std::optional<Cube
 
 Outcome RubikRun::solve(X& x, Port& port, PlanStart& now, const Cube& cube) {
   struct Thought {
-    Moves solution;
+    Solution solution;
     Planned planned;
   };
   doing_ = "thinking of a solution";
   std::optional<Thought> thought;
   const auto find = [&] {
     Thought t{brain_.solve(cube), {}};
-    t.planned = brain_.plan(now, t.solution, jams_);
+    t.planned = brain_.plan(now, t.solution.moves, jams_);
     return t;
   };
   Outcome o = think<Thought>(x, port, find, thought);
@@ -147,6 +147,7 @@ Outcome RubikRun::solve(X& x, Port& port, PlanStart& now, const Cube& cube) {
   record_.planned_s = plan.seconds;
   say(fmt::format("solution: {} turns: {}; {} re-grasps, about {:.0f} s", plan.turns.size(),
                   to_string(plan.turns), plan.regrasps, plan.seconds));
+  say("found by " + describe(thought->solution));
   record_.solving = x.i;
   o = turn_all(plan, x, port, now);
   if (o == Outcome::terminated) record_.solved = x.i;
