@@ -221,9 +221,7 @@ Outcome RubikRun::judge(Outcome o, const Program<Port>& program) {
 }
 
 void RubikRun::note_view(const Step& step, const CubeFaceReading& reading) {
-  FaceView& view = views_[static_cast<std::size_t>(number(*step.shows))];
-  view.shown = shown_face(step.R_GC);
-  view.stickers = reading.stickers;
+  views_[static_cast<std::size_t>(number(*step.shows))] = view_of(step.R_GC, reading);
   if (!reading.valid) say(fmt::format("face {} is not seen well", letter(*step.shows)));
 }
 

@@ -67,4 +67,11 @@ int facelet(ShownFace shown, int sticker) {
   return kStickers * number(shown.face) + kEdge * row + column;
 }
 
+FaceView view_of(const Matrix3& R_GC, const CubeFaceReading& reading) {
+  FaceView view{shown_face(R_GC), reading.stickers};
+  if (!reading.seen)
+    for (StickerReading& s : view.stickers) s.flaw = StickerFlaw::hidden;
+  return view;
+}
+
 }  // namespace mrroc::rubik
