@@ -21,7 +21,11 @@ struct CubeFaceShape {
   double sticker{0.016};  ///< edge of a sticker [m], less than a third of the cube's
 
   /// @param k  0..8 @return the middle of sticker k in G [m]
-  [[nodiscard]] Vector3 middle(int k) const { return {(k % 3 - 1) * edge / 3, (1 - k / 3) * edge / 3, 0}; }
+  [[nodiscard]] Vector3 middle(int k) const {
+    const int row = k / 3;
+    const int column = k % 3;
+    return {(column - 1) * edge / 3, (1 - row) * edge / 3, 0};
+  }
 };
 
 /// The cube of the framework's tasks.

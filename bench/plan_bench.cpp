@@ -95,7 +95,7 @@ Figures run_plan_group() {
   for (int k = 0; k < kCubes; ++k) {
     std::mt19937_64 random(static_cast<std::uint64_t>(k + 1));
     const Cube cube = after({}, random_moves(kScramble, random));
-    const Moves moves = solver.solve(cube, {.nodes = kNodes}).moves;
+    const Moves moves = solver.solve_in_two_phases(cube, {.nodes = kNodes}).moves;
     const auto begin = steady_clock::now();
     const Planned planned = planner.make_plan(start, moves);
     wall.add(std::chrono::duration<double>(steady_clock::now() - begin).count());

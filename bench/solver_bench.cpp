@@ -41,7 +41,8 @@ const Moves& verified(const Cube& cube, const Solution& solution) {
 double mean_length(const CubeSolver& solver, const std::vector<Cube>& cubes,
                    std::chrono::milliseconds budget) {
   std::size_t turns = 0;
-  for (const Cube& cube : cubes) turns += verified(cube, solver.solve(cube, {.budget = budget})).size();
+  for (const Cube& cube : cubes)
+    turns += verified(cube, solver.solve_in_two_phases(cube, {.budget = budget})).size();
   return static_cast<double>(turns) / static_cast<double>(cubes.size());
 }
 

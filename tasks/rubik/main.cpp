@@ -11,6 +11,7 @@
 #include "mp/task_run.hpp"
 #include "sim/arm_task.hpp"
 #include "sim/camera/config.hpp"
+#include "sim/cube_camera.hpp"
 #include "sim/cube_cell.hpp"
 #include "sim/plan_cell.hpp"
 #include "tasks/rubik/config.hpp"
@@ -29,7 +30,7 @@ namespace fs = std::filesystem;
 
 const std::vector<sim::CellArm> kArms{{rubik::kArmKeys[0], "irb6_postument"},
                                       {rubik::kArmKeys[1], "irb6_track"}};
-const std::string kCamera = "cube";
+const std::string kCamera = sim::cube_camera().key;
 const std::vector<std::string> kKeys{rubik::kArmKeys[0], rubik::kArmKeys[1]};
 
 struct Options {
@@ -51,22 +52,22 @@ std::string setting(const std::string& arm, const char* key, const Numbers& numb
                      fmt::join(numbers.data(), numbers.data() + numbers.size(), ", "));
 }
 
-std::string pose_setting(const char* key, const Pose& T) {
+std::string pose_setting(const std::string& key, const Pose& T) {
   const AngleAxisPose r = angle_axis_from_pose(T);
   return fmt::format("{}=[{:.9f}]", key, fmt::join(r.data(), r.data() + r.size(), ", "));
 }
 
-/// The camera looks straight at the place where faces are shown.
+/// The camera and the place where faces are shown to it.
 std::vector<std::string> camera_settings() {
-  const rubik::Viewing viewing = sim::viewing_place();
-  const Pose T_GC{Eigen::DiagonalMatrix<double, 3>(1, -1, -1), {0, 0, viewing.distance}};
-  return {fmt::format("cameras.order=[\"{}\"]", kCamera),
-          "cameras.cube.mount=world",
-          "cameras.cube.period=100",
-          "cameras.cube.fx=1100",
-          "cameras.cube.fy=1100",
-          pose_setting("cameras.cube.pose", viewing.T_UG * T_GC),
-          pose_setting("cube_face.places.shown.pose", viewing.T_UG)};
+  const CameraSetup camera = sim::cube_camera();
+  const std::string prefix = fmt::format("cameras.{}.", camera.key);
+  return {fmt::format("cameras.order=[\"{}\"]", camera.key),
+          prefix + "mount=world",
+          fmt::format("{}period={}", prefix, camera.period),
+          fmt::format("{}fx={}", prefix, camera.model.fx),
+          fmt::format("{}fy={}", prefix, camera.model.fy),
+          pose_setting(prefix + "pose", camera.place),
+          pose_setting("cube_face.places.shown.pose", sim::viewing_place().T_UG)};
 }
 
 /// The grips of the cell begin with the cube in the hand whose fingers cover two layers.
@@ -140,13 +141,16 @@ struct Head {
                                 {"large", rubik::TableSet::large}}),
                rubik::table_folder(), kThreads, progress.watch()) {}
 
-  /// A short solution, the same in every run.
-  [[nodiscard]] rubik::Moves solve(const rubik::Cube& cube) const {
-    return solver.solve(cube, {.nodes = kNodes, .threads = 1}).moves;
+  /// A shortest solution of up to 14 turns, else a short one: the same in every run, so that nodes are counted, not time.
+  [[nodiscard]] rubik::Solution solve(const rubik::Cube& cube) const {
+    return solver.solve(cube,
+                        {.shortest = {.nodes = kShortestNodes}, .two_phase = {.nodes = kTwoPhaseNodes}});
   }
 
   static constexpr int kThreads = 2;
-  static constexpr std::uint64_t kNodes = 3'000'000;
+  static constexpr std::uint64_t kShortestNodes =
+      1'000'000;  // five times what 40 cubes of 14 turns needed at most
+  static constexpr std::uint64_t kTwoPhaseNodes = 3'000'000;
   rubik::TableProgress progress{stderr};
   sim::CubePlanCell cell;
   rubik::Planner planner;

@@ -131,14 +131,14 @@ Outcome RubikRun::read_cube(X& x, Port& port, PlanStart& now, std::optional<Cube
 
 Outcome RubikRun::solve(X& x, Port& port, PlanStart& now, const Cube& cube) {
   struct Thought {
-    Moves solution;
+    Solution solution;
     Planned planned;
   };
   doing_ = "thinking of a solution";
   std::optional<Thought> thought;
   const auto find = [&] {
     Thought t{brain_.solve(cube), {}};
-    t.planned = brain_.plan(now, t.solution, jams_);
+    t.planned = brain_.plan(now, t.solution.moves, jams_);
     return t;
   };
   Outcome o = think<Thought>(x, port, find, thought);
@@ -149,6 +149,7 @@ Outcome RubikRun::solve(X& x, Port& port, PlanStart& now, const Cube& cube) {
   record_.planned_s = plan.seconds;
   say(fmt::format("solution: {} turns: {}; {} re-grasps, about {:.0f} s", plan.turns.size(),
                   to_string(plan.turns), plan.regrasps, plan.seconds));
+  say("found by " + describe(thought->solution));
   record_.solving = x.i;
   o = turn_all(plan, x, port, now);
   if (o == Outcome::terminated) record_.solved = x.i;
@@ -229,7 +230,7 @@ void RubikRun::tell_turn(const CycleNote& note) {
 }
 
 void RubikRun::note_view(const Step& step, const CubeFaceReading& reading) {
-  views_.push_back({.shown = shown_face(step.R_GC), .stickers = reading.stickers});
+  views_.push_back(view_of(step.R_GC, reading));
   if (!reading.valid) say(fmt::format("face {} is not seen well", letter(*step.shows)));
 }
 

@@ -16,12 +16,13 @@
 #include "tasks/rubik/plan/planner.hpp"
 #include "tasks/rubik/program.hpp"
 #include "tasks/rubik/reading/state_reading.hpp"
+#include "tasks/rubik/solver/solver.hpp"
 
 namespace mrroc::rubik {
 
 /// What the coordinator asks when it thinks. Called in a thread of their own, one at a time.
 struct Brain {
-  std::function<Moves(const Cube&)> solve;
+  std::function<Solution(const Cube&)> solve;
   std::function<Planned(const PlanStart&, const Moves&, const Jams&)> plan;
   std::function<Planned(const PlanStart&)> plan_reading;  ///< shows all six faces
   PlanStart start;                    ///< how the cube is held at the beginning, and where the arms are

@@ -3,16 +3,20 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cstdio>
+#include <istream>
+#include <optional>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/fault.hpp"
 #include "base/text_file.hpp"
-#include "tasks/rubik/cube/facelets.hpp"
-#include "tasks/rubik/cube/move.hpp"
+#include "tasks/rubik/cube/character.hpp"
+#include "tasks/rubik/cube/cube_text.hpp"
 #include "tasks/rubik/solver/solver.hpp"
 #include "tasks/rubik/solver/table_progress.hpp"
 
@@ -21,19 +25,26 @@ namespace {
 
 constexpr const char* kAbout =
     "Solves Rubik's cubes. Each gives a line: the number of turns, then the turns.\n"
-    "A cube is given as 54 facelets in the order U R F D L B, or as the turns that scramble it.";
+    "A cube is given as 54 facelets in the order U R F D L B, or as the turns that scramble it.\n\n"
+    "Iterative-deepening A* looks for a solution of up to 14 turns first, which is proven to be a shortest "
+    "one; if\n"
+    "there is none, or time is up, the two-phase algorithm finds a short one and improves it until its time "
+    "is up.\n"
+    "Which of them it was, and whether the solution is proven to be shortest, is told on standard error.";
 
 constexpr const char* kFooter =
     "\nExamples:\n"
     "  cube_solve \"R U' F2\"\n"
     "  cube_solve --budget-ms 1000 DDFBUFULLBRRURRLDRBUUFFFFBBRDDRDLFRDLLRULLUUDUFFDBBBBL\n"
     "  cube_solve --optimal --tables large --file cubes.txt     a cube a line; # begins a remark\n"
+    "\nBlanks and ends of lines within facelets do not count.\n"
     "\nTables are made when they are first needed and kept in $XDG_CACHE_HOME/mrroc or ~/.cache/mrroc:\n"
     "  default  130 MB, seconds     large  3.2 GB, minutes\n"
     "\nExit status: 0 all solved, 2 bad usage or an impossible cube, 3 system error";
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 28;
-constexpr int kDefaultBudget = 100;  // [ms]
+constexpr std::chrono::milliseconds kShortestBudget{2000};
+constexpr std::chrono::milliseconds kTwoPhaseBudget{100};
 
 struct Options {
   std::vector<std::string> words;
@@ -45,92 +56,128 @@ struct Options {
   bool optimal{};
 };
 
-/// Something to solve, and where it was given.
-struct Item {
-  std::string text;
-  int line{};  ///< of the file; 0: the command line
+/// @return the limits of CubeSolver::solve()
+SolveLimits solve_limits(const Options& options) {
+  SolveLimits limits;
+  limits.shortest = {.budget = kShortestBudget, .threads = options.threads};
+  limits.two_phase = {.budget = kTwoPhaseBudget, .threads = options.threads};
+  if (options.budget > 0) {
+    limits.both = limits.two_phase.budget = std::chrono::milliseconds(options.budget);
+    limits.shortest.budget = limits.both / 2;
+  }
+  return limits;
+}
+
+SearchLimits optimal_limits(const Options& options) {
+  SearchLimits limits{.threads = options.threads};
+  if (options.budget > 0) limits.budget = std::chrono::milliseconds(options.budget);
+  return limits;
+}
+
+/// Solves one cube after the other; the tables are opened for the first one that is possible.
+class Solving {
+ public:
+  Solving(const Options& options, TableSet standard, std::ostream& out, std::ostream& err)
+      : options_(options), standard_(standard), out_(out), err_(err) {}
+
+  /// @throws FaultError bad_usage, bad_cube
+  void solve_words() {
+    std::string text;
+    for (const std::string& word : options_.words) text += (text.empty() ? "" : " ") + word;
+    if (is_blank(text)) throw FaultError(FaultCode::bad_usage, "no cube was given", kHowToGive);
+    solve(read_cube(text), "");
+  }
+
+  /// @param name  for people @throws FaultError bad_usage: there is no cube in it
+  void solve_lines(std::istream& in, const std::string& name) {
+    int number = 0, cubes = 0;
+    for (std::string line; std::getline(in, line);) {
+      ++number;
+      line.resize(std::min(line.find('#'), line.size()));
+      if (is_blank(line)) continue;
+      ++cubes;
+      const std::string place = fmt::format("line {}: ", number);
+      try {
+        solve(read_cube_line(line), place);
+      } catch (const FaultError& e) {
+        const FaultError placed(e.fault().code, place + e.what(), std::string(e.remedy()));
+        err_ << placed.error_line() << '\n';
+        status_ = exit_status(e.fault().code);
+      }
+    }
+    if (cubes == 0)
+      throw FaultError(FaultCode::bad_usage, fmt::format("there is no cube in {}", name), kHowToGive);
+  }
+
+  [[nodiscard]] int status() const { return status_; }
+
+ private:
+  static constexpr const char* kHowToGive = "give facelets or turns, in a file a cube a line";
+
+  static bool is_blank(std::string_view text) { return text.find_first_not_of(kBlanks) == text.npos; }
+
+  /// @param place  where the cube was given, for people
+  void solve(const Cube& cube, const std::string& place) {
+    const CubeSolver& with = solver();
+    const Solution s = options_.optimal ? with.solve_optimally(cube, optimal_limits(options_))
+                                        : with.solve(cube, solve_limits(options_));
+    out_ << fmt::format("{}{}{}\n", s.moves.size(), s.moves.empty() ? "" : " ", to_string(s.moves))
+         << std::flush;
+    err_ << place << describe(s) << '\n';
+  }
+
+  const CubeSolver& solver() {
+    if (!solver_)
+      solver_.emplace(options_.tables == "large" ? TableSet::large : standard_,
+                      options_.folder.empty() ? table_folder() : std::filesystem::path(options_.folder),
+                      options_.threads, progress_.watch());
+    return *solver_;
+  }
+
+  const Options& options_;
+  const TableSet standard_;
+  std::ostream& out_;
+  std::ostream& err_;
+  TableProgress progress_{stderr};
+  std::optional<CubeSolver> solver_;
+  int status_{};
 };
 
-/// @return whether the word is meant as facelets: turns in one word without a space are shorter
-bool looks_like_facelets(std::string_view word) {
-  constexpr std::size_t kShortest = 40;
-  return word.size() >= kShortest && word.find_first_of("'23,") == std::string_view::npos;
-}
-
-/// @throws FaultError bad_cube
-Cube read_cube(const std::string& text) {
-  const std::string word = text.substr(0, text.find_first_of(" \t\r"));
-  return looks_like_facelets(word) ? cube_from_facelets(word) : after({}, parse_moves(text));
-}
-
-std::vector<Item> read_items(const Options& options) {
-  if (options.file.empty()) {
-    std::string text;
-    for (const std::string& word : options.words) text += (text.empty() ? "" : " ") + word;
-    return {{text, 0}};
+int solve_all(const Options& options, TableSet standard, const SolveStreams& streams) {
+  Solving solving(options, standard, streams.out, streams.err);
+  if (options.file == "-") {
+    solving.solve_lines(streams.in, "the standard input");
+  } else if (!options.file.empty()) {
+    std::istringstream content(read_text_file(options.file, kLargestFile));
+    solving.solve_lines(content, options.file);
+  } else {
+    solving.solve_words();
   }
-  std::vector<Item> items;
-  const std::string content = read_text_file(options.file, kLargestFile);
-  int line = 0;
-  for (std::size_t begin = 0; begin < content.size();) {
-    const std::size_t end = std::min(content.find('\n', begin), content.size());
-    std::string text = content.substr(begin, end - begin);
-    begin = end + 1;
-    ++line;
-    text.resize(std::min(text.find('#'), text.size()));
-    const std::size_t first = text.find_first_not_of(" \t\r");
-    if (first != std::string::npos) items.push_back({text.substr(first), line});
-  }
-  return items;
-}
-
-std::string place_of(const Item& item) { return item.line > 0 ? fmt::format("line {}: ", item.line) : ""; }
-
-int solve_all(const Options& options, TableSet standard, std::ostream& out, std::ostream& err) {
-  const std::vector<Item> items = read_items(options);
-  TableProgress progress(stderr);
-  const CubeSolver solver(options.tables == "large" ? TableSet::large : standard,
-                          options.folder.empty() ? table_folder() : std::filesystem::path(options.folder),
-                          options.threads, progress.watch());
-  SearchLimits limits{.threads = options.threads};
-  if (options.budget > 0 || !options.optimal)
-    limits.budget = std::chrono::milliseconds(options.budget > 0 ? options.budget : kDefaultBudget);
-  int status = 0;
-  for (const Item& item : items) {
-    try {
-      const Cube cube = read_cube(item.text);
-      const Solution s = options.optimal ? solver.solve_optimally(cube, limits) : solver.solve(cube, limits);
-      out << fmt::format("{}{}{}\n", s.moves.size(), s.moves.empty() ? "" : " ", to_string(s.moves))
-          << std::flush;
-      if (options.optimal && !s.optimal())
-        err << fmt::format("{}not proven to be a shortest solution: at least {} turns are needed\n",
-                           place_of(item), s.lower_bound);
-    } catch (const FaultError& e) {
-      const FaultError placed(e.fault().code, place_of(item) + e.what(), std::string(e.remedy()));
-      err << placed.error_line() << '\n';
-      status = exit_status(e.fault().code);
-    }
-  }
-  return status;
+  return solving.status();
 }
 
 }  // namespace
 
-int run_cube_solve(int argc, const char* const* argv, std::ostream& out, std::ostream& err,
-                   TableSet standard) {
+int run_cube_solve(int argc, const char* const* argv, const SolveStreams& streams, TableSet standard) {
+  std::ostream& err = streams.err;
   CLI::App app{kAbout};
   app.name("cube_solve");
   app.footer(kFooter);
   Options options;
   auto* cube = app.add_option("cube", options.words, "facelets or turns")->type_name("FACELETS|TURNS");
-  app.add_option("--file", options.file, "cubes, one a line; what follows facelets is not read")
+  app.add_option("--file", options.file,
+                 "cubes, one a line, - for the standard input; what follows facelets is not read")
       ->type_name("FILE")
       ->excludes(cube);
-  app.add_option("--budget-ms", options.budget, "time for each cube (default 100; with --optimal: none)")
+  app.add_option(
+         "--budget-ms", options.budget,
+         "time for each cube, at most half of it for IDA* (default: 2000 for IDA*, then 100 for two-phase; "
+         "with --optimal: none)")
       ->check(CLI::Range(1, 86'400'000))
       ->type_name("N");
-  app.add_flag("--optimal", options.optimal,
-               "a shortest solution, proven; with a budget only up to 14 turns for certain");
+  app.add_flag(
+      "--optimal", options.optimal,
+      "IDA* until a solution is proven to be shortest; with a budget only up to 14 turns for certain");
   app.add_option("--threads", options.threads, "for searching and for making tables (default 1)")
       ->check(CLI::Range(1, 256))
       ->type_name("N");
@@ -140,11 +187,9 @@ int run_cube_solve(int argc, const char* const* argv, std::ostream& out, std::os
   app.add_option("--tables-dir", options.folder, "where tables are kept")->type_name("DIR");
   try {
     app.parse(argc, argv);
-    if (options.file.empty() && options.words.empty())
-      throw FaultError(FaultCode::bad_usage, "no cube was given");
-    return solve_all(options, standard, out, err);
+    return solve_all(options, standard, streams);
   } catch (const CLI::CallForHelp& e) {
-    return app.exit(e, out, err);
+    return app.exit(e, streams.out, err);
   } catch (const CLI::ParseError& e) {
     err << FaultError(FaultCode::bad_usage, e.what()).error_line() << '\n';
     return 2;

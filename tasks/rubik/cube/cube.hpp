@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <string_view>
 
 namespace mrroc::rubik {
 
@@ -14,8 +15,10 @@ inline constexpr int kFaces = 6;
 [[nodiscard]] constexpr int number(Face f) { return static_cast<int>(f); }
 /// @return the face opposite to f
 [[nodiscard]] constexpr Face opposite(Face f) { return static_cast<Face>((number(f) + 3) % 6); }
+/// Letters of the faces in their order.
+inline constexpr std::string_view kFaceLetters = "URFDLB";
 /// @return the letter of the face
-[[nodiscard]] constexpr char letter(Face f) { return "URFDLB"[number(f)]; }
+[[nodiscard]] constexpr char letter(Face f) { return kFaceLetters[static_cast<std::size_t>(number(f))]; }
 
 inline constexpr int kCorners = 8;
 inline constexpr int kEdges = 12;

@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/fault.hpp"
+#include "tasks/rubik/cube/character.hpp"
 
 namespace mrroc::rubik {
 namespace {
 
-constexpr std::string_view kLetters = "URFDLB";
 constexpr int kPerFace = 9;
 constexpr int kCentre = 4;
 
@@ -22,24 +23,35 @@ std::string name_of(const std::array<Face, M>& faces) {
 
 /// @return "U3" for facelet 2
 std::string facelet_name(int facelet) {
-  return fmt::format("{}{}", kLetters[facelet / kPerFace], facelet % kPerFace + 1);
+  return fmt::format("{}{}", kFaceLetters[facelet / kPerFace], facelet % kPerFace + 1);
 }
 
 FaceletReading broken(CubeRule rule, std::string text) { return {std::nullopt, rule, std::move(text)}; }
 
+/// @return "'X', no letter of URFDLB", of the character at a byte
+std::string no_letter(std::string_view facelets, std::size_t k) {
+  return fmt::format("'{}', no letter of {}", character_at(facelets, k), kFaceLetters);
+}
+
 /// Rules that the letters alone can break.
 FaceletReading check_letters(std::string_view facelets) {
-  if (facelets.size() != kFacelets)
-    return broken(CubeRule::length, fmt::format("{} facelets instead of {}", facelets.size(), kFacelets));
-  const std::size_t wrong = facelets.find_first_not_of(kLetters);
+  const std::size_t wrong = facelets.find_first_not_of(kFaceLetters);
+  const std::size_t before = characters(facelets.substr(0, wrong));
+  if (const std::size_t count = characters(facelets); count != kFacelets) {
+    std::string text = fmt::format("{} facelets instead of {}", count, kFacelets);
+    if (wrong != std::string_view::npos)
+      text += fmt::format("; number {} is {}", before + 1, no_letter(facelets, wrong));
+    return broken(CubeRule::length, text);
+  }
   if (wrong != std::string_view::npos)
-    return broken(CubeRule::letter, fmt::format("facelet {} is no letter of {}",
-                                                facelet_name(static_cast<int>(wrong)), kLetters));
+    return broken(CubeRule::letter,
+                  fmt::format("facelet {}, number {}, is {}", facelet_name(static_cast<int>(before)),
+                              before + 1, no_letter(facelets, wrong)));
   for (int f = 0; f < kFaces; ++f)
-    if (facelets[kPerFace * f + kCentre] != kLetters[f])
-      return broken(CubeRule::centre, fmt::format("the centre of face {} is {}", kLetters[f],
+    if (facelets[kPerFace * f + kCentre] != kFaceLetters[f])
+      return broken(CubeRule::centre, fmt::format("the centre of face {} is {}", kFaceLetters[f],
                                                   facelets[kPerFace * f + kCentre]));
-  for (const char c : kLetters)
+  for (const char c : kFaceLetters)
     if (const auto n = std::ranges::count(facelets, c); n != kPerFace)
       return broken(CubeRule::count,
                     fmt::format("colour {} is there {} times instead of {}", c, n, kPerFace));
@@ -88,7 +100,10 @@ std::string_view to_string(CubeRule rule) {
   return kNames[static_cast<std::size_t>(rule)];
 }
 
-FaceletReading read_facelets(std::string_view facelets) {
+FaceletReading read_facelets(std::string_view text) {
+  std::string facelets;
+  std::ranges::copy_if(text, std::back_inserter(facelets),
+                       [](char c) { return kBlanks.find(c) == std::string_view::npos; });
   Cube cube;
   FaceletReading reading = check_letters(facelets);
   if (reading.broken == CubeRule::none)
@@ -118,7 +133,7 @@ Cube cube_from_facelets(std::string_view facelets) {
 
 std::string to_facelets(const Cube& cube) {
   std::string facelets(kFacelets, ' ');
-  for (int f = 0; f < kFaces; ++f) facelets[kPerFace * f + kCentre] = kLetters[f];
+  for (int f = 0; f < kFaces; ++f) facelets[kPerFace * f + kCentre] = kFaceLetters[f];
   for (int k = 0; k < kCorners; ++k)
     for (int j = 0; j < 3; ++j)
       facelets[kCornerFacelets[k][(j + cube.corners[k] % 3) % 3]] =

@@ -61,8 +61,8 @@ struct FaceletReading {
 
 /// Reads facelets in the order U R F D L B, each face row by row as seen from outside: U with B above, D with F
 /// above, the others with U above.
-/// @param facelets  54 letters of URFDLB
-[[nodiscard]] FaceletReading read_facelets(std::string_view facelets);
+/// @param text  54 letters of URFDLB; blanks and ends of lines between them do not count
+[[nodiscard]] FaceletReading read_facelets(std::string_view text);
 /// @return the cube of valid facelets @throws FaultError bad_cube, with the text of the reading
 [[nodiscard]] Cube cube_from_facelets(std::string_view facelets);
 /// @return the 54 facelets in the same order

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/fault.hpp"
+#include "tasks/rubik/cube/character.hpp"
 
 namespace mrroc::rubik {
 namespace {
@@ -82,27 +83,28 @@ std::string to_string(const Moves& moves) {
 }
 
 Moves parse_moves(std::string_view text) {
-  static constexpr std::string_view kLetters = "URFDLB";
-  static constexpr std::string_view kBetween = " ,\t\r\n";
   Moves moves;
   std::size_t k = 0;
-  const auto take = [&](char c) { return k < text.size() && text[k] == c ? ++k : 0; };
+  const auto here = [&] { return k < text.size() ? character_at(text, k) : std::string_view(); };
+  const auto take = [&](bool wanted) {
+    if (wanted) k += here().size();
+    return wanted;
+  };
   while (k < text.size()) {
-    if (kBetween.find(text[k]) != std::string_view::npos) {
-      ++k;
-      continue;
-    }
-    const std::size_t face = kLetters.find(text[k]);
+    if (take(here() == "," || kBlanks.find(text[k]) != std::string_view::npos)) continue;
+    const std::size_t face = kFaceLetters.find(text[k]);
     if (face == std::string_view::npos)
-      throw FaultError(FaultCode::bad_cube, fmt::format("'{}' at character {} is no turn", text[k], k + 1),
-                       "write turns as U, R, F, D, L or B, with 2 or ' behind it where needed");
+      throw FaultError(
+          FaultCode::bad_cube,
+          fmt::format("'{}' at character {} is no turn", here(), characters(text.substr(0, k)) + 1),
+          "write turns as U, R, F, D, L or B, with 2 or ' behind it where needed");
     ++k;
     int quarters = 1;
-    if (take('2'))
+    if (take(here() == "2"))
       quarters = 2;
-    else if (take('3'))
+    else if (take(here() == "3"))
       quarters = 3;
-    if (take('\'')) quarters = 4 - quarters;
+    if (take(is_apostrophe(here()))) quarters = 4 - quarters;
     moves.emplace_back(static_cast<Face>(face), quarters);
   }
   return moves;

@@ -54,6 +54,7 @@ using Moves = std::vector<Move>;
 [[nodiscard]] std::string to_string(Move m);
 [[nodiscard]] std::string to_string(const Moves& moves);
 /// Reads turns separated by spaces or commas, or by nothing: a letter of URFDLB, then 2, ' or 3 (as '), 2'.
+/// An apostrophe may be typeset, or a prime.
 /// @throws FaultError bad_cube, naming what is no turn
 [[nodiscard]] Moves parse_moves(std::string_view text);
 

@@ -11,17 +11,16 @@ Matrix3 facelet_frame(Face face) {
   const Vector3 right = Vector3::UnitX();
   const Vector3 back = Vector3::UnitY();
   const Vector3 above = Vector3::UnitZ();
-  Vector3 x;
+  Vector3 x = right;
   Vector3 y = above;
   switch (face) {
     case Face::U:
-      x = right, y = back;
+      y = back;
       break;
     case Face::D:
-      x = right, y = -back;
+      y = -back;
       break;
     case Face::F:
-      x = right;
       break;
     case Face::B:
       x = -right;
@@ -66,6 +65,13 @@ int facelet(ShownFace shown, int sticker) {
     row = turned;
   }
   return kStickers * number(shown.face) + kEdge * row + column;
+}
+
+FaceView view_of(const Matrix3& R_GC, const CubeFaceReading& reading) {
+  FaceView view{shown_face(R_GC), reading.stickers};
+  if (!reading.seen)
+    for (StickerReading& s : view.stickers) s.flaw = StickerFlaw::hidden;
+  return view;
 }
 
 }  // namespace mrroc::rubik

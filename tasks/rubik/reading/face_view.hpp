@@ -35,4 +35,8 @@ struct FaceView {
   std::array<StickerReading, kStickers> stickers{};
 };
 
+/// @param R_GC  as for shown_face()
+/// @return the face as the receptor has read it; of a face that was not seen every sticker is hidden
+[[nodiscard]] FaceView view_of(const Matrix3& R_GC, const CubeFaceReading& reading);
+
 }  // namespace mrroc::rubik

@@ -2,11 +2,13 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <array>
 #include <bit>
 #include <cerrno>
+#include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <system_error>
@@ -26,6 +28,7 @@ struct Header {
   std::array<char, 32> name{};
 };
 constexpr std::size_t kDataOffset = 4096;
+constexpr std::string_view kExtension = ".table";
 static_assert(sizeof(Header) == 64);
 
 Header header_of(const TableKind& kind) {
@@ -61,18 +64,41 @@ bool write_all(int fd, std::span<const std::uint8_t> bytes) {
   return true;
 }
 
+/// @return where this process writes a file before it has its name
+fs::path draft_of(const fs::path& file) { return fmt::format("{}.{}", file.string(), ::getpid()); }
+
+/// @return whether the file is the draft of a process that is there no more
+bool is_abandoned(const fs::path& file) {
+  if (file.stem().extension() != kExtension) return false;
+  const std::string number = file.extension().string();
+  pid_t writer = 0;
+  const auto [end, error] = std::from_chars(number.data() + 1, number.data() + number.size(), writer);
+  if (error != std::errc{} || end != number.data() + number.size() || writer <= 0) return false;
+  return ::kill(writer, 0) != 0 && errno == ESRCH;
+}
+
+/// Removes what processes that were ended while they wrote have left: it may be gigabytes.
+void remove_abandoned_drafts(const fs::path& folder) {
+  std::error_code error;
+  for (fs::directory_iterator k(folder, error), end; !error && k != end; k.increment(error)) {
+    std::error_code ignored;
+    if (is_abandoned(k->path())) fs::remove(k->path(), ignored);
+  }
+}
+
 /// Writes the table beside its place and moves it there.
 /// @return what went wrong; empty: nothing
 std::string write_table(const fs::path& file, const TableKind& kind, std::span<const std::uint8_t> bytes) {
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   if (error) return fmt::format("{}: {}", file.parent_path().string(), error.message());
+  remove_abandoned_drafts(file.parent_path());
   std::array<std::uint8_t, kDataOffset> first{};
   Header header = header_of(kind);
   header.checksum = checksum(bytes);
   std::memcpy(first.data(), &header, sizeof header);
 
-  const fs::path draft = fmt::format("{}.{}", file.string(), ::getpid());
+  const fs::path draft = draft_of(file);
   const int fd = ::open(draft.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (fd < 0) return fmt::format("{}: {}", draft.string(), std::strerror(errno));
   bool whole = write_all(fd, first) && write_all(fd, bytes);
@@ -109,7 +135,7 @@ std::uint64_t checksum(std::span<const std::uint8_t> bytes) {
 
 OpenTable open_table(const fs::path& folder, const TableKind& kind,
                      const std::function<void(std::span<std::uint8_t>)>& fill) {
-  const fs::path file = folder / (kind.name + ".table");
+  const fs::path file = folder / fmt::format("{}{}", kind.name, kExtension);
   OpenTable table;
   std::error_code error;
   if (fs::exists(file, error)) {

@@ -57,7 +57,7 @@ struct OpenTable {
 };
 
 /// Opens a table in the folder; fills and writes it when it is missing or damaged. It appears under its name only
-/// when it is complete.
+/// when it is complete. What processes that were ended while they wrote have left is removed when one is written.
 /// @param fill  fills the bytes, which are zero
 [[nodiscard]] OpenTable open_table(const std::filesystem::path& folder, const TableKind& kind,
                                    const std::function<void(std::span<std::uint8_t>)>& fill);

@@ -78,6 +78,22 @@ TEST(Facelets, AreRefusedWithTheRuleInTheText) {
   }
 }
 
+TEST(Facelets, MayHaveBlanksAndEndsOfLinesBetweenThem) {
+  EXPECT_EQ(cube_from_facelets("UUUUUUUUU\nRRRRRRRRR\r\nFFF FFF FFF\tDDDDDDDDD LLLLLLLLL BBBBBBBBB\n"),
+            Cube{});
+}
+
+TEST(Facelets, AreRefusedWithTheirNumberAndTheLetterThatIsWrong) {
+  EXPECT_EQ(read_facelets(kSolved.substr(1)).text, "53 facelets instead of 54");
+  EXPECT_EQ(read_facelets(kSolved + "x").text,
+            "55 facelets instead of 54; number 55 is 'x', no letter of URFDLB");
+  std::string facelets = kSolved;
+  facelets[11] = 'W';
+  EXPECT_EQ(read_facelets(facelets).text, "facelet R3, number 12, is 'W', no letter of URFDLB");
+  facelets.replace(11, 1, "\u00d6");
+  EXPECT_EQ(read_facelets(facelets).text, "facelet R3, number 12, is '\u00d6', no letter of URFDLB");
+}
+
 TEST(Facelets, OfAnyKindGiveACubeOrARule) {
   std::mt19937_64 random(4);
   int valid = 0;

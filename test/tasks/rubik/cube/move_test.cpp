@@ -41,6 +41,11 @@ TEST(Move, IsUndoneByItsInverse) {
   }
 }
 
+TEST(Move, TakesApostrophesAsPeopleTypeAndTypesetThem) {
+  for (const char* text : {"R' U2' F", "R\u2019 U2\u2019 F", "R\u2032U2\u2032F"})
+    EXPECT_EQ(parse_moves(text), parse_moves("R3 U2 F")) << text;
+}
+
 TEST(Move, SequencesReachTheKnownNumbersOfCubes) {
   // 18, 243, 3240 cubes are 1, 2, 3 turns from solved; the rules of succession leave one sequence for each.
   std::set<std::string> seen{""};

@@ -63,5 +63,17 @@ TEST(FaceView, WithOneQuarterTheUpperRowIsSeenAtTheRight) {
   EXPECT_EQ(facelet({Face::F, 1}, 8), 20);
 }
 
+TEST(FaceView, OfAFaceThatWasNotSeenHasNoStickerToRelyOn) {
+  CubeFaceReading reading;
+  const FaceView unseen = view_of(Matrix3::Identity(), reading);
+  for (const StickerReading& s : unseen.stickers) EXPECT_EQ(s.flaw, StickerFlaw::hidden);
+  reading.seen = true;
+  reading.stickers[3].flaw = StickerFlaw::glaring;
+  const FaceView seen = view_of(Matrix3::Identity(), reading);
+  EXPECT_EQ(seen.shown, shown_face(Matrix3::Identity()));
+  EXPECT_EQ(seen.stickers[0].flaw, StickerFlaw::none);
+  EXPECT_EQ(seen.stickers[3].flaw, StickerFlaw::glaring);
+}
+
 }  // namespace
 }  // namespace mrroc::rubik

@@ -1,6 +1,7 @@
 #include "tasks/rubik/solver/table_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -84,6 +85,24 @@ TEST_F(TableFile, OfAnotherVersionOrKindIsMadeAgain) {
   EXPECT_EQ(open({"some", 4, 5001}).source, TableSource::made);
   fs::rename(folder_ / "some.table", folder_ / "other.table");
   EXPECT_EQ(open({"other", 4, 5001}).source, TableSource::made);
+}
+
+TEST_F(TableFile, RemovesTheDraftsOfProcessesThatHaveEnded) {
+  const pid_t ended = ::fork();
+  if (ended == 0) ::_exit(0);
+  ::waitpid(ended, nullptr, 0);
+  fs::create_directories(folder_);
+  const auto name = [](const std::string& beginning, pid_t pid) {
+    return beginning + "." + std::to_string(pid);
+  };
+  const std::vector<std::string> left{name("some.table", ended), name("large.table", ended)};
+  const std::vector<std::string> kept{name("other.table", ::getppid()), name("notes.txt", ended),
+                                      "some.table.old", "some.table.0"};
+  for (const auto* const names : {&left, &kept})
+    for (const std::string& file : *names) std::ofstream(folder_ / file) << "half a table";
+  open(kKind);
+  for (const std::string& file : left) EXPECT_FALSE(fs::exists(folder_ / file)) << file;
+  for (const std::string& file : kept) EXPECT_TRUE(fs::exists(folder_ / file)) << file;
 }
 
 TEST_F(TableFile, ThatCannotBeWrittenIsUsedAllTheSame) {
