@@ -32,9 +32,9 @@ class FaceBench {
     const std::string facelets = rubik::to_facelets(cube);
     const CubeLight light = shown_.draw_light(lighting);
     rubik::StateReading state;
+    std::vector<FaceView> views;
     for (int reading = 0; reading < ShownCube::kReadings && !state.cube; ++reading) {
       if (reading > 0) tally.flagged += rubik::kFaces;
-      std::vector<FaceView> views;
       for (const Look& look : shown_.looks(reading))
         views.push_back(look_at_face(look, cube, light, facelets, tally));
       state = rubik::read_state(views);
@@ -108,8 +108,7 @@ Figures run_cube_face_figures() {
       {"cube_flagged_coloured", flagged(Lighting::coloured), "", "of them in coloured light"},
       {"cube_flagged_dim", flagged(Lighting::dim), "", "of them with 20 to 40 % of the light"},
       {"cube_flagged_glaring", flagged(Lighting::glaring), "", "of them with the lamp's image on the face"},
-      {"cube_unread", sum(&Tally::unread), "",
-       "cubes without a state after 12 faces had been looked at again"},
+      {"cube_unread", sum(&Tally::unread), "", "cubes without a state after all faces had been shown twice"},
       {"cube_completed", sum(&Tally::completed), "", "stickers that the rules of the cube decided"},
       {"cube_face_pictures", sum(&Tally::faces), "", "pictures of faces, those looked at again included"},
       {"cube_face_misnamed", sum(&Tally::named_wrong), "",
