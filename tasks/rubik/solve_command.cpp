@@ -114,7 +114,9 @@ class Solving {
  private:
   static constexpr const char* kHowToGive = "give facelets or turns, in a file a cube a line";
 
-  static bool is_blank(std::string_view text) { return text.find_first_not_of(kBlanks) == text.npos; }
+  static bool is_blank(std::string_view text) {
+    return text.find_first_not_of(kBlanks) == std::string_view::npos;
+  }
 
   /// @param place  where the cube was given, for people
   void solve(const Cube& cube, const std::string& place) {

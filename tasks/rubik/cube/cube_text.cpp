@@ -46,7 +46,8 @@ bool one_by_one(const std::vector<std::string_view>& words) {
 
 /// @return whether a word goes on with facelets, and is not a remark behind them
 bool is_group(std::string_view word) {
-  return word.size() >= kShortestGroup && signs_in(word) == 0 && kFaceLetters.find(word[0]) != word.npos;
+  return word.size() >= kShortestGroup && signs_in(word) == 0 &&
+         kFaceLetters.find(word[0]) != std::string_view::npos;
 }
 
 /// @return the part of a line that is the facelets, if it is such a line
