@@ -179,6 +179,7 @@ std::vector<CompletedCommand> completed(const CLI::App& app, const Surroundings&
           for (const std::string& name : o->get_lnames())
             if (std::ranges::find(c.words, "--" + name) == c.words.end()) c.words.push_back("--" + name);
     }
+    if (std::ranges::find(c.words, "--help") == c.words.end()) c.words.emplace_back("--help");
     all.push_back(std::move(c));
   }
   return all;
