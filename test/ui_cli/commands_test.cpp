@@ -60,22 +60,24 @@ class Commands : public ::testing::Test {
     arguments.insert(arguments.begin(), "ui_cli");
     out_.str("");
     err_.str("");
-    return ui::run(
-        static_cast<int>(arguments.size()), arguments.data(),
-        {out_,
-         err_,
-         home_ / "mrroc",
-         [this](const link::LcmAddress& address) {
-           if (!multicast_) throw link::NoMulticast("no multicast route for " + address.url());
-           opened_ = address.port;
-           return hub_.open();
-         },
-         {.repeat = 5ms, .give_up = patience_},
-         {{"weigh", "Weigh something", [this](const auto& given, std::ostream& out, std::ostream&) {
-             weighed_ = given;
-             out << "3 kg\n";
-             return 1;
-           }, {"--session"}}}});
+    return ui::run(static_cast<int>(arguments.size()), arguments.data(),
+                   {out_,
+                    err_,
+                    home_ / "mrroc",
+                    [this](const link::LcmAddress& address) {
+                      if (!multicast_) throw link::NoMulticast("no multicast route for " + address.url());
+                      opened_ = address.port;
+                      return hub_.open();
+                    },
+                    {.repeat = 5ms, .give_up = patience_},
+                    {{"weigh",
+                      "Weigh something",
+                      [this](const auto& given, std::ostream& out, std::ostream&) {
+                        weighed_ = given;
+                        out << "3 kg\n";
+                        return 1;
+                      },
+                      {"--session"}}}});
   }
   /// @return the last line on standard error
   std::string error() {
