@@ -40,7 +40,8 @@ class Completion : public ::testing::Test {
                            "set -- $(complete -p \"$name\")\n"  // complete -o .. -o .. -F FUNCTION NAME
                            "shift 6\n\"$1\"\necho \"${COMPREPLY[@]-}\"\n";
     std::string result;
-    FILE* const pipe = ::popen(("cd '" + folder_.string() + "' && bash " + file.string() + " 2>&1").c_str(), "r");
+    FILE* const pipe =
+        ::popen(("cd '" + folder_.string() + "' && bash " + file.string() + " 2>&1").c_str(), "r");
     for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) result += static_cast<char>(c);
     ::pclose(pipe);
     if (!result.empty() && result.back() == '\n') result.pop_back();
@@ -66,7 +67,9 @@ TEST_F(Completion, CompletesACommandBehindOptions) {
 }
 
 TEST_F(Completion, AsksTheProgramThatWasTypedForItsSessions) {
-  program("bin/ui_cli", R"([{"session": "red"},)" "\n" R"({"session": "blue"}])");
+  program("bin/ui_cli", R"([{"session": "red"},)"
+                        "\n"
+                        R"({"session": "blue"}])");
   EXPECT_EQ(complete("bin/ui_cli view --session ''"), "red blue");
   EXPECT_EQ(complete(folder_.string() + "/bin/ui_cli --session = b"), "blue");
   EXPECT_EQ(complete("nowhere/ui_cli --session ''"), "");
