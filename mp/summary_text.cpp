@@ -11,8 +11,8 @@ void print_summary(const Summary& s, const std::string& figures) {
                        : "done",
              s.sim_s, s.wall_s, s.wall_s > 0 ? s.sim_s / s.wall_s : 0, figures);
   for (const SurvivedFault& survived : s.survived)
-    fmt::print("fault at {:.2f} s, after which the task went on: {}: {}\n", survived.sim_s,
-               survived.fault.process.view(), describe(survived.fault));
+    fmt::print("fault at {:.2f} s, after which the task went on: {}\n", survived.sim_s,
+               describe(survived.fault));
   if (!s.black_box.empty())
     fmt::print("black box, the last 5 s of every process: {} files in the run folder, such as {}\n",
                s.black_box.size(), s.black_box.front());

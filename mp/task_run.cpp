@@ -268,7 +268,7 @@ Fault TaskRun::stop_reason() const {
 
 void TaskRun::survive(const Fault& fault, const std::string& advice) {
   const std::string process(fault.process.view());
-  process_->say(fmt::format("{}: {}; {}", process, what_happened(fault), advice), fault.code);
+  process_->say(fmt::format("{}; {}", what_happened(fault), advice), fault.code);
   survived_.push_back({fault, sim_s_});
   if (!log_ || survived_.size() > kMostBoxes) return;
   log_->flush();

@@ -147,9 +147,9 @@ void ManualRun::show(const X& x) {
 void ManualRun::tell_trips(const X& x) {
   for (std::size_t arm = 0; arm < tripped_.size(); ++arm) {
     const Report& r = x.T.agent[arm];
-    const bool tripped =
-        r.driver_state == DriverState::faulted && r.fault;  // which fault it is may come later
-    if (tripped && !tripped_[arm] && r.fault.code != FaultCode::emergency_stop) {
+    const bool tripped = r.driver_state == DriverState::faulted;
+    // Which fault it is comes later, or is not told again, where a command on its way was refused.
+    if (tripped && r.fault && !tripped_[arm] && r.fault.code != FaultCode::emergency_stop) {
       const std::string& key = k_.arms[arm].key;
       announce_(fmt::format("{:8.2f} s  {}  fault: {}", static_cast<double>(x.i) * k_.macrostep_s, key,
                             describe(r.fault)));
@@ -157,7 +157,7 @@ void ManualRun::tell_trips(const X& x) {
       fault.process = "edp-" + key;
       run_.survive(fault, fmt::format("remove the cause, then `ui_cli manual reset {}`", key));
     }
-    tripped_[arm] = tripped;
+    tripped_[arm] = tripped && (tripped_[arm] || r.fault);
   }
 }
 

@@ -124,7 +124,8 @@ TEST_F(RunFolder, SummaryIsValidWhateverBytesAFaultHolds) {
 }
 
 TEST_F(RunFolder, TheSummaryTellsFaultsAfterWhichTheTaskWentOn) {
-  Summary s{.task = "manual"};
+  Summary s;
+  s.task = "manual";
   EXPECT_FALSE(summary(s).contains("survived"));
   s.survived.push_back({{.code = FaultCode::over_current, .process = "edp-arm1"}, 12.5});
   const auto json = summary(s);
