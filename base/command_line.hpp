@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -40,16 +41,46 @@ inline void refuse_unknown_options(const CLI::App& app, int argc, const char* co
   }
 }
 
+/// @return whether -h or --help is among the words before "--"
+inline bool asks_for_help(const std::vector<std::string>& words) {
+  const auto end = std::ranges::find(words, "--");
+  return std::find_if(words.begin(), end, [](const auto& w) { return w == "-h" || w == "--help"; }) != end;
+}
+
+/// Help does not wait for the rest of the line to be right.
+/// @return the help of the command that the words name, or of the whole line; nothing when they do not ask for it
+inline std::optional<std::string> help_asked(const CLI::App& app, const std::vector<std::string>& words) {
+  if (!asks_for_help(words)) return std::nullopt;
+  const CLI::App* command = &app;
+  std::string before;
+  for (const std::string& word : words)
+    for (const CLI::App* inner : command->get_subcommands(nullptr))
+      if (inner->get_name() == word) {
+        before += (before.empty() ? "" : " ") + command->get_name();
+        command = inner;
+        break;
+      }
+  return command->help(before);
+}
+
+/// The same for the command line of a program, which gives the app its name if it has none.
+inline std::optional<std::string> help_asked(CLI::App& app, int argc, const char* const* argv) {
+  if (app.get_name().empty() && argc > 0) app.name(argv[0]);
+  return help_asked(app, std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
+}
+
 /// Takes apart the words behind the name of a command.
 /// @param out  gets the help that was asked for @param err  is told what is wrong
 /// @return exit status when there is nothing more to do
 inline std::optional<int> parse_words(CLI::App& app, const std::vector<std::string>& words, std::ostream& out,
                                       std::ostream& err) {
+  if (const auto help = help_asked(app, words)) {
+    out << *help;
+    return 0;
+  }
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
     return std::nullopt;
-  } catch (const CLI::Success& e) {
-    return app.exit(e, out, err);
   } catch (const CLI::Error& e) {
     err << FaultError(FaultCode::bad_usage, e.what(), fmt::format("look at `{} --help`", app.get_name()))
                .error_line()

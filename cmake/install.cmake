@@ -25,7 +25,20 @@ install(DIRECTORY tasks ui_cli DESTINATION share/doc/mrroc FILES_MATCHING PATTER
 set(MRROC_READER lib/python3/dist-packages/mrroc_runs)
 install(DIRECTORY ui_cli/python/mrroc_runs/ DESTINATION ${MRROC_READER} FILES_MATCHING PATTERN "*.py"
         PATTERN "__pycache__" EXCLUDE PATTERN "msg" EXCLUDE)
+install(PROGRAMS ui_cli/python/example.py DESTINATION share/doc/mrroc/ui_cli/python)
 install(DIRECTORY base/msg/ DESTINATION ${MRROC_READER}/msg FILES_MATCHING PATTERN "*.lcm")
+# The words of ui_cli for shells, where bash-completion and zsh look for them by the name of the command.
+set(MRROC_COMPLETION ${CMAKE_BINARY_DIR}/completion)
+install(CODE "
+  file(MAKE_DIRECTORY \"${MRROC_COMPLETION}\")
+  foreach(shell bash zsh)
+    execute_process(COMMAND \"$<TARGET_FILE:ui_cli>\" completion \${shell} OUTPUT_FILE \"${MRROC_COMPLETION}/\${shell}\"
+                    COMMAND_ERROR_IS_FATAL ANY)
+  endforeach()")
+foreach(command ui_cli mrroc)
+  install(FILES ${MRROC_COMPLETION}/bash DESTINATION share/bash-completion/completions RENAME ${command})
+endforeach()
+install(FILES ${MRROC_COMPLETION}/zsh DESTINATION share/zsh/vendor-completions RENAME _ui_cli)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME mrroc)

@@ -88,7 +88,7 @@ class Driver {
   /// @return whether motor positions are known
   [[nodiscard]] bool synchronised() const noexcept { return position_known_; }
   /// @return the last reply. Its number is 0 and its verdict none when there was no command; measured pose,
-  ///         force and state are always there, and the fault that stands, if any. To a repeated command and
+  ///         force, state and the robot model are always there, and the fault that stands, if any. To a repeated command and
   ///         to QUERY it is the reply stored then. Its macrostep is 0: the shell stamps it.
   [[nodiscard]] const EffectorReply& reply() const noexcept { return reply_; }
   /// @return readings of all steps since the reply before, the last one at the end; valid until the next step

@@ -46,7 +46,7 @@ void Driver::answer(const HardwareReading& reading) noexcept {
     reply_.gripper = gripper_->distance();
     reply_.blocked = gripper_->blocked();
   }
-  if (has(answer_.parts, Part::robot_model)) report_model(reply_);
+  report_model(reply_);
   if (has(answer_.parts, Part::io)) {
     reply_.inputs = reading.inputs;
     reply_.analog = reading.analog;

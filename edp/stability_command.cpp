@@ -9,6 +9,7 @@
 #include <numbers>
 #include <ostream>
 
+#include "base/command_line.hpp"
 #include "base/fault.hpp"
 
 namespace mrroc::edp {
@@ -186,6 +187,10 @@ int run_stability(const std::vector<std::string>& arguments, std::ostream& out, 
   CLI::App app("Which contact is stable under the force law (28), and what to change when it is not",
                "ui_cli stability");
   add_options(app, a);
+  if (const auto help = help_asked(app, arguments)) {
+    out << *help;
+    return 0;
+  }
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     a.loop.servo = servo_of(a);
@@ -194,8 +199,6 @@ int run_stability(const std::vector<std::string>& arguments, std::ostream& out, 
             : a.json ? stability_json(a.loop, a.stiffness)
                      : stability_report(a.loop, a.stiffness));
     return 0;
-  } catch (const CLI::Success& e) {
-    return app.exit(e, out, err);
   } catch (const CLI::Error& e) {
     err << FaultError(FaultCode::bad_usage, e.what()).error_line() << std::endl;
   } catch (const FaultError& e) {

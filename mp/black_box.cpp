@@ -45,18 +45,6 @@ std::string line_of(const link::LoggedMessage& m, double t) {
   return line + "\n";
 }
 
-std::vector<std::string> files_of(const fs::path& folder) {
-  std::vector<std::string> files;
-  std::error_code none;
-  for (const auto& entry : fs::directory_iterator(folder, none))
-    if (entry.path().filename().string().find("-fault-") != std::string::npos)
-      files.push_back(entry.path().filename().string());
-  for (const auto& entry : fs::directory_iterator(folder / kFolder, none))
-    files.push_back(fmt::format("{}/{}", kFolder, entry.path().filename().string()));
-  std::ranges::sort(files);
-  return files;
-}
-
 }  // namespace
 
 std::string sender_of(const std::string& channel) {
@@ -73,7 +61,20 @@ std::string sender_of(const std::string& channel) {
   return channel == "manual.words" ? "" : "vsp-" + name;
 }
 
-std::vector<std::string> write_black_box(const fs::path& folder, const std::vector<std::string>& roster) {
+std::vector<std::string> black_box_files(const fs::path& folder) {
+  std::vector<std::string> files;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none))
+    if (entry.path().filename().string().find("-fault-") != std::string::npos)
+      files.push_back(entry.path().filename().string());
+  for (const auto& entry : fs::recursive_directory_iterator(folder / kFolder, none))
+    if (entry.is_regular_file(none)) files.push_back(entry.path().lexically_relative(folder).string());
+  std::ranges::sort(files);
+  return files;
+}
+
+std::vector<std::string> write_black_box(const fs::path& folder, const std::vector<std::string>& roster,
+                                         const std::string& within) {
   try {
     const link::LogReader log(folder / link::kEventLog);
     const std::vector<double> times = times_of(log.messages());
@@ -85,14 +86,15 @@ std::vector<std::string> write_black_box(const fs::path& folder, const std::vect
       if (times[k] >= from && process != texts.end()) process->second += line_of(log.messages()[k], times[k]);
     }
     std::error_code none;
-    fs::create_directory(folder / kFolder, none);
+    const fs::path place = within.empty() ? folder / kFolder : folder / kFolder / within;
+    fs::create_directories(place, none);
     for (const auto& [process, text] : texts)
-      std::ofstream(folder / kFolder / (process + ".txt"))
+      std::ofstream(place / (process + ".txt"))
           << "# simulated time [s], channel, macrostep, fields that are not 0\n"
           << text;
   } catch (const FaultError&) {  // no log: the steps of the drivers are what there is
   }
-  return files_of(folder);
+  return black_box_files(folder);
 }
 
 }  // namespace mrroc::mp

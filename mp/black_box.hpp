@@ -17,9 +17,14 @@ inline constexpr double kBlackBox = 5;
 /// message with simulated time, channel, stamp and every field that is not zero. Steps of drivers are in files of
 /// their own, see edp::RecordFiles.
 /// @param folder  of the run, with its log closed or flushed  @param roster  all processes
+/// @param within  folder below black_box/ for these files; empty: that one itself. For faults after which a task goes on
 /// @return every file of the folder that belongs to the black box, sorted, relative to it; a log that cannot be read
 ///         leaves out what it would tell
 std::vector<std::string> write_black_box(const std::filesystem::path& folder,
-                                         const std::vector<std::string>& roster);
+                                         const std::vector<std::string>& roster,
+                                         const std::string& within = "");
+
+/// @return every file of a run folder that belongs to its black boxes, sorted, relative to it
+[[nodiscard]] std::vector<std::string> black_box_files(const std::filesystem::path& folder);
 
 }  // namespace mrroc::mp

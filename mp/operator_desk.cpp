@@ -91,6 +91,7 @@ std::optional<std::string> OperatorDesk::objection(OperatorOrder order) const {
     case OperatorOrder::trigger:
       if (!is(TaskState::running))
         return fmt::format("the task is {}, a trigger needs a running one", to_string(state_));
+      if (!waits_for_trigger_ && m_ == 0) return "the task does not wait for a trigger";
       if (!waits_for_trigger_) return fmt::format("behaviour {} does not wait for a trigger", m_);
       return std::nullopt;
     case OperatorOrder::stop:

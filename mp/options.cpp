@@ -98,12 +98,14 @@ int run_command_line(CLI::App& app, int argc, char** argv, const std::function<i
   };
   app.footer(
       "Exit status: 0 done; 1 fault or stopped; 2 bad usage or input, nothing was started; 3 system error.");
+  if (const auto help = help_asked(app, argc, argv)) {
+    fmt::print("{}", *help);
+    return 0;
+  }
   try {
     refuse_unknown_options(app, argc, argv);
     app.parse(argc, argv);
     return run();
-  } catch (const CLI::CallForHelp& e) {
-    return app.exit(e);
   } catch (const CLI::ParseError& e) {
     return complain(FaultError(FaultCode::bad_usage, e.what()));
   } catch (const FaultError& e) {

@@ -31,6 +31,13 @@ nlohmann::ordered_json to_json(const Figure& figure) {
   return list;
 }
 
+nlohmann::ordered_json to_json(const Fault& fault) {
+  return {{"class", to_string(class_of(fault.code))},
+          {"code", to_string(fault.code)},
+          {"process", fault.process.view()},
+          {"text", what_happened(fault)}};
+}
+
 }  // namespace
 
 fs::path name_run_folder(const fs::path& wanted, const std::string& task) {
@@ -54,11 +61,10 @@ void write_summary(const fs::path& folder, const Summary& s) {
   json["task"] = s.task;
   json["outcome"] = s.stopped ? "stopped" : s.fault ? "fault" : "done";
   json["fault"] = nullptr;
-  if (s.fault) {
-    json["fault"] = {{"class", to_string(class_of(s.fault->code))},
-                     {"code", to_string(s.fault->code)},
-                     {"process", s.fault->process.view()},
-                     {"text", what_happened(*s.fault)}};
+  if (s.fault) json["fault"] = to_json(*s.fault);
+  for (const SurvivedFault& survived : s.survived) {
+    json["survived"].push_back(to_json(survived.fault));
+    json["survived"].back()["sim_s"] = survived.sim_s;
   }
   if (!s.black_box.empty()) json["black_box"] = s.black_box;
   json["sim_s"] = s.sim_s;

@@ -18,6 +18,12 @@ using Figure = std::variant<double, std::vector<double>>;
 /// By their keys in summary.json.
 using Figures = std::map<std::string, Figure>;
 
+/// A fault after which the task went on.
+struct SurvivedFault {
+  Fault fault;
+  double sim_s{};  ///< simulated time at which it was told [s]
+};
+
 /// What summary.json says.
 struct Summary {
   std::string task;
@@ -27,7 +33,8 @@ struct Summary {
   double wall_s{};             ///< wall time of the same [s]
   std::uint64_t log_hash{};    ///< 0: unknown
   Figures figures;
-  std::vector<std::string> black_box{};  ///< files of the folder that tell of the seconds before the fault
+  std::vector<SurvivedFault> survived{};  ///< in the order in which they came
+  std::vector<std::string> black_box{};   ///< files of the folder that tell of the seconds before the faults
 };
 
 /// Names the folder of a run; makes nothing.

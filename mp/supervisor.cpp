@@ -82,7 +82,9 @@ void Supervisor::start_processes(const std::vector<std::string>& common) {
     if (w->part.program.empty()) continue;
     std::vector<std::string> arguments = common;
     arguments.insert(arguments.end(), w->part.arguments.begin(), w->part.arguments.end());
-    w->child.emplace(program_folder() / w->part.program, arguments, w->part.start);
+    const bool here = w->part.start.empty();
+    w->child.emplace(here ? program_beside(w->part.program) : program_folder() / w->part.program, arguments,
+                     w->part.start);
     w->heard = Clock::now();
   }
 }

@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <future>
 #include <nlohmann/json.hpp>
 
 #include "base/link/log_reader.hpp"
@@ -265,6 +264,19 @@ Fault TaskRun::stop_reason() const {
   return {.code = FaultCode::interrupted, .text = signal_ == SIGINT ? "SIGINT" : "SIGTERM"};
 }
 
+void TaskRun::survive(const Fault& fault, const std::string& advice) {
+  const std::string process(fault.process.view());
+  process_->say(fmt::format("{}; {}", what_happened(fault), advice), fault.code);
+  survived_.push_back({fault, sim_s_});
+  if (!log_ || survived_.size() > kMostBoxes) return;
+  log_->flush();
+  if (box_.valid()) box_.get();
+  box_ = std::async(std::launch::async, [folder = folder_, roster = process_->membership().roster,
+                                         within = fmt::format("{}-{}", process, i_)] {
+    write_black_box(folder, roster, within);
+  });
+}
+
 void TaskRun::finish(const std::function<void()>& work) {
   auto done = std::async(std::launch::async, work);
   process_->await([&] { return done.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
@@ -289,6 +301,8 @@ Summary TaskRun::end(const std::optional<Fault>& fault) {
 
   Summary summary;
   summary.task = task_;
+  summary.survived = survived_;
+  if (box_.valid()) box_.get();
   summary.fault = supervisor_->fault();
   if (!log_->flush() && !summary.fault)
     summary.fault = Fault{.code = FaultCode::cannot_write, .text = "events.lcmlog in the run folder"};
@@ -302,6 +316,8 @@ Summary TaskRun::end(const std::optional<Fault>& fault) {
     summary.figures["stop_steps_max"] = static_cast<double>(*std::ranges::max_element(steps));
   if (summary.fault && (!summary.stopped || summary.fault->code == FaultCode::emergency_stop))
     summary.black_box = write_black_box(folder_, process_->membership().roster);
+  else if (!survived_.empty())
+    summary.black_box = black_box_files(folder_);
   if (clock_ == "wall") summary.figures["late_periods"] = static_cast<double>(late);
   if (log_->gaps() > 0) summary.figures["log_gaps"] = static_cast<double>(log_->gaps());
   return summary;

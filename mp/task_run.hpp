@@ -3,6 +3,7 @@
 #include <csignal>
 #include <filesystem>
 #include <functional>
+#include <future>
 #include <memory>
 #include <string>
 #include <vector>
@@ -55,6 +56,13 @@ class TaskRun {
   /// Tells operator and desk what the task does.
   void set_state(TaskState state, bool waits_for_trigger);
 
+  /// Tells of a fault after which the task goes on: to the messages, the summary and a black box of its own,
+  /// black_box/PROCESS-MACROSTEP, which is written meanwhile; kMostBoxes of a run.
+  /// @param fault   names its process
+  /// @param advice  what the operator can do
+  void survive(const Fault& fault, const std::string& advice);
+  static constexpr std::size_t kMostBoxes = 5;
+
   /// Does the last work, such as tables and pictures, while terminals are still told that the task is ending.
   /// @param work  runs in a thread of its own, after end(); what it throws is thrown here
   void finish(const std::function<void()>& work);
@@ -93,6 +101,8 @@ class TaskRun {
   std::unique_ptr<Supervisor> supervisor_;
   std::unique_ptr<OperatorDesk> desk_;
   std::unique_ptr<StatusBoard> board_;
+  std::vector<SurvivedFault> survived_;
+  std::future<void> box_;  // is being written
   double sim_s_{};
   link::Process::Clock::time_point begun_{};
   link::Process::Clock::time_point last_macrostep_{};

@@ -68,6 +68,9 @@ Config load_task_config(const mp::TaskOptions& options, std::string_view built_i
 
 void check_task_options(const mp::TaskOptions& o) {
   if (!o.session.empty()) link::check_session_name(o.session);
+  if (o.clock == ClockKind::wall && o.speed_asked && o.speed != 1)
+    throw FaultError(FaultCode::bad_usage, "--speed is for lock-step: with --clock wall a second is a second",
+                     "leave out --speed, or --clock wall");
   if (!o.script.empty()) mp::load_script(o.script);
   if (o.url.empty()) return;
   try {

@@ -88,6 +88,24 @@ void refuse_early(Client& client, const CommandLine& line, const Surroundings& a
                    "wait until that is done, or give `ui_cli trigger --yes`");
 }
 
+/// @return the options that were given before the tool's name, as words behind it
+/// @throws FaultError bad_usage: the tool has no such option
+std::vector<std::string> given_before(const CommandLine& line, const Tool& tool,
+                                      const std::vector<std::string>& behind) {
+  std::vector<std::string> words;
+  const auto hand_on = [&](const std::string& option, const std::string& value) {
+    if (value.empty()) return;
+    if (std::ranges::find(tool.words, option) == tool.words.end())
+      throw FaultError(FaultCode::bad_usage, fmt::format("{} takes no {}", tool.name, option));
+    const auto again = [&](const std::string& w) { return w == option || w.starts_with(option + "="); };
+    if (std::ranges::none_of(behind, again)) words.insert(words.end(), {option, value});
+  };
+  hand_on("--session", line.wish.session);
+  hand_on("--url", line.wish.url);
+  if (line.json) words.emplace_back("--json");
+  return words;
+}
+
 void add_tools(CLI::App& app, CommandLine& line, const Surroundings& around) {
   for (const Tool& tool : around.tools) {
     CLI::App* command = app.add_subcommand(tool.name, tool.about);
@@ -95,7 +113,8 @@ void add_tools(CLI::App& app, CommandLine& line, const Surroundings& around) {
     command->fallthrough(false);
     command->callback([&line, &around, &tool, command] {
       line.command = [&, arguments = command->remaining()]() mutable {
-        if (line.json) arguments.emplace_back("--json");  // given before the tool's name
+        const auto before = given_before(line, tool, arguments);
+        arguments.insert(arguments.end(), before.begin(), before.end());
         line.status = tool.run(arguments, around.out, around.err);
       };
     });
@@ -160,6 +179,7 @@ std::vector<CompletedCommand> completed(const CLI::App& app, const Surroundings&
           for (const std::string& name : o->get_lnames())
             if (std::ranges::find(c.words, "--" + name) == c.words.end()) c.words.push_back("--" + name);
     }
+    if (std::ranges::find(c.words, "--help") == c.words.end()) c.words.emplace_back("--help");
     all.push_back(std::move(c));
   }
   return all;
@@ -183,7 +203,7 @@ void add_manual(CLI::App& app, CommandLine& line, const Surroundings& around) {
   command->fallthrough(false);
   command->callback([&line, &around, command] {
     line.command = [&line, &around, arguments = command->remaining()] {
-      if (arguments.empty() || arguments[0] == "--help" || arguments[0] == "-h") {
+      if (arguments.empty()) {
         around.out << "Usage: ui_cli manual INSTRUCTION\n" << kManualHelp;
         return;
       }
@@ -196,6 +216,25 @@ void add_manual(CLI::App& app, CommandLine& line, const Surroundings& around) {
       execute_manual(*c.bus, c.client.session(), wish, around.patience, around.out);
     };
   });
+}
+
+/// @return the exit status when the words ask for help, in whatever place: then it has been printed
+std::optional<int> help(const CLI::App& app, const Surroundings& around,
+                        const std::vector<std::string>& words) {
+  const auto asked = help_asked(app, words);
+  if (!asked) return std::nullopt;
+  const auto commands = app.get_subcommands(nullptr);
+  const auto command = std::ranges::find_if(words, [&](const std::string& word) {
+    return std::ranges::any_of(commands, [&](const CLI::App* c) { return c->get_name() == word; });
+  });
+  const std::string name = command == words.end() ? "" : *command;
+  if (const auto tool = std::ranges::find(around.tools, name, &Tool::name); tool != around.tools.end()) {
+    std::vector<std::string> behind(std::next(command), words.end());
+    if (!asks_for_help(behind)) behind.emplace_back("--help");
+    return tool->run(behind, around.out, around.err);
+  }
+  around.out << (name == "manual" ? std::string("Usage: ui_cli manual INSTRUCTION\n") + kManualHelp : *asked);
+  return 0;
 }
 
 int fail(const Surroundings& around, FaultCode code, const std::string& error_line) {
@@ -226,10 +265,9 @@ int run(int argc, const char* const* argv, const Surroundings& around) {
   add_manual(app, line, around);
   add_completion(app, line, around);
   app.footer(kFooter);
+  if (const auto status = help(app, around, {argv + 1, argv + argc})) return *status;
   try {
     app.parse(argc, argv);
-  } catch (const CLI::Success& e) {
-    return app.exit(e, around.out, around.err);
   } catch (const CLI::ExtrasError& e) {
     return fail(around, FaultCode::bad_usage, unknown_word(app, e).error_line());
   } catch (const CLI::Error& e) {

@@ -6,8 +6,8 @@
 namespace mrroc::ui {
 namespace {
 
-constexpr const char* kSessions =
-    "$(ui_cli list --json 2>/dev/null | sed -n 's/.*\\\"session\\\": \\\"\\([^\\\"]*\\)\\\".*/\\1/p')";
+/// Names of the sessions in what `ui_cli list --json` prints.
+constexpr const char* kNames = "sed -n 's/.*\"session\": \"\\([^\"]*\\)\".*/\\1/p'";
 
 /// A text within single quotation marks of a shell.
 std::string quoted(const std::string& text) {
@@ -27,20 +27,70 @@ std::string quoted(const std::string& text) {
 std::string bash_completion(std::span<const CompletedCommand> commands) {
   std::string names, cases;
   for (const CompletedCommand& c : commands) {
-    names += (names.empty() ? "" : " ") + c.name;
+    names += c.name + " ";
     cases += fmt::format("    {}) words={} ;;\n", c.name, quoted(fmt::format("{}", fmt::join(c.words, " "))));
   }
   return fmt::format(
-      "# Completion of ui_cli for bash:  source <(ui_cli completion bash)\n"
-      "_ui_cli() {{\n"
-      "  local current=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} words={0}\n"
-      "  if [[ $before == --session ]]; then\n"
-      "    COMPREPLY=($(compgen -W \"{2}\" -- \"$current\"))\n    return\n  fi\n"
-      "  if ((COMP_CWORD > 1)); then\n    case ${{COMP_WORDS[1]}} in\n{1}    esac\n  fi\n"
-      "  COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n"
-      "}}\n"
-      "complete -o bashdefault -o default -F _ui_cli ui_cli\n",
-      quoted(names), cases, kSessions);
+      R"x(# Completion of ui_cli for bash, also behind `mrroc` and `./run`:  source <(ui_cli completion bash)
+
+# _ui_cli_at K PROGRAM...: the words of ui_cli begin at K; PROGRAM... starts it
+_ui_cli_at() {{
+  local k=$1 command='' words={0} current=${{COMP_WORDS[COMP_CWORD]}} option
+  shift
+  option=${{COMP_WORDS[COMP_CWORD-1]}}
+  [[ $option != = ]] || option=${{COMP_WORDS[COMP_CWORD-2]}}
+  if [[ $option == --session ]]; then
+    COMPREPLY=($(compgen -W "$("$@" list --json 2>/dev/null | {2})" -- "$current"))
+    return
+  fi
+  for (( ; k < COMP_CWORD; ++k)); do
+    case ${{COMP_WORDS[k]}} in
+      --session | --url) # and their value, which bash takes apart at = and :
+        ((++k))
+        [[ ${{COMP_WORDS[k]}} != = ]] || ((++k))
+        while [[ ${{COMP_WORDS[k+1]:-}} == : ]]; do ((k += 2)); done
+        ;;
+      -*) ;;
+      *)
+        command=${{COMP_WORDS[k]}}
+        break
+        ;;
+    esac
+  done
+  case $command in
+{1}  esac
+  COMPREPLY=($(compgen -W "$words" -- "$current"))
+}}
+
+_ui_cli() {{ _ui_cli_at 1 "${{COMP_WORDS[0]/#\~/$HOME}}"; }}
+
+_ui_cli_mrroc() {{
+  local program=${{COMP_WORDS[0]/#\~/$HOME}}
+  if ((COMP_CWORD == 1)); then
+    COMPREPLY=($(compgen -W "$("$program" --help 2>/dev/null | sed -n 's/^  //p')" -- "${{COMP_WORDS[1]}}"))
+  elif [[ ${{COMP_WORDS[1]}} == ui_cli ]]; then
+    _ui_cli_at 2 "$program" ui_cli
+  fi
+}}
+
+# Only the `run` of a clone.
+_ui_cli_run() {{
+  local program=${{COMP_WORDS[0]/#\~/$HOME}} clone task words='ui_cli build test bench package clean'
+  clone=$(dirname -- "$program")
+  [[ -d $clone/ui_cli && -d $clone/tasks ]] || return 0
+  if ((COMP_CWORD == 1)); then
+    for task in "$clone"/tasks/*/main.cpp; do words+=" $(basename "$(dirname "$task")")"; done
+    COMPREPLY=($(compgen -W "$words" -- "${{COMP_WORDS[1]}}"))
+  elif [[ ${{COMP_WORDS[1]}} == ui_cli ]]; then
+    _ui_cli_at 2 "$clone/build/release/bin/ui_cli"
+  fi
+}}
+
+complete -o bashdefault -o default -F _ui_cli ui_cli
+complete -o bashdefault -o default -F _ui_cli_mrroc mrroc
+complete -o bashdefault -o default -F _ui_cli_run run
+)x",
+      quoted(names + "--session --url --json --help"), cases, kNames);
 }
 
 std::string zsh_completion(std::span<const CompletedCommand> commands) {
@@ -55,16 +105,38 @@ std::string zsh_completion(std::span<const CompletedCommand> commands) {
     cases += fmt::format("    {}) compadd --{}; _files ;;\n", c.name, words);
   }
   return fmt::format(
-      "#compdef ui_cli\n"
-      "# Completion of ui_cli for zsh:  source <(ui_cli completion zsh)\n"
-      "_ui_cli() {{\n"
-      "  local -a commands\n  commands=(\n{0}  )\n"
-      "  if [[ $words[CURRENT-1] == --session ]]; then compadd -- {2}; return; fi\n"
-      "  if ((CURRENT == 2)); then _describe command commands; return; fi\n"
-      "  case $words[2] in\n{1}  esac\n"
-      "}}\n"
-      "compdef _ui_cli ui_cli\n",
-      names, cases, kSessions);
+      R"x(#compdef ui_cli mrroc
+# Completion of ui_cli for zsh, also behind `mrroc`:  source <(ui_cli completion zsh)
+_ui_cli() {{
+  local -a commands program
+  local k=2 command=''
+  commands=(
+{0}  )
+  program=(${{words[1]/#\~/$HOME}})
+  if [[ ${{words[1]:t}} == mrroc ]]; then
+    if ((CURRENT == 2)); then compadd -- $($program --help 2>/dev/null | sed -n 's/^  //p'); return; fi
+    if [[ $words[2] != ui_cli ]]; then _files; return; fi
+    program+=(ui_cli)
+    k=3
+  fi
+  if [[ $words[CURRENT-1] == --session ]]; then
+    compadd -- $($program list --json 2>/dev/null | {2})
+    return
+  fi
+  for (( ; k < CURRENT; ++k)); do
+    case $words[k] in
+      --session | --url) ((++k)) ;;
+      -*) ;;
+      *) command=$words[k]; break ;;
+    esac
+  done
+  if [[ -z $command ]]; then _describe command commands; return; fi
+  case $command in
+{1}  esac
+}}
+if [[ $funcstack[1] == _ui_cli ]]; then _ui_cli "$@"; else compdef _ui_cli ui_cli mrroc; fi
+)x",
+      names, cases, kNames);
 }
 
 }  // namespace mrroc::ui

@@ -1,7 +1,9 @@
 #include "ui_cli/explain.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -9,6 +11,8 @@
 
 #include "base/fault_table.hpp"
 #include "base/nearest.hpp"
+#include "base/operator.hpp"
+#include "ui_cli/states.hpp"
 #include "ui_cli/wrap.hpp"
 
 namespace mrroc::ui {
@@ -16,9 +20,8 @@ namespace {
 
 constexpr const char* kHelp =
     "Usage: ui_cli explain [CODE] [--json]\n\n"
-    "Says what an error means, what it mostly comes from and what to do. CODE: its name or number; without "
-    "it, a\n"
-    "list of all.\n";
+    "Says what an error means, what it mostly comes from and what to do. CODE: its name or number,\n"
+    "or a state as it is shown, such as `holding` or `waiting for start`; without it, a list of all.\n";
 
 std::string_view meaning(FaultClass c) {
   switch (c) {
@@ -36,7 +39,29 @@ std::optional<FaultCode> code_of(const std::string& word) {
   std::int64_t number{};
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   if (error == std::errc() && end == word.data() + word.size()) return fault_code(number);
+  if (word == to_string(OperatorOrder::emergency_stop)) return FaultCode::emergency_stop;
   return fault_code(std::string_view(word));
+}
+
+/// @return the words as one state is written: what is between them does not matter
+std::string as_state(const std::vector<std::string>& words) {
+  std::string name = fmt::format("{}", fmt::join(words, " "));
+  std::ranges::replace(name, '_', ' ');
+  std::ranges::replace(name, '-', ' ');
+  return name;
+}
+
+/// @return all states with that name
+std::vector<StateEntry> states_of(const std::vector<std::string>& words) {
+  const std::string name = as_state(words);
+  std::vector<StateEntry> found;
+  for (const StateEntry& s : kStates)
+    if (as_state({std::string(s.name)}) == name) found.push_back(s);
+  return found;
+}
+
+nlohmann::ordered_json json_of(const StateEntry& s) {
+  return {{"state", s.name}, {"of", s.of}, {"what", s.text}, {"remedy", s.next}};
 }
 
 nlohmann::ordered_json json_of(const FaultEntry& e) {
@@ -52,9 +77,10 @@ nlohmann::ordered_json json_of(const FaultEntry& e) {
 FaultError unknown(const std::string& word) {
   WordSet names;
   for (const FaultEntry& e : kFaultTable) names.emplace(e.name);
+  for (const StateEntry& s : kStates) names.emplace(s.name);
   const std::string near = nearest(word, names);
   return {FaultCode::bad_usage,
-          fmt::format("there is no error '{}'{}", word,
+          fmt::format("there is no error and no state '{}'{}", word,
                       near.empty() ? "" : fmt::format("; did you mean '{}'?", near)),
           "`ui_cli explain` lists all"};
 }
@@ -68,7 +94,42 @@ void list(std::ostream& out, bool json) {
     else
       out << fmt::format("{:<26} {}\n", e.name, e.text);
   }
-  if (json) out << all.dump(2) << "\n";
+  if (json) {
+    out << all.dump(2) << "\n";
+    return;
+  }
+  out << "\n";
+  for (const StateEntry& s : kStates) out << fmt::format("{:<26} of {}: {}\n", s.name, s.of, s.text);
+}
+
+/// Adds a paragraph with a heading before it.
+void add(std::string& text, std::string_view head, std::string_view words) {
+  constexpr int kWidth = 80, kHead = 17;
+  for (const std::string& line : wrap(words, kWidth - kHead))
+    text += fmt::format("{:<{}}{}\n", std::exchange(head, ""), kHead, line);
+}
+
+std::string explanation(const StateEntry& s) {
+  std::string text = fmt::format("{} (of {}): {}\n", s.name, s.of, s.text);
+  add(text, "  what to do:", s.next);
+  return text;
+}
+
+/// What one word, or all of them as one state, stands for. @return whether it is known
+bool explain(const std::vector<std::string>& words, bool json, nlohmann::ordered_json& all,
+             std::ostream& out) {
+  const auto code = words.size() == 1 ? code_of(words.front()) : std::nullopt;
+  if (code && json) all.push_back(json_of(fault_entry(*code)));
+  if (code && !json) out << ui::explanation(*code);
+  if (code) return true;
+  const auto states = states_of(words);
+  for (const StateEntry& s : states) {
+    if (json)
+      all.push_back(json_of(s));
+    else
+      out << explanation(s);
+  }
+  return !states.empty();
 }
 
 }  // namespace
@@ -77,25 +138,23 @@ std::string explanation(FaultCode code) {
   const FaultEntry& e = fault_entry(code);
   std::string text = fmt::format("{} ({}, number {}): {}\n", e.name, to_string(e.fault_class),
                                  static_cast<int>(code), e.text);
-  const auto add = [&text](std::string_view head, std::string_view words) {
-    constexpr int kWidth = 80, kHead = 17;
-    for (const std::string& line : wrap(words, kWidth - kHead))
-      text += fmt::format("{:<{}}{}\n", std::exchange(head, ""), kHead, line);
-  };
-  add("  what follows:", fmt::format("{}; exit status {}", meaning(e.fault_class), exit_status(code)));
+  add(text, "  what follows:", fmt::format("{}; exit status {}", meaning(e.fault_class), exit_status(code)));
   std::string_view rest = e.causes;
   for (std::string_view head = "  likely causes:"; !rest.empty(); head = "") {
     const std::size_t end = std::min(rest.find(';'), rest.size());
-    add(head, rest.substr(0, end));
+    add(text, head, rest.substr(0, end));
     rest.remove_prefix(std::min(end + 2, rest.size()));
   }
-  add("  what to do:", e.remedy);
+  add(text, "  what to do:", e.remedy);
   return text;
 }
 
 std::vector<std::string> explain_words() {
   std::vector<std::string> words{"--json"};
   for (const FaultEntry& e : kFaultTable) words.emplace_back(e.name);
+  for (const StateEntry& s : kStates)
+    if (s.name.find(' ') == std::string_view::npos && std::ranges::count(words, s.name) == 0)
+      words.emplace_back(s.name);
   return words;
 }
 
@@ -117,17 +176,13 @@ int run_explain(const std::vector<std::string>& arguments, std::ostream& out, st
     return 0;
   }
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const std::string& word : words) {
-    const std::optional<FaultCode> code = code_of(word);
-    if (!code) {
-      err << unknown(word).error_line() << "\n";
+  // Several words may be one state, such as waiting for start.
+  const bool one = words.size() > 1 && explain(words, json, all, out);
+  for (std::size_t k = 0; k < words.size() && !one; ++k)
+    if (!explain({words[k]}, json, all, out)) {
+      err << unknown(words[k]).error_line() << "\n";
       return 2;
     }
-    if (json)
-      all.push_back(json_of(fault_entry(*code)));
-    else
-      out << explanation(*code);
-  }
   if (json) out << (all.size() == 1 ? all.front() : all).dump(2) << "\n";
   return 0;
 }

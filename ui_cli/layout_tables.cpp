@@ -153,13 +153,20 @@ void put_processes(Rows& rows, const Snapshot& s) {
 }
 
 void put_messages(Rows& rows, const std::vector<Message>& messages) {
-  if (rows.left() > 1) rows.canvas().put(rows.take(), 1, "MESSAGES", Style::heading);
+  constexpr int kTime = 9, kText = kTime + 2;  // ends, begins
+  if (rows.left() > 1) {
+    const int title = rows.take();
+    rows.canvas().put_right(title, kTime, "t [s]", Style::heading);
+    rows.canvas().put(title, kText, "MESSAGES", Style::heading);
+  }
   const std::size_t count = std::min(messages.size(), static_cast<std::size_t>(rows.left()));
   for (std::size_t k = messages.size() - count; k < messages.size(); ++k) {
     const Message& m = messages[k];
     std::string text = m.process.empty() ? "" : m.process + ": ";
     if (m.code != FaultCode::none) text += std::string(to_string(m.code)) + ": ";
-    rows.canvas().put(rows.take(), 1, cut(text + m.text, rows.canvas().size().columns - 1), style_of(m.code));
+    const int row = rows.take();
+    if (m.time) rows.canvas().put_right(row, kTime, fixed(*m.time, 2), Style::dim);
+    rows.canvas().put(row, kText, cut(text + m.text, rows.canvas().size().columns - kText), style_of(m.code));
   }
 }
 

@@ -11,10 +11,9 @@
 #include <utility>
 
 #include "base/fault.hpp"
-#include "base/representation.hpp"
-#include "mrroc/manual_words_t.hpp"
 #include "ui_cli/manual_link.hpp"
 #include "ui_cli/manual_page.hpp"
+#include "ui_cli/manual_show.hpp"
 
 namespace mrroc::ui {
 
@@ -28,7 +27,8 @@ const char* const kManualHelp =
     "  model ARM NUMBER                        servo ARM ALGORITHM [SET]\n"
     "  gripper ARM METRES                      bias ARM\n"
     "  reset ARM                               stop ARM\n"
-    "  show ARM                                positions, pose, force, state; with --json and `all` a list\n"
+    "  show ARM                                positions, pose, force, state, fault, tool, weight, models;\n"
+    "                                          with --json and `all` a list\n"
     "  save ARM FILE                           adds the position to a file: a line `move ARM joints ...`\n"
     "  load FILE                               the instructions of a file, one after the other\n"
     "  end                                     the session\n"
@@ -39,8 +39,6 @@ const char* const kManualHelp =
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::size_t kLongest = sizeof(manual_words_t{}.text) - 1;  // instruction
 
 /// @return the last answer: refused, taken when that is enough, done or failed
 ManualAnswer ask(link::Bus& bus, const link::SessionInfo& session, const std::string& words, bool wait,
@@ -75,46 +73,6 @@ EffectorReply look_at(link::Bus& bus, const link::SessionInfo& session, const st
   return *link.reading(arm);
 }
 
-void show(const EffectorReply& r, const std::string& arm, bool json, std::ostream& out) {
-  PoseNumbers pose{};
-  std::ranges::copy(r.T_0E, pose.begin());
-  const auto T_0E = pose_from_numbers(Representation::xyz_angle_axis, pose);
-  const PoseNumbers euler = T_0E ? numbers_from_pose(Representation::xyz_euler_zyz, *T_0E) : PoseNumbers{};
-  const std::vector<double> F(r.F_a.v.data(), r.F_a.v.data() + 6), e(euler.begin(), euler.begin() + 6);
-  const bool known = position_known(r);
-  if (json) {
-    const auto if_known = [&](const auto& numbers) { return known ? Json(numbers) : Json(nullptr); };
-    out << Json{{"arm", arm},
-                {"state", to_string(r.state)},
-                {"motors", r.motors},
-                {"joints", if_known(r.joints)},
-                {"T_0E", if_known(r.T_0E)},
-                {"euler", if_known(e)},
-                {"F_a", F},
-                {"gripper", r.gripper},
-                {"blocked", r.blocked}}
-               .dump()
-        << "\n";
-    return;
-  }
-  const auto row = [&](const char* name, const auto& numbers, const char* unit) {
-    out << fmt::format("{:<11} {:9.4f}  {}\n", name, fmt::join(numbers, " "), unit);
-  };
-  out << fmt::format("{:<11} {}\n", arm, to_string(r.state));
-  row("motors", r.motors, "rad");
-  const auto row_if_known = [&](const char* name, const auto& numbers, const char* unit) {
-    if (known)
-      row(name, numbers, unit);
-    else
-      out << fmt::format("{:<11} {:>9}  {}\n", name, "-", unit);
-  };
-  row_if_known("joints", r.joints, "rad, m");
-  row_if_known("angle-axis", r.T_0E, "m, rad");
-  row_if_known("euler", e, "m, rad");
-  row("force F_a", F, "N, N m in E");
-  out << fmt::format("{:<11} {:9.4f}  m{}\n", "gripper", r.gripper, r.blocked ? ", holds something" : "");
-}
-
 void show_all(link::Bus& bus, const link::SessionInfo& session, bool json, const Patience& patience,
               std::ostream& out) {
   const auto arms = manual_arms(session.run_folder);
@@ -124,7 +82,7 @@ void show_all(link::Bus& bus, const link::SessionInfo& session, bool json, const
   std::string between = json ? "[" : "";
   for (const ManualArm& arm : arms) {
     out << std::exchange(between, json ? "," : "\n");
-    show(look_at(bus, session, arm.name, patience), arm.name, json, out);
+    show_arm(look_at(bus, session, arm.name, patience), arm.name, json, out);
   }
   if (json) out << "]\n";
 }
@@ -150,19 +108,37 @@ void save(const EffectorReply& r, const ManualWish& wish, const link::SessionInf
   out << (wish.json ? Json{{"file", wish.save.string()}, {"line", line}}.dump() : line) << "\n";
 }
 
-/// @return its lines without comments @throws FaultError bad_script
-std::vector<std::string> instructions_in(const std::filesystem::path& name) {
+/// A line of a file of instructions.
+struct FileLine {
+  std::string place;  ///< FILE:LINE
+  std::string words;
+};
+
+/// @return its lines without comments, at least one @throws FaultError bad_script
+std::vector<FileLine> instructions_in(const std::filesystem::path& name) {
+  constexpr const char* kForm =
+      "a file for `load` has an instruction per line, such as `preset arm1 front`; "
+      "`ui_cli manual save ARM FILE` writes where an arm is";
   std::ifstream file(name);
-  if (!file) throw FaultError(FaultCode::bad_script, "cannot read " + name.string());
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(file, line);) {
+  if (!file || std::filesystem::is_directory(name))
+    throw FaultError(FaultCode::bad_script,
+                     fmt::format("cannot read {}{}", name.string(),
+                                 std::filesystem::is_directory(name) ? ", which is a folder"
+                                 : std::filesystem::exists(name)     ? ""
+                                                                     : ", which does not exist here"),
+                     fmt::format("name a file that this terminal can read; {}", kForm));
+  std::vector<FileLine> lines;
+  std::string line;
+  for (int number = 1; std::getline(file, line); ++number) {
     line = line.substr(0, line.find('#'));
     line.erase(line.find_last_not_of(" \t\r") + 1);
-    if (line.size() > kLongest)
-      throw FaultError(FaultCode::bad_script,
-                       fmt::format("{}: a line has more than {} characters", name.string(), kLongest));
-    if (!line.empty()) lines.push_back(line);
+    const std::string place = fmt::format("{}:{}", name.string(), number);
+    if (line.size() > kLongestInstruction)
+      throw FaultError(FaultCode::bad_script, fmt::format("{}: {}", place, too_long(line.size())));
+    if (!line.empty()) lines.push_back({place, line});
   }
+  if (lines.empty())
+    throw FaultError(FaultCode::bad_script, fmt::format("{} holds no instruction", name.string()), kForm);
   return lines;
 }
 
@@ -176,6 +152,21 @@ void must_be_good(const ManualAnswer& answer, const std::string& words) {
                    fmt::format("{} {}: {}", words,
                                answer.state == ManualState::refused ? "refused" : "failed", answer.text),
                    "look at the arm with `ui_cli manual show ARM`");
+}
+
+/// Gives the instructions of a file, each when the one before is done.
+void load(link::Bus& bus, const link::SessionInfo& session, const ManualWish& wish, const Patience& patience,
+          std::ostream& out) {
+  const auto lines = instructions_in(wish.load);
+  for (const auto& [place, words] : lines) {
+    const ManualAnswer answer = ask(bus, session, words, true, patience);
+    if (answer.state == ManualState::not_understood)
+      throw FaultError(FaultCode::bad_script, fmt::format("{}: {}: {}", place, words, answer.text),
+                       "correct the line; those before it have been done");
+    must_be_good(answer, fmt::format("{}: {}", place, words));
+    if (!wish.json) out << words << ": " << answer.text << std::endl;
+  }
+  if (wish.json) out << Json{{"file", wish.load.string()}, {"done", lines.size()}}.dump() << "\n";
 }
 
 }  // namespace
@@ -220,8 +211,8 @@ ManualWish read_manual_words(const std::vector<std::string>& arguments) {
     form(2, "load FILE");
     wish.load = words[1];
   }
-  if (wish.words.size() > kLongest)
-    throw FaultError(FaultCode::bad_usage, fmt::format("an instruction has at most {} characters", kLongest));
+  if (wish.words.size() > kLongestInstruction && wish.load.empty() && wish.save.empty())
+    throw FaultError(FaultCode::bad_usage, too_long(wish.words.size()), kShorter);
   return wish;
 }
 
@@ -241,19 +232,13 @@ void execute_manual(link::Bus& bus, const link::SessionInfo& session, const Manu
   if (!wish.show.empty()) {
     const EffectorReply reading = look_at(bus, session, wish.show, patience);
     if (wish.save.empty())
-      show(reading, wish.show, wish.json, out);
+      show_arm(reading, wish.show, wish.json, out);
     else
       save(reading, wish, session, out);
     return;
   }
   if (!wish.load.empty()) {
-    const auto lines = instructions_in(wish.load);
-    for (const std::string& words : lines) {
-      const ManualAnswer answer = ask(bus, session, words, true, patience);
-      must_be_good(answer, words);
-      if (!wish.json) out << words << ": " << answer.text << std::endl;
-    }
-    if (wish.json) out << Json{{"file", wish.load.string()}, {"done", lines.size()}}.dump() << "\n";
+    load(bus, session, wish, patience, out);
     return;
   }
   const ManualAnswer answer = ask(bus, session, wish.words, wish.wait, patience);

@@ -6,7 +6,6 @@
 #include "base/link/decode.hpp"
 #include "base/link/text.hpp"
 #include "base/msg/convert.hpp"
-#include "mrroc/manual_words_t.hpp"
 
 namespace mrroc::ui {
 namespace {
@@ -60,7 +59,14 @@ ManualLink::ManualLink(link::Bus& bus, const link::SessionInfo& session, const s
 
 ManualLink::~ManualLink() = default;
 
+std::string too_long(std::size_t characters) {
+  return fmt::format("an instruction has at most {} characters, and this one {}", kLongestInstruction,
+                     characters);
+}
+
 void ManualLink::begin(const std::string& words, Clock::time_point now) {
+  if (words.size() > kLongestInstruction)
+    throw FaultError(FaultCode::bad_usage, too_long(words.size()), kShorter);
   words_ = words;
   id_ = link::random_id();
   count_ = 0;

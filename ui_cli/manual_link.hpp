@@ -13,9 +13,17 @@
 #include "base/link/session.hpp"
 #include "base/manual.hpp"
 #include "mrroc/manual_answer_t.hpp"
+#include "mrroc/manual_words_t.hpp"
 #include "ui_cli/client.hpp"
 
 namespace mrroc::ui {
+
+/// Characters of an instruction at most: what its message has room for.
+inline constexpr std::size_t kLongestInstruction = sizeof(manual_words_t{}.text) - 1;
+/// @return that an instruction has too many characters
+[[nodiscard]] std::string too_long(std::size_t characters);
+/// What to do about it.
+inline constexpr const char* kShorter = "write numbers with fewer digits";
 
 /// The task's word on an instruction.
 struct ManualAnswer {
@@ -36,6 +44,7 @@ class ManualLink {
   ManualLink& operator=(const ManualLink&) = delete;
 
   /// Begins with an instruction; nothing more is heard of the one before.
+  /// @throws FaultError bad_usage: it is longer than kLongestInstruction
   void begin(const std::string& words, Clock::time_point now);
   /// @return whether an instruction waits for its first answer
   [[nodiscard]] bool unanswered() const { return id_ != 0 && !told_; }

@@ -6,21 +6,57 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <sstream>
 
 #include "base/config.hpp"
 #include "base/fault.hpp"
 #include "base/representation.hpp"
 #include "ui_cli/keys.hpp"
+#include "ui_cli/manual_link.hpp"
 #include "ui_cli/manual_steps.hpp"
 
 namespace mrroc::ui {
 namespace {
 
 constexpr std::array<std::string_view, 4> kSpaces{"motors", "joints", "euler", "angle-axis"};
-constexpr std::size_t kLongestText = 120;
+constexpr std::size_t kLongestText = 999;  // more than an instruction may have: that is refused, not cut
 
 ManualDeed instruction(std::string words) { return {.words = std::move(words)}; }
 ManualDeed refusal(std::string why) { return {.refusal = std::move(why)}; }
+
+/// @return the words with one blank between them
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+
+/// Takes the beginning away if the words begin with it.
+void drop(std::vector<std::string>& words, const std::vector<std::string>& beginning) {
+  if (words.size() >= beginning.size() && std::equal(beginning.begin(), beginning.end(), words.begin()))
+    words.erase(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(beginning.size()));
+}
+
+/// The instruction of a line as it was typed: also with a colon before it or as it is written in a shell.
+/// @param asked  what the instruction begins with, which may be typed once more
+ManualDeed typed(const std::string& asked, std::string text, const std::string& tail) {
+  text.erase(0, text.find_first_not_of(" :"));
+  std::vector<std::string> words = words_of(text);
+  drop(words, {"ui_cli"});
+  drop(words, {"manual"});
+  drop(words, words_of(asked));
+  if (words.empty()) return {};
+  const auto rest = fmt::format("{}", fmt::join(words, " "));
+  if (asked.empty() && (words[0] == "show" || words[0] == "save" || words[0] == "load"))
+    return refusal(fmt::format("`{0}` is for a shell: ui_cli manual {0} ...", words[0]));
+  for (const std::string& word : words)
+    if (word.starts_with("--"))
+      return refusal(fmt::format("there is no '{}' here: options are for a shell, ui_cli manual ...", word));
+  const std::string whole = asked + (asked.empty() ? "" : " ") + rest + tail;
+  if (whole.size() > kLongestInstruction) return refusal(too_long(whole.size()) + "; " + kShorter);
+  return instruction(whole);
+}
 
 /// @return a number as short as it can be read back
 std::string number(double value) { return fmt::format("{}", std::abs(value) < 1e-12 ? 0.0 : value); }
@@ -148,8 +184,8 @@ ManualDeed ManualPage::type(int key) {
     const Prompt asked = *prompt_;
     prompt_.reset();
     if (asked.coordinate) return go_to(asked.text);
-    const std::string words = asked.words + (asked.words.empty() ? "" : " ") + asked.text;
-    return instruction(words + (asked.words.starts_with("preset") ? tail() : ""));
+    const bool moves = asked.words.starts_with("preset") && asked.text.find("speed") == std::string::npos;
+    return typed(asked.words, asked.text, moves ? tail() : "");
   }
   if (key == key::kBackspace || key == key::kDelete || key == '\b') {
     if (!prompt_->text.empty()) prompt_->text.pop_back();
@@ -167,7 +203,9 @@ ManualDeed ManualPage::jog(double direction) const {
                                  fmt::join(numbers, " "), tail()));
 }
 
-ManualDeed ManualPage::go_to(const std::string& text) const {
+ManualDeed ManualPage::go_to(const std::string& line) const {
+  const std::string text = fmt::format("{}", fmt::join(words_of(line), " "));
+  if (text.empty()) return {};
   double target = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), target);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(target))

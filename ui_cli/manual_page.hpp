@@ -38,7 +38,8 @@ struct ManualDeed {
 /// Keys: 1 to 4 an arm, 0 all arms; c coordinates; up, down an axis; left, right jog it by a step, + and - change the
 /// step, < and > the speed; a to an absolute coordinate; h home, o preset, g gripper, w tool, W weight, k model, v
 /// servo, b bias, z clear fault, blank stop, : any instruction; m or Escape back. Those that need more ask for it in a
-/// line of text: Enter sends, Escape drops it.
+/// line of text: Enter sends, Escape drops it. Blanks, a colon before the words, `ui_cli manual` before them and the
+/// words that stand there already do no harm; an instruction that is too long is refused.
 class ManualPage {
  public:
   explicit ManualPage(std::vector<ManualArm> arms) : arms_(std::move(arms)) {}
@@ -72,7 +73,7 @@ class ManualPage {
 
   [[nodiscard]] ManualDeed type(int key);
   [[nodiscard]] ManualDeed jog(double direction) const;
-  [[nodiscard]] ManualDeed go_to(const std::string& text) const;
+  [[nodiscard]] ManualDeed go_to(const std::string& line) const;
   [[nodiscard]] ManualDeed ask(std::string label, std::string words, bool coordinate = false);
   [[nodiscard]] bool choose(int key);
   [[nodiscard]] int coordinates() const;

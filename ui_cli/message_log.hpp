@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -20,6 +21,9 @@ struct Message {
   std::string process;  ///< who said it; empty: not told
   FaultCode code{};     ///< none: information
   std::string text;     ///< printable ASCII
+  /// simulated time [s]: of the macrostep that the process had come to, or else of the status before; nothing for a line
+  /// that is older than this log
+  std::optional<double> time{};
 };
 
 /// Listens to SESSION.PROCESS.console of every process that the task's status names.
@@ -41,14 +45,20 @@ class MessageLog final : public link::Sink {
   void receive(std::string_view channel, std::span<const std::uint8_t> bytes) noexcept override;
 
  private:
-  void keep(const console_t& line) noexcept;
+  struct Line {
+    console_t said{};
+    std::optional<double> time;
+  };
+  void keep(const Line& line) noexcept;
 
   link::Bus& bus_;
   std::string session_;
   std::int64_t session_id_{};
   std::set<std::string> known_;
-  std::array<console_t, kKept> lines_{};
-  std::size_t count_{};  // of all lines so far; the newest is at (count_ - 1) % kKept
+  std::array<Line, kKept> lines_{};
+  double sim_time_{};     // of the newest status [s]
+  double macrostep_s_{};  // 0: not known yet
+  std::size_t count_{};   // of all lines so far; the newest is at (count_ - 1) % kKept
   std::string last_message_;
 };
 

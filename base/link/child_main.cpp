@@ -105,11 +105,13 @@ int child_main(int argc, char** argv, const std::string& about, const PartBody& 
   app.add_option("--check", checked,
                  "recompute from a run folder's log what this process sent, and print what differs as JSON")
       ->type_name("RUN");
+  if (const auto help = help_asked(app, argc, argv)) {
+    fmt::print("{}", *help);
+    return 0;
+  }
   try {
     refuse_unknown_options(app, argc, argv);
     app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& e) {
-    return app.exit(e);
   } catch (const FaultError& e) {
     return complain(e);
   } catch (const CLI::ParseError& e) {

@@ -20,9 +20,16 @@ constexpr std::int64_t kSetPatience = 50;    // for the answer to SET
 constexpr std::int64_t kGripPatience = 250;  // for the jaws
 constexpr double kGripTolerance = 5e-4;      // of their distance [m]
 
-/// The driver has refused the command of this behaviour, or could not execute it to its end.
+/// The driver stands in the state of a fault and says which: to a command it says only that it waits for a reset.
+bool tripped(const X& x) {
+  return x.e.state == DriverState::faulted && x.e.fault && x.e.fault.code != FaultCode::reset_required;
+}
+
+/// The driver has tripped, has refused the command of this behaviour, or could not execute it to its end.
 bool failed(const X& x) {
-  return age(x) >= ecp::kAnswerDelay && (x.e.verdict == Verdict::refused || x.e.verdict == Verdict::failed) &&
+  if (age(x) < ecp::kAnswerDelay) return false;
+  if (x.e.state == DriverState::faulted && x.T.manual.kind != Kind::reset) return tripped(x);
+  return (x.e.verdict == Verdict::refused || x.e.verdict == Verdict::failed) &&
          x.e.fault.code != FaultCode::lost_command;
 }
 
@@ -94,11 +101,11 @@ Memory planned(const X& x) {
 /// f_entry of idle: the order is over, one way or the other.
 Memory over(const X& x) {
   Memory c = x.c;
-  if (c.done != c.doing && !c.fault && x.e.fault.code != FaultCode::lost_command &&
-      (x.e.verdict == Verdict::refused || x.e.verdict == Verdict::failed))
-    c.fault = x.e.fault;
-  const bool same = x.T.manual.number == c.doing;
-  if (same && !c.fault && c.done != c.doing && x.T.manual.kind == Kind::kinematic_model)
+  const bool same = x.T.manual.number == c.doing, news = c.done != c.doing;
+  const bool stops = same && x.T.manual.kind == Kind::stop;
+  const bool bad = x.e.verdict == Verdict::refused || x.e.verdict == Verdict::failed || tripped(x);
+  if (news && !c.fault && !stops && bad && x.e.fault.code != FaultCode::lost_command) c.fault = x.e.fault;
+  if (news && same && !c.fault && x.T.manual.kind == Kind::kinematic_model)
     c.kinematic_model = x.T.manual.model;
   c.done = c.doing;
   return c;
@@ -132,7 +139,8 @@ EffectorCommand with_model(const RobotModel& model) {
 EffectorCommand tool_of_task(const X& x) { return age(x) == 0 ? with_model(x.c.model) : ecp::rest(); }
 
 EffectorCommand follow(const X& x) {
-  return age(x) < x.c.path.macrosteps() ? ecp::move_arm(x.c.path.command(age(x))) : ecp::rest();
+  const bool over = x.e.state == DriverState::faulted || age(x) >= x.c.path.macrosteps();
+  return over ? ecp::rest() : ecp::move_arm(x.c.path.command(age(x)));
 }
 
 EffectorCommand setting(const X& x) {
@@ -168,6 +176,7 @@ EffectorCommand setting(const X& x) {
 EffectorCommand set_once(const X& x) { return age(x) == 0 ? setting(x) : ecp::rest(); }
 
 EffectorCommand grip(const X& x) {
+  if (x.e.state == DriverState::faulted) return ecp::rest();
   EffectorCommand command = ecp::move_arm(TaskFrameCommand{}, x.c.pacing);
   command.arm.gripper = x.T.manual.value[0];
   return command;
@@ -177,12 +186,14 @@ EffectorCommand grip(const X& x) {
 
 ecp::None nothing(const X&) { return {}; }
 
-/// The verdict is the agent's business: a refused order is no fault of the system.
+/// The verdict is the agent's business: a refused order is no fault of the system, and a driver that has tripped is
+/// told of as long as it waits for its reset.
 Report told(const X& x) {
   Report r = ecp::report_of(x, 0);
   r.verdict = Verdict::none;
   r.event = static_cast<int>(x.c.done);
   r.fault = x.c.fault;
+  if (x.e.state == DriverState::faulted) r.fault = tripped(x) ? x.e.fault : Fault{};
   return r;
 }
 

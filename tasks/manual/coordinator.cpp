@@ -90,7 +90,8 @@ ManualRun::ManualRun(mp::TaskRun& run, const ManualParameters& parameters,
       links_(run.process(), keys_of(parameters.arms), operator_),
       desk_(run.process(), parameters.arms, parameters.script, parameters.record),
       announce_(std::move(announce)),
-      m_(parameters.arms.size()) {
+      m_(parameters.arms.size()),
+      tripped_(parameters.arms.size()) {
   for (const ArmInfo& arm : k_.arms)
     manual_out_.push_back(run.process().outbox<manual_order_t>(arm.key + ".manual"));
 }
@@ -125,6 +126,7 @@ void ManualRun::read(X& x) {
   x.T.hands.end = x.T.hands.end || end;
   show(x);
   run_.each_macrostep(x.i, static_cast<double>(x.i) * k_.macrostep_s);
+  tell_trips(x);
 }
 
 void ManualRun::show(const X& x) {
@@ -139,6 +141,23 @@ void ManualRun::show(const X& x) {
                             k_.arms[arm].key, kManual[m - 1].name, r.fault ? ": " + describe(r.fault) : ""));
     m_[arm] = r.m;
     run_.board().set_arm(arm, r, "");
+  }
+}
+
+void ManualRun::tell_trips(const X& x) {
+  for (std::size_t arm = 0; arm < tripped_.size(); ++arm) {
+    const Report& r = x.T.agent[arm];
+    const bool tripped = r.driver_state == DriverState::faulted;
+    // Which fault it is comes later, or is not told again, where a command on its way was refused.
+    if (tripped && r.fault && !tripped_[arm] && r.fault.code != FaultCode::emergency_stop) {
+      const std::string& key = k_.arms[arm].key;
+      announce_(fmt::format("{:8.2f} s  {}  fault: {}", static_cast<double>(x.i) * k_.macrostep_s, key,
+                            describe(r.fault)));
+      Fault fault = r.fault;
+      fault.process = "edp-" + key;
+      run_.survive(fault, fmt::format("remove the cause, then `ui_cli manual reset {}`", key));
+    }
+    tripped_[arm] = tripped && (tripped_[arm] || r.fault);
   }
 }
 

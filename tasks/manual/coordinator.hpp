@@ -74,6 +74,8 @@ class ManualRun {
   void send(const Coordinator::Said& said);
   void read(Coordinator::X& x);
   void show(const Coordinator::X& x);
+  /// Tells of the drivers that have tripped since the macrostep before.
+  void tell_trips(const Coordinator::X& x);
 
   mp::TaskRun& run_;
   ManualParameters k_;
@@ -82,7 +84,8 @@ class ManualRun {
   Desk desk_;
   std::vector<std::unique_ptr<link::Outbox<manual_order_t>>> manual_out_;
   std::function<void(const std::string&)> announce_;
-  std::vector<int> m_;  // of the last reports
+  std::vector<int> m_;         // of the last reports
+  std::vector<bool> tripped_;  // drivers whose fault has been told
 };
 
 }  // namespace mrroc::manual

@@ -81,6 +81,7 @@ std::optional<Desk::Refusal> Desk::obey(std::int64_t i, const std::string& words
     auto& order = hands.orders[wanted.arms[k]];
     if (order && order->kind != Kind::stop) call_off(wanted.arms[k], given[wanted.arms[k]] + 1);
     order = wanted.orders[k];
+    asked.stop = order->kind == Kind::stop;
     asked.orders.emplace_back(wanted.arms[k], given[wanted.arms[k]] + 1);
   }
   hands.end = hands.end || wanted.end;
@@ -100,7 +101,7 @@ void Desk::answer_terminals(std::int64_t i, const std::vector<std::int64_t>& giv
   while (const auto m = words_in_.take()) {
     auto known = std::ranges::find(asked_, m->id, &Asked::id);
     if (known == asked_.end()) {
-      Asked asked{.id = m->id, .orders = {}, .answer = {}};
+      Asked asked{.id = m->id, .orders = {}, .stop = {}, .answer = {}};
       const auto refusal = obey(i, link::get_text(m->text), given, reports, paused, hands, asked);
       asked.answer.id = m->id;
       // In a pause only stops come that far. The arm stands already, and does not go on when the pause ends.
@@ -123,7 +124,7 @@ void Desk::conclude(Asked& asked, const std::vector<Report>& reports) {
     if (r.event < number) return;
     if (r.event > number)
       failures += fmt::format("{}{}: called off", failures.empty() ? "" : "; ", arms_[arm].key);
-    else if (r.fault)
+    else if (r.fault && !asked.stop)
       failures += (failures.empty() ? "" : "; ") + why(arms_[arm].key, r.fault, asked.orders.size() == 1);
   }
   set(asked.answer, failures.empty() ? ManualState::done : ManualState::failed);

@@ -46,6 +46,7 @@ class Desk {
   struct Asked {
     std::int64_t id{};                                         ///< of the terminal's message
     std::vector<std::pair<std::size_t, std::int64_t>> orders;  ///< arm and number
+    bool stop{};                                               ///< an arm that stands for a fault has obeyed
     manual_answer_t answer{};
   };
   struct Refusal {

@@ -18,6 +18,12 @@
 namespace mrroc::manual {
 namespace {
 
+/// @return a word as it is told again: answers have room for a line
+std::string shown(const std::string& word) {
+  constexpr std::size_t kMost = 32;
+  return word.size() > kMost ? word.substr(0, kMost) + ".." : word;
+}
+
 struct Verb {
   std::string_view name;
   Kind kind;
@@ -61,7 +67,7 @@ class Reader {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-      refuse(fmt::format("'{}' is not a number", text));
+      refuse(fmt::format("'{}' is not a number", shown(text)));
     return value;
   }
   int whole(const char* what, int most) {
@@ -94,8 +100,11 @@ const Verb& verb_of(Reader& in) {
   WordSet known;
   for (const Verb& v : kVerbs) known.insert(std::string(v.name));
   const std::string near = nearest(word, known);
-  in.refuse(
-      fmt::format("there is no '{}'{}", word, near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
+  throw FaultError(FaultCode::bad_usage,
+                   fmt::format("there is no '{}'{}", shown(word),
+                               near.empty() ? "" : fmt::format("; did you mean '{}'?", near)),
+                   fmt::format("it is written `VERB ARM ...`, the verbs are {}",
+                               fmt::join(kVerbs | std::views::transform(&Verb::name), ", ")));
 }
 
 std::vector<std::size_t> arms_of(Reader& in, const std::vector<ArmInfo>& arms) {
@@ -108,7 +117,7 @@ std::vector<std::size_t> arms_of(Reader& in, const std::vector<ArmInfo>& arms) {
     } else if (found != arms.end()) {
       chosen.push_back(static_cast<std::size_t>(found - arms.begin()));
     } else {
-      in.refuse(fmt::format("there is no arm '{}'; there are {} and all", key,
+      in.refuse(fmt::format("there is no arm '{}'; there are {} and all", shown(key),
                             fmt::join(arms | std::views::transform(&ArmInfo::key), ", ")));
     }
   }
@@ -124,7 +133,7 @@ Representation space_of(Reader& in) {
   if (word == "joints") return Representation::joints;
   if (word == "euler") return Representation::xyz_euler_zyz;
   if (word == "angle-axis") return Representation::xyz_angle_axis;
-  in.refuse(fmt::format("'{}' is no space; spaces are motors, joints, euler and angle-axis", word));
+  in.refuse(fmt::format("'{}' is no space; spaces are motors, joints, euler and angle-axis", shown(word)));
 }
 
 double share_of(Reader& in) {
@@ -161,7 +170,7 @@ ManualOrder order_of(Reader in, const Verb& verb, const ArmInfo& arm) {
         const std::string name = in.word("the name");
         const auto found = arm.presets.find(name);
         if (found == arm.presets.end())
-          in.refuse(fmt::format("{} has no preset '{}'; it has {}", arm.key, name,
+          in.refuse(fmt::format("{} has no preset '{}'; it has {}", arm.key, shown(name),
                                 fmt::join(arm.presets | std::views::keys, ", ")));
         o.value = found->second;
       } else {
@@ -197,7 +206,7 @@ ManualOrder order_of(Reader in, const Verb& verb, const ArmInfo& arm) {
     default:
       break;
   }
-  if (!in.done()) in.refuse(fmt::format("'{}' is one word too many", in.word("")));
+  if (!in.done()) in.refuse(fmt::format("'{}' is one word too many", shown(in.word(""))));
   return o;
 }
 

@@ -54,6 +54,8 @@ TEST(RobotModel, ForceToolIsToldAsItWasSet) {
   const RobotModel told = get_model(rig).robot_model;
   EXPECT_EQ(told.weight, 7);
   EXPECT_EQ(told.mass_centre, m.mass_centre);
+  rig.silence(20);
+  EXPECT_EQ(rig.driver.reply().robot_model.weight, 7) << "also where nobody asks";
 }
 
 TEST(RobotModel, ServoAlgorithmOfEveryMotorIsChosenByItself) {

@@ -26,6 +26,13 @@ import mrroc_runs, sys
 assert len(mrroc_runs.open_run(sys.argv[1]).messages("arm1.reply")["F_a"]) > 10' "$place/run" || fail "the installed reader does not read"
 fi
 
+# bash-completion finds the words of ui_cli by the name of the command that is typed.
+for name in ui_cli mrroc; do
+  bash -c 'source "$1" && complete -p ui_cli mrroc >/dev/null' _ "$place/usr/share/bash-completion/completions/$name" ||
+    fail "$name is not completed"
+done
+[[ -s $place/usr/share/zsh/vendor-completions/_ui_cli ]] || fail "there is no completion for zsh"
+
 # What `ui_cli new` writes for the outside is such a project too.
 (cd "$place" && "$place/usr/bin/mrroc" ui_cli new task circle --outside "$place/circle" >/dev/null)
 cmake -S "$place/circle" -B "$place/circle/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \

@@ -62,6 +62,19 @@ TEST_F(BlackBox, HasTheLastFiveSecondsOfEveryProcess) {
   EXPECT_NE(text("black_box/edp-arm1.txt").find("arm1.reply  i=500"), std::string::npos);
 }
 
+TEST_F(BlackBox, OneOfAFaultThatWasSurvivedHasAFolderOfItsOwn) {
+  {
+    link::test::DirectBus bus;
+    link::EventLog log(folder_ / "events.lcmlog", 1);
+    bus.subscribe_all("s.", log);
+    link::Outbox<effector_reply_t>(bus, {link::Group::agents, "s.arm1.reply"}, 1).publish({}, 1);
+    ASSERT_TRUE(log.flush());
+  }
+  write_black_box(folder_, {"edp-arm1"}, "edp-arm1-200");
+  EXPECT_EQ(write_black_box(folder_, {"edp-arm1"}),
+            (std::vector<std::string>{"black_box/edp-arm1-200/edp-arm1.txt", "black_box/edp-arm1.txt"}));
+}
+
 TEST_F(BlackBox, WithoutALogHasTheStepsThatDriversWrote) {
   std::ofstream(folder_ / "arm1-fault-7.csv") << "step\n";
   EXPECT_EQ(write_black_box(folder_, {"mp"}), std::vector<std::string>{"arm1-fault-7.csv"});

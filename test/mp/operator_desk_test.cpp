@@ -107,7 +107,7 @@ TEST_F(Desk, ARefusalSaysWhyAndChangesNothing) {
   office.desk.set_state(TaskState::running, false);
   const auto a = office.order(7, static_cast<int>(trigger));
   EXPECT_FALSE(a.accepted);
-  EXPECT_EQ(link::get_text(a.text), "behaviour 0 does not wait for a trigger");
+  EXPECT_EQ(link::get_text(a.text), "the task does not wait for a trigger");
   const OperatorImage image = office.desk.take(5);
   EXPECT_EQ(image.trigger, 0);
   EXPECT_FALSE(image.paused);

@@ -123,5 +123,18 @@ TEST_F(RunFolder, SummaryIsValidWhateverBytesAFaultHolds) {
   EXPECT_EQ(summary(s)["fault"]["code"], "internal_error");
 }
 
+TEST_F(RunFolder, TheSummaryTellsFaultsAfterWhichTheTaskWentOn) {
+  Summary s;
+  s.task = "manual";
+  EXPECT_FALSE(summary(s).contains("survived"));
+  s.survived.push_back({{.code = FaultCode::over_current, .process = "edp-arm1"}, 12.5});
+  const auto json = summary(s);
+  EXPECT_EQ(json["outcome"], "done");
+  ASSERT_EQ(json["survived"].size(), 1U);
+  EXPECT_EQ(json["survived"][0]["code"], "over_current");
+  EXPECT_EQ(json["survived"][0]["process"], "edp-arm1");
+  EXPECT_EQ(json["survived"][0]["sim_s"], 12.5);
+}
+
 }  // namespace
 }  // namespace mrroc::mp

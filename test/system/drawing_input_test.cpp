@@ -69,6 +69,7 @@ TEST_F(RefusedInput, DamagedRecordings) {
 TEST_F(RefusedInput, OptionsAndSettings) {
   refuses({"--speed", "0"}, {"bad_usage", "speed"});
   refuses({"--speed", "1e9"}, {"bad_usage", "up to 10000"});
+  refuses({"--clock", "wall", "--speed", "2"}, {"bad_usage", "--clock wall"});
   refuses({"--seed", "-1"}, {"bad_usage", "--seed"});
   refuses({"--speed", "fast"}, {"bad_usage", "fast"});
   refuses({"--clock", "sundial"}, {"bad_usage", "clock"});

@@ -128,6 +128,29 @@ TEST_F(Checked, ALogThatIsCutOffIsNotWhole) {
   EXPECT_NE(checked["damage"].get<std::string>().find("cut off"), std::string::npos) << checked["damage"];
 }
 
+TEST_F(Checked, ProgramsAreFoundBesideTheProgramOrBesideItsLinkAndMissedByName) {
+  const fs::path recorded = ran("press");
+  const fs::path link = folder_ / "link", lonely = folder_ / "lonely", project = folder_ / "project";
+  fs::create_symlink(started_program("ui_cli"), link);
+  EXPECT_EQ(run(folder_, link.string(), {"log", "check", recorded.string()}).status, 0);
+  fs::create_directory(lonely);
+  fs::copy_file(started_program("ui_cli"), lonely / "ui_cli");
+  for (const auto& line : {std::vector<std::string>{"log", "check", recorded.string()},
+                           std::vector<std::string>{"replay", recorded.string(), "--with", "ecp-arm1"}}) {
+    const Ended alone = run(folder_, (lonely / "ui_cli").string(), line);
+    EXPECT_EQ(alone.status, 3) << alone.all();
+    EXPECT_NE(alone.last_err().find("in " + lonely.string() + ", beside ui_cli"), std::string::npos)
+        << alone.all();
+  }
+  fs::create_directory(
+      project);  // as one outside of the tree: its own programs, and a link to the installed ui_cli
+  fs::create_symlink(lonely / "ui_cli", project / "ui_cli");
+  for (const char* program : {"press", "ecp_press", "edp_irb6", "world"})
+    fs::create_symlink(started_program(program), project / program);
+  const Ended linked = run(folder_, (project / "ui_cli").string(), {"log", "check", recorded.string()});
+  EXPECT_EQ(linked.status, 0) << linked.all();
+}
+
 TEST_F(Checked, AChangedParameterChangesWhatIsRecomputed) {
   const fs::path run_folder = ran("edge_follow");
   std::ifstream in(run_folder / "config.toml");

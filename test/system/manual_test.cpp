@@ -132,6 +132,37 @@ TEST_F(Manual, StopEndsAMotionAndTheArmHolds) {
   EXPECT_EQ(last(all).state, DriverState::holding);
 }
 
+TEST_F(Manual, ADriverThatTripsIsToldOfWithItsBlackBoxAndTheSessionGoesOn) {
+  const auto all = replies(
+      "3 home all\n"
+      "100 move arm1 joints 0.5 -1.57 0 1.56 1.57 -1.57 speed 0.05\n"
+      "240 jog arm2 joints 0 0.05 0 0 0 0 0 speed 0.5 acceleration 0.2\n"
+      "400 end\n",
+      "arm2",
+      words({kKnown,
+             {"--set", "robots.arm1.force_fault=\"silent\"", "--set", "robots.arm1.force_fault_step=2000"}}));
+  EXPECT_NEAR(last(all).joints[1] - all.at(235).joints[1], 0.05, 2e-3) << "the other arm goes on";
+  const auto told = summary(run_);
+  EXPECT_EQ(told["outcome"], "done");
+  ASSERT_EQ(told["survived"].size(), 1U) << told.dump(2);
+  EXPECT_EQ(told["survived"][0]["code"], "sensor_silent");
+  EXPECT_EQ(told["survived"][0]["process"], "edp-arm1");
+  EXPECT_NEAR(told["survived"][0]["sim_s"].get<double>(), 4, 0.2);
+  int steps = 0, drivers = 0;
+  for (const std::string file : told["black_box"]) {
+    EXPECT_GT(fs::file_size(run_ / file), 0U) << file;
+    steps += file.starts_with("arm1-fault-");
+    drivers += file.starts_with("black_box/edp-arm1-") && file.ends_with("/edp-arm1.txt");
+  }
+  EXPECT_EQ(steps, 1);
+  EXPECT_EQ(drivers, 1);
+  std::ifstream log(run_ / "messages.log");
+  const std::string text(std::istreambuf_iterator<char>(log), {});
+  EXPECT_NE(text.find("`ui_cli manual reset arm1`"), std::string::npos) << text;
+  const Ended checked = run(folder_, "ui_cli", {"log", "check", run_.string()});
+  EXPECT_EQ(checked.status, 0) << checked.all();
+}
+
 TEST_F(Manual, ATerminalIsAnsweredWhenItIsDoneOrWhyNot) {
   if (!multicast()) GTEST_SKIP() << "no multicast";
   Started task(folder_, "manual",
@@ -147,6 +178,12 @@ TEST_F(Manual, ATerminalIsAnsweredWhenItIsDoneOrWhyNot) {
   EXPECT_EQ(unreachable.status, 1);
   EXPECT_NE(unreachable.last_err().find("failed: arm1"), std::string::npos) << unreachable.all();
   EXPECT_EQ(manual({"dance", "arm1"}).status, 2);
+  const Ended jaws = manual({"gripper", "arm1", "0.06"});
+  EXPECT_EQ(jaws.status, 2);
+  EXPECT_NE(jaws.last_err().find("arm1 has no gripper"), std::string::npos) << jaws.all();
+  const Ended trigger = run(folder_, "ui_cli", {"--session", "hand", "trigger"});
+  EXPECT_EQ(trigger.status, 1);
+  EXPECT_NE(trigger.last_err().find("does not wait for a trigger"), std::string::npos) << trigger.all();
   EXPECT_EQ(manual({"show", "arm3"}).status, 2);
   EXPECT_EQ(manual({"show", "arm1"}).status, 0);
   EXPECT_EQ(manual({"end"}).status, 0);

@@ -96,10 +96,12 @@ std::string Ended::all() const {
   return text;
 }
 
+fs::path started_program(const std::string& program) { return fs::path(MRROC_BIN) / program; }
+
 Started::Started(const Folder& folder, const std::string& program, const std::vector<std::string>& arguments,
                  const std::string& name)
     : out_(folder / (name + ".out")), err_(folder / (name + ".err")) {
-  std::vector<std::string> argv_text{std::string(MRROC_BIN) + "/" + program};
+  std::vector<std::string> argv_text{started_program(program).string()};
   argv_text.insert(argv_text.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& a : argv_text) argv.push_back(a.data());

@@ -50,7 +50,7 @@ struct Ended {
 /// that it is alone.
 class Started {
  public:
-  /// @param program  e.g. "drawing" @param name  of this run: of its output files
+  /// @param program  e.g. "drawing", or a path of its own @param name  of this run: of its output files
   Started(const Folder& folder, const std::string& program, const std::vector<std::string>& arguments,
           const std::string& name = "task");
   ~Started();
@@ -77,6 +77,9 @@ class Started {
   bool ended_{};
   int status_{};
 };
+
+/// @return the file of a program of bin/
+std::filesystem::path started_program(const std::string& program);
 
 /// Runs a program to its end.
 Ended run(const Folder& folder, const std::string& program, const std::vector<std::string>& arguments);

@@ -61,22 +61,24 @@ class Commands : public ::testing::Test {
     arguments.insert(arguments.begin(), "ui_cli");
     out_.str("");
     err_.str("");
-    return ui::run(
-        static_cast<int>(arguments.size()), arguments.data(),
-        {out_,
-         err_,
-         home_ / "mrroc",
-         [this](const link::LcmAddress& address) {
-           if (!multicast_) throw link::NoMulticast("no multicast route for " + address.url());
-           opened_ = address.port;
-           return hub_.open();
-         },
-         {.repeat = 5ms, .give_up = patience_},
-         {{"weigh", "Weigh something", [this](const auto& given, std::ostream& out, std::ostream&) {
-             weighed_ = given;
-             out << "3 kg\n";
-             return 1;
-           }}}});
+    return ui::run(static_cast<int>(arguments.size()), arguments.data(),
+                   {out_,
+                    err_,
+                    home_ / "mrroc",
+                    [this](const link::LcmAddress& address) {
+                      if (!multicast_) throw link::NoMulticast("no multicast route for " + address.url());
+                      opened_ = address.port;
+                      return hub_.open();
+                    },
+                    {.repeat = 5ms, .give_up = patience_},
+                    {{"weigh",
+                      "Weigh something",
+                      [this](const auto& given, std::ostream& out, std::ostream&) {
+                        weighed_ = given;
+                        out << "3 kg\n";
+                        return 1;
+                      },
+                      {"--session"}}}});
   }
   /// @return the last line on standard error
   std::string error() {
@@ -307,6 +309,26 @@ TEST_F(Commands, ToolHasItsOptionsForItselfAndNeedsNoTask) {
   EXPECT_EQ(out_.str(), "3 kg\n");
   EXPECT_EQ(run({"--help"}), 0);
   EXPECT_NE(out_.str().find("Weigh something"), std::string::npos);
+}
+
+TEST_F(Commands, OptionsBeforeTheNameOfAToolAreAsGoodAsBehindIt) {
+  EXPECT_EQ(run({"--session", "a", "--json", "weigh", "stone"}), 1);
+  EXPECT_EQ(weighed_, (std::vector<std::string>{"stone", "--session", "a", "--json"}));
+  EXPECT_EQ(run({"--session", "a", "weigh", "--session=b"}), 1);
+  EXPECT_EQ(weighed_, (std::vector<std::string>{"--session=b"})) << "the later one holds";
+  EXPECT_EQ(run({"--session", "a", "--url", "udpm://1.2.3.4:5", "weigh"}), 2);
+  EXPECT_NE(error().find("weigh takes no --url"), std::string::npos) << error();
+}
+
+TEST_F(Commands, HelpIsGivenWhereverItIsAskedForWhateverElseIsWrong) {
+  EXPECT_EQ(run({"status", "--nonsense", "--help"}), 0);
+  EXPECT_NE(out_.str().find("Usage: ui_cli status"), std::string::npos) << out_.str();
+  EXPECT_EQ(run({"--help", "somersault"}), 0);
+  EXPECT_NE(out_.str().find("Exit status"), std::string::npos);
+  EXPECT_EQ(run({"--session", "a", "manual", "move", "arm1", "-h"}), 0);
+  EXPECT_NE(out_.str().find("gripper ARM METRES"), std::string::npos);
+  EXPECT_EQ(run({"--help", "weigh", "stone"}), 1) << "a tool has its own help";
+  EXPECT_EQ(weighed_, (std::vector<std::string>{"stone", "--help"}));
 }
 
 }  // namespace

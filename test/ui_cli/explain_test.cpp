@@ -6,7 +6,10 @@
 #include <set>
 #include <sstream>
 
+#include "base/effector_command.hpp"
 #include "base/fault_table.hpp"
+#include "base/link/process.hpp"
+#include "base/operator.hpp"
 #include "test/docs/json_table.hpp"
 
 namespace mrroc::ui {
@@ -92,6 +95,32 @@ TEST(Explain, RefusesUnknownCodesWithTheNearest) {
     EXPECT_TRUE(end.out.empty());
   }
   EXPECT_NE(run({"over_curent"}).err.find("did you mean 'over_current'?"), std::string::npos);
+}
+
+TEST(Explain, KnowsEveryStateThatAPersonMeets) {
+  std::vector<std::string> names;
+  for (int s = 0; s <= static_cast<int>(TaskState::ended); ++s)
+    names.emplace_back(to_string(static_cast<TaskState>(s)));
+  for (std::size_t s = 0; s < kDriverStates; ++s) names.emplace_back(to_string(static_cast<DriverState>(s)));
+  for (int s = 0; s <= static_cast<int>(link::ProcessState::dead); ++s)
+    names.emplace_back(to_string(static_cast<link::ProcessState>(s)));
+  for (const std::string& name : names) {
+    EXPECT_EQ(run({name}).status, 0) << name;
+    EXPECT_NE(run({name}).out.find("what to do:"), std::string::npos) << name;
+  }
+  EXPECT_EQ(run({"waiting", "for", "start"}).out, run({"waiting_for_start"}).out);
+  EXPECT_NE(run({"faulted"}).out.find("of a process"), std::string::npos)
+      << "what several have is told of all";
+  EXPECT_EQ(nlohmann::json::parse(run({"holding", "--json"}).out)["state"], "holding");
+  EXPECT_NE(run({}).out.find("waiting for start"), std::string::npos);
+}
+
+TEST(Explain, AnOrderAndTheScriptsErrorsAreKnownToo) {
+  EXPECT_EQ(run({"e-stop"}).out, run({"emergency_stop"}).out);
+  EXPECT_NE(run({"emergency_stop"}).out.find("what to do:"), std::string::npos);
+  for (const char* code : {"missing_packages", "install_failed", "configure_failed", "build_failed",
+                           "tests_failed", "package_failed"})
+    EXPECT_EQ(run({code}).status, 0) << code;
 }
 
 }  // namespace

@@ -97,9 +97,10 @@ void FakeTask::publish(const task_status_t& status) {
   send(bus_, session_ + ".task_status", s);
 }
 
-void FakeTask::say(const std::string& process, const std::string& text, std::int32_t code) {
+void FakeTask::say(const std::string& process, const std::string& text, std::int32_t code,
+                   std::int64_t macrostep) {
   console_t m{};
-  m.header = {session_id_, ++number_, 0};
+  m.header = {session_id_, ++number_, macrostep};
   m.code = code;
   link::put_text(m.process, process);
   link::put_text(m.text, text);

@@ -30,7 +30,8 @@ class FakeTask final : public link::Sink {
   void poll(std::chrono::milliseconds timeout = {});
   void publish(const task_status_t& status);
   /// Says a line as a process of the system.
-  void say(const std::string& process, const std::string& text, std::int32_t code = 0);
+  void say(const std::string& process, const std::string& text, std::int32_t code = 0,
+           std::int64_t macrostep = 0);
 
   std::function<std::optional<std::string>(OperatorOrder)> objection;  ///< none: everything is allowed
   int deaf{};                           ///< so many sendings are lost from now on

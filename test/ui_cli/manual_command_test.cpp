@@ -1,10 +1,9 @@
-// Instructions by hand from the terminal, and the completion of words in a shell.
+// Instructions by hand from the terminal.
 #include "ui_cli/manual_command.hpp"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -21,6 +20,7 @@
 #include "ui_cli/completion.hpp"
 #include "ui_cli/manual_link.hpp"
 #include "ui_cli/manual_page.hpp"
+#include "ui_cli/manual_show.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -117,6 +117,57 @@ TEST(ManualCommand, ShowsAnArm) {
   EXPECT_TRUE(documented("manual show ARM", json));
   EXPECT_EQ(json["joints"][1], -1.57);
   EXPECT_NE(execute({2}, {"show", "arm1"}).find("joints"), std::string::npos);
+}
+
+TEST(ManualCommand, ShowsTheFaultAndWhatTheDriverWorksWith) {
+  EffectorReply r;
+  r.state = DriverState::faulted;
+  r.fault = {.code = FaultCode::over_current, .axis = 2, .value = 9, .limit = 8, .text = "current [A]"};
+  r.robot_model.tool_representation = Representation::xyz_angle_axis;
+  r.robot_model.tool = {0, 0, 0.25, 0, 0, 0.5};
+  r.robot_model.weight = 7;
+  r.robot_model.mass_centre = {0, 0, 0.125};
+  r.robot_model.kinematic_model = 1;
+  r.robot_model.set_servo_algorithm = 0b111111;
+  r.robot_model.servo_algorithm[2] = 1;
+  const auto told = [&](bool json) {
+    std::ostringstream out;
+    ui::show_arm(r, "arm1", json, out);
+    return out.str();
+  };
+  const auto json = nlohmann::json::parse(told(true));
+  EXPECT_EQ(json["fault"]["code"], "over_current");
+  EXPECT_EQ(json["tool"], (std::vector<double>{0, 0, 0.25, 0, 0, 0.5}));
+  EXPECT_EQ(json["weight"], 7);
+  EXPECT_EQ(json["mass_centre"][2], 0.125);
+  EXPECT_EQ(json["kinematic_model"], 1);
+  ASSERT_EQ(json["servo"].size(), 6U);
+  EXPECT_EQ(json["servo"][2]["algorithm"], 1);
+  for (const char* what : {"over_current", "0.2500", "7.0000  N", "1  of the kinematics", "0 0, 0 0, 1 0"})
+    EXPECT_NE(told(false).find(what), std::string::npos) << what << "\n" << told(false);
+  r = {};
+  EXPECT_EQ(nlohmann::json::parse(told(true))["fault"], nullptr);
+  EXPECT_EQ(nlohmann::json::parse(told(true))["tool"], nullptr) << "the driver has not told it";
+}
+
+TEST(ManualCommand, AFileThatCannotBeLoadedIsToldWithWhatItShouldHold) {
+  const std::filesystem::path folder = ::testing::TempDir();
+  const auto load = [&](const std::string& name, std::vector<int> states = {2}) {
+    return execute(std::move(states), {"load", (folder / name).string()});
+  };
+  for (const char* name : {"nowhere.txt", "."}) {
+    EXPECT_EQ(load(name).find("error: bad_script: cannot read "), 0U) << load(name);
+    EXPECT_NE(load(name).find("an instruction per line"), std::string::npos) << load(name);
+  }
+  std::ofstream(folder / "nothing.txt") << "# only a comment\n";
+  EXPECT_NE(load("nothing.txt").find("holds no instruction"), std::string::npos) << load("nothing.txt");
+  std::ofstream(folder / "bad.txt") << "bias arm1\n\ndance arm1\n";
+  EXPECT_NE(load("bad.txt", {2, 4}).find("bad.txt:3: dance arm1: "), std::string::npos)
+      << load("bad.txt", {2, 4});
+  std::ofstream(folder / "long.txt") << "bias " << std::string(240, 'a') << "\n";
+  EXPECT_NE(load("long.txt").find("long.txt:1: an instruction has at most 239 characters, and this one 245"),
+            std::string::npos)
+      << load("long.txt");
 }
 
 TEST(ManualCommand, ShowsNoPositionBeforeHoming) {
@@ -250,28 +301,6 @@ TEST(ManualCommand, BadWordsAreRefusedBeforeAnythingIsSent) {
       ui::read_manual_words({"home", "arm1", "--session", "x", "--url", "udpm://239.1.1.1:7?ttl=0"});
   EXPECT_EQ(wish.session, "x");
   EXPECT_EQ(wish.words, "home arm1");
-}
-
-TEST(Completion, BashCompletesCommandsAndTheirWords) {
-  const std::vector<ui::CompletedCommand> commands{{"log", "Look: at runs", {"check", "--json"}},
-                                                   {"list", "What's there", {"--json"}}};
-  const auto complete = [&](const std::string& words, int at) {
-    const std::string script = ui::bash_completion(commands) + "COMP_WORDS=(" + words +
-                               ")\nCOMP_CWORD=" + std::to_string(at) +
-                               "\n_ui_cli\necho \"${COMPREPLY[@]}\"\n";
-    const std::string file = std::string(::testing::TempDir()) + "/completion.sh";
-    std::ofstream(file) << script;
-    std::string result;
-    FILE* const pipe = ::popen(("bash " + file).c_str(), "r");
-    for (int c = std::fgetc(pipe); c != EOF && c != '\n'; c = std::fgetc(pipe))
-      result += static_cast<char>(c);
-    ::pclose(pipe);
-    return result;
-  };
-  EXPECT_EQ(complete("ui_cli l", 1), "log list");
-  EXPECT_EQ(complete("ui_cli log c", 2), "check");
-  EXPECT_EQ(complete("ui_cli list --", 2), "--json");
-  EXPECT_NE(ui::zsh_completion(commands).find("'log:Look\\: at runs'"), std::string::npos);
 }
 
 }  // namespace

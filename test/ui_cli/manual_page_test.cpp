@@ -94,6 +94,33 @@ TEST(ManualPage, AsksForWhatAnInstructionNeedsBesides) {
   EXPECT_EQ(words(p, "g", {kEnter}), "") << "nothing typed, nothing done";
 }
 
+TEST(ManualPage, ALineIsUnderstoodHoweverItIsTyped) {
+  const auto typed = [](const std::string& keys) {
+    auto p = page();
+    return words(p, keys, {kEnter});
+  };
+  for (const char* line : {":home arm1", "::home arm1", ":  home   arm1 ", ":ui_cli manual home arm1"})
+    EXPECT_EQ(typed(line), "home arm1") << line;
+  EXPECT_EQ(typed("g gripper arm1 0.06"), "gripper arm1 0.06");
+  EXPECT_EQ(typed("o front "), "preset arm1 front speed 0.15");
+  EXPECT_EQ(typed("o front speed 1"), "preset arm1 front speed 1");
+  EXPECT_EQ(typed(":   "), "");
+  for (const char* line : {":show arm1", ":load file", ":home arm1 --json"}) {
+    auto p = page();
+    for (const char* k = line; *k != 0; ++k) static_cast<void>(p.key(*k));
+    EXPECT_NE(p.key(kEnter).refusal.find("ui_cli manual"), std::string::npos) << line;
+  }
+}
+
+TEST(ManualPage, AnInstructionThatIsTooLongIsRefusedWithTheLimitAndNotCut) {
+  auto p = page();
+  const std::string line = ":weight arm1 " + std::string(300, '1');
+  for (const char k : line) static_cast<void>(p.key(k));
+  const ui::ManualDeed deed = p.key(kEnter);
+  EXPECT_EQ(deed.words, "");
+  EXPECT_NE(deed.refusal.find("at most 239 characters, and this one 312"), std::string::npos) << deed.refusal;
+}
+
 TEST(ManualPage, GoesToAnAbsoluteCoordinateFromWhereTheArmIs) {
   auto p = page();
   words(p, "a0.7");

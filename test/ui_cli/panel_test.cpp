@@ -211,6 +211,19 @@ TEST_F(Panel, ShowsWhatTheProcessesSay) {
   EXPECT_EQ(screen().find("not of this system"), std::string::npos);
 }
 
+TEST_F(Panel, ShowsWhenAMessageWasSaid) {
+  task_status_t m = drawing_status();
+  m.header.stamp = 100;
+  m.sim_time = 2;
+  task.publish(m);
+  pass(10ms);
+  task.say("edp arm1", "of another macrostep", 0, 150);
+  task.say("mp", "of none");
+  pass(10ms);
+  EXPECT_NE(screen().find("     3.00  edp arm1: of another macrostep"), std::string::npos) << screen();
+  EXPECT_NE(screen().find("     2.00  mp: of none"), std::string::npos) << screen();
+}
+
 TEST_F(Panel, ShowsALineThatCameOverBothWaysOnce) {
   publish(TaskState::running);
   EXPECT_NE(screen().find("the pens are on the paper"), std::string::npos);

@@ -120,6 +120,23 @@ class Reader(unittest.TestCase):
         for field, values in self.run_.messages(channel).items():
             np.testing.assert_array_equal(run.messages(channel)[field], values, field)
 
+    def test_example_works_from_any_folder_with_the_run_that_is_named_or_the_newest(self):
+        example = [sys.executable, SOURCE / "ui_cli" / "python" / "example.py"]
+
+        def ask(words, folder):
+            return subprocess.run([*example, *words], cwd=folder, capture_output=True, text=True)
+
+        named = ask([self.folder], "/")
+        self.assertEqual(named.returncode, 0, named.stderr)
+        self.assertIn("approach_settled_N", named.stdout)
+        self.assertIn("arm1.reply", named.stdout)
+        self.assertEqual(ask([], self.home).stdout, ask(["runs/press-1"], self.home).stdout)
+        for words, folder, told in (([], "/", "there is no run in /runs"), ([self.home], "/", "is no run folder")):
+            none = ask(words, folder)
+            self.assertEqual(none.returncode, 2)
+            self.assertIn(told, none.stderr)
+            self.assertTrue(none.stderr.strip().endswith("name a run folder: example.py RUN"), none.stderr)
+
     def test_log_that_was_cut_off_gives_what_is_whole(self):
         cut = self.home / "cut"
         shutil.copytree(self.folder, cut)

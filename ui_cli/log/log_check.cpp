@@ -35,7 +35,7 @@ std::string result(const link::LogVerdict& v) {
 
 Prover programs_beside() {
   return [](const std::string& program, const std::vector<std::string>& arguments) {
-    const Finished f = run_program(program_folder() / program, arguments);
+    const Finished f = run_program(program_beside(program), arguments);
     if (f.status == -1) throw FaultError(FaultCode::start_failed, fmt::format("cannot start {}", program));
     if (f.status > 1)
       throw FaultError(FaultCode::bad_log,

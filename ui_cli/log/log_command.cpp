@@ -138,11 +138,13 @@ int run_log(const std::vector<std::string>& arguments, std::ostream& out, std::o
   app.footer(
       "Exit status: 0; 1 runs differ, or a log is not what its programs compute; 2 bad usage; 3 system "
       "error.");
+  if (const auto help = help_asked(app, arguments)) {
+    out << *help;
+    return 0;
+  }
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     return w.command(out, err);
-  } catch (const CLI::Success& e) {
-    return app.exit(e, out, err);
   } catch (const CLI::ExtrasError& e) {
     err << unknown_word(app, e).error_line() << "\n";
     return exit_status(FaultCode::bad_usage);

@@ -192,7 +192,7 @@ std::vector<Listener> start(const RunRecord& run, const Words& w, const std::str
         "--patience",   "0",
         "--config",     std::filesystem::absolute(run.folder() / "config.toml").string()};
     arguments.insert(arguments.end(), p.arguments.begin(), p.arguments.end());
-    listeners.push_back({name, link::Child(program_folder() / p.program, arguments)});
+    listeners.push_back({name, link::Child(program_beside(p.program), arguments)});
   }
   const auto begun = Clock::now();
   while (!check.ready() && interrupted == 0) {

@@ -201,5 +201,40 @@ TEST(ManualArm, StopEndsAMotion) {
   EXPECT_EQ(moves, 21) << "the macrosteps before the stop";
 }
 
+/// Plays a motion during which the driver trips: first it refuses what is commanded, then it says why.
+TEST(ManualArm, ADriverThatTripsEndsTheOrderWithItsFaultWhichIsToldUntilTheReset) {
+  ManualOrder o{.kind = Kind::move, .space = Representation::joints};
+  o.value = {1, -1.5, 0.1, 1.5, 1.5, -1.5};
+  std::vector<X> images(60, image(o));
+  for (std::size_t k = 0; k < images.size(); ++k) {
+    images[k].e.verdict = k < 20 ? Verdict::executed : k < 22 ? Verdict::refused : Verdict::none;
+    if (k < 20) continue;
+    images[k].e.state = DriverState::faulted;
+    images[k].e.fault.code = k < 22 ? FaultCode::reset_required : FaultCode::over_current;
+  }
+  images.back().T.finished = true;
+  ScriptPort<Arm> port(images);
+  X x = image(o);
+  EXPECT_EQ(run_program(x, port), Outcome::terminated);
+  EXPECT_EQ(x.c.done, 1);
+  EXPECT_EQ(x.c.fault.code, FaultCode::over_current);
+  EXPECT_EQ(port.decisions().back().y.T.fault.code, FaultCode::over_current);
+  int moves = 0;
+  for (const auto& d : port.decisions()) moves += d.y.e.instruction == Instruction::set_get;
+  EXPECT_LE(moves, 21) << "nothing is commanded behind the fault";
+}
+
+TEST(ManualArm, AStopOfAnArmThatHasTrippedIsObeyed) {
+  X first = image({.kind = Kind::stop});
+  first.e.state = DriverState::faulted;
+  first.e.fault.code = FaultCode::over_current;
+  std::vector<X> images(20, first);
+  images.back().T.finished = true;
+  ScriptPort<Arm> port(images);
+  EXPECT_EQ(run_program(first, port), Outcome::terminated);
+  EXPECT_EQ(first.c.done, 1);
+  EXPECT_FALSE(first.c.fault);
+}
+
 }  // namespace
 }  // namespace mrroc::manual

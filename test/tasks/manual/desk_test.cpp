@@ -178,6 +178,24 @@ TEST(ManualDesk, AFaultedArmWaitsForItsReset) {
   EXPECT_FALSE(office.say(1, "bias arm1").orders[0]);
   EXPECT_NE(office.answer().second.find("reset arm1"), std::string::npos);
   EXPECT_TRUE(office.say(2, "reset arm1").orders[0]);
+  office.done(0);
+  office.step();
+  office.answer();
+  EXPECT_TRUE(office.say(3, "stop arm1").orders[0]);
+  office.done(0, Fault{.code = FaultCode::over_current});
+  office.step();
+  EXPECT_EQ(office.answer().first, 2) << "an arm that stands has obeyed a stop";
+}
+
+TEST(ManualDesk, WordsThatAreNotUnderstoodAreAnsweredWithTheRightOnesInOneLine) {
+  Office office;
+  office.say(1, "dance arm1");
+  EXPECT_NE(office.answer().second.find("the verbs are home, move, jog"), std::string::npos);
+  office.say(2, "gripper arm1 0.06");
+  EXPECT_NE(office.answer().second.find("arm1 has no gripper"), std::string::npos);
+  office.say(3, std::string(200, 'x') + " arm1");
+  const std::string text = office.answer().second;
+  EXPECT_TRUE(text.ends_with("reset, stop, end")) << text;
 }
 
 TEST(ManualDesk, NonsenseIsRefusedAndTheEndIsTaken) {
