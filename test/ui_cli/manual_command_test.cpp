@@ -17,7 +17,6 @@
 #include "mrroc/manual_answer_t.hpp"
 #include "mrroc/manual_words_t.hpp"
 #include "test/docs/json_table.hpp"
-#include "ui_cli/completion.hpp"
 #include "ui_cli/manual_link.hpp"
 #include "ui_cli/manual_page.hpp"
 #include "ui_cli/manual_show.hpp"
