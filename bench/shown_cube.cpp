@@ -33,7 +33,7 @@ PlanStart start_of(const sim::WorldParameters& cell) {
 }
 
 /// @param cell  the arms are put where the step has them
-Look look_of(const Step& step, sim::WorldParameters cell) {
+Look look_of(const Step& step, const Pose& T_UG, sim::WorldParameters cell) {
   const double held = cell.arms[sim::kTrack].jaws->start;
   cell.cube.reset();
   for (const Hand hand : kHands) {
@@ -42,25 +42,32 @@ Look look_of(const Step& step, sim::WorldParameters cell) {
     arm.start.assign(joints.begin(), joints.end());
     arm.jaws->start = hand == step.before_grasp.hand ? held : kOpenJaws;
   }
-  return {step.R_GC, sim::CellScene(cell).take(sim::World(cell, 1))};
+  return {T_UG, step.R_GC, sim::CellScene(cell).take(sim::World(cell, 1))};
 }
 
 }  // namespace
 
-ShownCube::ShownCube(unsigned seed)
-    : random_(seed), camera_(sim::cube_camera()), T_UG_(sim::viewing_place().T_UG) {
+ShownCube::ShownCube(unsigned seed) : random_(seed), camera_(sim::cube_camera()) {
   const sim::WorldParameters parameters = start_cell();
-  const sim::CubePlanCell cell(parameters, sim::viewing_place());
-  Planner planner(cell);
   PlanStart start = start_of(parameters);
-  for (std::vector<Look>& looks : looks_) {
-    const Planned planned = planner.make_reading_plan(start);
+  for (int reading = 0; reading < kReadings; ++reading) {
+    const Viewing viewing = sim::viewing_place(reading);
+    const sim::CubePlanCell cell(parameters, viewing);
+    const Planned planned = Planner(cell).make_reading_plan(start);
     if (!planned.plan)
       throw FaultError(FaultCode::internal_error, "no plan to show all faces: " + planned.text);
     for (const Step& step : planned.plan->steps)
-      if (step.shows) looks.push_back(look_of(step, parameters));
+      if (step.shows)
+        looks_[static_cast<std::size_t>(reading)].push_back(look_of(step, viewing.T_UG, parameters));
     start = {planned.plan->end, planned.plan->end_joints};
   }
+}
+
+std::vector<Pose> ShownCube::places() const {
+  std::vector<Pose> places;
+  for (int reading = 0; reading < kReadings; ++reading)
+    places.push_back(camera_.place.inverse() * sim::viewing_place(reading).T_UG);
+  return places;
 }
 
 CubeLight ShownCube::draw_light(Lighting lighting) {
@@ -75,9 +82,10 @@ CubeLight ShownCube::draw_light(Lighting lighting) {
   }
   if (lighting != Lighting::glaring) return drawn;
   // The lamp mirrors itself somewhere on the face.
+  const Pose T_UG = sim::viewing_place().T_UG;
   const Vector3 view =
-      (camera_.place.p - T_UG_ * Vector3(uniform(-0.03, 0.03), uniform(-0.03, 0.03), 0)).normalized();
-  const Vector3 normal = T_UG_.R.col(2);
+      (camera_.place.p - T_UG * Vector3(uniform(-0.03, 0.03), uniform(-0.03, 0.03), 0)).normalized();
+  const Vector3 normal = T_UG.R.col(2);
   light.direction = 2 * normal.dot(view) * normal - view;
   light.lamp.fill(uniform(0.8, 1.4));
   light.exposure = 0.6;
@@ -92,7 +100,7 @@ camera::Scene ShownCube::show(const Look& look, const Cube& cube, const CubeLigh
   sim::CubeTruth truth;
   truth.state = cube;
   truth.T_UC =
-      T_UG_ * Pose{rotation_from_angle_axis(turn) * look.R_GC, shift - Vector3(0, 0, sim::kCubeEdge / 2)};
+      look.T_UG * Pose{rotation_from_angle_axis(turn) * look.R_GC, shift - Vector3(0, 0, sim::kCubeEdge / 2)};
   sim::add_cube(scene.bodies, truth);
   scene.light = light.light;
   if (!light.shadows)

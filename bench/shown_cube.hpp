@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "base/camera_config.hpp"
+#include "base/pose.hpp"
 #include "sim/camera/scene.hpp"
 #include "tasks/rubik/cube/cube.hpp"
+#include "tasks/rubik/reading/state_reading.hpp"
 
 namespace mrroc::bench {
 
@@ -21,6 +23,7 @@ struct CubeLight {
 
 /// One face before the camera, as a plan of the task shows it.
 struct Look {
+  Pose T_UG;            ///< where the face is shown
   Matrix3 R_GC;         ///< of the core in the frame of the shown face
   camera::Scene scene;  ///< of both arms as they stand then, without the cube
 };
@@ -28,9 +31,6 @@ struct Look {
 /// The task's cell, camera and plans to show all faces.
 class ShownCube {
  public:
-  /// Readings of a cube: when what is read in the first cannot be a cube, the task shows all faces again.
-  static constexpr int kReadings = 2;
-
   /// @param seed  of light and errors
   explicit ShownCube(unsigned seed);
 
@@ -39,8 +39,8 @@ class ShownCube {
     return looks_[static_cast<std::size_t>(reading)];
   }
   [[nodiscard]] const CameraSetup& camera() const { return camera_; }
-  /// @return T_CG of the place where faces are shown
-  [[nodiscard]] Pose place() const { return camera_.place.inverse() * T_UG_; }
+  /// @return T_CG of the places where faces are shown
+  [[nodiscard]] std::vector<Pose> places() const;
 
   /// @return light of a kind, another one at each call
   CubeLight draw_light(Lighting lighting);
@@ -53,8 +53,7 @@ class ShownCube {
 
   std::mt19937 random_;
   CameraSetup camera_;
-  Pose T_UG_;
-  std::array<std::vector<Look>, kReadings> looks_;
+  std::array<std::vector<Look>, rubik::kReadings> looks_;
 };
 
 }  // namespace mrroc::bench

@@ -24,7 +24,7 @@ StickerColour colour_of(char letter) {
 
 class FaceBench {
  public:
-  FaceBench() : shown_(41), sensor_(shown_.camera().model, {shown_.place()}) {}
+  FaceBench() : shown_(41), sensor_(shown_.camera().model, shown_.places()) {}
 
   void look_at_cube(int number, Lighting lighting, Tally& tally) {
     std::mt19937_64 random(static_cast<std::uint64_t>(number) + 1);
@@ -33,7 +33,7 @@ class FaceBench {
     const CubeLight light = shown_.draw_light(lighting);
     rubik::StateReading state;
     std::vector<FaceView> views;
-    for (int reading = 0; reading < ShownCube::kReadings && !state.cube; ++reading) {
+    for (int reading = 0; reading < rubik::kReadings && !state.cube; ++reading) {
       if (reading > 0) tally.flagged += rubik::kFaces;
       for (const Look& look : shown_.looks(reading))
         views.push_back(look_at_face(look, cube, light, facelets, tally));

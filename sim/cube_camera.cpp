@@ -8,7 +8,7 @@ CameraSetup cube_camera() {
   const rubik::Viewing viewing = viewing_place();
   CameraSetup camera;
   camera.key = "cube";
-  camera.place = viewing.T_UG * Pose{Eigen::DiagonalMatrix<double, 3>(1, -1, -1), {0, 0, viewing.distance}};
+  camera.place = viewing.T_UV * Pose{Eigen::DiagonalMatrix<double, 3>(1, -1, -1), {0, 0, viewing.distance}};
   camera.model.fx = 1100;
   camera.model.fy = 1100;
   camera.period = 100;

@@ -40,7 +40,8 @@ AxisVector meeting_joints(int arm);
 /// Where the cube is shown to the camera: its middle stays at the meeting place, the face looks up at the camera by 20
 /// degrees, away from the arms' row. Of 1008 places and directions it is the one in which both arms can show the face
 /// opposite to the palm and the two that are free of fingers with the least motion.
-rubik::Viewing viewing_place();
+/// @param reading  0: faces are square to the camera; from 1 on they are tilted, so that lamps that they mirrored are elsewhere
+rubik::Viewing viewing_place(int reading = 0);
 
 /// @param arm  kPostument or kTrack
 /// @return T_ME of the grip of that arm

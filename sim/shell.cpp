@@ -161,6 +161,10 @@ class Shell {
     const CubeTruth& cube = *world_.cube();
     cube_truth_t m{};
     put_rows(m.T_UC, cube.T_UC);
+    for (int arm = 0; arm < std::min(world_.arms(), 2); ++arm) {
+      const Vector3 middle = world_.effector(arm).inverse() * cube.T_UC.p;
+      std::ranges::copy(middle, m.in_hand[arm]);
+    }
     std::ranges::copy(rubik::to_facelets(cube.state), m.facelets);
     m.axis = cube.axis;
     std::ranges::copy(cube.angle, m.angle);

@@ -74,9 +74,9 @@ struct CellCollision::Impl {
     place(floor, {Matrix3::Identity(), {0, 0, -0.5}});
     if (viewing) {
       place(add("camera", kSurroundings, 0, false, box(Vector3::Constant(kCamera), kLinkSkin)),
-            viewing->T_UG * Pose{Matrix3::Identity(), {0, 0, viewing->distance + kCamera / 2}});
+            viewing->T_UV * Pose{Matrix3::Identity(), {0, 0, viewing->distance + kCamera / 2}});
       // The last one, so that it is the second one of every pair.
-      place(add("view", kView, 0, false, pyramid(viewing->distance, edge)), viewing->T_UG);
+      place(add("view", kView, 0, false, pyramid(viewing->distance, edge)), viewing->T_UV);
     }
     choose_pairs();
   }

@@ -38,6 +38,8 @@ Parameters read_parameters(const Config& config) {
   k.open = config.number("task.open", k.open, {0.06, 0.08}, "m between the jaws of an empty hand");
   k.jaw_step =
       config.number("task.jaw_step", k.jaw_step, {0.0005, 0.01}, "m per macrostep; MG tab. 5: 0.001");
+  k.grip_step =
+      config.number("task.grip_step", k.grip_step, {0.0001, 0.01}, "m per macrostep; MG tab. 6: 0.001");
   k.opening_step =
       config.number("task.opening_step", k.opening_step, {0.0005, 0.02}, "m per macrostep; MG tab. 8: 0.001");
   const double cube = config.number("task.cube_weight", 0.981, {0, 10}, "N");

@@ -116,7 +116,7 @@ Orders cycle(const X& x) {
     o = order(x.c.coordination);
     o.variant = actor(x.c.cycle, m) == hand ? kActs : kStands;
     put_turn(x.c.cycle.turn, o);
-    o.arm.gripper = m == 6 ? x.c.k.opening_step : x.c.k.jaw_step;
+    o.arm.gripper = m == 6 ? x.c.k.opening_step : m == 4 ? x.c.k.grip_step : x.c.k.jaw_step;
   }
   return orders;
 }

@@ -34,7 +34,8 @@ struct Parameters {
   double held{0.0555};        ///< jaws nearer to each other than that hold nothing [m]
   double slip{0.005};         ///< by which the cube may be off where the worker meets it [m]
   double open{0.063};         ///< distance of the jaws of an empty hand [m]
-  double jaw_step{0.003};     ///< dg of jaws that close and touch nothing yet, per macrostep [m]
+  double jaw_step{0.001};     ///< dg of jaws that close and touch nothing yet, per macrostep [m]
+  double grip_step{0.0003};   ///< dg of jaws that close on the cube, m = 4, per macrostep [m]
   double opening_step{0.01};  ///< dg of jaws that open, per macrostep [m]
   std::array<std::array<Load, 2>, kArms> load;  ///< of each arm, empty and with the cube
 };

@@ -13,6 +13,8 @@ void CubeRecord::collect() {
       for (int column = 0; column < 3; ++column) row.T_UC.R(r, column) = m->T_UC[4 * r + column];
       row.T_UC.p[r] = m->T_UC[4 * r + 3];
     }
+    for (std::size_t hand = 0; hand < row.in_hand.size(); ++hand)
+      row.in_hand[hand] = Eigen::Map<const Vector3>(m->in_hand[hand]);
     row.facelets.assign(std::begin(m->facelets), std::end(m->facelets));
     row.angle = std::abs(m->angle[0]) > std::abs(m->angle[1]) ? m->angle[0] : m->angle[1];
     row.squeeze = m->squeeze;

@@ -1,5 +1,6 @@
 // What is true of the cube during a run, for tables and figures.
 #pragma once
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,11 +13,13 @@ namespace mrroc::rubik {
 
 /// One macrostep.
 struct CubeRow {
-  std::int64_t i{};      ///< at whose beginning this was so
-  Pose T_UC;             ///< in the world
-  std::string facelets;  ///< U R F D L B
-  double angle{};        ///< of the layer that is farthest from its seat [rad]
-  double squeeze{};      ///< largest force of a pad or palm on it [N]
+  std::int64_t i{};  ///< at whose beginning this was so
+  Pose T_UC;         ///< in the world
+  std::array<Vector3, 2> in_hand{Vector3::Zero(),
+                                 Vector3::Zero()};  ///< its middle in E, as the hands truly are [m]
+  std::string facelets;                             ///< U R F D L B
+  double angle{};                                   ///< of the layer that is farthest from its seat [rad]
+  double squeeze{};                                 ///< largest force of a pad or palm on it [N]
   bool on_floor{};
 };
 

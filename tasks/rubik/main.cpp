@@ -57,17 +57,18 @@ std::string pose_setting(const std::string& key, const Pose& T) {
   return fmt::format("{}=[{:.9f}]", key, fmt::join(r.data(), r.data() + r.size(), ", "));
 }
 
-/// The camera and the place where faces are shown to it.
+/// The camera and the places where faces are shown to it.
 std::vector<std::string> camera_settings() {
   const CameraSetup camera = sim::cube_camera();
   const std::string prefix = fmt::format("cameras.{}.", camera.key);
-  return {fmt::format("cameras.order=[\"{}\"]", camera.key),
-          prefix + "mount=world",
-          fmt::format("{}period={}", prefix, camera.period),
-          fmt::format("{}fx={}", prefix, camera.model.fx),
-          fmt::format("{}fy={}", prefix, camera.model.fy),
-          pose_setting(prefix + "pose", camera.place),
-          pose_setting("cube_face.places.shown.pose", sim::viewing_place().T_UG)};
+  std::vector<std::string> settings{
+      fmt::format("cameras.order=[\"{}\"]", camera.key), prefix + "mount=world",
+      fmt::format("{}period={}", prefix, camera.period), fmt::format("{}fx={}", prefix, camera.model.fx),
+      fmt::format("{}fy={}", prefix, camera.model.fy),   pose_setting(prefix + "pose", camera.place)};
+  for (int reading = 0; reading < rubik::kReadings; ++reading)
+    settings.push_back(pose_setting(fmt::format("cube_face.places.reading{}.pose", reading + 1),
+                                    sim::viewing_place(reading).T_UG));
+  return settings;
 }
 
 /// The grips of the cell begin with the cube in the hand whose fingers cover two layers.
@@ -130,11 +131,19 @@ AxisVector axes(const std::vector<double>& q) {
   return Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
 }
 
+/// Plans in the cell as it is when faces are shown at one place.
+struct Planning {
+  Planning(const sim::WorldParameters& world, const std::optional<rubik::Viewing>& viewing)
+      : cell(world, viewing), planner(cell) {}
+  sim::CubePlanCell cell;
+  rubik::Planner planner;
+};
+
 /// What the coordinator thinks with.
 struct Head {
   explicit Head(const Setup& s)
-      : cell(s.world, s.camera ? std::optional(sim::viewing_place()) : std::nullopt),
-        planner(cell),
+      : world(s.world),
+        planning(s.world, s.camera ? std::optional(sim::viewing_place()) : std::nullopt),
         solver(s.config.choice("task.tables", rubik::TableSet::standard,
                                {{"small", rubik::TableSet::small},
                                 {"default", rubik::TableSet::standard},
@@ -147,13 +156,18 @@ struct Head {
                         {.shortest = {.nodes = kShortestNodes}, .two_phase = {.nodes = kTwoPhaseNodes}});
   }
 
+  [[nodiscard]] rubik::Planned plan_reading(const rubik::PlanStart& start, int reading) {
+    if (reading == 0) return planning.planner.make_reading_plan(start);
+    return Planning(world, sim::viewing_place(reading)).planner.make_reading_plan(start);
+  }
+
   static constexpr int kThreads = 2;
   static constexpr std::uint64_t kShortestNodes =
       1'000'000;  // five times what 40 cubes of 14 turns needed at most
   static constexpr std::uint64_t kTwoPhaseNodes = 3'000'000;
   rubik::TableProgress progress{stderr};
-  sim::CubePlanCell cell;
-  rubik::Planner planner;
+  sim::WorldParameters world;
+  Planning planning;
   rubik::CubeSolver solver;
 };
 
@@ -168,10 +182,10 @@ rubik::Brain make_brain(const Setup& s, Head& head) {
   brain.plan = [&head](const rubik::PlanStart& start, const rubik::Moves& moves, const rubik::Jams& jams) {
     rubik::PlanOptions options;
     options.jams = jams;
-    return head.planner.make_plan(start, moves, options);
+    return head.planning.planner.make_plan(start, moves, options);
   };
-  brain.plan_reading = [&head](const rubik::PlanStart& start) {
-    return head.planner.make_reading_plan(start);
+  brain.plan_reading = [&head](const rubik::PlanStart& start, int reading) {
+    return head.plan_reading(start, reading);
   };
   return brain;
 }

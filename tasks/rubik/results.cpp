@@ -33,14 +33,15 @@ mp::ArmTrace part(const mp::ArmTrace& trace, const CycleNote& note, std::initial
   return rows;
 }
 
-/// Way of the cube in the hand of the track arm, whose base is the world.
+/// Way of the cube in the track arm's jaws. What its arm measures would have in it that the wrist sags, 0.6 mm, and that
+/// the hand turns under it.
 double slip(const mp::ArmTrace& turning, const CubeRecord& cube) {
   std::optional<Vector3> first;
   double most = 0;
   for (const mp::ArmRow& row : turning) {
-    const CubeRow* const c = cube.at(row.i - 1);  // its pose is that of the macrostep's begin
+    const CubeRow* const c = cube.at(row.i - 1);  // as it was at the macrostep's begin
     if (!c) continue;
-    const Vector3 p = (pose_of(row).inverse() * c->T_UC).p;
+    const Vector3& p = c->in_hand[index(Hand::track)];
     if (!first) first = p;
     most = std::max(most, (p - *first).norm());
   }

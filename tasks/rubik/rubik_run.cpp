@@ -17,8 +17,7 @@ constexpr std::size_t kLoopDelay = 3;
 /// Wall time that a macrostep of thinking may take: some of the others wait for ten of them.
 constexpr std::chrono::milliseconds kPatienceOfOthers{800};
 
-constexpr int kReadings = 2;  // of a cube that cannot be, before it is a fault
-constexpr int kRounds = 2;    // of solving, when the cube is found not to be solved in the end
+constexpr int kRounds = 2;  // of solving, when the cube is found not to be solved in the end
 
 }  // namespace
 
@@ -114,7 +113,7 @@ Outcome RubikRun::read_cube(X& x, Port& port, PlanStart& now, std::optional<Cube
     doing_ = "thinking of how to look";
     std::optional<Planned> planned;
     Outcome o = think<Planned>(
-        x, port, [&] { return brain_.plan_reading(now); }, planned);
+        x, port, [&] { return brain_.plan_reading(now, attempt); }, planned);
     if (o != Outcome::terminated) return o;
     if (!planned->plan) return plan_failed(*planned);
     Moves none;

@@ -24,7 +24,8 @@ namespace mrroc::rubik {
 struct Brain {
   std::function<Solution(const Cube&)> solve;
   std::function<Planned(const PlanStart&, const Moves&, const Jams&)> plan;
-  std::function<Planned(const PlanStart&)> plan_reading;  ///< shows all six faces
+  std::function<Planned(const PlanStart&, int reading)>
+      plan_reading;                   ///< shows all six faces; reading: 0 .. kReadings - 1
   PlanStart start;                    ///< how the cube is held at the beginning, and where the arms are
   std::optional<Cube> known;          ///< the cube as it is told; none: it is read
   std::optional<CameraSetup> camera;  ///< that looks at faces which are shown

@@ -83,11 +83,12 @@ std::string conditions() {
 | MG (75) | 90 degrees, magnitude | {:g} degrees, signed and unwrapped | a magnitude ends at 180 degrees |
 | MG (77) | opened by 0.02 m | {:g} m, `kRelease` | |
 | MG 7(a) | 5 N m, B = 0.025 for the whole task | `./run rubik`: {:g} N m, B = {:g}; `task.torque`, `task.mobility` | four times as fast; contact forces stay below the drivers' limit |
-| MG 5(b), 8(a) | dg = 0.001 m | `./run rubik`: {:g} m per macrostep while the jaws touch nothing | |
+| MG 6(b) | dg = 0.001 m | `./run rubik`: {:g} m per macrostep; `task.grip_step` | the gear of the jaws keeps what an impact presses |
+| MG 8(a) | dg = 0.001 m | `./run rubik`: {:g} m per macrostep; `task.opening_step` | opens as fast as the drive can |
 )",
                      x.c.k.teach_force, x.c.k.settle, x.c.k.lift_off, rubik::kApproachForce, rubik::kSettling,
                      rubik::kNarrow, rubik::TurnOrder{}.angle * 180 / M_PI, rubik::kRelease, cube.torque,
-                     cube.mobility, cube.jaw_step);
+                     cube.mobility, cube.grip_step, cube.opening_step);
 }
 
 /// Axes of a command that do more than stand still.

@@ -180,14 +180,16 @@ TEST_F(CubePlan, TellsHowLongItTakesBySumsOfItsSteps) {
 }
 
 TEST_F(CubePlan, ShowsEveryFaceOnceToTheCamera) {
-  Planner planner(cell);
-  for (const Face palm : {Face::D, Face::R, Face::F}) {
+  const CubePlanCell tilted(world, viewing_place(1));
+  for (const auto& [place, palm] :
+       {std::pair(&cell, Face::D), {&cell, Face::R}, {&cell, Face::F}, {&tilted, Face::D}}) {
+    Planner planner(*place);
     start.grasp = {kT, palm, palm == Face::R ? Face::U : Face::R};
     const Planned planned = planner.make_reading_plan(start);
     ASSERT_TRUE(planned.plan) << planned.text;
-    PlanReplay replay(cell, *planned.plan);
+    PlanReplay replay(*place, *planned.plan);
     replay.run(*planned.plan,
-               [&](const rubik::CellState& s) { EXPECT_TRUE(cell.is_free(s)) << cell.touching(); });
+               [&](const rubik::CellState& s) { EXPECT_TRUE(place->is_free(s)) << place->touching(); });
     EXPECT_EQ(std::set<Face>(replay.shown.begin(), replay.shown.end()).size(), 6u);
     EXPECT_EQ(replay.shown.size(), 6u);
     EXPECT_EQ(replay.cube, rubik::Cube{});

@@ -18,10 +18,12 @@ struct CellState {
 
 /// Where faces are shown to a camera.
 struct Viewing {
-  /// The frame G of the shown face: origin in its middle, z out of it, towards the camera; x and y along the edges of
+  /// The frame G of the shown face: origin in its middle, z out of it; x and y along the edges of
   /// the face. Which way up the face is does not matter.
   Pose T_UG;
-  double distance{0.45};  ///< of the camera from the face, along z of G [m]
+  double distance{0.45};  ///< of the camera from a face that is square to it [m]
+  /// The frame V of such a face: the camera stands on its z, at that distance. G may be tilted against it.
+  Pose T_UV;
 };
 
 /// Where faces are turned. The frame M has its origin in the middle of the cube and z out of the face that the postument

@@ -11,6 +11,9 @@
 
 namespace mrroc::rubik {
 
+/// Readings of all faces before a cube that cannot be is a fault, each at a place of its own.
+inline constexpr int kReadings = 2;
+
 /// When a sticker counts as ambiguous, and how many of them may be completed.
 struct StateReadingParameters {
   /// Least cost, in variances, that any exchange of the sticker's colour for another one must have.

@@ -22,9 +22,9 @@ EffectorCommand row(const X& x) {
   return command(x, frame, sign * kJawStep);
 }
 
-/// The same while the jaws touch nothing: as quickly as is ordered.
+/// The same as quickly as is ordered.
 template <const TaskFrameCommand& frame, int sign>
-EffectorCommand freely(const X& x) {
+EffectorCommand as_ordered(const X& x) {
   return command(x, frame, sign * jaw_step_of(x.T));
 }
 
@@ -120,8 +120,8 @@ const std::array<Motion<Arm>, 6> kWorker{{
   // m  name        entry      memory       command           sensors    event                terminal condition, in words
   {  1, "approach", kRetain,   kRetain,     row<kApproach, 0>, kNoSensor, event<1, pushing>,  told<1>, "the hand presses (66)"},
   {  2, "settle",   kRetain,   kRetain,     row<kApproach, 0>, kNoSensor, event<2, settled>,  told<2>, "the force has settled (69)"},
-  {  3, "close y",  kRetain,   kRetain,     freely<kCloseY, -1>, kNoSensor, event<3, narrow>,   told<1>, "the jaws are about to touch (71)"},
-  {  4, "close xy", kRetain,   kRetain,     row<kCloseXY, -1>, kNoSensor, event<4, gripped>,  told<2>, "the jaws are blocked (72)"},
+  {  3, "close y",  kRetain,   kRetain,     as_ordered<kCloseY, -1>, kNoSensor, event<3, narrow>,   told<1>, "the jaws are about to touch (71)"},
+  {  4, "close xy", kRetain,   kRetain,     as_ordered<kCloseXY, -1>, kNoSensor, event<4, gripped>,  told<2>, "the jaws are blocked (72)"},
   {  5, "await the turn", kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<5, nothing>,  told<1>, "the face has turned"},
   {  6, "await release", kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<6, nothing>,  told<2>, "the jaws have opened"},
 }};
@@ -131,7 +131,7 @@ const std::array<Motion<Arm>, 6> kHolder{{
   {  3, "await closing", kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<3, nothing>,  told<1>, "the other jaws are about to touch"},
   {  4, "await the grip", kRetain,   kRetain,     row<kStill, 0>,    kNoSensor, event<4, nothing>,  told<2>, "the other jaws are blocked"},
   {  5, "turn",     begin_turn, track_turn, turn,              kNoSensor, event<5, turned>,   told<1>, "the angle is reached (75)"},
-  {  6, "open",     keep_gap,  kRetain,     freely<kStill, 1>,   kNoSensor, event<6, released>, told<2>, "the jaws have opened (77)"},
+  {  6, "open",     keep_gap,  kRetain,     as_ordered<kStill, 1>,   kNoSensor, event<6, released>, told<2>, "the jaws have opened (77)"},
 }};
 // clang-format on
 
