@@ -181,15 +181,19 @@ TEST_F(CubePlan, TellsHowLongItTakesBySumsOfItsSteps) {
 
 TEST_F(CubePlan, ShowsEveryFaceOnceToTheCamera) {
   const CubePlanCell tilted(world, viewing_place(1));
+  struct Case {
+    const CubePlanCell& place;
+    Face palm;
+  };
   for (const auto& [place, palm] :
-       {std::pair(&cell, Face::D), {&cell, Face::R}, {&cell, Face::F}, {&tilted, Face::D}}) {
-    Planner planner(*place);
+       {Case{cell, Face::D}, {cell, Face::R}, {cell, Face::F}, {tilted, Face::D}}) {
+    Planner planner(place);
     start.grasp = {kT, palm, palm == Face::R ? Face::U : Face::R};
     const Planned planned = planner.make_reading_plan(start);
     ASSERT_TRUE(planned.plan) << planned.text;
-    PlanReplay replay(*place, *planned.plan);
+    PlanReplay replay(place, *planned.plan);
     replay.run(*planned.plan,
-               [&](const rubik::CellState& s) { EXPECT_TRUE(place->is_free(s)) << place->touching(); });
+               [&](const rubik::CellState& s) { EXPECT_TRUE(place.is_free(s)) << place.touching(); });
     EXPECT_EQ(std::set<Face>(replay.shown.begin(), replay.shown.end()).size(), 6u);
     EXPECT_EQ(replay.shown.size(), 6u);
     EXPECT_EQ(replay.cube, rubik::Cube{});
