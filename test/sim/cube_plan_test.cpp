@@ -184,9 +184,10 @@ TEST_F(CubePlan, ShowsEveryFaceOnceToTheCamera) {
   struct Case {
     const CubePlanCell& place;
     Face palm;
+    int most_grips;
   };
-  for (const auto& [place, palm] :
-       {Case{cell, Face::D}, {cell, Face::R}, {cell, Face::F}, {tilted, Face::D}}) {
+  for (const auto& [place, palm, most_grips] :
+       {Case{cell, Face::D, 2}, {cell, Face::R, 2}, {cell, Face::F, 2}, {tilted, Face::D, 3}}) {
     Planner planner(place);
     start.grasp = {kT, palm, palm == Face::R ? Face::U : Face::R};
     const Planned planned = planner.make_reading_plan(start);
@@ -197,7 +198,7 @@ TEST_F(CubePlan, ShowsEveryFaceOnceToTheCamera) {
     EXPECT_EQ(std::set<Face>(replay.shown.begin(), replay.shown.end()).size(), 6u);
     EXPECT_EQ(replay.shown.size(), 6u);
     EXPECT_EQ(replay.cube, rubik::Cube{});
-    EXPECT_LE(planned.plan->grips, 2);
+    EXPECT_LE(planned.plan->grips, most_grips);
   }
 }
 
