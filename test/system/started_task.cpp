@@ -172,7 +172,7 @@ Ended Started::end() {
 }
 
 Ended run(const Folder& folder, const std::string& program, const std::vector<std::string>& arguments) {
-  return Started(folder, program, arguments, "run-" + program).end();
+  return Started(folder, program, arguments, "run-" + fs::path(program).filename().string()).end();
 }
 
 bool all_gone(const std::vector<ProcessId>& processes) {
