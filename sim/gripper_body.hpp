@@ -18,7 +18,7 @@ struct GripperBodyParameters {
   double palm_stiffness{8e4};   ///< the same of the palm
   double relaxation{0.002};     ///< damping of the contacts over their stiffness [s]
   double jaw_mass{0.1};         ///< of each jaw with its finger [kg]
-  double jaw_force{1000};       ///< that the screw of a jaw bears [N]
+  double jaw_force{300};        ///< that a finger bears before it bends, and gives way [N]
   double wrist_stiffness{2e4};  ///< of the wrist between arm and sensor, along x, y and z [N/m]
   double wrist_damping{0.3};    ///< ratio of the wrist with the tool's mass
 };
