@@ -13,6 +13,8 @@ class RestWatch {
   static constexpr double kRestSpeed = 0.0005;
   /// An arm that has been at rest for so many steps stays at rest.
   static constexpr std::int64_t kSettled = 100;
+  /// No stop takes that many steps: an arm that moves still longer after its last command moves by itself.
+  static constexpr std::int64_t kLongestStop = 1000;
 
   /// Takes one step of one arm.
   /// @param speed            of the tool tip [m/s]
@@ -31,14 +33,16 @@ class RestWatch {
       return now_ >= a.commanded_until && now_ - a.moved > kSettled;
     });
   }
-  /// @return steps from the end of the last commanded macrostep to rest, per arm; -1 for arms that are not
-  /// there
-  [[nodiscard]] std::array<int, 4> stop_steps() const {
+  /// @param stopped  step of the stop
+  /// @return steps from the end of the last commanded macrostep to rest, per arm; of an arm that had moved by itself for
+  ///         longer, as in homing, from the stop to rest; -1 for arms that are not there
+  [[nodiscard]] std::array<int, 4> stop_steps(std::int64_t stopped) const {
     std::array<int, 4> steps{-1, -1, -1, -1};
     for (int k = 0; k < known_; ++k) {
       const Arm& a = arms_[static_cast<std::size_t>(k)];
-      steps[static_cast<std::size_t>(k)] =
-          static_cast<int>(std::max<std::int64_t>(0, a.moved + 1 - a.commanded_until));
+      const bool by_itself = a.moved - a.commanded_until > kLongestStop;
+      const std::int64_t from = by_itself ? std::max(stopped, a.commanded_until) : a.commanded_until;
+      steps[static_cast<std::size_t>(k)] = static_cast<int>(std::max<std::int64_t>(0, a.moved + 1 - from));
     }
     return steps;
   }

@@ -227,7 +227,7 @@ class Shell {
     // An arm that rests before the macrostep of the stop may yet be told to move.
     if (!process_.over() || step / k_.n_s < process_.stop_as_of()) return;
     const bool at_rest = rest_.at_rest();
-    if (at_rest && !rested_) process_.report_rest(true, rest_.stop_steps());
+    if (at_rest && !rested_) process_.report_rest(true, rest_.stop_steps(process_.stop_as_of() * k_.n_s));
     rested_ = at_rest;
   }
 

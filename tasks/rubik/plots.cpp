@@ -100,10 +100,11 @@ std::vector<std::pair<std::string, std::string>> plots(const RunRecord& record) 
                                           marks_of_turn(turning), "torque about the axis of the face [N m]"));
   all.emplace_back(
       "turns",
-      "set xlabel 'turn'\nset ylabel '[N], [N m]'\nset key top right\nset yrange [0:*]\n"
+      "set xlabel 'turn'\nset ylabel '[N], [N m]'\nset key top right\nset yrange [0:*]\nset xrange [0.5:*]\n"
       "set style data linespoints\n"
-      "plot 'moves.csv' skip 1 using 1:9:xtic(2) pt 7 lc rgb '#1f5fa8' title 'largest force x, y, z', "
-      "'moves.csv' skip 1 using 1:10 pt 7 lc rgb '#b3541e' title 'largest torque about z'\n");
+      "set datafile columnheaders\nplot 'moves.csv' using 1:'force_peak_N':xtic(2) pt 7 lc rgb '#1f5fa8' "
+      "title 'largest force x, y, z', "
+      "'moves.csv' using 1:'torque_peak_Nm' pt 7 lc rgb '#b3541e' title 'largest torque about z'\n");
   return all;
 }
 

@@ -93,6 +93,7 @@ CubeFaceSensor make_cube_face_sensor(const Config& config, const std::string& ke
 }
 
 void run_cube_face(link::Process& process, const Config& config, const link::PartArguments& /*arguments*/) {
+  process.needs_unlogged("the pictures of cameras");
   const std::string key = camera_of(process);
   const CameraModel camera = read_camera_model(config, key);
   const CubeFaceSensor sensor = make_cube_face_sensor(config, key);
