@@ -44,11 +44,10 @@ fs::path name_run_folder(const fs::path& wanted, const std::string& task) {
   fs::path folder = wanted.empty() ? fresh_name(task) : wanted;
   std::error_code error;
   if (fs::exists(folder) && !fs::is_empty(folder, error))
-    throw FaultError(
-        FaultCode::bad_usage,
-        fmt::format(fs::exists(folder / "config.toml") ? "{} holds a run already" : "{} is not empty",
-                    folder.string()),
-        "choose another --run-dir or delete it");
+    throw FaultError(FaultCode::bad_usage,
+                     fmt::format("{} {}", folder.string(),
+                                 fs::exists(folder / "config.toml") ? "holds a run already" : "is not empty"),
+                     "choose another --run-dir or delete it");
   return folder;
 }
 

@@ -34,8 +34,8 @@ class RestWatch {
     });
   }
   /// @param stopped  step of the stop
-  /// @return steps from the end of the last commanded macrostep to rest, per arm; of an arm that had moved by itself for
-  ///         longer, as in homing, from the stop to rest; -1 for arms that are not there
+  /// @return steps from the end of the last commanded macrostep to rest, per arm; of an arm that had moved by itself
+  ///         for longer, as in homing, from the stop to rest; -1 for arms that are not there
   [[nodiscard]] std::array<int, 4> stop_steps(std::int64_t stopped) const {
     std::array<int, 4> steps{-1, -1, -1, -1};
     for (int k = 0; k < known_; ++k) {

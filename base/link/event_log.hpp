@@ -11,9 +11,9 @@
 
 namespace mrroc::link {
 
-/// Writes what it receives of one session; messages of another one with the same name are left out. Repeated messages are
-/// written once, also those that were missing until they were repeated; missing numbers are counted. On a channel with
-/// several senders numbers say nothing: everything is written and nothing is counted.
+/// Writes what it receives of one session; messages of another one with the same name are left out. Repeated messages
+/// are written once, also those that were missing until they were repeated; missing numbers are counted. On a channel
+/// with several senders numbers say nothing: everything is written and nothing is counted.
 class EventLog final : public Sink {
  public:
   /// @param session  as in header_t::session
