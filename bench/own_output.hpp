@@ -4,8 +4,8 @@
 
 namespace mrroc::bench {
 
-/// While it lives, what this program and those that it starts print on their standard output goes to the standard error;
-/// only write() reaches what was the standard output.
+/// While it lives, what this program and those that it starts print on their standard output goes to the standard
+/// error; only write() reaches what was the standard output.
 class OwnOutput {
  public:
   OwnOutput();
