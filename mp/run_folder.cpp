@@ -42,11 +42,8 @@ nlohmann::ordered_json to_json(const Fault& fault) {
 
 fs::path name_run_folder(const fs::path& wanted, const std::string& task) {
   fs::path folder = wanted.empty() ? fresh_name(task) : wanted;
-  std::error_code error;
-  if (fs::exists(folder) && !fs::is_empty(folder, error))
-    throw FaultError(FaultCode::bad_usage,
-                     fmt::format("{} {}", folder.string(),
-                                 fs::exists(folder / "config.toml") ? "holds a run already" : "is not empty"),
+  if (fs::exists(folder / "config.toml"))
+    throw FaultError(FaultCode::bad_usage, fmt::format("{} holds a run already", folder.string()),
                      "choose another --run-dir or delete it");
   return folder;
 }
