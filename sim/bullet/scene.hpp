@@ -1,6 +1,5 @@
 // The Bullet world with everything it needs, owned in the right order.
 #pragma once
-#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 #include <btBulletDynamicsCommon.h>
 
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "base/pose.hpp"
+#include "sim/bullet/contact_solver.hpp"
 #include "sim/plate.hpp"
 
 namespace mrroc::sim {
@@ -97,7 +97,7 @@ class Scene {
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broadphase_;
-  btMultiBodyConstraintSolver solver_;
+  ContactSolver solver_;
   ObservedDynamics dynamics_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btCollisionObject>> bodies_;

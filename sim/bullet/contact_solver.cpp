@@ -1,0 +1,119 @@
+#include "sim/bullet/contact_solver.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+namespace mrroc::sim {
+namespace {
+
+constexpr int kBaseFreedoms = 6;
+using Values = Eigen::Map<const Eigen::VectorXd>;
+/// What an iteration returns for Bullet to go on; the change of velocities matters only where a threshold is set.
+constexpr btScalar kGoOn = 1;
+
+}  // namespace
+
+void ContactSolver::gather(btMultiBodyConstraintArray& constraints, Rows& rows) {
+  const auto part = [](const btAlignedObjectArray<btScalar>& of, int from, int at, const btMultiBody* body) {
+    if (!body) return Stretch{};
+    int first = 0, end = body->getNumDofs() + kBaseFreedoms;
+    while (end > first && of[from + end - 1] == 0) --end;
+    while (first < end && of[from + first] == 0) ++first;
+    return Stretch{first < end ? &of[from + first] : nullptr, at + first, end - first};
+  };
+  rows.clear();
+  for (int k = 0; k < constraints.size(); ++k) {
+    btMultiBodySolverConstraint& c = constraints[k];
+    const auto of_both = [&](const btAlignedObjectArray<btScalar>& of) {
+      return std::array{part(of, c.m_jacAindex, c.m_deltaVelAindex, c.m_multiBodyA),
+                        part(of, c.m_jacBindex, c.m_deltaVelBindex, c.m_multiBodyB)};
+    };
+    rows.push_back({&c, of_both(m_data.m_jacobians), of_both(m_data.m_deltaVelocitiesUnitImpulse)});
+    if (c.m_multiBodyA) c.m_multiBodyA->setPosUpdated(false);
+    if (c.m_multiBodyB) c.m_multiBodyB->setPosUpdated(false);
+  }
+}
+
+double ContactSolver::velocity(const Row& row) const {
+  double sum = 0;
+  for (const Stretch& jacobian : row.jacobian)
+    if (jacobian.n > 0)
+      sum +=
+          Values(jacobian.values, jacobian.n).dot(Values(&m_data.m_deltaVelocities[jacobian.at], jacobian.n));
+  return sum;
+}
+
+/// @return the impulse of the row that would satisfy it now, were it not bounded
+double ContactSolver::wanted(const Row& row) const {
+  const btMultiBodySolverConstraint& c = *row.of;
+  return c.m_appliedImpulse + c.m_rhs - c.m_appliedImpulse * c.m_cfm - velocity(row) * c.m_jacDiagABInv;
+}
+
+void ContactSolver::apply(const Row& row, double impulse) {
+  const double change = impulse - row.of->m_appliedImpulse;
+  if (change == 0) return;
+  row.of->m_appliedImpulse = impulse;
+  for (const Stretch& response : row.response)
+    if (response.n > 0)
+      Eigen::Map<Eigen::VectorXd>(&m_data.m_deltaVelocities[response.at], response.n) +=
+          change * Values(response.values, response.n);
+}
+
+void ContactSolver::solve(const Row& row) {
+  apply(row, std::clamp<double>(wanted(row), row.of->m_lowerLimit, row.of->m_upperLimit));
+}
+
+/// @param limit  of the impulse along both directions together
+void ContactSolver::solve_cone(const Row& a, const Row& b, double limit) {
+  if (limit == 0 && a.of->m_appliedImpulse == 0 && b.of->m_appliedImpulse == 0) return;
+  const double wanted_a = wanted(a), wanted_b = wanted(b);
+  const double size = wanted_a * wanted_a + wanted_b * wanted_b;
+  const double share = size > limit * limit ? limit / std::sqrt(size) : 1;
+  apply(a, share * wanted_a);
+  apply(b, share * wanted_b);
+}
+
+btScalar ContactSolver::solveSingleIteration(int iteration, btCollisionObject** bodies, int bodies_n,
+                                             btPersistentManifold** manifolds, int manifolds_n,
+                                             btTypedConstraint** constraints, int constraints_n,
+                                             const btContactSolverInfo& info, btIDebugDraw* drawer) {
+  if ((info.m_solverMode & SOLVER_USE_2_FRICTION_DIRECTIONS) == 0)
+    return btMultiBodyConstraintSolver::solveSingleIteration(
+        iteration, bodies, bodies_n, manifolds, manifolds_n, constraints, constraints_n, info, drawer);
+  if (iteration == 0) {
+    gather(m_multiBodyNonContactConstraints, joints_);
+    gather(m_multiBodyNormalContactConstraints, normals_);
+    gather(m_multiBodyFrictionContactConstraints, frictions_);
+  }
+  const auto solve_row = [this](const Row& row) { solve(row); };
+  if (iteration % 2 == 1)
+    std::for_each(joints_.begin(), joints_.end(), solve_row);
+  else
+    std::for_each(joints_.rbegin(), joints_.rend(), solve_row);
+  std::for_each(normals_.begin(), normals_.end(), solve_row);
+  for (std::size_t k = 0; k + 1 < frictions_.size(); k += 2) {
+    const btMultiBodySolverConstraint& c = *frictions_[k].of;
+    const double pressed = normals_[static_cast<std::size_t>(c.m_frictionIndex)].of->m_appliedImpulse;
+    solve_cone(frictions_[k], frictions_[k + 1], c.m_friction * pressed);
+  }
+  return kGoOn;
+}
+
+btScalar ContactSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int bodies_n,
+                                                      const btContactSolverInfo& info) {
+  const auto tell = [this](btMultiBody* body, int response, double impulse) {
+    if (body) body->applyDeltaVeeMultiDof2(&m_data.m_deltaVelocitiesUnitImpulse[response], impulse);
+  };
+  for (Rows* rows : {&joints_, &normals_, &frictions_}) {
+    for (const Row& row : *rows) {
+      const btMultiBodySolverConstraint& c = *row.of;
+      tell(c.m_multiBodyA, c.m_jacAindex, c.m_appliedImpulse);
+      tell(c.m_multiBodyB, c.m_jacBindex, c.m_appliedImpulse);
+    }
+    rows->clear();
+  }
+  return btMultiBodyConstraintSolver::solveGroupCacheFriendlyFinish(bodies, bodies_n, info);
+}
+
+}  // namespace mrroc::sim

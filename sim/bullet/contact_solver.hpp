@@ -1,0 +1,49 @@
+// Bullet's solver of contacts, in less time.
+#pragma once
+#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
+
+#include <array>
+#include <vector>
+
+namespace mrroc::sim {
+
+/// The projected Gauss-Seidel iteration of btMultiBodyConstraintSolver with friction in two directions: the same rows
+/// in the same order with the same bounds, so the same forces but for rounding. What it leaves out is zero: freedoms
+/// of fixed bases, friction where nothing presses. A turn of a face takes half the time (docs/decisions.md). Bodies other than
+/// multi-bodies must not move. With friction in one direction it is the solver of Bullet itself.
+class ContactSolver final : public btMultiBodyConstraintSolver {
+ protected:
+  btScalar solveSingleIteration(int iteration, btCollisionObject** bodies, int bodies_n,
+                                btPersistentManifold** manifolds, int manifolds_n,
+                                btTypedConstraint** constraints, int constraints_n,
+                                const btContactSolverInfo& info, btIDebugDraw* drawer) override;
+  /// Tells the bodies what changes their velocities, which Bullet's own solver does in each iteration.
+  btScalar solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int bodies_n,
+                                         const btContactSolverInfo& info) override;
+
+ private:
+  /// The part of a vector over the freedoms of a body that is not zero.
+  struct Stretch {
+    const double* values{};
+    int at{};  ///< place of the first one among the velocities
+    int n{};
+  };
+  /// A constraint with its one or two bodies.
+  struct Row {
+    btMultiBodySolverConstraint* of{};
+    std::array<Stretch, 2> jacobian;  ///< of the constraint's velocity
+    std::array<Stretch, 2> response;  ///< change of the bodies' velocities due to a unit impulse
+  };
+  using Rows = std::vector<Row>;
+
+  void gather(btMultiBodyConstraintArray& constraints, Rows& rows);
+  [[nodiscard]] double velocity(const Row& row) const;
+  [[nodiscard]] double wanted(const Row& row) const;
+  void apply(const Row& row, double impulse);
+  void solve(const Row& row);
+  void solve_cone(const Row& a, const Row& b, double limit);
+
+  Rows joints_, normals_, frictions_;
+};
+
+}  // namespace mrroc::sim
