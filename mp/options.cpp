@@ -45,8 +45,12 @@ std::uint64_t parse_seed(const std::string& text) {
 void add_task_options(CLI::App& app, TaskOptions& o) {
   app.option_defaults()->always_capture_default(false);
   app.add_option_function<std::string>(
-         "--seed", [&o](const std::string& s) { o.seed = parse_seed(s); },
-         "seed of everything random (default 1)")
+         "--seed",
+         [&o](const std::string& s) {
+           o.seed = parse_seed(s);
+           o.seed_asked = true;
+         },
+         "seed of everything random (default: that of the configuration, 1)")
       ->type_name("N");
   app.add_option_function<std::string>(
          "--clock", [&o](const std::string& c) { o.clock = c == "wall" ? ClockKind::wall : ClockKind::step; },
@@ -62,7 +66,9 @@ void add_task_options(CLI::App& app, TaskOptions& o) {
          "simulated seconds per second in lock-step, or max (default)")
       ->type_name("X|max");
   app.add_option("--run-dir", o.run_dir, "the run folder (default runs/TASK-TIME)")->type_name("DIR");
-  app.add_option("--config", o.config_file, "configuration instead of the built-in one")->type_name("FILE");
+  app.add_option("--config", o.config_file,
+                 "values over the built-in ones; the config.toml of a run: instead of them")
+      ->type_name("FILE");
   app.add_option("--set", o.settings, "sets a value of the configuration; may be repeated")
       ->type_name("KEY=VALUE");
   app.add_option_function<std::string>(
@@ -89,6 +95,11 @@ void add_task_options(CLI::App& app, TaskOptions& o) {
                  "instead of a run: recompute the coordinator's orders from a run folder's log, and print "
                  "what differs as JSON; `ui_cli log check` does it for all processes")
       ->type_name("RUN");
+}
+
+std::string who_orders(const TaskOptions& o) {
+  if (o.attended) return ", waits for the operator: `ui_cli start`";
+  return o.script.empty() ? "" : ", orders from " + o.script.string();
 }
 
 int run_command_line(CLI::App& app, int argc, char** argv, const std::function<int()>& run) {

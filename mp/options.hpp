@@ -18,6 +18,7 @@ namespace mrroc::mp {
 /// How a task is to be run.
 struct TaskOptions {
   std::uint64_t seed{1};
+  bool seed_asked{};  ///< --seed was given: that of the configuration does not count
   ClockKind clock{ClockKind::step};
   double speed{0};                    ///< simulated seconds per second; 0: as fast as possible
   bool speed_asked{};                 ///< --speed was given
@@ -37,6 +38,9 @@ struct TaskOptions {
 /// Adds the common options to a program's command line.
 /// @param options  filled in by app.parse(); must live as long as app
 void add_task_options(CLI::App& app, TaskOptions& options);
+
+/// @return who gives start and triggers, to be said behind the task's name; empty: the scripted operator
+std::string who_orders(const TaskOptions& options);
 
 /// What every task's main does: parses the command line, runs the task, and writes the error line of what it throws.
 /// @return exit status

@@ -45,6 +45,10 @@ fs::path name_run_folder(const fs::path& wanted, const std::string& task) {
   if (fs::exists(folder / "config.toml"))
     throw FaultError(FaultCode::bad_usage, fmt::format("{} holds a run already", folder.string()),
                      "choose another --run-dir or delete it");
+  std::error_code none;
+  if (fs::exists(folder, none) && !fs::is_empty(folder, none))
+    throw FaultError(FaultCode::bad_usage, fmt::format("{} is not empty", folder.string()),
+                     "a run writes files of many names: choose another --run-dir");
   return folder;
 }
 

@@ -75,11 +75,12 @@ void finish(const ArmTask& task, const Config& config, const fs::path& folder,
     }
   known.insert(known.end(), kEveryRun.begin(), kEveryRun.end());
   mp::write_summary(folder, summary);
-  if (task.pictures) draw(folder, task.pictures(traces, config));
+  const bool moved = std::ranges::any_of(traces, [](const mp::ArmTrace& trace) { return !trace.empty(); });
+  if (task.pictures && moved) draw(folder, task.pictures(traces, config));
 }
 
-int run(const ArmTask& task, const mp::TaskOptions& options) {
-  const Config config = load_task_config(options, task.config, task.name);
+int run(const ArmTask& task, mp::TaskOptions& options) {
+  Config config = load_task_config(options, task.config, task.name);
   const mp::SoloParameters k = solo_parameters(task, options, config);
   read_cell(config, task.arms, options.seed);
   if (task.read) task.read(config);
@@ -101,8 +102,7 @@ int run(const ArmTask& task, const mp::TaskOptions& options) {
           make_part(config, fmt::format("vsp-{}-{}", r.name, arm.key), "vsp_" + r.name, &arm, r.body));
   }
   mp::TaskRun run(task.name, options, folder, k.arms, std::move(parts));
-  fmt::print("{}, session {}, seed {}{}\n", task.name, run.session(), options.seed,
-             k.gives_start ? "" : ", waits for the operator: `ui_cli start`");
+  fmt::print("{}, session {}, seed {}{}\n", task.name, run.session(), options.seed, mp::who_orders(options));
   std::fflush(stdout);
   mp::SoloRun solo(run, k, say);
   run.start();

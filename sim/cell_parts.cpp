@@ -5,6 +5,7 @@
 
 #include <tuple>
 
+#include "base/config_store.hpp"
 #include "base/link/lossy_bus.hpp"
 #include "base/link/session.hpp"
 #include "mp/hosts.hpp"
@@ -36,6 +37,29 @@ void read_arm(const Config& config, const CellArm& arm, const std::vector<double
   robots::read_recording(config, arm.key);
 }
 
+constexpr IntegerBounds kSeeds{.min = 0};
+
+/// Gives a key a text that may hold anything.
+void set_text(Config& config, std::string_view key, const std::string& text) {
+  config.set(fmt::format("{}={}", key, to_toml(text)));
+}
+
+Config load_below_settings(const mp::TaskOptions& options, std::string_view built_in, const std::string& task,
+                           const std::vector<std::string>& found) {
+  const Config given = options.config_file.empty() ? Config() : Config::load(options.config_file);
+  if (given.has("run.folder")) {  // of a run: it has everything
+    Config config = given;
+    const std::string folder = config.text("run.folder", Config::kRequired);
+    if (config.has("film.directory") && config.text("film.directory", "") == folder)
+      set_text(config, "film.directory", "");
+    return config;
+  }
+  Config config = Config::parse(built_in, task + ".toml (built in)");
+  for (const std::string& s : found) config.set(s);
+  config.overlay(given);
+  return config;
+}
+
 }  // namespace
 
 WorldParameters read_cell(const Config& config, const std::vector<CellArm>& arms, std::uint64_t seed) {
@@ -55,12 +79,17 @@ WorldParameters read_cell(const Config& config, const std::vector<CellArm>& arms
   return parameters;
 }
 
-Config load_task_config(const mp::TaskOptions& options, std::string_view built_in, const std::string& task) {
-  if (!options.check.empty()) return Config::load((options.check / "config.toml").string());
-  Config config = options.config_file.empty() ? Config::parse(built_in, task + ".toml (built in)")
-                                              : Config::load(options.config_file);
-  for (const std::string& s : options.settings) config.set(s);
-  config.set(fmt::format("seed={}", options.seed));
+Config load_task_config(mp::TaskOptions& options, std::string_view built_in, const std::string& task,
+                        const std::vector<std::string>& found) {
+  const bool checks = !options.check.empty();
+  Config config = checks ? Config::load((options.check / "config.toml").string())
+                         : load_below_settings(options, built_in, task, found);
+  if (!checks) {
+    for (const std::string& s : options.settings) config.set(s);
+    if (options.seed_asked) config.set(fmt::format("seed={}", options.seed));
+  }
+  options.seed = static_cast<std::uint64_t>(config.integer<std::int64_t>("seed", 1, kSeeds));
+  if (checks) return config;
   mp::read_hosts(config);  // who starts the processes reads them again
   link::read_loss(config);
   return config;
@@ -80,12 +109,17 @@ void check_task_options(const mp::TaskOptions& o) {
   }
 }
 
-void complete_config(const Config& c, const mp::TaskOptions& o, const std::filesystem::path& folder,
-                     const std::string& strokes) {
-  std::ignore = c.integer<std::int64_t>("seed", 1);
-  std::ignore = c.number("sim.speed", o.speed, {0, 1e4}, "of real time, 0: as fast as possible");
-  std::ignore = c.text("run.folder", std::filesystem::absolute(folder).string());
-  std::ignore = c.text("run.strokes", strokes);
+void complete_config(Config& c, const mp::TaskOptions& o, const std::filesystem::path& folder,
+                     const std::string& strokes, bool film) {
+  const std::string there = std::filesystem::absolute(folder).string();
+  if (film && (!c.has("film.directory") || c.text("film.directory", "").empty()))
+    set_text(c, "film.directory", there);
+  std::ignore = c.text("film.directory", "");
+  c.set(fmt::format("sim.speed={}", o.speed));
+  set_text(c, "run.folder", there);
+  set_text(c, "run.strokes", strokes);
+  std::ignore = c.number("sim.speed", Config::kRequired, {0, 1e4}, "of real time, 0: as fast as possible");
+  for (const char* key : {"run.folder", "run.strokes"}) std::ignore = c.text(key, Config::kRequired);
   c.check_all_used();
 }
 

@@ -25,20 +25,24 @@ struct CellArm {
 /// @throws FaultError  bad_configuration; also when [robots] order has other arms
 WorldParameters read_cell(const Config& config, const std::vector<CellArm>& arms, std::uint64_t seed);
 
-/// @return a task's configuration: its own or the file of the options, and the settings over it; for a check that of
-///         the run
-/// @param built_in  TOML  @param task  its name
+/// @return a task's configuration: its own, over it what the task finds out, over that the file of the options, over
+///         that their settings. A file that a run has left has everything: it stands alone, without what belonged to that
+///         run, such as its folder. For a check that of the run.
+/// @param options   get the seed of the configuration, unless the command line gives one
+/// @param built_in  TOML  @param task  its name  @param found  KEY=VALUE that the task finds out
 /// @throws ConfigError
-Config load_task_config(const mp::TaskOptions& options, std::string_view built_in, const std::string& task);
+Config load_task_config(mp::TaskOptions& options, std::string_view built_in, const std::string& task,
+                        const std::vector<std::string>& found = {});
 
 /// What would be refused only when the system is being started. @throws FaultError
 void check_task_options(const mp::TaskOptions& options);
 
 /// Fixes what belongs to one run alone, and checks that every key is known.
 /// @param strokes  file along which the world's hands lead; empty: none
+/// @param film     whether cameras leave pictures, by default in the folder
 /// @throws ConfigError
-void complete_config(const Config& config, const mp::TaskOptions& options,
-                     const std::filesystem::path& folder, const std::string& strokes);
+void complete_config(Config& config, const mp::TaskOptions& options, const std::filesystem::path& folder,
+                     const std::string& strokes, bool film = false);
 
 /// @return a process, which is a program of its own or a thread
 /// @param arm  null: it belongs to no arm

@@ -21,7 +21,8 @@ namespace {
 constexpr const char* kHelp =
     "Usage: ui_cli explain [CODE] [--json]\n\n"
     "Says what an error means, what it mostly comes from and what to do. CODE: its name or number,\n"
-    "or a state as it is shown, such as `holding` or `waiting for start`; without it, a list of all.\n";
+    "a state as it is shown, such as `holding` or `waiting for start`, or a whole line\n`error: CODE: ...`; "
+    "without it, a list of all.\n";
 
 std::string_view meaning(FaultClass c) {
   switch (c) {
@@ -33,6 +34,15 @@ std::string_view meaning(FaultClass c) {
       break;
   }
   return "the task ends and the drives brake";
+}
+
+/// @return the code alone, where the words are an error line as programs write it; otherwise the words
+std::vector<std::string> without_error_line(const std::vector<std::string>& words) {
+  constexpr std::string_view kBegin = "error: ";
+  const std::string line = fmt::format("{}", fmt::join(words, " "));
+  const std::size_t end = line.find(':', kBegin.size());
+  if (!line.starts_with(kBegin)) return words;
+  return {line.substr(kBegin.size(), end == std::string::npos ? end : end - kBegin.size())};
 }
 
 std::optional<FaultCode> code_of(const std::string& word) {
@@ -175,6 +185,7 @@ int run_explain(const std::vector<std::string>& arguments, std::ostream& out, st
     list(out, json);
     return 0;
   }
+  words = without_error_line(words);
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   // Several words may be one state, such as waiting for start.
   const bool one = words.size() > 1 && explain(words, json, all, out);

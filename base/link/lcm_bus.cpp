@@ -99,7 +99,10 @@ LcmAddress LcmAddress::parse(const std::string& url) {
       R"(udpm://(2(?:2[4-9]|3\d)(?:\.(?:25[0-5]|2[0-4]\d|1?\d{1,2})){3}):(\d{1,5})(?:\?ttl=(\d{1,3}))?)");
   std::smatch part;
   if (!std::regex_match(url, part, form))
-    throw std::invalid_argument(fmt::format("'{}' is not of the form udpm://HOST:PORT?ttl=N", url));
+    throw std::invalid_argument(
+        fmt::format("'{}' is not of the form udpm://HOST:PORT?ttl=N with a HOST for multicast, 224.0.0.0 to "
+                    "239.255.255.255",
+                    url));
   LcmAddress a{part[1], std::stoi(part[2]), part[3].matched ? std::stoi(part[3]) : 0};
   if (a.port < 1024 || a.port + kGroups > 65535)
     throw std::invalid_argument(fmt::format("port {} is outside 1024..{}", a.port, 65535 - kGroups));

@@ -11,6 +11,7 @@
 namespace mrroc::drawing {
 namespace {
 
+constexpr int kTeachIn = 2;  // m of its last behaviour
 /// From an order of the coordinator to the report about its execution (MG 11-15).
 constexpr std::size_t kLoopDelay = 3;
 
@@ -90,6 +91,7 @@ Outcome DrawingRun::execute() {
 
 void DrawingRun::observe(const Motion<Coordinator>& motion, const X& x) {
   const double now = seconds(x.i);
+  record_.whole = record_.whole || motion.m > kTeachIn;
   ordered_.push_front(motion.m);
   if (ordered_.size() > kLoopDelay + 1) ordered_.pop_back();
   note_rows(x);

@@ -17,7 +17,8 @@ namespace mrroc::drawing {
 
 /// What a run of the coordinator has left.
 struct RunRecord {
-  Recording recording;                     ///< taught, or as loaded
+  Recording recording;  ///< taught, or as loaded
+  bool whole{};         ///< the teach-in has come to its end, whatever has become of the copies
   std::array<mp::ArmTrace, kArms> traces;  ///< a row per macrostep
   /// Macrosteps in which each arm began to draw a segment: its driver told that it had executed a command of
   /// m = 5, the first one of the segment.

@@ -61,7 +61,7 @@ drawing::InputOptions input_of_run(const fs::path& folder) {
 }
 
 /// @throws FaultError  what is wrong with the input; nothing has been made or started
-Setup prepare(const Options& o) try {
+Setup prepare(Options& o) try {
   Setup s;
   s.input = drawing::read_input(o.task.check.empty() ? o.input : input_of_run(o.task.check));
   s.config = sim::load_task_config(o.task, drawing::default_config(), "drawing");
@@ -109,8 +109,12 @@ void finish(const Options& o, const Setup& s, const fs::path& folder, const draw
        drawing::figures_of(s.input.drawing, taught_here, record, ink, s.k, !summary.fault))
     summary.figures[key] = figure;
   mp::write_summary(folder, summary);
-  if (!o.input.save.empty() && !summary.fault && ink.taught)
-    drawing::save(o.input.save, {record.recording, *ink.taught});
+  if (!o.input.save.empty()) {
+    if (record.whole && ink.taught)
+      drawing::save(o.input.save, {record.recording, *ink.taught});
+    else
+      fmt::print("{} was not written: the teach-in has not come to its end\n", o.input.save.string());
+  }
   const auto plots = drawing::plot_run(folder, s.sheets);
   if (!plots.note.empty()) fmt::print("{}\n", plots.note);
 }
@@ -127,7 +131,7 @@ int check(const Options& o, const Setup& s) {
   });
 }
 
-int run(const Options& o) {
+int run(Options& o) {
   Setup s = prepare(o);
   if (!o.task.check.empty()) return check(o, s);
   const fs::path folder = mp::name_run_folder(o.task.run_dir, "drawing");
@@ -140,7 +144,7 @@ int run(const Options& o) {
   mp::TaskRun run("drawing", o.task, folder, kArmKeys, parts_of(s.config));
   fmt::print("drawing, {}, session {}, seed {}{}\n", s.input.about(), run.session(), o.task.seed,
              s.plan.gives_orders ? ", unattended: the scripted operator gives start and triggers"
-                                 : ", waits for the operator: `ui_cli start`");
+                                 : mp::who_orders(o.task));
   std::fflush(stdout);
   drawing::DrawingRun drawing(run, kArmKeys, s.k, s.plan,
                               s.input.taught ? std::optional(s.input.taught->recording) : std::nullopt,

@@ -32,7 +32,7 @@ struct Setup {
   std::vector<std::string> keys;
 };
 
-Setup prepare(const Options& o) {
+Setup prepare(Options& o) {
   Setup s;
   s.config = sim::load_task_config(o.task, manual::config(), "manual");
   sim::read_cell(s.config, kArms, o.task.seed);
@@ -73,7 +73,7 @@ mp::TaskOptions paced(const Options& o) {
   return task;
 }
 
-int run(const Options& o) {
+int run(Options& o) {
   Setup s = prepare(o);
   if (!o.task.check.empty()) return check(o, s);
   const fs::path folder = mp::name_run_folder(o.task.run_dir, "manual");

@@ -3,7 +3,10 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <cstdio>
+#include <optional>
 
 #include "base/representation.hpp"
 #include "mp/check_run.hpp"
@@ -35,7 +38,8 @@ const std::vector<std::string> kKeys{rubik::kArmKeys[0], rubik::kArmKeys[1]};
 
 struct Options {
   mp::TaskOptions task;
-  std::string scramble, state, eyes{"camera"};
+  std::optional<std::string> scramble, state;
+  std::string eyes{"camera"};
 };
 
 /// Everything that is known before anything starts.
@@ -79,17 +83,27 @@ void check_holder(const sim::WorldParameters& world) {
                                  kKeys[rubik::index(rubik::Hand::track)]));
 }
 
-Setup prepare(const Options& o) {
+/// What the options say of the cube; nothing if they say nothing.
+std::vector<std::string> cube_settings(const Options& o) {
+  if (!o.scramble && !o.state) return {};
+  if (o.state && o.state->empty())
+    throw FaultError(FaultCode::bad_usage, "--state is empty", "give 54 facelets: U R F D L B, nine each");
+  return {fmt::format("cube.scramble=\"{}\"", o.scramble.value_or("")),
+          fmt::format("cube.state=\"{}\"", o.state.value_or("")), "cube.random_turns=0"};
+}
+
+/// @return whether a file or a setting says of the cube what it looks like
+bool describes_cube(const Config& config) {
+  return std::ranges::any_of(std::array{"cube.scramble", "cube.state", "cube.random_turns"},
+                             [&](const char* key) { return config.has(key); });
+}
+
+Setup prepare(Options& o) {
   Setup s;
-  mp::TaskOptions with = o.task;
+  const std::vector<std::string> cube = cube_settings(o);
+  o.task.settings.insert(o.task.settings.begin(), cube.begin(), cube.end());
   std::vector<std::string> settings;
-  if (!o.scramble.empty()) settings.push_back(fmt::format("cube.scramble=\"{}\"", o.scramble));
-  if (!o.state.empty()) settings.push_back(fmt::format("cube.state=\"{}\"", o.state));
-  if (settings.empty()) settings.emplace_back("cube.random_turns=20");
-  if (o.eyes == "camera") {
-    const auto camera = camera_settings();
-    settings.insert(settings.end(), camera.begin(), camera.end());
-  }
+  if (o.eyes == "camera") settings = camera_settings();
   sim::CubeCellParameters retreated;
   retreated.distance = rubik::kRetreatDistance;
   const sim::WorldParameters cell = sim::cube_cell(retreated);
@@ -100,8 +114,8 @@ Setup prepare(const Options& o) {
     settings.push_back(setting(arm, "motion.velocity", limits.limits(hand).motors.velocity));
     settings.push_back(setting(arm, "motion.acceleration", limits.limits(hand).motors.acceleration));
   }
-  with.settings.insert(with.settings.begin(), settings.begin(), settings.end());
-  s.config = sim::load_task_config(with, rubik::config(), "rubik");
+  s.config = sim::load_task_config(o.task, rubik::config(), "rubik", settings);
+  if (!describes_cube(s.config)) s.config.set("cube.random_turns=20");
   s.world = sim::read_cell(s.config, kArms, o.task.seed);
   check_holder(s.world);
   s.k = rubik::read_parameters(s.config);
@@ -214,21 +228,17 @@ int check(const Options& o, const Setup& s, Head& head) {
   });
 }
 
-int run(const Options& o) {
+int run(Options& o) {
   Setup s = prepare(o);
   Head head(s);
   if (!o.task.check.empty()) return check(o, s, head);
   const fs::path folder = mp::name_run_folder(o.task.run_dir, "rubik");
-  if (s.camera && !s.config.has("film.directory"))
-    s.config.set(fmt::format("film.directory=\"{}\"", fs::absolute(folder).string()));
-  std::ignore = s.config.text("film.directory", "");
-  sim::complete_config(s.config, o.task, folder, "");
+  sim::complete_config(s.config, o.task, folder, "", s.camera.has_value());
   mp::make_run_folder(folder);
   mp::write_text(folder / "config.toml", s.config.dump());
   mp::TaskRun run("rubik", o.task, folder, kKeys, parts_of(s));
   const bool gives_start = !o.task.attended && o.task.script.empty();
-  fmt::print("rubik, session {}, seed {}{}\n", run.session(), o.task.seed,
-             gives_start ? "" : ", waits for the operator: `ui_cli start`");
+  fmt::print("rubik, session {}, seed {}{}\n", run.session(), o.task.seed, mp::who_orders(o.task));
   std::fflush(stdout);
   rubik::RubikRun rubik(run, s.k, make_brain(s, head), gives_start, say);
   run.start();
@@ -255,11 +265,12 @@ int main(int argc, char** argv) {
   CLI::App app{"Two simulated IRb-6 arms solve a Rubik's cube: one holds it, the other one turns its faces."};
   app.name("rubik");
   app.add_option("--scramble", o.scramble,
-                 "Turns that scramble the cube, such as \"R U' F2\" (default: 20 by the seed)");
+                 "Turns that scramble the cube, such as \"R U' F2\"; \"\": none (default: 20 by the seed)");
   app.add_option("--state", o.state, "The cube as 54 facelets, U R F D L B")->excludes("--scramble");
   app.add_option("--eyes", o.eyes, "How the state becomes known: camera, or none: it is told")
       ->check(CLI::IsMember({"camera", "none"}))
       ->capture_default_str();
   mp::add_task_options(app, o.task);
+  app.get_option("--eyes")->excludes("--config");  // it says which cameras there are
   return mp::run_command_line(app, argc, argv, [&] { return run(o); });
 }

@@ -18,7 +18,8 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kQuarter = std::numbers::pi / 2;
 constexpr double kHalfWay =
     0.57;  // of a quarter turn: also a face that is behind the tool is nearest to the seat to which it goes
-constexpr double kDrawnIn = 0.061;  // from its seat, by which the face is drawn in [rad]
+// From its seat, by which the face is drawn in [rad]: as the world has it (sim::kDetent), which tasks do not know.
+constexpr double kDrawnIn = 0.061;
 
 double seconds(std::int64_t macrosteps) { return static_cast<double>(macrosteps) * kPacing.macrostep_s(); }
 

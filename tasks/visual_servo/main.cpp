@@ -39,12 +39,10 @@ struct Setup {
 };
 
 /// Reads every parameter of every process, so that a wrong one is found before anything starts.
-Setup prepare(const Options& o) {
-  mp::TaskOptions with_scenario = o.task;
-  const auto settings = visual_servo::settings_of(o.scenario);
-  with_scenario.settings.insert(with_scenario.settings.begin(), settings.begin(), settings.end());
+Setup prepare(Options& o) {
   Setup s;
-  s.config = sim::load_task_config(with_scenario, visual_servo::config(), "visual_servo");
+  s.config = sim::load_task_config(o.task, visual_servo::config(), "visual_servo",
+                                   visual_servo::settings_of(o.scenario));
   s.k = visual_servo::read_parameters(s.config);
   s.object = visual_servo::read_object(s.config);
   sim::read_cell(s.config, kArms, o.task.seed);
@@ -103,14 +101,16 @@ void say(const std::string& line) {
   std::fflush(stdout);
 }
 
-int run(const Options& o) {
+std::string situation(const Options& o) {
+  if (!o.task.config_file.empty()) return "as in " + o.task.config_file.string();
+  return fmt::format("scenario {}, {}", o.scenario.scenario, o.scenario.object);
+}
+
+int run(Options& o) {
   Setup s = prepare(o);
   if (!o.task.check.empty()) return mp::check_solo_run("visual_servo", o.task, solo_parameters(o, s));
   const fs::path folder = mp::name_run_folder(o.task.run_dir, "visual_servo");
-  if (!s.config.has("film.directory"))
-    s.config.set(fmt::format("film.directory=\"{}\"", fs::absolute(folder).string()));
-  std::ignore = s.config.text("film.directory", "");
-  sim::complete_config(s.config, o.task, folder, "");
+  sim::complete_config(s.config, o.task, folder, "", true);
   mp::make_run_folder(folder);
   mp::write_text(folder / "config.toml", s.config.dump());
 
@@ -118,8 +118,8 @@ int run(const Options& o) {
   visual_servo::ServoRecord record(run.process(), kArmKeys[0]);
   mp::SoloParameters k = solo_parameters(o, s);
   k.watch = [&record] { record.collect(); };
-  fmt::print("visual_servo, scenario {}, {}, session {}, seed {}{}\n", o.scenario.scenario, o.scenario.object,
-             run.session(), o.task.seed, k.gives_start ? "" : ", waits for the operator: `ui_cli start`");
+  fmt::print("visual_servo, {}, session {}, seed {}{}\n", situation(o), run.session(), o.task.seed,
+             mp::who_orders(o.task));
   std::fflush(stdout);
   mp::SoloRun solo(run, k, say);
   run.start();
@@ -169,5 +169,7 @@ int main(int argc, char** argv) {
   app.name("visual_servo");
   add_scenario_options(app, o.scenario);
   mp::add_task_options(app, o.task);
+  for (const char* option : {"--scenario", "--object", "--aggregation", "--cameras"})
+    app.get_option("--config")->excludes(option);
   return mp::run_command_line(app, argc, argv, [&] { return run(o); });
 }

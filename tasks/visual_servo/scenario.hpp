@@ -24,7 +24,7 @@ struct Scenario {
 };
 [[nodiscard]] const std::vector<Scenario>& scenarios();
 
-/// @return settings that stand for the options, to be put over the TOML file and below what --set says
+/// @return settings that stand for the options, to be put over the built-in TOML file and below what --set says
 /// @throws FaultError bad_usage  there is no such scenario
 [[nodiscard]] std::vector<std::string> settings_of(const ScenarioOptions& options);
 

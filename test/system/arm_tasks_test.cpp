@@ -14,6 +14,15 @@
 namespace mrroc::test {
 namespace {
 
+/// @return names and sizes of the files of a folder and of those below
+std::vector<std::pair<std::string, std::uintmax_t>> files_of(const std::filesystem::path& folder) {
+  std::vector<std::pair<std::string, std::uintmax_t>> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) files.emplace_back(entry.path().string(), entry.file_size());
+  std::ranges::sort(files);
+  return files;
+}
+
 TEST(Press, SettlesAtFourNewtonsAndDrawsBack) {
   const Folder folder;
   const Ended ended = run(folder, "press", {"--processes", "one", "--run-dir", (folder / "run").string()});
@@ -38,6 +47,26 @@ TEST(Press, SaysTheSameInSeparateProcesses) {
     ASSERT_EQ(ended.status, 0) << ended.all();
   }
   EXPECT_EQ(summary(folder / "one")["log_hash"], summary(folder / "separate")["log_hash"]);
+}
+
+TEST(Press, IsRepeatedFromTheConfigurationOfItsRunInAFolderOfItsOwn) {
+  const Folder folder;
+  const auto press = [&](const std::string& name, std::vector<std::string> more) {
+    const Ended ended =
+        run(folder, "press", words({{"--processes", "one", "--run-dir", (folder / name).string()}, more}));
+    EXPECT_EQ(ended.status, 0) << ended.all();
+    EXPECT_TRUE(ended.out.front().ends_with("seed 7")) << ended.all();
+    return summary(folder / name)["log_hash"];
+  };
+  const auto hash = press("first", {"--seed", "7", "--set", "sim.substeps=4"});
+  const auto before = files_of(folder / "first");
+  const std::string config = folder / "first" / "config.toml";
+  EXPECT_EQ(press("again", {"--config", config}), hash);
+  EXPECT_NE(press("other", {"--config", config, "--set", "sim.substeps=3"}), hash);
+  EXPECT_EQ(press("part", {"--config", folder.write("part.toml", "seed = 7\n[sim]\nsubsteps = 4\n")}), hash)
+      << "what a file leaves out is as built in";
+  EXPECT_EQ(press("set", {"--set", "seed=7", "--set", "sim.substeps=4"}), hash);
+  EXPECT_EQ(files_of(folder / "first"), before) << "another run wrote into the folder of the first";
 }
 
 TEST(Press, StandsStillDuringAPauseAndGoesOn) {

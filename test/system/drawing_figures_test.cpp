@@ -49,7 +49,7 @@ void expect_good(const nlohmann::json& summary) {
   expect_at_most(f, "uncovered_mm", 0);
 }
 
-void expect_good_tables(const Folder& run, int strokes_wanted) {
+void expect_good_tables(const std::filesystem::path& run, int strokes_wanted) {
   const auto input = read_table(run / "input.csv", kInkHeading);
   const auto taught = read_table(run / "taught.csv", kInkHeading);
   EXPECT_EQ(strokes(input), strokes_wanted);
@@ -77,17 +77,17 @@ void expect_good_tables(const Folder& run, int strokes_wanted) {
     EXPECT_LE(std::abs(departed[0][k] - departed[1][k]), 1);
 }
 
-/// The run's own files, named like a folder of a test.
 void run_and_expect(const std::vector<std::string>& arguments, int strokes_wanted) {
   const Folder folder;
+  const std::filesystem::path there = folder / "run";
   const auto end =
-      run(folder, "drawing", words({{"--processes", "one", "--run-dir", folder.path().string()}, arguments}));
+      run(folder, "drawing", words({{"--processes", "one", "--run-dir", there.string()}, arguments}));
   ASSERT_EQ(end.status, 0) << end.all();
-  EXPECT_EQ(end.last_out(), "run folder: " + folder.path().string());
-  expect_good(summary(folder.path()));
-  expect_good_tables(folder, strokes_wanted);
+  EXPECT_EQ(end.last_out(), "run folder: " + there.string());
+  expect_good(summary(there));
+  expect_good_tables(there, strokes_wanted);
   for (const std::string file : {"config.toml", "events.lcmlog", "messages.log", "operator.script"})
-    EXPECT_TRUE(std::filesystem::exists(folder / file)) << file;
+    EXPECT_TRUE(std::filesystem::exists(there / file)) << file;
 }
 
 TEST(DrawingTask, CopiesTheArrowWithinAllItsBars) {

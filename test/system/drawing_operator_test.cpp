@@ -55,6 +55,25 @@ std::pair<double, double> last_pause(const std::filesystem::path& script) {
   return last;
 }
 
+TEST_F(Operated, AStopKeepsWhatHasBeenTaughtToItsEndAndSaysSoOtherwise) {
+  for (const auto& [behaviour, kept] : {std::pair{"m = 2", false}, std::pair{"m = 3", true}}) {
+    const std::string name = folder_ / (kept ? "whole" : "half");
+    Started drawing(folder_, "drawing",
+                    {"--drawing", folder_.write("lines.svg", lines_svg(2)), "--size", "12", "--speed", "5",
+                     "--processes", "one", "--save", name, "--run-dir", name + "-run"});
+    ASSERT_TRUE(drawing.await_line(behaviour)) << drawing.end().all();
+    drawing.signal(SIGINT);
+    const Ended end = drawing.end();
+    EXPECT_EQ(end.status, 1) << end.all();
+    EXPECT_EQ(std::filesystem::exists(name), kept) << end.all();
+    const bool told = std::ranges::any_of(
+        end.out, [](const auto& line) { return line.find("was not written") != std::string::npos; });
+    EXPECT_NE(told, kept) << end.all();
+  }
+  const Ended again = run(folder_, "drawing", {"--load", folder_ / "whole", "--processes", "one"});
+  EXPECT_EQ(again.status, 0) << again.all();
+}
+
 TEST_F(Operated, PauseRestsOnThePaperAndResumeGoesOnWithoutAMark) {
   Started drawing(folder_, "drawing", task({"--processes", "separate", "--speed", "3"}));
   ASSERT_TRUE(drawing.await_line("m = 2  record")) << drawing.end().all();

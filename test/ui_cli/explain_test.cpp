@@ -74,6 +74,13 @@ TEST(Explain, KnowsNamesAndNumbers) {
   EXPECT_EQ(nlohmann::json::parse(run({"over_current", "--json"}).out)["class"], "fatal");
 }
 
+TEST(Explain, TakesAWholeErrorLineInOneOrMoreWords) {
+  const std::string wanted = run({"no_contact"}).out;
+  EXPECT_EQ(run({"error: no_contact: the pen met nothing; lower it"}).out, wanted);
+  EXPECT_EQ(run({"error:", "no_contact:", "the", "pen"}).out, wanted);
+  EXPECT_EQ(run({"error: nothing_like_it: so"}).status, 2);
+}
+
 TEST(Explain, SeveralCodesAreOneDocument) {
   const auto both = nlohmann::json::parse(run({"over_current", "1", "--json"}).out);
   ASSERT_EQ(both.size(), 2U);

@@ -24,6 +24,11 @@ TEST_F(RunFolder, ShowTellsEveryMacrostepAndEveryChange) {
   EXPECT_TRUE(documented("log show RUN", Json::parse(lines()[0])));
 }
 
+TEST_F(RunFolder, ShowRefusesATimeThatEndsBeforeItBegins) {
+  EXPECT_EQ(run({"show", a_.string(), "--from", "0.4", "--to", "0.3"}), 2);
+  EXPECT_NE(err_.str().find("--from 0.4 is after --to 0.3"), std::string::npos) << err_.str();
+}
+
 TEST_F(RunFolder, ShowNamesTheBehavioursOfAnArmAsItsAgentDoes) {
   {
     const link::LogReader before(a_);
@@ -125,7 +130,11 @@ TEST_F(RunFolder, CompareNamesTheFirstMessageThatDiffersAndTheFigures) {
 }
 
 TEST_F(RunFolder, PlotTakesAnyNameOfAPictureButItsScripts) {
-  EXPECT_EQ(run({"plot", a_.string(), "force", "--output", (home_ / "x.gp").string()}), 2);
+  for (const char* wrong : {"x.gp", "x.jpg", "x", "nowhere/x.png"}) {
+    EXPECT_EQ(run({"plot", a_.string(), "force", "--output", (home_ / wrong).string()}), 2);
+    EXPECT_FALSE(fs::exists(home_ / wrong)) << wrong;
+    EXPECT_FALSE(fs::exists(home_ / "nowhere"));
+  }
   if (std::system("gnuplot --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
   const fs::path odd = home_ / "it's \"so\".png";
   EXPECT_EQ(run({"plot", a_.string(), "force", "--output", odd.string(), "--json"}), 0) << err_.str();

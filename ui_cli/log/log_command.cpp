@@ -94,6 +94,10 @@ void add_commands(CLI::App& app, Words& w) {
   show->add_flag("--m", w.show.changes, "only what changes: behaviours, states, orders, faults, messages");
   runs(show, [&w](std::ostream& out, std::ostream& err) {
     w.show.json = w.json;
+    if (w.show.from > w.show.to)
+      throw FaultError(FaultCode::bad_usage,
+                       fmt::format("--from {:g} is after --to {:g}", w.show.from, w.show.to),
+                       "give the earlier time first");
     const RunRecord run(w.run);
     warn_of_damage(run, err);
     show_log(run, w.show, out);

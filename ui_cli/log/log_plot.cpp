@@ -88,9 +88,13 @@ fs::path plot_run(const RunRecord& run, const std::string& what, const fs::path&
   if (arms.empty()) throw FaultError(FaultCode::bad_log, "the log tells of no arm");
   const fs::path picture =
       fs::absolute(output.empty() ? run.folder() / "plots" / fmt::format("log-{}.png", what) : output);
-  if (picture.extension() == ".gp")
-    throw FaultError(FaultCode::bad_usage, fmt::format("{} would be the script's own name", picture.string()),
-                     "give the picture a name that ends in .png");
+  if (picture.extension() != ".png")
+    throw FaultError(FaultCode::bad_usage, fmt::format("{} is no name of a PNG picture", picture.string()),
+                     "give it a name that ends in .png; the script beside it draws other formats");
+  if (!output.empty() && !fs::is_directory(picture.parent_path()))
+    throw FaultError(FaultCode::bad_usage,
+                     fmt::format("there is no folder {}", picture.parent_path().string()),
+                     "make it, or give --output another name");
   fs::path script = picture;
   script.replace_extension(".gp");
   std::string text = fmt::format(
