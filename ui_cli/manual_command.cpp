@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <ranges>
+#include <sstream>
 #include <utility>
 
 #include "base/fault.hpp"
@@ -40,13 +41,22 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::chrono::seconds kLongWait{2};
+
+/// @param progress  is told once when the instruction takes long; null: nothing is told
 /// @return the last answer: refused, taken when that is enough, done or failed
 ManualAnswer ask(link::Bus& bus, const link::SessionInfo& session, const std::string& words, bool wait,
-                 const Patience& patience) {
+                 const Patience& patience, std::ostream* progress) {
   ManualLink link(bus, session, {}, patience);
-  link.begin(words, Clock::now());
+  const auto begun = Clock::now();
+  link.begin(words, begun);
   while (true) {
     const auto answer = link.poll(Clock::now());
+    if (progress && answer && Clock::now() - begun > kLongWait)
+      *std::exchange(progress, nullptr)
+          << "taken, and not done yet; `ui_cli manual stop ARM` ends it, and --no-wait "
+             "does not wait for it"
+          << std::endl;
     if (answer && (answer->state != ManualState::taken || !wait)) return *answer;
     if (!answer) bus.wait(std::min(patience.repeat, std::chrono::milliseconds(20)));
   }
@@ -142,13 +152,23 @@ std::vector<FileLine> instructions_in(const std::filesystem::path& name) {
   return lines;
 }
 
-/// @throws FaultError bad_usage: not understood; illegal_in_state: refused or failed
+/// @return the error that an answer names, as "arm1: non-fatal joint_limit: ..." does; of one that names none
+///         illegal_in_state
+FaultCode code_in(const std::string& text) {
+  std::istringstream in(text);
+  for (std::string word; in >> word;)
+    if (word.ends_with(':'))
+      if (const auto code = fault_code(std::string_view(word).substr(0, word.size() - 1))) return *code;
+  return FaultCode::illegal_in_state;
+}
+
+/// @throws FaultError bad_usage: not understood; what the driver says, or illegal_in_state: refused or failed
 void must_be_good(const ManualAnswer& answer, const std::string& words) {
   if (answer.state == ManualState::taken || answer.state == ManualState::done) return;
   if (answer.state == ManualState::not_understood)
     throw FaultError(FaultCode::bad_usage, fmt::format("{}: {}", words, answer.text),
                      "`ui_cli manual --help` tells them all");
-  throw FaultError(FaultCode::illegal_in_state,
+  throw FaultError(code_in(answer.text),
                    fmt::format("{} {}: {}", words,
                                answer.state == ManualState::refused ? "refused" : "failed", answer.text),
                    "look at the arm with `ui_cli manual show ARM`");
@@ -159,7 +179,7 @@ void load(link::Bus& bus, const link::SessionInfo& session, const ManualWish& wi
           std::ostream& out) {
   const auto lines = instructions_in(wish.load);
   for (const auto& [place, words] : lines) {
-    const ManualAnswer answer = ask(bus, session, words, true, patience);
+    const ManualAnswer answer = ask(bus, session, words, true, patience, wish.json ? nullptr : &out);
     if (answer.state == ManualState::not_understood)
       throw FaultError(FaultCode::bad_script, fmt::format("{}: {}: {}", place, words, answer.text),
                        "correct the line; those before it have been done");
@@ -241,7 +261,7 @@ void execute_manual(link::Bus& bus, const link::SessionInfo& session, const Manu
     load(bus, session, wish, patience, out);
     return;
   }
-  const ManualAnswer answer = ask(bus, session, wish.words, wish.wait, patience);
+  const ManualAnswer answer = ask(bus, session, wish.words, wish.wait, patience, wish.json ? nullptr : &out);
   if (wish.json)
     out << Json{{"words", wish.words},
                 {"accepted",

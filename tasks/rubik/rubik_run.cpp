@@ -146,9 +146,13 @@ Outcome RubikRun::solve(X& x, Port& port, PlanStart& now, const Cube& cube) {
   const Plan& plan = *thought->planned.plan;
   record_.solution = plan.turns;
   record_.planned_s = plan.seconds;
-  say(fmt::format("solution: {} turns: {}; {} re-grasps, about {:.0f} s", plan.turns.size(),
-                  to_string(plan.turns), plan.regrasps, plan.seconds));
-  say("found by " + describe(thought->solution));
+  if (plan.turns.empty()) {
+    say("solution: nothing to turn, the cube is solved");
+  } else {
+    say(fmt::format("solution: {} turns: {}; {} re-grasps, about {:.0f} s", plan.turns.size(),
+                    to_string(plan.turns), plan.regrasps, plan.seconds));
+    say("found by " + describe(thought->solution));
+  }
   record_.solving = x.i;
   o = turn_all(plan, x, port, now);
   if (o == Outcome::terminated) record_.solved = x.i;

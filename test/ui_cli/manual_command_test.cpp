@@ -45,7 +45,7 @@ class Answering {
               a.id = m->id;
               a.state = states[std::min(k++, states.size() - 1)];
               link::put_text(a.text, a.state == 0   ? "arm1 is busy"
-                                     : a.state == 3 ? "arm1: joint_limit"
+                                     : a.state == 3 ? "arm1: non-fatal joint_limit: beyond"
                                                     : "done");
               out_.publish(a, 0);
             }
@@ -105,7 +105,10 @@ TEST(ManualCommand, WaitsUntilItIsDoneAndKeepsNegativeNumbers) {
 
 TEST(ManualCommand, ARefusalAndAFailureAreErrorsWithTheirReason) {
   EXPECT_NE(execute({0}, {"bias", "arm1"}).find("refused: arm1 is busy"), std::string::npos);
-  EXPECT_NE(execute({1, 3}, {"bias", "arm1"}).find("failed: arm1: joint_limit"), std::string::npos);
+  EXPECT_EQ(execute({1, 3}, {"bias", "arm1"})
+                .find("error: joint_limit: bias arm1 failed: arm1: non-fatal joint_limit: beyond"),
+            0U)
+      << "with the driver's own code";
   EXPECT_EQ(execute({4}, {"fly", "arm1"}).find("error: bad_usage: fly arm1: "), 0U);
   EXPECT_EQ(execute({0}, {"bias", "arm1"}).find("error: illegal_in_state"), 0U);
 }
@@ -241,7 +244,7 @@ TEST(ManualCommand, SavesPositionsAndGoesToThemAgain) {
   std::vector<std::string> all;
   EXPECT_EQ(execute({1, 2}, {"load", file}, nullptr, folder, &all), "bias arm1: done\n" + there + ": done\n");
   EXPECT_EQ(all, (std::vector<std::string>{"bias arm1", there}));
-  EXPECT_NE(execute({2, 3}, {"load", file}, nullptr, folder).find("failed: arm1: joint_limit"),
+  EXPECT_NE(execute({2, 3}, {"load", file}, nullptr, folder).find("failed: arm1: non-fatal joint_limit"),
             std::string::npos);
   const auto loaded = nlohmann::json::parse(execute({2}, {"load", file, "--json"}));
   EXPECT_EQ(loaded["done"], 2);
