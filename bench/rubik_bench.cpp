@@ -80,7 +80,8 @@ Figures run_rubik_group(bool resume) {
     const bool good = summary.value("outcome", "") == "done" && number(figures, "solved") == 1;
     std::fprintf(stderr, "rubik: cube %d of %d, %s, %.0f s simulated in %.0f s\n", seed, kCubes,
                  good ? "solved" : "NOT SOLVED", number(summary, "sim_s"), number(summary, "wall_s"));
-    solved += good;
+    if (!good) continue;
+    ++solved;
     turns += number(figures, "moves");
     seconds += number(figures, "moves") * number(figures, "sim_s_per_turn");
     retries += number(figures, "retries");

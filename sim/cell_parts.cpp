@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <tuple>
 
 #include "base/config_store.hpp"
@@ -39,6 +40,17 @@ void read_arm(const Config& config, const CellArm& arm, const std::vector<double
 
 constexpr IntegerBounds kSeeds{.min = 0};
 
+/// @throws FaultError  for keys that only options give
+void refuse_keys_of_options(const std::vector<std::string>& settings) {
+  constexpr std::array<std::array<const char*, 2>, 3> kKeys{
+      {{"sim.speed", "--speed"}, {"run.folder", "--run-dir"}, {"run.strokes", "--drawing"}}};
+  for (const std::string& setting : settings)
+    for (const auto& [key, option] : kKeys)
+      if (setting.starts_with(std::string(key) + "="))
+        throw FaultError(FaultCode::bad_usage, fmt::format("{} cannot be set", key),
+                         fmt::format("give {}", option));
+}
+
 /// Gives a key a text that may hold anything.
 void set_text(Config& config, std::string_view key, const std::string& text) {
   config.set(fmt::format("{}={}", key, to_toml(text)));
@@ -47,7 +59,7 @@ void set_text(Config& config, std::string_view key, const std::string& text) {
 Config load_below_settings(const mp::TaskOptions& options, std::string_view built_in, const std::string& task,
                            const std::vector<std::string>& found) {
   const Config given = options.config_file.empty() ? Config() : Config::load(options.config_file);
-  if (given.has("run.folder")) {  // of a run: it has everything
+  if (given.has("run.folder") && given.has("robots.order")) {  // of a run: it has everything
     Config config = given;
     const std::string folder = config.text("run.folder", Config::kRequired);
     if (config.has("film.directory") && config.text("film.directory", "") == folder)
@@ -81,6 +93,7 @@ WorldParameters read_cell(const Config& config, const std::vector<CellArm>& arms
 
 Config load_task_config(mp::TaskOptions& options, std::string_view built_in, const std::string& task,
                         const std::vector<std::string>& found) {
+  refuse_keys_of_options(options.settings);
   const bool checks = !options.check.empty();
   Config config = checks ? Config::load((options.check / "config.toml").string())
                          : load_below_settings(options, built_in, task, found);

@@ -41,20 +41,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::chrono::seconds kLongWait{2};
-
 /// @param progress  is told once when the instruction takes long; null: nothing is told
 /// @return the last answer: refused, taken when that is enough, done or failed
 ManualAnswer ask(link::Bus& bus, const link::SessionInfo& session, const std::string& words, bool wait,
                  const Patience& patience, std::ostream* progress) {
   ManualLink link(bus, session, {}, patience);
   const auto begun = Clock::now();
+  bool taken = false;
   link.begin(words, begun);
   while (true) {
     const auto answer = link.poll(Clock::now());
-    if (progress && answer && Clock::now() - begun > kLongWait)
+    taken = taken || (answer && answer->state == ManualState::taken);
+    if (progress && wait && taken && !answer && Clock::now() - begun > patience.told)
       *std::exchange(progress, nullptr)
-          << "taken, and not done yet; `ui_cli manual stop ARM` ends it, and --no-wait "
+          << "taken, and not done yet; Ctrl-C ends the wait and not the motion, --no-wait "
              "does not wait for it"
           << std::endl;
     if (answer && (answer->state != ManualState::taken || !wait)) return *answer;

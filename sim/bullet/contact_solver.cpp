@@ -8,6 +8,7 @@ namespace mrroc::sim {
 namespace {
 
 constexpr int kBaseFreedoms = 6;
+constexpr int kForeign = SOLVER_USE_ARTICULATED_WARMSTARTING | SOLVER_DISABLE_IMPLICIT_CONE_FRICTION;
 using Values = Eigen::Map<const Eigen::VectorXd>;
 /// What an iteration returns for Bullet to go on; the change of velocities matters only where a threshold is set.
 constexpr btScalar kGoOn = 1;
@@ -78,7 +79,7 @@ btScalar ContactSolver::solveSingleIteration(int iteration, btCollisionObject** 
                                              btPersistentManifold** manifolds, int manifolds_n,
                                              btTypedConstraint** constraints, int constraints_n,
                                              const btContactSolverInfo& info, btIDebugDraw* drawer) {
-  if ((info.m_solverMode & SOLVER_USE_2_FRICTION_DIRECTIONS) == 0)
+  if ((info.m_solverMode & SOLVER_USE_2_FRICTION_DIRECTIONS) == 0 || (info.m_solverMode & kForeign) != 0)
     return btMultiBodyConstraintSolver::solveSingleIteration(
         iteration, bodies, bodies_n, manifolds, manifolds_n, constraints, constraints_n, info, drawer);
   if (iteration == 0) {

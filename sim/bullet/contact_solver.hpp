@@ -10,7 +10,8 @@ namespace mrroc::sim {
 /// The projected Gauss-Seidel iteration of btMultiBodyConstraintSolver with friction in two directions: the same rows
 /// in the same order with the same bounds, so the same forces but for rounding. What it leaves out is zero: freedoms
 /// of fixed bases, friction where nothing presses. A turn of a face takes half the time (docs/decisions.md). Bodies other than
-/// multi-bodies must not move. With friction in one direction it is the solver of Bullet itself.
+/// multi-bodies must not move. With friction in one direction, along
+/// both by themselves, or a warm start it is the solver of Bullet itself; friction against rolling is left out.
 class ContactSolver final : public btMultiBodyConstraintSolver {
  protected:
   btScalar solveSingleIteration(int iteration, btCollisionObject** bodies, int bodies_n,
@@ -24,15 +25,15 @@ class ContactSolver final : public btMultiBodyConstraintSolver {
  private:
   /// The part of a vector over the freedoms of a body that is not zero.
   struct Stretch {
-    const double* values{};
-    int at{};  ///< place of the first one among the velocities
-    int n{};
+    const double* values{};  ///< the first one; null: there is none
+    int at{};                ///< its place among the velocities
+    int n{};                 ///< how many there are
   };
   /// A constraint with its one or two bodies.
   struct Row {
-    btMultiBodySolverConstraint* of{};
-    std::array<Stretch, 2> jacobian;  ///< of the constraint's velocity
-    std::array<Stretch, 2> response;  ///< change of the bodies' velocities due to a unit impulse
+    btMultiBodySolverConstraint* of{};  ///< Bullet's row, which keeps the impulse
+    std::array<Stretch, 2> jacobian;    ///< of the constraint's velocity
+    std::array<Stretch, 2> response;    ///< change of the bodies' velocities due to a unit impulse
   };
   using Rows = std::vector<Row>;
 

@@ -45,11 +45,17 @@ Memory0 begin(const X& x) {
   return c;
 }
 
+/// @return whether a hand that must hold the cube in behaviour m holds nothing
+bool lost(const X& x, const Cycle& cycle, int m) {
+  if (m == 6) return empty(x, other(cycle.leaves));
+  return empty(x, cycle.holds) || (m == 5 && empty(x, cycle.comes));
+}
+
 template <int m>
 Trouble watch(const X& x, const Memory0& c) {
   const Parameters& k = x.c.k;
   const bool late = ecp::age(x) >= k.patience;
-  if (empty(x, m == 6 ? c.cycle.leaves : c.cycle.holds) && m < 6) return Trouble::dropped;
+  if (lost(x, c.cycle, m)) return Trouble::dropped;
   if (m == 1 && (late || c.travelled > kApproachDistance + k.slip)) return Trouble::no_contact;
   if ((m == 3 || m == 4) && (late || empty(x, c.cycle.comes))) return Trouble::missed;
   if (m == 5 && x.i - c.last_progress >= k.stall) return Trouble::jammed;

@@ -6,6 +6,9 @@
 
 namespace mrroc::rubik {
 
+/// More would crush the cube [N]. Fingers give way at 300 N (docs/plant.md).
+inline constexpr double kMostSqueeze = 350;
+
 /// In the order of the table.
 inline constexpr std::array kFigures{
     mp::FigureInfo{.key = "solved", .words = "the cube is solved", .unit = "", .low = 1},
@@ -24,13 +27,20 @@ inline constexpr std::array kFigures{
     mp::FigureInfo{.key = "approach_peak_N", .words = "  of the impact, largest", .unit = "N"},
     mp::FigureInfo{
         .key = "turn_lateral_peak_N", .words = "x, y, z while turning, largest", .unit = "N", .high = 12},
+    mp::FigureInfo{.key = "turn_lateral_std_N",
+                   .words = "  their standard deviation in a turn, largest",
+                   .unit = "N",
+                   .high = 0.5},
     mp::FigureInfo{.key = "turn_torque_peak_Nm", .words = "torque while turning, largest", .unit = "N m"},
     mp::FigureInfo{.key = "turn_angle_err_deg",
                    .words = "face behind tool at the end of a turn",
                    .unit = "deg",
                    .high = 2},
     mp::FigureInfo{.key = "turn_slip_mm", .words = "slip in the jaws while turning", .unit = "mm", .high = 2},
-    mp::FigureInfo{.key = "squeeze_N", .words = "of a pad or palm on the cube, largest", .unit = "N"},
+    mp::FigureInfo{.key = "squeeze_N",
+                   .words = "of a pad or palm on the cube, largest",
+                   .unit = "N",
+                   .high = kMostSqueeze},
     mp::FigureInfo{
         .key = "stop_steps_max", .words = "steps until the arms were at rest", .unit = "", .high = 100},
     mp::FigureInfo{

@@ -10,9 +10,10 @@
 namespace mrroc::rubik {
 namespace {
 
-constexpr int kForce = 10;                     // column of F_x in arm1.csv
-constexpr double kBefore = 0.6, kAfter = 0.4;  // shown around the behaviours [s]
+constexpr int kForce = 10;      // column of F_x in arm1.csv
+constexpr double kAfter = 0.4;  // shown behind the behaviours [s]
 
+constexpr int kHalfTurn = 2;  // quarters
 using Rows = mp::ArmTrace;
 
 Rows of(const Rows& trace, int m) {
@@ -32,7 +33,7 @@ std::string script(const std::string& table, Axis axis, const Rows& shown, const
                    const char* what) {
   std::string text =
       fmt::format("set xlabel 'step of 2 ms'\nset ylabel '{}'\nset key off\nset xrange [{:.0f}:{:.0f}]\n",
-                  what, (shown.front().t - kBefore) / kPacing.dt, (shown.back().t + kAfter) / kPacing.dt);
+                  what, shown.front().t / kPacing.dt, (shown.back().t + kAfter) / kPacing.dt);
   for (const Mark& m : marks)
     text += fmt::format(
         "set label '{}' at {:.0f},{:.4f} point pt 7 ps 0.9 lc rgb '#b3541e' offset character 0.6,0.6 front\n",
@@ -58,7 +59,7 @@ std::vector<Mark> marks_of_approach(const Rows& worker) {
   return marks;
 }
 
-std::vector<Mark> marks_of_turn(const Rows& turning) {
+std::vector<Mark> marks_of_turn(const Rows& turning, int quarters) {
   std::vector<Mark> marks;
   const auto mark = [&](char letter, const mp::ArmRow& r) { marks.push_back({letter, r.t, r.F[Axis::az]}); };
   const auto size = [](const mp::ArmRow& r) { return std::abs(r.F[Axis::az]); };
@@ -66,11 +67,12 @@ std::vector<Mark> marks_of_turn(const Rows& turning) {
   if (const Rows held = of(turning, 4); !held.empty()) mark('B', held.back());
   if (const Rows turn = of(turning, 5); turn.size() > 10) {
     mark('C', turn.front());
-    const auto half = turn.begin() + static_cast<std::ptrdiff_t>(turn.size() / 2);
+    const double quarter = static_cast<double>(turn.size()) / quarters;
+    const auto half = turn.begin() + static_cast<std::ptrdiff_t>(quarter / 2);
     const auto broken = std::ranges::max_element(turn.begin(), half, {}, size);
     mark('D', *broken);
     const auto dropped = std::ranges::min_element(broken, half, {}, size);
-    const auto seat = turn.begin() + static_cast<std::ptrdiff_t>(0.85 * static_cast<double>(turn.size()));
+    const auto seat = turn.begin() + static_cast<std::ptrdiff_t>(0.85 * quarter);
     const auto most = std::ranges::max_element(dropped, seat, {}, size);
     mark('E', *most);
     mark('F', *std::ranges::min_element(most, seat, {}, size));
@@ -82,7 +84,10 @@ std::vector<Mark> marks_of_turn(const Rows& turning) {
 
 std::vector<std::pair<std::string, std::string>> plots(const RunRecord& record) {
   std::vector<std::pair<std::string, std::string>> all;
-  const auto note = std::ranges::find_if(record.journal, [](const auto& n) { return n.turn && n.ended > 0; });
+  const auto done = [](const CycleNote& n) { return n.turn && n.done && n.ended > 0; };
+  auto note = std::ranges::find_if(
+      record.journal, [&](const CycleNote& n) { return done(n) && n.turn->quarters() != kHalfTurn; });
+  if (note == record.journal.end()) note = std::ranges::find_if(record.journal, done);
   if (note == record.journal.end()) return all;
   const Rows worker = during(record.traces[index(note->comes)], *note);
   const Rows turning = during(record.traces[index(Hand::track)], *note);
@@ -97,10 +102,12 @@ std::vector<std::pair<std::string, std::string>> plots(const RunRecord& record) 
                        [](const auto& r) { return r.m >= 3 && r.m <= 6; });
   if (!cycle.empty())
     all.emplace_back("fig17_turn", script(kArmKeys[index(Hand::track)] + ".csv", Axis::az, cycle,
-                                          marks_of_turn(turning), "torque about the axis of the face [N m]"));
+                                          marks_of_turn(turning, note->turn->quarters() == kHalfTurn ? 2 : 1),
+                                          "torque about the axis of the face [N m]"));
   all.emplace_back(
       "turns",
-      "set xlabel 'turn'\nset ylabel '[N], [N m]'\nset key top right\nset yrange [0:*]\nset xrange [0.5:*]\n"
+      "set xlabel 'turn'\nset ylabel '[N], [N m]'\nset key outside top right\nset yrange [0:*]\nset xrange "
+      "[0.5:*]\n"
       "set style data linespoints\n"
       "set datafile columnheaders\nplot 'moves.csv' using 1:'force_peak_N':xtic(2) pt 7 lc rgb '#1f5fa8' "
       "title 'largest force x, y, z', "

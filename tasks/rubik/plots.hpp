@@ -22,10 +22,12 @@ struct Mark {
 /// Points of fig. 17, from the rows of the arm that turns: A the grasp begins, B the jaws hold, C the turn begins, D the
 /// face breaks away, E and F the friction's largest and least value behind it, G the end of the turn, H of the opening.
 /// Those that there are.
-[[nodiscard]] std::vector<Mark> marks_of_turn(const mp::ArmTrace& turning);
+/// @param quarters  that the face is turned by, 1 or 2: at a seat on the way it breaks away again, so D to F are of the
+///                  first quarter
+[[nodiscard]] std::vector<Mark> marks_of_turn(const mp::ArmTrace& turning, int quarters = 1);
 
 /// @return name and gnuplot script of each picture; the scripts read the tables of the run folder. Fig. 16 and 17 are of
-///         the first cycle with a turn
+///         the first turn that was done, of a quarter if there is one
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> plots(const RunRecord& record);
 
 }  // namespace mrroc::rubik

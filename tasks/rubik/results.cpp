@@ -73,6 +73,20 @@ double largest(const mp::ArmTrace& rows, std::initializer_list<Axis> axes) {
   return most;
 }
 
+double largest_deviation(const mp::ArmTrace& rows, std::initializer_list<Axis> axes) {
+  double most = 0;
+  for (const Axis axis : axes) {
+    double sum = 0, squares = 0;
+    for (const mp::ArmRow& row : rows) {
+      sum += row.F[axis];
+      squares += row.F[axis] * row.F[axis];
+    }
+    const double n = std::max<double>(1, static_cast<double>(rows.size()));
+    most = std::max(most, std::sqrt(std::max(0., squares / n - sum / n * (sum / n))));
+  }
+  return most;
+}
+
 }  // namespace
 
 TurnRow turn_of(const CycleNote& note, int k, const RunRecord& record, const CubeRecord& cube) {
@@ -95,6 +109,7 @@ TurnRow turn_of(const CycleNote& note, int k, const RunRecord& record, const Cub
   r.slip_mm = 1e3 * slip(turning, cube);
   r.force_peak_N = largest(turning, {Axis::x, Axis::y, Axis::z});
   r.torque_peak_Nm = largest(turning, {Axis::az});
+  r.force_std_N = largest_deviation(turning, {Axis::x, Axis::y, Axis::z});
   return r;
 }
 
@@ -107,11 +122,12 @@ std::vector<TurnRow> turns_of(const RunRecord& record, const CubeRecord& cube) {
 
 void write_turns(const std::filesystem::path& file, const std::vector<TurnRow>& turns) {
   std::string text =
-      "k,turn,t_start,t_end,attempts,tool_deg,face_deg,behind_deg,slip_mm,force_peak_N,torque_peak_Nm\n";
+      "k,turn,t_start,t_end,attempts,tool_deg,face_deg,behind_deg,slip_mm,force_peak_N,torque_peak_Nm,force_"
+      "std_N\n";
   for (const TurnRow& r : turns)
-    text += fmt::format("{},{},{:.2f},{:.2f},{},{:.2f},{:.2f},{:.2f},{:.3f},{:.3f},{:.3f}\n", r.k,
+    text += fmt::format("{},{},{:.2f},{:.2f},{},{:.2f},{:.2f},{:.2f},{:.3f},{:.3f},{:.3f},{:.3f}\n", r.k,
                         to_string(r.turn), r.t_start, r.t_end, r.attempts, r.tool_deg, r.face_deg,
-                        r.behind_deg, r.slip_mm, r.force_peak_N, r.torque_peak_Nm);
+                        r.behind_deg, r.slip_mm, r.force_peak_N, r.torque_peak_Nm, r.force_std_N);
   mp::write_text(file, text);
 }
 
@@ -144,12 +160,13 @@ mp::Figures figures_of(const RunRecord& record, const CubeRecord& cube, const st
   if (!turns.empty()) {
     const auto most = [&](double TurnRow::*figure) { return std::ranges::max(turns, {}, figure).*figure; };
     f["turn_lateral_peak_N"] = most(&TurnRow::force_peak_N);
+    f["turn_lateral_std_N"] = most(&TurnRow::force_std_N);
     f["turn_torque_peak_Nm"] = most(&TurnRow::torque_peak_Nm);
     f["turn_slip_mm"] = most(&TurnRow::slip_mm);
     f["turn_angle_err_deg"] = most(&TurnRow::behind_deg);
-    if (record.solved > 0 && moves > 0) f["sim_s_per_turn"] = seconds(record.solved - record.solving) / moves;
+    if (moves > 0) f["sim_s_per_turn"] = seconds(record.turning) / moves;
   }
-  if (record.readings.size() > 1) f["verified"] = record.readings.back().cube == Cube{} ? 1. : 0.;
+  if (record.verified) f["verified"] = *record.verified ? 1. : 0.;
   if (!cube.rows().empty()) {
     f["squeeze_N"] = std::ranges::max(cube.rows(), {}, &CubeRow::squeeze).squeeze;
     f["solved"] = cube.rows().back().facelets == to_facelets(Cube{}) ? 1. : 0.;
@@ -167,8 +184,10 @@ mp::Figures write_results(const std::filesystem::path& folder, const RunRecord& 
     mp::write_text(folder / "cube_start.txt", cube.rows().front().facelets + "\n");
     mp::write_text(folder / "cube_end.txt", cube.rows().back().facelets + "\n");
   }
-  if (!record.readings.empty())
-    mp::write_text(folder / "cube_read.txt", record.readings.front().facelets + "\n");
+  const auto& all = record.readings;
+  if (const auto read = std::ranges::find_if(all, [](const StateReading& r) { return r.cube.has_value(); });
+      !all.empty())
+    mp::write_text(folder / "cube_read.txt", (read == all.end() ? all.back() : *read).facelets + "\n");
   return figures_of(record, cube, turns);
 }
 

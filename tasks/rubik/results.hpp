@@ -21,6 +21,7 @@ struct TurnRow {
   double slip_mm{};  ///< of the cube in the track arm's jaws during m = 5, largest
   double force_peak_N{};    ///< of x, y, z of the track arm in m = 5
   double torque_peak_Nm{};  ///< about z
+  double force_std_N{};     ///< largest of the standard deviations of x, y and z
 };
 
 /// @param note  of a cycle with a turn
@@ -30,7 +31,8 @@ struct TurnRow {
 /// @return a row for every turn that was begun
 [[nodiscard]] std::vector<TurnRow> turns_of(const RunRecord& record, const CubeRecord& cube);
 
-/// Writes `k,turn,t_start,t_end,attempts,tool_deg,face_deg,behind_deg,slip_mm,force_peak_N,torque_peak_Nm`.
+/// Writes `k,turn,t_start,t_end,attempts,tool_deg,face_deg,behind_deg,slip_mm,force_peak_N,torque_peak_Nm,
+/// force_std_N`.
 /// @throws FaultError cannot_write
 void write_turns(const std::filesystem::path& file, const std::vector<TurnRow>& turns);
 

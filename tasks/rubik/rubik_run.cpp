@@ -97,7 +97,9 @@ Outcome RubikRun::work(X& x, Port& port) {
   std::optional<Cube> cube = brain_.known;
   for (int round = 0; o == Outcome::terminated; ++round) {
     if (brain_.camera) o = read_cube(x, port, now, cube);
-    if (o != Outcome::terminated || (round > 0 && cube == Cube{})) break;
+    if (o != Outcome::terminated) break;
+    if (round > 0) record_.verified = cube == Cube{};
+    if (record_.verified.value_or(false)) break;
     if (round == kRounds)
       return fail(FaultCode::cube_misread, "the cube is not solved by what should solve it");
     o = solve(x, port, now, *cube);
@@ -153,9 +155,9 @@ Outcome RubikRun::solve(X& x, Port& port, PlanStart& now, const Cube& cube) {
                     to_string(plan.turns), plan.regrasps, plan.seconds));
     say("found by " + describe(thought->solution));
   }
-  record_.solving = x.i;
+  const std::int64_t begun = x.i;
   o = turn_all(plan, x, port, now);
-  if (o == Outcome::terminated) record_.solved = x.i;
+  record_.turning += x.i - begun;
   return o;
 }
 

@@ -39,9 +39,11 @@ struct RunRecord {
   Journal journal;
   std::vector<StateReading> readings;  ///< of all six faces, each time
   Moves solution;
-  double planned_s{};      ///< estimate of the plan [s]
-  std::int64_t solving{};  ///< macrostep in which the first turn of the solution was begun
-  std::int64_t solved{};   ///< macrostep in which the last one had ended
+  double planned_s{};  ///< estimate of the plan [s]
+  std::int64_t
+      turning{};  ///< macrosteps of all rounds from the first turn of a solution to the end of the last
+  std::optional<bool>
+      verified;  ///< whether the last look after a solution showed a solved cube; none: there was none
 };
 
 /// The agent a_0 in MP.

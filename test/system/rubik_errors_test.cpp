@@ -5,13 +5,13 @@
 
 #include <thread>
 
+#include "tasks/rubik/figure_info.hpp"
 #include "test/system/cube_run.hpp"
 
 namespace mrroc::test {
 namespace {
 
 constexpr double kRest = 1e-3;     // speed of a hand at rest [m/s]
-constexpr double kCrushed = 450;   // force of a pad or palm [N]
 constexpr double kSwinging = 250;  // steps: two arms that hold one cube swing on it when they stop
 constexpr double kTorqueMost = 5;  // about the axis of a turn, the end of the sensor's range [N m]
 
@@ -26,7 +26,7 @@ void expect_fault(const CubeRun& r, const std::string& code) {
   EXPECT_EQ(r.left.fault(), code) << r.ended.all();
   EXPECT_EQ(r.figure("solved"), 0);
   EXPECT_LT(r.left.speed_at_the_end(), kRest) << "both arms are at rest";
-  EXPECT_LT(r.figure("squeeze_N"), kCrushed) << "not crushed";
+  EXPECT_LT(r.figure("squeeze_N"), rubik::kMostSqueeze) << "not crushed";
 }
 
 class RubikErrors : public testing::Test {
@@ -44,7 +44,7 @@ TEST_F(RubikErrors, AFaceThatJamsClockwiseIsTurnedByThreeQuartersTheOtherWay) {
   EXPECT_EQ(r.figure("moves"), 1);
   EXPECT_EQ(r.figure("other_way"), 1);
   EXPECT_EQ(r.figure("retries"), 2);
-  EXPECT_LT(r.figure("squeeze_N"), kCrushed);
+  EXPECT_LT(r.figure("squeeze_N"), rubik::kMostSqueeze);
   EXPECT_LT(r.figure("turn_torque_peak_Nm"), kTorqueMost);
 }
 
@@ -55,7 +55,7 @@ TEST_F(RubikErrors, AFaceThatGivesWayAtALaterAttemptIsTurned) {
   EXPECT_EQ(r.figure("solved"), 1);
   EXPECT_EQ(r.figure("retries"), 1);
   EXPECT_EQ(r.figure("other_way"), 0);
-  EXPECT_LT(r.figure("squeeze_N"), kCrushed);
+  EXPECT_LT(r.figure("squeeze_N"), rubik::kMostSqueeze);
 }
 
 TEST_F(RubikErrors, AFaceThatJamsInBothDirectionsIsAFault) {
@@ -131,7 +131,7 @@ class RubikDeaths : public RubikErrors {
     EXPECT_EQ(left.fault(), code) << ended.all();
     EXPECT_EQ(left.told["fault"]["process"], part);
     EXPECT_LE(left.figure("stop_steps_max"), kSwinging);
-    EXPECT_LT(left.figure("squeeze_N"), kCrushed);
+    EXPECT_LT(left.figure("squeeze_N"), rubik::kMostSqueeze);
   }
 
   Folder folder;

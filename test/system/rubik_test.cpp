@@ -9,7 +9,8 @@ namespace mrroc::test {
 namespace {
 
 const std::string kMovesHeading =
-    "k,turn,t_start,t_end,attempts,tool_deg,face_deg,behind_deg,slip_mm,force_peak_N,torque_peak_Nm";
+    "k,turn,t_start,t_end,attempts,tool_deg,face_deg,behind_deg,slip_mm,force_peak_N,torque_peak_Nm,"
+    "force_std_N";
 
 /// What every process decided follows from the log, to its end.
 void expect_recomputed(const CubeRun& r) {

@@ -12,6 +12,7 @@
 #include <sstream>
 #include <thread>
 
+#include "base/link/log_reader.hpp"
 #include "base/link/lcm_bus.hpp"
 #include "base/link/session.hpp"
 
@@ -65,6 +66,24 @@ bool waited_for(auto done, Clock::duration patience) {
   return done();
 }
 
+/// Every run that a test has made is recomputed from its log, as far as the log goes.
+void expect_checked_runs(const Folder& folder) {
+  std::vector<fs::path> runs;
+  for (const auto& entry : fs::directory_iterator(folder.path()))
+    if (fs::exists(entry.path() / link::kEventLog) && fs::exists(entry.path() / "processes.json"))
+      runs.push_back(entry.path());
+  for (const fs::path& of : runs) {
+    std::string text;
+    const Ended ended = run(folder, "ui_cli", {"log", "check", of.string(), "--json"});
+    for (const auto& line : ended.out) text += line;
+    const auto verdict = nlohmann::json::parse(text, nullptr, false);
+    ASSERT_TRUE(verdict.is_object()) << of << "\n" << ended.all();
+    if (verdict["differences"].is_number()) {
+      EXPECT_EQ(verdict["differences"], 0) << of << "\n" << verdict.dump(1);
+    }
+  }
+}
+
 }  // namespace
 
 Folder::Folder() {
@@ -75,6 +94,8 @@ Folder::Folder() {
 
 Folder::~Folder() {
   if (::testing::Test::HasFailure()) return;  // to look at
+  if (!kSanitized) expect_checked_runs(*this);
+  if (::testing::Test::HasFailure()) return;
   std::error_code ignored;
   fs::remove_all(path_, ignored);
 }

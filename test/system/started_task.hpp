@@ -58,7 +58,7 @@ class Started {
   Started& operator=(const Started&) = delete;
 
   /// Waits until a line of the standard output contains the text.
-  /// @return false when the program ended or two minutes passed before
+  /// @return false when the program ended before, or so much time passed that it hangs
   bool await_line(const std::string& text);
   [[nodiscard]] pid_t pid() const { return pid_; }
   /// @return its direct children that run

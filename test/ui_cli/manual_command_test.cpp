@@ -73,7 +73,8 @@ class Answering {
 
 std::string execute(std::vector<int> states, const std::vector<std::string>& arguments,
                     std::string* heard = nullptr, const std::filesystem::path& run_folder = {},
-                    std::vector<std::string>* all = nullptr, DriverState driver = DriverState::holding) {
+                    std::vector<std::string>* all = nullptr, DriverState driver = DriverState::holding,
+                    std::chrono::milliseconds told = 10s) {
   link::MemoryHub hub;
   Answering task(hub, std::move(states), driver);
   const auto bus = hub.open();
@@ -81,7 +82,7 @@ std::string execute(std::vector<int> states, const std::vector<std::string>& arg
   std::string result;
   try {
     ui::execute_manual(*bus, {"m", 9, {}, {}, run_folder, 0}, ui::read_manual_words(arguments),
-                       {.repeat = 2ms, .give_up = 10s}, out);
+                       {.repeat = 2ms, .give_up = 10s, .told = told}, out);
     result = out.str();
   } catch (const FaultError& e) {
     result = e.error_line();
@@ -101,6 +102,20 @@ TEST(ManualCommand, WaitsUntilItIsDoneAndKeepsNegativeNumbers) {
   const auto json = nlohmann::json::parse(execute({2}, {"bias", "arm1", "--json"}));
   EXPECT_EQ(json["done"], true);
   EXPECT_TRUE(documented("manual INSTRUCTION", json));
+}
+
+TEST(ManualCommand, SaysWhileItWaitsThatItWaits) {
+  const std::vector<int> states(50, 1);  // taken, for as many sendings
+  const auto when = [&](std::vector<std::string> arguments) {
+    auto all = states;
+    all.push_back(2);
+    return execute(all, arguments, nullptr, {}, nullptr, DriverState::holding, 0ms);
+  };
+  const std::string text = when({"home", "arm1"});
+  EXPECT_EQ(text.find("taken, and not done yet"), 0U) << text;
+  EXPECT_NE(text.find("\ndone\n"), std::string::npos) << text;
+  EXPECT_EQ(when({"home", "arm1", "--json"}).find("not done yet"), std::string::npos);
+  EXPECT_EQ(when({"--no-wait", "home", "arm1"}).find("not done yet"), std::string::npos);
 }
 
 TEST(ManualCommand, ARefusalAndAFailureAreErrorsWithTheirReason) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <sstream>
 #include <utility>
 
 #include "base/command_line.hpp"
@@ -66,13 +67,14 @@ int check(const Words& w, std::ostream& out) {
   // Several reports are one document: a list.
   const bool list = w.json && w.runs.size() > 1;
   const char* between = "[\n";
+  std::ostringstream document;  // nothing of it is printed when one of the runs cannot be read
   for (const fs::path& folder : w.runs) {
-    if (list) out << std::exchange(between, ",\n");
+    if (list) document << std::exchange(between, ",\n");
     const RunRecord run(folder);
     const auto verdicts = check_run(run, programs_beside());
-    status = std::max(status, report_check(folder, verdicts, damage_of(run), w.json, out));
+    status = std::max(status, report_check(folder, verdicts, damage_of(run), w.json, list ? document : out));
   }
-  if (list) out << "]\n";
+  if (list) out << document.str() << "]\n";
   return status;
 }
 

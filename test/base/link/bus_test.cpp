@@ -111,7 +111,12 @@ TEST_P(Transport, AnEndCanLeaveWhileOthersTalk) {
     receiver->subscribe_all("s.", got);
     sender->publish(route, Bytes{1});
   }
+  Collector last;
+  const auto receiver = open();
+  receiver->subscribe(route, last);
   sender->publish(route, Bytes{1});
+  await(*receiver, last, 1);
+  EXPECT_EQ(last.got.size(), 1U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Bus, Transport, ::testing::Values("memory", "lcm"),

@@ -65,6 +65,41 @@ TEST(RubikPlots, MarksThePhasesOfATurn) {
   EXPECT_NEAR(place(marks, 'H'), 339, 1e-9);
 }
 
+TEST(RubikPlots, MarksTheFirstQuarterOfAHalfTurn) {
+  mp::ArmTrace rows = turning();
+  const auto second = rows.begin() + 20;  // m = 5 once more, behind the seat on the way
+  const mp::ArmTrace quarter(second, second + 200);
+  rows.insert(second + 200, quarter.begin(), quarter.end());
+  for (std::size_t k = 0; k < rows.size(); ++k) rows[k].t = 0.02 * static_cast<double>(100 + k);
+  const auto marks = marks_of_turn(rows, 2);
+  EXPECT_NEAR(place(marks, 'D'), 134, 1e-9);
+  EXPECT_NEAR(place(marks, 'E'), 140 + M_PI / 2 / 0.04, 2) << "not the second time that it breaks away";
+  EXPECT_LT(place(marks, 'F'), 320);
+  EXPECT_NEAR(place(marks, 'G'), 519, 1e-9);
+}
+
+TEST(RubikPlots, ShowsATurnThatWasDoneAndOfAQuarterIfThereIsOne) {
+  RunRecord record;
+  record.traces[0] = approach();
+  record.traces[1] = turning();
+  const auto drawn = [&] { return plots(record).size() == 3; };
+  CycleNote note{
+      .comes = Hand::postument, .leaves = Hand::track, .turn = Move(Face::U, 1), .begun = 1, .ended = 340};
+  note.given_up = true;
+  record.journal.push_back(note);
+  EXPECT_FALSE(drawn()) << "the face jammed";
+  note = {
+      .comes = Hand::postument, .leaves = Hand::track, .turn = Move(Face::U, 2), .begun = 1, .ended = 340};
+  note.done = true;
+  record.journal.push_back(note);
+  EXPECT_TRUE(drawn());
+  note.turn = Move(Face::U, 3);
+  note.begun = 400;
+  note.ended = 500;
+  record.journal.push_back(note);
+  EXPECT_EQ(plots(record).size(), 1u) << "the quarter, of which there are no rows";
+}
+
 TEST(RubikPlots, ARunWithoutATurnHasNoPictures) {
   RunRecord record;
   EXPECT_TRUE(plots(record).empty());
@@ -77,8 +112,12 @@ TEST(RubikPlots, DrawsTheFirstTurnFromTheArmsTables) {
   RunRecord record;
   record.traces[0] = approach();
   record.traces[1] = turning();
-  record.journal.push_back(
-      {.comes = Hand::postument, .leaves = Hand::track, .turn = Move(Face::U, 1), .begun = 1, .ended = 340});
+  record.journal.push_back({.comes = Hand::postument,
+                            .leaves = Hand::track,
+                            .turn = Move(Face::U, 1),
+                            .begun = 1,
+                            .ended = 340,
+                            .done = true});
   const auto all = plots(record);
   ASSERT_EQ(all.size(), 3u);
   EXPECT_EQ(all[0].first, "fig16_approach");

@@ -216,6 +216,13 @@ TEST_F(RubikProgram, ACubeThatIsGoneEndsTheCycleAtOnce) {
   EXPECT_EQ(count(6), 0);
 }
 
+TEST_F(RubikProgram, ACubeThatIsGoneWhenTheOtherHandHasLetGoIsFeltToo) {
+  arms.drops_late = true;
+  ASSERT_EQ(execute(quarter_turn()), Outcome::faulted);
+  EXPECT_EQ(x.c.trouble, Trouble::dropped);
+  EXPECT_EQ(count(5), 1);
+}
+
 TEST_F(RubikProgram, AWayOfManyPointsGoesInParts) {
   Step step = quarter_turn();
   step.before[0].points.assign(40, at(0.1, 6));

@@ -26,6 +26,7 @@ class TwoArms {
   bool stays{};                                        ///< a face that jams cannot be turned back either
   double meets_at{0.01};                               ///< way of the worker to the cube [m]
   bool drops{};                                        ///< the holder's jaws close in m = 5
+  bool drops_late{};                                   ///< those of the hand that stays close in m = 6
   std::vector<int> behaviours;                         ///< of the coordinator, one after another
   std::array<std::vector<PoseNumbers>, kArms> points;  ///< that each arm was told
   std::vector<TurnOrder> turns;                        ///< ordered, at the begin of each m = 5
@@ -81,6 +82,7 @@ class TwoArms {
     if (o.m == 3 && acts) r.gripper = 0.06, r.event = 3;
     if (o.m == 4 && acts) close(r);
     if (o.m == 5) turn(r, o, acts);
+    if (o.m == 6 && !acts && drops_late) r.gripper = 0.054;
     if (o.m == 6 && acts) r.gripper = 0.077, r.event = 6;
   }
   void approach(Report& r) const {

@@ -1,4 +1,4 @@
-"""The viewer's page in a real browser: looks at pixels, clicks. Usage: page_test.py FOLDER_OF_PROGRAMS [PICTURE]
+"""The viewer's page in a real browser: looks at pixels, clicks. Usage: page_test.py FOLDER_OF_PROGRAMS
 
 Skipped (77) where there is no Chromium, no python3-websocket, or no way to a network of its own."""
 
@@ -93,10 +93,10 @@ def look_at_a_run(page, folder: Path):
     check(page.value("document.querySelector('#behaviour').innerText") == "m = 2 arm1 does: draw", "the behaviour has its name")
     play_and_pause(page)
     turn_the_cube(page)
-    before = page.share("#charts", BLUE)
+    check(page.share("#charts", BLUE) > 0, "the charts show the arm")
     page.click("#arms button:nth-child(2)")
     page.wait("document.querySelector('#clock').dataset.arm === 'arm2'")
-    check(before > 0, "another arm can be chosen")
+    check(page.value("document.querySelector('#clock').dataset.arm") == "arm2", "another arm can be chosen")
     orange = page.share("#stage", ORANGE)
     page.click("#views button:nth-child(2)")
     time.sleep(1.5)
