@@ -13,7 +13,8 @@ namespace mrroc::test {
 /// A folder of its own for a test, removed at the end.
 class Folder {
  public:
-  Folder();
+  /// @param recomputed  whether every run in it is recomputed from its log at the end, and nothing may differ
+  explicit Folder(bool recomputed = true);
   ~Folder();
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
@@ -25,6 +26,7 @@ class Folder {
 
  private:
   std::filesystem::path path_;
+  bool recomputed_;
 };
 
 /// One process, told from a later one with the same number.
