@@ -42,13 +42,12 @@ nlohmann::ordered_json to_json(const Fault& fault) {
 
 fs::path name_run_folder(const fs::path& wanted, const std::string& task) {
   fs::path folder = wanted.empty() ? fresh_name(task) : wanted;
-  if (fs::exists(folder / "config.toml"))
-    throw FaultError(FaultCode::bad_usage, fmt::format("{} holds a run already", folder.string()),
+  std::error_code error;
+  if (fs::exists(folder) && !fs::is_empty(folder, error))
+    throw FaultError(FaultCode::bad_usage,
+                     fmt::format("{} {}", folder.string(),
+                                 fs::exists(folder / "config.toml") ? "holds a run already" : "is not empty"),
                      "choose another --run-dir or delete it");
-  std::error_code none;
-  if (fs::exists(folder, none) && !fs::is_empty(folder, none))
-    throw FaultError(FaultCode::bad_usage, fmt::format("{} is not empty", folder.string()),
-                     "a run writes files of many names: choose another --run-dir");
   return folder;
 }
 

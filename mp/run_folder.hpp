@@ -39,7 +39,7 @@ struct Summary {
 
 /// Names the folder of a run; makes nothing.
 /// @param wanted  empty: runs/TASK-TIME below the working directory
-/// @throws FaultError bad_usage when it exists and is not empty
+/// @throws FaultError bad_usage when it exists and is not an empty folder: nothing is overwritten
 std::filesystem::path name_run_folder(const std::filesystem::path& wanted, const std::string& task);
 
 /// Makes the folder of a run.
