@@ -8,6 +8,7 @@ namespace mrroc::sim {
 namespace {
 
 constexpr int kBaseFreedoms = 6;
+/// Modes in which Bullet iterates otherwise than here.
 constexpr int kForeign = SOLVER_USE_ARTICULATED_WARMSTARTING | SOLVER_DISABLE_IMPLICIT_CONE_FRICTION;
 using Values = Eigen::Map<const Eigen::VectorXd>;
 /// What an iteration returns for Bullet to go on; the change of velocities matters only where a threshold is set.
