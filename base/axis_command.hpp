@@ -5,16 +5,17 @@
 namespace mrroc {
 
 /// Behaviour b of the effector along or about one axis (MG 8.1.2).
+/// unguarded: forces have no effect; guarded: a velocity with compliance; contact: a force alone.
 enum class Behaviour : std::uint8_t { unguarded, guarded, contact };
 
 /// One row of a command table. Build it with u(), g() or c(): the entries that the papers mark "-" cannot be
 /// given. Linear axes are in N, m/s, kg, s/kg; rotational ones in N m, rad/s, kg m^2, s/(kg m^2).
 struct AxisCommand {
-  Behaviour b{Behaviour::unguarded};
-  double force{};     ///< F_d, desired force that the effector exerts
-  double velocity{};  ///< r'_d, desired velocity
-  double inertia{};   ///< I, virtual inertia, not negative
-  double mobility{};  ///< B, reciprocal of damping, not negative
+  Behaviour b{Behaviour::unguarded};  ///< b, which of the other entries count
+  double force{};                     ///< F_d, desired force that the effector exerts
+  double velocity{};                  ///< r'_d, desired velocity
+  double inertia{};                   ///< I, virtual inertia, not negative
+  double mobility{};                  ///< B, reciprocal of damping, not negative
 
   friend constexpr bool operator==(const AxisCommand&, const AxisCommand&) = default;
 };

@@ -8,8 +8,8 @@
 
 namespace mrroc {
 
-using Vector2 = Eigen::Vector2d;
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Vector2 = Eigen::Vector2d;              ///< two numbers, mostly a place in a picture [pixel]
+using Matrix6 = Eigen::Matrix<double, 6, 6>;  ///< of six components in the order of Axis, mostly a covariance
 
 /// Pinhole camera with radial and tangential distortion: the papers' intrinsics M and lens L. Frame C: z forward along
 /// the optical axis, x right, y down in the picture. Pixels are counted from the centre of the first one, u right,

@@ -14,7 +14,7 @@ enum class ClockKind : std::uint8_t {
 /// Says when the steps of a paced run are due. Asks no clock itself: times are given, so that tests need none.
 class Pacer {
  public:
-  using Time = std::chrono::steady_clock::time_point;
+  using Time = std::chrono::steady_clock::time_point;  ///< of the monotonic clock
 
   /// After a delay longer than this the lost time is not caught up.
   static constexpr std::chrono::milliseconds kPatience{1000};

@@ -40,8 +40,10 @@ struct ConfigPlace {
 /// ".
 class ConfigError : public FaultError {
  public:
+  /// @param key  dotted, empty: the file as a whole is meant  @param text  what is wrong and what is right
   ConfigError(ConfigPlace place, std::string key, const std::string& text);
 
+  /// @return where it stands
   [[nodiscard]] const ConfigPlace& place() const noexcept { return place_; }
   /// @return the dotted key that the error is about; empty when it is about the file
   [[nodiscard]] const std::string& key() const noexcept { return key_; }
@@ -53,14 +55,15 @@ class ConfigError : public FaultError {
 
 /// Closed interval of legal numbers.
 struct Bounds {
+  /// Smallest legal number; default: none is too small.
   double min{-std::numeric_limits<double>::infinity()};
-  double max{std::numeric_limits<double>::infinity()};
+  double max{std::numeric_limits<double>::infinity()};  ///< largest legal number; default: none is too large
 };
 
 /// Closed interval of legal integers.
 struct IntegerBounds {
-  std::int64_t min{std::numeric_limits<std::int64_t>::min()};
-  std::int64_t max{std::numeric_limits<std::int64_t>::max()};
+  std::int64_t min{std::numeric_limits<std::int64_t>::min()};  ///< smallest legal integer
+  std::int64_t max{std::numeric_limits<std::int64_t>::max()};  ///< largest legal integer
 };
 
 struct ConfigStore;
@@ -132,8 +135,11 @@ class Config {
     if (fallback) wide = static_cast<std::int64_t>(*fallback);
     return static_cast<T>(whole(key, wide, bounds, within<T>(bounds), unit));
   }
+  /// @return true or false
   [[nodiscard]] bool flag(std::string_view key, std::optional<bool> fallback) const;
+  /// @return any text, also an empty one
   [[nodiscard]] std::string text(std::string_view key, const std::optional<std::string>& fallback) const;
+  /// @return a list of texts of any length
   [[nodiscard]] std::vector<std::string> texts(std::string_view key,
                                                const std::optional<std::vector<std::string>>& fallback) const;
   /// @param names the legal texts and what they stand for

@@ -18,18 +18,18 @@ using ConfigValue =
 
 /// One key's value and what is known about it.
 struct ConfigEntry {
-  ConfigValue value;
-  ConfigPlace place;
+  ConfigValue value;         ///< as it was given; its range is checked when it is read
+  ConfigPlace place;         ///< where it was given
   std::string note;          ///< unit and range, known once it was read
   bool from_default{false};  ///< nobody gave it: the code's default
 };
 
 /// All values in a flat map; a key with dots stands for the tables on the way to it.
 struct ConfigStore {
-  std::map<std::string, ConfigEntry, std::less<>> entries;
-  std::map<std::string, ConfigPlace, std::less<>> tables;  ///< tables that a file names, also empty ones
-  WordSet asked;                                           ///< keys and tables that the program knows
-  std::string main_file;                                   ///< for the message that a key is missing
+  std::map<std::string, ConfigEntry, std::less<>> entries;  ///< by dotted key
+  std::map<std::string, ConfigPlace, std::less<>> tables;   ///< tables that a file names, also empty ones
+  WordSet asked;                                            ///< keys and tables that the program knows
+  std::string main_file;                                    ///< for the message that a key is missing
 
   /// Adds or replaces a value. @throws ConfigError the key is a table, or leads through a value
   void put(const std::string& key, ConfigEntry entry);

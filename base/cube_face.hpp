@@ -13,7 +13,7 @@
 
 namespace mrroc {
 
-inline constexpr int kStickers = 9;
+inline constexpr int kStickers = 9;  ///< of one face
 
 /// Lengths on the face.
 struct CubeFaceShape {
@@ -33,6 +33,7 @@ inline constexpr CubeFaceShape kCubeFace{};
 
 /// Colours of the stickers, in the order of the faces U R F D L B that have them on a solved cube.
 enum class StickerColour : std::uint8_t { white, red, green, yellow, orange, blue };
+/// Number of these colours.
 inline constexpr int kStickerColours = 6;
 /// @return e.g. "white"
 std::string_view to_string(StickerColour colour);
@@ -67,7 +68,7 @@ struct StickerReading {
   /// a cube have the same colour is better told by all six faces together (tasks/rubik/reading/state_reading.hpp).
   StickerColour colour{};
   double confidence{};  ///< probability that it is that colour, 0..1; 0 with a flaw
-  StickerFlaw flaw{};
+  StickerFlaw flaw{};   ///< none: the colour can be relied on
 };
 
 /// What the receptor r_cube_face found in one picture. There is one for every picture, also when nothing was seen.
@@ -80,7 +81,7 @@ struct CubeFaceReading {
   Pose T_CG;             ///< face G in the camera C; identity when not seen
   Matrix6 covariance = Matrix6::Zero();  ///< of the error's components x y z [m], ax ay az [rad], along C
   double reprojection_px{};              ///< root mean square over the stickers' edges, across them [pixel]
-  std::array<StickerReading, kStickers> stickers{};
+  std::array<StickerReading, kStickers> stickers{};  ///< by number k as in CubeFaceShape::middle()
 };
 
 }  // namespace mrroc

@@ -21,9 +21,11 @@ enum class Part : std::uint8_t { arm = 1, robot_model = 2, io = 4, force_bias = 
 constexpr std::uint8_t operator|(Part a, Part b) {
   return static_cast<std::uint8_t>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
 }
+/// @param mask  of Part bits  @return whether the part is in it
 constexpr bool has(std::uint8_t mask, Part p) { return (mask & static_cast<std::uint8_t>(p)) != 0; }
 
 /// Interpolation mu of the macrostep (MG fig. 8).
+/// mim: between motor positions; tcim: in the task frame, towards a pose or with the velocities of its rows.
 enum class Interpolation : std::uint8_t { mim, tcim_pose, tcim_velocity };
 
 /// Representation of a pose (MG tab. 1): how EffectorCommand::arm.pose is to be read.
@@ -43,7 +45,7 @@ using PoseNumbers = std::array<double, 16>;
 
 /// SET ARM: one macrostep of motion.
 struct ArmCommand {
-  Interpolation mu{Interpolation::tcim_velocity};
+  Interpolation mu{Interpolation::tcim_velocity};        ///< how the driver makes steps of the macrostep
   Representation representation{Representation::frame};  ///< of pose; ignored in TCIM-VELOCITY
   Reference reference{Reference::absolute};              ///< of pose; ignored in TCIM-VELOCITY
   PoseNumbers pose{};                                    ///< desired pose, ignored in TCIM-VELOCITY
@@ -78,16 +80,16 @@ struct EffectorCommand {
   std::int64_t
       number{};  ///< sequence number 1, 2, 3...; keep and release have the number of the last command
   std::int64_t macrostep{};  ///< stamp: the macrostep in which the command is to be executed
-  Instruction instruction{Instruction::keep};
+  Instruction instruction{Instruction::keep};                     ///< what the driver is to do
   std::uint8_t set{};                                             ///< Part mask for SET and SET_GET
   std::uint8_t get{};                                             ///< Part mask for GET and SET_GET
   Representation get_representation{Representation::frame};       ///< of EffectorReply::pose
   Representation get_tool_representation{Representation::frame};  ///< of EffectorReply::robot_model.tool
-  Feedback feedback{Feedback::measured};
-  std::int64_t queried{};  ///< QUERY: number of the command whose reply is wanted
-  ArmCommand arm{};
-  RobotModel robot_model{};
-  std::uint16_t outputs{};  ///< OUTPUTS: binary output lines of the robot controller
+  Feedback feedback{Feedback::measured};                          ///< of EffectorReply::pose
+  std::int64_t queried{};    ///< QUERY: number of the command whose reply is wanted
+  ArmCommand arm{};          ///< for SET with Part::arm
+  RobotModel robot_model{};  ///< for SET with Part::robot_model
+  std::uint16_t outputs{};   ///< OUTPUTS: binary output lines of the robot controller
 };
 
 /// State of an effector driver.
@@ -103,6 +105,7 @@ enum class DriverState : std::uint8_t {
 };
 /// Number of states.
 inline constexpr std::size_t kDriverStates = 8;
+/// @return name of the state, as in logs
 std::string_view to_string(DriverState s);
 
 /// Currents of the motors over all steps since the reply before, one number per motor.
@@ -114,18 +117,19 @@ struct CurrentStatistics {
 };
 
 /// What became of a command.
+/// none: there was none; failed: it was taken, and its macrostep could not go on.
 enum class Verdict : std::uint8_t { none, executed, refused, failed };
 
 /// x_ce: the answer, sent in step n_Q. Trivially copyable. "Measured" values are of that step.
 struct EffectorReply {
-  std::int64_t session{};
+  std::int64_t session{};    ///< of the command; without one that of the owner, 0: the driver has none
   std::int64_t number{};     ///< of the command that it answers; 0: no command was there in this macrostep
   std::int64_t macrostep{};  ///< stamp: x_ce of that macrostep (the command's stamp + 1)
   std::int64_t step{};       ///< step of the reading
   std::int64_t expected{};   ///< next number that the driver will execute
-  Verdict verdict{Verdict::none};
-  Fault fault{};  ///< why it was refused or failed
-  DriverState state{DriverState::not_synchronised};
+  Verdict verdict{Verdict::none};                    ///< on the command
+  Fault fault{};                                     ///< why it was refused or failed
+  DriverState state{DriverState::not_synchronised};  ///< when it answers
   std::uint8_t parts{};  ///< Part mask of what was got: arm (pose), robot_model, io (inputs, analog)
   Representation representation{Representation::frame};  ///< of pose
   PoseNumbers pose{};  ///< E in the base, measured or set value as asked, in the representation asked for

@@ -100,9 +100,9 @@ enum class FaultCode : std::uint16_t {
 
 /// One row of the table of errors.
 struct FaultEntry {
-  FaultCode code;
-  std::string_view name;  ///< the code in text, as it appears in logs, summaries and error lines
-  FaultClass fault_class;
+  FaultCode code;           ///< of the row, each code has one
+  std::string_view name;    ///< the code in text, as it appears in logs, summaries and error lines
+  FaultClass fault_class;   ///< what has to be done about it
   std::string_view text;    ///< what happened
   std::string_view remedy;  ///< what the operator can do
   std::string_view causes;  ///< what it mostly comes from, likeliest first, with semicolons between
@@ -111,7 +111,7 @@ struct FaultEntry {
 /// One error as it happened. Trivially copyable, travels in messages; made without allocation in the servo
 /// step.
 struct Fault {
-  FaultCode code{FaultCode::none};
+  FaultCode code{FaultCode::none};  ///< none: there is no error
   FixedText<32> process{};  ///< who found it, e.g. "edp arm1"; empty when the process itself is speaking
   std::int16_t axis{-1};    ///< axis or motor, counted from 0; -1: none
   double value{};           ///< the offending value, in the unit that text or the code implies
@@ -151,12 +151,14 @@ struct Fault {
 /// An error on its way up through a shell. Never thrown in the servo step.
 class FaultError : public std::runtime_error {
  public:
+  /// An error as it was found: what() is the text of the table with process, axis, figures and details.
   explicit FaultError(const Fault& fault);
   /// @param what what happened, when that needs more room than a Fault has
   FaultError(FaultCode code, const std::string& what);
   /// @param remedy what to do in this very case, instead of the table's advice; empty: the table's
   FaultError(FaultCode code, const std::string& what, std::string remedy);
 
+  /// As it was thrown.
   [[nodiscard]] const Fault& fault() const noexcept { return fault_; }
   /// @return what the operator can do
   [[nodiscard]] std::string_view remedy() const noexcept;

@@ -25,6 +25,7 @@ struct FixedText {
   [[nodiscard]] constexpr std::string_view view() const {
     return {data.data(), static_cast<std::size_t>(std::find(data.begin(), data.end(), '\0') - data.begin())};
   }
+  /// No character before the first zero.
   [[nodiscard]] constexpr bool empty() const { return view().empty(); }
 
   friend constexpr bool operator==(const FixedText& a, const FixedText& b) { return a.view() == b.view(); }

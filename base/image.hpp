@@ -16,12 +16,14 @@ struct ImageView {
   int channels{};              ///< 1 or 3
   const std::uint8_t* data{};  ///< width * height * channels bytes
 
+  /// @return whether there is no picture
   [[nodiscard]] bool empty() const { return data == nullptr || width <= 0 || height <= 0; }
   /// @return number of bytes
   [[nodiscard]] std::size_t size() const {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
            static_cast<std::size_t>(channels);
   }
+  /// @return all of them, row by row
   [[nodiscard]] std::span<const std::uint8_t> bytes() const { return {data, size()}; }
   /// @param y  0..height-1
   [[nodiscard]] const std::uint8_t* row(int y) const {
@@ -35,6 +37,7 @@ struct ImageView {
 
 /// A picture that owns its bytes; layout as in ImageView.
 struct Image {
+  /// As in ImageView.
   int width{};
   int height{};
   int channels{};
@@ -46,6 +49,7 @@ struct Image {
 
   /// @return the same picture; valid until this one changes or goes
   [[nodiscard]] ImageView view() const { return {width, height, channels, data.data()}; }
+  /// @return whether there is no picture
   [[nodiscard]] bool empty() const { return data.empty(); }
   /// @param y  0..height-1
   [[nodiscard]] std::uint8_t* row(int y) {

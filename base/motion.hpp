@@ -25,6 +25,7 @@ concept Images = requires(typename A::X x, typename A::Y y) {
 /// Every function is pure: a logged x gives the logged y again.
 template <Images A>
 struct Motion {
+  /// Images that the functions take and give.
   using X = typename A::X;
   using Y = typename A::Y;
   int m;                                ///< number of the behaviour
@@ -39,6 +40,7 @@ struct Motion {
 };
 
 /// Why a Move ended.
+/// terminated: f_tau held; aborted: the system ends, or images do; faulted: an error, which the port tells.
 enum class Outcome : std::uint8_t { terminated, aborted, faulted };
 
 /// Where images come from and go to: processes over a link, memory in tests, a log in replay.

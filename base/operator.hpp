@@ -9,10 +9,12 @@ namespace mrroc {
 /// Orders of the operator to a task (UI -> MP). trigger is the papers' signal that ends a behaviour which
 /// waits for it. emergency_stop goes to MP and to every effector driver: the drives brake in the next step.
 enum class OperatorOrder : std::uint8_t { start, pause, resume, trigger, stop, emergency_stop };
+/// All orders, by number.
 inline constexpr std::array kOperatorOrders{OperatorOrder::start,  OperatorOrder::pause,
                                             OperatorOrder::resume, OperatorOrder::trigger,
                                             OperatorOrder::stop,   OperatorOrder::emergency_stop};
 
+/// @return name of the order, as terminals and scripts have it; "?" for a number without a name
 constexpr std::string_view to_string(OperatorOrder o) {
   switch (o) {
     case OperatorOrder::start:
@@ -35,6 +37,7 @@ constexpr std::string_view to_string(OperatorOrder o) {
 /// ending: the arms rest and the processes are gone; figures, tables and pictures are being made.
 enum class TaskState : std::uint8_t { starting, waiting_for_start, running, paused, stopping, ending, ended };
 
+/// @return name of the state, as terminals show it; "?" for a number without a name
 constexpr std::string_view to_string(TaskState s) {
   switch (s) {
     case TaskState::starting:

@@ -14,23 +14,26 @@ namespace mrroc {
 template <Images A>
 class ScriptPort {
  public:
+  /// Images of the agent.
   using X = typename A::X;
   using Y = typename A::Y;
 
   /// What a behaviour decided in one macrostep.
   struct Decision {
     int m;  ///< number of the behaviour
-    Y y;
+    Y y;    ///< as it was dispatched
   };
 
   /// @param images  what read() gives, one per macrostep
   explicit ScriptPort(std::vector<X> images) : images_(std::move(images)) {}
 
+  /// Keeps the decision.
   void dispatch(const Motion<A>& motion, const Y& y) { decisions_.push_back({motion.m, y}); }
 
   /// @return aborted when the images are used up
   Outcome wait() { return next_ < images_.size() ? Outcome::terminated : Outcome::aborted; }
 
+  /// Takes e, V and T of the next image, and counts i.
   void read(X& x) {
     const X& given = images_[next_++];
     x.e = given.e;

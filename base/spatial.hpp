@@ -7,12 +7,14 @@
 
 namespace mrroc {
 
+/// Three components along the axes of one frame; a matrix that turns them; six in the order of Axis.
 using Vector3 = Eigen::Vector3d;
 using Matrix3 = Eigen::Matrix3d;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 /// Axes of a frame, in the order of every six-component vector.
 enum class Axis : std::uint8_t { x, y, z, ax, ay, az };
+/// All axes in their order, for loops.
 inline constexpr std::array kAxes{Axis::x, Axis::y, Axis::z, Axis::ax, Axis::ay, Axis::az};
 
 /// Six components along and about the axes of one frame. The tag makes a Wrench where a Twist belongs a

@@ -18,8 +18,10 @@ class FileError : public std::runtime_error {
   /// @param remedy  what the user can do about it; may be empty
   FileError(const std::string& file, int line, const std::string& wrong, const std::string& remedy);
 
+  /// @return name under which the user knows it
   [[nodiscard]] const std::string& file() const { return file_; }
   [[nodiscard]] int line() const { return line_; }  ///< counted from 1; 0 if unknown
+  /// @return what() without the remedy
   /// @return what() without the remedy
   [[nodiscard]] const std::string& wrong() const { return wrong_; }
   [[nodiscard]] const std::string& remedy() const { return remedy_; }  ///< may be empty

@@ -21,20 +21,21 @@ struct Order {
 
 /// y_cT_j0 = x_cT_0j: embodied agent -> coordinator. Trivially copyable.
 struct Report {
-  int m{};       ///< behaviour of the agent
-  int event{};   ///< m of the event that it has seen, 0 if none
-  bool ready{};  ///< initialised, executes commands
-  int sensor{};  ///< discrete reading of its virtual sensor
-  DriverState driver_state{DriverState::not_synchronised};
-  Verdict verdict{Verdict::none};  ///< on its last command
-  Fault fault{};                   ///< why that was refused or failed
-  std::array<double, 6> T_0E{};    ///< measured pose of E in the base: x y z [m], angle-axis [rad]
-  Wrench F_a{};                    ///< adjusted force in E
-  double gripper{};                ///< distance of the jaws [m]
-  bool blocked{};                  ///< the jaws hold something
+  int m{};                                                  ///< behaviour of the agent
+  int event{};                                              ///< m of the event that it has seen, 0 if none
+  bool ready{};                                             ///< initialised, executes commands
+  int sensor{};                                             ///< discrete reading of its virtual sensor
+  DriverState driver_state{DriverState::not_synchronised};  ///< as in its last reply
+  Verdict verdict{Verdict::none};                           ///< on its last command
+  Fault fault{};                                            ///< why that was refused or failed
+  std::array<double, 6> T_0E{};  ///< measured pose of E in the base: x y z [m], angle-axis [rad]
+  Wrench F_a{};                  ///< adjusted force in E
+  double gripper{};              ///< distance of the jaws [m]
+  bool blocked{};                ///< the jaws hold something
 };
 
 /// Order::m of a coordinator whose agents work on their own (coordination "none", MG 5).
+/// wait: for the start; pause: the arm stands, and its time does.
 enum class SoloOrder : std::uint8_t { wait, work, pause };
 /// Report::event of such an agent when it has nothing left to do.
 inline constexpr int kWorkDone = 1000;

@@ -8,12 +8,12 @@ namespace mrroc::bench {
 
 /// One figure: a key that scripts rely on (docs/interfaces.md) and what the table says about it.
 struct Figure {
-  std::string key;
-  double value{};
-  std::string unit;
-  std::string about;
+  std::string key;    ///< such as "rebuild_s"; unique
+  double value{};     ///< in the unit
+  std::string unit;   ///< such as "s"; empty: a number
+  std::string about;  ///< what was measured, for the table
 };
-using Figures = std::vector<Figure>;
+using Figures = std::vector<Figure>;  ///< in the order of the table
 
 /// Step of the effector driver, kinematics, force measurement, the tasks press and edge_follow. Takes about a
 /// minute.

@@ -30,12 +30,14 @@ using Wanted = std::function<bool(const Step& before, const Step& now)>;
 
 /// What one press of a key has shown.
 struct Latency {
+  /// How the sample came about.
   enum class Kind : std::uint8_t {
+    /// The key had an effect, and macrosteps says when.
     measured,
     nothing_to_see,  ///< the arm was as wanted already when the key was pressed: the sample is none
     never,           ///< it was not as wanted within kLongest: the key had no effect
   };
-  Kind kind{};
+  Kind kind{};          ///< decides whether macrosteps counts
   double macrosteps{};  ///< from the key to the first step that is as wanted; of a measured one only
 };
 

@@ -12,13 +12,14 @@
 
 namespace mrroc::bench {
 
+/// Light in which cubes are read. dim: 20 to 40 % of it; glaring: the face mirrors the lamp.
 enum class Lighting : std::uint8_t { white, coloured, dim, glaring };
-inline constexpr int kLightings = 4;
+inline constexpr int kLightings = 4;  ///< kinds of light
 
 /// Light that stays while a cube is read.
 struct CubeLight {
-  camera::Light light;
-  bool shadows{true};  ///< false: nothing stands in the lamp's light
+  camera::Light light;  ///< the same for all faces
+  bool shadows{true};   ///< false: nothing stands in the lamp's light
 };
 
 /// One face before the camera, as a plan of the task shows it.
@@ -38,6 +39,7 @@ class ShownCube {
   [[nodiscard]] const std::vector<Look>& looks(int reading) const {
     return looks_[static_cast<std::size_t>(reading)];
   }
+  /// @return camera of the task, as configured
   [[nodiscard]] const CameraSetup& camera() const { return camera_; }
   /// @return T_CG of the places where faces are shown
   [[nodiscard]] std::vector<Pose> places() const;

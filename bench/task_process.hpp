@@ -57,6 +57,7 @@ class ScratchFolder {
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
+  /// @return of the folder, absolute
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:

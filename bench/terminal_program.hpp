@@ -14,7 +14,7 @@ namespace mrroc::bench {
 /// A program of the folder of this one that runs in a pseudo terminal of 80 columns and 24 rows.
 class TerminalProgram {
  public:
-  using Clock = std::chrono::steady_clock;
+  using Clock = std::chrono::steady_clock;  ///< wall time
 
   /// @throws FaultError start_failed
   TerminalProgram(const std::string& program, const std::vector<std::string>& arguments);

@@ -12,6 +12,7 @@ namespace mrroc::bench {
 /// The simulated cell with its arms, and poses from which its object can be seen.
 class ViewedCell {
  public:
+  /// What the cameras look for: the chessboard or the AprilTag.
   enum class Object { board, tag };
 
   /// @param seed  of the poses
@@ -20,6 +21,7 @@ class ViewedCell {
   /// @return T_CG with the whole plate in the picture of the camera, no part of the arms before it, and its face tilted
   ///         by at most 45 degrees against the optical axis; every second picture shows a part of an arm
   Pose pose(const CameraModel& camera, double nearest, double farthest);
+  /// @return the cell with its arms and the object; always the same
   [[nodiscard]] const camera::Scene& scene() const { return scene_; }
   /// @return camera in the world when the object is there in the camera
   [[nodiscard]] Pose camera(const Pose& T_CG) const { return T_UG_ * T_CG.inverse(); }

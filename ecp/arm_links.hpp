@@ -19,6 +19,7 @@ namespace mrroc::ecp {
 
 /// Links of an agent that the agent reads itself, such as those of cameras with a clock of their own.
 struct OtherLinks {
+  /// Inboxes that are waited for; they must outlive the links.
   link::Sources sources;
   /// In lock-step: whether what macrostep i needs of them has come (rule R7). Empty: it needs nothing.
   /// @param step  of the effector driver's reading in x_ce
@@ -38,6 +39,7 @@ struct ArmLinkNames {
 /// order is marked as late.
 class ArmLinks {
  public:
+  /// To be made before the process assembles. @param process  must outlive the links
   ArmLinks(link::Process& process, const ArmLinkNames& names);
 
   /// Assembles with the others, publishes the defined messages of macrostep 1 and receives the first images.
@@ -58,9 +60,13 @@ class ArmLinks {
   ///         link::Process::await_from(); malformed_message: a number is not finite
   Outcome wait();
 
+  /// @return macrostep of the images, from 1 on
   [[nodiscard]] std::int64_t i() const { return i_; }
+  /// @return x_ce of macrostep i
   [[nodiscard]] const EffectorReply& reply() const { return reply_; }
+  /// @return x_cV; zeros without a sensor
   [[nodiscard]] const SensorReading& reading() const { return reading_; }
+  /// @return x_cT, the coordinator's order
   [[nodiscard]] const Order& order() const { return order_; }
   /// @return why wait() gave faulted
   [[nodiscard]] const EffectorClient& client() const { return client_; }

@@ -16,8 +16,10 @@ namespace mrroc::ecp {
 template <Images A>
 class ArmPort {
  public:
+  /// @param links  must outlive the port
   explicit ArmPort(ArmLinks& links) : links_(links) {}
 
+  /// The operations of a Port: sends y.e and y.T for macrostep i + 1; i := i + 1; fills in e, V, T and i of x.
   void dispatch(const Motion<A>& motion, const typename A::Y& y) {
     links_.in_behaviour(motion.m, motion.name, motion.until);
     links_.send(y.e, y.T);

@@ -17,6 +17,7 @@ namespace mrroc::ecp {
 template <Images A>
 class SoloPort {
  public:
+  /// @param links  must outlive the port
   explicit SoloPort(ArmLinks& links) : links_(links) {}
 
   /// Sends y; the coordinator is told the number of the behaviour.
@@ -36,6 +37,7 @@ class SoloPort {
     }
     return o;
   }
+  /// Fills in e, V, T and i of x.
   void read(typename A::X& x) const {
     x.e = links_.reply();
     if constexpr (std::is_same_v<decltype(x.V), SensorReading>) x.V = links_.reading();

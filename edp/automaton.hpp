@@ -44,8 +44,8 @@ struct Transition {
 
 /// One row of the table: a state and what every event leads to, in the order of Event.
 struct StateRow {
-  DriverState state;
-  std::array<Transition, kEvents> on;
+  DriverState state;                   ///< before the event
+  std::array<Transition, kEvents> on;  ///< by the number of the event
 };
 
 namespace table {
@@ -55,6 +55,7 @@ constexpr Transition to(DriverState next) { return {next, FaultCode::none}; }
 /// Row of a state as a list of entries: nothing is said about a state itself but that it stays.
 class Row {
  public:
+  /// At first every event is illegal in the state.
   constexpr explicit Row(DriverState state) : row_{state, {}} {
     for (Transition& t : row_.on) t = {state, FaultCode::illegal_in_state};
   }

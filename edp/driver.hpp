@@ -95,6 +95,7 @@ class Driver {
   [[nodiscard]] std::span<const MeasuredStep> samples() const noexcept {
     return {samples_.data(), sample_count_};
   }
+  /// @return after the last step
   [[nodiscard]] DriverState state() const noexcept { return state_; }
   /// @return the fault that stands: fatal, or non-fatal and not yet told; code none when there is none
   [[nodiscard]] const Fault& fault() const noexcept { return fault_; }

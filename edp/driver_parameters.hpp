@@ -54,10 +54,10 @@ struct AxisHoming {
 /// Homing of a robot. Source of the figures: the original framework.
 struct HomingParameters {
   int first_axis{};  ///< where the order begins; the other axes follow by number, then those before it
-  std::array<AxisHoming, kMaxAxes> axis{};
-  int ramp_steps{10};         ///< of a change between rest and the coarse speed
-  int standstill_steps{250};  ///< on the switch
-  int settle_steps{25};       ///< after the zero mark
+  std::array<AxisHoming, kMaxAxes> axis{};  ///< by number of the axis
+  int ramp_steps{10};                       ///< of a change between rest and the coarse speed
+  int standstill_steps{250};                ///< on the switch
+  int settle_steps{25};                     ///< after the zero mark
 };
 
 /// Everything that a Driver must know beyond its robot.
@@ -68,19 +68,19 @@ struct DriverParameters {
   int stop_steps{kMaxStopSteps};  ///< steps of the stop when commands end, 1..kMaxStopSteps
   int start_guard_steps{0};  ///< steps after the start in which every command is refused; 0.25 s / dt when
                              ///< nothing else keeps a left-over sender's commands away
-  Synchronisation synchronisation{Synchronisation::known_pose};
+  Synchronisation synchronisation{Synchronisation::known_pose};  ///< what SYNCHRO does
   AxisVector synchro_joints;  ///< joints at which SYNCHRO finds the arm [rad], track [m]; one per axis. Only
                               ///< for known_pose
-  HomingParameters homing;
+  HomingParameters homing;    ///< for Synchronisation::homing
   std::optional<GripperParameters> gripper;  ///< none: the robot has no motor-driven jaws
-  double jaws{0.074};  ///< distance at which SYNCHRO finds the jaws [m]. Only for known_pose
-  Pose T_WE;           ///< tool in the wrist until SET ROBOT_MODEL says otherwise
-  ForceSensorParameters force;
-  Limits limits;
-  SupervisionParameters supervision;
+  double jaws{0.074};                 ///< distance at which SYNCHRO finds the jaws [m]. Only for known_pose
+  Pose T_WE;                          ///< tool in the wrist until SET ROBOT_MODEL says otherwise
+  ForceSensorParameters force;        ///< of the sensor in the wrist
+  Limits limits;                      ///< of commands and set points
+  SupervisionParameters supervision;  ///< of measured values
   std::optional<ServoChoice>
       servo;  ///< regulators of all motors at the start; without: those of the robot's table
-  OscillationParameters oscillation;
+  OscillationParameters oscillation;  ///< of contacts that swing
 };
 
 }  // namespace mrroc::edp

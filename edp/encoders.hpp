@@ -9,6 +9,7 @@ namespace mrroc::edp {
 /// nothing before synchronise(). Real-time safe.
 class Encoders {
  public:
+  /// @param robot  its numbers of increments are copied
   explicit Encoders(const Robot& robot) noexcept
       : increments_per_rad_(robot.axes()), motors_at_zero_(AxisVector::Zero(robot.axes())) {
     for (int k = 0; k < robot.axes(); ++k) increments_per_rad_[k] = robot.axis(k).increments_per_rad;

@@ -37,7 +37,7 @@ struct GripperParameters {
 /// of an acceleration, standstill alone also that of jaws that are where they should be. Real-time safe.
 class Gripper {
  public:
-  static constexpr int kMostBlockedSteps = 64;
+  static constexpr int kMostBlockedSteps = 64;  ///< steps in the ring of positions
 
   /// @param dt duration of a step [s]
   /// @throws FaultError bad_configuration
@@ -49,6 +49,7 @@ class Gripper {
   void believe(double distance, std::int32_t count) noexcept;
   /// @return whether distances are known
   [[nodiscard]] bool known() const noexcept { return known_; }
+  /// @return whether the stop of the opening is being looked for
   [[nodiscard]] bool homing() const noexcept { return homing_; }
 
   /// New desired distance g_gd [m], within the legal range.
@@ -70,6 +71,7 @@ class Gripper {
   [[nodiscard]] bool blocked() const noexcept { return blocked_; }
   /// @return set position of the motor [rad]
   [[nodiscard]] double set_motor() const noexcept { return set_; }
+  /// @return as it was made with
   [[nodiscard]] const GripperParameters& parameters() const noexcept { return p_; }
 
  private:

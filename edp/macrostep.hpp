@@ -12,8 +12,8 @@ namespace mrroc::edp {
 
 /// What stays constant during a macrostep.
 struct Macrostep {
-  Interpolation mu{Interpolation::tcim_velocity};
-  int n_s{1};              ///< steps of motion
+  Interpolation mu{Interpolation::tcim_velocity};  ///< MIM or TCIM: which of the fields below count
+  int n_s{1};                                      ///< steps of motion
   TaskFrameCommand frame;  ///< TCIM: rows of E; their velocities count in TCIM-VELOCITY
   Twist v_d;               ///< TCIM-POSE: eq. (27), in the orientation of the base [m/s], [rad/s]
   AxisVector from;         ///< MIM: motors at the start [rad]
@@ -23,9 +23,9 @@ struct Macrostep {
 /// Constants that a macrostep is planned with.
 struct MotionRules {
   const Robot* robot;  ///< never null
-  Limits limits;
-  double dt;       ///< [s]
-  int stop_steps;  ///< steps of a stop
+  Limits limits;       ///< no set point leaves them
+  double dt;           ///< [s]
+  int stop_steps;      ///< steps of a stop
   bool position_known{
       true};  ///< false: motors count from an unknown place. Only relative motor positions can
               ///< be planned, and no range, joint or pose means anything

@@ -20,9 +20,10 @@ class Protocol {
     reset,    ///< an operator's reset: the effector has no owner any more
     refuse,   ///< answer with the fault
   };
+  /// How a command is dealt with.
   struct Decision {
-    Admission admission{Admission::nothing};
-    Fault fault{};  ///< reason of a refusal
+    Admission admission{Admission::nothing};  ///< what the driver has to do
+    Fault fault{};                            ///< reason of a refusal
   };
 
   /// Decides about one message and does what release and reset say.

@@ -15,7 +15,7 @@ namespace mrroc::edp {
 
 /// Everything about one step. Trivially copyable.
 struct StepRecord {
-  std::int64_t step{};
+  std::int64_t step{};                           ///< of the driver
   DriverState state{};                           ///< after the step
   FaultCode fault{};                             ///< that stood after the step
   std::array<double, kMaxAxes> set_motor{};      ///< [rad]
@@ -74,7 +74,7 @@ class RecordFiles {
  public:
   static constexpr std::size_t kBefore = 2500;  ///< steps
   static constexpr int kAfter = 50;             ///< steps
-  static constexpr int kMostFiles = 5;
+  static constexpr int kMostFiles = 5;          ///< of faults, in a run
 
   /// @param folder  where ROBOT-steps.csv (always) or ROBOT-fault-STEP.csv go
   RecordFiles(Recording when, std::filesystem::path folder, std::string robot, int axes, double dt);

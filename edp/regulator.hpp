@@ -25,6 +25,7 @@ inline constexpr double kMaxPwm = 190;
 class IncrementalRegulator {
  public:
   constexpr IncrementalRegulator() = default;
+  /// Begins at rest: no errors and duty cycles before.
   constexpr explicit IncrementalRegulator(const RegulatorCoefficients& k) : k_(k) {}
 
   /// @param set_increment       r: motion of the set position in this step [encoder increments, need not be

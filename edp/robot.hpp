@@ -12,8 +12,9 @@ namespace mrroc::edp {
 
 /// Interval of legal values of one axis.
 struct Range {
-  double lower{};
-  double upper{};
+  double lower{};  ///< smallest legal value
+  double upper{};  ///< largest legal value
+  /// @return false also for NaN
   [[nodiscard]] constexpr bool contains(double x) const { return x >= lower && x <= upper; }
 };
 

@@ -20,8 +20,8 @@ struct ShellParameters {
   double dt{0.002};             ///< [s] of a step
   int state_patience{250};      ///< wall clock: steps without a state until the drives count as silent
   int axes{};                   ///< of the robot, for its record
-  Recording recording{Recording::on_fault};
-  std::filesystem::path folder{};  ///< where its record goes; empty: nowhere
+  Recording recording{Recording::on_fault};  ///< when the steps are written down
+  std::filesystem::path folder{};            ///< where its record goes; empty: nowhere
   std::chrono::milliseconds start_guard{
       250};  ///< commands that come before are left over from an earlier run
 };

@@ -30,24 +30,25 @@ struct LagServo {
 ///
 ///     w' = (speed_gain u - w) / time_constant - lever F / inertia
 struct RegulatedDrive {
-  RegulatorCoefficients regulator;
-  double increments_per_rad{};  ///< of the encoder on the shaft
-  double speed_gain{};          ///< speed of the shaft that a duty cycle of 1/255 leads to [rad/s]
-  double time_constant{};       ///< of speed after a step of voltage [s]
-  double inertia{};             ///< of all that turns with the shaft, at the shaft [kg m^2]
-  double lever{};               ///< path of the tip per angle of the shaft [m/rad]; may be negative
+  RegulatorCoefficients regulator;  ///< of the position loop
+  double increments_per_rad{};      ///< of the encoder on the shaft
+  double speed_gain{};              ///< speed of the shaft that a duty cycle of 1/255 leads to [rad/s]
+  double time_constant{};           ///< of speed after a step of voltage [s]
+  double inertia{};                 ///< of all that turns with the shaft, at the shaft [kg m^2]
+  double lever{};                   ///< path of the tip per angle of the shaft [m/rad]; may be negative
 };
 
 /// CompensatingRegulator with such a motor. Friction and its compensation are left out: they are not linear, and where
 /// they are alike they cancel.
 struct CompensatedDrive {
-  CompensationCoefficients regulator;
-  DriveModel model;             ///< what the regulator knows of the motor
-  double increments_per_rad{};  ///< of the encoder on the shaft
-  double inertia{};             ///< true one of all that turns with the shaft, at the shaft [kg m^2]
-  double lever{};               ///< path of the tip per angle of the shaft [m/rad]; may be negative
+  CompensationCoefficients regulator;  ///< of the position loop
+  DriveModel model;                    ///< what the regulator knows of the motor
+  double increments_per_rad{};         ///< of the encoder on the shaft
+  double inertia{};                    ///< true one of all that turns with the shaft, at the shaft [kg m^2]
+  double lever{};                      ///< path of the tip per angle of the shaft [m/rad]; may be negative
 };
 
+/// Any of these servos.
 using ServoModel = std::variant<IdealServo, LagServo, RegulatedDrive, CompensatedDrive>;
 
 /// One axis under law (28) that presses against a spring. Rotational axes in N m, rad, kg m^2, s/(kg m^2).

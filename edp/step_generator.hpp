@@ -15,8 +15,10 @@ namespace mrroc::edp {
 class StepGenerator {
  public:
   /// What the set point does.
+  /// executing: a macrostep; stopping: on the way to rest.
   enum class Motion : std::uint8_t { standing, executing, stopping };
 
+  /// Stands with all motors at 0 until stand_at(). @param T_WE  tool in the wrist
   StepGenerator(const MotionRules& rules, const Pose& T_WE) noexcept;
 
   /// Stands at these motor positions from now on. @param motors [rad]
@@ -52,7 +54,9 @@ class StepGenerator {
   ///         the speed it has; with too much contact force as hard as the acceleration of the motors allows.
   std::optional<Fault> step(const Wrench& F_a) noexcept;
 
+  /// @return what the set point does after the last step
   [[nodiscard]] Motion motion() const noexcept { return motion_; }
+  /// @return as the last step has left it
   [[nodiscard]] const SetPoint& set_point() const noexcept { return set_; }
   /// @return T_WE
   [[nodiscard]] const Pose& tool() const noexcept { return T_WE_; }

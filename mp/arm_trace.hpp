@@ -26,7 +26,7 @@ struct ArmRow {
   bool blocked{};  ///< whether the jaws hold something
 };
 
-using ArmTrace = std::vector<ArmRow>;
+using ArmTrace = std::vector<ArmRow>;  ///< a row per macrostep, in order
 
 /// @param m     behaviours that count
 /// @return largest F_a along or about an axis of E, of every step where the steps are known [N], [N m]; NaN without a

@@ -53,8 +53,11 @@ class CoordinatorLinks {
   ///         not finite
   Outcome wait();
 
+  /// @return macrostep of the images, from 1 on
   [[nodiscard]] std::int64_t i() const { return i_; }
+  /// @return x_cT_0j of that arm, in the order of the arms
   [[nodiscard]] const Report& report(std::size_t arm) const { return reports_[arm]; }
+  /// @return x_cT_0h
   [[nodiscard]] const OperatorImage& operator_image() const { return image_; }
   /// @return why wait() gave faulted
   [[nodiscard]] const Fault& fault() const { return fault_; }
@@ -86,8 +89,10 @@ class CoordinatorLinks {
 template <Images A, class Observer>
 class CoordinatorPort {
  public:
+  /// @param links  must outlive the port
   CoordinatorPort(CoordinatorLinks& links, Observer observer) : links_(links), observer_(observer) {}
 
+  /// The operations of a Port: sends y.T for macrostep i + 1; i := i + 1; fills in T and i of x, for the observer, too.
   void dispatch(const Motion<A>& motion, const typename A::Y& y) {
     motion_ = &motion;
     links_.in_behaviour(motion.m, motion.name, motion.until);

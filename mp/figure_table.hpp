@@ -21,10 +21,10 @@ struct FigureInfo {
 
 /// A figure and what it means, in the order of the table.
 struct TaskFigure {
-  FigureInfo info;
-  Figure value;
+  FigureInfo info;  ///< what it means
+  Figure value;     ///< in the unit of info; one number, or one per arm
 };
-using TaskFigures = std::vector<TaskFigure>;
+using TaskFigures = std::vector<TaskFigure>;  ///< in the order of the table
 
 /// @return the value of the figure with that key
 /// @throws std::out_of_range  there is none

@@ -4,6 +4,7 @@
 
 namespace mrroc::mp {
 
+/// What became of a script.
 enum class GnuplotResult {
   done,    ///< the script ran to its end
   absent,  ///< there is no gnuplot

@@ -17,8 +17,8 @@ namespace mrroc::mp {
 
 /// An order and the macrostep in which it is taken: a line `MACROSTEP ORDER` of a script.
 struct ScriptedOrder {
-  std::int64_t i{};
-  OperatorOrder order{};
+  std::int64_t i{};       ///< from 1 on
+  OperatorOrder order{};  ///< taken as if a terminal had sent it
 };
 
 /// Reads a script: lines `MACROSTEP ORDER`, comments after '#'. Orders are sorted by macrostep.
@@ -59,6 +59,7 @@ class OperatorDesk {
   ///             when it is taken, and when another behaviour begins
   void set_trigger_due(bool due) { trigger_due_ = due; }
 
+  /// @return as set_state() has said last
   [[nodiscard]] TaskState state() const { return state_; }
   /// @return whether stop has been ordered
   [[nodiscard]] bool stop_ordered() const { return stop_; }

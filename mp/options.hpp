@@ -17,9 +17,9 @@ namespace mrroc::mp {
 
 /// How a task is to be run.
 struct TaskOptions {
-  std::uint64_t seed{1};
-  bool seed_asked{};  ///< --seed was given: that of the configuration does not count
-  ClockKind clock{ClockKind::step};
+  std::uint64_t seed{1};              ///< of everything in the run that is random
+  bool seed_asked{};                  ///< --seed was given: that of the configuration does not count
+  ClockKind clock{ClockKind::step};   ///< --clock
   double speed{0};                    ///< simulated seconds per second; 0: as fast as possible
   bool speed_asked{};                 ///< --speed was given
   std::filesystem::path run_dir;      ///< empty: runs/TASK-TIME

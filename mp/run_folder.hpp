@@ -20,19 +20,19 @@ using Figures = std::map<std::string, Figure>;
 
 /// A fault after which the task went on.
 struct SurvivedFault {
-  Fault fault;
+  Fault fault;     ///< with its process
   double sim_s{};  ///< simulated time at which it was told [s]
 };
 
 /// What summary.json says.
 struct Summary {
-  std::string task;
-  std::optional<Fault> fault;  ///< none: the task is done
-  bool stopped{};              ///< the operator ended it
-  double sim_s{};              ///< simulated time [s]
-  double wall_s{};             ///< wall time of the same [s]
-  std::uint64_t log_hash{};    ///< 0: unknown
-  Figures figures;
+  std::string task;                       ///< its name
+  std::optional<Fault> fault;             ///< none: the task is done
+  bool stopped{};                         ///< the operator ended it
+  double sim_s{};                         ///< simulated time [s]
+  double wall_s{};                        ///< wall time of the same [s]
+  std::uint64_t log_hash{};               ///< 0: unknown
+  Figures figures;                        ///< of the task
   std::vector<SurvivedFault> survived{};  ///< in the order in which they came
   std::vector<std::string> black_box{};   ///< files of the folder that tell of the seconds before the faults
 };

@@ -22,7 +22,7 @@ using Coordinate = void(std::span<const Report> agents, std::span<Order> orders)
 
 /// A behaviour of the arms, in words for the operator.
 struct BehaviourWords {
-  std::string name;
+  std::string name;     ///< what it does
   std::string until{};  ///< what it waits for; may be empty
 };
 

@@ -15,6 +15,8 @@ namespace mrroc::mp {
 /// Publishes task_status_t ten times a second of wall time.
 class StatusBoard {
  public:
+  /// @param supervisor  must outlive the board  @param arms  keys of the agents' arms, in order; at most as many as the
+  /// message has room for are told
   StatusBoard(link::Process& process, const Supervisor& supervisor, const std::string& task,
               const std::vector<std::string>& arms, const std::string& run_folder);
 
@@ -28,6 +30,7 @@ class StatusBoard {
   void set_early(std::string_view why);
   /// @param share  of the task that is done, 0..1; negative: unknown
   void set_progress(double share, const std::string& text);
+  /// @param macrostep  of the coordinator, 0: none yet  @param sim_s  simulated time [s]
   void set_time(std::int64_t macrostep, double sim_s);
   /// @param sensor_text  name of the sensor's reading
   void set_arm(std::size_t arm, const Report& report, std::string_view sensor_text);

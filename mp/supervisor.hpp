@@ -29,11 +29,12 @@ struct Part {
 
 /// What the supervisor knows of a process.
 struct PartStatus {
-  std::string name;
+  std::string name;  ///< as in the roster
+  /// As it has told last; dead: as the supervisor has found.
   link::ProcessState state{link::ProcessState::starting};
-  double age{};  ///< [s] since it was last heard
-  int m{};       ///< behaviour of its agent, 0: none, or one without a number
-  std::string behaviour;
+  double age{};               ///< [s] since it was last heard
+  int m{};                    ///< behaviour of its agent, 0: none, or one without a number
+  std::string behaviour;      ///< its name; empty: none has been told
   std::string ended_because;  ///< the behaviour before, and why it ended
 };
 
@@ -69,7 +70,9 @@ class Supervisor {
   /// stop), and ends everything that still runs. A thread that does not end is told of as process_hung.
   void end();
 
+  /// @return why the system was stopped: the first reason; nothing: it was not
   [[nodiscard]] const std::optional<Fault>& fault() const { return fault_; }
+  /// @return in the order of the roster, MP first
   [[nodiscard]] std::vector<PartStatus> parts() const;
   /// @return how often any process has begun another behaviour
   [[nodiscard]] std::int64_t behaviours_begun() const { return behaviours_begun_; }

@@ -38,10 +38,12 @@ class TaskRun {
   TaskRun(const TaskRun&) = delete;
   TaskRun& operator=(const TaskRun&) = delete;
 
+  /// MP's connection, what operators say, what they see, the watch over the processes; they live as long as the run.
   [[nodiscard]] link::Process& process() { return *process_; }
   [[nodiscard]] OperatorDesk& desk() { return *desk_; }
   [[nodiscard]] StatusBoard& board() { return *board_; }
   [[nodiscard]] Supervisor& supervisor() { return *supervisor_; }
+  /// @return name of the session, prefix of every channel
   [[nodiscard]] const std::string& session() const { return session_; }
 
   /// Starts every part. Make all links of MP before.
@@ -61,7 +63,7 @@ class TaskRun {
   /// @param fault   names its process
   /// @param advice  what the operator can do
   void survive(const Fault& fault, const std::string& advice);
-  static constexpr std::size_t kMostBoxes = 5;
+  static constexpr std::size_t kMostBoxes = 5;  ///< of survived faults
 
   /// Does the last work, such as tables and pictures, while terminals are still told that the task is ending.
   /// @param work  runs in a thread of its own, after end(); what it throws is thrown here

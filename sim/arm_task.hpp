@@ -20,7 +20,8 @@ struct Picture {
 
 /// A virtual sensor that every arm of a task has: process vsp-NAME-ARM, program vsp_NAME, channel ARM.NAME.
 struct Receptor {
-  std::string name;
+  std::string name;  ///< NAME of program and channel
+  /// What its process does.
   link::PartBody body;
   /// Reads its parameters once, so that a wrong one is found before anything starts. May be empty.
   std::function<void(const Config&)> read{};
@@ -44,8 +45,8 @@ struct ArmTask {
   mp::Coordinate*
       coordinate{};  ///< what the arms are told of one another; null: nothing, the coordinator is dormant
   int n_s{10};       ///< steps of a macrostep, as the rows command it; all arms have the same
-  std::vector<CellArm> arms{{"arm1", "irb6_postument"}};
-  std::vector<Receptor> receptors{};  ///< the ECP says whose readings are its x_cV
+  std::vector<CellArm> arms{{"arm1", "irb6_postument"}};  ///< keys and kinematics
+  std::vector<Receptor> receptors{};                      ///< the ECP says whose readings are its x_cV
 };
 
 /// @return the force of arm 1 along an axis of E over time, like MG fig. 16, and the force desired [N]

@@ -36,7 +36,7 @@ struct CubeTruth {
   std::array<double, 2> torque{};  ///< which the friction of these faces bears [N m]
   double squeeze{};  ///< largest force with which one pad, palm or the floor pressed on it in the step [N]
   int layings{};     ///< how often the layers have been chosen anew
-  bool on_floor{};
+  bool on_floor{};   ///< it touched the floor in the step
 };
 
 }  // namespace mrroc::sim

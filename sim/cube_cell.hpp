@@ -53,9 +53,9 @@ Pose cube_with(rubik::Face face);
 
 /// What differs from one turn to another.
 struct CubeCellParameters {
-  rubik::Cube state;
-  rubik::Face face{rubik::Face::U};  ///< that the arm on the pedestal turns
-  FaceFrictionSpread faces;
+  rubik::Cube state;                     ///< the stickers at the beginning
+  rubik::Face face{rubik::Face::U};      ///< that the arm on the pedestal turns
+  FaceFrictionSpread faces;              ///< friction of the faces
   double distance{0.01};                 ///< of the worker's palm from the cube [m]
   Vector3 grasp_error{Vector3::Zero()};  ///< of the worker across its approach [m]: x, y of E; z: none
   double turn_error{};                   ///< of the worker about its approach [rad]

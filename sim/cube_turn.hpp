@@ -34,10 +34,10 @@ struct TurnFigures {
 
 /// What is to be done.
 struct TurnPlan {
-  CubeCellParameters cell;
-  int quarters{1};         ///< that the track arm's tool turns about its z: 1 or -1
-  rubik::Parameters task;  ///< as it solves; `load` is found from the cell
-  double patience{120};    ///< longest cycle [s]
+  CubeCellParameters cell;  ///< the cell and the cube
+  int quarters{1};          ///< that the track arm's tool turns about its z: 1 or -1
+  rubik::Parameters task;   ///< as it solves; `load` is found from the cell
+  double patience{120};     ///< longest cycle [s]
 };
 
 /// @return the turn of the face that the plan stands for, as seen by the cube

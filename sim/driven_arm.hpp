@@ -26,11 +26,17 @@ class DrivenArm {
   /// @return faulted when a command was refused or failed
   Outcome wait();
 
+  /// @return macrostep of reply()
   [[nodiscard]] std::int64_t i() const { return i_; }
+  /// @return x_ce of macrostep i
   [[nodiscard]] const EffectorReply& reply() const { return reply_; }
+  /// @return why wait() gave faulted
   [[nodiscard]] const Fault& fault() const { return reply_.fault; }
+  /// @return the robot that the driver works with
   [[nodiscard]] const irb6::Arm& robot() const { return *robot_; }
+  /// @return the real driver
   [[nodiscard]] const edp::Driver& driver() const { return *driver_; }
+  /// @return what is true of the arm after the last step
   [[nodiscard]] const ArmTruth& truth() const { return world_.truth(0); }
 
  private:
@@ -47,7 +53,9 @@ class DrivenArm {
 template <Images A>
 class DrivenPort {
  public:
+  /// @param arm  must outlive the port
   explicit DrivenPort(DrivenArm& arm) : arm_(arm) {}
+  /// The operations of a Port: sends y.e; i := i + 1; fills in e and i of x.
   void dispatch(const Motion<A>&, const typename A::Y& y) { arm_.send(y.e); }
   Outcome wait() { return arm_.wait(); }
   void read(typename A::X& x) const {

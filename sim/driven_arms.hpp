@@ -13,7 +13,7 @@ namespace mrroc::sim {
 /// A rubik::Program runs on it.
 class DrivenArms {
  public:
-  using Coordinator = rubik::Coordinator;
+  using Coordinator = rubik::Coordinator;  ///< whose images these are
 
   /// @param cell  outlives this object
   /// @param limits  of free motions, by arm: of the motors
@@ -29,6 +29,7 @@ class DrivenArms {
   void dispatch(const Motion<Coordinator>& motion, const Coordinator::Y& y);
   /// Both arms decide, and the cell goes on. @return faulted: an arm did, see fault(); aborted: time is over
   Outcome wait();
+  /// Fills in T and i of x.
   void read(Coordinator::X& x);
 
   /// @return why an arm stopped

@@ -33,10 +33,15 @@ class DrivenCell {
   /// Calls after every step of the world.
   void watch(std::function<void()> after) { after_ = std::move(after); }
 
+  /// @return macrostep of reply()
   [[nodiscard]] std::int64_t i() const { return i_; }
+  /// @return x_ce of macrostep i
   [[nodiscard]] const EffectorReply& reply(int arm) const { return arms_[index(arm)].reply; }
+  /// @return the robot that its driver works with
   [[nodiscard]] const irb6::Arm& robot(int arm) const { return *arms_[index(arm)].robot; }
+  /// @return the real driver of the arm
   [[nodiscard]] const edp::Driver& driver(int arm) const { return *arms_[index(arm)].driver; }
+  /// @return the world in which they stand
   [[nodiscard]] World& world() { return world_; }
   [[nodiscard]] const World& world() const { return world_; }
 

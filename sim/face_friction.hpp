@@ -48,6 +48,7 @@ class FaceDrive {
     double torque{};    ///< of the seat that draws [N m]
   };
 
+  /// Begins in a seat.
   explicit FaceDrive(const FaceFriction& friction) : f_(friction) {}
 
   /// @param angle  from the seat in which the face began [rad]  @param speed [rad/s]  @param h integration step [s]
@@ -55,6 +56,7 @@ class FaceDrive {
 
   /// From now on the face has this friction.
   void set_friction(const FaceFriction& friction) { f_ = friction; }
+  /// @return whether the seat holds it: it has not been turned by more than kSeat since
   [[nodiscard]] bool seated() const { return seated_; }
 
  private:

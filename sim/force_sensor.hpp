@@ -34,6 +34,7 @@ struct ForceSensorParameters {
 /// Bias, noise, range and quantisation, and faults made on purpose. The same seed gives the same sequence of readings.
 class ForceSensor {
  public:
+  /// @param seed  of bias and noise
   ForceSensor(const ForceSensorParameters& parameters, std::uint64_t seed);
 
   /// @param true_load  S_F: external load on the tool side of the sensor in S, gravity and the tool's

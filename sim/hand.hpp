@@ -41,17 +41,18 @@ enum class HandPhase : std::uint8_t { idle, leading, done };
 
 /// Progress of the hand's script.
 struct HandStatus {
-  HandPhase phase{HandPhase::idle};
-  bool paused{};           ///< at rest (or coming to rest) in the middle of its script
-  bool on_paper{};         ///< the script is at a stroke, from touching until lifting
-  std::int32_t stroke{};   ///< number of the stroke in work, from 0
-  std::int32_t strokes{};  ///< strokes of the script
-  double fraction{};       ///< share of the script's length that is done, 0..1
+  HandPhase phase{HandPhase::idle};  ///< after the last step
+  bool paused{};                     ///< at rest (or coming to rest) in the middle of its script
+  bool on_paper{};                   ///< the script is at a stroke, from touching until lifting
+  std::int32_t stroke{};             ///< number of the stroke in work, from 0
+  std::int32_t strokes{};            ///< strokes of the script
+  double fraction{};                 ///< share of the script's length that is done, 0..1
 };
 
 /// The hand of one arm's operator. Deterministic: the same seed and calls give the same forces.
 class Hand {
  public:
+  /// @param paper  of the arm that is led  @param seed  of tremor and pressure
   Hand(const HandParameters& parameters, const PaperParameters& paper, std::uint64_t seed);
   ~Hand();
   Hand(Hand&&) noexcept;

@@ -13,6 +13,7 @@ namespace mrroc::sim {
 /// travel - above - lower - dwell - draw (- corner - draw) - lift for every stroke, then it holds still.
 class HandScript {
  public:
+  /// Holds still until a drawing begins.
   explicit HandScript(const HandParameters& parameters) : p_(parameters) {}
 
   /// Begins a drawing. @param strokes  in mm; empty ones are skipped
@@ -30,6 +31,7 @@ class HandScript {
   /// relative
   void step(double dt, const Vector3& tip, bool on_paper, double wander);
 
+  /// @return how far it has come
   [[nodiscard]] HandStatus status() const;
   /// @return where the pen should be [m]
   [[nodiscard]] Vector3 position() const { return {place_.x(), place_.y(), height_}; }

@@ -11,6 +11,7 @@ namespace mrroc::sim {
 
 /// Constants of the plant. The real motor is not documented; these give a grip of about 100 N at 0.15 A.
 struct JawParameters {
+  /// Of the jaws, at its shaft.
   MotorParameters motor{.resistance = 60,
                         .rotor_inertia = 5e-7,
                         .friction = 2e-4,

@@ -33,6 +33,7 @@ struct InkPoint {
 /// bounce lower than new_stroke_height interrupts the ink but does not begin a new stroke.
 class Ink {
  public:
+  /// Begins with an empty sheet.
   explicit Ink(const PaperParameters& parameters);
 
   /// @param tip     pen tip in the arm's base [m]

@@ -23,7 +23,7 @@ struct SwitchParameters {
   double place{
       -3};  ///< motor position below which the switch is pressed [rad]. Homing is exact while it lies
             ///< between -2 pi and 0: the zero mark at 0 is then the first one above it
-  SwitchFault fault{SwitchFault::none};
+  SwitchFault fault{SwitchFault::none};  ///< made on purpose
 };
 
 /// What the switches of one motor say. The limit switches lie at the ends of the motor's legal range.

@@ -47,22 +47,22 @@ struct LineParameters {
 
 /// One arm of the world.
 struct ArmParameters {
-  ArmModel model{};
+  ArmModel model{};                                            ///< decides kinematics, masses and gears
   const robots::Kind* kind{};                                  ///< of a model that is `other`; lives on
   irb6::ParameterSet kinematics{irb6::ParameterSet::nominal};  ///< the true lengths, linkages, zeros;
                                                                ///< a driver of another set errs
   Pose T_UB;                            ///< the arm's base (its frame 0) in the world U
   std::vector<MotorParameters> motors;  ///< one per axis
-  ForceSensorParameters sensor;
-  PaperParameters paper;
-  PlateParameters plate;
-  HandParameters hand;
-  std::optional<JawParameters> jaws;  ///< none: a tool without motor-driven jaws
+  ForceSensorParameters sensor;         ///< in the wrist
+  PaperParameters paper;                ///< on its table
+  PlateParameters plate;                ///< on the paper
+  HandParameters hand;                  ///< of the operator who leads the arm
+  std::optional<JawParameters> jaws;    ///< none: a tool without motor-driven jaws
   std::optional<GripperBodyParameters>
       gripper;      ///< jaws and palm that touch a cube, instead of the pen; needs jaws
   double object{};  ///< width of what is between the jaws after reset() [m], 0: nothing
   std::array<SwitchParameters, kMaxAxes> switches{};  ///< for homing, one per motor
-  LineParameters lines;
+  LineParameters lines;                               ///< of the robot's controller
   std::vector<double> start;  ///< joints after reset() [rad], track [m], one per axis; empty: the pen stands
                               ///< above the sheet's centre
   std::optional<ToolParameters> tool;  ///< the true tool; none: that of robots/irb6/*.urdf

@@ -12,23 +12,25 @@ enum class Style : std::uint8_t { plain, title, heading, dim, good, warning, bad
 
 /// One character place.
 struct Cell {
-  char32_t glyph{U' '};  ///< takes one column
-  Style style{Style::plain};
+  char32_t glyph{U' '};       ///< takes one column
+  Style style{Style::plain};  ///< of the character
   friend bool operator==(const Cell&, const Cell&) = default;
 };
 
 /// Size of a terminal [characters].
 struct Size {
-  int rows{};
-  int columns{};
+  int rows{};     ///< >= 0
+  int columns{};  ///< >= 0
   friend bool operator==(const Size&, const Size&) = default;
 };
 
 /// Rows and columns are counted from 0. What is put outside is cut off, so nobody has to count.
 class Canvas {
  public:
+  /// Begins with blanks.
   explicit Canvas(Size size);
 
+  /// @return as it was made with
   [[nodiscard]] Size size() const { return size_; }
   /// @param text printable ASCII; anything else becomes '?'
   /// @return the column after the text

@@ -17,7 +17,7 @@
 
 namespace mrroc::ui {
 
-using Clock = std::chrono::steady_clock;
+using Clock = std::chrono::steady_clock;  ///< of everything that a terminal waits for
 
 /// How long a terminal waits.
 struct Patience {
@@ -28,9 +28,9 @@ struct Patience {
 
 /// What the task said to an order.
 struct Answer {
-  OperatorOrder order{};
-  bool accepted{};
-  std::string text;  ///< reason of a refusal, or what was done; printable ASCII
+  OperatorOrder order{};  ///< that is answered
+  bool accepted{};        ///< false: refused, text says why
+  std::string text;       ///< reason of a refusal, or what was done; printable ASCII
 };
 
 /// Sends orders to a task and hears its status. An order has a random number and is sent again and again
@@ -45,6 +45,7 @@ class Client {
   Client(const Client&) = delete;
   Client& operator=(const Client&) = delete;
 
+  /// @return of the task; its id is 0 until it is known
   [[nodiscard]] const link::SessionInfo& session() const { return session_; }
 
   /// Takes in what has come, waits for the first message if there is none.

@@ -15,7 +15,7 @@ namespace mrroc::ui {
 
 /// A command that needs no running task and belongs to another part of the framework.
 struct Tool {
-  std::string name;
+  std::string name;   ///< first word behind `ui_cli`
   std::string about;  ///< one line for --help
   /// @return exit status. @param arguments behind the name
   std::function<int(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err)> run;
@@ -24,12 +24,13 @@ struct Tool {
 
 /// What the program finds around it; tests give it something else.
 struct Surroundings {
-  std::ostream& out;
-  std::ostream& err;
+  std::ostream& out;               ///< what was asked for
+  std::ostream& err;               ///< errors, and what they come from
   std::filesystem::path sessions;  ///< directory of the running sessions
+  /// Makes a terminal's end of the transport.
   std::function<std::unique_ptr<link::Bus>(const link::LcmAddress&)> open;
-  Patience patience;
-  std::vector<Tool> tools{};
+  Patience patience;          ///< with the task
+  std::vector<Tool> tools{};  ///< commands besides those that talk to a task
 };
 
 /// Runs the program; after an error its last line on err is `error: CODE: what happened; what to do`.

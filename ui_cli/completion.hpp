@@ -8,7 +8,7 @@ namespace mrroc::ui {
 
 /// One command of the program.
 struct CompletedCommand {
-  std::string name;
+  std::string name;                ///< first word behind `ui_cli`
   std::string about;               ///< one line
   std::vector<std::string> words;  ///< options, and words that may follow
 };

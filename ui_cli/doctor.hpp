@@ -25,11 +25,12 @@ struct Host {
 
 /// Something that runs use, and the packages that bring it.
 struct Needed {
-  const char* name;  ///< of a program, or of a library that is loaded when it is needed
-  bool library;
+  const char* name;      ///< of a program, or of a library that is loaded when it is needed
+  bool library;          ///< false: a program
   const char* without;   ///< what there is not without it
   const char* packages;  ///< of Debian
 };
+/// All of them.
 inline constexpr std::array kNeeded{
     Needed{"gnuplot", false, "runs have no plots", "gnuplot-nox"},
     Needed{"libEGL.so.1", true, "tasks with cameras do not start", "libegl1 libegl-mesa0 libgl1-mesa-dri"}};
@@ -43,9 +44,10 @@ enum class Verdict : std::uint8_t {
   limited,  ///< works, with what the text says
   bad       ///< tasks will not run
 };
+/// One line of what the command prints.
 struct Finding {
-  std::string what;  ///< "multicast"
-  Verdict verdict{};
+  std::string what;   ///< "multicast"
+  Verdict verdict{};  ///< decides on type and exit status
   std::string found;  ///< in words, with figures
   std::string type;   ///< what to type, or to do; empty when good
 };

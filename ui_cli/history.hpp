@@ -13,6 +13,7 @@ namespace mrroc::ui {
 
 /// What a chart shows: a component of F_a in E [N], or of the position of E in the arm's base [mm].
 enum class Quantity : std::uint8_t { F_z, F_x, F_y, x, y, z };
+/// In the order in which the key c shows them.
 inline constexpr std::array kQuantities{Quantity::F_z, Quantity::F_x, Quantity::F_y,
                                         Quantity::x,   Quantity::y,   Quantity::z};
 /// @return its name, such as "F_z"
@@ -26,6 +27,7 @@ class History {
   /// Samples kept per agent: more than a terminal has columns.
   static constexpr std::size_t kKept = 600;
 
+  /// Takes force and position of every agent; the oldest sample beyond kKept goes.
   void add(const Snapshot& s);
   /// @param width  so many of the newest at most
   /// @return oldest first, a force [N], or how far a coordinate has come since the first of them [mm]; empty for an

@@ -5,12 +5,14 @@ namespace mrroc::ui {
 
 /// What Terminal::key() returns for them.
 namespace key {
+/// With the control key, and what the main part of the keyboard gives.
 inline constexpr int kControlC = 3;
 inline constexpr int kControlE = 5;
 inline constexpr int kEnter = '\n';
 inline constexpr int kReturn = '\r';
 inline constexpr int kEscape = 27;
 inline constexpr int kDelete = 127;
+/// Arrows, and what curses has numbers of its own for.
 inline constexpr int kDown = 0402;
 inline constexpr int kUp = 0403;
 inline constexpr int kLeft = 0404;

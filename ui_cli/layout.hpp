@@ -15,22 +15,22 @@ namespace mrroc::ui {
 
 /// A line for the operator above the keys.
 struct Notice {
-  std::string text;
-  Style style{Style::plain};
+  std::string text;           ///< in as many lines as it needs
+  Style style{Style::plain};  ///< good, warning or bad, by what it says
 };
 
 /// Everything that is to be seen.
 struct View {
-  std::string session;
+  std::string session;               ///< its name
   std::optional<Snapshot> snapshot;  ///< nothing: no status has come yet
   double silence{};                  ///< [s] since the last status
-  History history;
-  Quantity chart{Quantity::F_z};  ///< what the charts show
-  std::vector<Message> messages;  ///< oldest first
-  Notice notice;
+  History history;                   ///< of all agents, for the charts
+  Quantity chart{Quantity::F_z};     ///< what the charts show
+  std::vector<Message> messages;     ///< oldest first
+  Notice notice;                     ///< empty text: there is none
   bool help{};                       ///< what the keys do, instead of the task
   const class ManualPage* manual{};  ///< this page instead of agents and processes; none: the task
-  Glyphs glyphs{Glyphs::ascii};
+  Glyphs glyphs{Glyphs::ascii};      ///< of the charts, as the terminal can show them
 };
 
 /// The task whose arms can be moved by hand.

@@ -14,10 +14,13 @@ class Rows {
   /// @param next first row; @param limit row after the last one
   Rows(Canvas& canvas, int next, int limit) : canvas_(canvas), next_(next), limit_(limit) {}
 
+  /// @return that the rows are of
   [[nodiscard]] Canvas& canvas() { return canvas_; }
+  /// @return number of rows that take() can still give
   [[nodiscard]] int left() const { return next_ < limit_ ? limit_ - next_ : 0; }
   /// @return the next row; one outside of the canvas when there is none
   int take() { return next_ < limit_ ? next_++ : -1; }
+  /// Leaves rows empty.
   void skip(int count) { next_ += count; }
 
  private:

@@ -20,8 +20,8 @@ struct ManualWish {
   std::filesystem::path save;  ///< where the position of that arm is written down; empty: it is shown
   std::filesystem::path load;  ///< instructions that are given one after the other, a line each; empty: none
   bool wait{true};             ///< until it is done; false: until it is taken
-  bool json{};
-  std::string session, url;
+  bool json{};                 ///< answers as JSON instead of words for people
+  std::string session, url;    ///< --session and --url; may be empty
 };
 
 /// @param arguments  words and options in any order: numbers may be negative
@@ -38,6 +38,7 @@ struct ManualWish {
 void execute_manual(link::Bus& bus, const link::SessionInfo& session, const ManualWish& wish,
                     const Patience& patience, std::ostream& out);
 
+/// What the words are, with examples: for `ui_cli manual --help`, behind its first line.
 extern const char* const kManualHelp;
 
 }  // namespace mrroc::ui

@@ -27,9 +27,9 @@ inline constexpr const char* kShorter = "write numbers with fewer digits";
 
 /// The task's word on an instruction.
 struct ManualAnswer {
-  std::string words;
-  ManualState state{};
-  std::string text;  ///< reason, or what has been done; printable ASCII
+  std::string words;    ///< of the instruction
+  ManualState state{};  ///< what has become of it
+  std::string text;     ///< reason, or what has been done; printable ASCII
 };
 
 /// Sends one instruction at a time, again and again until it is done: every sending is answered, so that an answer

@@ -13,8 +13,8 @@ namespace mrroc::ui {
 
 /// One arm as the page shows it.
 struct ManualArm {
-  std::string name;
-  int axes{6};
+  std::string name;                        ///< key of the arm
+  int axes{6};                             ///< 1..kMaxAxes
   std::vector<std::string> presets;        ///< names of positions
   std::optional<EffectorReply> reading{};  ///< newest; nothing: none has come
 };
@@ -42,10 +42,12 @@ struct ManualDeed {
 /// words that stand there already do no harm; an instruction that is too long is refused.
 class ManualPage {
  public:
+  /// @param arms  the first of them is chosen
   explicit ManualPage(std::vector<ManualArm> arms) : arms_(std::move(arms)) {}
 
   /// Where the arms are. @param arm  a name; unknown ones are ignored
   void show(const std::string& arm, const EffectorReply& reading);
+  /// @param key  as Terminal::key() gives it  @return what has to be done now
   ManualDeed key(int key);
   /// @return whether a line of text is being typed: then every key but the panel's Ctrl-E belongs to it
   [[nodiscard]] bool typing() const { return prompt_.has_value(); }
@@ -56,9 +58,11 @@ class ManualPage {
   void draw(Canvas& c, int first, int limit) const;
   /// What the keys of this page do.
   static void draw_help(class Rows& rows);
+  /// Rows of draw_keys().
   static constexpr int kKeyRows = 3;
   /// The keys that mean something now. @param first  the uppermost of their rows
   void draw_keys(Canvas& c, int first) const;
+  /// @return with their newest readings
   [[nodiscard]] const std::vector<ManualArm>& arms() const { return arms_; }
 
  private:

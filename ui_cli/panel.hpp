@@ -29,6 +29,7 @@ class Panel {
 
   /// @return whether the operator wants to leave
   [[nodiscard]] bool leaving() const { return leaving_; }
+  /// @param size  of the terminal, any  @return what it is to show now
   [[nodiscard]] Canvas picture(Size size, Clock::time_point now);
 
  private:

@@ -16,7 +16,7 @@ namespace mrroc::ui {
 
 /// One embodied agent.
 struct AgentView {
-  std::string name;
+  std::string name;              ///< key of the arm
   int m{};                       ///< its behaviour, 0: it has none, or one without a number
   std::string behaviour;         ///< its name; empty: it has not told any
   std::string ended_because;     ///< the behaviour before it, and why it ended; may be empty
@@ -32,7 +32,7 @@ struct AgentView {
 
 /// One process.
 struct ProcessView {
-  std::string name;
+  std::string name;            ///< as in the roster
   link::ProcessState state{};  ///< a number without a name is shown as "?"
   double age{};                ///< [s] since it was last heard
 };
@@ -40,25 +40,25 @@ struct ProcessView {
 /// A task_status_t whose counts, numbers of enumerators and texts have been checked. Values can be anything,
 /// also not finite. Texts are printable ASCII.
 struct Snapshot {
-  std::string session;
-  std::int64_t session_id{};
-  std::string task;
-  TaskState state{};  ///< a number without a name is shown as "?"
-  bool waits_for_trigger{};
-  std::string early;  ///< why a trigger now would come early; empty: it would not
-  int m{};            ///< behaviour of the coordinator, 0: none yet
-  std::string behaviour;
-  std::string ended_because;  ///< the behaviour before it, and why it ended
-  std::int64_t macrostep{};   ///< 0: not told
-  double sim_time{};          ///< [s]
-  double speed{};             ///< simulated time per time
-  std::optional<double> progress;
-  std::string progress_text;
+  std::string session;                 ///< its name
+  std::int64_t session_id{};           ///< distinguishes runs with the same name
+  std::string task;                    ///< its name
+  TaskState state{};                   ///< a number without a name is shown as "?"
+  bool waits_for_trigger{};            ///< the operator's trigger ends the present behaviour
+  std::string early;                   ///< why a trigger now would come early; empty: it would not
+  int m{};                             ///< behaviour of the coordinator, 0: none yet
+  std::string behaviour;               ///< its name
+  std::string ended_because;           ///< the behaviour before it, and why it ended
+  std::int64_t macrostep{};            ///< 0: not told
+  double sim_time{};                   ///< [s]
+  double speed{};                      ///< simulated time per time
+  std::optional<double> progress;      ///< share of the task that is done, at most 1; nothing: unknown
+  std::string progress_text;           ///< what is being done; may be empty
   std::vector<AgentView> agents;       ///< at most 4
   std::vector<ProcessView> processes;  ///< at most 16
-  FaultCode last_code{};
-  std::string last_message;
-  std::string run_folder;
+  FaultCode last_code{};               ///< of last_message; none: information
+  std::string last_message;            ///< the last line that a process said
+  std::string run_folder;              ///< on the task's host; may be empty
 };
 
 /// @param m any bytes that have the size of a message

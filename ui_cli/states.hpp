@@ -13,6 +13,7 @@ struct StateEntry {
   std::string_view next;  ///< what leads on
 };
 
+/// All of them, in the order of the enumerators of each kind.
 // clang-format off
 inline constexpr std::array kStates{
   // TaskState

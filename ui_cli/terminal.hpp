@@ -23,6 +23,7 @@ class Terminal {
   [[nodiscard]] Size size() const;
   /// @return which characters it can show, by the locale
   [[nodiscard]] Glyphs glyphs() const;
+  /// Replaces all that is on the screen.
   void show(const Canvas& canvas);
   /// @return the next key that was pressed, also Ctrl-C as 3, or nothing; does not wait
   std::optional<int> key();

@@ -18,7 +18,9 @@ struct ObjectShape {
   std::vector<Vector3> outline;  ///< closed
   double axes{0.05};             ///< length of the axes of G
 };
+/// @return what is drawn of a board: its inner corners, edge and axes
 ObjectShape shape_of(const Board& board);
+/// @return what is drawn of a tag: its black border and axes
 ObjectShape shape_of(const Tag& tag);
 
 /// Draws the object where the reading has it - axes of G red, green, blue, outline, marks - with the text at the upper

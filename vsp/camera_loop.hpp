@@ -32,6 +32,7 @@ void run_camera(link::Process& process, const std::string& key, const CameraMode
 /// What the camera saw, with what was found drawn in: with `film.directory` in the configuration KEY_OBJECT.png there.
 class CameraFilm {
  public:
+  /// @param key  of the camera  @param object  OBJECT of the file's name  @param shape  that is drawn
   CameraFilm(std::string key, std::string object, ObjectShape shape, const CameraModel& camera,
              const Config& config);
 
@@ -39,6 +40,7 @@ class CameraFilm {
   [[nodiscard]] bool wants(std::int64_t frame) const { return !directory_.empty() && strip_.wants(frame); }
   /// @param text  behind the camera's name and the picture's number
   void see(const ImageView& picture, const CameraReading& reading, const std::string& text);
+  /// Leaves the file. @throws FaultError cannot_write
   void write() const;
 
  private:

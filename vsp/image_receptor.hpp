@@ -47,6 +47,7 @@ const ImageReceptor& apriltag_receptor();
 /// @throws FaultError bad_configuration: no such camera, or its pictures are of another size; malformed_message: the
 ///         frame store does not hold what was announced
 void run_receptor(const ImageReceptor& receptor, link::Process& process, const Config& config);
+/// run_receptor() of the chessboard and of the tag, as bodies of a part; `arguments` do not matter.
 void run_chessboard(link::Process& process, const Config& config, const link::PartArguments& arguments);
 void run_apriltag(link::Process& process, const Config& config, const link::PartArguments& arguments);
 

@@ -18,7 +18,7 @@ struct PlanarPose {
 
 /// Both minima of the reprojection error of a flat object.
 struct PlanarPoses {
-  PlanarPose best;
+  PlanarPose best;                  ///< with the smaller error
   std::optional<PlanarPose> other;  ///< the second minimum, if there is one
   bool ambiguous{};                 ///< the other one differs and explains the picture nearly as well
 };

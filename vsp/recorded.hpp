@@ -22,6 +22,7 @@ struct RecordedAnswer {
   CameraReading reading;  ///< that is drawn
   std::string text;       ///< to be written into the picture, behind its number
 };
+/// Finds the object in one picture. @param number  of the picture  @param source  name of its file
 using RecordedDetector =
     std::function<RecordedAnswer(const ImageView&, std::int64_t number, const std::string& source)>;
 

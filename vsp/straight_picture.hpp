@@ -9,6 +9,7 @@ namespace mrroc::vsp {
 /// Maps the pictures of one camera to those of a camera without distortion that sees at least as much.
 class StraightPicture {
  public:
+  /// @param camera  with distortion; its maps are made here
   explicit StraightPicture(const CameraModel& camera);
 
   /// @return the camera that would take the straight pictures: same focal lengths, larger when the lens is a wide one
@@ -16,6 +17,7 @@ class StraightPicture {
   /// @param part  of the straight picture, inside of it
   /// @return that part; black where the camera does not look
   [[nodiscard]] cv::Mat part(const cv::Mat& grey, const cv::Rect& part) const;
+  /// @return the straight picture as a part of itself
   [[nodiscard]] cv::Rect whole() const { return {0, 0, straight_.width, straight_.height}; }
 
  private:

@@ -14,12 +14,12 @@ enum class Group : std::uint8_t {
   servo_state,    ///< world -> effector drivers, every step
   servo_command,  ///< effector drivers -> world, every step
 };
-inline constexpr int kGroups = 3;
+inline constexpr int kGroups = 3;  ///< number of groups
 
 /// Where a message goes.
 struct Route {
-  Group group{Group::agents};
-  std::string channel;
+  Group group{Group::agents};  ///< decides who is woken
+  std::string channel;         ///< with the session's name
 };
 
 /// Receives the bytes of one channel, or of all.
@@ -34,6 +34,7 @@ class Sink {
 class Bus {
  public:
   virtual ~Bus() = default;
+  /// Sends one message. @param bytes  of the whole message; not needed any more afterwards
   virtual void publish(const Route& route, std::span<const std::uint8_t> bytes) = 0;
   /// @param sink must outlive the bus
   virtual void subscribe(const Route& route, Sink& sink) = 0;

@@ -28,6 +28,7 @@ class InboxBase : public Sink {
  public:
   /// @return with the session's name
   [[nodiscard]] const std::string& channel() const noexcept { return channel_; }
+  /// @return what has come so far
   [[nodiscard]] const Counters& counters() const noexcept { return counters_; }
 
  protected:
@@ -131,6 +132,7 @@ class Inbox final : public InboxBase {
 template <FixedMessage M>
 class Queue final : public Sink {
  public:
+  /// @param bus  must outlive the queue  @param session  messages of any other are dropped
   Queue(Bus& bus, const Route& route, std::int64_t session) : session_(session) {
     bus.subscribe(route, *this);
   }
@@ -162,6 +164,7 @@ class OutboxBase {
   virtual ~OutboxBase() = default;
   /// Publishes the last kept messages again, as they were: repairs real losses.
   virtual void repeat() = 0;
+  /// @return with the session's name
   [[nodiscard]] virtual const std::string& channel() const = 0;
   /// @return fingerprint of everything published, without sessions
   [[nodiscard]] virtual std::uint64_t hash() const = 0;
@@ -173,8 +176,9 @@ class OutboxBase {
 template <FixedMessage M>
 class Outbox final : public OutboxBase {
  public:
-  static constexpr std::size_t kKept = 4;
+  static constexpr std::size_t kKept = 4;  ///< messages
 
+  /// @param bus  must outlive the outbox  @param session  goes into every header
   Outbox(Bus& bus, Route route, std::int64_t session)
       : bus_(bus), route_(std::move(route)), session_(session) {
     const auto size = static_cast<std::size_t>(encoded_size<M>());

@@ -20,11 +20,12 @@ namespace mrroc::link {
 
 /// Names one store.
 struct FrameStoreName {
-  std::string session;        ///< as in Membership
-  std::int64_t session_id{};  ///< likewise
-  std::string camera;         ///< key in the configuration
-  std::filesystem::path directory{"/dev/shm"};
+  std::string session;                          ///< as in Membership
+  std::int64_t session_id{};                    ///< likewise
+  std::string camera;                           ///< key in the configuration
+  std::filesystem::path directory{"/dev/shm"};  ///< of memory that processes of this host share
 
+  /// @return the store's file, also named after the user
   [[nodiscard]] std::filesystem::path path() const;
 };
 
@@ -33,7 +34,7 @@ struct Frame {
   std::int64_t frame{};  ///< 0, 1, 2... of the camera
   std::int64_t step{};   ///< of the effector drivers at which it was taken
   double t{};            ///< simulated time [s]
-  Image image;
+  Image image;           ///< with the size and channels of the store
 };
 
 /// What became of a picture that was to be read.
@@ -46,10 +47,12 @@ enum class FrameFate : std::uint8_t {
 /// An open file, closed at the end.
 class FileHandle {
  public:
+  /// @param file  descriptor, owned from now on; -1: none
   explicit FileHandle(int file = -1) : file_(file) {}
   FileHandle(FileHandle&& other) noexcept : file_(other.file_) { other.file_ = -1; }
   FileHandle& operator=(FileHandle&& other) noexcept;
   ~FileHandle();
+  /// @return descriptor; -1: none
   [[nodiscard]] int get() const { return file_; }
 
  private:
@@ -102,6 +105,7 @@ class FrameReader {
   /// @throws FaultError malformed_message as open()
   static std::optional<FrameReader> open_hidden(const FrameStoreName& name, pid_t process);
 
+  /// @return as the store's header says
   [[nodiscard]] const FrameStoreShape& shape() const { return shape_; }
 
   /// Copies a picture out.

@@ -9,17 +9,17 @@ namespace mrroc::link {
 
 /// What a link does to its messages. Each probability is within 0..1; their sum must not exceed 1.
 struct Injection {
-  double loss{};         ///< probability that a message never arrives
-  double duplication{};  ///< probability that it arrives twice
-  double delay{};        ///< probability that it arrives late
-  int max_delay{2};      ///< largest delay [stamps], 1..kMaxDelay
-  std::uint64_t seed{};
-  static constexpr int kMaxDelay = 4;
+  double loss{};                       ///< probability that a message never arrives
+  double duplication{};                ///< probability that it arrives twice
+  double delay{};                      ///< probability that it arrives late
+  int max_delay{2};                    ///< largest delay [stamps], 1..kMaxDelay
+  std::uint64_t seed{};                ///< of the fates
+  static constexpr int kMaxDelay = 4;  ///< [stamps]
 
   /// What happens to one message.
   struct Fate {
-    int copies{1};
-    int delay{};  ///< [stamps]
+    int copies{1};  ///< 0: it is lost
+    int delay{};    ///< [stamps]
   };
 
   /// @return the fate of the message with that stamp: a pure function of seed and stamp; real-time safe

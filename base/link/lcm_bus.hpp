@@ -9,13 +9,14 @@ namespace mrroc::link {
 
 /// Where a system talks: one multicast address, a port per Group beginning with the given one.
 struct LcmAddress {
-  std::string host{"239.255.76.67"};
-  int port{7667};
-  int ttl{0};  ///< 0: nothing leaves this host
+  std::string host{"239.255.76.67"};  ///< of the multicast group
+  int port{7667};                     ///< of the first Group; the others follow it
+  int ttl{0};                         ///< 0: nothing leaves this host
 
   /// @param url udpm://HOST:PORT?ttl=N
   /// @throws std::invalid_argument that says what is wrong with the url
   static LcmAddress parse(const std::string& url);
+  /// @return as parse() takes it
   [[nodiscard]] std::string url() const;
 };
 

@@ -13,7 +13,7 @@ namespace mrroc::link {
 
 /// What the check of one process has found.
 struct LogVerdict {
-  std::string process{};
+  std::string process{};                 ///< its name
   std::int64_t compared{};               ///< messages that were recomputed
   std::int64_t differences{};            ///< of these, those that differ, and those that were not sent again
   std::optional<LogDifference> first{};  ///< the first difference

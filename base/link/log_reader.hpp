@@ -16,13 +16,14 @@ inline constexpr std::string_view kEventLog = "events.lcmlog";
 
 /// One message of a log.
 struct LoggedMessage {
-  std::int64_t time_us{};  ///< when it was written, wall time since 1970 [us]
-  std::string channel;     ///< without the session, e.g. "arm1.order"
-  std::vector<std::uint8_t> bytes;
+  std::int64_t time_us{};           ///< when it was written, wall time since 1970 [us]
+  std::string channel;              ///< without the session, e.g. "arm1.order"
+  std::vector<std::uint8_t> bytes;  ///< as they were on the wire
 };
 
 /// The header of a message, read without knowing its type.
 struct RawHeader {
+  /// As in header_t: session of the sender, number 1, 2, 3... of the channel, macrostep or step that it is for.
   std::int64_t session{};
   std::int64_t number{};
   std::int64_t stamp{};

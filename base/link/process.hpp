@@ -20,7 +20,9 @@
 namespace mrroc::link {
 
 /// State of a process, as it tells the supervisor.
+/// dead: the supervisor has found that it is gone.
 enum class ProcessState : std::uint8_t { starting, ready, running, done, faulted, dead };
+/// @return name of the state, as terminals show it
 std::string_view to_string(ProcessState s);
 
 /// @param until  what the behaviour waited for, in words; may be empty
@@ -43,6 +45,7 @@ struct Membership {
   std::int64_t session_id{1};       ///< distinguishes runs with the same name
   std::string name;                 ///< of this process, as in the roster
   std::vector<std::string> roster;  ///< all processes, the supervisor's own name first
+  /// What decides when the process goes on.
   ClockKind clock{ClockKind::step};
   /// How long a message that must come is waited for [wall time]; 0: for ever
   std::chrono::milliseconds patience{kPatience};
@@ -55,13 +58,13 @@ struct Membership {
 
 /// Thrown in a replay by a process that needs what no message of a log carries.
 struct NotInLog {
-  std::string what;
+  std::string what;  ///< in words, for the report of the check
 };
 
 /// A process's connection with its system. Used by one thread.
 class Process {
  public:
-  using Clock = std::chrono::steady_clock;
+  using Clock = std::chrono::steady_clock;  ///< wall time of patience and signs of life
 
   /// @param bus must outlive the process
   Process(Bus& bus, Membership membership);
@@ -69,8 +72,11 @@ class Process {
   Process& operator=(const Process&) = delete;
   ~Process();
 
+  /// @return as it was made with
   [[nodiscard]] const Membership& membership() const { return membership_; }
+  /// @return for links; the same for all of the process
   [[nodiscard]] Bus& bus() { return bus_; }
+  /// @return whether every message that is needed is waited for
   [[nodiscard]] bool lock_step() const { return membership_.clock == ClockKind::step; }
 
   /// @param name without the session, e.g. "arm1.command"

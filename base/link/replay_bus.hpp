@@ -48,8 +48,9 @@ class ReplayBus final : public Bus {
   /// publish() and wait(). Without it nothing is compared.
   struct Judge {
     std::function<bool(std::string_view channel)> compares;  ///< gets the channel with the session
-    std::function<std::string()> behaviour;
+    std::function<std::string()> behaviour;                  ///< name of the behaviour, for a difference
   };
+  /// @param judge  asked from now on
   void set_judge(Judge judge) { judge_ = std::move(judge); }
 
   void publish(const Route& route, std::span<const std::uint8_t> bytes) override;
@@ -63,6 +64,7 @@ class ReplayBus final : public Bus {
   [[nodiscard]] std::int64_t compared() const { return compared_; }
   /// @return of these, those that differ from the log
   [[nodiscard]] std::int64_t differences() const { return differences_; }
+  /// @return the first difference; nothing: there is none so far
   [[nodiscard]] const std::optional<LogDifference>& first() const { return first_; }
   /// @return messages in the log that the process has not sent again, by channel without the session
   [[nodiscard]] std::map<std::string, std::vector<std::int64_t>> not_sent() const;

@@ -68,7 +68,9 @@ class SessionFile {
   /// Removes the file, if this is the process that made it: a forked child leaves it alone.
   ~SessionFile();
 
+  /// @return what the file says
   [[nodiscard]] const SessionInfo& info() const { return info_; }
+  /// @return of the file
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:

@@ -28,7 +28,7 @@ using Sources = std::vector<const InboxBase*>;
 /// One wait, from its construction on. Asks no clock but at its beginning.
 class Vigil {
  public:
-  using Clock = std::chrono::steady_clock;
+  using Clock = std::chrono::steady_clock;  ///< wall time
 
   /// @param sources  must live longer than the vigil; its members may be null, and all of them may be
   /// @param silent   the fault when nothing comes

@@ -18,6 +18,7 @@
 
 namespace mrroc {
 
+/// A value as a message and back, here and below: meaning and units stay. The header is left to the channel.
 fault_t to_message(const Fault& f);
 Fault from_message(const fault_t& m);
 

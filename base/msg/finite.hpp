@@ -27,6 +27,7 @@ inline bool finite(const effector_reply_t& m) noexcept {
   return finite(m.pose) && finite(m.T_0E) && finite(m.F_a) && finite(m.joints) && finite(m.motors) &&
          std::isfinite(m.gripper);
 }
+/// @return whether all numbers of the message are finite
 inline bool finite(const step_sample_t& m) noexcept { return finite(m.T_0E) && finite(m.F_a); }
 inline bool finite(const camera_reading_t& m) noexcept {
   return finite(m.T_CG) && finite(m.covariance) && std::isfinite(m.reprojection_px);

@@ -14,8 +14,8 @@ enum class FieldKind : std::uint8_t { int8, int16, int32, int64, byte, float32, 
 
 /// One number or text of a message.
 struct Field {
-  std::string name;  ///< "header.stamp", "arm.axis[2].velocity"
-  FieldKind kind{};
+  std::string name;      ///< "header.stamp", "arm.axis[2].velocity"
+  FieldKind kind{};      ///< of the number, or text
   std::size_t offset{};  ///< from the beginning of the message on the wire [bytes]
   std::size_t size{};    ///< [bytes]
 };

@@ -11,6 +11,8 @@ struct None {};
 /// Images of an agent whose memory is C. An agent of a task is `struct Arm : ArmAgent<Memory> {}`.
 template <class C>
 struct ArmAgent {
+  /// x: memory c, reply e of the effector, reading V of the virtual sensor, order T of the coordinator, macrostep i,
+  /// and i_0 in which the behaviour began.
   struct X {
     C c{};
     EffectorReply e;
@@ -19,6 +21,7 @@ struct ArmAgent {
     std::int64_t i{};
     std::int64_t i_0{};
   };
+  /// y: the new memory c, command e to the effector, nothing for the sensor, report T to the coordinator.
   struct Y {
     C c{};
     EffectorCommand e;

@@ -9,8 +9,8 @@ namespace mrroc::ecp {
 
 /// A pose and the time at which it is to be reached.
 struct Knot {
-  double t{};  ///< [s] since the beginning of the motion
-  Coordinates pose;
+  double t{};        ///< [s] since the beginning of the motion
+  Coordinates pose;  ///< in the space of the motion
 };
 
 /// Polynomials of at most fifth degree, one per coordinate and piece.
@@ -38,7 +38,7 @@ class Polynomials final : public Curve {
   Coordinates end_;
 };
 
-using CurvePtr = std::shared_ptr<const Polynomials>;
+using CurvePtr = std::shared_ptr<const Polynomials>;  ///< never null; shared by all copies of a trajectory
 
 // All of these throw FaultError bad_trajectory when there are too few knots, their sizes differ, a number is
 // not finite, or times do not rise.

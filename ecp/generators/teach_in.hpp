@@ -10,17 +10,17 @@ namespace mrroc::ecp {
 
 /// One recorded moment.
 struct TaughtPose {
-  double t{};  ///< [s] since the first one
-  Coordinates pose;
-  Wrench F{};  ///< F_a in E then [N, N m]
+  double t{};        ///< [s] since the first one
+  Coordinates pose;  ///< in the space of the recording
+  Wrench F{};        ///< F_a in E then [N, N m]
 };
 
 /// A recording. Its space is that of all poses.
 struct TaughtPath {
   Representation space{Representation::xyz_angle_axis};  ///< any but frame
   Reference reference{Reference::absolute};              ///< relative: each pose is seen from the first one
-  bool with_force{};
-  std::vector<TaughtPose> poses;
+  bool with_force{};                                     ///< the forces F were recorded, too
+  std::vector<TaughtPose> poses;                         ///< in the order of their times
 };
 
 /// A recording in the making, part of a memory c_c: a value to which poses can only be appended. Versions
@@ -37,6 +37,7 @@ class TeachIn {
   /// version
   [[nodiscard]] TeachIn appended(const EffectorReply& reply, double t) const;
 
+  /// @return number of poses
   [[nodiscard]] std::size_t size() const { return size_; }
   /// @return the recording, to be saved or executed
   [[nodiscard]] TaughtPath path() const;

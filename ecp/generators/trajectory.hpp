@@ -20,9 +20,9 @@ struct Pacing {
 
 /// How the driver is to understand the coordinates.
 struct Coding {
-  Representation space{Representation::joints};
-  Reference reference{Reference::absolute};  ///< relative: commands carry the increment of the macrostep
-  Interpolation mu{Interpolation::mim};      ///< mim or tcim_pose; motors and joints need mim
+  Representation space{Representation::joints};  ///< of the coordinates
+  Reference reference{Reference::absolute};      ///< relative: commands carry the increment of the macrostep
+  Interpolation mu{Interpolation::mim};          ///< mim or tcim_pose; motors and joints need mim
 };
 
 /// A curve, ready to be executed: at macrostep k -> set pose and command. A value that shares the curve,

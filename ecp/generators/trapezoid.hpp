@@ -8,10 +8,10 @@ namespace mrroc::ecp {
 
 /// A pose of the list, and how to go there. Fractions are of the limits, above 0 up to 1.
 struct ViaPoint {
-  Coordinates pose;
-  double velocity{0.15};
-  double acceleration{0.02};
-  bool pass{};  ///< blend: goes through it without stopping; the last pose is always a stop
+  Coordinates pose;           ///< in the space of the motion
+  double velocity{0.15};      ///< fraction of the largest velocity
+  double acceleration{0.02};  ///< fraction of the largest acceleration
+  bool pass{};                ///< blend: goes through it without stopping; the last pose is always a stop
 };
 
 /// For generators that take such lists.

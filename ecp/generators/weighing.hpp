@@ -25,16 +25,16 @@ struct WeighingPlan {
   Coordinates down, up, side;  ///< joints in which z_W points down (a) and up (b), and x_W up (c)
   MotionLimits limits;         ///< of the joints, full
   double velocity{0.35};       ///< fractions of them, on the way between the three
-  double acceleration{0.1};
-  int settling{50};   ///< macrosteps at rest before anything is measured
-  Pose T_WE;          ///< tool that is set when all is done: the task frame is the wrist meanwhile
-  int readings{100};  ///< macrosteps over which F_a is averaged
-  Pacing pacing{.dt = 0.002, .n_s = 10, .n_Q = 9};
+  double acceleration{0.1};    ///< the same of the acceleration
+  int settling{50};            ///< macrosteps at rest before anything is measured
+  Pose T_WE;                   ///< tool that is set when all is done: the task frame is the wrist meanwhile
+  int readings{100};           ///< macrosteps over which F_a is averaged
+  Pacing pacing{.dt = 0.002, .n_s = 10, .n_Q = 9};  ///< of the agent's macrosteps
 };
 
 /// Memory of the weighing, a part of the memory c_c of an agent under the name `weighing`.
 struct Weighing {
-  WeighingPlan plan;
+  WeighingPlan plan;    ///< given before the first row
   Trajectory path;      ///< to the next orientation
   Wrench sum{};         ///< of F_a
   int readings{};       ///< in it
@@ -59,11 +59,14 @@ struct Weighing {
 /// @tparam A  agent whose memory has a `Weighing weighing`
 template <class A>
 struct WeighingRows {
+  /// Image and memory of the agent.
   using X = typename A::X;
   using C = decltype(X::c);
 
+  /// Orientations of the tool, as in WeighingPlan.
   enum class Goal : std::uint8_t { down, up, side };
 
+  /// @return memory with the way from the measured joints to the goal
   template <Goal goal>
   static C plan_way(const X& x) {
     C c = x.c;
@@ -74,9 +77,11 @@ struct WeighingRows {
                                                 : plan.side);
     return c;
   }
+  /// Goes along that way, until its last macrostep.
   static EffectorCommand follow(const X& x) { return move_arm(x.c.weighing.path.command(age(x))); }
   static bool arrived(const X& x) { return age(x) >= x.c.weighing.path.macrosteps(); }
 
+  /// Rests, for plan.settling macrosteps.
   static EffectorCommand stand(const X&) { return rest(); }
   static bool settled(const X& x) { return age(x) >= x.c.weighing.plan.settling; }
 
@@ -86,8 +91,10 @@ struct WeighingRows {
   }
   /// The tool that was found, which biases again.
   static EffectorCommand set_found(const X& x) { return age(x) == 0 ? with_found(x.c.weighing) : rest(); }
+  /// Ends both: the driver has answered.
   static bool answered(const X& x) { return age(x) >= kAnswerDelay; }
 
+  /// Sums F_a, from zero, until there are plan.readings of them.
   static C clear(const X& x) {
     C c = x.c;
     c.weighing.sum = {};
@@ -101,11 +108,13 @@ struct WeighingRows {
     return c;
   }
   static bool averaged(const X& x) { return x.c.weighing.readings >= x.c.weighing.plan.readings; }
+  /// F_b is the mean; then the way to (c).
   static C keep_b(const X& x) {
     C c = plan_way<Goal::side>(x);
     c.weighing.F_b = x.c.weighing.mean();
     return c;
   }
+  /// F_c is the mean, which tells the tool.
   static C identify(const X& x) {
     C c = x.c;
     c.weighing.F_c = c.weighing.mean();

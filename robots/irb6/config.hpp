@@ -11,8 +11,8 @@ namespace mrroc::irb6 {
 
 /// What the table [robots.ARM] says.
 struct DriverSetup {
-  std::unique_ptr<Arm> arm;
-  edp::DriverParameters driver;
+  std::unique_ptr<Arm> arm;      ///< never null
+  edp::DriverParameters driver;  ///< for the driver of this arm
 };
 
 /// @param key    of the arm, e.g. "arm1"

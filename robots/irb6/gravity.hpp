@@ -14,6 +14,7 @@ struct LinkMass {
 
 /// Masses of the links that gravity turns. Estimates, the same as in irb6_*.urdf, which tell where they come from.
 struct LinkMasses {
+  /// Each with the joint it begins at: shoulder, elbow, wrist; the wrist body and the wrist as LinkMass says.
   LinkMass lower_arm{13.849542, 0.23};
   LinkMass upper_arm{18.7778341, 0.0968952};
   LinkMass wrist_fork{1.7671419, 0.0585};
@@ -28,6 +29,7 @@ struct LinkMasses {
 /// with moments m_i of masses. The small offset of the tool's mass centre from z of W is left out.
 class Gravity {
  public:
+  /// @param arm  its lengths and gears are copied
   explicit Gravity(const ArmParameters& arm) noexcept;
 
   /// Torques of the motors that hold the arm still: grad V through the transmission. Real-time safe.

@@ -18,11 +18,13 @@ namespace mrroc::irb6 {
 /// base of the arm along y. Every function is real-time safe.
 class Kinematics {
  public:
+  /// @param arm  its lengths are copied
   explicit Kinematics(const ArmParameters& arm) noexcept;
 
   /// @param joints [rad, track m], as many as the arm has axes; what is not finite gives a pose that is not
   /// @return T_0W, the wrist in the base; z = 0 is the floor
   [[nodiscard]] Pose forward(const AxisVector& joints) const noexcept;
+  /// The same from where the links point.
   [[nodiscard]] Pose forward(const Directions& links) const noexcept;
 
   /// The manipulator Jacobian: d(0_W v)/d(dq/dt).

@@ -43,8 +43,8 @@ struct Drive {
 
 /// One axis: what the effector driver must know, and its gear.
 struct AxisTable {
-  edp::AxisProperties properties;
-  Drive drive;
+  edp::AxisProperties properties;  ///< ranges, encoder, regulators
+  Drive drive;                     ///< between motor and axis
 };
 
 /// What decides where the track stands when a pose is given. The arm on the track has one axis more than a
@@ -90,10 +90,12 @@ enum class ParameterSet : std::uint8_t {
 
 namespace table {
 
+/// One degree and one turn [rad].
 inline constexpr double kDegree = std::numbers::pi / 180;
 inline constexpr double kTurn = 2 * std::numbers::pi;
 /// A servo step of 2 ms may turn a motor by at most 0.5 rad.
 inline constexpr double kMaxMotorSpeed = 0.5 / 0.002;
+/// Increments of the encoders: 4000 per turn of the motor [1/rad].
 inline constexpr double kIncrements = 4000 / kTurn;
 /// Ball screws of the arms: 5 mm per turn [rad/mm].
 inline constexpr double kScrew = kTurn / 5;

@@ -23,6 +23,7 @@ struct Converted {
 /// Every function is real-time safe.
 class Transmission {
  public:
+  /// @param arm  its linkages and gears are copied
   explicit Transmission(const ArmParameters& arm) noexcept;
 
   /// @param joints [rad, track m], as many as the arm has axes @return motors [rad]
@@ -34,6 +35,7 @@ class Transmission {
   /// Where the links point, without the way over the joints. Clamped like joints().
   /// @param motors [rad], as many as the arm has axes
   [[nodiscard]] Pitches pitches(const AxisVector& motors) const noexcept;
+  /// The same of all links.
   [[nodiscard]] Directions directions(const AxisVector& motors) const noexcept;
 
   /// The matrix J = d motors / d joints. Speeds: dm = J dq; torques: tau_joint = J^T tau_motor.

@@ -36,8 +36,11 @@ class SimulatedArm {
   /// @param step  number of the steps done
   void end_step(std::int64_t step);
 
+  /// @return what drives and sensor give after the last step
   [[nodiscard]] const HardwareReading& reading() const { return reading_; }
+  /// @return of the last step
   [[nodiscard]] const ArmTruth& truth() const { return truth_; }
+  /// @return joints after the construction [rad, track m]
   [[nodiscard]] const AxisVector& start_joints() const { return start_joints_; }
   /// @return what it looks like at present
   [[nodiscard]] std::vector<LinkShape> shapes() const;
@@ -47,8 +50,11 @@ class SimulatedArm {
   }
   /// @return E in the world
   [[nodiscard]] Pose T_UE() const { return load_.motion().T_UG * arm_.T_GE; }
+  /// @return the operator's hand, which leads this arm
   Hand& hand() { return hand_; }
+  /// @return what the pen has drawn
   Ink& ink() { return ink_; }
+  /// @param width  of what is between the jaws from now on [m], 0: nothing. Without effect on an arm without jaws
   void set_object(double width) {
     if (jaws_) jaws_->set_object(width);
   }

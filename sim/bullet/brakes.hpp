@@ -17,7 +17,9 @@ class Brakes final : public btMultiBodyConstraint {
 
   /// Closes the brakes. @param motors_per_joints  d motors / d joints, constant while they are closed
   void close(const AxisMatrix& motors_per_joints);
+  /// From now on the shafts turn freely.
   void open() { closed_ = false; }
+  /// @return whether they hold
   [[nodiscard]] bool closed() const { return closed_; }
 
   void finalizeMultiDof() override;

@@ -6,6 +6,7 @@
 
 namespace mrroc::sim {
 
+/// Vectors, rotations and poses as Bullet has them, and back; units stay.
 inline btVector3 to_bullet(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 inline Vector3 from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 

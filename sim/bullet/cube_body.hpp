@@ -23,6 +23,7 @@ class CubeBody {
   CubeBody(const CubeBody&) = delete;
   CubeBody& operator=(const CubeBody&) = delete;
 
+  /// At the beginning of a step: the means over it begin at zero.
   void begin_step();
   /// Before each integration.
   void push();
@@ -31,6 +32,7 @@ class CubeBody {
   /// At the end of a step: observes, and chooses the axis.
   void end_step();
 
+  /// @return as end_step() has observed it last
   [[nodiscard]] const CubeTruth& truth() const { return truth_; }
   /// From now on a face has this friction.
   void set_friction(rubik::Face face, const FaceFriction& friction);

@@ -11,7 +11,7 @@ namespace mrroc::sim {
 /// one of the two links, otherwise Bullet does not know to which island the rows belong and ignores them.
 class JointDrives final : public btMultiBodyConstraint {
  public:
-  static constexpr int kJoints = 2;
+  static constexpr int kJoints = 2;  ///< joints that are driven
 
   /// @param body   of the joints  @param first  link of the first joint; that of the second is the next one
   /// @param h      integration step [s]

@@ -18,9 +18,9 @@ namespace mrroc::sim {
 
 /// A shape of the description's visual part.
 struct BodyShape {
-  std::string link;  ///< its name
-  int body{-1};      ///< index of the multibody's link that it moves with; -1: the base
-  camera::Shape shape{};
+  std::string link;               ///< its name
+  int body{-1};                   ///< index of the multibody's link that it moves with; -1: the base
+  camera::Shape shape{};          ///< its form
   Vector3 size{Vector3::Zero()};  ///< [m]
   Pose T_GV;                      ///< its middle in the frame of that link, whose origin is the mass centre
 };
@@ -29,20 +29,20 @@ struct BodyShape {
 /// the description, link `tool` is everything beyond the joint "sensor". With a gripper three links of the elastic wrist
 /// lie before the tool, which give way along z, y and x of W counted from the tool, and the two jaws behind it.
 struct ArmBody {
-  static constexpr int kWristAxes = 3;
+  static constexpr int kWristAxes = 3;  ///< links of the elastic wrist
 
-  std::unique_ptr<btMultiBody> body;
-  int joints{};  ///< number of moving joints
-  int tool{};    ///< index of the tool's link
-  Pose T_GS;     ///< sensor in the frame of the tool's link; its origin G is the tool's mass centre
-  Pose T_GE;     ///< tip of the tool, or E of the gripper, in the frame of the tool's link
+  std::unique_ptr<btMultiBody> body;  ///< never null
+  int joints{};                       ///< number of moving joints
+  int tool{};                         ///< index of the tool's link
+  Pose T_GS;  ///< sensor in the frame of the tool's link; its origin G is the tool's mass centre
+  Pose T_GE;  ///< tip of the tool, or E of the gripper, in the frame of the tool's link
   std::vector<BodyShape> shapes;  ///< what it looks like
 };
 
 /// Mass of a tool and its centre in W.
 struct ToolMass {
-  double mass{};  ///< [kg], > 0
-  Vector3 centre{Vector3::Zero()};
+  double mass{};                    ///< [kg], > 0
+  Vector3 centre{Vector3::Zero()};  ///< in W [m]
 };
 
 /// @param urdf           serial chain: moving joints, a fixed joint "sensor", a link "tool" with mass, a link

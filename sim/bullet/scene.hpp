@@ -13,7 +13,7 @@
 
 namespace mrroc::sim {
 
-// Who may touch whom: pens touch paper, grippers and the floor touch a cube, nothing else touches anything.
+/// Who may touch whom: pens touch paper, grippers and the floor touch a cube, nothing else touches anything.
 inline constexpr int kPenGroup = 64;
 inline constexpr int kPaperGroup = 128;
 inline constexpr int kGripperGroup = 256;
@@ -25,6 +25,7 @@ inline constexpr int kFloorGroup = 1024;
 class ObservedDynamics final : public btMultiBodyDynamicsWorld {
  public:
   using btMultiBodyDynamicsWorld::btMultiBodyDynamicsWorld;
+  /// Called there; may be empty.
   std::function<void()> contacts_found;
   /// Bullet keeps a point of contact with the normal that it had in the world when it was found, until the bodies part
   /// there: it would glue a hand to a cube that it has turned, so points are found anew in every integration. And it
@@ -85,9 +86,11 @@ class Scene {
   /// Integrates once. @param h [s]
   void integrate(double h) { dynamics_.stepSimulation(h, 0, h); }
 
+  /// @return where bodies of arms and their constraints are added
   btMultiBodyDynamicsWorld& dynamics() { return dynamics_; }
   /// Calls in every integration after contacts have been found, before forces are.
   void on_contacts(std::function<void()> call) { dynamics_.contacts_found = std::move(call); }
+  /// @return acceleration in the world [m/s^2]
   [[nodiscard]] Vector3 gravity() const;
 
  private:

@@ -5,6 +5,7 @@
 
 namespace mrroc::sim {
 
+/// Colours of links and of what is dark on them.
 inline constexpr camera::Colour kSteel{0.55, 0.56, 0.58};
 inline constexpr camera::Colour kDark{0.17, 0.17, 0.19};
 

@@ -21,9 +21,9 @@ namespace mrroc::sim {
 
 /// A picture that is to be drawn, or has been.
 struct CameraJob {
-  std::int64_t frame{};
-  std::int64_t step{};
-  std::vector<camera::Instant> exposure;
+  std::int64_t frame{};  ///< number of the picture, 0, 1, 2... of the camera
+  std::int64_t step{};   ///< of the effector drivers at which it is taken: the middle of the exposure
+  std::vector<camera::Instant> exposure;  ///< snapshots so far, one or more when it is drawn
 };
 
 /// One camera: a thread that draws, and the store into which it draws. What a picture shows depends on its snapshots,

@@ -13,6 +13,7 @@ namespace mrroc::sim {
 /// their grippers, and the cube. Ink is not drawn.
 class CellScene {
  public:
+  /// Makes what never moves. @param world  as the world was made with
   explicit CellScene(const WorldParameters& world);
 
   /// @return a picture of the world at this instant: a value that shares nothing which changes

@@ -12,8 +12,8 @@ namespace mrroc::sim {
 
 /// One camera of the world.
 struct SimulatedCamera {
-  CameraSetup setup;
-  camera::RenderProfile profile;
+  CameraSetup setup;              ///< as the configuration says: lens, size, place, times
+  camera::RenderProfile profile;  ///< how it is drawn
   std::int64_t
       exposure{};  ///< steps over which the light is gathered, half of them before the picture's step, half after
   int instants{1};  ///< of the exposure that are drawn; 1: nothing is blurred by motion
@@ -22,9 +22,9 @@ struct SimulatedCamera {
 
 /// Everything that the world's cameras need to know.
 struct CameraWorld {
-  std::vector<SimulatedCamera> cameras;
-  camera::Light light;
-  ObjectParameters object;
+  std::vector<SimulatedCamera> cameras;  ///< in the order of their keys
+  camera::Light light;                   ///< the same for all
+  ObjectParameters object;               ///< that they look for
 };
 
 /// @return [cameras] and [object]; no cameras when `cameras.order` is not given

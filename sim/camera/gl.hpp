@@ -82,11 +82,13 @@ class GlContext {
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
 
+  /// @return OpenGL's functions; only for a thread whose own the context is
   [[nodiscard]] const Gl& gl() const { return gl_; }
 
   /// Makes a context the calling thread's own for as long as this lives.
   class Use {
    public:
+    /// @param context  must outlive this
     explicit Use(GlContext& context);
     ~Use();
     Use(const Use&) = delete;

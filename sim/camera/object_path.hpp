@@ -28,14 +28,14 @@ enum class ObjectMotion : std::uint8_t {
 
 /// The object G and its motion, in the base 0 of an arm. Frame G as in sim/camera/textures.hpp.
 struct ObjectParameters {
-  ObjectKind kind{ObjectKind::none};
-  std::string arm;          ///< key of the arm in whose base this is
-  Pose T_0G;                ///< at the beginning [m]
-  camera::BoardSize board;  ///< of a chessboard
-  int tag{0};               ///< number of an AprilTag
-  double tag_edge{0.1};     ///< of its black border [m]
-  ObjectMotion motion{ObjectMotion::rest};
-  double start{1};           ///< when it begins to move [s]
+  ObjectKind kind{ObjectKind::none};        ///< what it is
+  std::string arm;                          ///< key of the arm in whose base this is
+  Pose T_0G;                                ///< at the beginning [m]
+  camera::BoardSize board;                  ///< of a chessboard
+  int tag{0};                               ///< number of an AprilTag
+  double tag_edge{0.1};                     ///< of its black border [m]
+  ObjectMotion motion{ObjectMotion::rest};  ///< how it moves
+  double start{1};                          ///< when it begins to move [s]
   double heading{0};         ///< of its first motion, in the xy plane of the base, 0: along x [rad]
   double speed{0.1};         ///< [m/s]
   double acceleration{0.5};  ///< [m/s^2]
@@ -52,9 +52,9 @@ struct ObjectParameters {
 
 /// The object at one instant.
 struct ObjectState {
-  Pose T_0G;
-  bool present{};
-  bool hidden{};
+  Pose T_0G;       ///< in the base of its arm
+  bool present{};  ///< it has been put there
+  bool hidden{};   ///< the plate is held over it
 };
 
 /// Where the object is: a function of time alone.

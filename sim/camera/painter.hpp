@@ -16,6 +16,7 @@ namespace mrroc::camera {
 
 /// What a painter spends on a picture; as in RenderProfile.
 struct PaintQuality {
+  /// As in RenderProfile.
   int samples{};
   int shadow_size{};
   bool textures_sharp{};

@@ -29,8 +29,8 @@ RenderProfile fast_profile();
 
 /// One instant of an exposure.
 struct Instant {
-  Scene scene;
-  Pose T_UC;  ///< the camera C in the world U
+  Scene scene;  ///< everything that can be seen
+  Pose T_UC;    ///< the camera C in the world U
 };
 
 /// Draws what one camera sees. Not for the servo step; moves between threads, used by one at a time.

@@ -3,15 +3,15 @@
 
 namespace mrroc::camera {
 
-// Comes before vertices and pixels. With SHADOWS light is computed for each pixel; without, at the corners of the
-// triangles, where it is exact on flat faces and costs a third.
+/// Comes before vertices and pixels. With SHADOWS light is computed for each pixel; without, at the corners of the
+/// triangles, where it is exact on flat faces and costs a third.
 inline constexpr const char* kSceneLight = R"(
 uniform vec3 lamp, ambient, lamp_direction, up;
 vec3 light_on(vec3 n, float lit) {
   return ambient * (0.8 + 0.2 * dot(n, up)) + lamp * lit;
 })";
 
-// Everything is computed in the camera's frame C, so that a distance to the world's origin costs no digits.
+/// Everything is computed in the camera's frame C, so that a distance to the world's origin costs no digits.
 inline constexpr const char* kSceneVertices = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -38,7 +38,7 @@ void main() {
 #endif
 })";
 
-// Lambert's law for what comes from the lamp, a little more ambient light from above, highlights after Blinn.
+/// Lambert's law for what comes from the lamp, a little more ambient light from above, highlights after Blinn.
 inline constexpr const char* kScenePixels = R"(
 in vec2 place;
 uniform vec3 colour;
@@ -67,11 +67,13 @@ void main() {
 #endif
 })";
 
+/// The shadows' pass: corners as the lamp sees them.
 inline constexpr const char* kShadowVertices = R"(#version 330 core
 layout(location = 0) in vec3 position;
 uniform mat4 to_lamp;
 void main() { gl_Position = to_lamp * vec4(position, 1.0); })";
 
+/// Depth alone is kept.
 inline constexpr const char* kShadowPixels = R"(#version 330 core
 void main() {})";
 

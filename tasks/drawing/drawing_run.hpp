@@ -39,6 +39,7 @@ class DrawingRun {
 
   /// @return why execute() gave faulted
   [[nodiscard]] const Fault& fault() const { return fault_; }
+  /// @return what there is so far
   [[nodiscard]] const RunRecord& record() const { return record_; }
 
  private:

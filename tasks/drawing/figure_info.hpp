@@ -45,6 +45,7 @@ inline constexpr std::array kFigures{
         .key = "log_gaps", .words = "messages that the log missed", .unit = "", .low = 0, .high = 0},
 };
 
+/// Headings, in the order of the arms.
 inline constexpr std::array<std::string_view, 2> kFigureColumns{"arm 1", "arm 2"};
 
 }  // namespace mrroc::drawing

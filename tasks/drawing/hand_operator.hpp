@@ -24,6 +24,7 @@ struct HandPlan {
 /// Speaks with the world's hands on the channels hand.order and hand.report.
 class HandOperator final : public mp::OperatorAgent {
  public:
+  /// To be made before the process assembles. @param desk  must outlive this object
   HandOperator(link::Process& process, mp::OperatorDesk& desk, const HandPlan& plan);
 
   void inform(std::int64_t i, int m, bool finished) override;

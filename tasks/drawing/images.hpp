@@ -35,7 +35,7 @@ struct Parameters {
 struct Coordinator {
   /// c_c0. Indices of the paper in brackets.
   struct Memory {
-    Parameters k;
+    Parameters k;            ///< constant during a run
     Recording recording;     ///< [1] velocities, [2] pen states and [4] number n of the nodes
     double p{};              ///< [3] nodes already executed; whole numbers except around a pause
     Pose T_previous;         ///< [5] pose of E of arm 1 when the last node ended
@@ -46,10 +46,12 @@ struct Coordinator {
     double pace{1};          ///< task time per macrostep, 0..1
     bool touched{};          ///< m = 4: both pens are on the paper since `instant`
   };
+  /// x_cT0: what the agents and the operator say.
   struct Transmission {
     std::array<Report, kArms> agent;  ///< x_cT_0j
     OperatorImage h;                  ///< x_cT_0h
   };
+  /// x: memory c, what is told T, macrostep i, and i_0 in which the behaviour began; no effector e, no sensors V.
   struct X {
     Memory c;
     None e;
@@ -58,6 +60,7 @@ struct Coordinator {
     std::int64_t i{};
     std::int64_t i_0{};
   };
+  /// y: the new memory c and the orders T.
   struct Y {
     Memory c;
     None e;

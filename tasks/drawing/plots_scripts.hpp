@@ -10,9 +10,9 @@ namespace mrroc::drawing {
 
 /// The tables of a run folder that there are.
 struct RunTables {
-  std::array<std::optional<mp::ArmTrace>, 2> arms;
-  std::optional<Ink> input, taught;
-  std::array<std::optional<Ink>, 2> ink;
+  std::array<std::optional<mp::ArmTrace>, 2> arms;  ///< arm1.csv, arm2.csv
+  std::optional<Ink> input, taught;                 ///< drawing that was asked for, ink of the teach-in
+  std::array<std::optional<Ink>, 2> ink;            ///< of the two copies
 };
 
 /// Scripts run in the run folder and read arm1.csv and arm2.csv themselves. A script is empty when there is

@@ -35,6 +35,7 @@ class Recording {
 
   /// @return the number n of nodes
   [[nodiscard]] std::size_t size() const { return size_; }
+  /// @return whether there is no node
   [[nodiscard]] bool empty() const { return size_ == 0; }
   /// @param p  from 0 to size() - 1; the papers count from 1
   [[nodiscard]] Node operator[](std::size_t p) const { return (*nodes_)[p]; }
@@ -52,8 +53,8 @@ class Recording {
 
 /// A recording and the ink that was left while it was taught, which later copies are compared with.
 struct Taught {
-  Recording recording;
-  Ink ink;
+  Recording recording;  ///< nodes
+  Ink ink;              ///< on the sheet of the arm that was led
 
   friend bool operator==(const Taught&, const Taught&) = default;
 };

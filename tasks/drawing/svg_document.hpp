@@ -10,7 +10,7 @@ namespace mrroc::drawing::svg {
 
 /// What a document draws, in the user units of its outermost element; y points down.
 struct Document {
-  std::vector<SubPath> paths;
+  std::vector<SubPath> paths;  ///< in document order
   std::string
       ignored;  ///< visible elements that have no outline, such as "image (1), text (3)", and style rules
                 ///< about visibility that were not understood

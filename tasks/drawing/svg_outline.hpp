@@ -11,27 +11,28 @@ namespace mrroc::drawing::svg {
 
 /// A cubic Bezier curve; straight lines and quadratic curves are written as one.
 struct Cubic {
-  std::array<Point, 4> p;
+  std::array<Point, 4> p;  ///< begin, two control points, end [user units]
 };
 
 /// Part of an ellipse: centre + a cos(angle) + b sin(angle), where angle runs from `from` by `sweep` [rad].
 /// With conjugate half axes a and b it stays one under every affine transform.
 struct Arc {
-  Point centre, a, b;
-  double from{}, sweep{};
+  Point centre, a, b;      ///< [user units]
+  double from{}, sweep{};  ///< [rad]; sweep of either sign
 };
 
-using Segment = std::variant<Cubic, Arc>;
+using Segment = std::variant<Cubic, Arc>;  ///< any curve of an outline
 
 /// One stroke before it is flattened: at least one segment, each beginning where the one before ended.
 struct SubPath {
-  Point start;
-  std::vector<Segment> segments;
+  Point start;                    ///< [user units]
+  std::vector<Segment> segments;  ///< in drawing order
 };
 
 /// Collects sub-paths from pen movements, with SVG's rules for closing and for sub-paths without extent.
 class Outline {
  public:
+  /// Pen movements, from the current point to p: without drawing, straight, by one control point, by two.
   void move_to(const Point& p);
   void line_to(const Point& p);
   void quadratic_to(const Point& c, const Point& p);
@@ -41,8 +42,10 @@ class Outline {
   void arc_to(double rx, double ry, double degrees, bool large, bool sweep, const Point& p);
   /// A quarter or more of an axis-parallel ellipse around `centre`, beginning at the current point.
   void ellipse(const Point& centre, double rx, double ry, double from, double sweep);
+  /// A straight line to where the sub-path began. What follows begins there anew.
   void close();
 
+  /// @return where the pen is
   [[nodiscard]] const Point& current() const { return current_; }
   /// @return all sub-paths that draw something, transformed
   [[nodiscard]] std::vector<SubPath> sub_paths(const Affine& T) const;

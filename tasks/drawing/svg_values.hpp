@@ -7,7 +7,7 @@
 
 namespace mrroc::drawing::svg {
 
-using Affine = Eigen::Affine2d;
+using Affine = Eigen::Affine2d;  ///< of the plane: transforms of elements
 
 /// An attribute that cannot be read; what() says where in it and why. The reader adds element and line.
 class BadValue : public std::runtime_error {
@@ -18,6 +18,7 @@ class BadValue : public std::runtime_error {
 /// Reads the tokens of an attribute from left to right. Independent of the locale.
 class Scanner {
  public:
+  /// @param text  must outlive the scanner
   explicit Scanner(std::string_view text) : text_(text) {}
 
   /// Passes white space. @return whether the end is reached

@@ -9,18 +9,18 @@
 namespace mrroc::drawing {
 
 // clang-format off
-// tab. 1: blocked
+/// tab. 1: blocked
 inline constexpr TaskFrameCommand kBlocked{.x = u(), .y = u(), .z = u(), .ax = u(), .ay = u(), .az = u()};
-// tab. 2: compliant in the linear directions
+/// tab. 2: compliant in the linear directions
 inline constexpr TaskFrameCommand kCompliant{.x = c(0, 20, 0.005), .y = c(0, 20, 0.005), .z = c(0, 20, 0.005),
                                              .ax = u(), .ay = u(), .az = u()};
-// tab. 3(a): lowering; the force settles at v/B = 2 N
+/// tab. 3(a): lowering; the force settles at v/B = 2 N
 inline constexpr TaskFrameCommand kLowering{.x = u(), .y = u(), .z = g(0.01, 20, 0.005), .ax = u(), .ay = u(), .az = u()};
-// tab. 3(b): lift-off
+/// tab. 3(b): lift-off
 inline constexpr TaskFrameCommand kLiftOff{.x = u(), .y = u(), .z = u(-0.01), .ax = u(), .ay = u(), .az = u()};
-// tab. 4(a): on the paper; velocities along x and y come from the recording
+/// tab. 4(a): on the paper; velocities along x and y come from the recording
 inline constexpr TaskFrameCommand kOnPaper{.x = u(), .y = u(), .z = c(1, 20, 0.005), .ax = u(), .ay = u(), .az = u()};
-// tab. 4(b): above the paper; velocities along x and y come from the recording
+/// tab. 4(b): above the paper; velocities along x and y come from the recording
 inline constexpr TaskFrameCommand kAbovePaper{.x = u(), .y = u(), .z = u(), .ax = u(), .ay = u(), .az = u()};
 // clang-format on
 

@@ -15,14 +15,15 @@ namespace mrroc::edge_follow {
 
 /// c_c: what an arm remembers.
 struct Memory {
-  ecp::EdgeRule rule;
-  Pose T_WE;          ///< the tool before anything is turned
-  Pose T_0E;          ///< of the tool when the edge was found
-  double angle{};     ///< of the task frame about z now [rad], grows with every round
-  int pushing{};      ///< macrosteps in succession with contact
-  double farthest{};  ///< largest distance from the place of contact so far [m]
+  ecp::EdgeRule rule;  ///< constant during a run
+  Pose T_WE;           ///< the tool before anything is turned
+  Pose T_0E;           ///< of the tool when the edge was found
+  double angle{};      ///< of the task frame about z now [rad], grows with every round
+  int pushing{};       ///< macrosteps in succession with contact
+  double farthest{};   ///< largest distance from the place of contact so far [m]
 };
 
+/// One of the arms; they know nothing of each other.
 struct Arm : ecp::ArmAgent<Memory> {};
 
 /// Steps of a macrostep; n_Q is one less.

@@ -24,10 +24,12 @@ struct Memory {
 /// Images. T is what the coordinator says: its Order, and the operator's order for this arm. The report's `event` is the
 /// number of the order that has ended last, its `fault` why that failed.
 struct Arm {
+  /// x_cT: the coordinator's order with what the operator asks of this arm.
   struct Heard : Order {
-    ManualOrder manual;
+    ManualOrder manual;  ///< the newest one; its number tells whether it is new
     using Order::operator=;
   };
+  /// x: memory c, reply e of the effector, what is heard T, macrostep i, and i_0 in which the behaviour began; no V.
   struct X {
     Memory c;
     EffectorReply e;
@@ -36,6 +38,7 @@ struct Arm {
     std::int64_t i{};
     std::int64_t i_0{};
   };
+  /// y: the new memory c, command e to the effector, report T.
   struct Y {
     Memory c;
     EffectorCommand e;

@@ -13,29 +13,34 @@
 
 namespace mrroc::manual {
 
+/// A part of an image that the coordinator does not have.
 struct Nothing {};
 
 /// Images of the coordinator.
 struct Coordinator {
   /// c_c: the last order of each arm.
   struct Memory {
-    std::vector<ManualOrder> given;
+    std::vector<ManualOrder> given;  ///< by the number of the arm
   };
+  /// x_cT0
   struct Heard {
-    std::vector<Report> agent;
-    OperatorImage h;
-    Hands hands;  ///< what the operator wants from this macrostep on
+    std::vector<Report> agent;  ///< x_cT_0j, by the number of the arm
+    OperatorImage h;            ///< x_cT_0h
+    Hands hands;                ///< what the operator wants from this macrostep on
   };
+  /// y_cT0
   struct Said {
-    std::vector<Order> order;
-    std::vector<ManualOrder> manual;
+    std::vector<Order> order;         ///< y_cT_0j, by the number of the arm
+    std::vector<ManualOrder> manual;  ///< what goes with each of them
   };
+  /// x: memory c, what is heard T, macrostep i, and i_0 in which the behaviour began; no effector e, no sensors V.
   struct X {
     Memory c;
     Nothing e, V;
     Heard T;
     std::int64_t i{}, i_0{};
   };
+  /// y: the new memory c and what is said T.
   struct Y {
     Memory c;
     Nothing e, V;
@@ -51,7 +56,7 @@ extern const Motion<Coordinator> kManualOperation;
 
 /// What the run is told.
 struct ManualParameters {
-  std::vector<ArmInfo> arms;
+  std::vector<ArmInfo> arms;          ///< in the order of the run's arms
   std::vector<ScriptedWords> script;  ///< instructions that need no terminal
   std::filesystem::path record;       ///< where instructions go that were taken; empty: nowhere
   double macrostep_s{0.02};           ///< [s]

@@ -24,8 +24,8 @@ enum class Kind : std::uint8_t {
 
 /// y_cT_0j of the task. Trivially copyable.
 struct ManualOrder {
-  std::int64_t number{};  ///< 1, 2, 3... for each arm; 0: none yet
-  Kind kind{Kind::nothing};
+  std::int64_t number{};                         ///< 1, 2, 3... for each arm; 0: none yet
+  Kind kind{Kind::nothing};                      ///< decides which of the fields below count
   Representation space{Representation::joints};  ///< move: motors, joints, xyz_euler_zyz or xyz_angle_axis
   /// move: relative to where the arm is; poses in space relative to E (MG tab. 1)
   Reference reference{Reference::absolute};
@@ -38,6 +38,7 @@ struct ManualOrder {
   std::uint8_t parameter_set{};  ///< servo_algorithm
 };
 
+/// The order as a message and back; meaning and units stay. The header is left to the channel.
 [[nodiscard]] manual_order_t to_message(const ManualOrder& order);
 [[nodiscard]] ManualOrder from_message(const manual_order_t& m);
 

@@ -43,8 +43,8 @@ struct Instructions {
 
 /// An instruction and the macrostep in which it is taken: a line `MACROSTEP WORDS...` of a script.
 struct ScriptedWords {
-  std::int64_t i{};
-  std::string words;
+  std::int64_t i{};   ///< from 1 on
+  std::string words;  ///< of one instruction, as at a terminal
 };
 
 /// Reads a script; comments after '#'. Sorted by macrostep.

@@ -12,7 +12,7 @@
 
 namespace mrroc::rubik {
 
-inline constexpr std::size_t kArms = 2;
+inline constexpr std::size_t kArms = 2;  ///< arms of the cell, by index(Hand)
 
 /// Simulated time that thinking takes [macrosteps].
 inline constexpr int kThinking = 100;
@@ -63,14 +63,14 @@ struct Cycle {
 struct Coordinator {
   /// x_cV0: the camera's newest reading that is visible.
   struct Seen {
-    bool there{};  ///< false: there has been none yet
-    CubeFaceReading reading;
+    bool there{};             ///< false: there has been none yet
+    CubeFaceReading reading;  ///< when there
   };
   /// c_c0
   struct Memory {
-    Parameters k;
-    Coordination coordination;  ///< of the present cycle
-    Cycle cycle;
+    Parameters k;                      ///< constant during a run
+    Coordination coordination;         ///< of the present cycle
+    Cycle cycle;                       ///< who does what in the present one
     std::array<Way, kArms> ways;       ///< of the next free motions; an arm with an empty one is told nothing
     std::array<int, kArms> next{};     ///< point to be sent
     std::array<int, kArms> goes_at{};  ///< along its way: macrostep of the behaviour; negative: it stays
@@ -83,10 +83,12 @@ struct Coordinator {
     std::int64_t last_progress{};      ///< macrostep of it
     double travelled{};                ///< m = 1: by the worker until contact [m]
   };
+  /// x_cT0: what the agents and the operator say.
   struct Transmission {
     std::array<Report, kArms> agent;  ///< x_cT_0j
     OperatorImage h;                  ///< x_cT_0h
   };
+  /// x: memory c, what the camera has seen V, what is told T, macrostep i, and i_0 in which the behaviour began; no e.
   struct X {
     Memory c;
     ecp::None e;
@@ -95,6 +97,7 @@ struct Coordinator {
     std::int64_t i{};
     std::int64_t i_0{};
   };
+  /// y: the new memory c and the orders T.
   struct Y {
     Memory c;
     ecp::None e;

@@ -20,7 +20,7 @@ struct CubeRow {
   std::string facelets;                             ///< U R F D L B
   double angle{};                                   ///< of the layer that is farthest from its seat [rad]
   double squeeze{};                                 ///< largest force of a pad or palm on it [N]
-  bool on_floor{};
+  bool on_floor{};                                  ///< it touched the floor then
 };
 
 /// Collects the world's messages. Used by MP's thread.
@@ -30,6 +30,7 @@ class CubeRecord {
   explicit CubeRecord(link::Process& process) : in_(process.inbox<cube_truth_t>("cube.truth")) {}
   /// Takes what has come; to be called in every macrostep.
   void collect();
+  /// @return a row per macrostep of which a message has come, in order
   [[nodiscard]] const std::vector<CubeRow>& rows() const { return rows_; }
   /// @return the row of macrostep i or the nearest one before it; null: there is none
   [[nodiscard]] const CubeRow* at(std::int64_t i) const;

@@ -31,7 +31,9 @@ class Eyes {
 template <class P>
 class SeeingPort {
  public:
+  /// @param port, eyes  must outlive this one
   SeeingPort(P& port, Eyes& eyes) : port_(port), eyes_(eyes) {}
+  /// The operations of a Port: those of `port`, and read() fills in x.V, too.
   void dispatch(const Motion<Coordinator>& motion, const Coordinator::Y& y) { port_.dispatch(motion, y); }
   Outcome wait() { return port_.wait(); }
   void read(Coordinator::X& x) {

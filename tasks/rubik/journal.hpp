@@ -24,6 +24,6 @@ struct CycleNote {
   double tool{};              ///< turned by the track arm's tool [rad]
   double travelled{};         ///< by the worker until it met the cube [m]
 };
-using Journal = std::vector<CycleNote>;
+using Journal = std::vector<CycleNote>;  ///< in the order of execution
 
 }  // namespace mrroc::rubik

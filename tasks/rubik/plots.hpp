@@ -12,9 +12,9 @@ namespace mrroc::rubik {
 
 /// A marked point of a figure.
 struct Mark {
-  char letter{};
-  double t{};  ///< [s]
-  double y{};  ///< [N] or [N m]
+  char letter{};  ///< as in the paper's figure
+  double t{};     ///< [s]
+  double y{};     ///< [N] or [N m]
 };
 
 /// Points of fig. 16, from the worker's rows of one cycle: A impact, B settled.

@@ -14,7 +14,7 @@ namespace mrroc::rubik {
 template <class P>
 class Program {
  public:
-  using X = Coordinator::X;
+  using X = Coordinator::X;  ///< images of the coordinator
 
   /// @param x  images, valid when the program begins
   Program(X& x, P& port, Journal& journal) : x_(x), port_(port), journal_(journal) {}
@@ -50,6 +50,7 @@ class Program {
     return end(o);
   }
 
+  /// @return what was wrong with the last step; none: nothing
   [[nodiscard]] Trouble trouble() const { return x_.c.trouble; }
 
  private:
@@ -70,8 +71,9 @@ class Program {
     return o == Outcome::terminated && x_.c.trouble == Trouble::none;
   }
 
-  /// One behaviour; a pause of the operator begins behind it.
+  /// One behaviour, to its end: a pause of the operator waits for the next pause().
   Outcome behaviour(const Motion<Coordinator>& motion) { return move(motion, x_, port_); }
+  /// Stands while the operator has a pause. Called before free motions and before a cycle, never within m = 1..6.
   Outcome pause() { return x_.T.h.paused ? move(kResume, x_, port_) : Outcome::terminated; }
 
   Outcome go_along(const Step& step) {

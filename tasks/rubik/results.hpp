@@ -9,8 +9,8 @@ namespace mrroc::rubik {
 
 /// One turn of a face, for moves.csv.
 struct TurnRow {
-  int k{};  ///< 1, 2, ...
-  Move turn;
+  int k{};            ///< 1, 2, ...
+  Move turn;          ///< face and quarters
   double t_start{};   ///< the free motions to it begin [s]
   double t_end{};     ///< the hand that lets go has retreated [s]
   int attempts{};     ///< at m = 5

@@ -22,7 +22,8 @@ namespace mrroc::rubik {
 
 /// What the coordinator asks when it thinks. Called in a thread of their own, one at a time.
 struct Brain {
-  std::function<Solution(const Cube&)> solve;
+  std::function<Solution(const Cube&)> solve;  ///< finds turns that solve the cube
+  /// How the arms do these turns, of a cube with such jams.
   std::function<Planned(const PlanStart&, const Moves&, const Jams&)> plan;
   std::function<Planned(const PlanStart&, int reading)>
       plan_reading;                   ///< shows all six faces; reading: 0 .. kReadings - 1
@@ -36,10 +37,10 @@ struct Brain {
 /// What a run has left.
 struct RunRecord {
   std::array<mp::ArmTrace, kArms> traces;  ///< a row per macrostep
-  Journal journal;
-  std::vector<StateReading> readings;  ///< of all six faces, each time
-  Moves solution;
-  double planned_s{};  ///< estimate of the plan [s]
+  Journal journal;                         ///< cycles in their order
+  std::vector<StateReading> readings;      ///< of all six faces, each time
+  Moves solution;                          ///< turns of the last solution, in the order of execution
+  double planned_s{};                      ///< estimate of the plan [s]
   std::int64_t
       turning{};  ///< macrosteps of all rounds from the first turn of a solution to the end of the last
   std::optional<bool>
@@ -58,7 +59,9 @@ class RubikRun {
 
   /// @return why execute() gave faulted
   [[nodiscard]] const Fault& fault() const { return fault_; }
+  /// @return what there is so far
   [[nodiscard]] const RunRecord& record() const { return record_; }
+  /// What is true of the cube in every macrostep, where the world tells it.
   [[nodiscard]] const CubeRecord& truth() const { return truth_; }
   CubeRecord& truth() { return truth_; }
 

@@ -22,6 +22,7 @@ struct CameraError {
 
 /// The length of an error that switching compares [m]: a radian counts as much as kLever.
 inline constexpr double kLever = 0.2;
+/// @return length of the error so measured [m]
 [[nodiscard]] double length_of(const Pose& e);
 
 /// E C of VS (53), on SE(3). The order of a and b makes no difference with mean and switching, and with weights none

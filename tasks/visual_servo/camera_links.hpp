@@ -78,8 +78,10 @@ class CameraLinks {
 /// Port of the agent: that of an arm which works on its own, and the cameras.
 class ServoPort {
  public:
+  /// @param arm, cameras  must outlive the port
   ServoPort(ecp::SoloPort<Arm>& arm, CameraLinks& cameras) : arm_(arm), cameras_(cameras) {}
 
+  /// The operations of a Port: those of `arm`; dispatch() also tells the record, read() also fills in V and waiting.
   void dispatch(const Motion<Arm>& motion, const Arm::Y& y);
   Outcome wait() { return arm_.wait(); }
   void read(Arm::X& x);

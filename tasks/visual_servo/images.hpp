@@ -19,7 +19,8 @@ enum class Camera : std::uint8_t {
   sac,  ///< stands alone above the scene
   eih,  ///< eye in hand
 };
-inline constexpr std::size_t kCameras = 2;
+inline constexpr std::size_t kCameras = 2;  ///< of the agent
+/// @return the camera's place in arrays over kCameras
 constexpr std::size_t index(Camera k) { return static_cast<std::size_t>(k); }
 
 /// Steps for which it is remembered where E was.
@@ -35,24 +36,24 @@ struct CameraParameters {
 
 /// Constants of c_1.
 struct Parameters {
-  std::array<CameraParameters, kCameras> camera;
-  Pose T_EGd;  ///< E_G T_d: the desired pose of the object in E
-  Aggregation aggregation{Aggregation::mean};
-  RegulatorParameters regulator;
-  TrackParameters track;
-  bool feed_forward{true};      ///< follow the object's velocity
+  std::array<CameraParameters, kCameras> camera;  ///< by index()
+  Pose T_EGd;                                     ///< E_G T_d: the desired pose of the object in E
+  Aggregation aggregation{Aggregation::mean};     ///< E C: what becomes of two cameras' errors
+  RegulatorParameters regulator;                  ///< of R_T
+  TrackParameters track;                          ///< of the object's estimated motion
+  bool feed_forward{true};                        ///< follow the object's velocity
   double position_floor{3e-4};  ///< least standard deviation of what any camera says [m]: calibration
   double angle_floor{1e-3};     ///< the same [rad]
   int max_age{2};               ///< a reading of more frames ago is not believed
-  ecp::Pacing pacing{ecp::kDisplacementPacing};
-  std::int64_t duration{200};  ///< of the task [control steps]
+  ecp::Pacing pacing{ecp::kDisplacementPacing};  ///< of the control steps, which are macrosteps
+  std::int64_t duration{200};                    ///< of the task [control steps]
   std::int64_t patience{150};  ///< control steps without seeing anything until the task is given up; 0: none
 };
 
 /// c_c: what c_1 remembers.
 struct Memory {
-  Parameters k;
-  ObjectTrack track;
+  Parameters k;                                      ///< constant during a run
+  ObjectTrack track;                                 ///< estimate after the last control step
   std::array<std::int64_t, kCameras> taken{-1, -1};  ///< frames that the track knows
   Pose e;                                            ///< error of the last control step; identity in idle
   Pose under_way;                                    ///< displacement of control step made_in + 1
@@ -67,18 +68,20 @@ struct Memory {
 
 /// x_r of one camera: the newest reading that is visible, joined by its step with what the effector told.
 struct CameraImage {
-  bool there{};  ///< false: there has been none yet
-  CameraReading reading;
-  Pose T_0E;  ///< 0_E T_c at the image's instant
+  bool there{};           ///< false: there has been none yet
+  CameraReading reading;  ///< when there
+  Pose T_0E;              ///< 0_E T_c at the image's instant
 };
 
 /// x_cV of c_1.
 struct Receptors {
-  std::array<CameraImage, kCameras> camera;
+  std::array<CameraImage, kCameras> camera;  ///< by index()
 };
 
 /// Agent a_1.
 struct Arm {
+  /// x: memory c, reply e of the effector, receptors V, order T of the coordinator, control step i, and i_0 in which
+  /// the behaviour began.
   struct X {
     Memory c;
     EffectorReply e;  ///< its step is the instant at which x_c is looked at
@@ -90,6 +93,7 @@ struct Arm {
     std::int64_t i{};
     std::int64_t i_0{};
   };
+  /// y: the new memory c, command e to the effector, nothing for the receptors, report T.
   struct Y {
     Memory c;
     EffectorCommand e;

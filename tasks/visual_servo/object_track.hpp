@@ -10,8 +10,8 @@ namespace mrroc::visual_servo {
 /// The object's pose with its uncertainty, as one picture tells it.
 struct Sighting {
   std::int64_t step{};  ///< of the effector drivers at which the picture was taken
-  Pose T_0G;
-  Matrix6 covariance;  ///< of x y z [m], ax ay az [rad] about the origin of G, along the base
+  Pose T_0G;            ///< object G in the arm's base
+  Matrix6 covariance;   ///< of x y z [m], ax ay az [rad] about the origin of G, along the base
 };
 
 /// How the object may move.
@@ -29,11 +29,11 @@ struct TrackParameters {
 /// A Kalman filter for a body with constant velocity and random accelerations, one picture at a time. Poses are
 /// deviations from the estimate, along the base. A value: it is part of the memory c_c.
 struct ObjectTrack {
-  using Covariance = Eigen::Matrix<double, 12, 12>;
+  using Covariance = Eigen::Matrix<double, 12, 12>;  ///< of two poses' components: deviation and velocity
 
-  bool known{};
-  std::int64_t step{};  ///< of the estimate
-  Pose T_0G;
+  bool known{};                       ///< false: it has not been seen yet, and the rest means nothing
+  std::int64_t step{};                ///< of the estimate
+  Pose T_0G;                          ///< object G in the arm's base
   Vector3 v{Vector3::Zero()};         ///< of the origin of G, along the base [m/s]
   Vector3 omega{Vector3::Zero()};     ///< along the base [rad/s]
   Covariance P = Covariance::Zero();  ///< x y z, ax ay az, v, omega

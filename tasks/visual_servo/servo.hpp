@@ -19,9 +19,10 @@ inline constexpr int kMostRefusals = 50;
 
 /// The instant for which a command is made: when its motion begins [step], and where E is then.
 struct Start {
-  std::int64_t step{};
-  Pose T_0E;  ///< measured, and carried on by the displacements that are commanded already
+  std::int64_t step{};  ///< of the effector driver
+  Pose T_0E;            ///< measured, and carried on by the displacements that are commanded already
 };
+/// @return start of the command that is decided on x
 [[nodiscard]] Start start_of_command(const Arm::X& x);
 
 /// (49), (51): e of one camera at the start of the command. The object goes on with its velocity from the image's
@@ -31,9 +32,9 @@ struct Start {
 
 /// What c_1 concludes from x_c.
 struct Conclusion {
-  ObjectTrack track;
-  std::array<std::int64_t, kCameras> taken;
-  std::array<bool, kCameras> sees;
+  ObjectTrack track;                         ///< with the pictures that are new
+  std::array<std::int64_t, kCameras> taken;  ///< as Memory
+  std::array<bool, kCameras> sees;           ///< P(x_r) of each camera
   Pose e;       ///< aggregated error E T_d,c of the cameras that the behaviour uses; identity without any
   Pose T_dc;    ///< E T_d,c': the effector's displacement; identity without any
   double ease;  ///< as Memory

@@ -25,7 +25,9 @@ class ServoRecord {
 
   /// Takes what has come; to be called at least every ten macrosteps.
   void collect();
+  /// @return one per control step, in order
   [[nodiscard]] const std::vector<servo_report_t>& reports() const { return reports_; }
+  /// @return what the world has told of the object, in order
   [[nodiscard]] const std::vector<object_truth_t>& truths() const { return truths_; }
 
  private:

@@ -14,11 +14,11 @@ namespace mrroc::visual_servo {
 
 /// One control step.
 struct ServoRow {
-  std::int64_t k{};  ///< control step, from 0
-  double t{};        ///< simulated time at which x_c was looked at [s]
-  int behaviour{};   ///< of VS: 0 idle or given up, 1 PB-SAC, 2 PB-EIH, 3 both
-  bool sac_seen{};   ///< that camera sees
-  bool eih_seen{};
+  std::int64_t k{};            ///< control step, from 0
+  double t{};                  ///< simulated time at which x_c was looked at [s]
+  int behaviour{};             ///< of VS: 0 idle or given up, 1 PB-SAC, 2 PB-EIH, 3 both
+  bool sac_seen{};             ///< that camera sees
+  bool eih_seen{};             ///< the same of the camera in the hand
   bool refused{};              ///< the driver could not do what it was told two control steps before
   Pose e;                      ///< aggregated error, predicted for the start of the command; identity in idle
   Pose true_e;                 ///< true displacement of E to the desired pose, at t
@@ -26,7 +26,7 @@ struct ServoRow {
   Vector3 v{Vector3::Zero()};  ///< true velocity of the object at t, along the base [m/s]; zero: at rest
   bool object_there{true};     ///< at t
 };
-using ServoTable = std::vector<ServoRow>;
+using ServoTable = std::vector<ServoRow>;  ///< a row per control step, in order
 
 /// Writes `k,t,behaviour,sac_seen,eih_seen,err_x,err_y,err_z,err_angle,true_err_mm,true_err_deg`; the errors of a step
 /// without one are nan.

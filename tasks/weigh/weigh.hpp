@@ -9,8 +9,9 @@ namespace mrroc::weigh {
 
 /// c_c: what the arm remembers.
 struct Memory {
-  ecp::Weighing weighing;
+  ecp::Weighing weighing;  ///< all that the rows need
 };
+/// The only one of the task.
 struct Arm : ecp::ArmAgent<Memory> {};
 
 /// The behaviours: ecp::WeighingRows, m = 1..10.

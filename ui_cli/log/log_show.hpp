@@ -12,7 +12,7 @@ namespace mrroc::ui {
 struct ShowOptions {
   std::string channel;  ///< every message of this channel instead of the story of the run; empty: the story
   double from{0};       ///< simulated time [s]
-  double to{std::numeric_limits<double>::infinity()};
+  double to{std::numeric_limits<double>::infinity()};  ///< the same, inclusive [s]
   bool changes{};  ///< only what changes: behaviours, states, the operator, faults, messages of processes
   bool json{};     ///< an object per line
 };

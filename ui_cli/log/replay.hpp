@@ -66,6 +66,7 @@ class Replay {
 /// What the command finds around it.
 struct ReplaySurroundings {
   std::filesystem::path sessions;  ///< directory of the running sessions
+  /// Makes the end of the transport on which is published.
   std::function<std::unique_ptr<link::Bus>(const link::LcmAddress&)> open;
   Prover prove{programs_beside()};  ///< tells which processes messages alone can drive
 };

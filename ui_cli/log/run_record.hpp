@@ -24,13 +24,16 @@ class RunRecord {
   /// @throws FaultError bad_log: it is no run folder
   explicit RunRecord(std::filesystem::path folder);
 
+  /// @return as given to the constructor
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  /// @return all messages of the run
   [[nodiscard]] const link::LogReader& log() const { return log_; }
   /// @return duration of a macrostep [s]; of a step [s]
   [[nodiscard]] double macrostep_s() const { return macrostep_s_; }
   [[nodiscard]] double step_s() const { return step_s_; }
   /// @return "step" or "wall"
   [[nodiscard]] const std::string& clock() const { return clock_; }
+  /// @return name of the task
   [[nodiscard]] const std::string& task() const { return task_; }
   /// @return what ran; empty when the folder does not tell
   [[nodiscard]] const std::vector<LoggedProcess>& processes() const { return processes_; }

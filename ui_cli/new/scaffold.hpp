@@ -16,7 +16,7 @@ enum class NewPart : std::uint8_t { robot, task, sensor };
 
 /// What the user wants.
 struct Scaffold {
-  NewPart part{};
+  NewPart part{};                       ///< what is made
   std::string name;                     ///< see check_new_name()
   std::string robot{"irb6_postument"};  ///< of a task: its arm, as in [robots.ARM] model
   std::string sensor{};                 ///< of a task: its virtual sensor; empty: none
@@ -26,7 +26,7 @@ struct Scaffold {
 /// A file to be written.
 struct NewFile {
   std::filesystem::path path;  ///< below the tree
-  std::string text;
+  std::string text;            ///< all of its content
 };
 
 /// A line to be added to a CMakeLists.txt that is there.
@@ -37,8 +37,8 @@ struct NewEntry {
 
 /// All that has to be done, and what the user may do then.
 struct ScaffoldPlan {
-  std::vector<NewFile> files;
-  std::vector<NewEntry> entries;
+  std::vector<NewFile> files;     ///< none of them exists yet
+  std::vector<NewEntry> entries;  ///< in lists that exist
   std::vector<std::string> next;  ///< commands
 };
 

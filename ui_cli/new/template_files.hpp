@@ -8,7 +8,7 @@ namespace mrroc::ui {
 /// One template.
 struct TemplateFile {
   std::string_view path;  ///< below ui_cli/new/templates, without the ending .template
-  std::string_view text;
+  std::string_view text;  ///< with places to be filled in
 };
 
 /// @return all of them, in alphabetical order

@@ -41,7 +41,9 @@ class Listener final : public link::Sink {
   /// Writes down the counts, which change with every message. To be called now and then.
   void publish_count();
 
+  /// @return messages of the session that were new
   [[nodiscard]] std::int64_t messages() const { return messages_; }
+  /// @return messages that are missing, or could not be read
   [[nodiscard]] std::int64_t lost() const { return lost_; }
 
   /// Called with every picture that is announced. May be empty.

@@ -26,15 +26,15 @@ struct ArmScene {
 
 /// One camera.
 struct CameraScene {
-  std::string name;
-  int width{};   ///< [pixel]
-  int height{};  ///< [pixel]
+  std::string name;  ///< key in the configuration
+  int width{};       ///< [pixel]
+  int height{};      ///< [pixel]
 };
 
 /// Everything that does not move by itself.
 struct Scene {
-  std::vector<ArmScene> arms;
-  std::vector<CameraScene> cameras;
+  std::vector<ArmScene> arms;            ///< as robots.order has them
+  std::vector<CameraScene> cameras;      ///< as cameras.order has them
   std::string cube_held_by;              ///< name of an arm; empty: there is no cube
   std::string object;                    ///< what the cameras look for: "none", "chessboard", "apriltag", ...
   std::string object_arm;                ///< in whose base its place is told

@@ -21,7 +21,8 @@ namespace mrroc::view {
 
 /// What the server shows.
 struct Shown {
-  Record& record;
+  Record& record;  ///< that pages are told
+  /// Where the newest pictures are.
   CameraWindow& cameras;
   /// @return run folder whose pictures may be asked for; empty: none. Called by any thread
   std::function<std::filesystem::path()> folder;
@@ -51,6 +52,7 @@ class Server {
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
+  /// @return that it listens on
   [[nodiscard]] int port() const { return port_; }
   /// @return address for a browser
   [[nodiscard]] std::string url() const;

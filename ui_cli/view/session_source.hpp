@@ -22,6 +22,7 @@ namespace mrroc::view {
 struct SessionSurroundings {
   ui::Wish wish;                   ///< as on the command line
   std::filesystem::path sessions;  ///< directory of the running sessions
+  /// Makes the end of the transport that listens.
   std::function<std::unique_ptr<link::Bus>(const link::LcmAddress&)> open{link::open_lcm};
 };
 

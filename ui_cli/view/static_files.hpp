@@ -7,9 +7,9 @@ namespace mrroc::view {
 
 /// One file.
 struct StaticFile {
-  std::string_view path;  ///< as in the address, beginning with '/'
-  std::string_view type;  ///< of its content, for the browser
-  std::string_view content;
+  std::string_view path;     ///< as in the address, beginning with '/'
+  std::string_view type;     ///< of its content, for the browser
+  std::string_view content;  ///< all of it, as it is sent
 };
 
 /// @return every file that the page may ask for

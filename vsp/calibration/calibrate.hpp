@@ -14,12 +14,12 @@ struct CalibrationOrder {
   std::filesystem::path pictures;  ///< folder
   std::filesystem::path
       camera;  ///< TOML file with a known lens; empty: the lens is calibrated from the pictures
-  std::filesystem::path poses;  ///< table of poses; empty: the lens alone
-  Arrangement arrangement{Arrangement::eye_in_hand};
-  std::string name{"camera"};    ///< key of the camera in the file that is written
-  std::string arm{"arm1"};       ///< key of the arm
-  std::filesystem::path output;  ///< TOML file
-  Board board{kBoard};           ///< in the pictures
+  std::filesystem::path poses;                        ///< table of poses; empty: the lens alone
+  Arrangement arrangement{Arrangement::eye_in_hand};  ///< of camera and board
+  std::string name{"camera"};                         ///< key of the camera in the file that is written
+  std::string arm{"arm1"};                            ///< key of the arm
+  std::filesystem::path output;                       ///< TOML file
+  Board board{kBoard};                                ///< in the pictures
 };
 
 /// Poses of a table: a line `picture,x,y,z,ax,ay,az` for each - file name, position [m], angle times axis [rad]; lines

@@ -17,8 +17,8 @@ enum class Arrangement : std::uint8_t {
 
 /// One picture of the board and what was known when it was taken.
 struct PosedView {
-  BoardView view;
-  Pose known;  ///< 0_E T or 0_G T
+  BoardView view;  ///< its corners in the picture
+  Pose known;      ///< 0_E T or 0_G T
 };
 
 /// Where the camera is, and how well that explains the pictures.

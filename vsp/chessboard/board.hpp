@@ -16,6 +16,7 @@ struct Board {
   double square{0.025};  ///< edge of a square [m]
   double margin{0.025};  ///< width of the light margin [m]; the detector needs about a third of a square
 
+  /// @return number of inner corners
   [[nodiscard]] constexpr int corners() const { return columns * rows; }
   /// @return edge of the whole plate along x [m]
   [[nodiscard]] constexpr double width() const { return (columns + 1) * square + 2 * margin; }

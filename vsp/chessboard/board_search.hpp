@@ -9,19 +9,19 @@ namespace mrroc::vsp::chessboard {
 
 /// Where to look, and how.
 struct Search {
-  int x{};       ///< left end of the part of the picture [pixel]
-  int y{};       ///< its upper end [pixel]
-  int width{};   ///< [pixel], > 0, inside of the picture
-  int height{};  ///< [pixel], > 0, inside of the picture
-  int scale{1};  ///< by which it is enlarged for the stages before the inner corners
-  int block{};   ///< surroundings for the threshold [pixel of the enlarged part], odd
-  int offset{};  ///< of the threshold [grey levels]
-  WorkLimits limits{};
+  int x{};              ///< left end of the part of the picture [pixel]
+  int y{};              ///< its upper end [pixel]
+  int width{};          ///< [pixel], > 0, inside of the picture
+  int height{};         ///< [pixel], > 0, inside of the picture
+  int scale{1};         ///< by which it is enlarged for the stages before the inner corners
+  int block{};          ///< surroundings for the threshold [pixel of the enlarged part], odd
+  int offset{};         ///< of the threshold [grey levels]
+  WorkLimits limits{};  ///< of the part's search
 };
 
 /// What the chain found.
 struct SearchResult {
-  std::vector<InnerCorners> boards;
+  std::vector<InnerCorners> boards;  ///< all that were found, in no order
   bool
       unresolved{};  ///< elsewhere in the picture there are many dark squares in a lattice, which may be a board
   std::size_t outlines{};  ///< of dark regions: how much there is to see in the picture
@@ -43,6 +43,6 @@ SearchResult find_boards(const cv::Mat& grey, const Search& search, const Board&
 /// @param known   what has been found before; is added to
 /// @param offset  of the threshold [grey levels]
 void find_everywhere(const cv::Mat& grey, const Board& board, int offset, std::vector<InnerCorners>& known);
-inline constexpr int kWidest = 800;
+inline constexpr int kWidest = 800;  ///< width of such a picture [pixel]
 
 }  // namespace mrroc::vsp::chessboard

@@ -19,10 +19,10 @@ struct Search;
 
 /// Thresholds of the detector.
 struct ChessboardParameters {
-  int offset{6};       ///< how much darker than its surroundings a dark pixel is [grey levels]
-  double rms_px{0.5};  ///< no pose is delivered whose reprojection error is larger [pixel]
-  double worst_px{2};  ///< nor one with a corner farther off [pixel]
-  PlanarPoseParameters pose;
+  int offset{6};              ///< how much darker than its surroundings a dark pixel is [grey levels]
+  double rms_px{0.5};         ///< no pose is delivered whose reprojection error is larger [pixel]
+  double worst_px{2};         ///< nor one with a corner farther off [pixel]
+  PlanarPoseParameters pose;  ///< of the pose from the corners
 };
 
 /// Looks for one board, first around the place where the last picture had it, then everywhere, then everywhere in the

@@ -11,7 +11,7 @@ namespace mrroc::vsp {
 
 /// A face that was found.
 struct FoundFace {
-  Pose T_CG;
+  Pose T_CG;                             ///< face G in the camera C
   Matrix6 covariance = Matrix6::Zero();  ///< as in CubeFaceReading
   double rms_px{};                       ///< over the edges' points that support the pose [pixel]
   std::array<bool, kStickers> whole{};   ///< whether all four edges of the sticker are where they must be

@@ -36,6 +36,7 @@ struct PenStateParameters {
 /// state is its memory. A touch that was none goes back to Lowering. D follows at once, in the next step; the timed lift-off is a behaviour of the task.
 class PenStateSensor {
  public:
+  /// Begins above the paper.
   explicit PenStateSensor(const PenStateParameters& parameters = {});
 
   /// Takes the reading of one step; one that is none (not finite, impossible) is passed over. Real-time safe.
@@ -47,6 +48,7 @@ class PenStateSensor {
   ///         value[1] = speed along the pen [m/s], value[2] = force along it [N], filtered
   SensorReading reading();
 
+  /// @return after the last step
   [[nodiscard]] PenState state() const { return state_; }
 
  private:

@@ -9,7 +9,7 @@ namespace mrroc::rubik {
 /// The six faces, in the order of the facelets. Opposite faces are three apart.
 // NOLINTNEXTLINE(readability-identifier-naming): the letters of the notation
 enum class Face : std::uint8_t { U, R, F, D, L, B };
-inline constexpr int kFaces = 6;
+inline constexpr int kFaces = 6;  ///< of a cube
 
 /// @return the number of the face, 0 to 5
 [[nodiscard]] constexpr int number(Face f) { return static_cast<int>(f); }
@@ -20,6 +20,7 @@ inline constexpr std::string_view kFaceLetters = "URFDLB";
 /// @return the letter of the face
 [[nodiscard]] constexpr char letter(Face f) { return kFaceLetters[static_cast<std::size_t>(number(f))]; }
 
+/// Slots for corners and for edges, and as many pieces.
 inline constexpr int kCorners = 8;
 inline constexpr int kEdges = 12;
 

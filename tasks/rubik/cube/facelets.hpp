@@ -10,7 +10,7 @@
 
 namespace mrroc::rubik {
 
-inline constexpr int kFacelets = 54;
+inline constexpr int kFacelets = 54;  ///< 9 of each face
 
 /// Facelet numbers of the stickers of each corner slot, in the order of kCornerFaces.
 inline constexpr std::array<std::array<std::uint8_t, 3>, kCorners> kCornerFacelets{{{8, 9, 20},
@@ -54,9 +54,9 @@ enum class CubeRule : std::uint8_t {
 
 /// What facelets stand for.
 struct FaceletReading {
-  std::optional<Cube> cube;  ///< nothing when a rule is broken
-  CubeRule broken{CubeRule::none};
-  std::string text;  ///< what is wrong, naming facelet, piece or colour; empty when nothing is
+  std::optional<Cube> cube;         ///< nothing when a rule is broken
+  CubeRule broken{CubeRule::none};  ///< the first rule that is broken
+  std::string text;                 ///< what is wrong, naming facelet, piece or colour; empty when nothing is
 };
 
 /// Reads facelets in the order U R F D L B, each face row by row as seen from outside: U with B above, D with F

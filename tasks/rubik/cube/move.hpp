@@ -12,17 +12,19 @@
 
 namespace mrroc::rubik {
 
-inline constexpr int kMoves = 18;
+inline constexpr int kMoves = 18;  ///< turns of six faces by one, two or three quarters
 
 /// One turn of one face.
 struct Move {
   std::uint8_t index{};  ///< 3 * face + quarter turns - 1
 
   constexpr Move() = default;
+  /// @param move  its number, 0..17
   constexpr explicit Move(int move) : index(static_cast<std::uint8_t>(move)) {}
   /// @param quarters  clockwise quarter turns seen from outside, 1 to 3
   constexpr Move(Face face, int quarters) : Move(3 * number(face) + quarters - 1) {}
 
+  /// @return the face that is turned
   [[nodiscard]] constexpr Face face() const { return static_cast<Face>(index / 3); }
   /// @return clockwise quarter turns, 1 to 3
   [[nodiscard]] constexpr int quarters() const { return index % 3 + 1; }
@@ -30,7 +32,7 @@ struct Move {
   [[nodiscard]] constexpr Move inverse() const { return {face(), 4 - quarters()}; }
   friend constexpr bool operator==(const Move&, const Move&) = default;
 };
-using Moves = std::vector<Move>;
+using Moves = std::vector<Move>;  ///< in the order of execution
 
 /// @return the solved cube after the turn, i.e. the turn as a permutation: cube * turn(m) is cube after m. The
 ///         table is made at the first call.

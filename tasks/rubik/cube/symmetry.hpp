@@ -7,6 +7,7 @@
 
 namespace mrroc::rubik {
 
+/// Number of the symmetries: 24 rotations, and as many reflections.
 inline constexpr int kSymmetries = 48;
 /// The first so many keep the axis through U and D; among themselves they are a group.
 inline constexpr int kAxisSymmetries = 16;

@@ -9,7 +9,7 @@ namespace mrroc::rubik {
 
 /// Two arms and a cube at one instant.
 struct CellState {
-  ArmJoints joints;
+  ArmJoints joints;              ///< where both arms are
   std::array<double, 2> jaws{};  ///< distances [m], by index(Hand)
   Grasp grasp;                   ///< of the hand in which the cube is
   bool touched{};                ///< the other hand is about to grip it or has let go: it may touch the cube

@@ -16,8 +16,8 @@ struct TurnGroup {
 
 /// Turns, or faces to be shown.
 struct PlanGoal {
-  std::vector<TurnGroup> groups;
-  bool show_all{};
+  std::vector<TurnGroup> groups;  ///< in the order of execution; not with show_all
+  bool show_all{};                ///< each of the six faces, to the camera
 };
 
 }  // namespace mrroc::rubik

@@ -12,9 +12,11 @@ namespace mrroc::rubik {
 /// The hands of the cell, in the order of the world's arms. The fingers of the arm on the pedestal cover one layer of
 /// the cube, those of the arm on the track two: the postument keeps a face, the track arm turns the rest.
 enum class Hand : std::uint8_t { postument, track };
+/// Both, by index().
 inline constexpr std::array kHands{Hand::postument, Hand::track};
 /// @return index of the hand's arm
 [[nodiscard]] constexpr std::size_t index(Hand hand) { return static_cast<std::size_t>(hand); }
+/// @return the hand that is not this one
 [[nodiscard]] constexpr Hand other(Hand hand) {
   return hand == Hand::postument ? Hand::track : Hand::postument;
 }
@@ -23,9 +25,9 @@ inline constexpr std::array kHands{Hand::postument, Hand::track};
 /// leave the core where it is, but for the turn of the face that the postument holds: then the core goes with the
 /// track arm.
 struct Grasp {
-  Hand hand{Hand::track};
-  Face palm{Face::D};  ///< on which the palm lies: the one at -z of E
-  Face jaw{Face::B};   ///< on which the finger at +y of E lies; perpendicular to palm
+  Hand hand{Hand::track};  ///< that has the cube
+  Face palm{Face::D};      ///< on which the palm lies: the one at -z of E
+  Face jaw{Face::B};       ///< on which the finger at +y of E lies; perpendicular to palm
 
   friend constexpr bool operator==(const Grasp&, const Grasp&) = default;
 };

@@ -11,6 +11,7 @@ class Jams {
  public:
   /// @param direction  of the face, positive: clockwise seen from outside; its size does not matter
   constexpr void add(Face face, double direction) { at(face)[direction > 0 ? 0 : 1] = true; }
+  /// @return whether that has been added; the same direction
   [[nodiscard]] constexpr bool has(Face face, double direction) const {
     return jams_[static_cast<std::size_t>(number(face))][direction > 0 ? 0 : 1];
   }

@@ -22,10 +22,10 @@ enum class MotionKind : std::uint8_t {
 
 /// One of them.
 struct Motion {
-  MotionKind kind{};
-  Hand hand{};
-  int from{}, to{};  ///< numbers of the hand's postures
-  int others{};      ///< number of the other hand's posture
+  MotionKind kind{};  ///< decides what the other hand does meanwhile
+  Hand hand{};        ///< that moves
+  int from{}, to{};   ///< numbers of the hand's postures
+  int others{};       ///< number of the other hand's posture
 
   friend auto operator<=>(const Motion&, const Motion&) = default;
 };
@@ -41,7 +41,9 @@ class Motions {
   /// The last posture of each hand becomes where the arms are now.
   void start_at(const ArmJoints& joints);
 
+  /// @return its postures by number; the last one is where the arm is at the beginning
   [[nodiscard]] const std::vector<Stance>& stances(Hand hand) const { return stances_[index(hand)]; }
+  /// @param number  0..stances(hand).size() - 1
   [[nodiscard]] const Stance& stance(Hand hand, int number) const {
     return stances(hand)[static_cast<std::size_t>(number)];
   }

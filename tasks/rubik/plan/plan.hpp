@@ -48,6 +48,7 @@ struct CycleTimes {
 /// motors, whose speeds bound it (ecp::Polyline). At rest at the first and the last point. Every line has been found
 /// free of collisions.
 struct FreeMotion {
+  /// The hand that moves.
   Hand hand{};
   /// At least two; the first is where the arm stands according to the plan: force control will have moved it a little.
   std::vector<WayPoint> points;
@@ -96,13 +97,13 @@ struct Step {
 
 /// Steps and what they cost.
 struct Plan {
-  std::vector<Step> steps;
-  Grasp start, end;
-  ArmJoints start_joints, end_joints;
-  Moves turns;       ///< in the order of execution
-  int regrasps{};    ///< steps without turn
-  int grips{};       ///< steps in which an arm comes and grips
-  double seconds{};  ///< estimate for all steps
+  std::vector<Step> steps;             ///< in the order of execution
+  Grasp start, end;                    ///< of the cube before the first step, and after the last one
+  ArmJoints start_joints, end_joints;  ///< nominal joints of both arms then [rad, track m]
+  Moves turns;                         ///< in the order of execution
+  int regrasps{};                      ///< steps without turn
+  int grips{};                         ///< steps in which an arm comes and grips
+  double seconds{};                    ///< estimate for all steps
 };
 
 /// Why there is no plan.
@@ -118,9 +119,9 @@ enum class NoPlan : std::uint8_t {
 
 /// A plan, or a reason.
 struct Planned {
-  std::optional<Plan> plan;
-  NoPlan why{NoPlan::none};
-  std::string text;  ///< for people: what exactly; empty when there is a plan
+  std::optional<Plan> plan;  ///< nothing: there is none
+  NoPlan why{NoPlan::none};  ///< none: there is a plan
+  std::string text;          ///< for people: what exactly; empty when there is a plan
 };
 
 }  // namespace mrroc::rubik

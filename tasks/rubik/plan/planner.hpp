@@ -11,13 +11,13 @@ namespace mrroc::rubik {
 
 /// Where a plan begins: one arm holds, the other hand is empty.
 struct PlanStart {
-  Grasp grasp;
-  ArmJoints joints;
+  Grasp grasp;       ///< of the arm that holds
+  ArmJoints joints;  ///< where both arms are
 };
 
 /// How it is searched.
 struct PlanOptions {
-  CycleTimes times;
+  CycleTimes times;        ///< estimates of what is not free motion
   double grip_penalty{2};  ///< what a grip costs besides its time [s]: each one can fail
   Jams jams;               ///< where a face jams, it is turned by three quarters the other way
 };

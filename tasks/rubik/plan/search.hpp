@@ -21,21 +21,21 @@ struct Node {
 
 /// A step that leads to the next node.
 struct Edge {
-  int holder{}, comer{};  ///< classes of postures in which both hands meet; `shows`: holder's alone
-  std::optional<Move> turn;
-  int quarters{};       ///< by which the track arm turns
-  bool either_way{};    ///< or by as much the other way
-  bool comer_leaves{};  ///< the hand that has come also goes
-  std::optional<Face> shows;
-  Node to;
-  double cost{};  ///< [s], with the penalty
+  int holder{}, comer{};      ///< classes of postures in which both hands meet; `shows`: holder's alone
+  std::optional<Move> turn;   ///< none: the cube only changes hands, or is shown
+  int quarters{};             ///< by which the track arm turns
+  bool either_way{};          ///< or by as much the other way
+  bool comer_leaves{};        ///< the hand that has come also goes
+  std::optional<Face> shows;  ///< none: it is no look
+  Node to;                    ///< state after the step
+  double cost{};              ///< [s], with the penalty
 };
 
 /// Postures in which a step begins and is done, or classes of them.
 struct StepStances {
-  std::array<int, 2> before{};  ///< by index(Hand)
-  std::array<int, 2> meeting{};
-  std::array<int, 2> after{};
+  std::array<int, 2> before{};   ///< by index(Hand)
+  std::array<int, 2> meeting{};  ///< when both hands are at the cube, or when the camera looks
+  std::array<int, 2> after{};    ///< when the step is done
 };
 /// @return the motions of a step in their order
 [[nodiscard]] std::vector<Motion> motions_of(Hand holder, const Edge& edge, const StepStances& stances);
@@ -43,6 +43,7 @@ struct StepStances {
 /// Finds cheapest sequences. Motions whose ways are not known count as straight lines.
 class GraspSearch {
  public:
+  /// @param motions  must outlive the search
   GraspSearch(const Motions& motions, const PlanOptions& options, PlanGoal goal);
 
   /// @return edges from the node to the goal; nothing: there is no way

@@ -18,7 +18,7 @@ enum class Place : std::uint8_t {
 
 /// One posture. The cube is always at the same place, unless it is shown.
 struct Stance {
-  Place place{};
+  Place place{};    ///< decides what the hand can do here
   AxisVector hold;  ///< E at the grip
   std::vector<AxisVector>
       way;  ///< straight to the cube: from kRetreatDistance to kApproachDistance before contact

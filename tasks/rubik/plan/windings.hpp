@@ -9,9 +9,9 @@ namespace mrroc::rubik {
 
 /// A step in postures.
 struct WoundStep {
-  StepStances stances;
-  int quarters{};  ///< by which the track arm turns
-  std::vector<Motion> motions;
+  StepStances stances;          ///< numbers of postures, no classes
+  int quarters{};               ///< by which the track arm turns
+  std::vector<Motion> motions;  ///< in their order
 };
 
 /// Chooses for each class of postures the member with which all motions together take the least time (Viterbi's

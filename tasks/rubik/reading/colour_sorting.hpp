@@ -9,6 +9,7 @@ namespace mrroc::rubik {
 
 /// How stickers are compared; as in StateReadingParameters.
 struct ColourSortingParameters {
+  /// As in StateReadingParameters.
   double least_deviation{};
   double strange{};
 };

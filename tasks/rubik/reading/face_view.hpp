@@ -10,6 +10,7 @@ namespace mrroc::rubik {
 
 /// Which face is shown, and which way up.
 struct ShownFace {
+  /// Which one, by the colour of its centre.
   Face face{Face::U};
   /// Quarter turns clockwise, seen from outside, from the face as facelets are written (base U R F D L B, U with B
   /// above, D with F above, the others with U above) to the face as it is shown: with 1, what is written at the top is
@@ -31,8 +32,8 @@ struct ShownFace {
 
 /// One face of a cube as it was read.
 struct FaceView {
-  ShownFace shown;
-  std::array<StickerReading, kStickers> stickers{};
+  ShownFace shown;                                   ///< which face it was, as the arms held it
+  std::array<StickerReading, kStickers> stickers{};  ///< as in CubeFaceReading
 };
 
 /// @param R_GC  as for shown_face()

@@ -7,6 +7,7 @@
 
 namespace mrroc::rubik {
 
+/// Any number of threads offer solutions. Every function but moves() may be called at any time.
 class BestSolution {
  public:
   /// Before there is a solution, one of this length is taken to be known.
@@ -15,8 +16,11 @@ class BestSolution {
   /// @param good_enough  no need to search on when a solution has at most so many turns
   explicit BestSolution(int good_enough) : good_enough_(good_enough) {}
 
+  /// @return turns of the best solution, kNone before there is one
   [[nodiscard]] int length() const { return length_.load(std::memory_order_relaxed); }
+  /// @return whether there is a solution
   [[nodiscard]] bool found() const { return length() < kNone; }
+  /// @return whether the search may end
   [[nodiscard]] bool good_enough() const { return length() <= good_enough_; }
   /// Takes the solution if it is shorter.
   void offer(const Moves& moves) {

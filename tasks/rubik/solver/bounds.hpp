@@ -12,19 +12,19 @@ namespace mrroc::rubik {
 
 /// A cube seen along each of its three axes gives three bounds, its inverse three more.
 inline constexpr int kViews = 6;
-inline constexpr int kAxes = 3;
+inline constexpr int kAxes = 3;  ///< of a cube
 
 /// The coordinates of a cube along its three axes, packed.
 struct AxisCoordinates {
-  std::uint64_t corners;
-  std::uint64_t edges;
+  std::uint64_t corners;  ///< twists, and slots of the tetrad
+  std::uint64_t edges;    ///< flips, and slots of two slices
 };
 
 /// Where a view looks into the tables.
 struct Probe {
-  std::uint32_t flip_slice_class;
-  std::uint32_t twist;  ///< seen through the class's symmetry
-  const std::uint8_t* large_row;
+  std::uint32_t flip_slice_class;  ///< page of the tables
+  std::uint32_t twist;             ///< seen through the class's symmetry
+  const std::uint8_t* large_row;   ///< of the large table; null: there is none
 };
 
 /// Bounds by views. Reads shared tables only.
@@ -33,6 +33,7 @@ class Bounds {
   /// @param tables  outlives this object
   explicit Bounds(const Tables& tables);
 
+  /// @return as given to the constructor
   [[nodiscard]] const Tables& tables() const { return tables_; }
 
   /// @return the coordinates along all axes, as sums over slots

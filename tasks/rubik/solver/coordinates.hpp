@@ -13,18 +13,18 @@ namespace mrroc::rubik {
 /// A part of the state as a number from 0 to size - 1. A turn changes it in a way that depends on nothing else,
 /// and so does a symmetry that keeps the axis of U and D.
 struct Coordinate {
-  int size;
+  int size;                 ///< count of numbers
   int (*of)(const Cube&);   ///< the number of a cube
   Cube (*cube)(int value);  ///< a cube, reachable or not, with this number
 };
 
-inline constexpr int kTwists = 2187;
-inline constexpr int kFlips = 2048;
-inline constexpr int kSlices = 495;
-inline constexpr int kFlipSlices = kFlips * kSlices;
-inline constexpr int kTetrads = 70;
-inline constexpr int kPermutations = 40320;
-inline constexpr int kSlicePermutations = 24;
+inline constexpr int kTwists = 2187;                  ///< 3^7: of seven corners
+inline constexpr int kFlips = 2048;                   ///< 2^11: of eleven edges
+inline constexpr int kSlices = 495;                   ///< four out of twelve slots
+inline constexpr int kFlipSlices = kFlips * kSlices;  ///< of both together
+inline constexpr int kTetrads = 70;                   ///< four out of eight slots
+inline constexpr int kPermutations = 40320;           ///< 8!: of corners, or of the edges of U and D
+inline constexpr int kSlicePermutations = 24;         ///< 4!: of the edges of the middle slice
 
 /// @param mask  bit k: slot k holds one of the four edges at home between U and D
 /// @return number of the set of four slots out of twelve; 0 for other masks
@@ -69,7 +69,9 @@ struct SymmetryClasses {
   /// Of each class, bit s: symmetry s keeps the representative as it is.
   std::vector<std::uint16_t> stabiliser;
 
+  /// Numbers the classes by their least values, in ascending order.
   explicit SymmetryClasses(const Coordinate& coordinate);
+  /// @return number of classes
   [[nodiscard]] int size() const { return static_cast<int>(representative.size()); }
 };
 

@@ -17,8 +17,8 @@ class CosetSpace {
  public:
   /// Where a page goes to.
   struct Step {
-    std::uint32_t page;
-    std::uint32_t symmetry;
+    std::uint32_t page;      ///< to which the turn leads
+    std::uint32_t symmetry;  ///< through which its rows and columns are seen, 0..15
   };
 
   /// @param page  the coordinate whose classes are the pages; outlives this object, as classes does
@@ -26,9 +26,13 @@ class CosetSpace {
   CosetSpace(const Coordinate& page, const SymmetryClasses& classes, const Coordinate* row,
              const Coordinate& column, std::span<const Move> moves);
 
+  /// @return number of classes of the page's coordinate
   [[nodiscard]] int pages() const { return static_cast<int>(stabiliser_.size()); }
+  /// @return rows of a page
   [[nodiscard]] int rows() const { return rows_; }
+  /// @return columns of a row
   [[nodiscard]] int columns() const { return columns_; }
+  /// @return number of turns
   [[nodiscard]] int moves() const { return moves_; }
 
   /// @return where turn k brings the page
@@ -57,7 +61,7 @@ class CosetSpace {
 
   /// An entry of a table.
   struct Place {
-    int page, row, column;
+    int page, row, column;  ///< each from 0 on
   };
   /// @return where the cube is
   [[nodiscard]] Place place_of(const Cube& cube) const;

@@ -10,9 +10,10 @@ namespace mrroc::rubik {
 
 /// A cube and its inverse, kept together. What solves one, undone, solves the other.
 struct CubePair {
-  Cube cube;
-  Cube inverse;
+  Cube cube;     ///< as it is
+  Cube inverse;  ///< what undoes it
 
+  /// @return the cube with its inverse
   [[nodiscard]] static CubePair of(const Cube& c) { return {c, rubik::inverse(c)}; }
 };
 

@@ -15,8 +15,10 @@ namespace mrroc::rubik {
 /// One of the six ways to look at a cube: along an axis, the cube or its inverse.
 class Variant {
  public:
+  /// @param axis  0..2: that which is looked along as if it were that of U and D  @param inverted  takes the inverse
   Variant(const Cube& cube, int axis, bool inverted);
 
+  /// @return the cube seen so, with its inverse
   [[nodiscard]] const CubePair& pair() const { return pair_; }
   /// @return what solves the cube itself, when the moves solve this variant
   [[nodiscard]] Moves solution(const Moves& moves) const;
@@ -41,9 +43,10 @@ class FirstPhase {
   void search(const Variant& variant, int turns);
   /// @return whether the search is to end
   [[nodiscard]] bool over() const { return over_; }
+  /// @return number of states that have been looked at
   [[nodiscard]] std::uint64_t nodes() const { return nodes_; }
 
-  static constexpr int kMostTurns = 30;
+  static constexpr int kMostTurns = 30;  ///< length of a begin
 
  private:
   /// Twist, flips and slice, seen through the symmetry that leads to the class's representative.

@@ -19,7 +19,9 @@ class MoveWord {
   /// @param distances  after each turn; they differ by at most 1 from distance
   [[nodiscard]] static MoveWord of(unsigned distance, std::span<const std::uint8_t, kMoves> distances);
 
+  /// @return as the constructor takes it
   [[nodiscard]] constexpr std::uint32_t word() const { return word_; }
+  /// @return turns to the second phase's group
   [[nodiscard]] constexpr int distance() const { return static_cast<int>(word_ >> kDistanceShift); }
   /// @return mask of the turns, by number, after which the distance is smaller
   [[nodiscard]] std::uint32_t nearer() const { return decode(kNearer); }

@@ -12,12 +12,13 @@ struct SearchLimits {
   std::chrono::microseconds budget{std::chrono::microseconds::max()};  ///< of wall time; max: none
   /// Nodes after which the search ends. With one thread and no budget the result is the same in every run.
   std::uint64_t nodes{std::numeric_limits<std::uint64_t>::max()};
-  int threads{1};
+  int threads{1};  ///< at least 1
 };
 
 /// The limits while a search runs. Shared by its threads.
 class Stopwatch {
  public:
+  /// The time begins now.
   explicit Stopwatch(const SearchLimits& limits)
       : end_(limits.budget == std::chrono::microseconds::max() ? Clock::time_point::max()
                                                                : Clock::now() + limits.budget),
@@ -48,6 +49,7 @@ class Stopwatch {
 /// One thread's share in the limits: looks at the clock every some hundred nodes.
 class NodeCounter {
  public:
+  /// @param watch  must outlive the counter
   explicit NodeCounter(Stopwatch& watch) : watch_(watch) {}
   ~NodeCounter() { watch_.spend(since_); }
   NodeCounter(const NodeCounter&) = delete;
@@ -60,6 +62,7 @@ class NodeCounter {
     since_ = 0;
     return over_;
   }
+  /// @return what count() has said last
   [[nodiscard]] bool over() const { return over_; }
 
  private:

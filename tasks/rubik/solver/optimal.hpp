@@ -18,7 +18,7 @@ struct OptimalResult {
 
 /// Which lengths to search, both included.
 struct Lengths {
-  int shortest{0};
+  int shortest{0};  ///< turns
   int longest{20};  ///< no cube needs more (Rokicki, Kociemba, Davidson, Dethridge 2013)
 };
 

@@ -11,14 +11,16 @@ namespace mrroc::rubik {
 /// @tparam Bits  2 or 4 per entry
 template <int Bits>
 struct PackedLayout {
-  static constexpr int kPerByte = 8 / Bits;
+  static constexpr int kPerByte = 8 / Bits;  ///< entries in a byte
+  /// The largest entry; also what an entry begins with.
   static constexpr unsigned kMask = (1U << Bits) - 1;
   /// Bytes that must be readable behind the last row.
   static constexpr std::size_t kSlack = 8;
 
-  int rows;
-  int columns;
+  int rows;     ///< of a page
+  int columns;  ///< entries of a row
 
+  /// Bytes of a row, of a page, and of a table with its slack.
   [[nodiscard]] constexpr std::size_t row_bytes() const {
     return (static_cast<std::size_t>(columns) + kPerByte - 1) / kPerByte;
   }

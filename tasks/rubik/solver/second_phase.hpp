@@ -18,7 +18,7 @@ class SecondPhase {
 
   /// Where an end begins.
   struct State {
-    unsigned corners, edges, slice;
+    unsigned corners, edges, slice;  ///< permutations of these, see coordinates.hpp
   };
   /// @param cube  of the group
   /// @param longest  ends longer than this are of no use
@@ -31,6 +31,7 @@ class SecondPhase {
   /// @param longest  ends longer than this are of no use
   /// @return whether there is one; then end() is it
   bool solve(const State& begin, const Move* last, int longest);
+  /// @return turns of the end that solve() has found; valid until its next call
   [[nodiscard]] const Moves& end() const { return end_; }
 
  private:

@@ -24,9 +24,11 @@ class Memory {
   Memory(const Memory&) = delete;
   Memory& operator=(const Memory&) = delete;
 
+  /// @return first byte of the content; null when empty
   [[nodiscard]] const std::uint8_t* data() const { return base_ + offset_; }
   /// @return the bytes for writing; of memory of its own only
   [[nodiscard]] std::span<std::uint8_t> writable() { return {base_, size_}; }
+  /// @return the content
   [[nodiscard]] std::span<const std::uint8_t> bytes() const { return {data(), size_ - offset_}; }
 
  private:
@@ -39,7 +41,7 @@ class Memory {
 struct TableKind {
   std::string name;       ///< also the file's name, with ".table"
   std::uint32_t version;  ///< of the content; a file of another version is damaged
-  std::size_t bytes;
+  std::size_t bytes;      ///< of the content
 };
 
 /// How opening a table went.
@@ -51,9 +53,9 @@ enum class TableSource : std::uint8_t {
 
 /// A table that is read-only now.
 struct OpenTable {
-  Memory memory;
-  TableSource source{};
-  std::string trouble;  ///< why the file was not used or not written; empty if there was none
+  Memory memory;         ///< its content
+  TableSource source{};  ///< where the content is from
+  std::string trouble;   ///< why the file was not used or not written; empty if there was none
 };
 
 /// Opens a table in the folder; fills and writes it when it is missing or damaged. It appears under its name only

@@ -39,11 +39,11 @@ struct ArmMemory {
   Way way;                   ///< of the next free motion, as far as it is known
   ecp::Trajectory path;      ///< of the present free motion
   std::int64_t weighed{};    ///< macrostep in which the force tool was set in this behaviour, 0: not yet
-  TurnOrder turn;
-  double mobility{0.025};  ///< B about z in this macrostep [s/(kg m^2)]
-  double gap{};            ///< distance of the jaws at entry [m] (76)
-  Pose T_0E;               ///< pose of E at entry (74)
-  double angle{};          ///< turned about z since then, unwrapped [rad]
+  TurnOrder turn;            ///< as it was ordered last
+  double mobility{0.025};    ///< B about z in this macrostep [s/(kg m^2)]
+  double gap{};              ///< distance of the jaws at entry [m] (76)
+  Pose T_0E;                 ///< pose of E at entry (74)
+  double angle{};            ///< turned about z since then, unwrapped [rad]
 };
 
 /// An arm, holder or worker. The report's `event` is y_cT, tagged with m.

@@ -10,16 +10,16 @@
 namespace mrroc::rubik {
 
 // clang-format off
-// tab. 4(a): guarded motion toward the cube; the force settles at v/B = 4 N
+/// tab. 4(a): guarded motion toward the cube; the force settles at v/B = 4 N
 inline constexpr TaskFrameCommand kApproach{.x = u(), .y = u(), .z = g(0.01, 5, 0.0025), .ax = u(), .ay = u(), .az = u()};
-// tab. 5(b): compliant along y while the jaws close
+/// tab. 5(b): compliant along y while the jaws close
 inline constexpr TaskFrameCommand kCloseY{.x = u(), .y = c(0, 20, 0.005), .z = u(), .ax = u(), .ay = u(), .az = u()};
-// tab. 6(b): compliant in the plane of the face
+/// tab. 6(b): compliant in the plane of the face
 inline constexpr TaskFrameCommand kCloseXY{.x = c(0, 20, 0.005), .y = c(0, 20, 0.005), .z = u(), .ax = u(), .ay = u(), .az = u()};
-// tab. 7(a): no force along any axis, 5 N m about z
+/// tab. 7(a): no force along any axis, 5 N m about z
 inline constexpr TaskFrameCommand kTurn{.x = c(0, 20, 0.005), .y = c(0, 20, 0.005), .z = c(0, 20, 0.005),
                                         .ax = u(), .ay = u(), .az = c(5, 0.5, 0.025)};
-// still
+/// still
 inline constexpr TaskFrameCommand kStill{.x = u(), .y = u(), .z = u(), .ax = u(), .ay = u(), .az = u()};
 // clang-format on
 
