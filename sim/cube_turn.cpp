@@ -6,6 +6,7 @@
 #include <random>
 
 #include "base/representation.hpp"
+#include "sim/cube_limits.hpp"
 #include "sim/driven_arms.hpp"
 #include "sim/plan_cell.hpp"
 #include "tasks/rubik/program.hpp"
