@@ -185,6 +185,7 @@ TurnFigures turn_face(const TurnPlan& plan, std::uint64_t seed,
   const bool done = program.execute(cycle(plan, cell.robot(kPostument), world)) == Outcome::terminated;
   TurnFigures figures = observer.finish(world.cube->state);
   figures.done = done;
+  figures.grips = journal.back().grips;
   figures.attempts = journal.back().attempts;
   figures.trouble = program.trouble();
   figures.fault = arms.fault();
