@@ -6,18 +6,17 @@
 #include <vector>
 
 #include "base/fault.hpp"
+#include "base/statistics.hpp"
 #include "bench/figures.hpp"
 #include "edp/deceleration.hpp"
 #include "edp/servo_coefficients.hpp"
 #include "mp/gnuplot.hpp"
 #include "test/sim/driver.hpp"
-#include "test/sim/statistics.hpp"
 
 namespace mrroc::bench {
 namespace {
 
 using sim::Cell;
-using sim::Statistics;
 
 constexpr std::array kFrictions{0.0, 0.010, 0.015, 0.020, 0.030, 0.040, 0.050};  // of the large motors [N m]
 constexpr double kFriction = 0.015;                                              // of the documented plant

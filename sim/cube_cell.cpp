@@ -132,12 +132,6 @@ WorldParameters cube_cell(const CubeCellParameters& c) {
   return world;
 }
 
-edp::Limits cube_limits() {
-  edp::Limits limits;
-  limits.motor_acceleration = 1e5;
-  return limits;
-}
-
 LoadedTool tool_with_cube(int arm, const CubeParameters& cube) {
   const auto robot = irb6::make_arm(arm == kTrack ? "irb6_track" : "irb6_postument");
   const irb6::ArmParameters& p = robot->parameters();

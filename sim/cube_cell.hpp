@@ -2,7 +2,6 @@
 #pragma once
 #include <cstdint>
 
-#include "edp/limits.hpp"
 #include "sim/world.hpp"
 #include "tasks/rubik/plan/cell.hpp"
 
@@ -66,10 +65,6 @@ struct CubeCellParameters {
 /// @return the track arm holds the cube, the arm on the pedestal stands before it
 /// @throws std::invalid_argument  the arms do not reach each other
 WorldParameters cube_cell(const CubeCellParameters& c);
-
-/// @return limits of the drivers in this cell. A turn that ends goes from up to 0.5 rad/s to rest in one step, as
-///         tables 7 and 8 of MG want it; the motor of N then brakes with what it has
-edp::Limits cube_limits();
 
 /// Weight and mass centre of a tool with the cube in its hand, for SET FORCE_TOOL.
 struct LoadedTool {

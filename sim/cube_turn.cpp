@@ -1,11 +1,14 @@
 #include "sim/cube_turn.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
 
 #include "base/representation.hpp"
+#include "base/statistics.hpp"
+#include "sim/cube_limits.hpp"
 #include "sim/driven_arms.hpp"
 #include "sim/plan_cell.hpp"
 #include "tasks/rubik/program.hpp"
@@ -19,22 +22,19 @@ constexpr int kClosing = 20;     // macrosteps in which the holder presses befor
 constexpr int kResting = 60;     // most macrosteps until both rest
 constexpr double kSteady = 0.5;  // [s] from which the preload of the approach has died away
 
+/// Of the components of a vector.
 class Spread {
  public:
   void add(const Vector3& x) {
-    ++n_;
-    sum_ += x;
-    squares_ += x.cwiseAbs2();
+    for (std::size_t k = 0; k < of_.size(); ++k) of_[k].add(x[static_cast<Eigen::Index>(k)]);
   }
   /// @return largest standard deviation of the components
   [[nodiscard]] double largest() const {
-    if (n_ == 0) return 0;
-    return (squares_ / n_ - (sum_ / n_).cwiseAbs2()).cwiseMax(0).cwiseSqrt().maxCoeff();
+    return std::ranges::max({of_[0].deviation(), of_[1].deviation(), of_[2].deviation()});
   }
 
  private:
-  int n_{};
-  Vector3 sum_{Vector3::Zero()}, squares_{Vector3::Zero()};
+  std::array<Statistics, 3> of_;
 };
 
 /// Follows one turn and makes its figures.
@@ -185,6 +185,7 @@ TurnFigures turn_face(const TurnPlan& plan, std::uint64_t seed,
   const bool done = program.execute(cycle(plan, cell.robot(kPostument), world)) == Outcome::terminated;
   TurnFigures figures = observer.finish(world.cube->state);
   figures.done = done;
+  figures.grips = journal.back().grips;
   figures.attempts = journal.back().attempts;
   figures.trouble = program.trouble();
   figures.fault = arms.fault();

@@ -13,6 +13,7 @@ namespace mrroc::sim {
 /// Figures of a turn. "Lateral" are x, y and z of the holder while it turns.
 struct TurnFigures {
   bool done{};                ///< the cycle has come to its end
+  int grips{};                ///< attempts of the worker at the cube
   int attempts{};             ///< at m = 5
   rubik::Trouble trouble{};   ///< why the cycle was broken off
   Fault fault{};              ///< why an arm stopped

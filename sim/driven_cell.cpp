@@ -29,14 +29,15 @@ edp::DriverParameters driver_parameters(const irb6::Arm& robot, const ArmParamet
   return p;
 }
 
-DrivenCell::DrivenCell(const WorldParameters& world, std::uint64_t seed, const edp::Limits& limits)
+DrivenCell::DrivenCell(const WorldParameters& world, std::uint64_t seed,
+                       const std::vector<edp::Limits>& limits)
     : world_(world, seed) {
   for (int k = 0; k < world_.arms(); ++k) {
     const ArmParameters& arm = world.arms[index(k)];
     Driven driven;
     driven.robot = irb6::make_arm(arm.model == ArmModel::irb6_track ? "irb6_track" : "irb6_postument");
     edp::DriverParameters p = driver_parameters(*driven.robot, arm, world_.start_joints(k));
-    p.limits = limits;
+    if (index(k) < limits.size()) p.limits = limits[index(k)];
     driven.driver = std::make_unique<edp::Driver>(*driven.robot, p);
     arms_.push_back(std::move(driven));
   }

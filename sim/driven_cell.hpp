@@ -22,9 +22,9 @@ edp::DriverParameters driver_parameters(const irb6::Arm& robot, const ArmParamet
 class DrivenCell {
  public:
   /// Synchronises the drivers and lets the arms come to rest.
-  /// @param limits  of all drivers
+  /// @param limits  of the drivers, by arm; a driver without has the defaults
   /// @throws FaultError  what a driver has refused
-  DrivenCell(const WorldParameters& world, std::uint64_t seed, const edp::Limits& limits = {});
+  DrivenCell(const WorldParameters& world, std::uint64_t seed, const std::vector<edp::Limits>& limits = {});
 
   /// Sends y_ce of macrostep i + 1; an arm to which nothing is sent comes to rest.
   void send(int arm, const EffectorCommand& command) { arms_[index(arm)].next = command; }

@@ -104,33 +104,52 @@ Image in_colour(const ImageView& picture) {
 FilmStrip::FilmStrip(int columns, int width, std::size_t most)
     : columns_(std::max(1, columns)), width_(std::max(16, width)), most_(std::max<std::size_t>(2, most)) {}
 
-void FilmStrip::add(const ImageView& picture) {
+std::size_t FilmStrip::nearest(const Reel& reel) {
+  std::size_t found = 1;
+  for (std::size_t k = 2; k < reel.size(); ++k)
+    if (gap(reel, k) < gap(reel, found)) found = k;
+  return found;
+}
+
+void FilmStrip::thin(Reel& reel, std::size_t most) {
+  while (reel.size() > std::max<std::size_t>(1, most))
+    reel.erase(reel.begin() + static_cast<std::ptrdiff_t>(nearest(reel)));
+}
+
+bool FilmStrip::wants(std::int64_t frame, bool seen) const {
+  const Reel& reel = reels_[seen ? 1 : 0];
+  return reel.size() < most_ || frame - reel.back().frame >= gap(reel, nearest(reel));
+}
+
+void FilmStrip::add(std::int64_t frame, bool seen, const ImageView& picture) {
   if (picture.empty() || picture.channels != 3) return;
-  if (kept_.size() >= most_) {
-    every_ *= 2;
-    std::vector<Image> half;
-    for (std::size_t k = 0; k < kept_.size(); k += 2) half.push_back(std::move(kept_[k]));
-    kept_ = std::move(half);
-  }
   Image small(width_, std::max(1, width_ * picture.height / picture.width), 3);
   cv::Mat target = drawn_on(small);
   cv::resize(matrix(picture), target, target.size(), 0, 0, cv::INTER_AREA);
-  kept_.push_back(std::move(small));
+  Reel& reel = reels_[seen ? 1 : 0];
+  reel.push_back({frame, std::move(small)});
+  thin(reel, most_);
 }
 
 Image FilmStrip::picture() const {
-  if (kept_.empty()) return {};
+  if (empty()) return {};
+  Reel shown = reels_[1], between = reels_[0];
+  thin(shown, most_ - std::min(between.size(), most_ / 4));
+  thin(between, most_ - shown.size());
+  shown.insert(shown.end(), between.begin(), between.end());
+  std::ranges::sort(shown, {}, &Kept::frame);
   constexpr int kGap = 4;
-  const int n = static_cast<int>(kept_.size());
+  const int n = static_cast<int>(shown.size());
   const int columns = std::min(columns_, n);
   const int rows = (n + columns - 1) / columns;
-  const int width = kept_.front().width + kGap;
-  const int height = kept_.front().height + kGap;
+  const Image& first = shown.front().picture;
+  const int width = first.width + kGap;
+  const int height = first.height + kGap;
   Image strip(columns * width + kGap, rows * height + kGap, 3);
   cv::Mat on = drawn_on(strip);
   for (int k = 0; k < n; ++k) {
-    const Image& one = kept_[static_cast<std::size_t>(k)];
-    if (one.width != kept_.front().width || one.height != kept_.front().height) continue;
+    const Image& one = shown[static_cast<std::size_t>(k)].picture;
+    if (one.width != first.width || one.height != first.height) continue;
     const cv::Rect place(kGap + k % columns * width, kGap + k / columns * height, one.width, one.height);
     matrix(one.view()).copyTo(on(place));
   }

@@ -1,5 +1,7 @@
 // What a receptor found, drawn into the picture in which it found it; for people.
 #pragma once
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -32,27 +34,41 @@ void annotate(Image& picture, const CameraReading& reading, const CameraModel& c
 /// @return 3 channels, whatever the picture has
 Image in_colour(const ImageView& picture);
 
-/// Pictures of a run side by side, in rows from left to right.
+/// Pictures of a run side by side, in rows from left to right: mostly those with a reading, and what was between them.
 class FilmStrip {
  public:
-  /// @param columns  pictures in a row @param width  of one of them [pixel] @param most  that are kept: when there are
-  ///                 more, every second one goes, so that they cover the run evenly
+  /// @param columns  pictures in a row @param width  of one of them [pixel]
+  /// @param most     that are shown: when there are more, those go that are next to another one of their kind, so that
+  ///                 what is seen for a moment only stays. A quarter is for pictures without a reading
   explicit FilmStrip(int columns = 6, int width = 240, std::size_t most = 48);
 
+  /// @param frame    its number, larger than those before @param seen  whether it carries a reading
   /// @param picture  of the same size as all others, 3 channels
-  void add(const ImageView& picture);
-  [[nodiscard]] bool empty() const { return kept_.empty(); }
+  void add(std::int64_t frame, bool seen, const ImageView& picture);
+  /// @return whether nothing has been kept
+  [[nodiscard]] bool empty() const { return reels_[0].empty() && reels_[1].empty(); }
   /// @return whether the picture of that number is to be added: fewer and fewer as the run goes on
-  [[nodiscard]] bool wants(std::int64_t frame) const { return frame % every_ == 0; }
-  /// @return all that were kept in one picture; empty when there are none
+  [[nodiscard]] bool wants(std::int64_t frame, bool seen) const;
+  /// @return all that are shown in one picture; empty when there are none
   [[nodiscard]] Image picture() const;
 
  private:
+  struct Kept {
+    std::int64_t frame{};
+    Image picture;
+  };
+  using Reel = std::vector<Kept>;
+
+  /// @return number of the picture that is nearest to the one before it, the first such one; of two pictures and more
+  static std::size_t nearest(const Reel& reel);
+  static std::int64_t gap(const Reel& reel, std::size_t k) { return reel[k].frame - reel[k - 1].frame; }
+  /// Leaves so many.
+  static void thin(Reel& reel, std::size_t most);
+
   int columns_;
   int width_;
   std::size_t most_;
-  std::int64_t every_{1};
-  std::vector<Image> kept_;
+  std::array<Reel, 2> reels_;  // without a reading, and with one
 };
 
 }  // namespace mrroc::vsp

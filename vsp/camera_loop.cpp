@@ -105,12 +105,12 @@ CameraFilm::CameraFilm(std::string key, std::string object, ObjectShape shape, c
       directory_(config.text("film.directory", "")) {}
 
 void CameraFilm::see(const ImageView& picture, const CameraReading& reading, const std::string& text) {
-  if (!wants(reading.frame)) return;
+  if (directory_.empty() || !strip_.wants(reading.frame, reading.seen)) return;
   Image drawn = in_colour(picture);
   annotate(drawn, reading, camera_, shape_,
            text.empty() ? fmt::format("{} {}", key_, reading.frame)
                         : fmt::format("{} {}  {}", key_, reading.frame, text));
-  strip_.add(drawn.view());
+  strip_.add(reading.frame, reading.seen, drawn.view());
 }
 
 void CameraFilm::write() const {

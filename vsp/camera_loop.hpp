@@ -36,9 +36,7 @@ class CameraFilm {
   CameraFilm(std::string key, std::string object, ObjectShape shape, const CameraModel& camera,
              const Config& config);
 
-  /// @return whether see() would keep this picture
-  [[nodiscard]] bool wants(std::int64_t frame) const { return !directory_.empty() && strip_.wants(frame); }
-  /// @param text  behind the camera's name and the picture's number
+  /// Keeps the picture unless there are enough like it. @param text  behind the camera's name and the picture's number
   void see(const ImageView& picture, const CameraReading& reading, const std::string& text);
   /// Leaves the file. @throws FaultError cannot_write
   void write() const;

@@ -103,7 +103,8 @@ void run_recorded(const RecordedTool& tool, const RecordedRun& run, std::FILE* o
     annotate(picture.image, answer.reading, camera, shape,
              answer.text.empty() ? fmt::format("{}", k) : fmt::format("{}  {}", k, answer.text));
     if (!run.annotate.empty()) write_picture(run.annotate / fmt::format("{:06}.png", k), image.view());
-    if (!run.strip.empty() && strip.wants(k)) strip.add(image.view());
+    const bool seen = answer.reading.seen;
+    if (!run.strip.empty() && strip.wants(k, seen)) strip.add(k, seen, image.view());
   }
   if (!run.strip.empty()) write_picture(run.strip, strip.picture().view());
 }

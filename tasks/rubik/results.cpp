@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/representation.hpp"
+#include "base/statistics.hpp"
 #include "tasks/rubik/config.hpp"
 #include "tasks/rubik/cube/facelets.hpp"
 #include "tasks/rubik/turn/tables.hpp"
@@ -73,16 +74,13 @@ double largest(const mp::ArmTrace& rows, std::initializer_list<Axis> axes) {
   return most;
 }
 
+/// @return the largest of the axes' standard deviations
 double largest_deviation(const mp::ArmTrace& rows, std::initializer_list<Axis> axes) {
   double most = 0;
   for (const Axis axis : axes) {
-    double sum = 0, squares = 0;
-    for (const mp::ArmRow& row : rows) {
-      sum += row.F[axis];
-      squares += row.F[axis] * row.F[axis];
-    }
-    const double n = std::max<double>(1, static_cast<double>(rows.size()));
-    most = std::max(most, std::sqrt(std::max(0., squares / n - sum / n * (sum / n))));
+    Statistics force;
+    for (const mp::ArmRow& row : rows) force.add(row.F[axis]);
+    most = std::max(most, force.deviation());
   }
   return most;
 }

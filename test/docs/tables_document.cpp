@@ -26,6 +26,10 @@ the cube, H the one that holds it at first: the paper's indices 1 and 2 contradi
 [decisions.md](decisions.md).
 )";
 
+rubik::Parameters cube_task() {
+  return rubik::read_parameters(Config::parse(std::string(rubik::config()), "rubik.toml"));
+}
+
 /// What the code has, the velocity of the drawing's node by name where the paper has that.
 std::string code_cell(const std::string& printed, const AxisCommand& row) {
   return printed.find("node") != std::string::npos && same(printed, row) ? printed : written(row);
@@ -63,10 +67,30 @@ std::string table(const PaperTable& t) {
   return text;
 }
 
+/// B about the face's axis as an arm commands it when m = 5 begins.
+double mobility_at_first(double ordered) {
+  rubik::Arm::X x;
+  rubik::put_turn({.mobility = ordered}, x.T);
+  return rubik::begin_turn(x).mobility;
+}
+
+/// What the tables of the cube say of the code, and what they do not say.
+std::string words_on_the_cube() {
+  const rubik::Parameters cube = cube_task();
+  return fmt::format(R"(
+These rows are what the arms command when nothing else is ordered. In table 7(a) F_d and B about z come with the order: `./run rubik` orders {:g} N m and
+B = {:g}, but B is not that from the beginning. The turn begins with B = {:g}, has that while the face resists with more than {:g} % of F_d, and otherwise
+grows by {:g} % in every macrostep up to what was ordered. With the table's B = {:g} it begins with {:g} and stays there
+([why](decisions-cube.md)).
+)",
+                     cube.torque, cube.mobility, mobility_at_first(cube.mobility), 100 * rubik::kResists,
+                     100 * (rubik::kQuicken - 1), rubik::kTurn.az.mobility,
+                     mobility_at_first(rubik::kTurn.az.mobility));
+}
+
 /// Instants and thresholds of the terminal conditions.
 std::string conditions() {
-  const rubik::Parameters cube =
-      rubik::read_parameters(Config::parse(std::string(rubik::config()), "rubik.toml"));
+  const rubik::Parameters cube = cube_task();
   const drawing::Coordinator::X x = drawing::image();
   return fmt::format(R"(
 ## What ends the behaviours
@@ -82,13 +106,13 @@ std::string conditions() {
 | MG (72) | the jaws are blocked | the same | |
 | MG (75) | 90 degrees, magnitude | {:g} degrees, signed and unwrapped | a magnitude ends at 180 degrees |
 | MG (77) | opened by 0.02 m | {:g} m, `kRelease` | |
-| MG 7(a) | 5 N m, B = 0.025 for the whole task | `./run rubik`: {:g} N m, B = {:g}; `task.torque`, `task.mobility` | four times as fast; contact forces stay below the drivers' limit |
+| MG 7(a) | 5 N m, B = 0.025 for the whole task | `./run rubik`: {:g} N m, B from {:g} to {:g}; `task.torque`, `task.mobility` | four times as fast; contact forces stay below the drivers' limit |
 | MG 6(b) | dg = 0.001 m | `./run rubik`: {:g} m per macrostep; `task.grip_step` | the gear of the jaws keeps what an impact presses |
 | MG 8(a) | dg = 0.001 m | `./run rubik`: {:g} m per macrostep; `task.opening_step` | opens as fast as the drive can |
 )",
                      x.c.k.teach_force, x.c.k.settle, x.c.k.lift_off, rubik::kApproachForce, rubik::kSettling,
                      rubik::kNarrow, rubik::TurnOrder{}.angle * 180 / M_PI, rubik::kRelease, cube.torque,
-                     cube.mobility, cube.grip_step, cube.opening_step);
+                     mobility_at_first(cube.mobility), cube.mobility, cube.grip_step, cube.opening_step);
 }
 
 /// Axes of a command that do more than stand still.
@@ -136,7 +160,7 @@ std::string tables_document() {
   std::string text = kHead;
   text += "\n## Drawing: MS tables 1-4\n";
   for (const PaperTable& t : paper_tables()) {
-    if (t.name == "MG 4(a)") text += "\n## The cube: MG tables 4-8\n";
+    if (t.name == "MG 4(a)") text += "\n## The cube: MG tables 4-8\n" + words_on_the_cube();
     text += table(t);
   }
   text += conditions();

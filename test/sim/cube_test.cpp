@@ -7,7 +7,9 @@
 
 #include "ecp/generators/rows.hpp"
 #include "sim/cube_cell.hpp"
+#include "sim/cube_limits.hpp"
 #include "sim/driven_cell.hpp"
+#include "tasks/rubik/config.hpp"
 #include "tasks/rubik/cube/move.hpp"
 #include "tasks/rubik/turn/tables.hpp"
 
@@ -189,6 +191,22 @@ TEST(CubeCell, BringsEveryFaceBeforeTheWorker) {
   for (int k = 0; k < rubik::kFaces; ++k)
     EXPECT_NEAR((cube_with(static_cast<Face>(k)).R * outwards[static_cast<std::size_t>(k)]).z(), 1, 1e-12)
         << k;
+}
+
+TEST(CubeCell, ItsDriversHaveTheLimitsOfTheTask) {
+  const std::vector<edp::Limits> limits = cube_limits();
+  ASSERT_EQ(limits.size(), 2U);
+  const Config task = Config::parse(std::string(rubik::config()), "rubik.toml");
+  for (const int arm : {kPostument, kTrack}) {
+    const Config its =
+        task.section("robots." + rubik::kArmKeys[static_cast<std::size_t>(arm)]).section("limits");
+    const edp::Limits& l = limits[static_cast<std::size_t>(arm)];
+    EXPECT_EQ(l.motor_acceleration, its.number("motor_acceleration", Config::kRequired, {0, 1e6}));
+    EXPECT_EQ(l.linear_velocity, its.number("linear_velocity", Config::kRequired, {0, 10}));
+    EXPECT_EQ(l.angular_velocity, its.number("angular_velocity", Config::kRequired, {0, 10}));
+  }
+  const auto force = task.numbers<6>("robots.arm2.limits.contact_force", std::nullopt, {0, 1000});
+  EXPECT_EQ(limits[kTrack].contact_force.v, force) << "of the arm that turns";
 }
 
 TEST(CubeCell, RefusesACubeThatNoGripperHolds) {

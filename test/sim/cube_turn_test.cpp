@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <vector>
 
 #include "sim/cube_turn.hpp"
+#include "tasks/rubik/turn/tables.hpp"
 
 namespace mrroc::sim {
 namespace {
@@ -55,6 +57,47 @@ TEST(CubeTurn, AFaceThatJamsIsTriedAgainAndThenNamedWithTheCubeHeld) {
   EXPECT_FALSE(f.dropped);
   EXPECT_LT(f.torque_peak, 4.95) << "what the sensor's limit allows";
   EXPECT_LT(f.squeeze, 450);
+}
+
+/// The worker comes beside the cube: one of its pads meets the face with its end, where its palm should.
+TurnPlan beside_the_cube() {
+  TurnPlan plan = quick(1);
+  const GripperBodyParameters worker = gripper_with(Fingers::one_layer);
+  plan.cell.grasp_error = {0, 0.045, 0};  // along the way of the jaws
+  plan.cell.turn_error = 0;
+  plan.cell.distance = rubik::kApproachDistance + worker.palm + worker.pad_depth / 2;
+  plan.cell.substeps = 2;
+  plan.task.attempts = 2;
+  return plan;
+}
+
+TEST(CubeTurn, JawsThatCloseBesideTheCubeComeAgainFromWhereTheyBeganAndThenTheGraspIsMissed) {
+  std::vector<Pose> begun;  // E of the worker, when it sets out
+  double closed = 1, opened = 0;
+  Pose in_hand;
+  int before = 0;
+  const TurnFigures f = turn_face(beside_the_cube(), 1, [&](DrivenCell& cell, int m) {
+    if (m == 1 && before != 1) begun.push_back(cell.world().effector(kPostument));
+    if (begun.size() == 1 && m == 4) closed = std::min(closed, cell.reply(kPostument).gripper);
+    if (begun.size() == 1 && m == rubik::kGo) opened = cell.reply(kPostument).gripper;
+    in_hand = cell.world().effector(kTrack).inverse() * cell.world().cube()->T_UC;
+    before = m;
+  });
+  EXPECT_EQ(f.trouble, rubik::Trouble::missed) << to_string(f.trouble) << ", " << FaultError(f.fault).what();
+  EXPECT_FALSE(f.fault) << FaultError(f.fault).what();
+  EXPECT_FALSE(f.done);
+  EXPECT_EQ(f.grips, 2);
+  EXPECT_EQ(f.attempts, 0) << "nothing is turned";
+  EXPECT_NEAR(f.approach_settled, 4, 0.5) << "it has met something";
+  EXPECT_LT(closed, rubik::Parameters{}.held);
+  EXPECT_NEAR(opened, rubik::Parameters{}.open, 1e-3);
+  ASSERT_EQ(begun.size(), 2U);
+  EXPECT_LT((begun[1].p - begun[0].p).norm(), 1e-3) << "it has drawn back";
+  EXPECT_FALSE(f.turned);
+  EXPECT_FALSE(f.dropped);
+  EXPECT_LT((in_hand.p - cube_in_hand(Fingers::two_layers, rubik::Face::U).p).norm(), 2e-3)
+      << "the cube is held";
+  EXPECT_LT(f.squeeze, 350);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "test/sim/statistics.hpp"
+#include "base/statistics.hpp"
 
 namespace mrroc::sim {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/statistics.hpp"
 #include "test/sim/driver.hpp"
-#include "test/sim/statistics.hpp"
 
 namespace mrroc::sim {
 namespace {

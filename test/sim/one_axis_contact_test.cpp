@@ -5,9 +5,9 @@
 #include <numbers>
 #include <string>
 
+#include "base/statistics.hpp"
 #include "robots/irb6/parameters.hpp"
 #include "test/sim/one_axis.hpp"
-#include "test/sim/statistics.hpp"
 
 namespace mrroc::sim {
 namespace {

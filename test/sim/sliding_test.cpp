@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/statistics.hpp"
 #include "test/sim/driver.hpp"
-#include "test/sim/statistics.hpp"
 
 namespace mrroc::sim {
 namespace {

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "base/statistics.hpp"
 #include "test/sim/driver.hpp"
-#include "test/sim/statistics.hpp"
 
 namespace mrroc::sim {
 namespace {

@@ -54,51 +54,6 @@ Stickers by_facelet(std::span<const FaceView> views) {
   return stickers;
 }
 
-/// @return the face on which most is uncertain among these facelets
-Face most_uncertain(const std::vector<int>& facelets, const std::array<double, kFacelets>& confidence) {
-  std::array<double, kFaces> doubt{};
-  for (const int f : facelets) doubt[at(f / kStickers)] += 1 - confidence[at(f)];
-  // With next to no doubt anywhere, the least certain facelet decides.
-  if (!facelets.empty() && std::ranges::max(doubt) < 1e-6) {
-    const auto least = std::ranges::min_element(facelets, {}, [&](int f) { return confidence[at(f)]; });
-    return static_cast<Face>(*least / kStickers);
-  }
-  return static_cast<Face>(std::ranges::max_element(doubt) - doubt.begin());
-}
-
-/// Adds the stickers of slots that show no piece, or one that is shown elsewhere, too.
-template <std::size_t N, std::size_t M>
-void add_broken(const std::string& facelets, const std::array<std::array<Face, M>, N>& pieces,
-                const std::array<std::array<std::uint8_t, M>, N>& slots, std::vector<int>& broken) {
-  std::array<std::vector<std::size_t>, N> shown_in;
-  for (std::size_t slot = 0; slot < N; ++slot) {
-    bool exists = false;
-    for (std::size_t piece = 0; piece < N; ++piece)
-      for (std::size_t turn = 0; turn < M; ++turn) {
-        bool same = true;
-        for (std::size_t j = 0; j < M; ++j)
-          same = same && facelets[slots[slot][(j + turn) % M]] == letter(pieces[piece][j]);
-        if (same) shown_in[piece].push_back(slot), exists = true;
-      }
-    if (!exists) broken.insert(broken.end(), slots[slot].begin(), slots[slot].end());
-  }
-  for (const auto& twice : shown_in)
-    if (twice.size() > 1)
-      for (const std::size_t slot : twice)
-        broken.insert(broken.end(), slots[slot].begin(), slots[slot].end());
-}
-
-/// The facelets among which the error must be; all of them when the rule is one of the whole cube.
-std::vector<int> suspects(const std::string& facelets) {
-  std::vector<int> broken;
-  add_broken(facelets, kCornerFaces, kCornerFacelets, broken);
-  add_broken(facelets, kEdgeFaces, kEdgeFacelets, broken);
-  if (broken.empty())
-    for (int f = 0; f < kFacelets; ++f)
-      if (f % kStickers != kCentre) broken.push_back(f);
-  return broken;
-}
-
 class Reader {
  public:
   Reader(const Stickers& stickers, const StateReadingParameters& k) : k_(k), stickers_(stickers) {
@@ -116,21 +71,19 @@ class Reader {
       result_.facelets[at(f)] = letter(static_cast<Face>(sorted_.face[at(f)]));
       if (!sure) unsure.push_back(f);
     }
-    if (sorted_.centres < k_.margin) return again(unsure, "the centres of two faces have the same colour");
+    if (sorted_.centres < k_.margin) return unread("the centres of two faces have the same colour");
     const auto centre = std::ranges::find_if(unsure, [](int f) { return f % kStickers == kCentre; });
     if (centre != unsure.end())
-      return again({*centre}, fmt::format("the colour of {} is not certain", name_of(*centre)));
+      return unread(fmt::format("the colour of {} is not certain", name_of(*centre)));
     if (!unsure.empty()) return complete(unsure);
     const FaceletReading reading = read_facelets(result_.facelets);
     result_.cube = reading.cube;
     result_.broken = reading.broken;
-    return reading.cube ? result_ : again(suspects(result_.facelets), reading.text);
+    return reading.cube ? result_ : unread(reading.text);
   }
 
  private:
-  StateReading again(const std::vector<int>& doubtful, std::string text) {
-    result_.cube.reset();
-    result_.reread = most_uncertain(doubtful, result_.confidence);
+  StateReading unread(std::string text) {
     result_.text = std::move(text);
     return result_;
   }
@@ -139,7 +92,6 @@ class Reader {
     for (int face = 0; face < kFaces; ++face) {
       const StickerReading& s = stickers_[at(kStickers * face + kCentre)];
       if (s.flaw == StickerFlaw::none) continue;
-      result_.reread = static_cast<Face>(face);
       result_.text =
           fmt::format("the centre of face {} is {}", letter(static_cast<Face>(face)), to_string(s.flaw));
       return false;
@@ -160,7 +112,7 @@ class Reader {
     const std::string assigned = result_.facelets;
     for (const int f : unsure) result_.facelets[at(f)] = '?';
     if (static_cast<int>(unsure.size()) > k_.most_completed)
-      return again(unsure, fmt::format("the colours of {} are not certain", named));
+      return unread(fmt::format("the colours of {} are not certain", named));
     std::string letters;
     for (const int f : unsure) letters += assigned[at(f)];
     std::ranges::sort(letters);
@@ -176,9 +128,8 @@ class Reader {
       if (allowed && read_facelets(facelets).cube) possible.push_back(facelets);
     } while (std::ranges::next_permutation(letters).found);
     if (possible.size() != 1)
-      return again(unsure,
-                   fmt::format("the colours of {} are not certain, and {} cubes agree with the others", named,
-                               possible.size()));
+      return unread(fmt::format("the colours of {} are not certain, and {} cubes agree with the others",
+                                named, possible.size()));
     result_.facelets = possible.front();
     result_.cube = read_facelets(result_.facelets).cube;
     result_.completed = unsure;

@@ -30,7 +30,6 @@ struct StateReading {
   /// Of each facelet, 0..1: 1 - exp(-c/2) with c the cost, in variances, of its cheapest exchange for another colour.
   std::array<double, kFacelets> confidence{};
   std::vector<int> completed;  ///< facelets whose colour the rules of the cube decided, in ascending order
-  std::optional<Face> reread;  ///< which face to look at again when there is no cube
   CubeRule broken{CubeRule::none};  ///< the rule that the facelets break; none when they are merely undecided
   std::string text;  ///< what is wrong or was completed, naming facelets; empty when all was certain
 };

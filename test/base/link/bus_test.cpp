@@ -1,19 +1,11 @@
-// What every transport promises, in memory and over the network; the record of a run.
+// What every transport promises, in memory and over the network.
 #include "base/link/bus.hpp"
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
-#include "base/fault.hpp"
-#include "base/link/channel.hpp"
-#include "base/link/event_log.hpp"
 #include "base/link/lcm_bus.hpp"
-#include "base/link/log_reader.hpp"
 #include "base/link/memory_bus.hpp"
 #include "base/link/session.hpp"
-#include "mrroc/operator_order_t.hpp"
-#include "mrroc/sensor_reading_t.hpp"
 #include "test/base/link/buses.hpp"
 
 namespace mrroc::link {
@@ -139,82 +131,6 @@ TEST(LcmAddress, EverythingElseIsRefused) {
         "udpm://239.1.2.3:7667?ttl=99999999999999999999", "udpm://999.1.2.3:7667", "udpm://10.0.0.1:7667",
         "udpm://239.1.2.3:7667?ttl=256", "tcpq://239.1.2.3:7667", "udpm://239.1.2.3:7667?ttl=0;rm"})
     EXPECT_THROW(LcmAddress::parse(url), std::invalid_argument) << url;
-}
-
-class EventLogTest : public ::testing::Test {
- protected:
-  EventLogTest() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "event_log_test.XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  ~EventLogTest() override { std::filesystem::remove_all(folder_); }
-  std::filesystem::path folder_;
-};
-
-TEST_F(EventLogTest, HoldsEveryMessageOnceAndCountsWhatIsMissing) {
-  const auto file = folder_ / "events.lcmlog";
-  {
-    test::DirectBus bus;
-    EventLog log(file, 1);
-    bus.subscribe_all("s.", log);
-    Outbox<operator_order_t> a(bus, {Group::agents, "s.a"}, 1);
-    Outbox<sensor_reading_t> b(bus, {Group::agents, "s.b"}, 1);
-    for (std::int64_t stamp = 1; stamp <= 50; ++stamp) {
-      operator_order_t m{};
-      m.id = 7 * stamp;
-      a.publish(m, stamp);
-      b.publish({}, stamp);
-      a.repeat();
-    }
-    EXPECT_EQ(log.gaps(), 0);
-    operator_order_t late{};
-    late.header = {1, 53, 53};
-    Bytes bytes(static_cast<std::size_t>(encoded_size<operator_order_t>()));
-    late.encode(bytes.data(), 0, encoded_size<operator_order_t>());
-    bus.deliver("s.a", bytes);
-    EXPECT_EQ(log.gaps(), 2);
-    bus.deliver("s.c", Bytes(3));  // no message at all
-  }
-  const LogReader reader(file);
-  EXPECT_EQ(reader.channels(), (std::vector<std::string>{"a", "b"}));
-  const auto a = reader.messages<operator_order_t>("a");
-  ASSERT_EQ(a.size(), 51U);
-  for (std::int64_t stamp = 1; stamp <= 50; ++stamp) EXPECT_EQ(a.at(stamp).id, 7 * stamp);
-  EXPECT_EQ(reader.messages<sensor_reading_t>("b").size(), 50U);
-  EXPECT_TRUE(reader.messages<sensor_reading_t>("a").empty());
-  EXPECT_TRUE(reader.messages<sensor_reading_t>("nothing").empty());
-}
-
-TEST_F(EventLogTest, MessagesOfAnotherSessionWithTheSameNameAreLeftOut) {
-  const auto file = folder_ / "events.lcmlog";
-  {
-    test::DirectBus bus;
-    EventLog log(file, 1);
-    bus.subscribe_all("s.", log);
-    Outbox<operator_order_t> own(bus, {Group::agents, "s.a"}, 1);
-    Outbox<operator_order_t> foreign(bus, {Group::agents, "s.a"}, 2);
-    Outbox<operator_order_t> foreign_operator(bus, {Group::agents, "s.operator"}, 2);
-    for (std::int64_t stamp = 1; stamp <= 9; ++stamp) foreign.publish({}, stamp);
-    foreign_operator.publish({}, 1);
-    own.publish({}, 1);
-    EXPECT_EQ(log.gaps(), 0);
-  }
-  const LogReader reader(file);
-  EXPECT_EQ(reader.session_id(), 1);
-  EXPECT_EQ(reader.messages().size(), 1U);
-}
-
-TEST_F(EventLogTest, WhatCannotBeWrittenOrReadIsSaid) {
-  const auto code_of = [](const auto& f) {
-    try {
-      f();
-    } catch (const FaultError& e) {
-      return e.fault().code;
-    }
-    return FaultCode::none;
-  };
-  EXPECT_EQ(code_of([&] { EventLog(folder_ / "no" / "such" / "folder", 1); }), FaultCode::cannot_write);
-  EXPECT_EQ(code_of([&] { LogReader(folder_ / "missing"); }), FaultCode::bad_log);
 }
 
 }  // namespace

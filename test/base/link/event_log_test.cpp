@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "base/fault.hpp"
 #include "base/link/channel.hpp"
 #include "base/link/log_reader.hpp"
 #include "mrroc/operator_order_t.hpp"
+#include "mrroc/sensor_reading_t.hpp"
 #include "test/base/link/buses.hpp"
 
 namespace mrroc::link {
@@ -106,6 +108,72 @@ TEST_F(LogFile, AFullDiskIsTold) {
   give(small, "s.a", 1);
   EXPECT_FALSE(small.flush());
   EXPECT_TRUE(small.failed());
+}
+
+TEST_F(LogFile, HoldsEveryMessageOnceAndCountsWhatIsMissing) {
+  const auto file = folder_ / "events.lcmlog";
+  {
+    test::DirectBus bus;
+    EventLog log(file, 1);
+    bus.subscribe_all("s.", log);
+    Outbox<operator_order_t> a(bus, {Group::agents, "s.a"}, 1);
+    Outbox<sensor_reading_t> b(bus, {Group::agents, "s.b"}, 1);
+    for (std::int64_t stamp = 1; stamp <= 50; ++stamp) {
+      operator_order_t m{};
+      m.id = 7 * stamp;
+      a.publish(m, stamp);
+      b.publish({}, stamp);
+      a.repeat();
+    }
+    EXPECT_EQ(log.gaps(), 0);
+    operator_order_t late{};
+    late.header = {1, 53, 53};
+    test::Bytes bytes(static_cast<std::size_t>(encoded_size<operator_order_t>()));
+    late.encode(bytes.data(), 0, encoded_size<operator_order_t>());
+    bus.deliver("s.a", bytes);
+    EXPECT_EQ(log.gaps(), 2);
+    bus.deliver("s.c", test::Bytes(3));  // no message at all
+  }
+  const LogReader reader(file);
+  EXPECT_EQ(reader.channels(), (std::vector<std::string>{"a", "b"}));
+  const auto a = reader.messages<operator_order_t>("a");
+  ASSERT_EQ(a.size(), 51U);
+  for (std::int64_t stamp = 1; stamp <= 50; ++stamp) EXPECT_EQ(a.at(stamp).id, 7 * stamp);
+  EXPECT_EQ(reader.messages<sensor_reading_t>("b").size(), 50U);
+  EXPECT_TRUE(reader.messages<sensor_reading_t>("a").empty());
+  EXPECT_TRUE(reader.messages<sensor_reading_t>("nothing").empty());
+}
+
+TEST_F(LogFile, MessagesOfAnotherSessionWithTheSameNameAreLeftOut) {
+  const auto file = folder_ / "events.lcmlog";
+  {
+    test::DirectBus bus;
+    EventLog log(file, 1);
+    bus.subscribe_all("s.", log);
+    Outbox<operator_order_t> own(bus, {Group::agents, "s.a"}, 1);
+    Outbox<operator_order_t> foreign(bus, {Group::agents, "s.a"}, 2);
+    Outbox<operator_order_t> foreign_operator(bus, {Group::agents, "s.operator"}, 2);
+    for (std::int64_t stamp = 1; stamp <= 9; ++stamp) foreign.publish({}, stamp);
+    foreign_operator.publish({}, 1);
+    own.publish({}, 1);
+    EXPECT_EQ(log.gaps(), 0);
+  }
+  const LogReader reader(file);
+  EXPECT_EQ(reader.session_id(), 1);
+  EXPECT_EQ(reader.messages().size(), 1U);
+}
+
+TEST_F(LogFile, WhatCannotBeWrittenOrReadIsSaid) {
+  const auto code_of = [](const auto& f) {
+    try {
+      f();
+    } catch (const FaultError& e) {
+      return e.fault().code;
+    }
+    return FaultCode::none;
+  };
+  EXPECT_EQ(code_of([&] { EventLog(folder_ / "no" / "such" / "folder", 1); }), FaultCode::cannot_write);
+  EXPECT_EQ(code_of([&] { LogReader(folder_ / "missing"); }), FaultCode::bad_log);
 }
 
 }  // namespace

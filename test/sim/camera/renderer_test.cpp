@@ -9,13 +9,12 @@
 #include <thread>
 
 #include "base/fault.hpp"
+#include "base/statistics.hpp"
 #include "test/sim/camera/scenes.hpp"
-#include "test/sim/statistics.hpp"
 
 namespace mrroc::camera {
 namespace {
 
-using sim::Statistics;
 using test::bent_camera;
 using test::board_on_table;
 using test::clean;

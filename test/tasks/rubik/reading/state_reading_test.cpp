@@ -68,7 +68,6 @@ TEST(StateReading, ReadsCubesInLightOfAnyTintAndStrength) {
     const StateReading reading = read_state(pictures.of(truth, lamp, 0.3));
     EXPECT_TRUE(reading.cube) << seed << ' ' << reading.text;
     EXPECT_EQ(reading.facelets, truth) << seed;
-    EXPECT_FALSE(reading.reread);
     EXPECT_TRUE(reading.completed.empty());
     EXPECT_GT(std::ranges::min(reading.confidence), 0.99) << seed;
   }
@@ -99,20 +98,18 @@ TEST(StateReading, GuessesNothing) {
     for (int n = 0; n < 1 + static_cast<int>(seed) % 9; ++n)
       sticker(views, pictures.pick(6) * kStickers + pictures.pick(4)) = {.flaw = StickerFlaw::glaring};
     const StateReading reading = read_state(views);
-    EXPECT_EQ(reading.cube.has_value(), !reading.reread.has_value());
     if (reading.cube) {
       EXPECT_EQ(reading.facelets, truth) << seed;
     } else {
       ++told;
-      const int face = number(*reading.reread);
-      const auto first = reading.facelets.begin() + kStickers * face;
-      EXPECT_GT(std::count(first, first + kStickers, '?'), 0) << "a face with a sticker that is not known";
+      EXPECT_GT(std::ranges::count(reading.facelets, '?'), 0);
+      EXPECT_NE(reading.text, "");
     }
   }
   EXPECT_GT(told, 5);
 }
 
-TEST(StateReading, AnExchangeThatNoCubeHasNamesAFaceThatHasIt) {
+TEST(StateReading, AnExchangeThatNoCubeHasBreaksARuleAndIsTold) {
   Pictures pictures(4);
   std::string painted = to_facelets({});
   std::swap(painted[0], painted[9]);  // a corner with two stickers of opposite hands
@@ -120,7 +117,6 @@ TEST(StateReading, AnExchangeThatNoCubeHasNamesAFaceThatHasIt) {
   EXPECT_FALSE(reading.cube);
   EXPECT_EQ(reading.broken, CubeRule::piece);
   EXPECT_NE(reading.text, "");
-  ASSERT_TRUE(reading.reread);
 }
 
 TEST(StateReading, ATwistedCornerBreaksARuleOfTheWholeCube) {
@@ -129,7 +125,7 @@ TEST(StateReading, ATwistedCornerBreaksARuleOfTheWholeCube) {
   const StateReading reading = read_state(Pictures(5).of(to_facelets(twisted)));
   EXPECT_FALSE(reading.cube);
   EXPECT_EQ(reading.broken, CubeRule::twist);
-  EXPECT_TRUE(reading.reread);
+  EXPECT_NE(reading.text, "");
 }
 
 TEST(StateReading, ASecondLookCountsWhereItSeesBetter) {
@@ -137,20 +133,19 @@ TEST(StateReading, ASecondLookCountsWhereItSeesBetter) {
   const std::string truth = cube_of(9);
   auto views = pictures.of(truth);
   for (int k = 0; k < kStickers; ++k) sticker(views, kStickers * 2 + k) = {.flaw = StickerFlaw::glaring};
-  const StateReading first = read_state(views);
-  ASSERT_EQ(first.reread, Face::F);
+  EXPECT_FALSE(read_state(views).cube);
   auto again = pictures.of(truth)[2];
   again.stickers[8] = {.flaw = StickerFlaw::hidden};
   views.push_back(again);
   EXPECT_EQ(read_state(views).facelets, truth);
 }
 
-TEST(StateReading, ACentreThatIsNotKnownIsReadAgain) {
+TEST(StateReading, ACentreThatIsNotKnownLeavesTheCubeUnread) {
   auto views = Pictures(7).of(cube_of(1));
   sticker(views, 4 * kStickers + 4) = {.flaw = StickerFlaw::mixed};
   const StateReading reading = read_state(views);
   EXPECT_FALSE(reading.cube);
-  EXPECT_EQ(reading.reread, Face::L);
+  EXPECT_NE(reading.text.find("centre of face L"), std::string::npos) << reading.text;
 }
 
 TEST(StateReading, LightThatHidesAColourIsToldAndNeverMisread) {

@@ -1,13 +1,15 @@
-// Mean, deviation and extremes of a series.
+// Mean, standard deviation and extremes of a series.
 #pragma once
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace mrroc::sim {
+namespace mrroc {
 
+/// Of all numbers that were added. Real-time safe.
 class Statistics {
  public:
+  /// Takes one more.
   void add(double x) {
     ++n_;
     sum_ += x;
@@ -15,9 +17,13 @@ class Statistics {
     least_ = std::min(least_, x);
     most_ = std::max(most_, x);
   }
+  /// @return NaN when there are none
   [[nodiscard]] double mean() const { return sum_ / n_; }
+  /// @return of these numbers, not of what they were drawn from; 0 when there are none
   [[nodiscard]] double deviation() const { return std::sqrt(std::max(0.0, squares_ / n_ - mean() * mean())); }
+  /// @return infinity when there are none
   [[nodiscard]] double least() const { return least_; }
+  /// @return minus infinity when there are none
   [[nodiscard]] double most() const { return most_; }
 
  private:
@@ -26,4 +32,4 @@ class Statistics {
   double least_{std::numeric_limits<double>::infinity()}, most_{-std::numeric_limits<double>::infinity()};
 };
 
-}  // namespace mrroc::sim
+}  // namespace mrroc
