@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 
 #include "base/link/log_reader.hpp"
 #include "base/msg/convert.hpp"

@@ -271,6 +271,16 @@ TEST_F(Commands, RefuseABadCommandLineWithTwo) {
   }
 }
 
+TEST_F(Commands, ThatLackAWordAreToldWhatToType) {
+  EXPECT_EQ(run({"completion"}), 2);
+  EXPECT_NE(error().find("SHELL (bash or zsh) is missing; type for example `ui_cli completion bash`"),
+            std::string::npos)
+      << error();
+  EXPECT_EQ(run({"pause", "--session"}), 2);
+  EXPECT_NE(error().find("a value is missing behind --session ("), std::string::npos) << error();
+  EXPECT_NE(error().find("type for example `ui_cli status --session press`"), std::string::npos) << error();
+}
+
 TEST_F(Commands, ThatDoNotExistGetTheNearestThatDoes) {
   EXPECT_EQ(run({"paws"}), 2);
   EXPECT_NE(error().find("did you mean 'pause'?"), std::string::npos) << error();
