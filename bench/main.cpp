@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/command_line.hpp"
 #include "base/fault.hpp"
 #include "bench/figures.hpp"
 #include "bench/own_output.hpp"
@@ -98,7 +99,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::CallForHelp& e) {
     return app.exit(e);
   } catch (const CLI::ParseError& e) {
-    const FaultError error(FaultCode::bad_usage, e.what());
+    const FaultError error = wrong_words(app, e, {"./run bench servo --plots plots"});
     fmt::print(stderr, "{}\n", error.error_line());
     return 2;
   } catch (const FaultError& e) {

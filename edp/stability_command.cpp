@@ -200,7 +200,7 @@ int run_stability(const std::vector<std::string>& arguments, std::ostream& out, 
                      : stability_report(a.loop, a.stiffness));
     return 0;
   } catch (const CLI::Error& e) {
-    err << FaultError(FaultCode::bad_usage, e.what()).error_line() << std::endl;
+    err << wrong_words(app, e, {"ui_cli stability --K 20000"}).error_line() << std::endl;
   } catch (const FaultError& e) {
     err << FaultError(FaultCode::bad_usage, e.what()).error_line() << std::endl;
   }

@@ -16,6 +16,24 @@ namespace {
 constexpr double kMaxSpeed = 1e4;
 constexpr std::uint64_t kMaxSeed = std::numeric_limits<std::int64_t>::max();  // as the configuration holds it
 
+const Examples kExamples{
+    "./run press --seed 2",
+    "./run press --clock wall",
+    "./run press --speed 1",
+    "./run press --run-dir runs/first",
+    "./run press --config runs/first/config.toml",
+    "./run drawing --set task.draw_force=2",
+    "./run press --processes one",
+    "./run press --script orders.txt",
+    "./run press --session cell",
+    "./run press --url udpm://239.255.76.67:7667?ttl=1",
+    "ui_cli log check runs/first",
+    "./run drawing --drawing my.svg --size 150",
+    "./run drawing --load arrow.taught",
+    "./run drawing --save arrow.taught",
+    "./run rubik --scramble \"R U'\"",
+};
+
 double parse_speed(const std::string& text) {
   if (text == "max") return 0;
   std::size_t used = 0;
@@ -118,7 +136,7 @@ int run_command_line(CLI::App& app, int argc, char** argv, const std::function<i
     app.parse(argc, argv);
     return run();
   } catch (const CLI::ParseError& e) {
-    return complain(FaultError(FaultCode::bad_usage, e.what()));
+    return complain(wrong_words(app, e, kExamples));
   } catch (const FaultError& e) {
     return complain(e);
   } catch (const std::exception& e) {

@@ -81,6 +81,7 @@ void finish(const ArmTask& task, const Config& config, const fs::path& folder,
 
 int run(const ArmTask& task, mp::TaskOptions& options) {
   Config config = load_task_config(options, task.config, task.name);
+  options.seed = seed_of(config);
   const mp::SoloParameters k = solo_parameters(task, options, config);
   read_cell(config, task.arms, options.seed);
   if (task.read) task.read(config);

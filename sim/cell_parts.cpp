@@ -91,7 +91,7 @@ WorldParameters read_cell(const Config& config, const std::vector<CellArm>& arms
   return parameters;
 }
 
-Config load_task_config(mp::TaskOptions& options, std::string_view built_in, const std::string& task,
+Config load_task_config(const mp::TaskOptions& options, std::string_view built_in, const std::string& task,
                         const std::vector<std::string>& found) {
   refuse_keys_of_options(options.settings);
   const bool checks = !options.check.empty();
@@ -101,11 +101,14 @@ Config load_task_config(mp::TaskOptions& options, std::string_view built_in, con
     for (const std::string& s : options.settings) config.set(s);
     if (options.seed_asked) config.set(fmt::format("seed={}", options.seed));
   }
-  options.seed = static_cast<std::uint64_t>(config.integer<std::int64_t>("seed", 1, kSeeds));
   if (checks) return config;
   mp::read_hosts(config);  // who starts the processes reads them again
   link::read_loss(config);
   return config;
+}
+
+std::uint64_t seed_of(const Config& config) {
+  return static_cast<std::uint64_t>(config.integer<std::int64_t>("seed", 1, kSeeds));
 }
 
 void check_task_options(const mp::TaskOptions& o) {

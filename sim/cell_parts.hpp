@@ -1,6 +1,7 @@
 // The processes of a simulated cell of arms: the world, and one effector driver per arm. What the mains
 // of all tasks put together in the same way.
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -26,13 +27,16 @@ struct CellArm {
 WorldParameters read_cell(const Config& config, const std::vector<CellArm>& arms, std::uint64_t seed);
 
 /// @return a task's configuration: its own, over it what the task finds out, over that the file of the options, over
-///         that their settings. A file that a run has left has everything: it stands alone, without what belonged to that
-///         run, such as its folder. For a check that of the run.
-/// @param options   get the seed of the configuration, unless the command line gives one
+///         that their settings. A file that a run has left has everything: it stands alone, without what belonged to
+///         that run, such as its folder. For a check that of the run.
 /// @param built_in  TOML  @param task  its name  @param found  KEY=VALUE that the task finds out
 /// @throws ConfigError
-Config load_task_config(mp::TaskOptions& options, std::string_view built_in, const std::string& task,
+Config load_task_config(const mp::TaskOptions& options, std::string_view built_in, const std::string& task,
                         const std::vector<std::string>& found = {});
+
+/// @return the seed of a run with a configuration as load_task_config() gives it, in which that of the command line is
+/// @throws ConfigError
+std::uint64_t seed_of(const Config& config);
 
 /// What would be refused only when the system is being started. @throws FaultError
 void check_task_options(const mp::TaskOptions& options);

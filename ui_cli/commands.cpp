@@ -39,6 +39,9 @@ constexpr const char* kFooter =
     "  3  system error: the task is silent, or there is no multicast\n"
     "On 1 to 3 the last line on standard error is  error: CODE: what happened; what to do";
 
+const Examples kExamples{"ui_cli completion bash", "ui_cli status --session press",
+                         "ui_cli status --session cell --url udpm://239.255.76.67:7667?ttl=1"};
+
 constexpr const char* kCommandFooter =
     "\nEvery command takes --session NAME, --url URL and --json; see `ui_cli --help`.";
 
@@ -268,10 +271,8 @@ int run(int argc, const char* const* argv, const Surroundings& around) {
   if (const auto status = help(app, around, {argv + 1, argv + argc})) return *status;
   try {
     app.parse(argc, argv);
-  } catch (const CLI::ExtrasError& e) {
-    return fail(around, FaultCode::bad_usage, unknown_word(app, e).error_line());
   } catch (const CLI::Error& e) {
-    return fail(around, FaultCode::bad_usage, e);
+    return fail(around, FaultCode::bad_usage, wrong_words(app, e, kExamples).error_line());
   }
   try {
     line.command();

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "base/fault.hpp"
 #include "ui_cli/layout_tables.hpp"
@@ -21,6 +22,19 @@ Style style_of(DriverState s) {
 }
 
 std::string_view unit_name(bool motors_or_angles) { return motors_or_angles ? "rad" : "m"; }
+
+/// Kinematic model, and algorithm and parameter set of the servo, as the driver works with them.
+std::string model_text(const RobotModel& model) {
+  if (model.set_servo_algorithm == 0) return "-";
+  const auto motors =
+      static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(model.set_servo_algorithm)));
+  bool same = true;
+  for (std::size_t k = 1; k < std::min(motors, model.servo_algorithm.size()); ++k)
+    same = same && model.servo_algorithm[k] == model.servo_algorithm[0] &&
+           model.servo_parameter_set[k] == model.servo_parameter_set[0];
+  const std::string servo = fmt::format("{} {}", model.servo_algorithm[0], model.servo_parameter_set[0]);
+  return fmt::format("{}  servo {}", model.kinematic_model, same ? servo : "differs");
+}
 
 }  // namespace
 
@@ -79,7 +93,7 @@ void ManualPage::draw(Canvas& c, int first, int limit) const {
       c.put(row, left(k) + 12, unit_name(!length), Style::dim);
     }
   }
-  if (rows.left() > 4) rows.skip(1);
+  if (rows.left() > 5) rows.skip(1);
   const auto line = [&](const char* name, auto&& text) {
     if (rows.left() == 0) return;
     const int row = rows.take();
@@ -98,6 +112,7 @@ void ManualPage::draw(Canvas& c, int first, int limit) const {
   });
   line("fault",
        [](const EffectorReply& r) { return r.fault ? std::string(mrroc::to_string(r.fault.code)) : "none"; });
+  line("model", [](const EffectorReply& r) { return model_text(r.robot_model); });
 }
 
 void ManualPage::draw_help(Rows& rows) {

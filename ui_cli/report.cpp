@@ -44,8 +44,8 @@ std::string status_text(const Snapshot& s) {
             ? fmt::format("x, y, z {:.1f} {:.1f} {:.1f} mm; rotation {:.3f} {:.3f} {:.3f} rad",
                           1e3 * a.T_0E[0], 1e3 * a.T_0E[1], 1e3 * a.T_0E[2], a.T_0E[3], a.T_0E[4], a.T_0E[5])
             : "x, y, z - mm; rotation - rad";
-    text += row(a.name,
-                fmt::format("{}; F_z {:.2f} N{}{}", pose, a.F_a[2], a.sensor.empty() ? "" : "; ", a.sensor));
+    text += row(a.name, fmt::format("{}; F_x, F_y, F_z {:.2f} {:.2f} {:.2f} N{}{}", pose, a.F_a[0], a.F_a[1],
+                                    a.F_a[2], a.sensor.empty() ? "" : "; ", a.sensor));
     text += row("", numbered(a.m, a.behaviour));
     text += row("", a.ended_because.empty() ? "" : "after " + a.ended_because);
   }

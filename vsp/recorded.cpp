@@ -57,7 +57,9 @@ int run(const RecordedTool& tool, int argc, char** argv) {
   } catch (const CLI::CallForHelp& e) {
     return app.exit(e);
   } catch (const CLI::ParseError& e) {
-    throw FaultError(FaultCode::bad_usage, e.what());
+    const std::string line = tool.program + " --source pictures --camera camera.toml";
+    throw wrong_words(app, e,
+                      {line, line + " --name eih", line + " --annotate seen", line + " --strip strip.png"});
   }
   run_recorded(tool, r, stdout);
   return 0;

@@ -115,7 +115,7 @@ int child_main(int argc, char** argv, const std::string& about, const PartBody& 
   } catch (const FaultError& e) {
     return complain(e);
   } catch (const CLI::ParseError& e) {
-    return complain(FaultError(FaultCode::bad_usage, e.what()));
+    return complain(wrong_words(app, e, {"./run press", "ui_cli log check runs/press-20260314-101500"}));
   }
   membership.clock = clock == "wall" ? ClockKind::wall : ClockKind::step;
   membership.patience = std::chrono::milliseconds(std::llround(1e3 * patience));

@@ -1,9 +1,9 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Makes a film strip of a run, as the viewer shows it: docs/pictures/*_strip.png. Needs Chromium and python3-websocket.
 
 Usage: film_strip.py PROGRAMS RUN PICTURE VIEW SHARE...
 PROGRAMS  folder of ui_cli, build/release/bin
-VIEW      a button of the page: cell, top, or an arm such as arm1
+VIEW      a button of the page: cell, top, an arm such as arm1, or cube, which is followed
 SHARE     instants as shares of the run, each a picture of the strip: 0.1 0.4 0.7 0.95"""
 
 import base64
@@ -15,7 +15,15 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "test/ui_cli/view"))
 sys.dont_write_bytecode = True
-import browser  # noqa: E402
+try:
+    import browser  # noqa: E402
+except ImportError as missing:
+    sys.exit(
+        f"error: {sys.executable} has no module {missing.name}; type "
+        "apt-get install chromium python3-websocket, and start this with /usr/bin/python3"
+    )
+if not browser.program():
+    sys.exit("error: there is no Chromium; type apt-get install chromium")
 
 WIDTH, HEIGHT = 330, 300  # of one picture
 ONLY_THE_CELL = """
@@ -56,11 +64,17 @@ def picture(page) -> str:
     return page.call("Page.captureScreenshot", format="png", clip=clip)["data"]
 
 
-def instant(page, share: float):
-    """Goes there. Gives what stands on the time-line: the instant and the behaviour."""
+def look(page, view: str):
+    page.value(f"[...document.querySelectorAll('#views button')].find(b => b.textContent === {view!r}).click()")
+
+
+def instant(page, share: float, view: str):
+    """Goes there, and looks from there: the cube moves. Gives the instant and the behaviour, as the page tells them."""
     width = page.value("document.querySelector('#timeline').clientWidth")
     page.click("#timeline", (MARGINS[0] + share * (width - sum(MARGINS))) / width)
     time.sleep(1.5)
+    look(page, view)
+    time.sleep(0.5)
     shown = page.value("[document.querySelector('#clock').textContent, document.querySelector('#behaviour').textContent]")
     return picture(page), f"{shown[0].split(' of ')[0].strip()}   {shown[1]}".strip()
 
@@ -75,10 +89,9 @@ def main():
             page.go(address)
             page.wait("Number(document.querySelector('#clock')?.dataset.rows) > 0")
             time.sleep(3)
-            page.value(f"[...document.querySelectorAll('#views button')].find(b => b.textContent === {view!r}).click()")
             page.value(ONLY_THE_CELL)
             time.sleep(1)
-            taken = [list(instant(page, float(s))) for s in shares]
+            taken = [list(instant(page, float(s), view)) for s in shares]
             page.go("about:blank")
             time.sleep(0.5)
             Path(target).write_bytes(base64.b64decode(page.value(COMPOSE % (taken, WIDTH, HEIGHT))))

@@ -65,6 +65,7 @@ Setup prepare(Options& o) try {
   Setup s;
   s.input = drawing::read_input(o.task.check.empty() ? o.input : input_of_run(o.task.check));
   s.config = sim::load_task_config(o.task, drawing::default_config(), "drawing");
+  o.task.seed = sim::seed_of(s.config);
   read_all(s, o.task);
   if (s.input.taught) drawing::check_macrostep(*s.input.taught, s.k, o.input.load.string());
   sim::check_task_options(o.task);

@@ -35,6 +35,7 @@ struct Setup {
 Setup prepare(Options& o) {
   Setup s;
   s.config = sim::load_task_config(o.task, manual::config(), "manual");
+  o.task.seed = sim::seed_of(s.config);
   sim::read_cell(s.config, kArms, o.task.seed);
   s.k.arms = manual::read_arms(s.config);
   for (const manual::ArmInfo& arm : s.k.arms) {

@@ -115,6 +115,7 @@ Setup prepare(Options& o) {
     settings.push_back(setting(arm, "motion.acceleration", limits.limits(hand).motors.acceleration));
   }
   s.config = sim::load_task_config(o.task, rubik::config(), "rubik", settings);
+  o.task.seed = sim::seed_of(s.config);
   if (!describes_cube(s.config)) s.config.set("cube.random_turns=20");
   s.world = sim::read_cell(s.config, kArms, o.task.seed);
   check_holder(s.world);

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/command_line.hpp"
 #include "base/fault.hpp"
 #include "base/text_file.hpp"
 #include "tasks/rubik/cube/character.hpp"
@@ -193,7 +194,9 @@ int run_cube_solve(int argc, const char* const* argv, const SolveStreams& stream
   } catch (const CLI::CallForHelp& e) {
     return app.exit(e, streams.out, err);
   } catch (const CLI::ParseError& e) {
-    err << FaultError(FaultCode::bad_usage, e.what()).error_line() << '\n';
+    err << wrong_words(app, e, {"cube_solve --file cubes.txt", "cube_solve \"R U' F2\" --budget-ms 10"})
+               .error_line()
+        << '\n';
     return 2;
   } catch (const FileError& e) {
     err << FaultError(FaultCode::bad_usage, e.wrong(), e.remedy()).error_line() << '\n';

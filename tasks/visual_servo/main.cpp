@@ -43,6 +43,7 @@ Setup prepare(Options& o) {
   Setup s;
   s.config = sim::load_task_config(o.task, visual_servo::config(), "visual_servo",
                                    visual_servo::settings_of(o.scenario));
+  o.task.seed = sim::seed_of(s.config);
   s.k = visual_servo::read_parameters(s.config);
   s.object = visual_servo::read_object(s.config);
   sim::read_cell(s.config, kArms, o.task.seed);

@@ -16,7 +16,7 @@ namespace {
 /// What a line to be typed begins with.
 const std::regex& beginning() {
   static const std::regex r(
-      R"(^(\./run|(build/release/bin/)?(ui_cli|cube_solve|calibrate|vsp_\w+)|mrroc|sudo|git|cmake|cpack|ctest|pip3?|python3|ip|ssh|apt-get|source|cd|MRROC_\w+=\S+ \./run)( .*|$))");
+      R"(^(\./run|(build/release/bin/)?(ui_cli|cube_solve|calibrate|vsp_\w+)|mrroc|sudo|git|cmake|cpack|ctest|pip3?|(/usr/bin/)?python3|ip|ssh|apt-get|source|cd|MRROC_\w+=\S+ \./run)( .*|$))");
   return r;
 }
 

@@ -81,6 +81,34 @@ a_folder_that_cannot_be_written_is_a_clear_error() {
   says 'error: cannot_write: '
 }
 
+skipped_tests_are_told_with_their_reasons() {
+  touch built
+  mkdir -p build/release/Testing/Temporary
+  cat >stubs/ctest <<'STUB'
+#!/usr/bin/env bash
+cat >build/release/Testing/Temporary/LastTest.log <<'LOG'
+1/3 Testing: Page.Shows
+skipped: there is no Chromium
+<end of output>
+2/3 Testing: Arm.Moves
+arm_test.cpp:12: Skipped
+too long
+<end of output>
+3/3 Testing: Arm.Stands
+skipped: not this test, which only says so
+<end of output>
+LOG
+echo '100% tests passed, 0 tests failed out of 3'
+printf 'The following tests did not run:\n\t  1 - Page.Shows (Skipped)\n\t  2 - Arm.Moves (Skipped)\n'
+STUB
+  chmod +x stubs/ctest
+  said=$(./run test 2>&1)
+  says 'skipped: Page.Shows: there is no Chromium'
+  says 'skipped: Arm.Moves: too long'
+  says_not 'skipped: Arm.Stands'
+  says '1 passed, 0 failed'
+}
+
 a_filtered_test_says_that_all_tests_are_built() {
   said=$(./run test -R Nothing 2>&1) || true
   says 'all tests'

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 
 #include "base/link/log_reader.hpp"
 #include "base/msg/convert.hpp"
@@ -93,7 +94,7 @@ TEST_F(Manual, GoesToEveryPresetWithAllArms) {
   EXPECT_EQ(text.find("refused"), std::string::npos) << text;
 }
 
-TEST_F(Manual, SetsToolModelServoAndForce) {
+TEST_F(Manual, SetsToolModelServoAndForceAndTheDriverTellsThem) {
   const auto all = replies(
       "3 home arm1\n"
       "100 tool arm1 0 0 0.3 0 0 0\n"
@@ -102,7 +103,24 @@ TEST_F(Manual, SetsToolModelServoAndForce) {
       "140 model arm1 1\n"
       "160 bias arm1\n"
       "180 end\n");
+  const RobotModel &before = all.at(99).robot_model, &after = last(all).robot_model;
   EXPECT_GT(std::abs((pose(all.at(99)).inverse() * pose(all.at(109))).p.z()), 0.01) << "E is elsewhere";
+  const auto tool = pose_from_numbers(after.tool_representation, after.tool);
+  ASSERT_TRUE(tool);
+  EXPECT_NEAR(tool->p.z(), 0.3, 1e-9);
+  EXPECT_EQ(after.weight, 3);
+  EXPECT_EQ(after.mass_centre, (std::array<double, 3>{0, 0, 0.05}));
+  EXPECT_EQ(before.kinematic_model, 0);
+  EXPECT_EQ(after.kinematic_model, 1);
+  EXPECT_GT((pose(all.at(139)).inverse() * pose(all.at(159))).p.norm(), 1e-6)
+      << "the same joints, another pose";
+  for (std::size_t k = 0; k < 6; ++k) {
+    EXPECT_NE(std::pair(before.servo_algorithm[k], before.servo_parameter_set[k]),
+              (std::pair<std::uint8_t, std::uint8_t>(0, 1)))
+        << k;
+    EXPECT_EQ(after.servo_algorithm[k], 0) << k;
+    EXPECT_EQ(after.servo_parameter_set[k], 1) << k;
+  }
   EXPECT_NEAR(last(all).F_a[Axis::z], 0, 0.5);
   std::ifstream log(run_ / "messages.log");
   const std::string text(std::istreambuf_iterator<char>(log), {});

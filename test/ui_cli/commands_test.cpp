@@ -144,7 +144,7 @@ TEST_F(Commands, StatusShowsTheTask) {
   EXPECT_EQ(run({"status"}), 0) << error();
   for (const char* part :
        {"drawing: running", "m = 5, draw on the paper", "63 %, stroke 3 of 6", "12.34 s simulated", "arm1",
-        "F_z 1.02 N; paper_surface", "copy the coordinator's orders",
+        "F_x, F_y, F_z 0.00 0.00 1.02 N; paper_surface", "copy the coordinator's orders",
         "after      lowering: both pens settled on the paper", "edp arm1", "/runs/drawing-1"})
     EXPECT_NE(out_.str().find(part), std::string::npos) << part << " is not in\n" << out_.str();
 }
@@ -178,7 +178,9 @@ TEST_F(Commands, StatusTellsNoPoseBeforeHoming) {
   std::ranges::fill(task.status.T_0E[0], 0.0);
   task.start();
   EXPECT_EQ(run({"status"}), 0) << error();
-  EXPECT_NE(out_.str().find("x, y, z - mm; rotation - rad; F_z 1.02 N"), std::string::npos) << out_.str();
+  EXPECT_NE(out_.str().find("x, y, z - mm; rotation - rad; F_x, F_y, F_z 0.00 0.00 1.02 N"),
+            std::string::npos)
+      << out_.str();
   EXPECT_NE(out_.str().find("x, y, z 900.0"), std::string::npos) << "the other arm is homed";
   EXPECT_EQ(run({"status", "--json"}), 0) << error();
   EXPECT_TRUE(nlohmann::json::parse(out_.str()).at("agents").at(0).at("T_0E").is_null());
@@ -269,6 +271,16 @@ TEST_F(Commands, RefuseABadCommandLineWithTwo) {
     EXPECT_EQ(run(line), 2);
     EXPECT_EQ(error().find("error: bad_usage: "), 0U) << error();
   }
+}
+
+TEST_F(Commands, ThatLackAWordAreToldWhatToType) {
+  EXPECT_EQ(run({"completion"}), 2);
+  EXPECT_NE(error().find("SHELL (bash or zsh) is missing; type for example `ui_cli completion bash`"),
+            std::string::npos)
+      << error();
+  EXPECT_EQ(run({"pause", "--session"}), 2);
+  EXPECT_NE(error().find("a value is missing behind --session ("), std::string::npos) << error();
+  EXPECT_NE(error().find("type for example `ui_cli status --session press`"), std::string::npos) << error();
 }
 
 TEST_F(Commands, ThatDoNotExistGetTheNearestThatDoes) {

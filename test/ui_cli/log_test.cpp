@@ -252,6 +252,29 @@ TEST_F(RunFolder, ProgramsOfARunAreThoseBesideThisOneAndNoOthers) {
   }
 }
 
+TEST_F(RunFolder, AWordThatIsMissingIsNamedWithALineToType) {
+  const auto said_of = [&](const std::vector<std::string>& words) {
+    EXPECT_EQ(run(words), 2);
+    return err_.str();
+  };
+  const std::string whole = " type for example `ui_cli log ";
+  for (const char* command : {"show", "csv", "check"})
+    EXPECT_NE(said_of({command}).find("error: bad_usage: RUN ("), std::string::npos) << err_.str();
+  EXPECT_NE(said_of({"show"}).find(whole + "show runs/"), std::string::npos) << err_.str();
+  EXPECT_NE(said_of({"compare", "one"}).find("B (another) is missing;" + whole + "compare runs/"),
+            std::string::npos)
+      << err_.str();
+  EXPECT_NE(said_of({"plot", "one"}).find("WHAT (force, pose, motors or behaviours) is missing;" + whole),
+            std::string::npos)
+      << err_.str();
+  EXPECT_NE(said_of({}).find("a command is missing; there are show, csv, plot, compare and check;" + whole),
+            std::string::npos)
+      << err_.str();
+  EXPECT_NE(said_of({"show", "one", "--channel"}).find("a value is missing behind --channel"),
+            std::string::npos)
+      << err_.str();
+}
+
 TEST_F(RunFolder, WhatIsNoRunFolderIsRefused) {
   EXPECT_EQ(bad_run(home_), "bad_log");
   EXPECT_EQ(run({"show", (home_ / "nothing").string()}), 2);

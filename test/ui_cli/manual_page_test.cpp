@@ -147,6 +147,25 @@ TEST(ManualPage, BeforeHomingThereAreNoJointsToShowOrToGoFrom) {
   EXPECT_NE(p.key(kEnter).refusal.find("does not know its position"), std::string::npos);
 }
 
+TEST(ManualPage, ShowsTheModelAndTheServoThatTheDriverTells) {
+  auto p = page();
+  EffectorReply r = reading();
+  const auto shown = [&] {
+    p.show("arm2", r);  // of seven axes: the most that has to fit
+    ui::Canvas c({24, 80});
+    p.draw(c, 1, 16);
+    return c.text();
+  };
+  EXPECT_EQ(shown().find("servo"), std::string::npos) << "nothing has been told\n" << shown();
+  r.robot_model.set_servo_algorithm = 0b1111111;
+  r.robot_model.kinematic_model = 3;
+  r.robot_model.servo_parameter_set.fill(1);
+  EXPECT_NE(shown().find("3  servo 0 1"), std::string::npos) << shown();
+  EXPECT_NE(shown().find("fault"), std::string::npos) << shown();
+  r.robot_model.servo_algorithm[6] = 1;
+  EXPECT_NE(shown().find("servo differs"), std::string::npos) << shown();
+}
+
 TEST(ManualPage, ShowsTheArmsAndKeepsTheChosenAxisOnAnySize) {
   auto p = page();
   p.show("arm1", reading());

@@ -174,8 +174,10 @@ TEST_F(NewPartTest, RefusesWhatIsWrongAndWritesNothing) {
   EXPECT_TRUE(names_fault(refused({"task", "Probe"}), "bad_usage"));
   EXPECT_TRUE(names_fault(refused({"tusk", "probe"}), "bad_usage"));
   EXPECT_NE(refused({"tusk", "probe"}).find("did you mean 'task'?"), std::string::npos);
-  EXPECT_TRUE(names_fault(refused({"task"}), "bad_usage"));
-  EXPECT_TRUE(names_fault(refused({}), "bad_usage"));
+  EXPECT_NE(refused({"task"}).find("NAME (its name) is missing; type for example `ui_cli new task spiral`"),
+            std::string::npos);
+  EXPECT_NE(refused({}).find("PART (robot, task or sensor) and NAME (its name) are missing"),
+            std::string::npos);
   EXPECT_TRUE(names_fault(refused({"task", "probe", "more"}), "bad_usage"));
   EXPECT_TRUE(names_fault(refused({"task", "probe", "--sensor", "feeler"}), "bad_usage"))
       << "there is no such sensor";

@@ -78,6 +78,14 @@ int check(const Words& w, std::ostream& out) {
   return status;
 }
 
+const Examples kExamples{
+    "ui_cli log show runs/press-20260314-101500 --from 1 --to 2",
+    "ui_cli log show runs/press-20260314-101500 --channel arm1.reply",
+    "ui_cli log csv runs/press-20260314-101500 arm1.reply --fields F_a,T_0E --output reply.csv",
+    "ui_cli log plot runs/press-20260314-101500 force --output force.png",
+    "ui_cli log compare runs/press-20260314-101500 runs/press-20260314-102000",
+    "ui_cli log check runs/press-20260314-101500"};
+
 void add_run(CLI::App* command, Words& w) {
   command->add_option("run", w.run, "the run folder")->required()->type_name("RUN");
 }
@@ -113,7 +121,9 @@ void add_commands(CLI::App& app, Words& w) {
   runs(csv, [&w](std::ostream& out, std::ostream& err) { return write_table(w, out, err); });
   auto* plot = app.add_subcommand("plot", "Draw a picture: force, pose, motors or behaviours");
   add_run(plot, w);
-  plot->add_option("what", w.what, "")->required()->check(CLI::IsMember(plot_subjects()));
+  plot->add_option("what", w.what, "force, pose, motors or behaviours")
+      ->required()
+      ->check(CLI::IsMember(plot_subjects()));
   plot->add_option("--output", w.output, "PNG file (default RUN/plots/log-WHAT.png)")->type_name("FILE");
   runs(plot, [&w](std::ostream& out, std::ostream& err) { return draw(w, out, err); });
   auto* compare = app.add_subcommand("compare", "Find the first message in which two runs differ");
@@ -151,21 +161,8 @@ int run_log(const std::vector<std::string>& arguments, std::ostream& out, std::o
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     return w.command(out, err);
-  } catch (const CLI::ExtrasError& e) {
-    err << unknown_word(app, e).error_line() << "\n";
-    return exit_status(FaultCode::bad_usage);
-  } catch (const CLI::RequiredError& e) {
-    WordSet commands;
-    for (const CLI::App* command : app.get_subcommands(nullptr)) commands.insert(command->get_name());
-    const bool known =
-        arguments.empty() || arguments.front().starts_with("-") || commands.contains(arguments.front());
-    err << (known ? FaultError(FaultCode::bad_usage, e.what())
-                  : unknown_word("command", arguments.front(), commands))
-               .error_line()
-        << "\n";
-    return exit_status(FaultCode::bad_usage);
   } catch (const CLI::Error& e) {
-    err << FaultError(FaultCode::bad_usage, e.what()).error_line() << "\n";
+    err << wrong_words(app, e, kExamples).error_line() << "\n";
     return exit_status(FaultCode::bad_usage);
   }
 }

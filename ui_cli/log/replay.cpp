@@ -290,7 +290,14 @@ int run_replay(const std::vector<std::string>& arguments, const ReplaySurroundin
       ->type_name("P,P...");
   app.add_option("--session", w.session, "name of the session (default: unique)")->type_name("NAME");
   app.add_flag("--json", w.json, "print JSON");
-  if (const auto status = parse_words(app, arguments, out, err)) return *status;
+  if (const auto status =
+          parse_words(app, arguments, out, err,
+                      {"ui_cli replay runs/press-20260314-101500",
+                       "ui_cli replay runs/press-20260314-101500 --speed 10 --from 5",
+                       "ui_cli replay runs/press-20260314-101500 --without arm1.order,arm1.report",
+                       "ui_cli replay runs/drawing-20260314-101500 --with vsp-arm1,vsp-arm2",
+                       "ui_cli replay runs/press-20260314-101500 --session again"}))
+    return *status;
   // Each process once, in the order in which they are named.
   std::set<std::string> named;
   std::erase_if(w.with, [&](const std::string& name) { return !named.insert(name).second; });

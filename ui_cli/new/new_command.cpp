@@ -140,7 +140,12 @@ int run_new(const std::vector<std::string>& arguments, std::ostream& out, std::o
   app.add_flag("--dry-run", o.dry_run, "only list what would be written");
   app.add_flag("--json", o.json, "print JSON");
   app.footer(kFooter);
-  if (const auto status = parse_words(app, arguments, out, err)) return *status;
+  if (const auto status =
+          parse_words(app, arguments, out, err,
+                      {"ui_cli new task spiral", "ui_cli new task spiral --sensor whisker",
+                       "ui_cli new task spiral --robot gantry", "ui_cli new task spiral --outside ../spiral",
+                       "ui_cli new robot gantry --into ../mrroc"}))
+    return *status;
   execute(o, out);
   return 0;
 }

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <map>
 
+#include "base/command_line.hpp"
 #include "base/fault.hpp"
 #include "vsp/calibration/calibrate.hpp"
 #include "vsp/looked_for.hpp"
@@ -51,7 +52,11 @@ int main(int argc, char** argv) {
   } catch (const CLI::CallForHelp& e) {
     return app.exit(e);
   } catch (const CLI::ParseError& e) {
-    const FaultError error(FaultCode::bad_usage, e.what());
+    const std::string line = "calibrate --pictures pictures --output camera.toml";
+    const FaultError error =
+        wrong_words(app, e,
+                    {line, line + " --name eih --poses poses.csv --arm arm1", line + " --camera lens.toml",
+                     line + " --poses poses.csv --arrangement board_in_hand", line + " --board board.toml"});
     fmt::print(stderr, "{}\n", error.error_line());
     return 2;
   } catch (const FaultError& e) {

@@ -21,7 +21,7 @@ def skip(why: str):
 try:
     import browser
 except ImportError:
-    skip("there is no python3-websocket")
+    skip("there is no python3-websocket; ./run test --page installs it")
 
 BIN = Path(sys.argv[1])
 IN_OWN_NETWORK = "MRROC_IN_OWN_NETWORK"
@@ -211,7 +211,7 @@ def answers(url: str) -> bool:
 
 def main():
     if browser.program() is None:
-        skip("there is no Chromium")
+        skip("there is no Chromium; ./run test --page installs it")
     enter_own_network()
     with tempfile.TemporaryDirectory() as home, browser.Browser(1280, 800) as page:
         os.environ["XDG_RUNTIME_DIR"] = home
