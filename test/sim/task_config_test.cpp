@@ -1,5 +1,5 @@
-// Which of a task's configurations counts: its own, what it finds out, a file, that of an earlier run, settings. With the
-// cube's task, which finds out most.
+// Which of a task's configurations counts: its own, what it finds out, a file, that of an earlier run, settings. With
+// the cube's task, which finds out most.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
