@@ -33,6 +33,7 @@ void run_camera(link::Process& process, const std::string& key, const CameraMode
 class CameraFilm {
  public:
   /// @param key  of the camera  @param object  OBJECT of the file's name  @param shape  that is drawn
+  /// @param config  `film.directory`: where the file is left; empty: there is no film
   CameraFilm(std::string key, std::string object, ObjectShape shape, const CameraModel& camera,
              const Config& config);
 

@@ -123,7 +123,8 @@ Outcome RubikRun::read_cube(X& x, Port& port, PlanStart& now, std::optional<Cube
     if (o != Outcome::terminated) return o;
     record_.readings.push_back(read_state(views_));
     const StateReading& reading = record_.readings.back();
-    say(fmt::format("read {}{}{}", reading.facelets, reading.text.empty() ? "" : ": ", reading.text));
+    say(fmt::format("read {}, confidence {:.2f} at least{}{}", reading.facelets,
+                    std::ranges::min(reading.confidence), reading.text.empty() ? "" : ": ", reading.text));
     cube = reading.cube;
     if (cube) return o;
   }
