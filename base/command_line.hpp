@@ -101,7 +101,7 @@ inline std::string what_to_type(const Examples& examples, const std::string& com
     });
   };
   auto found = find(command);
-  if (found == examples.end()) found = find("");
+  if (found == examples.end() && !word.empty()) found = find("");
   if (found != examples.end()) return fmt::format("type for example `{}`", *found);
   return command.empty() ? "look at --help" : fmt::format("look at `{} --help`", command);
 }
@@ -138,6 +138,7 @@ inline FaultError wrong_words(const CLI::App& app, const CLI::Error& e, const Ex
     std::vector<std::string> missing;
     for (const CLI::Option* o : at->get_options())
       if (o->get_required() && o->count() == 0) missing.push_back(with_description(*o));
+    if (missing.empty() && at->get_subcommands(nullptr).empty()) return {FaultCode::bad_usage, e.what()};
     if (missing.empty()) {
       for (const CLI::App* inner : at->get_subcommands(nullptr)) missing.push_back(inner->get_name());
       return {FaultCode::bad_usage, fmt::format("a command is missing; there are {}", listed(missing)),

@@ -39,7 +39,7 @@ void turn(int first, std::vector<sim::TurnFigures>& all) {
   }
 }
 
-bool at_once(const sim::TurnFigures& f) { return f.turned && f.done && f.attempts == 1; }
+bool at_once(const sim::TurnFigures& f) { return f.turned && f.done && f.attempts == 1 && f.grips == 1; }
 
 /// Of one face and direction.
 struct Kind {

@@ -46,7 +46,8 @@ Figures run_solver_group();
 /// Turns of a face of the cube by two arms. Takes some minutes.
 /// @throws FaultError a driver refused to start
 Figures run_cube_group();
-/// Plans of grasps for solutions of 100 cubes, beside the original's fixed table. Takes about a minute.
+/// Plans of grasps for solutions of 100 cubes, beside the original's fixed table; the meeting place
+/// beside the best one that a search finds. Takes about two minutes.
 /// @throws FaultError a plan is wrong, or there is none
 Figures run_plan_group();
 /// The task of the cube over twenty seeds, in separate processes. Takes hours. Summaries are kept in

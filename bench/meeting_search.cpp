@@ -136,11 +136,9 @@ bool meeting_is_free(const PlanCell& cell, const Meeting& meeting) {
   return true;
 }
 
-MeetingSearch search_meeting(const PlanCell& cell, int candidates, std::uint64_t seed) {
+MeetingCandidate search_meeting(const PlanCell& cell, int candidates, std::uint64_t seed) {
   Draw draw(seed);
   const ArmJoints& usual = cell.meeting().joints;
-  MeetingSearch search;
-  search.candidates = candidates;
   std::vector<MeetingCandidate> all;
   for (int k = 0; k < candidates; ++k) {
     Pose T_UM;
@@ -152,7 +150,6 @@ MeetingSearch search_meeting(const PlanCell& cell, int candidates, std::uint64_t
     all.push_back(measured(cell, T_UM, near));
     if (all.back().reach <= 0) all.pop_back();
   }
-  search.reached = static_cast<int>(all.size());
 
   const auto better = [](const MeetingCandidate& a, const MeetingCandidate& b) { return a.reach > b.reach; };
   std::ranges::stable_sort(all, better);
@@ -169,14 +166,9 @@ MeetingSearch search_meeting(const PlanCell& cell, int candidates, std::uint64_t
       if (next.reach > candidate.reach) candidate = next;
     }
   std::ranges::stable_sort(all, better);
-  for (const MeetingCandidate& candidate : all) {
-    if (meeting_is_free(cell, candidate.meeting)) {
-      search.best = candidate;
-      break;
-    }
-    ++search.collided;
-  }
-  return search;
+  const auto free = std::ranges::find_if(
+      all, [&](const MeetingCandidate& candidate) { return meeting_is_free(cell, candidate.meeting); });
+  return free == all.end() ? MeetingCandidate{} : *free;
 }
 
 }  // namespace mrroc::bench

@@ -126,11 +126,11 @@ Figures run_plan_group() {
   const Planned reading = planner.make_reading_plan(start);
   if (!reading.plan)
     throw FaultError(FaultCode::internal_error, "no plan to show all faces: " + reading.text);
-  const MeetingSearch places = search_meeting(cell, kPlaces, 1);
+  const MeetingCandidate found = search_meeting(cell, kPlaces, 1);
   return {
       {"meeting_reach", meeting_reach(cell, cell.meeting()), "",
-       "least margin at the place where the arms meet: limits, wrist's singularity; share of half the range"},
-      {"meeting_reach_found", places.best.reach, "",
+       "least margin at the place where the arms meet, from limits and the wrist's singularity"},
+      {"meeting_reach_found", found.reach, "",
        "the same of the best place of 60,000 at random, bettered, without collisions"},
       {"plan_turns", turns.value(), "", "mean over 100 cubes of 20 random turns, solved in two phases"},
       {"plan_regrasps", regrasps.value(), "",

@@ -27,7 +27,6 @@ const Examples kExamples{
     "./run press --script orders.txt",
     "./run press --session cell",
     "./run press --url udpm://239.255.76.67:7667?ttl=1",
-    "ui_cli log check runs/first",
     "./run drawing --drawing my.svg --size 150",
     "./run drawing --load arrow.taught",
     "./run drawing --save arrow.taught",

@@ -27,8 +27,8 @@ Pose cube_in_hand(Fingers fingers, rubik::Face face);
 
 /// Where the cube is held while a face is turned, the frame M: origin in the middle of the cube, z out of the face that
 /// the arm on the pedestal turns, away from the track arm. Found by
-/// a search over places, directions, turns about them and positions of the track: the least distance from a limit of
-/// joint or motor or from the wrist's singularity, as a share of half the range, is 0.43 over both arms' grips in all
+/// a search over places, directions, turns about them and positions of the track: the least margin, as
+/// bench/meeting_search.hpp has it, is 0.43 over both arms' grips in all
 /// four quarter turns, their retreats by 0.1 m, and a grip of the track arm from a side of the cube.
 Pose meeting_place();
 

@@ -112,8 +112,8 @@ std::size_t FilmStrip::nearest(const Reel& reel) {
 }
 
 void FilmStrip::thin(Reel& reel, std::size_t most) {
-  while (reel.size() > std::max<std::size_t>(1, most))
-    reel.erase(reel.begin() + static_cast<std::ptrdiff_t>(nearest(reel)));
+  if (most == 0) return reel.clear();
+  while (reel.size() > most) reel.erase(reel.begin() + static_cast<std::ptrdiff_t>(nearest(reel)));
 }
 
 bool FilmStrip::wants(std::int64_t frame, bool seen) const {

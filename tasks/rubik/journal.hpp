@@ -15,9 +15,9 @@ struct CycleNote {
   std::optional<Move> turn;   ///< none: the cube only changed hands
   std::int64_t begun{};       ///< macrostep in which the first free motion to it began
   std::int64_t ended{};       ///< macrostep in which the hand that let go had retreated
-  std::int64_t turn_begun{};  ///< macrostep in which m = 5 began
+  std::int64_t turn_begun{};  ///< macrostep in which m = 5 began, with the last grip
   std::int64_t turn_ended{};  ///< and ended
-  int grips{};                ///< attempts at m = 1..4, of the last grip
+  int grips{};                ///< attempts at m = 1..4
   int attempts{};             ///< attempts at m = 5
   bool done{};                ///< turn: m = 5 came to its end, the face is where it should be
   bool given_up{};            ///< the face jammed; it is turned the other way round in a later cycle

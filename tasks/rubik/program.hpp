@@ -168,7 +168,7 @@ class Program {
   /// m = 1..4, more than once when the worker does not meet the cube or closes on nothing.
   Outcome grip(const Step& step) {
     for (int attempt = 1;; ++attempt) {
-      journal_.back().grips = attempt;
+      ++journal_.back().grips;
       Outcome o = weigh(step.before_grasp.hand);
       x_.c.coordination = {};
       x_.c.cycle = {.holds = step.before_grasp.hand,
@@ -251,9 +251,11 @@ class Program {
   /// they should again. @param done  turned so far [rad]; that is changed
   Outcome grip_anew(const Step& step, double& done) {
     if (std::abs(done) >= kSeated || step.before.empty()) return Outcome::terminated;
-    const Outcome o = draw_back(step);
+    Outcome o = draw_back(step);
     if (step.comes == Hand::track) done = 0;
-    return well(o) ? grip(step) : o;
+    if (well(o)) o = grip(step);
+    journal_.back().turn_begun = x_.i;
+    return o;
   }
 
   void note_turn(double done) {

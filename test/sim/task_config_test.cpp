@@ -70,7 +70,7 @@ TEST_F(TaskConfig, AFileWithAPartOfTheKeysLeavesAllOthersAsTheTaskHasThem) {
   mp::TaskOptions options;
   options.config_file = write("part.toml", "seed = 5\n[task]\ntorque = 3.5\n[robots.arm2]\njaws = 0.057\n");
   const Config config = load(options);
-  EXPECT_EQ(options.seed, 5U);
+  EXPECT_EQ(seed_of(config), 5U);
   mp::TaskOptions plain;
   const rubik::Parameters k = read_all(config, options), own = read_all(load(plain), plain);
   EXPECT_EQ(k.torque, 3.5);
@@ -106,7 +106,7 @@ TEST_F(TaskConfig, TheConfigurationOfARunStandsAloneAndSaysTheSameAgain) {
   mp::TaskOptions again;
   again.config_file = write("config.toml", left);
   Config config = load_task_config(again, "[task]\ntorque = 1\n", "rubik", {"task.mobility=0.01"});
-  EXPECT_EQ(again.seed, 7U);
+  EXPECT_EQ(seed_of(config), 7U);
   const rubik::Parameters k = read_all(config, again);
   EXPECT_EQ(k.torque, 3);
   EXPECT_EQ(k.mobility, 0.1) << "not what the task says or finds out by now";
@@ -123,7 +123,7 @@ TEST_F(TaskConfig, ARunThatIsRepeatedHasAFolderOfItsOwnAndObeysSettingsAndSeed) 
   again.seed = 9;
   again.seed_asked = true;
   Config config = load(again);
-  EXPECT_EQ(again.seed, 9U);
+  EXPECT_EQ(seed_of(config), 9U);
   EXPECT_EQ(read_all(config, again).torque, 3);
   complete_config(config, again, folder_ / "other", "", true);
   for (const char* key : {"run.folder", "film.directory"})
