@@ -5,6 +5,8 @@ set -euo pipefail
 clone=$(mktemp -d)
 trap 'rm -rf "$clone"' EXIT
 cp "$1/run" "$clone/run"
+mkdir "$clone/cmake"
+cp "$1"/cmake/*.awk "$clone/cmake/"
 mkdir -p "$clone/tasks/sketch" "$clone/stubs"
 touch "$clone/tasks/sketch/CMakeLists.txt" "$clone/CMakePresets.json"
 cd "$clone"
