@@ -31,7 +31,7 @@ struct Parameters {
   int patience{400};     ///< macrosteps until a behaviour that has not ended is in trouble
   int stall{125};        ///< the same of m = 5 without progress
   /// Progress of a turn: share of the angle that the tool would gain in `stall` against nothing, with the mobility that a
-  /// standing face gets. The tool of a face that stands gains 0.11 while its pads creep, of one that turns 0.4 at least.
+  /// standing face gets. The tool of a face that stands gains 0.11 while its pads creep, of one that turns 0.18 at least.
   double progress{0.15};
   double held{0.0555};        ///< jaws nearer to each other than that hold nothing [m]
   double slip{0.005};         ///< by which the cube may be off where the worker meets it [m]
