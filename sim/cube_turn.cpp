@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <random>
 
 #include "base/representation.hpp"
@@ -66,7 +65,7 @@ class Observer {
     figures_.lateral_std = all_.largest();
     figures_.steady_std = steady_.largest();
     figures_.turn_s = turn_s_;
-    figures_.cycle_s = now() - begun_.value_or(now());
+    figures_.cycle_s = now() - begun_;
     return figures_;
   }
 
@@ -79,8 +78,7 @@ class Observer {
   void enter(int m) {
     if (m_ == 5) turn_s_ += now() - turn_begun_;
     m_ = m;
-    if (m == 1 && !begun_) begun_ = now();
-    if (m == 1) settling_ = {};
+    if (m == 1) begun_ = now();
     if (m != 5) return;
     turn_begun_ = now();
     held_ = in_holder();
@@ -109,8 +107,7 @@ class Observer {
   const TurnPlan& plan_;
   TurnFigures figures_;
   Spread all_, steady_;
-  std::optional<double> begun_;  // m = 1, the first time
-  double turn_begun_{}, turn_s_{};
+  double begun_{}, turn_begun_{}, turn_s_{};
   int m_{}, settled_count_{};
   std::int64_t settling_{};
   double settled_{};

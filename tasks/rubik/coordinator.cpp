@@ -51,12 +51,6 @@ bool lost(const X& x, const Cycle& cycle, int m) {
   return empty(x, cycle.holds) || (m == 5 && empty(x, cycle.comes));
 }
 
-/// @return angle that a turning tool gains in `stall` macrosteps at least [rad]
-double least_progress(const Memory0& c) {
-  const TurnOrder& turn = c.cycle.turn;
-  return c.k.progress * least_mobility(turn) * std::abs(turn.torque) * c.k.stall * kPacing.macrostep_s();
-}
-
 template <int m>
 Trouble watch(const X& x, const Memory0& c) {
   const Parameters& k = x.c.k;
@@ -78,7 +72,7 @@ Memory0 coordinate_arms(const X& x) {
   if (m == 1) c.travelled = (c.begun.R.transpose() * (now.p - c.begun.p)).z();
   if (m == 5) {
     c.angle = angle_about_z(c.begun, now, c.angle);
-    if (std::abs(c.angle - c.last_angle) >= least_progress(c)) {
+    if (std::abs(c.angle - c.last_angle) >= c.k.progress) {
       c.last_angle = c.angle;
       c.last_progress = x.i;
     }

@@ -25,14 +25,12 @@ struct Load {
 
 /// Parameters of the task, constant during a run.
 struct Parameters {
-  double torque{4.0};    ///< F_d about the face's axis [N m]
-  double mobility{0.1};  ///< B about it [s/(kg m^2)]
-  int attempts{3};       ///< at a turn or at a grip, until it is a fault
-  int patience{400};     ///< macrosteps until a behaviour that has not ended is in trouble
-  int stall{125};        ///< the same of m = 5 without progress
-  /// Progress of a turn: share of the angle that the tool would gain in `stall` against nothing, with the mobility that a
-  /// standing face gets. The tool of a face that stands gains 0.11 while its pads creep, of one that turns 0.18 at least.
-  double progress{0.15};
+  double torque{4.0};         ///< F_d about the face's axis [N m]
+  double mobility{0.1};       ///< B about it [s/(kg m^2)]
+  int attempts{3};            ///< at a turn or at a grip, until it is a fault
+  int patience{400};          ///< macrosteps until a behaviour that has not ended is in trouble
+  int stall{125};             ///< the same of m = 5 without progress
+  double progress{0.015};     ///< angle that is progress of a turn [rad]
   double held{0.0555};        ///< jaws nearer to each other than that hold nothing [m]
   double slip{0.005};         ///< by which the cube may be off where the worker meets it [m]
   double open{0.063};         ///< distance of the jaws of an empty hand [m]

@@ -15,7 +15,7 @@ struct CycleNote {
   std::optional<Move> turn;   ///< none: the cube only changed hands
   std::int64_t begun{};       ///< macrostep in which the first free motion to it began
   std::int64_t ended{};       ///< macrostep in which the hand that let go had retreated
-  std::int64_t turn_begun{};  ///< macrostep in which m = 5 began, with the last grip
+  std::int64_t turn_begun{};  ///< macrostep in which m = 5 began
   std::int64_t turn_ended{};  ///< and ended
   int grips{};                ///< attempts at m = 1..4
   int attempts{};             ///< attempts at m = 5

@@ -54,8 +54,7 @@ class Program {
   [[nodiscard]] Trouble trouble() const { return x_.c.trouble; }
 
  private:
-  static constexpr double kSeated = 0.05;    // of a tool, from which its face falls into the seat [rad]
-  static constexpr double kUnmoved = 0.015;  // of a tool that need not be turned back [rad]
+  static constexpr double kSeated = 0.05;  // of a tool, from which its face falls into the seat [rad]
 
   Outcome end(Outcome o) {
     const Trouble trouble = x_.c.trouble;
@@ -168,7 +167,7 @@ class Program {
   /// m = 1..4, more than once when the worker does not meet the cube or closes on nothing.
   Outcome grip(const Step& step) {
     for (int attempt = 1;; ++attempt) {
-      ++journal_.back().grips;
+      journal_.back().grips = attempt;
       Outcome o = weigh(step.before_grasp.hand);
       x_.c.coordination = {};
       x_.c.cycle = {.holds = step.before_grasp.hand,
@@ -225,7 +224,7 @@ class Program {
             .angle = std::abs(step.angle)};
   }
 
-  /// m = 5. A face that does not turn is turned back, slowly, gripped anew, and tried again.
+  /// m = 5. A face that does not turn is turned back, slowly, and tried again.
   Outcome turn(const Step& step) {
     journal_.back().turn_begun = x_.i;
     double done = 0;
@@ -238,24 +237,10 @@ class Program {
       o = turn_back(done);
       note_turn(done);
       if (!well(o)) return o;
-      if (attempt == x_.c.k.attempts) {
-        x_.c.trouble = Trouble::jammed;
-        return o;
-      }
-      o = grip_anew(step, done);
-      if (!well(o)) return o;
+      if (attempt < x_.c.k.attempts) continue;
+      x_.c.trouble = Trouble::jammed;
+      return o;
     }
-  }
-
-  /// The hand that has come lets go of a face in its seat, draws back, and comes once more: pads that have crept lie as
-  /// they should again. @param done  turned so far [rad]; that is changed
-  Outcome grip_anew(const Step& step, double& done) {
-    if (std::abs(done) >= kSeated || step.before.empty()) return Outcome::terminated;
-    Outcome o = draw_back(step);
-    if (step.comes == Hand::track) done = 0;
-    if (well(o)) o = grip(step);
-    journal_.back().turn_begun = x_.i;
-    return o;
   }
 
   void note_turn(double done) {
@@ -267,7 +252,7 @@ class Program {
   Outcome turn_back(double& done) {
     Outcome o = behaviour(kStopBoth);
     x_.c.trouble = Trouble::none;
-    if (o != Outcome::terminated || std::abs(done) <= kUnmoved) return o;
+    if (o != Outcome::terminated || std::abs(done) <= x_.c.k.progress) return o;
     o = turn_by(-done, kTurn.az.mobility);
     done += x_.c.angle;
     if (x_.c.trouble == Trouble::jammed) x_.c.trouble = Trouble::none;  // not back either: on from there

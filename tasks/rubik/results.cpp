@@ -103,11 +103,8 @@ TurnRow turn_of(const CycleNote& note, int k, const RunRecord& record, const Cub
     const double seat = turned ? kQuarter * std::round(std::abs(note.tool) / kQuarter) : 0;
     r.face_deg = std::copysign(kDegrees * (seat - std::abs(c->angle)), note.tool);
   }
-  const auto gripped =
-      std::ranges::find_if(turning, [&](const mp::ArmRow& row) { return row.i >= note.turn_begun; });
-  const mp::ArmTrace since(gripped, turning.end());  // another grip holds the cube elsewhere
-  r.behind_deg = kDegrees * behind(since, cube);
-  r.slip_mm = 1e3 * slip(since, cube);
+  r.behind_deg = kDegrees * behind(turning, cube);
+  r.slip_mm = 1e3 * slip(turning, cube);
   r.force_peak_N = largest(turning, {Axis::x, Axis::y, Axis::z});
   r.torque_peak_Nm = largest(turning, {Axis::az});
   r.force_std_N = largest_deviation(turning, {Axis::x, Axis::y, Axis::z});

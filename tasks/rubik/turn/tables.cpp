@@ -28,6 +28,11 @@ EffectorCommand as_ordered(const X& x) {
   return command(x, frame, sign * jaw_step_of(x.T));
 }
 
+/// B about z of a face that stands: tab. 7's, or a share of the order's when that is far above it.
+double least_mobility(const TurnOrder& turn) {
+  return std::min(turn.mobility, std::max(kTurn.az.mobility, kOfStanding * turn.mobility));
+}
+
 /// tab. 7(a) with what the order has for it.
 EffectorCommand turn(const X& x) {
   TaskFrameCommand frame = kTurn;
@@ -100,10 +105,6 @@ ArmMemory track_angle(const X& x) {
   ArmMemory c = x.c;
   c.angle = angle_about_z(c.T_0E, pose_of(x.e), c.angle);
   return c;
-}
-
-double least_mobility(const TurnOrder& turn) {
-  return std::min(turn.mobility, std::max(kTurn.az.mobility, kOfStanding * turn.mobility));
 }
 
 ArmMemory track_turn(const X& x) {

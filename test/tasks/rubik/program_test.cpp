@@ -105,38 +105,6 @@ TEST_F(RubikProgram, AFaceThatJamsIsTurnedBackSlowlyAndTriedAgain) {
   EXPECT_NEAR(journal.at(0).tool, kQuarter, 0.03);
 }
 
-TEST_F(RubikProgram, AFaceThatJamsIsGrippedAnewInItsSeat) {
-  arms.jams = [](int turn) { return turn % 2 == 1 && turn < 4; };  // forth twice, never back
-  ASSERT_EQ(execute(quarter_turn()), Outcome::terminated);
-  EXPECT_EQ(count(1), 3);
-  EXPECT_EQ(count(6), 1) << "the hand that holds the cube keeps it until the face has turned";
-  EXPECT_EQ(arms.points[0].size(), 4u) << "two of its way, and twice back to where the approach began";
-  EXPECT_EQ(arms.points[0].back()[0], 20);
-  EXPECT_EQ(journal.at(0).attempts, 3);
-  EXPECT_EQ(journal.at(0).grips, 3);
-  EXPECT_NEAR(journal.at(0).tool, kQuarter, 0.03);
-}
-
-TEST_F(RubikProgram, ATrackArmThatGripsAnewTurnsTheWholeAngle) {
-  arms.jams = [](int turn) { return turn == 1; };
-  Step step = quarter_turn();
-  std::swap(step.comes, step.leaves);
-  std::swap(step.before_grasp.hand, step.after_grasp.hand);
-  for (FreeMotion* motion : {&step.before[0], &step.retreat})
-    *motion = {.hand = other(motion->hand), .points = {at(0, motion->hand == Hand::track ? 6 : 7)}};
-  ASSERT_EQ(execute(step), Outcome::terminated);
-  ASSERT_EQ(arms.turns.size(), 3u) << "forth, back, forth";
-  EXPECT_NEAR(arms.turns[2].angle, kQuarter, 1e-12);
-}
-
-TEST_F(RubikProgram, AFaceThatIsNotBackInItsSeatIsNotLetGo) {
-  arms.jams = [](int turn) { return turn == 1; };
-  arms.stays = true;
-  ASSERT_EQ(execute(quarter_turn()), Outcome::faulted);
-  EXPECT_EQ(count(1), 1);
-  EXPECT_EQ(journal.at(0).attempts, x.c.k.attempts);
-}
-
 TEST_F(RubikProgram, AFaceThatNeverTurnsEndsWithBothArmsAtRest) {
   arms.jams = [](int) { return true; };
   ASSERT_EQ(execute(quarter_turn()), Outcome::faulted);
