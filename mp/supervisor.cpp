@@ -24,6 +24,7 @@ constexpr auto kLook = 20ms;       // between looks at the children
 constexpr auto kAssembling = 60s;  // until everybody must be there
 constexpr auto kTellSkipped = 1s;  // between lines about lateness, of each process
 constexpr auto kHang = 10s;        // without a sign of life
+constexpr auto kAway = 1s;         // between two looks: this process itself was not run meanwhile
 constexpr auto kComeToRest = 20s;  // for arms to come to rest after a stop
 
 #ifdef MRROC_SANITIZED
@@ -113,6 +114,8 @@ void Supervisor::poll() {
   hear();
   const auto now = Clock::now();
   if (now - last_look_ > kLook) {
+    if (now - last_look_ > kAway)  // as on a host that sleeps: nobody could be heard
+      for (auto& w : watched_) w->heard = now;
     last_look_ = now;
     watch_children();
     watch_hangs();

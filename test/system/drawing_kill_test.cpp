@@ -114,6 +114,22 @@ TEST(HungProcess, IsDeclaredDead) {
   EXPECT_TRUE(all_gone(run.children()));
 }
 
+TEST(HungProcess, IsNoneOfThoseThatSleepWithTheirHost) {
+  if (!can_run()) GTEST_SKIP() << "no multicast, or too slow";
+  InAStroke run(Moment::teaching);
+  ASSERT_TRUE(run.in_it());
+  const auto all = [&](int signal) {
+    run.task().signal(signal);
+    for (const ProcessId& process : run.children()) ::kill(process.pid, signal);
+  };
+  all(SIGSTOP);
+  std::this_thread::sleep_for(std::chrono::seconds(11));  // a process that says nothing for 10 s hangs
+  all(SIGCONT);
+  const Ended end = run.task().end();
+  EXPECT_EQ(end.status, 0) << end.all();
+  EXPECT_EQ(run.summary()["outcome"], "done");
+}
+
 TEST(Interrupt, StopsTheTask) {
   if (!can_run()) GTEST_SKIP() << "no multicast, or too slow";
   InAStroke run(Moment::teaching);
