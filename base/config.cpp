@@ -46,9 +46,10 @@ ConfigError::ConfigError(ConfigPlace place, std::string key, const std::string& 
 
 void ConfigStore::put(const std::string& key, ConfigEntry entry) {
   for (std::size_t dot = key.find('.'); dot != std::string::npos; dot = key.find('.', dot + 1))
-    if (entries.contains(key.substr(0, dot)))
-      throw ConfigError(entry.place, key,
-                        fmt::format("'{}' cannot be below '{}', which is a value", key, key.substr(0, dot)));
+    if (const auto above = entries.find(key.substr(0, dot)); above != entries.end())
+      throw ConfigError(
+          above->second.place, above->first,
+          fmt::format("'{}' takes no value, it has keys of its own, such as '{}'", above->first, key));
   if (tables.contains(key) || !is_empty(key))
     throw ConfigError(entry.place, key, fmt::format("'{}' is a table and cannot have a value", key));
   entries.insert_or_assign(key, std::move(entry));

@@ -54,6 +54,7 @@ void Panel::key(int key, Clock::time_point now) {
       give(order, now);
     else
       notice(order == OperatorOrder::stop ? "not stopped" : "not triggered", Style::plain, now);
+    if (const auto other = order_of(key); other && *other != order) ask_or_give(*other, now);
   } else if (view_.help) {
     view_.help = false;
   } else if (view_.manual && key != key::kControlC && manual_key(key, now)) {

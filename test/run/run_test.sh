@@ -42,6 +42,16 @@ help_builds_nothing() {
   done
 }
 
+a_word_too_many_is_refused_before_anything_is_done() {
+  mkdir build
+  local command
+  for command in build clean package; do
+    said=$(./run "$command" first 2>&1) && fail "$command takes it"
+    says "error: bad_usage: $command takes nothing more, but was given 'first'"
+  done
+  [[ -d build && -z $(ls build) ]] || fail 'something was done'
+}
+
 first_build_tells_how_long_and_counts() {
   said=$(./run build 2>&1)
   says 'for the first time'

@@ -125,6 +125,10 @@ TEST_F(Panel, AsksBeforeATriggerThatComesEarly) {
   EXPECT_EQ(notice(), " not triggered");
   EXPECT_TRUE(task.obeyed.empty());
   press('t');
+  press('p');
+  EXPECT_EQ(task.obeyed, std::vector{OperatorOrder::pause}) << "another order is a no, and is given";
+  task.obeyed.clear();
+  press('t');
   press('y');
   EXPECT_EQ(task.obeyed, std::vector{OperatorOrder::trigger});
 }
