@@ -245,6 +245,13 @@ TEST(ConfigErrors, NameTheOptionThatCannotBeSet) {
     EXPECT_EQ(set_error(wrong).substr(0, 6), "--set ") << wrong;
 }
 
+TEST(ConfigErrors, NameTheValueThatStandsWhereOtherKeysBelong) {
+  Config cfg = Config::parse("", "a.toml");
+  cfg.set("sim.paper=3");
+  EXPECT_EQ(error_of([&] { (void)cfg.number("sim.paper.height", 1); }),
+            "--set sim.paper=3: 'sim.paper' takes no value, it has keys of its own, such as 'sim.paper.height'");
+}
+
 TEST(ConfigErrors, RefuseWhatHasNoUse) {
   for (const char* text :
        {"'a b' = 1", "'a.b' = 1", "a = [[1, 2], [3]]", "a = [1, 'x']", "[[a]]\nb = 1", "a = 07:32:00"})
