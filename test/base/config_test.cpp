@@ -248,8 +248,9 @@ TEST(ConfigErrors, NameTheOptionThatCannotBeSet) {
 TEST(ConfigErrors, NameTheValueThatStandsWhereOtherKeysBelong) {
   Config cfg = Config::parse("", "a.toml");
   cfg.set("sim.paper=3");
-  EXPECT_EQ(error_of([&] { (void)cfg.number("sim.paper.height", 1); }),
-            "--set sim.paper=3: 'sim.paper' takes no value, it has keys of its own, such as 'sim.paper.height'");
+  EXPECT_EQ(
+      error_of([&] { (void)cfg.number("sim.paper.height", 1); }),
+      "--set sim.paper=3: 'sim.paper' takes no value, it has keys of its own, such as 'sim.paper.height'");
 }
 
 TEST(ConfigErrors, RefuseWhatHasNoUse) {
