@@ -20,6 +20,8 @@ std::string located(const ConfigPlace& place, const std::string& text) {
   return result + ": " + text;
 }
 
+constexpr std::size_t kMostShown = 16;  // keys in an error
+
 std::string_view last_part(std::string_view key) { return key.substr(key.rfind('.') + 1); }
 
 /// The known key that was probably meant, as the end of a sentence.
@@ -32,9 +34,19 @@ std::string suggestion(std::string_view key, const WordSet& known) {
   const std::string_view table = key.substr(0, key.size() - last_part(key).size());
   std::vector<std::string> siblings;
   for (const std::string& k : known)
-    if (k.starts_with(table) && k.find('.', table.size()) == std::string::npos && siblings.size() < 8)
+    if (k.starts_with(table) && k.find('.', table.size()) == std::string::npos)
       siblings.push_back(k.substr(table.size()));
-  return siblings.empty() ? "" : fmt::format(", known keys there: {}", fmt::join(siblings, ", "));
+  if (siblings.empty()) {
+    WordSet sections;
+    for (const std::string& k : known) sections.insert(k.substr(0, k.find('.')));
+    return sections.empty()
+               ? ""
+               : fmt::format(", nothing is known there; there are {}", fmt::join(sections, ", "));
+  }
+  const std::size_t shown = std::min(siblings.size(), kMostShown);
+  return fmt::format(", known keys there: {}{}",
+                     fmt::join(siblings.begin(), siblings.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
+                     shown < siblings.size() ? ", ..." : "");
 }
 
 }  // namespace

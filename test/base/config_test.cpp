@@ -245,6 +245,15 @@ TEST(ConfigErrors, NameTheOptionThatCannotBeSet) {
     EXPECT_EQ(set_error(wrong).substr(0, 6), "--set ") << wrong;
 }
 
+TEST(ConfigErrors, NameTheSectionsWhereAKeyIsInNone) {
+  Config cfg = Config::parse("", "a.toml");
+  cfg.set("task.xyzzy=1");
+  (void)cfg.number("sim.step", 1);
+  (void)cfg.text("clock", "step");
+  EXPECT_EQ(error_of([&] { cfg.check_all_used(); }),
+            "--set task.xyzzy=1: unknown key 'task.xyzzy', nothing is known there; there are clock, sim");
+}
+
 TEST(ConfigErrors, NameTheValueThatStandsWhereOtherKeysBelong) {
   Config cfg = Config::parse("", "a.toml");
   cfg.set("sim.paper=3");
