@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "sim/cube.hpp"
 #include "tasks/rubik/plan/stances.hpp"
 
 namespace mrroc::bench {
@@ -15,7 +16,6 @@ namespace {
 using namespace rubik;
 using std::numbers::pi;
 
-constexpr double kCubeEdge = 0.057;    // between the jaws [m]
 constexpr double kSideStep = pi / 18;  // of the directions of a side grip that are tried
 constexpr double kTrackStep = 0.1;     // of the track's positions for a side grip [m]
 constexpr int kTrackSteps = 6;         // to either side
@@ -125,7 +125,7 @@ double meeting_reach(const PlanCell& cell, const Meeting& meeting) {
 }
 
 bool meeting_is_free(const PlanCell& cell, const Meeting& meeting) {
-  CellState state{meeting.joints, {kCubeEdge, kCubeEdge}, {Hand::track, Face::D, Face::B}, true, false};
+  CellState state{meeting.joints, {sim::kCubeEdge, sim::kCubeEdge}, {Hand::track, Face::D, Face::B}, true, false};
   for (const Hand hand : kHands)
     for (int k = 0; k < kQuarters; ++k) {
       CellState turned = state;
