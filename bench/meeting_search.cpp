@@ -125,7 +125,8 @@ double meeting_reach(const PlanCell& cell, const Meeting& meeting) {
 }
 
 bool meeting_is_free(const PlanCell& cell, const Meeting& meeting) {
-  CellState state{meeting.joints, {sim::kCubeEdge, sim::kCubeEdge}, {Hand::track, Face::D, Face::B}, true, false};
+  CellState state{
+      meeting.joints, {sim::kCubeEdge, sim::kCubeEdge}, {Hand::track, Face::D, Face::B}, true, false};
   for (const Hand hand : kHands)
     for (int k = 0; k < kQuarters; ++k) {
       CellState turned = state;
