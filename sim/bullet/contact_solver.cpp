@@ -14,6 +14,11 @@ using Values = Eigen::Map<const Eigen::VectorXd>;
 /// What an iteration returns for Bullet to go on; the change of velocities matters only where a threshold is set.
 constexpr btScalar kGoOn = 1;
 
+/// @return direction of the row's impulse on the first body, in the world
+btVector3 direction(const btMultiBodySolverConstraint& row) {
+  return row.m_multiBodyA ? row.m_contactNormal1 : -row.m_contactNormal2;
+}
+
 }  // namespace
 
 void ContactSolver::gather(btMultiBodyConstraintArray& constraints, Rows& rows) {
@@ -76,6 +81,30 @@ void ContactSolver::solve_cone(const Row& a, const Row& b, double limit) {
   apply(b, share * wanted_b);
 }
 
+void ContactSolver::recall() {
+  for (const Row& row : joints_) apply(row, memory_.drive(*row.of));
+  known_.clear();
+  for (const Row& row : normals_) {
+    known_.push_back(memory_.contact(*row.of));
+    apply(row, known_.back().pressed);
+  }
+  for (const Row& row : frictions_)
+    apply(row, known_[static_cast<std::size_t>(row.of->m_frictionIndex)].rubbed.dot(direction(*row.of)));
+}
+
+void ContactSolver::memorise() {
+  for (const Row& row : joints_) memory_.keep_drive(*row.of);
+  rubbed_.assign(normals_.size(), btVector3(0, 0, 0));
+  for (const Row& row : frictions_)
+    rubbed_[static_cast<std::size_t>(row.of->m_frictionIndex)] += row.of->m_appliedImpulse * direction(*row.of);
+  for (std::size_t k = 0; k < normals_.size(); ++k) memory_.keep_contact(*normals_[k].of, rubbed_[k]);
+}
+
+void ContactSolver::allSolved(const btContactSolverInfo& info, btIDebugDraw* drawer) {
+  memory_.turn_page();
+  btMultiBodyConstraintSolver::allSolved(info, drawer);
+}
+
 btScalar ContactSolver::solveSingleIteration(int iteration, btCollisionObject** bodies, int bodies_n,
                                              btPersistentManifold** manifolds, int manifolds_n,
                                              btTypedConstraint** constraints, int constraints_n,
@@ -87,6 +116,7 @@ btScalar ContactSolver::solveSingleIteration(int iteration, btCollisionObject** 
     gather(m_multiBodyNonContactConstraints, joints_);
     gather(m_multiBodyNormalContactConstraints, normals_);
     gather(m_multiBodyFrictionContactConstraints, frictions_);
+    if (remembers_) recall();
   }
   const auto solve_row = [this](const Row& row) { solve(row); };
   if (iteration % 2 == 1)
@@ -104,6 +134,7 @@ btScalar ContactSolver::solveSingleIteration(int iteration, btCollisionObject** 
 
 btScalar ContactSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int bodies_n,
                                                       const btContactSolverInfo& info) {
+  if (remembers_) memorise();
   const auto tell = [this](btMultiBody* body, int response, double impulse) {
     if (body) body->applyDeltaVeeMultiDof2(&m_data.m_deltaVelocitiesUnitImpulse[response], impulse);
   };

@@ -5,6 +5,8 @@
 #include <array>
 #include <vector>
 
+#include "sim/bullet/impulse_memory.hpp"
+
 namespace mrroc::sim {
 
 /// The projected Gauss-Seidel iteration of btMultiBodyConstraintSolver with friction in two directions: the same rows
@@ -13,6 +15,15 @@ namespace mrroc::sim {
 /// multi-bodies must not move. With friction in one direction, along
 /// both by themselves, or a warm start it is the solver of Bullet itself; friction against rolling is left out.
 class ContactSolver final : public btMultiBodyConstraintSolver {
+ public:
+  /// From now on the iteration begins with the impulses of the integration before, not with none, which Bullet's own
+  /// does: what changes slowly converges over the integrations.
+  void remember() { remembers_ = true; }
+  /// A body was made anew: begins with none once.
+  void forget() { memory_.forget(); }
+
+  void allSolved(const btContactSolverInfo& info, btIDebugDraw* drawer) override;
+
  protected:
   btScalar solveSingleIteration(int iteration, btCollisionObject** bodies, int bodies_n,
                                 btPersistentManifold** manifolds, int manifolds_n,
@@ -43,8 +54,14 @@ class ContactSolver final : public btMultiBodyConstraintSolver {
   void apply(const Row& row, double impulse);
   void solve(const Row& row);
   void solve_cone(const Row& a, const Row& b, double limit);
+  void recall();
+  void memorise();
 
+  bool remembers_{};
+  ImpulseMemory memory_;
   Rows joints_, normals_, frictions_;
+  std::vector<ImpulseMemory::Contact> known_;  // of each normal
+  std::vector<btVector3> rubbed_;              // the same after the iteration
 };
 
 }  // namespace mrroc::sim

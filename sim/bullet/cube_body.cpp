@@ -146,6 +146,7 @@ bool CubeBody::lay(int axis) {
   const Vector3 velocity = from_bullet(body_->getBaseVel());
   const Vector3 turning = from_bullet(body_->getBaseOmega());
   destroy();
+  scene_.forget_impulses();
   axis_ = axis;
   asked_ = 0;
   ++truth_.layings;

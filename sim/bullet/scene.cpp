@@ -31,6 +31,7 @@ void Scene::prepare_for_cube() {
            Pose{Matrix3::Identity(), {0, 0, -kEdge / 2}}, kFloorGroup, kCubeGroup);
   dynamics_.contacts_turn = true;
   dynamics_.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+  solver_.remember();
 }
 
 void Scene::add_body(std::unique_ptr<btCollisionShape> shape, const Pose& T_U, int group, int mask) {

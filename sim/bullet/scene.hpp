@@ -90,6 +90,8 @@ class Scene {
   btMultiBodyDynamicsWorld& dynamics() { return dynamics_; }
   /// Calls in every integration after contacts have been found, before forces are.
   void on_contacts(std::function<void()> call) { dynamics_.contacts_found = std::move(call); }
+  /// A body and its contacts were made anew.
+  void forget_impulses() { solver_.forget(); }
   /// @return acceleration in the world [m/s^2]
   [[nodiscard]] Vector3 gravity() const;
 

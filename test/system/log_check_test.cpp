@@ -35,9 +35,9 @@ class Checked : public ::testing::Test {
   }
 
   static nlohmann::json process(const nlohmann::json& checked, const std::string& name) {
-    for (const auto& p : checked["processes"])
-      if (p["name"] == name || p["process"] == name) return p;
-    return {};
+    for (const auto& p : checked.at("processes"))
+      if (p.at("process") == name) return p;
+    throw std::out_of_range("log check tells nothing of " + name);
   }
 
   /// Every process of the control system that messages can drive has been recomputed, and nothing differs.

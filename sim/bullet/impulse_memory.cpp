@@ -1,0 +1,62 @@
+#include "sim/bullet/impulse_memory.hpp"
+
+#include <BulletCollision/NarrowPhaseCollision/btManifoldPoint.h>
+
+#include <algorithm>
+
+namespace mrroc::sim {
+namespace {
+
+/// A contact is the same when it has moved by less on one of its bodies [m]: a corner stays where it is on its own body.
+constexpr double kSame = 1e-3;
+
+}  // namespace
+
+ImpulseMemory::Place ImpulseMemory::place_of(const btMultiBodySolverConstraint& normal) {
+  const auto& point = *static_cast<const btManifoldPoint*>(normal.m_originalContactPoint);
+  return {normal.m_multiBodyA, normal.m_multiBodyB, normal.m_linkA, normal.m_linkB,
+          point.m_localPointA, point.m_localPointB, {}};
+}
+
+double ImpulseMemory::drive(const btMultiBodySolverConstraint& row) const {
+  const auto known = std::ranges::find_if(before_.drives, [&](const Drive& d) {
+    return d.of == row.m_orgConstraint && d.row == row.m_orgDofIndex;
+  });
+  return known == before_.drives.end() ? 0 : known->impulse;
+}
+
+ImpulseMemory::Contact ImpulseMemory::contact(const btMultiBodySolverConstraint& normal) const {
+  const Place here = place_of(normal);
+  Contact nearest;
+  double least = kSame * kSame;
+  for (const Place& p : before_.places) {
+    if (p.a != here.a || p.b != here.b || p.link_a != here.link_a || p.link_b != here.link_b) continue;
+    const double moved = std::min(p.on_a.distance2(here.on_a), p.on_b.distance2(here.on_b));
+    if (moved >= least) continue;
+    least = moved;
+    nearest = p.contact;
+  }
+  return nearest;
+}
+
+void ImpulseMemory::keep_drive(const btMultiBodySolverConstraint& row) {
+  now_.drives.push_back({row.m_orgConstraint, row.m_orgDofIndex, row.m_appliedImpulse});
+}
+
+void ImpulseMemory::keep_contact(const btMultiBodySolverConstraint& normal, const btVector3& rubbed) {
+  now_.places.push_back(place_of(normal));
+  now_.places.back().contact = {normal.m_appliedImpulse, rubbed};
+}
+
+void ImpulseMemory::turn_page() {
+  std::swap(before_, now_);
+  now_.drives.clear();
+  now_.places.clear();
+}
+
+void ImpulseMemory::forget() {
+  before_ = {};
+  now_ = {};
+}
+
+}  // namespace mrroc::sim
