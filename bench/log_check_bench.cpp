@@ -28,8 +28,7 @@ std::vector<Short> all_tasks(const fs::path& folder) {
           {"manual", {"--words", words}},
           {"drawing", {}},
           {"visual_servo", {"--set", "cameras.profile=fast"}},
-          {"rubik",
-           {"--scramble", "U'", "--eyes", "none", "--set", "sim.substeps=2", "--set", "task.tables=small"}}};
+          {"rubik", {"--scramble", "U'", "--eyes", "none", "--set", "task.tables=small"}}};
 }
 
 nlohmann::json check(const fs::path& run) {

@@ -107,7 +107,7 @@ Pose cube_with(rubik::Face face) {
 
 WorldParameters cube_cell(const CubeCellParameters& c) {
   WorldParameters world;
-  world.substeps = c.substeps;
+  world.solver_iterations = kCubeIterations;
   world.cube.emplace();
   world.cube->state = c.state;
   world.cube->faces = c.faces;

@@ -59,8 +59,10 @@ struct CubeCellParameters {
   Vector3 grasp_error{Vector3::Zero()};  ///< of the worker across its approach [m]: x, y of E; z: none
   double turn_error{};                   ///< of the worker about its approach [rad]
   double jaws{0.074};                    ///< of the worker at the beginning [m]
-  int substeps{4};                       ///< of the world; two of 1 ms make forces rougher
 };
+
+/// Of the contact solver in this cell: enough, since it remembers (sim/bullet/contact_solver.hpp).
+inline constexpr int kCubeIterations = 50;
 
 /// @return the track arm holds the cube, the arm on the pedestal stands before it
 /// @throws std::invalid_argument  the arms do not reach each other

@@ -96,7 +96,8 @@ void ContactSolver::memorise() {
   for (const Row& row : joints_) memory_.keep_drive(*row.of);
   rubbed_.assign(normals_.size(), btVector3(0, 0, 0));
   for (const Row& row : frictions_)
-    rubbed_[static_cast<std::size_t>(row.of->m_frictionIndex)] += row.of->m_appliedImpulse * direction(*row.of);
+    rubbed_[static_cast<std::size_t>(row.of->m_frictionIndex)] +=
+        row.of->m_appliedImpulse * direction(*row.of);
   for (std::size_t k = 0; k < normals_.size(); ++k) memory_.keep_contact(*normals_[k].of, rubbed_[k]);
 }
 

@@ -14,8 +14,13 @@ constexpr double kSame = 1e-3;
 
 ImpulseMemory::Place ImpulseMemory::place_of(const btMultiBodySolverConstraint& normal) {
   const auto& point = *static_cast<const btManifoldPoint*>(normal.m_originalContactPoint);
-  return {normal.m_multiBodyA, normal.m_multiBodyB, normal.m_linkA, normal.m_linkB,
-          point.m_localPointA, point.m_localPointB, {}};
+  return {normal.m_multiBodyA,
+          normal.m_multiBodyB,
+          normal.m_linkA,
+          normal.m_linkB,
+          point.m_localPointA,
+          point.m_localPointB,
+          {}};
 }
 
 double ImpulseMemory::drive(const btMultiBodySolverConstraint& row) const {

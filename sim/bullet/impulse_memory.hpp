@@ -14,8 +14,8 @@ class ImpulseMemory {
  public:
   /// What was at a contact.
   struct Contact {
-    double pressed{};               ///< along the normal [N s]
-    btVector3 rubbed{0, 0, 0};      ///< of friction on the first body, in the world [N s]
+    double pressed{};           ///< along the normal [N s]
+    btVector3 rubbed{0, 0, 0};  ///< of friction on the first body, in the world [N s]
   };
 
   /// @return the impulse of that drive's row, 0: not known [N s], [N m s]

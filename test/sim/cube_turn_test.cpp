@@ -66,7 +66,6 @@ TurnPlan beside_the_cube() {
   plan.cell.grasp_error = {0, 0.045, 0};  // along the way of the jaws
   plan.cell.turn_error = 0;
   plan.cell.distance = rubik::kApproachDistance + worker.palm + worker.pad_depth / 2;
-  plan.cell.substeps = 2;
   plan.task.attempts = 2;
   return plan;
 }

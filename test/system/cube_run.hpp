@@ -11,9 +11,9 @@
 
 namespace mrroc::test {
 
-/// One turn of the face that the track arm shows to the other one; substeps of 1 ms, whose forces are rougher.
-inline const std::vector<std::string> kOneTurn{"--scramble",     "U'",    "--eyes",           "none", "--set",
-                                               "sim.substeps=2", "--set", "task.tables=small"};
+/// One turn of the face that the track arm shows to the other one.
+inline const std::vector<std::string> kOneTurn{"--scramble", "U'",    "--eyes",
+                                               "none",       "--set", "task.tables=small"};
 
 /// What a folder of a run tells.
 struct CubeFigures {
