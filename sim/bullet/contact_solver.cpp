@@ -19,6 +19,10 @@ btVector3 direction(const btMultiBodySolverConstraint& row) {
   return row.m_multiBodyA ? row.m_contactNormal1 : -row.m_contactNormal2;
 }
 
+bool soft(const btManifoldPoint& point) {
+  return (point.m_contactPointFlags & BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING) != 0;
+}
+
 }  // namespace
 
 void ContactSolver::gather(btMultiBodyConstraintArray& constraints, Rows& rows) {
@@ -81,24 +85,47 @@ void ContactSolver::solve_cone(const Row& a, const Row& b, double limit) {
   apply(b, share * wanted_b);
 }
 
-void ContactSolver::recall() {
+/// A spring and a damper along the surfaces: the row gives way by what the impulse is more than the spring's was.
+void ContactSolver::soften(const Row& friction, const ImpulseMemory::Contact& known, double h) {
+  btMultiBodySolverConstraint& c = *friction.of;
+  const auto& point = *static_cast<const btManifoldPoint*>(c.m_originalContactPoint);
+  if (!soft(point)) return;
+  const double stiffness = shear_stiffness_ * point.m_combinedContactStiffness1;
+  const double damping = shear_stiffness_ * point.m_combinedContactDamping1;
+  const double yields = 1 / (h * (stiffness * h + damping));  // speed per impulse
+  const double before = c.m_jacDiagABInv;
+  c.m_jacDiagABInv = 1 / (1 / before + yields);
+  c.m_cfm = yields * c.m_jacDiagABInv;
+  c.m_rhs = c.m_rhs * c.m_jacDiagABInv / before + c.m_cfm * known.shear.dot(direction(c));
+}
+
+void ContactSolver::recall(double h) {
   for (const Row& row : joints_) apply(row, memory_.drive(*row.of));
   known_.clear();
   for (const Row& row : normals_) {
     known_.push_back(memory_.contact(*row.of));
     apply(row, known_.back().pressed);
   }
-  for (const Row& row : frictions_)
-    apply(row, known_[static_cast<std::size_t>(row.of->m_frictionIndex)].rubbed.dot(direction(*row.of)));
+  for (const Row& row : frictions_) {
+    const ImpulseMemory::Contact& known = known_[static_cast<std::size_t>(row.of->m_frictionIndex)];
+    soften(row, known, h);
+    apply(row, known.shear.dot(direction(*row.of)));
+  }
 }
 
-void ContactSolver::memorise() {
+void ContactSolver::memorise(double h) {
   for (const Row& row : joints_) memory_.keep_drive(*row.of);
-  rubbed_.assign(normals_.size(), btVector3(0, 0, 0));
+  shear_.assign(normals_.size(), btVector3(0, 0, 0));
   for (const Row& row : frictions_)
-    rubbed_[static_cast<std::size_t>(row.of->m_frictionIndex)] +=
+    shear_[static_cast<std::size_t>(row.of->m_frictionIndex)] +=
         row.of->m_appliedImpulse * direction(*row.of);
-  for (std::size_t k = 0; k < normals_.size(); ++k) memory_.keep_contact(*normals_[k].of, rubbed_[k]);
+  for (std::size_t k = 0; k < normals_.size(); ++k) {
+    const auto& point = *static_cast<const btManifoldPoint*>(normals_[k].of->m_originalContactPoint);
+    // What the damper bears now it does not bear any more when the speed is gone.
+    const double of_spring =
+        soft(point) ? h / (h + point.m_combinedContactDamping1 / point.m_combinedContactStiffness1) : 1;
+    memory_.keep_contact(*normals_[k].of, known_[k].shear + of_spring * (shear_[k] - known_[k].shear));
+  }
 }
 
 void ContactSolver::allSolved(const btContactSolverInfo& info, btIDebugDraw* drawer) {
@@ -117,7 +144,7 @@ btScalar ContactSolver::solveSingleIteration(int iteration, btCollisionObject** 
     gather(m_multiBodyNonContactConstraints, joints_);
     gather(m_multiBodyNormalContactConstraints, normals_);
     gather(m_multiBodyFrictionContactConstraints, frictions_);
-    if (remembers_) recall();
+    if (shear_stiffness_ > 0) recall(info.m_timeStep);
   }
   const auto solve_row = [this](const Row& row) { solve(row); };
   if (iteration % 2 == 1)
@@ -135,7 +162,7 @@ btScalar ContactSolver::solveSingleIteration(int iteration, btCollisionObject** 
 
 btScalar ContactSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int bodies_n,
                                                       const btContactSolverInfo& info) {
-  if (remembers_) memorise();
+  if (shear_stiffness_ > 0) memorise(info.m_timeStep);
   const auto tell = [this](btMultiBody* body, int response, double impulse) {
     if (body) body->applyDeltaVeeMultiDof2(&m_data.m_deltaVelocitiesUnitImpulse[response], impulse);
   };

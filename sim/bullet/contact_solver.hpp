@@ -16,9 +16,11 @@ namespace mrroc::sim {
 /// both by themselves, or a warm start it is the solver of Bullet itself; friction against rolling is left out.
 class ContactSolver final : public btMultiBodyConstraintSolver {
  public:
-  /// From now on the iteration begins with the impulses of the integration before, not with none, which Bullet's own
-  /// does: what changes slowly converges over the integrations.
-  void remember() { remembers_ = true; }
+  /// From now on the iteration begins with the impulses of the integration before, not with none, as Bullet's own does:
+  /// what changes slowly converges over the integrations. And surfaces of soft contacts give way along themselves, too,
+  /// as rubber does, until friction does not hold them any more.
+  /// @param shear_stiffness  as a share of the stiffness along the normal, above 0
+  void remember(double shear_stiffness) { shear_stiffness_ = shear_stiffness; }
   /// A body was made anew: begins with none once.
   void forget() { memory_.forget(); }
 
@@ -54,14 +56,15 @@ class ContactSolver final : public btMultiBodyConstraintSolver {
   void apply(const Row& row, double impulse);
   void solve(const Row& row);
   void solve_cone(const Row& a, const Row& b, double limit);
-  void recall();
-  void memorise();
+  void recall(double h);
+  void soften(const Row& friction, const ImpulseMemory::Contact& known, double h);
+  void memorise(double h);
 
-  bool remembers_{};
+  double shear_stiffness_{};  // 0: nothing is remembered
   ImpulseMemory memory_;
   Rows joints_, normals_, frictions_;
   std::vector<ImpulseMemory::Contact> known_;  // of each normal
-  std::vector<btVector3> rubbed_;              // the same after the iteration
+  std::vector<btVector3> shear_;               // the same after the iteration
 };
 
 }  // namespace mrroc::sim

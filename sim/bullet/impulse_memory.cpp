@@ -1,6 +1,7 @@
 #include "sim/bullet/impulse_memory.hpp"
 
 #include <BulletCollision/NarrowPhaseCollision/btManifoldPoint.h>
+#include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 
 #include <algorithm>
 
@@ -9,6 +10,15 @@ namespace {
 
 /// A contact is the same when it has moved by less on one of its bodies [m]: a corner stays where it is on its own body.
 constexpr double kSame = 1e-3;
+
+/// @return rotation of the first body, of the second where the first one is none
+btMatrix3x3 turned(const btMultiBodySolverConstraint& row) {
+  const auto of = [](const btMultiBody& body, int link) {
+    const btCollisionObject* collider = link < 0 ? body.getBaseCollider() : body.getLink(link).m_collider;
+    return collider->getWorldTransform().getBasis();
+  };
+  return row.m_multiBodyA ? of(*row.m_multiBodyA, row.m_linkA) : of(*row.m_multiBodyB, row.m_linkB);
+}
 
 }  // namespace
 
@@ -32,25 +42,26 @@ double ImpulseMemory::drive(const btMultiBodySolverConstraint& row) const {
 
 ImpulseMemory::Contact ImpulseMemory::contact(const btMultiBodySolverConstraint& normal) const {
   const Place here = place_of(normal);
-  Contact nearest;
+  const Place* nearest = nullptr;
   double least = kSame * kSame;
   for (const Place& p : before_.places) {
     if (p.a != here.a || p.b != here.b || p.link_a != here.link_a || p.link_b != here.link_b) continue;
     const double moved = std::min(p.on_a.distance2(here.on_a), p.on_b.distance2(here.on_b));
     if (moved >= least) continue;
     least = moved;
-    nearest = p.contact;
+    nearest = &p;
   }
-  return nearest;
+  if (!nearest) return {};
+  return {nearest->contact.pressed, turned(normal) * nearest->contact.shear};
 }
 
 void ImpulseMemory::keep_drive(const btMultiBodySolverConstraint& row) {
   now_.drives.push_back({row.m_orgConstraint, row.m_orgDofIndex, row.m_appliedImpulse});
 }
 
-void ImpulseMemory::keep_contact(const btMultiBodySolverConstraint& normal, const btVector3& rubbed) {
+void ImpulseMemory::keep_contact(const btMultiBodySolverConstraint& normal, const btVector3& shear) {
   now_.places.push_back(place_of(normal));
-  now_.places.back().contact = {normal.m_appliedImpulse, rubbed};
+  now_.places.back().contact = {normal.m_appliedImpulse, shear * turned(normal)};
 }
 
 void ImpulseMemory::turn_page() {

@@ -8,14 +8,14 @@
 namespace mrroc::sim {
 
 /// Impulses of drives and contacts. Contacts are known again by their bodies and by where they are on one of them, since
-/// Bullet may find them anew in every integration. Two lists: of the integration before, which is read, and of the present
+/// Bullet may find them anew in every integration; what acts along their surfaces turns with the first body. Two lists: of the integration before, which is read, and of the present
 /// one. Same calls, same answers: nothing depends on addresses but equality.
 class ImpulseMemory {
  public:
   /// What was at a contact.
   struct Contact {
-    double pressed{};           ///< along the normal [N s]
-    btVector3 rubbed{0, 0, 0};  ///< of friction on the first body, in the world [N s]
+    double pressed{};          ///< along the normal [N s]
+    btVector3 shear{0, 0, 0};  ///< along the surfaces, on the first body, in the world [N s]
   };
 
   /// @return the impulse of that drive's row, 0: not known [N s], [N m s]
@@ -25,8 +25,8 @@ class ImpulseMemory {
 
   /// For the next integration. @param row  solved
   void keep_drive(const btMultiBodySolverConstraint& row);
-  /// @param normal  row of the contact, solved  @param rubbed  as in Contact
-  void keep_contact(const btMultiBodySolverConstraint& normal, const btVector3& rubbed);
+  /// @param normal  row of the contact, solved  @param shear  as in Contact
+  void keep_contact(const btMultiBodySolverConstraint& normal, const btVector3& shear);
   /// The present integration is the one before from now on.
   void turn_page();
   /// Drives and contacts are others from now on: a body was made anew.

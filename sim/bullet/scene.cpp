@@ -7,6 +7,8 @@ namespace {
 
 constexpr double kGravity = 9.81;         // [m/s^2]
 constexpr double kTableThickness = 0.05;  // [m]
+/// Of pads along their surfaces, as a share of that along the normal: a block of rubber.
+constexpr double kShearStiffness = 0.2;
 
 }  // namespace
 
@@ -31,7 +33,7 @@ void Scene::prepare_for_cube() {
            Pose{Matrix3::Identity(), {0, 0, -kEdge / 2}}, kFloorGroup, kCubeGroup);
   dynamics_.contacts_turn = true;
   dynamics_.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
-  solver_.remember();
+  solver_.remember(kShearStiffness);
 }
 
 void Scene::add_body(std::unique_ptr<btCollisionShape> shape, const Pose& T_U, int group, int mask) {
