@@ -9,11 +9,12 @@
 #include <ostream>
 #include <utility>
 
+#include "base/as_typed.hpp"
 #include "base/fault_table.hpp"
 #include "base/nearest.hpp"
 #include "base/operator.hpp"
+#include "base/wrap.hpp"
 #include "ui_cli/states.hpp"
-#include "ui_cli/wrap.hpp"
 
 namespace mrroc::ui {
 namespace {
@@ -115,7 +116,7 @@ void list(std::ostream& out, bool json) {
 /// Adds a paragraph with a heading before it.
 void add(std::string& text, std::string_view head, std::string_view words) {
   constexpr int kWidth = 80, kHead = 17;
-  for (const std::string& line : wrap(words, kWidth - kHead))
+  for (const std::string& line : wrap(as_typed(words), kWidth - kHead))
     text += fmt::format("{:<{}}{}\n", std::exchange(head, ""), kHead, line);
 }
 
@@ -173,7 +174,7 @@ int run_explain(const std::vector<std::string>& arguments, std::ostream& out, st
   std::vector<std::string> words;
   for (const std::string& a : arguments) {
     if (a == "--help" || a == "-h") {
-      out << kHelp;
+      out << as_typed(kHelp);
       return 0;
     }
     if (a == "--json")

@@ -6,9 +6,10 @@
 #include <array>
 #include <cmath>
 
+#include "base/as_typed.hpp"
+#include "base/wrap.hpp"
 #include "ui_cli/layout_tables.hpp"
 #include "ui_cli/manual_page.hpp"
-#include "ui_cli/wrap.hpp"
 
 namespace mrroc::ui {
 namespace {
@@ -114,7 +115,7 @@ void put_keys(Canvas& c, const View& v) {
 }
 
 void put_help(Rows& rows) {
-  constexpr std::array<std::string_view, 12> kHelp{
+  constexpr std::array<std::string_view, 10> kHelp{
       "s  start    begins a task that waits for its operator",
       "p  pause    the arms come to rest and keep their forces",
       "r  resume   goes on after a pause",
@@ -124,10 +125,11 @@ void put_help(Rows& rows) {
       "c  charts   F_z, F_x, F_y, or how far x, y, z have come",
       "m  manual   moves idle arms by hand, in the task `manual`",
       "q  leave    closes this view; the task goes on",
-      "m: behaviour  i: macrostep  F_z: force along the tool's z",
-      "Bright keys mean something now. From a shell: ui_cli --help",
-      "Any key goes back."};
+      "m: behaviour  i: macrostep  F_z: force along the tool's z"};
   for (const std::string_view line : kHelp) rows.canvas().put(rows.take(), 1, line);
+  rows.canvas().put(rows.take(), 1,
+                    "Bright keys mean something now. From a shell: " + typed("ui_cli --help"));
+  rows.canvas().put(rows.take(), 1, "Any key goes back.");
 }
 
 /// @return the notice in lines, at least one; on a low screen not more

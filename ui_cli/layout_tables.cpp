@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui_cli/wrap.hpp"
+#include "base/wrap.hpp"
 
 namespace mrroc::ui {
 namespace {

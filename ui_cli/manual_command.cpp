@@ -11,6 +11,7 @@
 #include <sstream>
 #include <utility>
 
+#include "base/as_typed.hpp"
 #include "base/fault.hpp"
 #include "ui_cli/manual_link.hpp"
 #include "ui_cli/manual_page.hpp"
@@ -18,7 +19,10 @@
 
 namespace mrroc::ui {
 
-const char* const kManualHelp =
+namespace {
+
+constexpr const char* kHelp =
+    "Usage: ui_cli manual INSTRUCTION\n"
     "\nInstructions to the task `manual` (start it with `./run manual`); ARM is arm1, arm2 or all:\n"
     "  home ARM                                find the positions, set the tool, bias the force\n"
     "  move ARM SPACE NUMBER... [speed S] [acceleration S]   to coordinates\n"
@@ -36,8 +40,6 @@ const char* const kManualHelp =
     "SPACE: motors [rad], joints [rad, m], euler, angle-axis [m, rad]. S: share of the largest, 0 to 1.\n"
     "Options: --no-wait returns when the instruction is taken; --json, --session NAME, --url URL.\n"
     "Exit status: 0 done; 1 refused or failed; 2 bad usage or no such session; 3 nobody answers.\n";
-
-namespace {
 
 using Json = nlohmann::ordered_json;
 
@@ -191,6 +193,8 @@ void load(link::Bus& bus, const link::SessionInfo& session, const ManualWish& wi
 
 }  // namespace
 
+std::string manual_help() { return as_typed(kHelp); }
+
 ManualWish read_manual_words(const std::vector<std::string>& arguments) {
   ManualWish wish;
   std::vector<std::string> words;
@@ -214,7 +218,7 @@ ManualWish read_manual_words(const std::vector<std::string>& arguments) {
       words.push_back(a);
   }
   if (words.empty())
-    throw FaultError(FaultCode::bad_usage, "an instruction is missing", "look at ui_cli manual --help");
+    throw FaultError(FaultCode::bad_usage, "an instruction is missing", "look at `ui_cli manual --help`");
   wish.words = fmt::format("{}", fmt::join(words, " "));
   const auto form = [&](std::size_t count, const char* written) {
     if (words.size() != count)

@@ -49,10 +49,11 @@ ManualDeed typed(const std::string& asked, std::string text, const std::string& 
   if (words.empty()) return {};
   const auto rest = fmt::format("{}", fmt::join(words, " "));
   if (asked.empty() && (words[0] == "show" || words[0] == "save" || words[0] == "load"))
-    return refusal(fmt::format("`{0}` is for a shell: ui_cli manual {0} ...", words[0]));
+    return refusal(fmt::format("`{0}` is for a shell: `ui_cli manual {0} ...`", words[0]));
   for (const std::string& word : words)
     if (word.starts_with("--"))
-      return refusal(fmt::format("there is no '{}' here: options are for a shell, ui_cli manual ...", word));
+      return refusal(
+          fmt::format("there is no '{}' here: options are for a shell, `ui_cli manual ...`", word));
   const std::string whole = asked + (asked.empty() ? "" : " ") + rest + tail;
   if (whole.size() > kLongestInstruction) return refusal(too_long(whole.size()) + "; " + kShorter);
   return instruction(whole);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/as_typed.hpp"
 #include "base/fault.hpp"
 #include "ui_cli/layout_tables.hpp"
 #include "ui_cli/manual_page.hpp"
@@ -128,7 +129,7 @@ void ManualPage::draw_help(Rows& rows) {
       ":            any words of `ui_cli manual --help`",
       "m or Escape  back to the task; e x p r ? q as there",
       "Any key goes back."};
-  for (const std::string_view line : kHelp) rows.canvas().put(rows.take(), 1, line);
+  for (const std::string_view line : kHelp) rows.canvas().put(rows.take(), 1, as_typed(line));
 }
 
 void ManualPage::draw_keys(Canvas& c, int first) const {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/as_typed.hpp"
 #include "ui_cli/keys.hpp"
 
 namespace mrroc::ui {
@@ -34,8 +35,13 @@ bool answers(int key) { return (key >= 0 && key < 256) || key == key::kKeypadEnt
 
 }  // namespace
 
-Panel::Panel(link::Bus& bus, Client& client, Glyphs glyphs, Clock::time_point now)
-    : bus_(bus), client_(client), log_(bus, client.session().name), heard_(now), noticed_(now) {
+Panel::Panel(link::Bus& bus, Client& client, Glyphs glyphs, Clock::time_point now, std::string session)
+    : bus_(bus),
+      client_(client),
+      session_(std::move(session)),
+      log_(bus, client.session().name),
+      heard_(now),
+      noticed_(now) {
   view_.session = client.session().name;
   view_.glyphs = glyphs;
 }
@@ -118,14 +124,14 @@ void Panel::update(Clock::time_point now) {
   log_.follow(*view_.snapshot);
 }
 
-void Panel::notice(std::string text, Style style, Clock::time_point now) {
-  view_.notice = {std::move(text), style};
+void Panel::notice(std::string_view text, Style style, Clock::time_point now) {
+  view_.notice = {as_typed(text, session_), style};
   noticed_ = now;
 }
 
 void Panel::open_manual(Clock::time_point now) {
   if (!view_.snapshot || view_.snapshot->task != kManualTask) {
-    notice("arms are moved by hand in the task `manual`: ./run manual", Style::warning, now);
+    notice("arms are moved by hand in the task `manual`: `./run manual`", Style::warning, now);
     return;
   }
   if (!page_) {
@@ -188,6 +194,7 @@ Canvas Panel::picture(Size size, Clock::time_point now) {
   if (!asks_ && now - noticed_ > kNoticeStays) view_.notice = {};
   view_.silence = std::chrono::duration<double>(now - heard_).count();
   view_.messages = log_.newest(kMessages);
+  for (Message& m : view_.messages) m.text = as_typed(m.text, session_);
   View shown = view_;
   if (shown.notice.text.empty() && shown.snapshot && shown.snapshot->state == TaskState::ended)
     shown.notice = {"the task has ended; its files are in " + shown.snapshot->run_folder, Style::good};

@@ -68,6 +68,16 @@ TEST(Explain, EveryErrorHasACauseAndAnAdviceOfItsOwnThatCanBeFollowed) {
   }
 }
 
+TEST(Explain, EveryExplanationFitsOnATerminal) {
+  for (const FaultEntry& e : kFaultTable) {
+    std::istringstream text(explanation(e.code));
+    std::string line;
+    std::getline(text, line);  // the title
+    for (; std::getline(text, line);)
+      EXPECT_TRUE(line.size() <= 80 || line.find('`') != std::string::npos) << line;
+  }
+}
+
 TEST(Explain, KnowsNamesAndNumbers) {
   EXPECT_EQ(run({"over_current"}).out, explanation(FaultCode::over_current));
   EXPECT_EQ(run({"1"}).out, explanation(FaultCode::lost_command));
