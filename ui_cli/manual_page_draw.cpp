@@ -122,7 +122,7 @@ void ManualPage::draw_help(Rows& rows) {
       "arrows       up, down: the coordinate; left, right: jog it",
       "c  + -  < >  coordinates; the step; the speed",
       "a            to an absolute coordinate: type it, Enter",
-      "h  b  z      home, bias the force, clear the fault",
+      "h  b  z      home, bias the force, clear the fault; Enter",
       "o  g  w  W   preset, jaws, tool, weight: type what it needs",
       "k  v         kinematic model, servo algorithm: the same",
       "blank        stops what the arm does",

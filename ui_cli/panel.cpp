@@ -59,8 +59,13 @@ void Panel::key(int key, Clock::time_point now) {
     if (key == 'y' || key == 'Y')
       give(order, now);
     else
-      notice(order == OperatorOrder::stop ? "not stopped" : "not triggered", Style::plain, now);
-    if (const auto other = order_of(key); other && *other != order) ask_or_give(*other, now);
+      notice(order == OperatorOrder::stop     ? "not stopped"
+             : order == OperatorOrder::resume ? "not resumed"
+                                              : "not triggered",
+             Style::plain, now);
+    const auto other = order_of(key);
+    const bool meant = !view_.manual || other == OperatorOrder::pause;  // letters may be those of a word there
+    if (other && *other != order && meant) ask_or_give(*other, now);
   } else if (view_.help) {
     view_.help = false;
   } else if (view_.manual && key != key::kControlC && manual_key(key, now)) {
@@ -85,6 +90,9 @@ void Panel::ask_or_give(OperatorOrder order, Clock::time_point now) {
   } else if (order == OperatorOrder::stop) {
     asks_ = order;
     notice("stop the task for good? y/n", Style::warning, now);
+  } else if (order == OperatorOrder::resume && view_.manual) {  // the r may be one of a word
+    asks_ = order;
+    notice("go on after the pause? y/n", Style::warning, now);
   } else if (order == OperatorOrder::trigger && s && s->waits_for_trigger && !s->early.empty()) {
     asks_ = order;
     notice(s->early + "; trigger all the same? y/n", Style::warning, now);
