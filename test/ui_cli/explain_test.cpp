@@ -132,6 +132,26 @@ TEST(Explain, KnowsEveryStateThatAPersonMeets) {
   EXPECT_NE(run({}).out.find("waiting for start"), std::string::npos);
 }
 
+TEST(Explain, AStateIsNamedOnceWhosesoeverItIs) {
+  const auto count = [](const std::string& text, const std::string& line_begin) {
+    int lines = 0;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines += line.starts_with(line_begin);
+    return lines;
+  };
+  const std::string faulted = run({"faulted"}).out;
+  EXPECT_EQ(count(faulted, "faulted"), 1) << faulted;
+  EXPECT_EQ(count(faulted, "  of "), 2) << faulted;
+  EXPECT_EQ(count(run({}).out, "ready "), 1) << run({}).out;
+}
+
+TEST(Explain, CapitalsDoNotMatter) {
+  EXPECT_EQ(run({"HOLDING"}).out, run({"holding"}).out);
+  EXPECT_EQ(run({"Waiting", "For", "Start"}).out, run({"waiting for start"}).out);
+  EXPECT_EQ(run({"Over_Current"}).out, run({"over_current"}).out);
+  EXPECT_NE(run({"HOLDIN"}).err.find("did you mean 'holding'?"), std::string::npos) << run({"HOLDIN"}).err;
+}
+
 TEST(Explain, AnOrderAndTheScriptsErrorsAreKnownToo) {
   EXPECT_EQ(run({"e-stop"}).out, run({"emergency_stop"}).out);
   EXPECT_NE(run({"emergency_stop"}).out.find("what to do:"), std::string::npos);
