@@ -136,7 +136,7 @@ void ManualPage::draw_keys(Canvas& c, int first) const {
   constexpr std::array<std::string_view, kKeyRows> kKeys{
       "1 2 arm 0 all  arrows axis, jog  c coordinates  a absolute  + - step  < > speed",
       "h home o preset g jaws w tool W weight k model v servo b bias z clear : words",
-      "e E-STOP  space stop arm  m back  x stop task  p pause r resume  ? help  q leave"};
+      "e E-STOP  ? help  space stop arm  m back  x stop task  p pause r resume  q leave"};
   if (typing()) {
     c.put(first + kKeyRows - 1, 0, "Ctrl-E E-STOP  Enter sends  Escape drops the line", Style::heading);
     return;
