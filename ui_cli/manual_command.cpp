@@ -13,6 +13,7 @@
 
 #include "base/as_typed.hpp"
 #include "base/fault.hpp"
+#include "ui_cli/homing_progress.hpp"
 #include "ui_cli/manual_link.hpp"
 #include "ui_cli/manual_page.hpp"
 #include "ui_cli/manual_show.hpp"
@@ -43,22 +44,36 @@ constexpr const char* kHelp =
 
 using Json = nlohmann::ordered_json;
 
-/// @param progress  is told once when the instruction takes long; null: nothing is told
+constexpr const char* kTaken =
+    "taken, and not done yet; Ctrl-C ends the wait and not the motion, --no-wait does not wait for it";
+
+std::vector<std::string> names_of(const std::vector<ManualArm>& arms) {
+  std::vector<std::string> names;
+  for (const ManualArm& a : arms) names.push_back(a.name);
+  return names;
+}
+
+/// @param progress  is told when the instruction takes long, and then how far homing is; null: nothing is told
 /// @return the last answer: refused, taken when that is enough, done or failed
 ManualAnswer ask(link::Bus& bus, const link::SessionInfo& session, const std::string& words, bool wait,
                  const Patience& patience, std::ostream* progress) {
-  ManualLink link(bus, session, {}, patience);
+  const std::vector<ManualArm> arms = arms_to_home(words, session.run_folder);
+  ManualLink link(bus, session, names_of(arms), patience);
+  HomingProgress homing(arms);
   const auto begun = Clock::now();
-  bool taken = false;
+  auto next = begun + patience.told;  // line of progress
+  bool taken = false, told = false;
   link.begin(words, begun);
   while (true) {
     const auto answer = link.poll(Clock::now());
     taken = taken || (answer && answer->state == ManualState::taken);
-    if (progress && wait && taken && !answer && Clock::now() - begun > patience.told)
-      *std::exchange(progress, nullptr)
-          << "taken, and not done yet; Ctrl-C ends the wait and not the motion, --no-wait "
-             "does not wait for it"
-          << std::endl;
+    for (const ManualArm& a : arms)
+      if (const auto reading = link.reading(a.name)) homing.see(a.name, *reading);
+    if (progress && wait && taken && !answer && Clock::now() > next) {
+      const std::string line = std::exchange(told, true) ? homing.text() : kTaken;
+      if (!line.empty()) *progress << line << std::endl;
+      next += patience.progress;
+    }
     if (answer && (answer->state != ManualState::taken || !wait)) return *answer;
     if (!answer) bus.wait(std::min(patience.repeat, std::chrono::milliseconds(20)));
   }
