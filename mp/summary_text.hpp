@@ -16,8 +16,8 @@ struct Ending {
   std::vector<std::filesystem::path> pictures{};  ///< of the run
 };
 
-/// @return how the run ended and how long it took, then figures and pictures - not those of a run that was stopped, which
-///         are in its folder - and what there is to see in the viewer that was asked for
+/// @return how the run ended and how long it took, then figures and pictures - not those of a run that was stopped,
+///         which are in its folder - and what there is to see in the viewer that was asked for
 [[nodiscard]] std::string ending_text(const Summary& summary, const Ending& ending,
                                       const TaskOptions& options);
 

@@ -26,7 +26,7 @@ class HomingProgress {
   /// @param arm      name of one of them; others are ignored
   /// @param reading  its newest
   void see(const std::string& arm, const EffectorReply& reading);
-  /// @return which of its axes every arm is homing, "arm1 axis 2 of 6, arm2 axis 1 of 7"; without arms that are not homing
+  /// @return which of its axes every arm is homing, "arm1 axis 2 of 6, arm2 axis 1 of 7"; of arms that do
   [[nodiscard]] std::string text() const;
 
  private:

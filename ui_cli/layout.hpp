@@ -43,8 +43,8 @@ inline constexpr double kSilence = 2;
 [[nodiscard]] bool sensible(OperatorOrder order, const Snapshot& s);
 
 /// Made for 80 x 24 and more. Processes that are well are only counted where charts would find no room; on a smaller
-/// screen charts go first, then messages, processes and the right ends of lines. The state, the notice and the keys stay,
-/// of these the emergency stop and the help to the end. Any size is allowed.
+/// screen charts go first, then messages, processes and the right ends of lines. The state, the notice and the keys
+/// stay, of these the emergency stop and the help to the end. Any size is allowed.
 [[nodiscard]] Canvas lay_out(const View& view, Size size);
 
 }  // namespace mrroc::ui

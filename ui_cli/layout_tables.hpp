@@ -41,8 +41,8 @@ int troubled_rows(const Snapshot& s, int columns);
 /// Pose, force and sensor of every agent, and below each its behaviour and the chart of F_z.
 /// @param behaviours  whether there is a row for them: name, and why the one before ended
 void put_agents(Rows& rows, const View& view, int chart_height, bool behaviours);
-/// State and age of every process. When there is too little room, those that are not well come first, and the others are
-/// counted.
+/// State and age of every process. When there is too little room, those that are not well come first, and the others
+/// are counted.
 /// @param most  rows below the heading
 void put_processes(Rows& rows, const Snapshot& s, int most);
 /// The newest messages that there is room for.

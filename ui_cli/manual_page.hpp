@@ -37,10 +37,10 @@ struct ManualDeed {
 
 /// Keys: 1 to 4 an arm, 0 all arms; c coordinates; up, down an axis; left, right jog it by a step, + and - change the
 /// step, < and > the speed; a to an absolute coordinate; h home, o preset, g gripper, w tool, W weight, k model, v
-/// servo, b bias, z clear fault, blank stop, : any instruction; m or Escape back. All but jogs and the stop open a line of
-/// text: Enter sends, Escape drops it. So a letter alone moves nothing, and an instruction that is typed without the colon
-/// is understood where its first letter opens a line. Blanks, a colon before the words, `ui_cli manual` before them and
-/// the words that stand there already do no harm; an instruction that is too long is refused.
+/// servo, b bias, z clear fault, blank stop, : any instruction; m or Escape back. All but jogs and the stop open a line
+/// of text: Enter sends, Escape drops it. So a letter alone moves nothing, and an instruction that is typed without the
+/// colon is understood where its first letter opens a line. Blanks, a colon before the words, `ui_cli manual` before
+/// them and the words that stand there already do no harm; an instruction that is too long is refused.
 class ManualPage {
  public:
   /// @param arms  the first of them is chosen

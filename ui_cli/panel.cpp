@@ -64,7 +64,8 @@ void Panel::key(int key, Clock::time_point now) {
                                               : "not triggered",
              Style::plain, now);
     const auto other = order_of(key);
-    const bool meant = !view_.manual || other == OperatorOrder::pause;  // letters may be those of a word there
+    const bool meant =
+        !view_.manual || other == OperatorOrder::pause;  // letters may be those of a word there
     if (other && *other != order && meant) ask_or_give(*other, now);
   } else if (view_.help) {
     view_.help = false;
