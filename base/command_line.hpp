@@ -9,10 +9,13 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/as_typed.hpp"
 #include "base/fault.hpp"
 #include "base/nearest.hpp"
+#include "base/program.hpp"
 
 namespace mrroc {
 
@@ -62,12 +65,12 @@ inline std::optional<std::string> help_asked(const CLI::App& app, const std::vec
         command = inner;
         break;
       }
-  return command->help(before);
+  return as_typed(command->help(before));
 }
 
 /// The same for the command line of a program, which gives the app its name if it has none.
 inline std::optional<std::string> help_asked(CLI::App& app, int argc, const char* const* argv) {
-  if (app.get_name().empty() && argc > 0) app.name(argv[0]);
+  if (app.get_name().empty()) app.name(this_program().filename().string());
   return help_asked(app, std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
 }
 
@@ -106,6 +109,22 @@ inline std::string what_to_type(const Examples& examples, const std::string& com
   return command.empty() ? "look at --help" : fmt::format("look at `{} --help`", command);
 }
 
+/// What the examples at the end of a help show: lines that begin as typed() wants it, and what they do.
+using ExplainedLines = std::vector<std::pair<std::string, std::string>>;
+
+/// @return them as typed(), below each other, with what they do in a column of its own
+inline std::string explained(ExplainedLines lines) {
+  std::size_t width = 0;
+  for (auto& [line, does] : lines) {
+    line = typed(line);
+    width = std::max(width, line.size());
+  }
+  std::string text;
+  for (const auto& [line, does] : lines)
+    text += does.empty() ? fmt::format("  {}\n", line) : fmt::format("  {:<{}}   {}\n", line, width, does);
+  return text;
+}
+
 /// @param names  of one thing or several
 /// @return "A, B and C"
 inline std::string listed(const std::vector<std::string>& names) {
@@ -126,7 +145,7 @@ inline std::string with_description(const CLI::Option& o) {
 /// @return bad_usage for a line that CLI11 refuses: words that do not exist or are missing are named, with what to type
 inline FaultError wrong_words(const CLI::App& app, const CLI::Error& e, const Examples& examples = {}) {
   const CLI::App* at = &app;  // the command that was reached
-  std::string command = app.get_name().find('/') == std::string::npos ? app.get_name() : "";
+  std::string command = app.get_name();
   for (auto inner = at->get_subcommands(); !inner.empty(); inner = at->get_subcommands()) {
     at = inner.back();
     command += (command.empty() ? "" : " ") + at->get_name();

@@ -124,8 +124,10 @@ std::string ConfigStore::write() const {
   std::string result;
   for (const auto& [table, lines] : groups) {
     if (!table.empty()) result += fmt::format("{}[{}]\n", result.empty() ? "" : "\n", table);
+    constexpr std::size_t kLong = 40;  // such a line does not push the notes of the others aside
     std::size_t width = 0;
-    for (const Line& line : lines) width = std::max(width, line.text.size());
+    for (const Line& line : lines)
+      if (line.text.size() <= kLong) width = std::max(width, line.text.size());
     for (const Line& line : lines)
       result +=
           line.note.empty() ? line.text + "\n" : fmt::format("{:{}}  # {}\n", line.text, width, line.note);

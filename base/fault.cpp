@@ -5,6 +5,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "base/as_typed.hpp"
 #include "base/fault_table.hpp"
 
 namespace mrroc {
@@ -83,9 +84,9 @@ std::string describe(const Fault& fault) {
                      entry.remedy);
 }
 
-std::string error_line(const Fault& fault) {
+std::string error_line(const Fault& fault, std::string_view session) {
   const FaultEntry& entry = fault_entry(fault.code);
-  return fmt::format("error: {}: {}; {}", entry.name, what_happened(fault), entry.remedy);
+  return as_typed(fmt::format("error: {}: {}; {}", entry.name, what_happened(fault), entry.remedy), session);
 }
 
 int exit_status(FaultCode code) noexcept {
@@ -107,8 +108,8 @@ std::string_view FaultError::remedy() const noexcept {
   return remedy_.empty() ? fault_entry(fault_.code).remedy : std::string_view(remedy_);
 }
 
-std::string FaultError::error_line() const {
-  return fmt::format("error: {}: {}; {}", to_string(fault_.code), what(), remedy());
+std::string FaultError::error_line(std::string_view session) const {
+  return as_typed(fmt::format("error: {}: {}; {}", to_string(fault_.code), what(), remedy()), session);
 }
 
 }  // namespace mrroc

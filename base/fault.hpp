@@ -143,8 +143,9 @@ struct Fault {
 [[nodiscard]] std::string what_happened(const Fault& fault);
 /// @return the full sentence: class, code, what happened and the remedy
 [[nodiscard]] std::string describe(const Fault& fault);
+/// @param session  that hints have to name, see as_typed(); empty: none
 /// @return the last line on standard error: `error: CODE: what happened; what to do`
-[[nodiscard]] std::string error_line(const Fault& fault);
+[[nodiscard]] std::string error_line(const Fault& fault, std::string_view session = {});
 /// @return exit status of a program that ends with this code: 0 none, 2 bad input, 3 system, otherwise 1
 [[nodiscard]] int exit_status(FaultCode code) noexcept;
 
@@ -162,8 +163,9 @@ class FaultError : public std::runtime_error {
   [[nodiscard]] const Fault& fault() const noexcept { return fault_; }
   /// @return what the operator can do
   [[nodiscard]] std::string_view remedy() const noexcept;
+  /// @param session  that hints have to name; empty: none
   /// @return as error_line(fault()), with the whole text of what() and with remedy()
-  [[nodiscard]] std::string error_line() const;
+  [[nodiscard]] std::string error_line(std::string_view session = {}) const;
 
  private:
   Fault fault_;

@@ -139,7 +139,7 @@ inline constexpr std::array kFaultTable{
               "glare or coloured light; a sticker that is missing or dirty; a cube that was taken apart"),
 
   MRROC_FAULT(start_failed, system, "a process could not be started",
-              "build with `./run build` and look at messages.log in the run folder",
+              "build all programs, and look at messages.log in the run folder",
               "a program that was not built; no right to execute it; no memory"),
   MRROC_FAULT(not_ready, system, "a process did not become ready in time",
               "look at its last lines in messages.log in the run folder",

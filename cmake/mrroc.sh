@@ -17,4 +17,6 @@ if [ "$found" = false ]; then
   echo "error: bad_usage: there is no program named $name; mrroc --help lists them" >&2
   exit 2
 fi
+MRROC_CALLED=mrroc # what hints tell to type
+export MRROC_CALLED
 exec "$programs/$name" "$@"

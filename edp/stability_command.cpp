@@ -129,7 +129,7 @@ void add_options(CLI::App& app, Arguments& a) {
   app.add_flag("--sampled", a.sampled, "the force at the end of a step, not its mean over it");
   auto* json = app.add_flag("--json", a.json, "print JSON");
   app.add_flag("--map", a.map, "print the limit over I and B, for gnuplot")->excludes(json);
-  app.footer("\nExample:  ui_cli stability --I 20 --B 0.005 --K 1e4\nMore: docs/stability.md");
+  app.footer("\nExample: `ui_cli stability --I 20 --B 0.005 --K 1e4`\nMore: docs/stability.md");
 }
 
 }  // namespace

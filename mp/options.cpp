@@ -9,6 +9,7 @@
 
 #include "base/command_line.hpp"
 #include "base/fault.hpp"
+#include "base/link/run_folder.hpp"
 
 namespace mrroc::mp {
 namespace {
@@ -108,9 +109,10 @@ void add_task_options(CLI::App& app, TaskOptions& o) {
   app.add_option("--session", o.session, "name for ui_cli --session (default: unique)")->type_name("NAME");
   app.add_option("--url", o.url, "where the system talks (default: from the session's name)")
       ->type_name("udpm://HOST:PORT?ttl=N");
-  app.add_option("--check", o.check,
-                 "instead of a run: recompute the coordinator's orders from a run folder's log, and print "
-                 "what differs as JSON; `ui_cli log check` does it for all processes")
+  app.add_option_function<std::string>(
+         "--check", [&o](const std::string& run) { o.check = link::checked_run_folder(run); },
+         "instead of a run: recompute the coordinator's orders from a run folder's log, and print "
+         "what differs as JSON; `ui_cli log check` does it for all processes")
       ->type_name("RUN");
 }
 

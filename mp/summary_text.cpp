@@ -2,20 +2,48 @@
 
 #include <fmt/format.h>
 
-namespace mrroc::mp {
+#include <cstdio>
 
-void print_summary(const Summary& s, const std::string& figures) {
-  fmt::print("\n{}: {:.1f} s simulated in {:.1f} s ({:.1f} x real time)\n{}",
-             s.stopped ? "stopped"
-             : s.fault ? "ended with a fault"
-                       : "done",
-             s.sim_s, s.wall_s, s.wall_s > 0 ? s.sim_s / s.wall_s : 0, figures);
+#include "base/as_typed.hpp"
+
+namespace mrroc::mp {
+namespace {
+
+/// A run in lock-step is over before anybody has opened the page.
+std::string view_hint(const Summary& s, const Ending& ending, const TaskOptions& o) {
+  if (!o.view || o.speed > 0 || o.clock == ClockKind::wall) return "";
+  return fmt::format(
+      "that was as fast as this host can; `./run {} --view --speed 1` takes as long as arms do,\n"
+      "and `ui_cli view {}` shows this run once more\n",
+      s.task, ending.folder.string());
+}
+
+}  // namespace
+
+std::string ending_text(const Summary& s, const Ending& ending, const TaskOptions& options) {
+  std::string text = fmt::format("\n{}: {:.1f} s simulated in {:.1f} s ({:.1f} x real time)\n",
+                                 s.stopped ? "stopped"
+                                 : s.fault ? "ended with a fault"
+                                           : "done",
+                                 s.sim_s, s.wall_s, s.wall_s > 0 ? s.sim_s / s.wall_s : 0);
+  if (!s.stopped) text += ending.figures;
   for (const SurvivedFault& survived : s.survived)
-    fmt::print("fault at {:.2f} s, after which the task went on: {}\n", survived.sim_s,
-               describe(survived.fault));
+    text += fmt::format("fault at {:.2f} s, after which the task went on: {}\n", survived.sim_s,
+                        describe(survived.fault));
   if (!s.black_box.empty())
-    fmt::print("black box, the last 5 s of every process: {} files in the run folder, such as {}\n",
-               s.black_box.size(), s.black_box.front());
+    text += fmt::format("black box, the last 5 s of every process: {} files in the run folder, such as {}\n",
+                        s.black_box.size(), s.black_box.front());
+  for (const std::filesystem::path& picture : ending.pictures)
+    if (!s.stopped) text += fmt::format("picture: {}\n", picture.string());
+  return as_typed(text + view_hint(s, ending, options), options.session);
+}
+
+int print_ending(const Summary& summary, const Ending& ending, const TaskOptions& options) {
+  fmt::print("{}", ending_text(summary, ending, options));
+  std::fflush(stdout);
+  if (summary.fault) fmt::print(stderr, "{}\n", error_line(*summary.fault, options.session));
+  fmt::print("run folder: {}\n", ending.folder.string());
+  return summary.fault ? exit_status(summary.fault->code) : 0;
 }
 
 }  // namespace mrroc::mp

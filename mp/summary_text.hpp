@@ -1,13 +1,28 @@
 // What a task prints when it has ended.
 #pragma once
+#include <filesystem>
 #include <string>
+#include <vector>
 
+#include "mp/options.hpp"
 #include "mp/run_folder.hpp"
 
 namespace mrroc::mp {
 
-/// Prints how the run ended and how long it took to standard output.
-/// @param figures  lines that follow, see figure_table()
-void print_summary(const Summary& summary, const std::string& figures);
+/// What is told of a run that has ended besides its summary.
+struct Ending {
+  std::filesystem::path folder;                   ///< of the run
+  std::string figures{};                          ///< lines, see figure_table()
+  std::vector<std::filesystem::path> pictures{};  ///< of the run
+};
+
+/// @return how the run ended and how long it took, then figures and pictures - not those of a run that was stopped,
+///         which are in its folder - and what there is to see in the viewer that was asked for
+[[nodiscard]] std::string ending_text(const Summary& summary, const Ending& ending,
+                                      const TaskOptions& options);
+
+/// Prints that, then the error line on standard error, if there is one, and the run folder as the last line.
+/// @return exit status of the task
+[[nodiscard]] int print_ending(const Summary& summary, const Ending& ending, const TaskOptions& options);
 
 }  // namespace mrroc::mp

@@ -16,6 +16,7 @@
 #include "base/program.hpp"
 #include "mp/black_box.hpp"
 #include "mp/hosts.hpp"
+#include "mp/tell.hpp"
 #include "mp/viewer.hpp"
 
 namespace mrroc::mp {
@@ -163,7 +164,7 @@ void TaskRun::open_bus(const TaskOptions& options, bool several_hosts) {
     if (options.separate_asked)
       throw FaultError(FaultCode::no_multicast,
                        fmt::format("separate processes need multicast, and {} reaches nobody", address.host));
-    fmt::print("no multicast on this host: all in one process; ui_cli cannot attach\n");
+    tell("no multicast on this host: all in one process; ui_cli cannot attach");
     separate_ = false;
   }
   if (separate_) {
@@ -203,15 +204,14 @@ void TaskRun::tell_lateness() {
   const auto now = link::Process::Clock::now();
   const std::int64_t late = supervisor_->skipped();
   if (late <= late_told_ || now - late_told_at_ < kApart || clock_ != "wall" || process_->over()) return;
-  fmt::print("late periods: {} more, {} in all; this host is too slow or too busy for --clock wall\n",
-             late - late_told_, late);
-  std::fflush(stdout);
+  tell(fmt::format("late periods: {} more, {} in all; this host is too slow or too busy for --clock wall",
+                   late - late_told_, late));
   late_told_ = late;
   late_told_at_ = now;
 }
 
 void TaskRun::start() {
-  if (view_) fmt::print("{}\n", address_ ? start_viewer(session_) : "no viewer: all is in one process");
+  if (view_) tell(address_ ? start_viewer(session_) : "no viewer: all is in one process");
   if (hub_) {
     supervisor_->start_threads(*hub_);
   } else {

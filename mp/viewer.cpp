@@ -69,7 +69,10 @@ std::string start_viewer(const std::string& session) {
   ::close(nothing);
   std::string line = first_line(out[0]);
   ::close(out[0]);
-  return line.empty() ? "no viewer yet: nothing was heard from it; if none comes, try `ui_cli view`" : line;
+  return line.empty()
+             ? "no viewer yet: nothing was heard from it; if none comes, try `ui_cli view --session " +
+                   session + "`"
+             : line;
 }
 
 }  // namespace mrroc::mp

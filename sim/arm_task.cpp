@@ -15,6 +15,7 @@
 #include "mp/step_forces.hpp"
 #include "mp/summary_text.hpp"
 #include "mp/task_run.hpp"
+#include "mp/tell.hpp"
 
 namespace mrroc::sim {
 namespace {
@@ -33,11 +34,6 @@ std::vector<fs::path> pictures_in(const fs::path& folder) {
       if (entry.path().extension() == ".png") pictures.push_back(entry.path());
   std::ranges::sort(pictures);
   return pictures;
-}
-
-void say(const std::string& line) {
-  fmt::print("{}\n", line);
-  std::fflush(stdout);
 }
 
 mp::SoloParameters solo_parameters(const ArmTask& task, const mp::TaskOptions& options,
@@ -103,9 +99,10 @@ int run(const ArmTask& task, mp::TaskOptions& options) {
           make_part(config, fmt::format("vsp-{}-{}", r.name, arm.key), "vsp_" + r.name, &arm, r.body));
   }
   mp::TaskRun run(task.name, options, folder, k.arms, std::move(parts));
-  fmt::print("{}, session {}, seed {}{}\n", task.name, run.session(), options.seed, mp::who_orders(options));
-  std::fflush(stdout);
-  mp::SoloRun solo(run, k, say);
+  const auto tell = [&options](const std::string& line) { mp::tell(line, options.session); };
+  tell(fmt::format("{}, session {}, seed {}{}", task.name, run.session(), options.seed,
+                   mp::who_orders(options)));
+  mp::SoloRun solo(run, k, tell);
   run.start();
   std::optional<Fault> fault;
   if (run.process().assemble() && solo.execute() == Outcome::faulted) fault = solo.fault();
@@ -117,14 +114,11 @@ int run(const ArmTask& task, mp::TaskOptions& options) {
     if (!summary.fault) summary.fault = e.fault();
   }
   std::vector<std::string_view> columns(k.arms.begin(), k.arms.end());
-  mp::print_summary(summary,
-                    mp::figure_table(summary.figures, known, columns, !summary.fault && !summary.stopped));
-  std::fflush(stdout);
-  if (task.result && !summary.fault && !summary.stopped) fmt::print("{}", task.result(solo.traces()));
-  if (summary.fault) fmt::print(stderr, "{}\n", error_line(*summary.fault));
-  for (const fs::path& picture : pictures_in(folder)) fmt::print("picture: {}\n", picture.string());
-  fmt::print("run folder: {}\n", folder.string());
-  return summary.fault ? exit_status(summary.fault->code) : 0;
+  mp::Ending ending{.folder = folder,
+                    .figures = mp::figure_table(summary.figures, known, columns, !summary.fault),
+                    .pictures = pictures_in(folder)};
+  if (task.result && !summary.fault) ending.figures += task.result(solo.traces());
+  return mp::print_ending(summary, ending, options);
 }
 
 }  // namespace

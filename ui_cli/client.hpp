@@ -21,9 +21,10 @@ using Clock = std::chrono::steady_clock;  ///< of everything that a terminal wai
 
 /// How long a terminal waits.
 struct Patience {
-  std::chrono::milliseconds repeat{100};    ///< between the sendings of an order that is not answered
-  std::chrono::milliseconds give_up{5000};  ///< until a task that says nothing is given up
-  std::chrono::milliseconds told{2000};     ///< until a person is told that it is waited for what was taken
+  std::chrono::milliseconds repeat{100};     ///< between the sendings of an order that is not answered
+  std::chrono::milliseconds give_up{5000};   ///< until a task that says nothing is given up
+  std::chrono::milliseconds told{2000};      ///< until a person is told that it is waited for what was taken
+  std::chrono::milliseconds progress{5000};  ///< until he is told how far that is, again and again
 };
 
 /// What the task said to an order.

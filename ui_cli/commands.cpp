@@ -23,15 +23,16 @@ constexpr const char* kAbout =
     "The operator's terminal: shows a running task and gives it orders.\n"
     "Without a command: the full-screen view.";
 
-constexpr const char* kFooter =
-    "\nExamples:\n"
-    "  ./run drawing --attended        start a task that waits for its operator\n"
-    "  ui_cli                          look at it, in another terminal\n"
-    "  ui_cli start                    let it begin\n"
-    "  ui_cli pause && ui_cli resume   hold it for a moment\n"
-    "  ui_cli status --json            for scripts\n"
-    "  ui_cli list                     what runs here\n"
-    "  ui_cli stop --session NAME      when several tasks run\n"
+const ExplainedLines kLines{{"./run drawing --attended", "start a task that waits for its operator"},
+                            {"ui_cli", "look at it, in another terminal"},
+                            {"ui_cli start", "let it begin"},
+                            {"ui_cli pause", "hold it for a moment"},
+                            {"ui_cli resume", "go on"},
+                            {"ui_cli status --json", "for scripts"},
+                            {"ui_cli list", "what runs here"},
+                            {"ui_cli stop --session NAME", "when several tasks run"}};
+
+constexpr const char* kExitStatus =
     "\nExit status:\n"
     "  0  done\n"
     "  1  the task refused the order\n"
@@ -127,7 +128,7 @@ void add_tools(CLI::App& app, CommandLine& line, const Surroundings& around) {
 void add_commands(CLI::App& app, CommandLine& line, const Surroundings& around) {
   const auto look = [&line, &around] {
     Connection c(line.wish, around);
-    watch(*c.bus, c.client);
+    watch(*c.bus, c.client, line.wish.session);
   };
   line.command = look;
   app.add_subcommand("watch", "Full-screen view (the default)")->callback([&line, look] {
@@ -207,12 +208,13 @@ void add_manual(CLI::App& app, CommandLine& line, const Surroundings& around) {
   command->callback([&line, &around, command] {
     line.command = [&line, &around, arguments = command->remaining()] {
       if (arguments.empty()) {
-        around.out << "Usage: ui_cli manual INSTRUCTION\n" << kManualHelp;
+        around.out << manual_help();
         return;
       }
       ManualWish wish = read_manual_words(arguments);
       wish.json = wish.json || line.json;
       if (wish.session.empty()) wish.session = line.wish.session;
+      line.wish.session = wish.session;  // hints name it
       if (wish.url.empty()) wish.url = line.wish.url;
       Connection c({wish.session, wish.url}, around);
       if (c.client.session().id == 0) c.client.await_status();
@@ -236,18 +238,14 @@ std::optional<int> help(const CLI::App& app, const Surroundings& around,
     if (!asks_for_help(behind)) behind.emplace_back("--help");
     return tool->run(behind, around.out, around.err);
   }
-  around.out << (name == "manual" ? std::string("Usage: ui_cli manual INSTRUCTION\n") + kManualHelp : *asked);
+  around.out << (name == "manual" ? manual_help() : *asked);
   return 0;
 }
 
-int fail(const Surroundings& around, FaultCode code, const std::string& error_line) {
+int fail(const Surroundings& around, const FaultError& error, const std::string& session) {
   around.out << std::flush;
-  around.err << error_line << std::endl;
-  return exit_status(code);
-}
-
-int fail(const Surroundings& around, FaultCode code, const std::exception& cause) {
-  return fail(around, code, FaultError(code, cause.what()).error_line());
+  around.err << error.error_line(session) << std::endl;
+  return exit_status(error.fault().code);
 }
 
 }  // namespace
@@ -267,22 +265,22 @@ int run(int argc, const char* const* argv, const Surroundings& around) {
   add_tools(app, line, around);
   add_manual(app, line, around);
   add_completion(app, line, around);
-  app.footer(kFooter);
+  app.footer("\nExamples:\n" + explained(kLines) + kExitStatus);
   if (const auto status = help(app, around, {argv + 1, argv + argc})) return *status;
   try {
     app.parse(argc, argv);
   } catch (const CLI::Error& e) {
-    return fail(around, FaultCode::bad_usage, wrong_words(app, e, kExamples).error_line());
+    return fail(around, wrong_words(app, e, kExamples), "");
   }
   try {
     line.command();
     return line.status;
   } catch (const FaultError& e) {
-    return fail(around, e.fault().code, e.error_line());
+    return fail(around, e, line.wish.session);
   } catch (const link::NoMulticast& e) {
-    return fail(around, FaultCode::no_multicast, e);
+    return fail(around, FaultError(FaultCode::no_multicast, e.what()), line.wish.session);
   } catch (const std::exception& e) {
-    return fail(around, FaultCode::internal_error, e);
+    return fail(around, FaultError(FaultCode::internal_error, e.what()), line.wish.session);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "base/as_typed.hpp"
 #include "base/fault.hpp"
 
 namespace mrroc::ui {
@@ -118,9 +119,10 @@ int run_doctor(const std::vector<std::string>& arguments, std::ostream& out, std
   const bool json = arguments == std::vector<std::string>{"--json"};
   if (!json && !arguments.empty()) {
     if (std::ranges::count(arguments, "--help") + std::ranges::count(arguments, "-h") > 0) {
-      out << "Usage: ui_cli doctor [--json]\n\nLooks whether this host suits the framework. Each line says "
-             "ok, or "
-             "what to type.\nExit status: 0; 1 when tasks will not run.\n";
+      out << as_typed(
+          "Usage: ui_cli doctor [--json]\n\nLooks whether this host suits the framework. Each line says ok, "
+          "or "
+          "what to type.\nExit status: 0; 1 when tasks will not run.\n");
       return 0;
     }
     err << FaultError(FaultCode::bad_usage, fmt::format("doctor does not know '{}'", arguments.front()))

@@ -4,16 +4,18 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <utility>
 
+#include "base/as_typed.hpp"
 #include "base/fault_table.hpp"
 #include "base/nearest.hpp"
 #include "base/operator.hpp"
+#include "base/wrap.hpp"
 #include "ui_cli/states.hpp"
-#include "ui_cli/wrap.hpp"
 
 namespace mrroc::ui {
 namespace {
@@ -45,29 +47,50 @@ std::vector<std::string> without_error_line(const std::vector<std::string>& word
   return {line.substr(kBegin.size(), end == std::string::npos ? end : end - kBegin.size())};
 }
 
+std::string lower(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
 std::optional<FaultCode> code_of(const std::string& word) {
   std::int64_t number{};
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   if (error == std::errc() && end == word.data() + word.size()) return fault_code(number);
-  if (word == to_string(OperatorOrder::emergency_stop)) return FaultCode::emergency_stop;
-  return fault_code(std::string_view(word));
+  if (lower(word) == to_string(OperatorOrder::emergency_stop)) return FaultCode::emergency_stop;
+  return fault_code(std::string_view(lower(word)));
 }
 
-/// @return the words as one state is written: what is between them does not matter
+/// @return the words as one state is written: their case and what is between them do not matter
 std::string as_state(const std::vector<std::string>& words) {
-  std::string name = fmt::format("{}", fmt::join(words, " "));
+  std::string name = lower(fmt::format("{}", fmt::join(words, " ")));
   std::ranges::replace(name, '_', ' ');
   std::ranges::replace(name, '-', ' ');
   return name;
 }
 
+/// Those with one name, such as `ready`, which arms and processes can be.
+using States = std::vector<StateEntry>;
+
 /// @return all states with that name
-std::vector<StateEntry> states_of(const std::vector<std::string>& words) {
+States states_of(const std::vector<std::string>& words) {
   const std::string name = as_state(words);
-  std::vector<StateEntry> found;
+  States found;
   for (const StateEntry& s : kStates)
     if (as_state({std::string(s.name)}) == name) found.push_back(s);
   return found;
+}
+
+/// @return all states, each name once, in the order of the table
+std::vector<States> states_by_name() {
+  std::vector<States> all;
+  for (const StateEntry& s : kStates) {
+    const auto same = std::ranges::find_if(all, [&](const States& n) { return n.front().name == s.name; });
+    if (same == all.end())
+      all.push_back({s});
+    else
+      same->push_back(s);
+  }
+  return all;
 }
 
 nlohmann::ordered_json json_of(const StateEntry& s) {
@@ -88,7 +111,7 @@ FaultError unknown(const std::string& word) {
   WordSet names;
   for (const FaultEntry& e : kFaultTable) names.emplace(e.name);
   for (const StateEntry& s : kStates) names.emplace(s.name);
-  const std::string near = nearest(word, names);
+  const std::string near = nearest(lower(word), names);
   return {FaultCode::bad_usage,
           fmt::format("there is no error and no state '{}'{}", word,
                       near.empty() ? "" : fmt::format("; did you mean '{}'?", near)),
@@ -109,19 +132,28 @@ void list(std::ostream& out, bool json) {
     return;
   }
   out << "\n";
-  for (const StateEntry& s : kStates) out << fmt::format("{:<26} of {}: {}\n", s.name, s.of, s.text);
+  for (const States& states : states_by_name()) {
+    std::string_view name = states.front().name;
+    for (const StateEntry& s : states)
+      out << fmt::format("{:<26} of {}: {}\n", std::exchange(name, ""), s.of, s.text);
+  }
 }
 
 /// Adds a paragraph with a heading before it.
 void add(std::string& text, std::string_view head, std::string_view words) {
   constexpr int kWidth = 80, kHead = 17;
-  for (const std::string& line : wrap(words, kWidth - kHead))
+  for (const std::string& line : wrap(as_typed(words), kWidth - kHead))
     text += fmt::format("{:<{}}{}\n", std::exchange(head, ""), kHead, line);
 }
 
-std::string explanation(const StateEntry& s) {
-  std::string text = fmt::format("{} (of {}): {}\n", s.name, s.of, s.text);
-  add(text, "  what to do:", s.next);
+std::string explanation(const States& states) {
+  std::string text;
+  if (states.size() > 1) text = fmt::format("{}\n", states.front().name);
+  for (const StateEntry& s : states) {
+    text += states.size() > 1 ? fmt::format("  of {}: {}\n", s.of, s.text)
+                              : fmt::format("{} (of {}): {}\n", s.name, s.of, s.text);
+    add(text, "  what to do:", s.next);
+  }
   return text;
 }
 
@@ -132,13 +164,10 @@ bool explain(const std::vector<std::string>& words, bool json, nlohmann::ordered
   if (code && json) all.push_back(json_of(fault_entry(*code)));
   if (code && !json) out << ui::explanation(*code);
   if (code) return true;
-  const auto states = states_of(words);
-  for (const StateEntry& s : states) {
-    if (json)
-      all.push_back(json_of(s));
-    else
-      out << explanation(s);
-  }
+  const States states = states_of(words);
+  if (!json) out << explanation(states);
+  for (const StateEntry& s : states)
+    if (json) all.push_back(json_of(s));
   return !states.empty();
 }
 
@@ -173,7 +202,7 @@ int run_explain(const std::vector<std::string>& arguments, std::ostream& out, st
   std::vector<std::string> words;
   for (const std::string& a : arguments) {
     if (a == "--help" || a == "-h") {
-      out << kHelp;
+      out << as_typed(kHelp);
       return 0;
     }
     if (a == "--json")

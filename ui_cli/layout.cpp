@@ -6,9 +6,10 @@
 #include <array>
 #include <cmath>
 
+#include "base/as_typed.hpp"
+#include "base/wrap.hpp"
 #include "ui_cli/layout_tables.hpp"
 #include "ui_cli/manual_page.hpp"
-#include "ui_cli/wrap.hpp"
 
 namespace mrroc::ui {
 namespace {
@@ -91,6 +92,28 @@ int put_task(Canvas& c, const Snapshot& s) {
   return row;
 }
 
+/// A key at the lower edge.
+struct Key {
+  std::string text;
+  Style style;
+  int rank;  // where there is too little room, the highest goes first
+};
+
+void put_ranked(Canvas& c, int row, std::vector<Key> keys, int apart) {
+  const auto width = [&] {
+    int columns = 1;
+    for (const Key& k : keys) columns += static_cast<int>(k.text.size()) + apart;
+    return columns - apart;
+  };
+  while (keys.size() > 1 && width() > c.size().columns) {
+    const auto least = std::ranges::max_element(keys.rbegin(), keys.rend(), {}, &Key::rank);
+    keys.erase(std::next(least).base());
+  }
+  int column = 1;
+  for (const Key& k : keys) column = c.put(row, column, k.text, k.style) + apart;
+}
+
+/// The emergency stop and the help stay to the end; keys that mean nothing now go first.
 void put_keys(Canvas& c, const View& v) {
   constexpr std::array<std::string_view, 6> kKeys{"s start",   "p pause", "r resume",
                                                   "t trigger", "x stop",  "e E-STOP"};
@@ -103,18 +126,23 @@ void put_keys(Canvas& c, const View& v) {
   constexpr int kWide = 98, kMedium = 76, kNarrow = 66, kManual = 10;  // columns
   const int columns = c.size().columns - (manual ? kManual : 0);
   const int apart = columns >= kMedium ? 2 : 1;
-  int column = 1;
+  std::vector<Key> keys;
   for (std::size_t k = 0; k < kKeys.size(); ++k) {
     const bool can = v.snapshot && sensible(kOperatorOrders[k], *v.snapshot);
-    column = c.put(row, column, kKeys[k], can ? Style::heading : Style::dim) + apart;
+    const bool emergency = kOperatorOrders[k] == OperatorOrder::emergency_stop;
+    keys.push_back({std::string(kKeys[k]), can ? Style::heading : Style::dim, emergency ? 0 : can ? 2 : 4});
   }
-  if (manual) column = c.put(row, column, "m manual", Style::heading) + apart;
-  column = c.put(row, column, columns < kNarrow ? "?" : "? help") + apart;
-  c.put(row, column, columns >= kWide ? "q leave (task goes on)" : columns < kNarrow ? "q" : "q leave");
+  if (manual) keys.push_back({"m manual", Style::heading, 3});
+  keys.push_back({columns < kNarrow ? "?" : "? help", Style::plain, 1});
+  keys.push_back({columns >= kWide    ? "q leave (task goes on)"
+                  : columns < kNarrow ? "q"
+                                      : "q leave",
+                  Style::plain, 3});
+  put_ranked(c, row, std::move(keys), apart);
 }
 
 void put_help(Rows& rows) {
-  constexpr std::array<std::string_view, 12> kHelp{
+  constexpr std::array<std::string_view, 10> kHelp{
       "s  start    begins a task that waits for its operator",
       "p  pause    the arms come to rest and keep their forces",
       "r  resume   goes on after a pause",
@@ -124,10 +152,11 @@ void put_help(Rows& rows) {
       "c  charts   F_z, F_x, F_y, or how far x, y, z have come",
       "m  manual   moves idle arms by hand, in the task `manual`",
       "q  leave    closes this view; the task goes on",
-      "m: behaviour  i: macrostep  F_z: force along the tool's z",
-      "Bright keys mean something now. From a shell: ui_cli --help",
-      "Any key goes back."};
+      "m: behaviour  i: macrostep  F_z: force along the tool's z"};
   for (const std::string_view line : kHelp) rows.canvas().put(rows.take(), 1, line);
+  rows.canvas().put(rows.take(), 1,
+                    "Bright keys mean something now. From a shell: " + typed("ui_cli --help"));
+  rows.canvas().put(rows.take(), 1, "Any key goes back.");
 }
 
 /// @return the notice in lines, at least one; on a low screen not more
@@ -148,16 +177,18 @@ std::vector<std::string> notice_lines(const std::string& text, Size size) {
 struct Plan {
   bool behaviours{};  // of the agents, a row each
   int chart_height{};
+  int processes{};
   int gap{};  // blank rows between the parts
 };
 
-Plan plan(int rows, const Snapshot& s, int columns) {
+/// @param processes  rows of theirs
+Plan plan(int rows, const Snapshot& s, int processes) {
   const int agents = static_cast<int>(s.agents.size());
-  int fixed_rows = 1 + agents + 1 + process_rows(s, columns);
+  int fixed_rows = 1 + agents + 1 + processes;
   // A chart of more than one row only where this many lines of messages stay.
   constexpr int kMessages = 6;
   constexpr int kFewMessages = 2;
-  Plan p;
+  Plan p{.processes = processes};
   p.behaviours = rows - fixed_rows - agents >= kFewMessages &&
                  std::ranges::any_of(s.agents, [](const AgentView& a) { return !a.behaviour.empty(); });
   if (p.behaviours) fixed_rows += agents;
@@ -167,6 +198,14 @@ Plan plan(int rows, const Snapshot& s, int columns) {
   }
   p.gap = rows - fixed_rows - agents * p.chart_height >= 4 ? 1 : 0;
   return p;
+}
+
+/// Where charts find no room beside all processes, those that are well are only counted.
+Plan plan_with_charts(int rows, const Snapshot& s, int columns) {
+  const Plan all = plan(rows, s, process_rows(s, columns));
+  if (all.chart_height > 0) return all;
+  const Plan counted = plan(rows, s, troubled_rows(s, columns));
+  return counted.chart_height > 0 ? counted : all;
 }
 
 }  // namespace
@@ -211,11 +250,11 @@ Canvas lay_out(const View& view, Size size) {
   } else if (view.snapshot) {
     const Snapshot& s = *view.snapshot;
     const int row = put_task(c, s);
-    const Plan p = plan(limit - row, s, size.columns);
+    const Plan p = plan_with_charts(limit - row, s, size.columns);
     Rows body(c, row + p.gap, limit);
     put_agents(body, view, p.chart_height, p.behaviours);
     body.skip(p.gap);
-    put_processes(body, s);
+    put_processes(body, s, p.processes);
     body.skip(p.gap);
     put_messages(body, view.messages);
   }

@@ -42,8 +42,9 @@ inline constexpr double kSilence = 2;
 /// @return whether the task would accept the order now, as far as its status tells
 [[nodiscard]] bool sensible(OperatorOrder order, const Snapshot& s);
 
-/// Made for 80 x 24 and more. On a smaller screen charts go first, then messages, processes and the right
-/// ends of lines; the state, the notice and the keys stay. Any size is allowed.
+/// Made for 80 x 24 and more. Processes that are well are only counted where charts would find no room; on a smaller
+/// screen charts go first, then messages, processes and the right ends of lines. The state, the notice and the keys
+/// stay, of these the emergency stop and the help to the end. Any size is allowed.
 [[nodiscard]] Canvas lay_out(const View& view, Size size);
 
 }  // namespace mrroc::ui

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui_cli/wrap.hpp"
+#include "base/wrap.hpp"
 
 namespace mrroc::ui {
 namespace {
@@ -38,6 +38,16 @@ Style style_of(const ProcessView& p) {
   if (p.state == link::ProcessState::done) return Style::dim;
   if (!usual(p)) return Style::bad;
   return p.state == link::ProcessState::running ? Style::good : Style::warning;
+}
+
+int rows_for(std::size_t processes, int columns) {
+  const int beside = std::max(1, columns / kProcessWidth);
+  return (static_cast<int>(processes) + beside - 1) / beside;
+}
+
+/// What stands for processes that are not shown.
+std::string hidden_text(std::size_t count, bool all, bool well) {
+  return fmt::format("{} {}{}{}", all ? "all" : "and", count, all ? "" : " more", well ? " are well" : "");
 }
 
 Style style_of(FaultCode code) {
@@ -100,9 +110,12 @@ std::string fixed(double value, int decimals) {
   return zero && text.front() == '-' ? text.substr(1) : text;
 }
 
-int process_rows(const Snapshot& s, int columns) {
-  const int beside = std::max(1, columns / kProcessWidth);
-  return (static_cast<int>(s.processes.size()) + beside - 1) / beside;
+int process_rows(const Snapshot& s, int columns) { return rows_for(s.processes.size(), columns); }
+
+int troubled_rows(const Snapshot& s, int columns) {
+  const auto troubled =
+      static_cast<std::size_t>(std::ranges::count_if(s.processes, [](const auto& p) { return !usual(p); }));
+  return rows_for(std::min(troubled + 1, s.processes.size()), columns);
 }
 
 void put_agents(Rows& rows, const View& view, int chart_height, bool behaviours) {
@@ -124,26 +137,29 @@ void put_agents(Rows& rows, const View& view, int chart_height, bool behaviours)
   }
 }
 
-void put_processes(Rows& rows, const Snapshot& s) {
+void put_processes(Rows& rows, const Snapshot& s, int most) {
   Canvas& c = rows.canvas();
   const int columns = std::max(1, c.size().columns / kProcessWidth);
   const int title = rows.take();
   for (int k = 0; k < columns; ++k)
     c.put(title, k * kProcessWidth + 1, "PROCESS               STATE      HEARD", Style::heading);
-  const int available = std::min(rows.left(), process_rows(s, c.size().columns));
+  const int available = std::min(rows.left(), most);
   const std::size_t places = static_cast<std::size_t>(available) * static_cast<std::size_t>(columns);
   std::vector<ProcessView> shown = s.processes;
-  const std::size_t hidden = places < shown.size() ? shown.size() - places + 1 : 0;
+  const std::size_t hidden = places < shown.size() ? shown.size() - (places > 0 ? places - 1 : 0) : 0;
+  bool well = true;  // those that are hidden
   if (hidden > 0) {
     std::stable_partition(shown.begin(), shown.end(), [](const ProcessView& p) { return !usual(p); });
-    shown.resize(places > 0 ? places - 1 : 0);
+    well = std::all_of(shown.end() - static_cast<std::ptrdiff_t>(hidden), shown.end(), usual);
+    shown.resize(shown.size() - hidden);
   }
   int row = -1;
   for (std::size_t k = 0; k < places; ++k) {
     const auto place = static_cast<int>(k) % columns;
     if (place == 0) row = rows.take();
     const int left = place * kProcessWidth + 1;
-    if (k == shown.size() && hidden > 0) c.put(row, left, fmt::format("and {} more", hidden), Style::dim);
+    if (k == shown.size() && hidden > 0)
+      c.put(row, left, hidden_text(hidden, shown.empty(), well), Style::dim);
     if (k >= shown.size()) continue;
     const ProcessView& p = shown[k];
     c.put(row, left, p.name.substr(0, 21));

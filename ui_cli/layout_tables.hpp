@@ -35,12 +35,16 @@ std::string fixed(double value, int decimals);
 
 /// @return rows that put_processes wants below its heading
 int process_rows(const Snapshot& s, int columns);
+/// @return rows that it needs for those that are not well, and the count of the others
+int troubled_rows(const Snapshot& s, int columns);
 
 /// Pose, force and sensor of every agent, and below each its behaviour and the chart of F_z.
 /// @param behaviours  whether there is a row for them: name, and why the one before ended
 void put_agents(Rows& rows, const View& view, int chart_height, bool behaviours);
-/// State and age of every process. When there is too little room, those that do not simply run come first.
-void put_processes(Rows& rows, const Snapshot& s);
+/// State and age of every process. When there is too little room, those that are not well come first, and the others
+/// are counted.
+/// @param most  rows below the heading
+void put_processes(Rows& rows, const Snapshot& s, int most);
 /// The newest messages that there is room for.
 void put_messages(Rows& rows, const std::vector<Message>& messages);
 

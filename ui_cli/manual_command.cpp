@@ -11,14 +11,19 @@
 #include <sstream>
 #include <utility>
 
+#include "base/as_typed.hpp"
 #include "base/fault.hpp"
+#include "ui_cli/homing_progress.hpp"
 #include "ui_cli/manual_link.hpp"
 #include "ui_cli/manual_page.hpp"
 #include "ui_cli/manual_show.hpp"
 
 namespace mrroc::ui {
 
-const char* const kManualHelp =
+namespace {
+
+constexpr const char* kHelp =
+    "Usage: ui_cli manual INSTRUCTION\n"
     "\nInstructions to the task `manual` (start it with `./run manual`); ARM is arm1, arm2 or all:\n"
     "  home ARM                                find the positions, set the tool, bias the force\n"
     "  move ARM SPACE NUMBER... [speed S] [acceleration S]   to coordinates\n"
@@ -37,26 +42,38 @@ const char* const kManualHelp =
     "Options: --no-wait returns when the instruction is taken; --json, --session NAME, --url URL.\n"
     "Exit status: 0 done; 1 refused or failed; 2 bad usage or no such session; 3 nobody answers.\n";
 
-namespace {
-
 using Json = nlohmann::ordered_json;
 
-/// @param progress  is told once when the instruction takes long; null: nothing is told
+constexpr const char* kTaken =
+    "taken, and not done yet; Ctrl-C ends the wait and not the motion, --no-wait does not wait for it";
+
+std::vector<std::string> names_of(const std::vector<ManualArm>& arms) {
+  std::vector<std::string> names;
+  for (const ManualArm& a : arms) names.push_back(a.name);
+  return names;
+}
+
+/// @param progress  is told when the instruction takes long, and then how far homing is; null: nothing is told
 /// @return the last answer: refused, taken when that is enough, done or failed
 ManualAnswer ask(link::Bus& bus, const link::SessionInfo& session, const std::string& words, bool wait,
                  const Patience& patience, std::ostream* progress) {
-  ManualLink link(bus, session, {}, patience);
+  const std::vector<ManualArm> arms = arms_to_home(words, session.run_folder);
+  ManualLink link(bus, session, names_of(arms), patience);
+  HomingProgress homing(arms);
   const auto begun = Clock::now();
-  bool taken = false;
+  auto next = begun + patience.told;  // line of progress
+  bool taken = false, told = false;
   link.begin(words, begun);
   while (true) {
     const auto answer = link.poll(Clock::now());
     taken = taken || (answer && answer->state == ManualState::taken);
-    if (progress && wait && taken && !answer && Clock::now() - begun > patience.told)
-      *std::exchange(progress, nullptr)
-          << "taken, and not done yet; Ctrl-C ends the wait and not the motion, --no-wait "
-             "does not wait for it"
-          << std::endl;
+    for (const ManualArm& a : arms)
+      if (const auto reading = link.reading(a.name)) homing.see(a.name, *reading);
+    if (progress && wait && taken && !answer && Clock::now() > next) {
+      const std::string line = std::exchange(told, true) ? homing.text() : kTaken;
+      if (!line.empty()) *progress << line << std::endl;
+      next += patience.progress;
+    }
     if (answer && (answer->state != ManualState::taken || !wait)) return *answer;
     if (!answer) bus.wait(std::min(patience.repeat, std::chrono::milliseconds(20)));
   }
@@ -191,6 +208,8 @@ void load(link::Bus& bus, const link::SessionInfo& session, const ManualWish& wi
 
 }  // namespace
 
+std::string manual_help() { return as_typed(kHelp); }
+
 ManualWish read_manual_words(const std::vector<std::string>& arguments) {
   ManualWish wish;
   std::vector<std::string> words;
@@ -214,7 +233,7 @@ ManualWish read_manual_words(const std::vector<std::string>& arguments) {
       words.push_back(a);
   }
   if (words.empty())
-    throw FaultError(FaultCode::bad_usage, "an instruction is missing", "look at ui_cli manual --help");
+    throw FaultError(FaultCode::bad_usage, "an instruction is missing", "look at `ui_cli manual --help`");
   wish.words = fmt::format("{}", fmt::join(words, " "));
   const auto form = [&](std::size_t count, const char* written) {
     if (words.size() != count)

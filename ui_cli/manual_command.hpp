@@ -38,7 +38,7 @@ struct ManualWish {
 void execute_manual(link::Bus& bus, const link::SessionInfo& session, const ManualWish& wish,
                     const Patience& patience, std::ostream& out);
 
-/// What the words are, with examples: for `ui_cli manual --help`, behind its first line.
-extern const char* const kManualHelp;
+/// @return what the words are: for `ui_cli manual --help`
+[[nodiscard]] std::string manual_help();
 
 }  // namespace mrroc::ui

@@ -49,13 +49,22 @@ ManualDeed typed(const std::string& asked, std::string text, const std::string& 
   if (words.empty()) return {};
   const auto rest = fmt::format("{}", fmt::join(words, " "));
   if (asked.empty() && (words[0] == "show" || words[0] == "save" || words[0] == "load"))
-    return refusal(fmt::format("`{0}` is for a shell: ui_cli manual {0} ...", words[0]));
+    return refusal(fmt::format("`{0}` is for a shell: `ui_cli manual {0} ...`", words[0]));
   for (const std::string& word : words)
     if (word.starts_with("--"))
-      return refusal(fmt::format("there is no '{}' here: options are for a shell, ui_cli manual ...", word));
+      return refusal(
+          fmt::format("there is no '{}' here: options are for a shell, `ui_cli manual ...`", word));
   const std::string whole = asked + (asked.empty() ? "" : " ") + rest + tail;
   if (whole.size() > kLongestInstruction) return refusal(too_long(whole.size()) + "; " + kShorter);
   return instruction(whole);
+}
+
+/// @return whether the line begins with the name of an instruction
+bool names_instruction(const std::string& line) {
+  constexpr std::array<std::string_view, 16> kNames{"home",  "move",  "jog",     "preset", "tool",  "weight",
+                                                    "model", "servo", "gripper", "bias",   "reset", "stop",
+                                                    "end",   "show",  "save",    "load"};
+  return std::ranges::count(kNames, line.substr(0, line.find(' '))) > 0;
 }
 
 /// @return a number as short as it can be read back
@@ -107,32 +116,43 @@ ManualDeed ManualPage::key(int key) {
       return jog(1);
     case 'a':
       if (all_) return refusal("choose one arm: its coordinates are its own");
-      return ask(fmt::format("{} {} {} to", arms_[arm_].name, kSpaces[static_cast<std::size_t>(space_)],
-                             coordinate_name(space_ >= Space::euler, axis_)),
-                 "", true);
+      return ask(
+          {.label = fmt::format("{} {} {} to", arms_[arm_].name, kSpaces[static_cast<std::size_t>(space_)],
+                                coordinate_name(space_ >= Space::euler, axis_)),
+           .words = "",
+           .needs = Needs::coordinate});
     case 'h':
-      return instruction("home " + whom());
+      return ask({.label = "home " + whom(), .words = "home " + whom(), .needs = Needs::nothing, .key = "h"});
     case 'b':
-      return instruction("bias " + whom());
+      return ask({.label = "bias " + whom(), .words = "bias " + whom(), .needs = Needs::nothing, .key = "b"});
     case 'z':
-      return instruction("reset " + whom());
+      return ask(
+          {.label = "clear the fault of " + whom(), .words = "reset " + whom(), .needs = Needs::nothing});
     case ' ':
       return instruction("stop " + whom());
     case 'o':
-      return ask(fmt::format("preset of {} ({})", whom(), fmt::join(arms_[arm_].presets, ", ")),
-                 "preset " + whom());
+      return ask({fmt::format("preset of {} ({})", whom(), fmt::join(arms_[arm_].presets, ", ")),
+                  "preset " + whom()});
     case 'g':
-      return ask(fmt::format("jaws of {} to [m]", whom()), "gripper " + whom());
+      return ask(
+          {.label = fmt::format("jaws of {} to [m]", whom()), .words = "gripper " + whom(), .key = "g"});
     case 'w':
-      return ask(fmt::format("tool of {}: X Y Z AX AY AZ [m, rad]", whom()), "tool " + whom());
+      return ask({.label = fmt::format("tool of {}: X Y Z AX AY AZ [m, rad]", whom()),
+                  .words = "tool " + whom(),
+                  .key = "w"});
     case 'W':
-      return ask(fmt::format("weight of {}: NEWTONS [X Y Z]", whom()), "weight " + whom());
+      return ask({fmt::format("weight of {}: NEWTONS [X Y Z]", whom()), "weight " + whom()});
     case 'k':
-      return ask(fmt::format("kinematic model of {}", whom()), "model " + whom());
+      return ask({fmt::format("kinematic model of {}", whom()), "model " + whom()});
     case 'v':
-      return ask(fmt::format("servo of {}: ALGORITHM [SET]", whom()), "servo " + whom());
+      return ask({fmt::format("servo of {}: ALGORITHM [SET]", whom()), "servo " + whom()});
     case ':':
-      return ask("instruction", "");
+      return ask({"instruction", ""});
+    case 'j':  // no keys of their own: somebody types an instruction
+    case 'l':
+    case 's':
+    case 't':
+      return ask({.label = "instruction", .words = "", .text = std::string(1, static_cast<char>(key))});
     case 'm':
     case key::kEscape:
       return {.leave = true};
@@ -169,23 +189,21 @@ bool ManualPage::choose(int key) {
   return true;
 }
 
-ManualDeed ManualPage::ask(std::string label, std::string words, bool coordinate) {
-  prompt_ = Prompt{std::move(label), std::move(words), "", coordinate};
+ManualDeed ManualPage::ask(Prompt prompt) {
+  prompt_ = std::move(prompt);
   return {};
 }
 
 ManualDeed ManualPage::type(int key) {
   const bool enter = key == key::kEnter || key == key::kReturn || key == key::kKeypadEnter;
-  if (key == key::kEscape || (enter && prompt_->text.empty())) {
+  if (key == key::kEscape) {
     prompt_.reset();
     return {};
   }
   if (enter) {
     const Prompt asked = *prompt_;
     prompt_.reset();
-    if (asked.coordinate) return go_to(asked.text);
-    const bool moves = asked.words.starts_with("preset") && asked.text.find("speed") == std::string::npos;
-    return typed(asked.words, asked.text, moves ? tail() : "");
+    return sent(asked);
   }
   if (key == key::kBackspace || key == key::kDelete || key == '\b') {
     if (!prompt_->text.empty()) prompt_->text.pop_back();
@@ -193,6 +211,18 @@ ManualDeed ManualPage::type(int key) {
     prompt_->text += static_cast<char>(key);
   }
   return {};
+}
+
+ManualDeed ManualPage::sent(const Prompt& asked) const {
+  if (asked.text.empty()) return asked.needs == Needs::nothing ? instruction(asked.words) : ManualDeed{};
+  if (asked.needs == Needs::coordinate) return go_to(asked.text);
+  if (!asked.key.empty() && names_instruction(asked.key + asked.text))
+    return typed("", asked.key + asked.text, "");
+  if (asked.needs == Needs::nothing)
+    return refusal(
+        fmt::format("`{}` needs no '{}'; type other instructions behind :", asked.words, asked.text));
+  const bool moves = asked.words.starts_with("preset") && asked.text.find("speed") == std::string::npos;
+  return typed(asked.words, asked.text, moves ? tail() : "");
 }
 
 ManualDeed ManualPage::jog(double direction) const {

@@ -37,9 +37,10 @@ struct ManualDeed {
 
 /// Keys: 1 to 4 an arm, 0 all arms; c coordinates; up, down an axis; left, right jog it by a step, + and - change the
 /// step, < and > the speed; a to an absolute coordinate; h home, o preset, g gripper, w tool, W weight, k model, v
-/// servo, b bias, z clear fault, blank stop, : any instruction; m or Escape back. Those that need more ask for it in a
-/// line of text: Enter sends, Escape drops it. Blanks, a colon before the words, `ui_cli manual` before them and the
-/// words that stand there already do no harm; an instruction that is too long is refused.
+/// servo, b bias, z clear fault, blank stop, : any instruction; m or Escape back. All but jogs and the stop open a line
+/// of text: Enter sends, Escape drops it. So a letter alone moves nothing, and an instruction that is typed without the
+/// colon is understood where its first letter opens a line. Blanks, a colon before the words, `ui_cli manual` before
+/// them and the words that stand there already do no harm; an instruction that is too long is refused.
 class ManualPage {
  public:
   /// @param arms  the first of them is chosen
@@ -68,17 +69,20 @@ class ManualPage {
  private:
   enum class Space : std::uint8_t { motors, joints, euler, angle_axis };
   enum class Unit : std::uint8_t { motor, angle, length };
+  enum class Needs : std::uint8_t { nothing, words, coordinate };  ///< what is to be typed before Enter
   struct Prompt {
-    std::string label;  ///< what is asked for
-    std::string words;  ///< what the instruction begins with
-    std::string text;   ///< typed so far
-    bool coordinate{};  ///< the text is a coordinate of the chosen axis
+    std::string label;          ///< what is asked for
+    std::string words;          ///< what the instruction begins with
+    std::string text{};         ///< typed so far
+    Needs needs{Needs::words};  ///< coordinate: of the chosen axis
+    std::string key{};  ///< that opened it, and may have been meant as the first letter of an instruction
   };
 
   [[nodiscard]] ManualDeed type(int key);
   [[nodiscard]] ManualDeed jog(double direction) const;
   [[nodiscard]] ManualDeed go_to(const std::string& line) const;
-  [[nodiscard]] ManualDeed ask(std::string label, std::string words, bool coordinate = false);
+  [[nodiscard]] ManualDeed ask(Prompt prompt);
+  [[nodiscard]] ManualDeed sent(const Prompt& asked) const;
   [[nodiscard]] bool choose(int key);
   [[nodiscard]] int coordinates() const;
   [[nodiscard]] Unit unit() const;

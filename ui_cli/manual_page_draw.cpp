@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/as_typed.hpp"
 #include "base/fault.hpp"
 #include "ui_cli/layout_tables.hpp"
 #include "ui_cli/manual_page.hpp"
@@ -121,21 +122,21 @@ void ManualPage::draw_help(Rows& rows) {
       "arrows       up, down: the coordinate; left, right: jog it",
       "c  + -  < >  coordinates; the step; the speed",
       "a            to an absolute coordinate: type it, Enter",
-      "h  b  z      home, bias the force, clear the fault",
+      "h  b  z      home, bias the force, clear the fault; Enter",
       "o  g  w  W   preset, jaws, tool, weight: type what it needs",
       "k  v         kinematic model, servo algorithm: the same",
       "blank        stops what the arm does",
       ":            any words of `ui_cli manual --help`",
       "m or Escape  back to the task; e x p r ? q as there",
       "Any key goes back."};
-  for (const std::string_view line : kHelp) rows.canvas().put(rows.take(), 1, line);
+  for (const std::string_view line : kHelp) rows.canvas().put(rows.take(), 1, as_typed(line));
 }
 
 void ManualPage::draw_keys(Canvas& c, int first) const {
   constexpr std::array<std::string_view, kKeyRows> kKeys{
       "1 2 arm 0 all  arrows axis, jog  c coordinates  a absolute  + - step  < > speed",
       "h home o preset g jaws w tool W weight k model v servo b bias z clear : words",
-      "e E-STOP  space stop arm  m back  x stop task  p pause r resume  ? help  q leave"};
+      "e E-STOP  ? help  space stop arm  m back  x stop task  p pause r resume  q leave"};
   if (typing()) {
     c.put(first + kKeyRows - 1, 0, "Ctrl-E E-STOP  Enter sends  Escape drops the line", Style::heading);
     return;

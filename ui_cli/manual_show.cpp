@@ -9,6 +9,7 @@
 #include <ostream>
 #include <vector>
 
+#include "base/as_typed.hpp"
 #include "base/representation.hpp"
 #include "ui_cli/manual_page.hpp"
 
@@ -104,7 +105,7 @@ void show_arm(const EffectorReply& r, const std::string& arm, bool json, std::os
   const RobotModel& model = r.robot_model;
   const bool told = s.axes > 0;
   line(arm.c_str(), std::string(to_string(r.state)));
-  line("fault", r.fault ? describe(r.fault) : "none");
+  line("fault", r.fault ? as_typed(describe(r.fault)) : "none");
   row("motors", true, r.motors, "rad");
   row("joints", s.known, r.joints, "rad, m");
   row("angle-axis", s.known, r.T_0E, "m, rad");

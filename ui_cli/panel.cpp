@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/as_typed.hpp"
 #include "ui_cli/keys.hpp"
 
 namespace mrroc::ui {
@@ -34,8 +35,13 @@ bool answers(int key) { return (key >= 0 && key < 256) || key == key::kKeypadEnt
 
 }  // namespace
 
-Panel::Panel(link::Bus& bus, Client& client, Glyphs glyphs, Clock::time_point now)
-    : bus_(bus), client_(client), log_(bus, client.session().name), heard_(now), noticed_(now) {
+Panel::Panel(link::Bus& bus, Client& client, Glyphs glyphs, Clock::time_point now, std::string session)
+    : bus_(bus),
+      client_(client),
+      session_(std::move(session)),
+      log_(bus, client.session().name),
+      heard_(now),
+      noticed_(now) {
   view_.session = client.session().name;
   view_.glyphs = glyphs;
 }
@@ -53,8 +59,14 @@ void Panel::key(int key, Clock::time_point now) {
     if (key == 'y' || key == 'Y')
       give(order, now);
     else
-      notice(order == OperatorOrder::stop ? "not stopped" : "not triggered", Style::plain, now);
-    if (const auto other = order_of(key); other && *other != order) ask_or_give(*other, now);
+      notice(order == OperatorOrder::stop     ? "not stopped"
+             : order == OperatorOrder::resume ? "not resumed"
+                                              : "not triggered",
+             Style::plain, now);
+    const auto other = order_of(key);
+    const bool meant =
+        !view_.manual || other == OperatorOrder::pause;  // letters may be those of a word there
+    if (other && *other != order && meant) ask_or_give(*other, now);
   } else if (view_.help) {
     view_.help = false;
   } else if (view_.manual && key != key::kControlC && manual_key(key, now)) {
@@ -79,6 +91,9 @@ void Panel::ask_or_give(OperatorOrder order, Clock::time_point now) {
   } else if (order == OperatorOrder::stop) {
     asks_ = order;
     notice("stop the task for good? y/n", Style::warning, now);
+  } else if (order == OperatorOrder::resume && view_.manual) {  // the r may be one of a word
+    asks_ = order;
+    notice("go on after the pause? y/n", Style::warning, now);
   } else if (order == OperatorOrder::trigger && s && s->waits_for_trigger && !s->early.empty()) {
     asks_ = order;
     notice(s->early + "; trigger all the same? y/n", Style::warning, now);
@@ -118,14 +133,14 @@ void Panel::update(Clock::time_point now) {
   log_.follow(*view_.snapshot);
 }
 
-void Panel::notice(std::string text, Style style, Clock::time_point now) {
-  view_.notice = {std::move(text), style};
+void Panel::notice(std::string_view text, Style style, Clock::time_point now) {
+  view_.notice = {as_typed(text, session_), style};
   noticed_ = now;
 }
 
 void Panel::open_manual(Clock::time_point now) {
   if (!view_.snapshot || view_.snapshot->task != kManualTask) {
-    notice("arms are moved by hand in the task `manual`: ./run manual", Style::warning, now);
+    notice("arms are moved by hand in the task `manual`: `./run manual`", Style::warning, now);
     return;
   }
   if (!page_) {
@@ -188,6 +203,7 @@ Canvas Panel::picture(Size size, Clock::time_point now) {
   if (!asks_ && now - noticed_ > kNoticeStays) view_.notice = {};
   view_.silence = std::chrono::duration<double>(now - heard_).count();
   view_.messages = log_.newest(kMessages);
+  for (Message& m : view_.messages) m.text = as_typed(m.text, session_);
   View shown = view_;
   if (shown.notice.text.empty() && shown.snapshot && shown.snapshot->state == TaskState::ended)
     shown.notice = {"the task has ended; its files are in " + shown.snapshot->run_folder, Style::good};

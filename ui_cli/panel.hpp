@@ -16,13 +16,14 @@ namespace mrroc::ui {
 /// not decrease.
 class Panel {
  public:
-  /// @param bus that of the client; both must outlive the panel
-  Panel(link::Bus& bus, Client& client, Glyphs glyphs, Clock::time_point now);
+  /// @param bus      that of the client; both must outlive the panel
+  /// @param session  that hints have to name, see as_typed(); empty: none
+  Panel(link::Bus& bus, Client& client, Glyphs glyphs, Clock::time_point now, std::string session = {});
 
   /// A key: s start, p pause, r resume, t trigger (asks for y when it comes early), x stop (asks for y), e emergency
   /// stop (asks nothing; Ctrl-E too, also where an e is a letter of a line being typed), c what the charts show, m the page of manual operation, ? help, q leave. Others do nothing;
   /// while the panel asks, any other than y and e means no; any key ends the help, and does nothing else but for e. On the page of manual operation its
-  /// own keys come first, see ManualPage.
+  /// own keys come first, see ManualPage, and r asks for y.
   void key(int key, Clock::time_point now);
   /// Takes what the client has heard, and sends what has to be sent. Call it often.
   void update(Clock::time_point now);
@@ -35,7 +36,7 @@ class Panel {
  private:
   void ask_or_give(OperatorOrder order, Clock::time_point now);
   void give(OperatorOrder order, Clock::time_point now);
-  void notice(std::string text, Style style, Clock::time_point now);
+  void notice(std::string_view text, Style style, Clock::time_point now);
   void open_manual(Clock::time_point now);
   /// @return whether the key belongs to the page of manual operation
   bool manual_key(int key, Clock::time_point now);
@@ -43,6 +44,7 @@ class Panel {
 
   link::Bus& bus_;
   Client& client_;
+  std::string session_;  // in hints
   MessageLog log_;
   View view_;
   std::int64_t news_{};

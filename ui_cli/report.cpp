@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/as_typed.hpp"
+
 namespace mrroc::ui {
 namespace {
 
@@ -54,9 +56,10 @@ std::string status_text(const Snapshot& s) {
     text += row(heading, fmt::format("{:<20} {:<9} heard {:.1f} s ago", p.name, to_string(p.state), p.age));
     heading.clear();
   }
-  text += row("message", s.last_code == FaultCode::none
-                             ? s.last_message
-                             : fmt::format("{}: {}", to_string(s.last_code), s.last_message));
+  const std::string message = as_typed(s.last_message);
+  text +=
+      row("message",
+          s.last_code == FaultCode::none ? message : fmt::format("{}: {}", to_string(s.last_code), message));
   text += row("run folder", s.run_folder);
   return text;
 }

@@ -16,10 +16,10 @@ constexpr auto kKeys = 20ms;  // a key waits no longer than this, on a bus that 
 
 }  // namespace
 
-void watch(link::Bus& bus, Client& client) {
+void watch(link::Bus& bus, Client& client, const std::string& session) {
   link::keep_in_memory();  // a key that has never been pressed takes no longer
   Terminal terminal;
-  Panel panel(bus, client, terminal.glyphs(), Clock::now());
+  Panel panel(bus, client, terminal.glyphs(), Clock::now(), session);
   bus.wake_on(STDIN_FILENO);
   Clock::time_point redraw = Clock::now();
   while (!panel.leaving()) {

@@ -16,6 +16,7 @@
 #include "base/link/log_check.hpp"
 #include "base/link/lossy_bus.hpp"
 #include "base/link/real_time.hpp"
+#include "base/link/run_folder.hpp"
 
 namespace mrroc::link {
 namespace {
@@ -63,8 +64,8 @@ int run(const Membership& membership, const std::string& url, bool paced, const 
 /// Runs the body on the log of a run instead.
 int check(const std::filesystem::path& folder, const Membership& membership, const PartArguments& arguments,
           const PartBody& body) {
+  const LogReader log(checked_run_folder(folder));
   const Config config = Config::load((folder / "config.toml").string());
-  const LogReader log(folder);
   return report_verdict(check_process(log, membership.name, membership.clock,
                                       [&](Process& process) { body(process, config, arguments); }));
 }

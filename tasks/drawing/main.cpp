@@ -8,6 +8,7 @@
 #include "mp/check_run.hpp"
 #include "mp/summary_text.hpp"
 #include "mp/task_run.hpp"
+#include "mp/tell.hpp"
 #include "sim/cell_parts.hpp"
 #include "tasks/drawing/config.hpp"
 #include "tasks/drawing/drawing_run.hpp"
@@ -143,16 +144,12 @@ int run(Options& o) {
   mp::write_text(folder / "config.toml", s.config.dump());
 
   mp::TaskRun run("drawing", o.task, folder, kArmKeys, parts_of(s.config));
-  fmt::print("drawing, {}, session {}, seed {}{}\n", s.input.about(), run.session(), o.task.seed,
-             s.plan.gives_orders ? ", unattended: the scripted operator gives start and triggers"
-                                 : mp::who_orders(o.task));
-  std::fflush(stdout);
+  const auto tell = [&o](const std::string& line) { mp::tell(line, o.task.session); };
+  tell(fmt::format("drawing, {}, session {}, seed {}{}", s.input.about(), run.session(), o.task.seed,
+                   s.plan.gives_orders ? ", unattended: the scripted operator gives start and triggers"
+                                       : mp::who_orders(o.task)));
   drawing::DrawingRun drawing(run, kArmKeys, s.k, s.plan,
-                              s.input.taught ? std::optional(s.input.taught->recording) : std::nullopt,
-                              [](const std::string& line) {
-                                fmt::print("{}\n", line);
-                                std::fflush(stdout);
-                              });
+                              s.input.taught ? std::optional(s.input.taught->recording) : std::nullopt, tell);
   run.start();
   std::optional<Fault> fault;
   if (run.process().assemble() && drawing.execute() == Outcome::faulted) fault = drawing.fault();
@@ -164,15 +161,13 @@ int run(Options& o) {
   } catch (const FileError& e) {  // a table that the world could not write to its end
     if (!summary.fault) summary.fault = Fault{.code = FaultCode::cannot_write, .text = e.what()};
   }
-  mp::print_summary(
-      summary, mp::figure_table(summary.figures, drawing::kFigures, drawing::kFigureColumns, !summary.fault) +
-                   stroke_warning(summary));
+  mp::Ending ending{.folder = folder,
+                    .figures = mp::figure_table(summary.figures, drawing::kFigures, drawing::kFigureColumns,
+                                                !summary.fault) +
+                               stroke_warning(summary)};
   if (const fs::path picture = folder / "plots" / "drawing.png"; fs::exists(picture))
-    fmt::print("picture: {}\n", picture.string());
-  std::fflush(stdout);
-  if (summary.fault) fmt::print(stderr, "{}\n", error_line(*summary.fault));
-  fmt::print("run folder: {}\n", folder.string());
-  return summary.fault ? exit_status(summary.fault->code) : 0;
+    ending.pictures.push_back(picture);
+  return mp::print_ending(summary, ending, o.task);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "mp/check_run.hpp"
 #include "mp/summary_text.hpp"
 #include "mp/task_run.hpp"
+#include "mp/tell.hpp"
 #include "sim/arm_reach.hpp"
 #include "sim/cell_parts.hpp"
 #include "tasks/manual/config.hpp"
@@ -55,11 +56,6 @@ std::vector<mp::Part> parts_of(const Config& config) {
   return parts;
 }
 
-void say(const std::string& line) {
-  fmt::print("{}\n", line);
-  std::fflush(stdout);
-}
-
 int check(const Options& o, const Setup& s) {
   return mp::check_coordinator("manual", o.task, s.keys, [&](mp::TaskRun& run) {
     manual::ManualRun manual(run, s.k, [](const std::string&) {});
@@ -84,19 +80,16 @@ int run(Options& o) {
   s.k.record = folder / kWordsFile;
 
   mp::TaskRun run("manual", o.task, folder, s.keys, parts_of(s.config));
-  fmt::print("manual operation, session {}, seed {}: `ui_cli manual WORDS`, and `ui_cli manual end`\n",
-             run.session(), o.task.seed);
-  manual::ManualRun manual(run, s.k, say);
+  const auto tell = [&o](const std::string& line) { mp::tell(line, o.task.session); };
+  tell(fmt::format("manual operation, session {}, seed {}: `ui_cli manual WORDS`, and `ui_cli manual end`",
+                   run.session(), o.task.seed));
+  manual::ManualRun manual(run, s.k, tell);
   run.start();
   std::optional<Fault> fault;
   if (run.process().assemble() && manual.execute() == Outcome::faulted) fault = manual.fault();
   const mp::Summary summary = run.end(fault);
   mp::write_summary(folder, summary);
-  mp::print_summary(summary, "");
-  std::fflush(stdout);
-  if (summary.fault) fmt::print(stderr, "{}\n", error_line(*summary.fault));
-  fmt::print("run folder: {}\n", folder.string());
-  return summary.fault ? exit_status(summary.fault->code) : 0;
+  return mp::print_ending(summary, {.folder = folder}, o.task);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "mp/check_run.hpp"
 #include "mp/summary_text.hpp"
 #include "mp/task_run.hpp"
+#include "mp/tell.hpp"
 #include "sim/arm_task.hpp"
 #include "sim/camera/config.hpp"
 #include "sim/cube_camera.hpp"
@@ -205,11 +206,6 @@ rubik::Brain make_brain(const Setup& s, Head& head) {
   return brain;
 }
 
-void say(const std::string& line) {
-  fmt::print("{}\n", line);
-  std::fflush(stdout);
-}
-
 /// Files, figures and pictures of a run that has ended.
 void finish(const fs::path& folder, const rubik::RubikRun& rubik, mp::Summary& summary) {
   summary.figures.merge(rubik::write_results(folder, rubik.record(), rubik.truth()));
@@ -239,9 +235,9 @@ int run(Options& o) {
   mp::write_text(folder / "config.toml", s.config.dump());
   mp::TaskRun run("rubik", o.task, folder, kKeys, parts_of(s));
   const bool gives_start = !o.task.attended && o.task.script.empty();
-  fmt::print("rubik, session {}, seed {}{}\n", run.session(), o.task.seed, mp::who_orders(o.task));
-  std::fflush(stdout);
-  rubik::RubikRun rubik(run, s.k, make_brain(s, head), gives_start, say);
+  const auto tell = [&o](const std::string& line) { mp::tell(line, o.task.session); };
+  tell(fmt::format("rubik, session {}, seed {}{}", run.session(), o.task.seed, mp::who_orders(o.task)));
+  rubik::RubikRun rubik(run, s.k, make_brain(s, head), gives_start, tell);
   run.start();
   std::optional<Fault> fault;
   if (run.process().assemble() && rubik.execute() == Outcome::faulted) fault = rubik.fault();
@@ -252,11 +248,10 @@ int run(Options& o) {
   } catch (const FaultError& e) {  // what has been done is told all the same
     if (!summary.fault) summary.fault = e.fault();
   }
-  mp::print_summary(summary, mp::figure_table(summary.figures, rubik::kFigures, {}, !summary.fault));
-  std::fflush(stdout);
-  if (summary.fault) fmt::print(stderr, "{}\n", error_line(*summary.fault));
-  fmt::print("run folder: {}\n", folder.string());
-  return summary.fault ? exit_status(summary.fault->code) : 0;
+  return mp::print_ending(
+      summary,
+      {.folder = folder, .figures = mp::figure_table(summary.figures, rubik::kFigures, {}, !summary.fault)},
+      o.task);
 }
 
 }  // namespace

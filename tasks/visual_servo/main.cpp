@@ -8,6 +8,7 @@
 #include "mp/solo_run.hpp"
 #include "mp/summary_text.hpp"
 #include "mp/task_run.hpp"
+#include "mp/tell.hpp"
 #include "sim/arm_task.hpp"
 #include "sim/camera/config.hpp"
 #include "tasks/visual_servo/config.hpp"
@@ -97,11 +98,6 @@ void finish(const Setup& s, const fs::path& folder, const mp::SoloRun& solo,
   sim::draw(folder, pictures);
 }
 
-void say(const std::string& line) {
-  fmt::print("{}\n", line);
-  std::fflush(stdout);
-}
-
 std::string situation(const Options& o) {
   if (!o.task.config_file.empty()) return "as in " + o.task.config_file.string();
   return fmt::format("scenario {}, {}", o.scenario.scenario, o.scenario.object);
@@ -119,10 +115,10 @@ int run(Options& o) {
   visual_servo::ServoRecord record(run.process(), kArmKeys[0]);
   mp::SoloParameters k = solo_parameters(o, s);
   k.watch = [&record] { record.collect(); };
-  fmt::print("visual_servo, {}, session {}, seed {}{}\n", situation(o), run.session(), o.task.seed,
-             mp::who_orders(o.task));
-  std::fflush(stdout);
-  mp::SoloRun solo(run, k, say);
+  const auto tell = [&o](const std::string& line) { mp::tell(line, o.task.session); };
+  tell(fmt::format("visual_servo, {}, session {}, seed {}{}", situation(o), run.session(), o.task.seed,
+                   mp::who_orders(o.task)));
+  mp::SoloRun solo(run, k, tell);
   run.start();
   std::optional<Fault> fault;
   if (run.process().assemble() && solo.execute() == Outcome::faulted) fault = solo.fault();
@@ -133,11 +129,11 @@ int run(Options& o) {
   } catch (const FaultError& e) {  // what has been done is told all the same
     if (!summary.fault) summary.fault = e.fault();
   }
-  mp::print_summary(summary, mp::figure_table(summary.figures, visual_servo::kFigures, {}, !summary.fault));
-  std::fflush(stdout);
-  if (summary.fault) fmt::print(stderr, "{}\n", error_line(*summary.fault));
-  fmt::print("run folder: {}\n", folder.string());
-  return summary.fault ? exit_status(summary.fault->code) : 0;
+  return mp::print_ending(
+      summary,
+      {.folder = folder,
+       .figures = mp::figure_table(summary.figures, visual_servo::kFigures, {}, !summary.fault)},
+      o.task);
 }
 
 void add_scenario_options(CLI::App& app, visual_servo::ScenarioOptions& o) {

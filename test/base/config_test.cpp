@@ -331,6 +331,15 @@ TEST(ConfigDump, KeepsEveryBitOfRandomNumbers) {
   }
 }
 
+TEST(ConfigDump, ALongLineDoesNotPushTheNotesOfOthersAside) {
+  const Config cfg = Config::parse("gap = 0.5\nway = [0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875]\n", "");
+  static_cast<void>(cfg.number("gap", {}, {0, 1}, "m"));
+  static_cast<void>(cfg.numbers<7>("way", {}, {0, 1}, "m"));
+  EXPECT_EQ(cfg.dump(),
+            "gap = 0.5  # 0 to 1 m\n"
+            "way = [0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875]  # 0 to 1 m\n");
+}
+
 TEST(ConfigDump, ShowsAllValuesWithUnitsAndRanges) {
   Config cfg = Config::parse("[sim]\nunread = 1", "a.toml");
   cfg.set("n_s=20");

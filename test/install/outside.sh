@@ -42,6 +42,6 @@ cmake --build "$place/circle/build"
 [[ -s $place/run-circle/summary.json ]] || fail "the run of what was written has left no summary"
 
 "$place/usr/bin/mrroc" --help | grep -qw press || fail "mrroc does not list press"
-"$place/usr/bin/mrroc" press --help >/dev/null
+"$place/usr/bin/mrroc" press --help | grep -q 'Usage: mrroc press' || fail "the help does not tell how it was called"
 if "$place/usr/bin/mrroc" pres 2>"$place/error"; then fail "a program that does not exist was run"; fi
 grep -q bad_usage "$place/error" || fail "no reason was given"

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
+
+#include "base/fault.hpp"
 
 namespace mrroc::mp {
 namespace {
@@ -51,6 +54,25 @@ TEST(TaskOptions, ASpeedThatCannotBeIsRefusedWithTheLimit) {
     const std::string why = refusal({"--speed=" + speed});
     EXPECT_NE(why.find("up to 10000"), std::string::npos) << speed << ": " << why;
   }
+}
+
+TEST(TaskOptions, ACheckOfWhatIsNoRunIsRefusedInTheWordsOfEveryProgramThatReadsRuns) {
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "no-run";
+  std::filesystem::create_directories(folder);
+  const auto said = [](const std::filesystem::path& run) -> std::string {
+    try {
+      return refusal({"--check", run.string()});
+    } catch (const FaultError& e) {
+      return e.error_line();
+    }
+  };
+  EXPECT_EQ(
+      said(folder).find("error: bad_log: " + folder.string() + " is no run folder: it has no events.lcmlog"),
+      0U)
+      << said(folder);
+  EXPECT_EQ(said(folder / "nowhere").find("error: bad_log: there is no folder "), 0U)
+      << said(folder / "nowhere");
+  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -52,6 +52,26 @@ a_word_too_many_is_refused_before_anything_is_done() {
   [[ -d build && -z $(ls build) ]] || fail 'something was done'
 }
 
+an_option_that_the_bench_does_not_have_is_refused_before_the_build() {
+  local status=0
+  said=$(./run bench cube --jsn figures.json 2>&1) || status=$?
+  ((status == 2)) || fail "status $status"
+  says "error: bad_usage: there is no option '--jsn'; did you mean --json?"
+  [[ ! -e build ]] || fail 'it made a build folder'
+}
+
+programs_are_told_how_they_were_called() {
+  touch built tasks/sketch/main.cpp
+  mkdir -p build/release/bin
+  printf '#!/bin/sh\necho "type $MRROC_CALLED ui_cli, or $MRROC_CALLED sketch $1"\n' >build/release/bin/sketch
+  chmod +x build/release/bin/sketch
+  said=$(./run sketch --view 2>&1)
+  says 'type ./run ui_cli, or ./run sketch --view'
+  mkdir elsewhere
+  said=$(cd elsewhere && ../run sketch 2>&1)
+  says 'type ../run ui_cli'
+}
+
 first_build_tells_how_long_and_counts() {
   said=$(./run build 2>&1)
   says 'for the first time'

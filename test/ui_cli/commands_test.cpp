@@ -107,6 +107,14 @@ TEST_F(Commands, OrdersReachTheOnlyTaskThatRuns) {
                                      OperatorOrder::trigger, OperatorOrder::stop}));
 }
 
+TEST_F(Commands, HintsNameTheSessionThatTheOperatorHasNamed) {
+  RunningTask task(*this, "one");
+  task.task.objection = [](OperatorOrder) { return "not now"; };
+  task.start();
+  EXPECT_EQ(run({"resume", "--session", "one"}), 1);
+  EXPECT_TRUE(error().ends_with("look at the state with `ui_cli status --session one`")) << error();
+}
+
 TEST_F(Commands, ARefusedOrderEndsWithOneAndTheReason) {
   RunningTask task(*this, "one");
   task.task.objection = [](OperatorOrder) { return "the task is running, only a paused one can be resumed"; };

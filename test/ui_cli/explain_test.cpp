@@ -68,6 +68,16 @@ TEST(Explain, EveryErrorHasACauseAndAnAdviceOfItsOwnThatCanBeFollowed) {
   }
 }
 
+TEST(Explain, EveryExplanationFitsOnATerminal) {
+  for (const FaultEntry& e : kFaultTable) {
+    std::istringstream text(explanation(e.code));
+    std::string line;
+    std::getline(text, line);  // the title
+    for (; std::getline(text, line);)
+      EXPECT_TRUE(line.size() <= 80 || line.find('`') != std::string::npos) << line;
+  }
+}
+
 TEST(Explain, KnowsNamesAndNumbers) {
   EXPECT_EQ(run({"over_current"}).out, explanation(FaultCode::over_current));
   EXPECT_EQ(run({"1"}).out, explanation(FaultCode::lost_command));
@@ -120,6 +130,26 @@ TEST(Explain, KnowsEveryStateThatAPersonMeets) {
       << "what several have is told of all";
   EXPECT_EQ(nlohmann::json::parse(run({"holding", "--json"}).out)["state"], "holding");
   EXPECT_NE(run({}).out.find("waiting for start"), std::string::npos);
+}
+
+TEST(Explain, AStateIsNamedOnceWhosesoeverItIs) {
+  const auto count = [](const std::string& text, const std::string& line_begin) {
+    int lines = 0;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines += line.starts_with(line_begin);
+    return lines;
+  };
+  const std::string faulted = run({"faulted"}).out;
+  EXPECT_EQ(count(faulted, "faulted"), 1) << faulted;
+  EXPECT_EQ(count(faulted, "  of "), 2) << faulted;
+  EXPECT_EQ(count(run({}).out, "ready "), 1) << run({}).out;
+}
+
+TEST(Explain, CapitalsDoNotMatter) {
+  EXPECT_EQ(run({"HOLDING"}).out, run({"holding"}).out);
+  EXPECT_EQ(run({"Waiting", "For", "Start"}).out, run({"waiting for start"}).out);
+  EXPECT_EQ(run({"Over_Current"}).out, run({"over_current"}).out);
+  EXPECT_NE(run({"HOLDIN"}).err.find("did you mean 'holding'?"), std::string::npos) << run({"HOLDIN"}).err;
 }
 
 TEST(Explain, AnOrderAndTheScriptsErrorsAreKnownToo) {

@@ -97,11 +97,40 @@ TEST(Layout, ShowsTheWholeTaskOnASmallTerminal) {
                   "q leave"});
 }
 
-TEST(Layout, ShowsEveryAgentAndProcessOfTheLargestTaskOnASmallTerminal) {
-  const Canvas c = lay_out(largest(), kSmallTerminal);
-  for (int k = 0; k < 16; ++k) expect_seen(c, {"process " + std::to_string(k)});
-  EXPECT_EQ(row_of(c, "more"), -1) << c.text();
-  expect_seen(c, {"lost_command", "q leave"});
+TEST(Layout, ShowsTheChartsOfTheLargestTaskOnASmallTerminalAndCountsTheProcessesThatAreWell) {
+  View v = largest();
+  for (int k = 0; k < 4; ++k) v.snapshot->agents[k].name = "arm" + std::to_string(k + 1);
+  for (int k = 0; k < 100; ++k) v.history.add(*v.snapshot);
+  Canvas c = lay_out(v, kSmallTerminal);
+  int charts = 0;
+  for (int row = 0; row < c.size().rows; ++row) charts += c.text(row).starts_with(" F_z");
+  EXPECT_EQ(charts, 4) << c.text();
+  expect_seen(c, {"and 15 more are well", "lost_command", "q leave"});
+  v.snapshot->processes[13].state = link::ProcessState::dead;
+  c = lay_out(v, kSmallTerminal);
+  expect_seen(c, {"process 13", "and 15 more are well", " F_z"});
+  v.snapshot->processes[13].state = link::ProcessState::running;
+  expect_seen(lay_out(v, {24, 79}), {"all 16 are well"});
+}
+
+TEST(Layout, ShowsEveryProcessOfTheLargestTaskOnALargeTerminal) {
+  const Canvas c = lay_out(largest(), {40, 80});
+  for (int k = 0; k < 16; ++k) expect_seen(c, {"process " + std::to_string(k), " F_z"});
+  EXPECT_EQ(row_of(c, "are well"), -1) << c.text();
+}
+
+TEST(Layout, TheEmergencyStopAndTheHelpAreTheLastKeysToGo) {
+  View v = drawing();
+  for (int columns = 12; columns <= 200; ++columns)
+    for (const char* task : {"drawing", "manual"}) {
+      v.snapshot->task = task;
+      const std::string keys = lay_out(v, {15, columns}).text(14);
+      EXPECT_NE(keys.find("e E-STOP"), std::string::npos) << columns << keys;
+      EXPECT_NE(keys.find(" ?"), std::string::npos) << columns << keys;
+    }
+  const std::string narrow = lay_out(v, {15, 40}).text(14);
+  EXPECT_NE(narrow.find("p pause"), std::string::npos) << narrow;
+  EXPECT_EQ(narrow.find("r resume"), std::string::npos) << "it means nothing now: " << narrow;
 }
 
 TEST(Layout, GivesALargeTerminalsRoomToChartsAndMessages) {
@@ -130,7 +159,7 @@ TEST(Layout, KeepsStateNoticeAndKeysOnAnySize) {
       if (columns < 40 || rows < 3) continue;
       EXPECT_NE(c.text(0).find("running"), std::string::npos);
       EXPECT_EQ(row_of(c, "stop the task for good? y/n"), rows - 2);
-      EXPECT_EQ(row_of(c, "s start"), rows - 1);
+      EXPECT_EQ(row_of(c, "e E-STOP"), rows - 1);
     }
 }
 
@@ -138,7 +167,7 @@ TEST(Layout, SaysWhenProcessesAreHiddenAndShowsTheTroubledOnes) {
   View v = largest();
   v.snapshot->processes[13].state = link::ProcessState::dead;
   const Canvas c = lay_out(v, {18, 80});
-  expect_seen(c, {"process 13", "more"});
+  expect_seen(c, {"process 13", "more are well"});
   EXPECT_EQ(style_of(c, "dead"), Style::bad);
 }
 
@@ -192,7 +221,7 @@ TEST(Layout, CutsNoWordOnASmallTerminal) {
       const Canvas c = lay_out(v, {15, columns});
       const int keys = 14;
       for (int row = help ? 1 : 4; row < keys; ++row) {
-        if (c.text(row).starts_with(" F_z") || c.text(row).ends_with(" more")) continue;
+        if (c.text(row).starts_with(" F_z") || c.text(row).ends_with(" are well")) continue;
         for (const std::string& word : words_of(c, row, row + 1))
           EXPECT_TRUE(word.ends_with("..") || std::ranges::count(whole, word) > 0)
               << "'" << word << "' in " << columns << " columns\n"

@@ -17,6 +17,7 @@
 #include "mrroc/manual_answer_t.hpp"
 #include "mrroc/manual_words_t.hpp"
 #include "test/docs/json_table.hpp"
+#include "ui_cli/homing_progress.hpp"
 #include "ui_cli/manual_link.hpp"
 #include "ui_cli/manual_page.hpp"
 #include "ui_cli/manual_show.hpp"
@@ -82,7 +83,7 @@ std::string execute(std::vector<int> states, const std::vector<std::string>& arg
   std::string result;
   try {
     ui::execute_manual(*bus, {"m", 9, {}, {}, run_folder, 0}, ui::read_manual_words(arguments),
-                       {.repeat = 2ms, .give_up = 10s, .told = told}, out);
+                       {.repeat = 2ms, .give_up = 10s, .told = told, .progress = told}, out);
     result = out.str();
   } catch (const FaultError& e) {
     result = e.error_line();
@@ -116,6 +117,45 @@ TEST(ManualCommand, SaysWhileItWaitsThatItWaits) {
   EXPECT_NE(text.find("\ndone\n"), std::string::npos) << text;
   EXPECT_EQ(when({"home", "arm1", "--json"}).find("not done yet"), std::string::npos);
   EXPECT_EQ(when({"--no-wait", "home", "arm1"}).find("not done yet"), std::string::npos);
+}
+
+TEST(ManualCommand, TellsHowFarHomingIsAgainAndAgain) {
+  std::string pattern = ::testing::TempDir() + "/homing.XXXXXX";
+  const std::filesystem::path folder = ::mkdtemp(pattern.data());
+  std::ofstream(folder / "config.toml") << "[robots]\norder = ['arm1']\n[robots.arm1]\naxes = 7\n";
+  std::vector<int> states(50, 1);
+  states.push_back(2);
+  const auto homed = [&](DriverState driver) {
+    return execute(states, {"home", "all"}, nullptr, folder, nullptr, driver, 0ms);
+  };
+  EXPECT_NE(homed(DriverState::homing).find("\narm1 axis 1 of 7\n"), std::string::npos);
+  EXPECT_EQ(homed(DriverState::holding).find("axis"), std::string::npos) << "it is not homing";
+  std::filesystem::remove_all(folder);
+}
+
+TEST(HomingProgress, CountsTheMotorsThatHaveMovedOneAfterTheOther) {
+  ui::HomingProgress progress(
+      {{.name = "arm1", .axes = 6, .presets = {}}, {.name = "arm2", .axes = 7, .presets = {}}});
+  EffectorReply r;
+  progress.see("arm1", r);
+  EXPECT_EQ(progress.text(), "") << "nobody is homing";
+  r.state = DriverState::homing;
+  r.motors = {10, 20, 30, 40, 50, 60, 0, 0};
+  progress.see("arm1", r);
+  progress.see("nobody", r);
+  EXPECT_EQ(progress.text(), "arm1 axis 1 of 6");
+  r.motors[5] += 30;
+  r.motors[0] += 0.1;  // holds its axis
+  progress.see("arm1", r);
+  EXPECT_EQ(progress.text(), "arm1 axis 1 of 6");
+  r.motors[5] -= 30;  // back where it began
+  r.motors[0] -= 5;
+  progress.see("arm1", r);
+  progress.see("arm2", r);
+  EXPECT_EQ(progress.text(), "arm1 axis 2 of 6, arm2 axis 1 of 7");
+  r.state = DriverState::ready;
+  progress.see("arm1", r);
+  EXPECT_EQ(progress.text(), "arm2 axis 1 of 7");
 }
 
 TEST(ManualCommand, ARefusalAndAFailureAreErrorsWithTheirReason) {

@@ -62,18 +62,35 @@ TEST(ManualPage, StepsAndSpeedsHaveEnds) {
   EXPECT_EQ(words(p, "+++++++++>>>>>>>", {kRight}), "jog arm1 joints 0.5 0 0 0 0 0 speed 1");
 }
 
-TEST(ManualPage, OneKeyIsOneInstructionToOneArmOrAll) {
+TEST(ManualPage, AKeyAndEnterAreOneInstructionToOneArmOrAll) {
   auto p = page();
-  EXPECT_EQ(words(p, "h"), "home arm1");
-  EXPECT_EQ(words(p, "0h"), "home all");
-  EXPECT_EQ(words(p, "b"), "bias all");
-  EXPECT_EQ(words(p, "2z"), "reset arm2");
-  EXPECT_EQ(words(p, " "), "stop arm2");
+  EXPECT_EQ(words(p, "h", {kEnter}), "home arm1");
+  EXPECT_EQ(words(p, "0h", {kReturn}), "home all");
+  EXPECT_EQ(words(p, "b", {kEnter}), "bias all");
+  EXPECT_EQ(words(p, "2z", {kEnter}), "reset arm2");
+  EXPECT_EQ(words(p, "h", {kEscape}), "");
+  EXPECT_FALSE(p.typing());
+  EXPECT_EQ(words(p, " "), "stop arm2") << "at once";
   EXPECT_FALSE(p.key('0').leave);
   EXPECT_NE(p.key(kRight).refusal, "") << "coordinates of several arms are not the same";
   EXPECT_NE(p.key('a').refusal, "");
   EXPECT_TRUE(p.key('m').leave);
   EXPECT_FALSE(p.key('e').known) << "keys of the whole program are not taken";
+}
+
+TEST(ManualPage, AnInstructionThatIsTypedWithoutItsColonDoesNothingBeforeEnter) {
+  for (const std::string line : {"home arm2", "bias all", "gripper arm2 0.05", "weight arm1 3",
+                                 "jog arm1 motors 1", "stop arm1", "servo arm1 1", "tool arm1 0 0 0 0 0 0"}) {
+    auto p = page();
+    for (const char k : line) {
+      const ui::ManualDeed deed = p.key(k);
+      EXPECT_TRUE(deed.known && deed.words.empty()) << line << " at " << k;
+    }
+    EXPECT_EQ(p.key(kEnter).words, line);
+  }
+  auto p = page();
+  words(p, "hx");
+  EXPECT_NE(p.key(kEnter).refusal.find("`home arm1` needs no 'x'"), std::string::npos);
 }
 
 TEST(ManualPage, AsksForWhatAnInstructionNeedsBesides) {
@@ -251,10 +268,13 @@ class ManualPanel : public ::testing::Test {
 TEST_F(ManualPanel, SendsInstructionsAndTellsWhatBecameOfThem) {
   press('m');
   press('h');
+  EXPECT_TRUE(heard.empty()) << "a letter alone moves nothing";
+  press(kEnter);
   EXPECT_EQ(heard, std::vector<std::string>{"home arm1"});
   EXPECT_EQ(notice(), " home arm1: done");
   state = 0;
   press('b');
+  press(kEnter);
   EXPECT_EQ(notice(), " bias arm1 refused: arm1 is busy");
   state = 1;
   press(kRight);
@@ -262,6 +282,16 @@ TEST_F(ManualPanel, SendsInstructionsAndTellsWhatBecameOfThem) {
   state = 2;
   pass(300ms);
   EXPECT_NE(notice().find(": done"), std::string::npos) << notice();
+}
+
+TEST_F(ManualPanel, GoingOnAfterAPauseIsAskedForWhereAnRMayBeALetterOfAWord) {
+  press('m');
+  for (const char k : std::string("rt")) press(k);
+  EXPECT_TRUE(task.obeyed.empty());
+  EXPECT_EQ(notice(), " not resumed");
+  press('r');
+  press('y');
+  EXPECT_EQ(task.obeyed, std::vector{OperatorOrder::resume});
 }
 
 TEST_F(ManualPanel, HasAHelpOfItsOwnKeysThatFitsASmallTerminal) {

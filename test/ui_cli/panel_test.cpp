@@ -58,6 +58,19 @@ TEST_F(Panel, GivesTheOrderOfEachKeyAndShowsTheAnswer) {
   EXPECT_EQ(task.obeyed.size(), 4U);
 }
 
+TEST_F(Panel, HintsNameTheSessionThatTheOperatorHasNamed) {
+  ui::Panel named(*bus, client, ui::Glyphs::ascii, now, "s");
+  task.objection = [](OperatorOrder) { return "give `ui_cli start` first"; };
+  named.key('r', now);
+  for (int k = 0; k < 5; ++k) {
+    task.poll();
+    client.receive(0ms);
+    named.update(now);
+  }
+  const std::string notice = named.picture({24, 160}, now).text(22);
+  EXPECT_EQ(notice, " resume refused: give `ui_cli start --session s` first");
+}
+
 TEST_F(Panel, StopsOnlyAfterAYes) {
   press('x');
   EXPECT_NE(notice().find("y/n"), std::string::npos);

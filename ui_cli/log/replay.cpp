@@ -215,7 +215,7 @@ void check_can_listen(const RunRecord& run, const std::vector<std::string>& name
           FaultCode::bad_usage,
           "mp cannot listen to a replay: its supervisor would start and step the processes, which the "
           "replay does from the log",
-          "recompute it: ui_cli log check " + run.folder().string());
+          fmt::format("recompute it: `ui_cli log check {}`", run.folder().string()));
     const link::LogVerdict verdict =
         check_process_of(run, *std::ranges::find(run.processes(), name, &LoggedProcess::name), prove);
     if (!verdict.not_checked.empty())

@@ -11,43 +11,13 @@
 
 #include "base/config.hpp"
 #include "base/fault.hpp"
+#include "base/link/run_folder.hpp"
 #include "base/nearest.hpp"
 
 namespace mrroc::ui {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// @return where run folders are, with the newest one here
-std::string where_runs_are() {
-  std::error_code ignored;
-  fs::path newest;
-  fs::file_time_type when;
-  for (const auto& entry : fs::directory_iterator("runs", ignored)) {
-    const fs::path log = entry.path() / link::kEventLog;
-    if (!fs::exists(log, ignored)) continue;
-    const auto written = fs::last_write_time(log, ignored);
-    if (newest.empty() || written > when) newest = entry.path(), when = written;
-  }
-  const std::string here = newest.empty() ? "there are none here" : "the newest here is " + newest.string();
-  return "name the folder that a task told in its line `run folder:`; they are in runs/ of where it was "
-         "started, and " +
-         here;
-}
-
-/// @throws FaultError bad_log
-fs::path checked(const fs::path& folder) {
-  std::error_code ignored;
-  for (const std::string_view file : {link::kEventLog, std::string_view("config.toml")}) {
-    if (fs::exists(folder / file, ignored)) continue;
-    throw FaultError(FaultCode::bad_log,
-                     fs::is_directory(folder, ignored)
-                         ? fmt::format("{} is no run folder: it has no {}", folder.string(), file)
-                         : fmt::format("there is no folder {}", folder.string()),
-                     where_runs_are());
-  }
-  return folder;
-}
 
 /// A run of somebody else must not choose what is started: only what stands beside this program.
 /// @return the name @throws FaultError bad_log: it leads elsewhere
@@ -66,7 +36,7 @@ bool ends_with_any(std::string_view channel, std::span<const char* const> ends) 
 
 }  // namespace
 
-RunRecord::RunRecord(fs::path folder) : folder_(checked(folder)), log_(folder_) {
+RunRecord::RunRecord(fs::path folder) : folder_(link::checked_run_folder(folder)), log_(folder_) {
   const Config config = Config::load((folder_ / "config.toml").string());
   step_s_ = config.number("time.dt", 0.002, {1e-4, 1}, "s");
   macrostep_s_ = step_s_ * config.integer("time.n_s", 10, {1, 1000}, "steps");

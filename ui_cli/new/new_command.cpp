@@ -21,17 +21,19 @@ constexpr const char* kAbout =
     "Writes the files of a new robot, task or sensor into a clone of the framework: they build, run and "
     "pass\n"
     "their tests as they are, and say where to put what is yours.";
-constexpr const char* kFooter =
+constexpr const char* kWritten =
     "\nWhat is written:\n"
     "  robot NAME   robots/NAME (kinematics, transmission, motors, URDF, driver), a task of that name that "
     "moves it\n"
     "  task NAME    tasks/NAME (behaviours, program, ECP, mains, configuration)\n"
     "  sensor NAME  vsp/NAME (kernel, parameters, process)\n"
     "and the tests of each below test/. NAME: lower-case letters, digits, underscores.\n"
-    "\nExamples:\n"
-    "  ui_cli new task circle\n"
-    "  ui_cli new robot gantry --dry-run\n"
-    "  ui_cli new sensor feeler && ui_cli new task feel --sensor feeler\n"
+    "\nExamples:\n";
+const ExplainedLines kLines{{"ui_cli new task circle", ""},
+                            {"ui_cli new robot gantry --dry-run", ""},
+                            {"ui_cli new sensor feeler", "and then"},
+                            {"ui_cli new task feel --sensor feeler", ""}};
+constexpr const char* kExitStatus =
     "\nExit status: 0 done, 2 bad usage (the name is not one or is taken; no clone is there), 3 cannot "
     "write. Then\n"
     "nothing has been written. docs/howto-robot.md, howto-task.md and howto-sensor.md go on from here.";
@@ -60,7 +62,7 @@ NewPart part_named(const std::string& word) {
 void need_part(const fs::path& tree, const std::string& file, NewPart part, const std::string& name) {
   if (fs::is_regular_file(tree / file)) return;
   throw FaultError(FaultCode::bad_usage, fmt::format("there is no {} '{}'", to_string(part), name),
-                   fmt::format("write it first: ui_cli new {} {}", to_string(part), name));
+                   fmt::format("write it first: `ui_cli new {} {}`", to_string(part), name));
 }
 
 Scaffold wish_of(const Options& o) {
@@ -139,7 +141,7 @@ int run_new(const std::vector<std::string>& arguments, std::ostream& out, std::o
       ->type_name("DIR");
   app.add_flag("--dry-run", o.dry_run, "only list what would be written");
   app.add_flag("--json", o.json, "print JSON");
-  app.footer(kFooter);
+  app.footer(kWritten + explained(kLines) + kExitStatus);
   if (const auto status =
           parse_words(app, arguments, out, err,
                       {"ui_cli new task spiral", "ui_cli new task spiral --sensor whisker",

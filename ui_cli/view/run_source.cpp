@@ -8,6 +8,7 @@
 
 #include "base/fault.hpp"
 #include "base/link/log_reader.hpp"
+#include "base/link/run_folder.hpp"
 #include "ui_cli/view/listener.hpp"
 
 namespace mrroc::view {
@@ -66,7 +67,7 @@ void load_summary(const fs::path& folder, Record& record) {
 }
 
 std::vector<std::string> load_run(const fs::path& folder, Record& record) {
-  const Scene scene = scene_of(folder);
+  const Scene scene = scene_of(link::checked_run_folder(folder));
   const nlohmann::json summary = summary_of(folder);
   SceneFrame frame{.source = "run", .folder = folder.string(), .pictures = pictures_of(folder)};
   if (summary.is_object()) frame.task = summary.value("task", "");

@@ -11,7 +11,7 @@ namespace mrroc::view {
 
 /// Fills the record with a whole run. Value "summary": summary.json, if the run has one.
 /// @return the pictures of the folder, as in pictures_of()
-/// @throws FaultError bad_usage: it is no run folder; bad_configuration; bad_log
+/// @throws FaultError bad_log: it is no run folder, or its log cannot be read; bad_configuration
 std::vector<std::string> load_run(const std::filesystem::path& folder, Record& record);
 
 /// @return PNG files of a run folder and of its plots/, relative to it with '/': those of the cameras first, then

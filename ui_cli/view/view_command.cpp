@@ -30,11 +30,11 @@ constexpr const char* kAbout =
     "pictures, forces\n"
     "and poses over time, behaviours, messages. The page only shows; orders are given with ui_cli.";
 
-constexpr const char* kFooter =
-    "\nExamples:\n"
-    "  ui_cli view                          what runs now, or next; can be left open\n"
-    "  ui_cli view runs/press-...           a run that is over\n"
-    "  ./run drawing --view --speed 1       a task with its viewer beside it\n"
+const ExplainedLines kLines{{"ui_cli view", "what runs now, or next; can be left open"},
+                            {"ui_cli view runs/press-...", "a run that is over"},
+                            {"./run drawing --view --speed 1", "a task with its viewer beside it"}};
+
+constexpr const char* kExitStatus =
     "\nExit status: 0 ended with Ctrl-C; 2 bad usage, or a folder that cannot be shown.";
 
 std::atomic<bool> interrupted{false};
@@ -107,7 +107,7 @@ int run_view(const std::vector<std::string>& arguments, std::ostream& out, std::
       ->type_name("URL");
   app.add_flag("--with-task", o.with_task, "end when no task runs and no page is open for 5 s");
   app.add_flag("--json", o.json, "the address as JSON: {\"url\": ...}");
-  app.footer(kFooter);
+  app.footer("\nExamples:\n" + explained(kLines) + kExitStatus);
   interrupted = false;
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);

@@ -93,8 +93,8 @@ TEST(ViewRun, SaysWhereAFolderIsNoRun) {
     load_run(folder.path() / "missing", record);
     FAIL();
   } catch (const FaultError& e) {
-    EXPECT_EQ(e.fault().code, FaultCode::bad_usage);
-    EXPECT_NE(std::string(e.what()).find("is no run folder"), std::string::npos) << e.what();
+    EXPECT_EQ(e.fault().code, FaultCode::bad_log);
+    EXPECT_NE(std::string(e.what()).find("there is no folder"), std::string::npos) << e.what();
   }
   std::ofstream(folder.path() / "config.toml") << test::sample_config();
   try {

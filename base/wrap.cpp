@@ -1,8 +1,8 @@
-#include "ui_cli/wrap.hpp"
+#include "base/wrap.hpp"
 
 #include <algorithm>
 
-namespace mrroc::ui {
+namespace mrroc {
 
 std::string cut(const std::string& text, int room) {
   constexpr int kLeast = 8;
@@ -31,4 +31,4 @@ std::vector<std::string> wrap(std::string_view text, int width) {
   return lines;
 }
 
-}  // namespace mrroc::ui
+}  // namespace mrroc

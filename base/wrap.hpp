@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace mrroc::ui {
+namespace mrroc {
 
 /// @return the text, when there is room, or as many of its words as there is room for, and ".."; nothing where that
 ///         would say nothing
@@ -14,4 +14,4 @@ namespace mrroc::ui {
 /// @return the text in lines that end between words. What stands between backticks is one word: it is typed as it is
 [[nodiscard]] std::vector<std::string> wrap(std::string_view text, int width);
 
-}  // namespace mrroc::ui
+}  // namespace mrroc

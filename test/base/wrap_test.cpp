@@ -1,18 +1,13 @@
 // Texts that are longer than there is room for: cut and wrapped between words.
-#include "ui_cli/wrap.hpp"
+#include "base/wrap.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "base/fault_table.hpp"
-#include "ui_cli/explain.hpp"
-
 namespace mrroc::test {
 namespace {
 
-using ui::cut;
-using ui::wrap;
 using Lines = std::vector<std::string>;
 
 TEST(Wrap, CutsBetweenWords) {
@@ -45,16 +40,6 @@ TEST(Wrap, LeavesWhatIsToBeTypedInOnePiece) {
             (Lines{"type", "`ip route add 224.0.0.0/4 dev lo`", "as root"}));
   EXPECT_EQ(wrap("", 20), Lines{});
   EXPECT_EQ(wrap("an unended `quote of words", 12), (Lines{"an unended", "`quote of words"}));
-}
-
-TEST(Wrap, EveryExplanationFitsOnATerminal) {
-  for (const FaultEntry& e : kFaultTable) {
-    std::istringstream text(ui::explanation(e.code));
-    std::string line;
-    std::getline(text, line);  // the title
-    for (; std::getline(text, line);)
-      EXPECT_TRUE(line.size() <= 80 || line.find('`') != std::string::npos) << line;
-  }
 }
 
 }  // namespace

@@ -1,0 +1,45 @@
+#include "mp/tell.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "base/as_typed.hpp"
+#include "base/wrap.hpp"
+
+namespace mrroc::mp {
+namespace {
+
+/// @return columns of standard output; 0: it is no terminal, or one that does not say
+int terminal_width() {
+  winsize size{};
+  const bool known = ::isatty(STDOUT_FILENO) == 1 && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0;
+  return known ? size.ws_col : 0;
+}
+
+}  // namespace
+
+std::string folded(std::string_view line, int width) {
+  if (width <= 0 || line.size() <= static_cast<std::size_t>(width)) return std::string(line);
+  constexpr std::string_view kTime = " s  ";
+  constexpr std::size_t kTimeEnds = 12, kIndent = 2;
+  const std::size_t time = line.find(kTime);
+  const bool timed = time != std::string_view::npos && time + kTime.size() <= kTimeEnds;
+  const std::size_t indent = timed ? time + kTime.size() : kIndent;
+  std::string text(line.substr(0, timed ? indent : 0));
+  std::string before;
+  for (const std::string& part : wrap(line.substr(text.size()), width - static_cast<int>(indent))) {
+    text += before + part;
+    before = '\n' + std::string(indent, ' ');
+  }
+  return text;
+}
+
+void tell(std::string_view line, std::string_view session) {
+  fmt::print("{}\n", folded(as_typed(line, session), terminal_width()));
+  std::fflush(stdout);
+}
+
+}  // namespace mrroc::mp
