@@ -88,7 +88,7 @@ void kill_part(const std::string& name, const fs::path& recording, const fs::pat
   const json figures = summary_in(folder)["figures"];
   if (name != "world") {
     must(figures.contains("stop_steps_max"), "the arms did not come to rest after the death of " + name);
-    kills.stop_steps_max = std::max(kills.stop_steps_max, figures["stop_steps_max"].get<int>());
+    kills.stop_steps_max = std::max(kills.stop_steps_max, figures.at("stop_steps_max").get<int>());
   }
   fs::remove_all(folder);
 }
@@ -102,12 +102,12 @@ Figures run_drawing_group() {
   const json second = whole_run(scratch.path() / "second", {});
 
   Figures figures;
-  for (const auto& [key, figure] : first["figures"].items())
+  for (const auto& [key, figure] : first.at("figures").items())
     figures.push_back({key, worst(key, figure), "", about(key, figure.is_array())});
-  const auto factor = [](const json& s) { return s["real_time_factor"].get<double>(); };
+  const auto factor = [](const json& s) { return s.at("real_time_factor").get<double>(); };
   figures.push_back({"real_time_factor", std::max(factor(first), factor(second)), "",
                      "simulated over wall time, separate processes, better of two runs"});
-  figures.push_back({"log_hash_equal", first["log_hash"] == second["log_hash"] ? 1.0 : 0.0, "",
+  figures.push_back({"log_hash_equal", first.at("log_hash") == second.at("log_hash") ? 1.0 : 0.0, "",
                      "1: two runs with one seed say the same in every message"});
 
   Kills kills;

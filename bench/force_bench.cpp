@@ -29,15 +29,15 @@ Figures run_force_figures() {
   const sim::ForceFigures f = sim::measure_forces(20, 100, 1);
   const nlohmann::json press = figures_of("press");
   const nlohmann::json edge = figures_of("edge_follow");
-  const double rms = std::ranges::max(edge["edge_follow_rms_N"].get<std::vector<double>>());
+  const double rms = std::ranges::max(edge.at("edge_follow_rms_N").get<std::vector<double>>());
   return {
       {"identified_weight_pct", f.weight_pct, "%",
        "error of the identified weight, largest of 20 random tools"},
       {"identified_centre_mm", f.centre_mm, "mm", "error of the identified mass centre, largest of the same"},
       {"free_force_N", f.free_force_N, "N", "F_a without contact, mean over 100 random orientations"},
       {"free_torque_Nm", f.free_torque_Nm, "N m", "the same, moments"},
-      {"approach_settled_N", press["approach_settled_N"].get<double>(), "N", "press: end of the approach"},
-      {"approach_peak_N", press["approach_peak_N"].get<double>(), "N", "press: impact"},
+      {"approach_settled_N", press.at("approach_settled_N").get<double>(), "N", "press: end of the approach"},
+      {"approach_peak_N", press.at("approach_peak_N").get<double>(), "N", "press: impact"},
       {"edge_follow_rms_N", rms, "N", "edge_follow: force error at 4 N, worse of rectangle and ellipse"},
   };
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/cube.hpp"
-#include "tasks/rubik/plan/stances.hpp"
+#include "tasks/rubik/plan/grips.hpp"
 
 namespace mrroc::bench {
 namespace {
@@ -17,15 +17,10 @@ using namespace rubik;
 using std::numbers::pi;
 
 constexpr double kSideStep = pi / 18;  // of the directions of a side grip that are tried
-constexpr double kTrackStep = 0.1;     // of the track's positions for a side grip [m]
-constexpr int kTrackSteps = 6;         // to either side
 constexpr int kQuarters = 4;           // positions of a hand that turns
 constexpr std::size_t kBettered = 40;  // candidates that are bettered
 constexpr int kBetterSteps = 400;      // of each
 const Vector3 kLeastPlace(-0.2, 0.2, 0.4), kMostPlace(1.4, 2.2, 1.9);  // in the world [m]
-
-Pose turn_about_z(double angle) { return {rotation_from_angle_axis({0, 0, angle}), Vector3::Zero()}; }
-Pose along_z(double distance) { return {Matrix3::Identity(), {0, 0, distance}}; }
 
 /// Of one posture, as in meeting_reach().
 double reserve(const PlanCell& cell, Hand hand, const AxisVector& joints) {
@@ -59,17 +54,11 @@ double reserve_of_quarters(const PlanCell& cell, Hand hand, const Pose& T_UE, Ax
 
 /// @return the best reserve of the track arm that comes to the cube from any side
 double reserve_of_side_grip(const PlanCell& cell, const Meeting& meeting) {
-  const Vector3 z = front_grip(meeting, Hand::postument).R.col(2);
   double best = -1;
   for (double angle = 0; angle < 2 * pi; angle += kSideStep) {
-    const Vector3 direction = meeting.T_UM.R * Vector3(std::cos(angle), std::sin(angle), 0);
-    Matrix3 R;
-    R << z.cross(direction).cross(direction), z.cross(direction), direction;
-    const Pose T_UE{R, meeting.T_UM.p - depth(Hand::track) * direction};
-    for (int k = -kTrackSteps; k <= kTrackSteps; ++k)
+    const Pose T_UE = side_grip(meeting, Hand::track, angle).comes;
+    for (const AxisVector& near : along_track(meeting.joints[index(Hand::track)]))
       for (const double turn : {0., pi}) {
-        AxisVector near = meeting.joints[index(Hand::track)];
-        near[0] += k * kTrackStep;
         const auto joints = cell.inverse(Hand::track, T_UE * turn_about_z(turn), near);
         if (joints) best = std::max(best, reserve(cell, Hand::track, *joints));
       }

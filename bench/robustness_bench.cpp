@@ -52,8 +52,8 @@ void take(const json& figures, const std::string& where, std::map<std::string, W
   for (const mp::FigureInfo& info : drawing::kFigures) {
     const std::string key(info.key);
     if (mp::wanted(info).empty() || !figures.contains(key)) continue;
-    const json values = figures[key].is_array() ? figures[key] : json::array({figures[key]});
-    for (const json& x : values) {
+    const json& values = figures.at(key);
+    for (const json& x : values.is_array() ? values : json::array({values})) {
       const double beyond = x.is_number() ? excess(info, x.get<double>()) : HUGE_VAL;
       if (beyond > worst[key].excess)
         worst[key] = {x.is_number() ? x.get<double>() : std::nan(""), beyond, where};
@@ -75,7 +75,7 @@ Figures run_robustness_group() {
       std::ifstream file(folder / "summary.json");
       const json summary = json::parse(file, nullptr, false);
       if (!summary.is_discarded())
-        take(summary["figures"], fmt::format("paper {:g}, hand {:g} N/m", paper, hand), worst);
+        take(summary.at("figures"), fmt::format("paper {:g}, hand {:g} N/m", paper, hand), worst);
       fs::remove_all(folder);
     }
   Figures figures{

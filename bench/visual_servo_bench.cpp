@@ -30,7 +30,7 @@ json servo_run(const std::vector<std::string>& more) {
 }
 
 double figure(const json& summary, const std::string& key) {
-  const json& value = summary["figures"][key];
+  const json value = summary.at("figures").value(key, json());
   if (!value.is_number())
     throw FaultError(FaultCode::internal_error, fmt::format("visual servoing: no {} could be measured", key));
   return value.get<double>();
@@ -56,7 +56,7 @@ Figures visual_servo_figures() {
                      "behind an object on a line at 0.1 m/s, wanted <= 10"});
   figures.push_back(
       {"line_follow_err_mm", figure(line, "follow_err_mm"), "mm", "  true error on that line, mean"});
-  figures.push_back({"real_time_factor", exact["real_time_factor"].get<double>(), "",
+  figures.push_back({"real_time_factor", exact.at("real_time_factor").get<double>(), "",
                      "whole task, two cameras, exact pictures, wanted >= 0.5"});
   figures.push_back({"real_time_factor_fast", servo_run(fast)["real_time_factor"].get<double>(), "",
                      "  fast pictures, wanted >= 1.5"});

@@ -11,6 +11,7 @@
 #include "base/link/text.hpp"
 #include "base/msg/convert.hpp"
 #include "base/program.hpp"
+#include "mp/silence.hpp"
 
 namespace mrroc::mp {
 namespace {
@@ -24,7 +25,6 @@ constexpr auto kLook = 20ms;       // between looks at the children
 constexpr auto kAssembling = 60s;  // until everybody must be there
 constexpr auto kTellSkipped = 1s;  // between lines about lateness, of each process
 constexpr auto kHang = 10s;        // without a sign of life
-constexpr auto kAway = 1s;         // between two looks: this process itself was not run meanwhile
 constexpr auto kComeToRest = 20s;  // for arms to come to rest after a stop
 
 #ifdef MRROC_SANITIZED
@@ -46,7 +46,7 @@ struct Supervisor::Watched {
   link::Queue<console_t> console_in;
   process_status_t status{};
   ProcessState state{ProcessState::starting};
-  Clock::time_point heard{Clock::now()};
+  Silence silence{Clock::now()};
   std::int64_t skipped_told{};
   Clock::time_point told_at{};
   std::optional<link::Child> child;
@@ -86,7 +86,7 @@ void Supervisor::start_processes(const std::vector<std::string>& common) {
     const bool here = w->part.start.empty();
     w->child.emplace(here ? program_beside(w->part.program) : program_folder() / w->part.program, arguments,
                      w->part.start);
-    w->heard = Clock::now();
+    w->silence.hear(Clock::now());
   }
 }
 
@@ -114,8 +114,6 @@ void Supervisor::poll() {
   hear();
   const auto now = Clock::now();
   if (now - last_look_ > kLook) {
-    if (now - last_look_ > kAway)  // as on a host that sleeps: nobody could be heard
-      for (auto& w : watched_) w->heard = now;
     last_look_ = now;
     watch_children();
     watch_hangs();
@@ -130,15 +128,16 @@ void Supervisor::hear() {
       log(w->part.name, link::get_text(line->text), fault_code(line->code).value_or(FaultCode::none));
     while (const auto s = w->status_in.take()) {
       if (s->state < 0 || s->state >= static_cast<int>(ProcessState::dead)) continue;  // nobody says so
-      w->heard = Clock::now();
+      const auto now = Clock::now();
+      w->silence.hear(now);
       if (w->state == ProcessState::dead) continue;
       const bool leaves = s->state >= static_cast<int>(ProcessState::done);
-      if (s->skipped > w->skipped_told && (leaves || w->heard - w->told_at > kTellSkipped)) {
+      if (s->skipped > w->skipped_told && (leaves || now - w->told_at > kTellSkipped)) {
         log(w->part.name,
             fmt::format("late: {} skipped, {} in all", s->skipped - w->skipped_told, s->skipped),
             FaultCode::none);
         w->skipped_told = s->skipped;
-        w->told_at = w->heard;
+        w->told_at = now;
       }
       if (s->m != w->status.m || !std::ranges::equal(s->behaviour, w->status.behaviour)) ++behaviours_begun_;
       w->status = *s;
@@ -178,7 +177,8 @@ void Supervisor::watch_children() {
 void Supervisor::watch_hangs() {
   if (!kWatchHangs) return;
   for (auto& w : watched_) {
-    if (!w->child || w->child->ended() || Clock::now() - w->heard < kHang) continue;
+    w->silence.look(Clock::now());
+    if (!w->child || w->child->ended() || w->silence.counted() < kHang) continue;
     Fault fault{.code = FaultCode::process_hung, .process = w->part.name};
     fault.text = fmt::format("{} has not been heard for {} s", w->part.name, kHang.count());
     w->child->kill();
@@ -300,9 +300,9 @@ void Supervisor::end_threads() {
 std::vector<PartStatus> Supervisor::parts() const {
   std::vector<PartStatus> all;
   for (const auto& w : watched_)
-    all.push_back({w->part.name, w->state, std::chrono::duration<double>(Clock::now() - w->heard).count(),
-                   w->status.m, link::get_text(w->status.behaviour),
-                   link::get_text(w->status.ended_because)});
+    all.push_back({w->part.name, w->state,
+                   std::chrono::duration<double>(Clock::now() - w->silence.heard()).count(), w->status.m,
+                   link::get_text(w->status.behaviour), link::get_text(w->status.ended_because)});
   return all;
 }
 

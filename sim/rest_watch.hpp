@@ -9,8 +9,11 @@ namespace mrroc::sim {
 /// When each arm moved last. Real-time safe.
 class RestWatch {
  public:
-  /// Slower than this is rest [m/s].
+  /// The tip of an arm at rest is slower than this [m/s].
   static constexpr double kRestSpeed = 0.0005;
+  /// The tool of an arm at rest turns more slowly than this [rad/s]: as fast as kRestSpeed 0.2 m from the axis, farther
+  /// than what an arm can turn without moving the tip reaches.
+  static constexpr double kRestTurn = kRestSpeed / 0.2;
   /// An arm that has been at rest for so many steps stays at rest.
   static constexpr std::int64_t kSettled = 100;
   /// No stop takes that many steps: an arm that moves still longer after its last command moves by itself.
@@ -18,12 +21,13 @@ class RestWatch {
 
   /// Takes one step of one arm.
   /// @param speed            of the tool tip [m/s]
+  /// @param turn             angular speed of the tool [rad/s]
   /// @param commanded_until  first step after the last commanded macrostep
-  void step(int arm, std::int64_t step, double speed, std::int64_t commanded_until) {
+  void step(int arm, std::int64_t step, double speed, double turn, std::int64_t commanded_until) {
     auto& a = arms_[static_cast<std::size_t>(arm)];
     now_ = step;
     a.commanded_until = std::max(a.commanded_until, commanded_until);
-    if (speed >= kRestSpeed) a.moved = step;
+    if (speed >= kRestSpeed || turn >= kRestTurn) a.moved = step;
     known_ = std::max(known_, arm + 1);
   }
 

@@ -221,9 +221,11 @@ class Shell {
   }
 
   void watch(std::int64_t step) {
-    for (int arm = 0; arm < world_.arms(); ++arm)
-      rest_.step(arm, step, world_.truth(arm).tip_velocity.norm(),
+    for (int arm = 0; arm < world_.arms(); ++arm) {
+      const ArmTruth& truth = world_.truth(arm);
+      rest_.step(arm, step, truth.tip_velocity.norm(), truth.tool_turn.norm(),
                  commands_[static_cast<std::size_t>(arm)].commanded_until);
+    }
     // An arm that rests before the macrostep of the stop may yet be told to move.
     if (!process_.over() || step / k_.n_s < process_.stop_as_of()) return;
     const bool at_rest = rest_.at_rest();

@@ -92,6 +92,7 @@ struct ArmTruth {
   AxisVector joints;                      ///< [rad], track [m]
   Pose T_0E;                              ///< pen tip in the arm's base
   Vector3 tip_velocity{Vector3::Zero()};  ///< in the arm's base [m/s]
+  Vector3 tool_turn{Vector3::Zero()};     ///< angular velocity of the tool, in the arm's base [rad/s]
   Wrench S_F{};  ///< load on the sensor before its electronics, mean over the step, in S
   Vector3 hand_force{Vector3::Zero()};  ///< of the operator on the tip, mean over the step, in the base [N]
   double paper_force{};                 ///< normal force of the pen on the paper, mean over the step [N]

@@ -229,6 +229,7 @@ void SimulatedArm::observe() {
   const ToolMotion& tool = load_.motion();
   truth_.T_0E = T_BU_ * tool.T_UG * arm_.T_GE;
   truth_.tip_velocity = T_BU_.R * tool.velocity_of(arm_.T_GE.p);
+  truth_.tool_turn = T_BU_.R * tool.angular_velocity;
   truth_.pen_height = (T_PU_ * (tool.T_UG * arm_.T_GE.p)).z();
 }
 

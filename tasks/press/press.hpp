@@ -5,9 +5,9 @@
 
 namespace mrroc::press {
 
-struct Arm : ecp::ArmAgent<ecp::None> {};
-extern const std::array<Motion<Arm>, 4> kPress;
-mp::TaskFigures figures(const std::vector<mp::ArmTrace>& arms, const Config& config);
-std::string_view config();
+struct Arm : ecp::ArmAgent<ecp::None> {};        ///< remembers nothing, reads no sensor
+extern const std::array<Motion<Arm>, 4> kPress;  ///< approach, settle, hold, draw back
+mp::TaskFigures figures(const std::vector<mp::ArmTrace>& arms, const Config&);  ///< of F_z of the one arm [N]
+std::string_view config();                                                      ///< press.toml
 
 }  // namespace mrroc::press

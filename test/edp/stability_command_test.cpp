@@ -32,13 +32,13 @@ TEST(StabilityCommand, TellsTheLimitAndJudgesAStiffness) {
 
 TEST(StabilityCommand, AdviceHelps) {
   const auto bad = nlohmann::json::parse(run({"--K", "1e5", "--json"}).out);
-  EXPECT_FALSE(bad["stable"]);
+  EXPECT_FALSE(bad.at("stable"));
   EXPECT_TRUE(test::documented("stability", bad));
-  const double B = bad["B_for_damping_0.5"];
+  const double B = bad.at("B_for_damping_0.5");
   const auto good = nlohmann::json::parse(run({"--K", "1e5", "--json", "--B", std::to_string(B)}).out);
-  EXPECT_TRUE(good["stable"]);
-  EXPECT_NEAR(good["damping_ratio"], 0.5, 0.02);
-  EXPECT_GT(good["limit_N_per_m"], 1e5);
+  EXPECT_TRUE(good.at("stable"));
+  EXPECT_NEAR(good.at("damping_ratio"), 0.5, 0.02);
+  EXPECT_GT(good.at("limit_N_per_m"), 1e5);
 }
 
 TEST(StabilityCommand, WellDampedContactNeedsNoAdvice) {

@@ -90,16 +90,16 @@ TEST_F(RunFolder, SummaryOfARunThatIsDone) {
   s.figures["per_arm"] = std::vector<double>{0.25, std::nan("")};
   s.figures["unknown"] = HUGE_VAL;
   const auto json = summary(s);
-  EXPECT_EQ(json["task"], "drawing");
-  EXPECT_EQ(json["outcome"], "done");
-  EXPECT_TRUE(json["fault"].is_null());
-  EXPECT_EQ(json["sim_s"], 12.5);
-  EXPECT_EQ(json["real_time_factor"], 5.0);
-  EXPECT_EQ(json["log_hash"], "0000000000000abc");
-  EXPECT_EQ(json["figures"]["nodes"], 41.0);
-  EXPECT_EQ(json["figures"]["per_arm"][0], 0.25);
-  EXPECT_TRUE(json["figures"]["per_arm"][1].is_null());
-  EXPECT_TRUE(json["figures"]["unknown"].is_null());
+  EXPECT_EQ(json.at("task"), "drawing");
+  EXPECT_EQ(json.at("outcome"), "done");
+  EXPECT_TRUE(json.at("fault").is_null());
+  EXPECT_EQ(json.at("sim_s"), 12.5);
+  EXPECT_EQ(json.at("real_time_factor"), 5.0);
+  EXPECT_EQ(json.at("log_hash"), "0000000000000abc");
+  EXPECT_EQ(json.at("figures").at("nodes"), 41.0);
+  EXPECT_EQ(json.at("figures").at("per_arm").at(0), 0.25);
+  EXPECT_TRUE(json.at("figures").at("per_arm").at(1).is_null());
+  EXPECT_TRUE(json.at("figures").at("unknown").is_null());
 }
 
 TEST_F(RunFolder, SummaryOfARunThatFailedNamesTheFault) {
@@ -129,11 +129,11 @@ TEST_F(RunFolder, TheSummaryTellsFaultsAfterWhichTheTaskWentOn) {
   EXPECT_FALSE(summary(s).contains("survived"));
   s.survived.push_back({{.code = FaultCode::over_current, .process = "edp-arm1"}, 12.5});
   const auto json = summary(s);
-  EXPECT_EQ(json["outcome"], "done");
-  ASSERT_EQ(json["survived"].size(), 1U);
-  EXPECT_EQ(json["survived"][0]["code"], "over_current");
-  EXPECT_EQ(json["survived"][0]["process"], "edp-arm1");
-  EXPECT_EQ(json["survived"][0]["sim_s"], 12.5);
+  EXPECT_EQ(json.at("outcome"), "done");
+  ASSERT_EQ(json.at("survived").size(), 1U);
+  EXPECT_EQ(json.at("survived").at(0).at("code"), "over_current");
+  EXPECT_EQ(json.at("survived").at(0).at("process"), "edp-arm1");
+  EXPECT_EQ(json.at("survived").at(0).at("sim_s"), 12.5);
 }
 
 }  // namespace

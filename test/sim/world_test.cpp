@@ -8,12 +8,13 @@
 #include <stdexcept>
 
 #include "base/statistics.hpp"
+#include "sim/rest_watch.hpp"
 #include "test/sim/driver.hpp"
 
 namespace mrroc::sim {
 namespace {
 
-constexpr double kRest = 5e-4;  // slower than this is rest [m/s]
+constexpr double kRest = RestWatch::kRestSpeed;
 
 WorldParameters one_arm() {
   WorldParameters p;
@@ -74,6 +75,25 @@ TEST(World, DrivesBrakeToRestByThemselvesWhenCommandsStop) {
     }
     EXPECT_LT(moved, 50);
   }
+}
+
+TEST(World, ATurnAboutTheTipIsSeenInTheTurnOfTheToolAndBrakedToRestToo) {
+  Cell cell;
+  for (Driver& driver : cell.drivers) driver.command.az = u(0.2);
+  cell.run(500);
+  for (int arm = 0; arm < 2; ++arm) {
+    const ArmTruth& truth = cell.world.truth(arm);
+    EXPECT_LT((truth.tool_turn - 0.2 * truth.T_0E.R.col(2)).norm(), 0.02);
+    EXPECT_LT(truth.tip_velocity.norm(), 0.005);
+  }
+  int moved = 0;
+  for (int k = 0; k < 300; ++k) {
+    cell.world.step({});
+    for (int arm = 0; arm < 2; ++arm)
+      if (cell.world.truth(arm).tool_turn.norm() > RestWatch::kRestTurn) moved = k + 1;
+  }
+  EXPECT_GT(moved, 0);
+  EXPECT_LT(moved, 50);
 }
 
 TEST(World, OnlyTheArmWithoutACommandBrakes) {

@@ -28,11 +28,11 @@ TEST(Press, SettlesAtFourNewtonsAndDrawsBack) {
   const Ended ended = run(folder, "press", {"--processes", "one", "--run-dir", (folder / "run").string()});
   ASSERT_EQ(ended.status, 0) << ended.all();
   const auto s = summary(folder / "run");
-  EXPECT_EQ(s["outcome"], "done");
-  EXPECT_NEAR(s["figures"]["approach_settled_N"].get<double>(), 4, 0.1);
-  EXPECT_NEAR(s["figures"]["hold_N"].get<double>(), 4, 0.1);
-  EXPECT_GT(s["figures"]["approach_peak_N"].get<double>(), 4);
-  EXPECT_LT(s["figures"]["approach_peak_N"].get<double>(), 8);
+  EXPECT_EQ(s.at("outcome"), "done");
+  EXPECT_NEAR(s.at("figures").at("approach_settled_N").get<double>(), 4, 0.1);
+  EXPECT_NEAR(s.at("figures").at("hold_N").get<double>(), 4, 0.1);
+  EXPECT_GT(s.at("figures").at("approach_peak_N").get<double>(), 4);
+  EXPECT_LT(s.at("figures").at("approach_peak_N").get<double>(), 8);
   EXPECT_TRUE(std::filesystem::exists(folder / "run" / "arm1.csv"));
   const auto told = link::LogReader(folder / "run").messages<task_status_t>("task_status");
   ASSERT_FALSE(told.empty());
@@ -81,8 +81,8 @@ TEST(Press, StandsStillDuringAPauseAndGoesOn) {
   };
   const double plain = press("plain", {})["sim_s"];
   const auto paused = press("paused", {"--script", orders, "--speed", "50"});
-  EXPECT_NEAR(paused["sim_s"].get<double>() - plain, 4, 0.2) << "200 macrosteps of 20 ms";
-  EXPECT_NEAR(paused["figures"]["hold_N"].get<double>(), 4, 0.1);
+  EXPECT_NEAR(paused.at("sim_s").get<double>() - plain, 4, 0.2) << "200 macrosteps of 20 ms";
+  EXPECT_NEAR(paused.at("figures").at("hold_N").get<double>(), 4, 0.1);
 }
 
 TEST(Press, DoesNotRaceThroughMacrostepsWhileOnlyAPersonCanGoOn) {
@@ -141,10 +141,10 @@ TEST(Press, AnEmergencyStopBrakesAtOnceAndLeavesItsBlackBox) {
     EXPECT_EQ(ended.status, 1) << ended.all();
     EXPECT_TRUE(ended.last_err().starts_with("error: emergency_stop:")) << ended.last_err();
     const auto s = summary(run_folder);
-    EXPECT_EQ(s["outcome"], "stopped");
-    EXPECT_EQ(s["fault"]["code"], "emergency_stop");
-    EXPECT_LT(s["sim_s"].get<double>(), 4) << "120 macrosteps of 20 ms";
-    const auto files = s["black_box"].get<std::vector<std::string>>();
+    EXPECT_EQ(s.at("outcome"), "stopped");
+    EXPECT_EQ(s.at("fault").at("code"), "emergency_stop");
+    EXPECT_LT(s.at("sim_s").get<double>(), 4) << "120 macrosteps of 20 ms";
+    const auto files = s.at("black_box").get<std::vector<std::string>>();
     for (const char* process : {"mp", "world", "edp-arm1", "ecp-arm1"})
       EXPECT_TRUE(std::ranges::count(files, std::string("black_box/") + process + ".txt")) << process;
     EXPECT_TRUE(std::ranges::any_of(files, [](const auto& f) { return f.starts_with("arm1-fault-"); }))
@@ -184,9 +184,9 @@ TEST(Weigh, FindsTheToolThatTheArmHasWhateverItIsToldOfIt) {
       {"--processes", "one", "--set", "robots.arm1.tool.weight=0", "--run-dir", (folder / "run").string()});
   ASSERT_EQ(ended.status, 0) << ended.all();
   const auto s = summary(folder / "run");
-  EXPECT_EQ(s["outcome"], "done");
-  EXPECT_NEAR(s["figures"]["tool_weight_N"].get<double>(), 10.8, 0.1) << "the pen and its holder";
-  const auto centre = s["figures"]["tool_mass_centre_m"].get<std::vector<double>>();
+  EXPECT_EQ(s.at("outcome"), "done");
+  EXPECT_NEAR(s.at("figures").at("tool_weight_N").get<double>(), 10.8, 0.1) << "the pen and its holder";
+  const auto centre = s.at("figures").at("tool_mass_centre_m").get<std::vector<double>>();
   ASSERT_EQ(centre.size(), 3U);
   EXPECT_NEAR(centre[0], 0.004, 2e-3);
   EXPECT_NEAR(centre[1], 0, 2e-3);
@@ -200,11 +200,11 @@ TEST(EdgeFollow, KeepsFourNewtonsAroundBothPlates) {
       run(folder, "edge_follow", {"--processes", "one", "--run-dir", (folder / "run").string()});
   ASSERT_EQ(ended.status, 0) << ended.all();
   const auto f = summary(folder / "run")["figures"];
-  ASSERT_EQ(f["edge_follow_rms_N"].size(), 2u);
+  ASSERT_EQ(f.at("edge_follow_rms_N").size(), 2u);
   for (std::size_t arm = 0; arm < 2; ++arm) {
-    EXPECT_LE(f["edge_follow_rms_N"][arm].get<double>(), 0.5);
-    EXPECT_NEAR(f["edge_follow_mean_N"][arm].get<double>(), 4, 0.25);
-    EXPECT_GT(f["edge_follow_s"][arm].get<double>(), 25) << "once around at 8 mm/s";
+    EXPECT_LE(f.at("edge_follow_rms_N").at(arm).get<double>(), 0.5);
+    EXPECT_NEAR(f.at("edge_follow_mean_N").at(arm).get<double>(), 4, 0.25);
+    EXPECT_GT(f.at("edge_follow_s").at(arm).get<double>(), 25) << "once around at 8 mm/s";
   }
 }
 
@@ -215,7 +215,7 @@ TEST(EdgeFollow, GoesTheOtherWayRoundToo) {
       {"--processes", "one", "--set", "task.speed_per_force=-0.002", "--run-dir", (folder / "run").string()});
   ASSERT_EQ(ended.status, 0) << ended.all();
   const auto figures = summary(folder / "run")["figures"];
-  for (const double rms : figures["edge_follow_rms_N"]) EXPECT_LE(rms, 0.5);
+  for (const double rms : figures.at("edge_follow_rms_N")) EXPECT_LE(rms, 0.5);
 }
 
 }  // namespace

@@ -20,14 +20,12 @@ struct CubeFigures {
   explicit CubeFigures(std::filesystem::path run_folder) : run(std::move(run_folder)) {
     if (std::filesystem::exists(run / "summary.json")) told = summary(run);
   }
-  [[nodiscard]] double figure(const std::string& key) const {
-    const auto& figures = told["figures"];
-    return figures.contains(key) && figures[key].is_number() ? figures[key].get<double>() : NAN;
-  }
+  [[nodiscard]] double figure(const std::string& key) const { return test::figure(told, key); }
   /// @return code of the fault; empty: there was none
   [[nodiscard]] std::string fault() const {
-    return told.contains("fault") && told["fault"].is_object() ? told["fault"]["code"].get<std::string>()
-                                                               : "";
+    return told.contains("fault") && told.at("fault").is_object()
+               ? told.at("fault").at("code").get<std::string>()
+               : "";
   }
   [[nodiscard]] std::string text(const std::string& file) const {
     std::ifstream in(run / file);

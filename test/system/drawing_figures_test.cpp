@@ -25,22 +25,23 @@ constexpr const char* kMixed = R"svg(
 
 void expect_at_most(const nlohmann::json& figures, const std::string& key, double bar) {
   ASSERT_TRUE(figures.contains(key)) << key;
-  for (const auto& figure : figures[key].is_array() ? figures[key] : nlohmann::json::array({figures[key]})) {
+  const nlohmann::json& values = figures.at(key);
+  for (const auto& figure : values.is_array() ? values : nlohmann::json::array({values})) {
     ASSERT_TRUE(figure.is_number()) << key << " is " << figure;
     EXPECT_LE(figure.get<double>(), bar) << key;
   }
 }
 
 void expect_good(const nlohmann::json& summary) {
-  EXPECT_EQ(summary["outcome"], "done");
-  EXPECT_TRUE(summary["fault"].is_null());
-  EXPECT_NE(summary["log_hash"], "0000000000000000");
-  const nlohmann::json& f = summary["figures"];
+  EXPECT_EQ(summary.at("outcome"), "done");
+  EXPECT_TRUE(summary.at("fault").is_null());
+  EXPECT_NE(summary.at("log_hash"), "0000000000000000");
+  const nlohmann::json& f = summary.at("figures");
   expect_at_most(f, "teach_rms_mm", 1.0);
   expect_at_most(f, "copy_rms_mm", 0.5);
   expect_at_most(f, "copy_max_mm", 1.5);
   expect_at_most(f, "paper_force_mean_N", 1.05);
-  for (const double mean : f["paper_force_mean_N"]) EXPECT_GE(mean, 0.95);
+  for (const double mean : f.at("paper_force_mean_N")) EXPECT_GE(mean, 0.95);
   expect_at_most(f, "paper_force_std_N", 0.2);
   expect_at_most(f, "travel_z_mm", 0.2);
   expect_at_most(f, "segment_skew", 0);
@@ -113,11 +114,11 @@ TEST(DrawingTask, LossDuplicationAndDelayOfCommandsDoNotSpoilTheDrawing) {
   ASSERT_EQ(end.status, 0) << end.all();
   // The arms lag behind the orders by what had to be repeated, so only the drawing itself is judged.
   const auto s = summary(folder / "run");
-  EXPECT_EQ(s["outcome"], "done");
+  EXPECT_EQ(s.at("outcome"), "done");
   for (const auto& [key, bar] :
        {std::pair{"copy_rms_mm", 0.5}, std::pair{"copy_max_mm", 1.5}, std::pair{"stray_ink_mm", 0.0},
         std::pair{"strokes_missing", 0.0}, std::pair{"uncovered_mm", 0.0}})
-    expect_at_most(s["figures"], key, bar);
+    expect_at_most(s.at("figures"), key, bar);
   std::ifstream messages(folder / "run" / "messages.log");
   const std::string text{std::istreambuf_iterator<char>(messages), {}};
   for (const std::string arm : {"arm1", "arm2"}) {

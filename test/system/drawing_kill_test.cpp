@@ -69,13 +69,13 @@ TEST_P(KilledProcess, EndsTheSystemWithBothArmsAtRest) {
   EXPECT_EQ(end.last_out(), run.last_line());
   EXPECT_TRUE(all_gone(run.children()));
   const auto summary = run.summary();
-  EXPECT_EQ(summary["outcome"], "fault");
-  EXPECT_EQ(summary["fault"]["class"], "system");
-  EXPECT_EQ(summary["fault"]["code"], "process_died");
-  EXPECT_EQ(summary["fault"]["process"], part);
+  EXPECT_EQ(summary.at("outcome"), "fault");
+  EXPECT_EQ(summary.at("fault").at("class"), "system");
+  EXPECT_EQ(summary.at("fault").at("code"), "process_died");
+  EXPECT_EQ(summary.at("fault").at("process"), part);
   if (part == "world") return;  // arms that are gone come to no rest
-  ASSERT_TRUE(summary["figures"].contains("stop_steps_max")) << summary;
-  EXPECT_LE(summary["figures"]["stop_steps_max"].get<double>(), 100);
+  ASSERT_TRUE(summary.at("figures").contains("stop_steps_max")) << summary;
+  EXPECT_LE(summary.at("figures").at("stop_steps_max").get<double>(), 100);
 }
 
 constexpr Death kDeaths[]{

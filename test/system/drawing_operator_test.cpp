@@ -90,15 +90,15 @@ TEST_F(Operated, PauseRestsOnThePaperAndResumeGoesOnWithoutAMark) {
   const Ended end = drawing.end();
   ASSERT_EQ(end.status, 0) << end.all();
   const auto figures = summary(folder_ / "run")["figures"];
-  EXPECT_LE(figures["teach_rms_mm"].get<double>(), 1.0);
-  EXPECT_EQ(figures["segment_skew"], 0);
+  EXPECT_LE(figures.at("teach_rms_mm").get<double>(), 1.0);
+  EXPECT_EQ(figures.at("segment_skew"), 0);
   for (std::size_t arm = 0; arm < 2; ++arm) {
-    EXPECT_LE(figures["copy_rms_mm"][arm].get<double>(), 0.5);
-    EXPECT_LE(figures["copy_max_mm"][arm].get<double>(), 1.5);
-    EXPECT_EQ(figures["stray_ink_mm"][arm], 0);
-    EXPECT_EQ(figures["uncovered_mm"][arm], 0);
-    EXPECT_NEAR(figures["paper_force_mean_N"][arm].get<double>(), 1.0, 0.05);
-    EXPECT_LE(figures["paper_force_std_N"][arm].get<double>(), 0.2);
+    EXPECT_LE(figures.at("copy_rms_mm").at(arm).get<double>(), 0.5);
+    EXPECT_LE(figures.at("copy_max_mm").at(arm).get<double>(), 1.5);
+    EXPECT_EQ(figures.at("stray_ink_mm").at(arm), 0);
+    EXPECT_EQ(figures.at("uncovered_mm").at(arm), 0);
+    EXPECT_NEAR(figures.at("paper_force_mean_N").at(arm).get<double>(), 1.0, 0.05);
+    EXPECT_LE(figures.at("paper_force_std_N").at(arm).get<double>(), 0.2);
   }
   const auto [paused, resumed] = last_pause(folder_ / "run" / "operator.script");
   for (const std::string arm : {"1", "2"}) {

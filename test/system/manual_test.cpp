@@ -161,13 +161,13 @@ TEST_F(Manual, ADriverThatTripsIsToldOfWithItsBlackBoxAndTheSessionGoesOn) {
              {"--set", "robots.arm1.force_fault=\"silent\"", "--set", "robots.arm1.force_fault_step=2000"}}));
   EXPECT_NEAR(last(all).joints[1] - all.at(235).joints[1], 0.05, 2e-3) << "the other arm goes on";
   const auto told = summary(run_);
-  EXPECT_EQ(told["outcome"], "done");
-  ASSERT_EQ(told["survived"].size(), 1U) << told.dump(2);
-  EXPECT_EQ(told["survived"][0]["code"], "sensor_silent");
-  EXPECT_EQ(told["survived"][0]["process"], "edp-arm1");
-  EXPECT_NEAR(told["survived"][0]["sim_s"].get<double>(), 4, 0.2);
+  EXPECT_EQ(told.at("outcome"), "done");
+  ASSERT_EQ(told.at("survived").size(), 1U) << told.dump(2);
+  EXPECT_EQ(told.at("survived").at(0).at("code"), "sensor_silent");
+  EXPECT_EQ(told.at("survived").at(0).at("process"), "edp-arm1");
+  EXPECT_NEAR(told.at("survived").at(0).at("sim_s").get<double>(), 4, 0.2);
   int steps = 0, drivers = 0;
-  for (const std::string file : told["black_box"]) {
+  for (const std::string file : told.at("black_box")) {
     EXPECT_GT(fs::file_size(run_ / file), 0U) << file;
     steps += file.starts_with("arm1-fault-");
     drivers += file.starts_with("black_box/edp-arm1-") && file.ends_with("/edp-arm1.txt");
@@ -207,7 +207,8 @@ TEST_F(Manual, ATerminalIsAnsweredWhenItIsDoneOrWhyNot) {
   EXPECT_EQ(manual({"end"}).status, 0);
   EXPECT_EQ(task.end().status, 0);
   const auto times = summary(folder_ / "run");
-  EXPECT_GT(times["wall_s"].get<double>(), 0.9 * times["sim_s"].get<double>()) << "who uses hands has time";
+  EXPECT_GT(times.at("wall_s").get<double>(), 0.9 * times.at("sim_s").get<double>())
+      << "who uses hands has time";
 }
 
 TEST_F(Manual, EndsWhileItIsPaused) {

@@ -114,7 +114,7 @@ class RubikDeaths : public RubikErrors {
       std::string text;
       for (const auto& line : test::run(folder, "ui_cli", {"status", "--json"}).out) text += line;
       const auto status = nlohmann::json::parse(text, nullptr, false);
-      if (status.is_object() && status["behaviour"] == name) return true;
+      if (status.is_object() && status.value("behaviour", nlohmann::json()) == name) return true;
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     return false;
@@ -128,7 +128,7 @@ class RubikDeaths : public RubikErrors {
     EXPECT_TRUE(all_gone(children));
     const CubeFigures left(folder / "run");
     EXPECT_EQ(left.fault(), code) << ended.all();
-    EXPECT_EQ(left.told["fault"]["process"], part);
+    EXPECT_EQ(left.told.at("fault").at("process"), part);
     EXPECT_LE(left.figure("stop_steps_max"), kLateRest);
     EXPECT_LT(left.figure("squeeze_N"), rubik::kMostSqueeze);
   }

@@ -20,12 +20,12 @@ void expect_recomputed(const CubeRun& r) {
   const auto verdict = nlohmann::json::parse(text, nullptr, false);
   ASSERT_TRUE(verdict.is_object()) << checked.all();
   EXPECT_EQ(checked.status, 0);
-  EXPECT_EQ(verdict["differences"], 0) << verdict.dump(2);
-  EXPECT_EQ(verdict["complete"], true) << verdict.dump(2);
-  for (const auto& p : verdict["processes"])
-    if (p["process"] == "mp" || p["process"].get<std::string>().starts_with("ecp-")) {
-      EXPECT_EQ(p["not_checked"], "") << p["process"];
-      EXPECT_GT(p["compared"].get<int>(), 300) << p["process"];
+  EXPECT_EQ(verdict.at("differences"), 0) << verdict.dump(2);
+  EXPECT_EQ(verdict.at("complete"), true) << verdict.dump(2);
+  for (const auto& p : verdict.at("processes"))
+    if (p.at("process") == "mp" || p.at("process").get<std::string>().starts_with("ecp-")) {
+      EXPECT_EQ(p.at("not_checked"), "") << p.at("process");
+      EXPECT_GT(p.at("compared").get<int>(), 300) << p.at("process");
     }
 }
 
@@ -33,7 +33,7 @@ TEST(Rubik, TurnsAFaceAndTheCubeIsSolved) {
   if (kSanitized) GTEST_SKIP() << "too long";
   const CubeRun r({"--processes", "one"});
   ASSERT_EQ(r.ended.status, 0) << r.ended.all();
-  EXPECT_EQ(r.left.told["outcome"], "done");
+  EXPECT_EQ(r.left.told.at("outcome"), "done");
   EXPECT_EQ(r.figure("solved"), 1);
   EXPECT_EQ(r.figure("moves"), 1);
   EXPECT_NE(r.left.text("cube_start.txt"), r.left.text("cube_end.txt"));
@@ -60,7 +60,7 @@ TEST(Rubik, IsTheSameWhateverCarriesItsMessages) {
   const CubeRun separate({"--processes", "separate"});
   ASSERT_EQ(one.ended.status, 0) << one.ended.all();
   ASSERT_EQ(separate.ended.status, 0) << separate.ended.all();
-  EXPECT_EQ(one.left.told["log_hash"], separate.left.told["log_hash"]);
+  EXPECT_EQ(one.left.told.at("log_hash"), separate.left.told.at("log_hash"));
   EXPECT_EQ(one.left.text("arm2.csv"), separate.left.text("arm2.csv"));
 }
 

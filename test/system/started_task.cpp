@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -78,8 +79,8 @@ void expect_checked_runs(const Folder& folder) {
     for (const auto& line : ended.out) text += line;
     const auto verdict = nlohmann::json::parse(text, nullptr, false);
     ASSERT_TRUE(verdict.is_object()) << of << "\n" << ended.all();
-    if (verdict["differences"].is_number()) {
-      EXPECT_EQ(verdict["differences"], 0) << of << "\n" << verdict.dump(1);
+    if (const auto differences = verdict.value("differences", nlohmann::json()); differences.is_number()) {
+      EXPECT_EQ(differences, 0) << of << "\n" << verdict.dump(1);
     }
   }
 }
@@ -203,6 +204,12 @@ bool all_gone(const std::vector<ProcessId>& processes) {
 nlohmann::json summary(const fs::path& folder) {
   std::ifstream in(folder / "summary.json");
   return nlohmann::json::parse(in);
+}
+
+double figure(const nlohmann::json& summary, const std::string& key) {
+  if (!summary.contains("figures")) return std::nan("");
+  const auto found = summary.at("figures").value(key, nlohmann::json());
+  return found.is_number() ? found.get<double>() : std::nan("");
 }
 
 bool multicast() { return link::multicast_works(link::address_for("mrroc-system-test")); }

@@ -91,6 +91,8 @@ bool all_gone(const std::vector<ProcessId>& processes);
 
 /// @return summary.json of a run folder
 nlohmann::json summary(const std::filesystem::path& folder);
+/// @return a figure of a summary; NaN: it has none, or it is no number
+double figure(const nlohmann::json& summary, const std::string& key);
 
 /// @return whether separate processes can talk here
 bool multicast();

@@ -37,10 +37,7 @@ struct ServoRun {
       table = read_table(folder / name / "servo.csv", kServoHeading);
     if (std::filesystem::exists(folder / name / "summary.json")) told = summary(folder / name);
   }
-  [[nodiscard]] double figure(const std::string& key) const {
-    const auto& figures = told["figures"];
-    return figures.contains(key) && figures[key].is_number() ? figures[key].get<double>() : NAN;
-  }
+  [[nodiscard]] double figure(const std::string& key) const { return test::figure(told, key); }
   [[nodiscard]] std::vector<double> behaviours() const {
     std::vector<double> order;
     for (const Row& row : table)
@@ -58,7 +55,7 @@ TEST(VisualServo, BringsTheToolToTheObjectAsInFig28) {
   if (kSanitized) GTEST_SKIP() << "too long";
   const ServoRun r({"--processes", "one"});
   ASSERT_EQ(r.ended.status, 0) << r.ended.all();
-  EXPECT_EQ(r.told["outcome"], "done");
+  EXPECT_EQ(r.told.at("outcome"), "done");
   EXPECT_LE(r.figure("final_err_mm"), 1);
   EXPECT_LE(r.figure("final_err_deg"), 0.1);
   EXPECT_LE(r.figure("overshoot_pct"), 10);
@@ -142,7 +139,7 @@ TEST(VisualServo, NeverMovesForAWrongBoardAndIsGivenUp) {
     const ServoRun r(words({kFast, {"--scenario", "wrong_board", "--object", object}}));
     EXPECT_EQ(r.ended.status, 1) << r.ended.all();
     EXPECT_TRUE(r.ended.last_err().starts_with("error: object_not_seen: ")) << r.ended.last_err();
-    EXPECT_EQ(r.told["fault"]["code"], "object_not_seen");
+    EXPECT_EQ(r.told.at("fault").at("code"), "object_not_seen");
     EXPECT_EQ(r.behaviours(), std::vector<double>{0});
     EXPECT_LT(r.figure("arm_moved_mm"), 0.5);
   }
@@ -155,7 +152,7 @@ TEST(VisualServo, IsTheSameEveryTimeWhateverCarriesItsMessages) {
   ASSERT_EQ(one.ended.status, 0) << one.ended.all();
   const ServoRun again(words({brief, {"--processes", multicast() ? "separate" : "one"}}));
   ASSERT_EQ(again.ended.status, 0) << again.ended.all();
-  EXPECT_EQ(one.told["log_hash"], again.told["log_hash"]);
+  EXPECT_EQ(one.told.at("log_hash"), again.told.at("log_hash"));
   const auto text = [](const ServoRun& r) {
     std::ifstream file(r.folder / "run" / "servo.csv");
     return std::string(std::istreambuf_iterator<char>(file), {});

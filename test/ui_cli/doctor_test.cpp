@@ -110,7 +110,7 @@ TEST(Doctor, SaysTheSameToScripts) {
   ASSERT_EQ(all.size(), examine(healthy()).size());
   EXPECT_TRUE(test::documented("doctor", all));
   bool bad = false;
-  for (const auto& f : all) bad = bad || f["verdict"] == "NOT OK";
+  for (const auto& f : all) bad = bad || f.at("verdict") == "NOT OK";
   EXPECT_EQ(status, bad ? 1 : 0);
 }
 

@@ -95,14 +95,14 @@ TEST(Explain, SeveralCodesAreOneDocument) {
   const auto both = nlohmann::json::parse(run({"over_current", "1", "--json"}).out);
   ASSERT_EQ(both.size(), 2U);
   EXPECT_TRUE(test::documented("explain CODE", both));
-  EXPECT_EQ(both[1]["code"], "lost_command");
+  EXPECT_EQ(both.at(1).at("code"), "lost_command");
 }
 
 TEST(Explain, ListsAllWithoutACode) {
   const auto all = nlohmann::json::parse(run({"--json"}).out);
   EXPECT_EQ(all.size(), kFaultTable.size() - 1);
   const std::string text = run({}).out;
-  for (const auto& e : all) EXPECT_NE(text.find(e["code"].get<std::string>()), std::string::npos);
+  for (const auto& e : all) EXPECT_NE(text.find(e.at("code").get<std::string>()), std::string::npos);
 }
 
 TEST(Explain, RefusesUnknownCodesWithTheNearest) {

@@ -122,11 +122,11 @@ TEST_F(RunFolder, CompareNamesTheFirstMessageThatDiffersAndTheFigures) {
   EXPECT_EQ(run({"compare", a_.string(), make("other", 2, 0.5).string(), "--json"}), 1);
   const Json j = Json::parse(out_.str());
   EXPECT_TRUE(documented("log compare A B", j, {"figures"}));
-  EXPECT_EQ(j["differences"], 10);
-  EXPECT_EQ(j["first"]["channel"], "arm1.report");
-  EXPECT_EQ(j["first"]["number"], 41);
-  EXPECT_EQ(j["first"]["field"], "F_a[2]");
-  EXPECT_EQ(j["figures"]["hold_N"], (Json{"4", "4.5"}));
+  EXPECT_EQ(j.at("differences"), 10);
+  EXPECT_EQ(j.at("first").at("channel"), "arm1.report");
+  EXPECT_EQ(j.at("first").at("number"), 41);
+  EXPECT_EQ(j.at("first").at("field"), "F_a[2]");
+  EXPECT_EQ(j.at("figures").at("hold_N"), (Json{"4", "4.5"}));
 }
 
 TEST_F(RunFolder, PlotTakesAnyNameOfAPictureButItsScripts) {
@@ -197,9 +197,9 @@ TEST_F(RunFolder, ARunOfWhichNothingCanBeCheckedIsNotTakenForOneWithoutADifferen
       {.process = "world", .not_checked = "the run went by the wall clock"}};
   EXPECT_EQ(ui::report_check(a_, verdicts, "", true, out_), 1);
   const Json none = Json::parse(out_.str());
-  EXPECT_EQ(none["checked"], false);
-  EXPECT_EQ(none["differences"], nullptr);
-  EXPECT_EQ(none["complete"], false);
+  EXPECT_EQ(none.at("checked"), false);
+  EXPECT_EQ(none.at("differences"), nullptr);
+  EXPECT_EQ(none.at("complete"), false);
   out_.str("");
   EXPECT_EQ(ui::report_check(a_, verdicts, "", false, out_), 1);
   EXPECT_NE(out_.str().find("NOT CHECKED"), std::string::npos) << out_.str();
@@ -209,8 +209,8 @@ TEST_F(RunFolder, ARunOfWhichNothingCanBeCheckedIsNotTakenForOneWithoutADifferen
   EXPECT_EQ(ui::report_check(a_, verdicts, "", true, out_), 0)
       << "links that are not in the log are no fault";
   const Json some = Json::parse(out_.str());
-  EXPECT_EQ(some["checked"], true);
-  EXPECT_EQ(some["differences"], 0);
+  EXPECT_EQ(some.at("checked"), true);
+  EXPECT_EQ(some.at("differences"), 0);
 }
 
 TEST_F(RunFolder, AFolderThatIsNoneIsToldWhatItLacksAndWhereRunsAre) {

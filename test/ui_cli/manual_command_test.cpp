@@ -101,7 +101,7 @@ TEST(ManualCommand, WaitsUntilItIsDoneAndKeepsNegativeNumbers) {
   EXPECT_EQ(heard, "jog arm1 motors -1 0 -0.5 0 0 0");
   EXPECT_EQ(execute({1}, {"--no-wait", "home", "all"}), "done\n") << "the text of the first answer";
   const auto json = nlohmann::json::parse(execute({2}, {"bias", "arm1", "--json"}));
-  EXPECT_EQ(json["done"], true);
+  EXPECT_EQ(json.at("done"), true);
   EXPECT_TRUE(documented("manual INSTRUCTION", json));
 }
 
@@ -170,9 +170,9 @@ TEST(ManualCommand, ARefusalAndAFailureAreErrorsWithTheirReason) {
 
 TEST(ManualCommand, ShowsAnArm) {
   const auto json = nlohmann::json::parse(execute({2}, {"show", "arm1", "--json"}));
-  EXPECT_EQ(json["state"], "holding");
+  EXPECT_EQ(json.at("state"), "holding");
   EXPECT_TRUE(documented("manual show ARM", json));
-  EXPECT_EQ(json["joints"][1], -1.57);
+  EXPECT_EQ(json.at("joints").at(1), -1.57);
   EXPECT_NE(execute({2}, {"show", "arm1"}).find("joints"), std::string::npos);
 }
 
@@ -193,13 +193,13 @@ TEST(ManualCommand, ShowsTheFaultAndWhatTheDriverWorksWith) {
     return out.str();
   };
   const auto json = nlohmann::json::parse(told(true));
-  EXPECT_EQ(json["fault"]["code"], "over_current");
-  EXPECT_EQ(json["tool"], (std::vector<double>{0, 0, 0.25, 0, 0, 0.5}));
-  EXPECT_EQ(json["weight"], 7);
-  EXPECT_EQ(json["mass_centre"][2], 0.125);
-  EXPECT_EQ(json["kinematic_model"], 1);
-  ASSERT_EQ(json["servo"].size(), 6U);
-  EXPECT_EQ(json["servo"][2]["algorithm"], 1);
+  EXPECT_EQ(json.at("fault").at("code"), "over_current");
+  EXPECT_EQ(json.at("tool"), (std::vector<double>{0, 0, 0.25, 0, 0, 0.5}));
+  EXPECT_EQ(json.at("weight"), 7);
+  EXPECT_EQ(json.at("mass_centre").at(2), 0.125);
+  EXPECT_EQ(json.at("kinematic_model"), 1);
+  ASSERT_EQ(json.at("servo").size(), 6U);
+  EXPECT_EQ(json.at("servo").at(2).at("algorithm"), 1);
   for (const char* what : {"over_current", "0.2500", "7.0000  N", "1  of the kinematics", "0 0, 0 0, 1 0"})
     EXPECT_NE(told(false).find(what), std::string::npos) << what << "\n" << told(false);
   r = {};
@@ -231,8 +231,8 @@ TEST(ManualCommand, ShowsNoPositionBeforeHoming) {
     return execute({2}, words, nullptr, {}, nullptr, DriverState::not_synchronised);
   };
   const auto json = nlohmann::json::parse(show({"show", "arm1", "--json"}));
-  for (const char* what : {"joints", "T_0E", "euler"}) EXPECT_TRUE(json[what].is_null()) << what;
-  EXPECT_TRUE(json["motors"].is_array());
+  for (const char* what : {"joints", "T_0E", "euler"}) EXPECT_TRUE(json.at(what).is_null()) << what;
+  EXPECT_TRUE(json.at("motors").is_array());
   const std::string text = show({"show", "arm1"});
   EXPECT_NE(text.find("joints              -  rad, m\n"), std::string::npos) << text;
 }
@@ -279,7 +279,7 @@ TEST(ManualCommand, ShowsAllArms) {
   std::ofstream(folder / "config.toml") << "[robots]\norder = ['arm1']\n[robots.arm1]\naxes = 6\n";
   const auto json = nlohmann::json::parse(execute({2}, {"show", "all", "--json"}, nullptr, folder));
   ASSERT_EQ(json.size(), 1U);
-  EXPECT_EQ(json[0]["arm"], "arm1");
+  EXPECT_EQ(json.at(0).at("arm"), "arm1");
   EXPECT_NE(execute({2}, {"show", "all"}, nullptr, folder).find("joints"), std::string::npos);
   EXPECT_EQ(execute({2}, {"show", "arm3"}, nullptr, folder)
                 .find("error: bad_usage: there is no arm 'arm3'; there are arm1 and all"),
@@ -302,7 +302,7 @@ TEST(ManualCommand, SavesPositionsAndGoesToThemAgain) {
   EXPECT_NE(execute({2, 3}, {"load", file}, nullptr, folder).find("failed: arm1: non-fatal joint_limit"),
             std::string::npos);
   const auto loaded = nlohmann::json::parse(execute({2}, {"load", file, "--json"}));
-  EXPECT_EQ(loaded["done"], 2);
+  EXPECT_EQ(loaded.at("done"), 2);
   EXPECT_TRUE(documented("manual load FILE", loaded));
   EXPECT_TRUE(
       documented("manual save ARM FILE",

@@ -161,13 +161,13 @@ TEST_F(NewPartTest, ADryRunListsWhatWouldBeWrittenAndWritesNothing) {
   const auto before = files();
   const auto j = nlohmann::json::parse(run({"task", "probe", "--dry-run", "--json"}));
   EXPECT_EQ(files(), before);
-  EXPECT_EQ(j["written"], false);
+  EXPECT_EQ(j.at("written"), false);
   const auto k = nlohmann::json::parse(run({"task", "probe", "--json"}));
-  EXPECT_EQ(k["written"], true);
+  EXPECT_EQ(k.at("written"), true);
   EXPECT_TRUE(test::documented("new", k));
-  EXPECT_EQ(k["files"], j["files"]);
-  for (const std::string file : k["files"]) EXPECT_TRUE(fs::exists(root_ / file)) << file;
-  EXPECT_EQ(k["changed"].size(), 2U);
+  EXPECT_EQ(k.at("files"), j.at("files"));
+  for (const std::string file : k.at("files")) EXPECT_TRUE(fs::exists(root_ / file)) << file;
+  EXPECT_EQ(k.at("changed").size(), 2U);
 }
 
 TEST_F(NewPartTest, RefusesWhatIsWrongAndWritesNothing) {

@@ -57,7 +57,7 @@ TEST_F(RunFolder, ReplayTellsScriptsWhatItHasPublished) {
   EXPECT_EQ(ui::run_replay({a_.string(), "--speed", "0", "--json"}, around, out_, err_), 0);
   const Json told = Json::parse(out_.str());
   EXPECT_TRUE(documented("replay RUN", told));
-  EXPECT_DOUBLE_EQ(told["sim_s"], 1.0);
+  EXPECT_DOUBLE_EQ(told.at("sim_s"), 1.0);
 }
 
 /// A virtual sensor of the run: says for every report what the log has it say, but for one number.

@@ -105,9 +105,9 @@ TEST_F(PictureFileTest, PrintsAReadingForEveryPicture) {
   RecordedRun order{folder_ / "in", camera_file(), "", folder_ / "drawn", folder_ / "strip.png"};
   const auto lines = run(order);
   ASSERT_EQ(lines.size(), 2U);
-  EXPECT_TRUE(lines[0]["seen"].get<bool>());
-  EXPECT_NEAR(lines[0]["p"][2].get<double>(), 0.6, 0.001);
-  EXPECT_FALSE(lines[1]["seen"].get<bool>());
+  EXPECT_TRUE(lines[0].at("seen").get<bool>());
+  EXPECT_NEAR(lines[0].at("p").at(2).get<double>(), 0.6, 0.001);
+  EXPECT_FALSE(lines[1].at("seen").get<bool>());
   EXPECT_FALSE(lines[1].contains("p"));
   EXPECT_TRUE(fs::exists(folder_ / "drawn/000000.png"));
   EXPECT_EQ(read_picture(folder_ / "strip.png").width, 2 * 244 + 4);
@@ -125,7 +125,7 @@ TEST_F(PictureFileTest, ReadsFilms) {
   writer.release();
   const auto lines = run({film, camera_file(), "web", {}, {}});
   ASSERT_EQ(lines.size(), 3U);
-  for (const auto& line : lines) EXPECT_TRUE(line["seen"].get<bool>());
+  for (const auto& line : lines) EXPECT_TRUE(line.at("seen").get<bool>());
 }
 
 TEST_F(PictureFileTest, SaysWhatIsWrongWithTheOrder) {

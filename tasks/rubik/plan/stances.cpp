@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tasks/rubik/plan/grips.hpp"
 #include "tasks/rubik/plan/paths.hpp"
 
 namespace mrroc::rubik {
@@ -13,14 +14,9 @@ using std::numbers::pi;
 
 constexpr int kWayParts = 2;     // straight in motors they are less than 0.6 mm beside the straight line
 constexpr double kEdge = 0.057;  // of the cube: jaws that hold it [m]
-constexpr double kSideStep = pi / 36;  // of the directions that are tried
-constexpr double kTrackStep = 0.1;     // [m]
-constexpr int kTrackSteps = 6;
+constexpr double kSideStep = pi / 36;   // of the directions that are tried
 constexpr double kGoodReserve = 0.3;    // a posture at the side that has it needs no more
 constexpr double kReserveSeconds = 40;  // what it costs to have less
-
-Pose turn_about_z(double angle) { return {rotation_from_angle_axis({0, 0, angle}), Vector3::Zero()}; }
-Pose along_z(double distance) { return {Matrix3::Identity(), {0, 0, distance}}; }
 
 /// Adds a posture for every angle of the last joint that differs by steps and is within the limits.
 void add_turns(std::vector<Stance>& stances, const PlanCell& cell, Hand hand, Place place,
@@ -50,8 +46,8 @@ Pose shown_hand(Hand hand, const Vector3& shown, double angle) {
   return {R_GE, Vector3(0, 0, -kEdge / 2) - depth(hand) * R_GE.col(2)};
 }
 
-/// A hand comes from the side to a cube that the other one holds in front.
-struct SideGrip {
+/// Joints of both hands in a grip from the side.
+struct SidePostures {
   AxisVector comes, offers;
   double cost{1e9};
 };
@@ -61,7 +57,7 @@ class SideSearch {
   SideSearch(const PlanCell& cell, Hand hand, const StanceReserves& reserves)
       : cell_(cell), hand_(hand), reserves_(reserves) {}
 
-  std::optional<SideGrip> find() {
+  std::optional<SidePostures> find() {
     const int directions = static_cast<int>(std::round(2 * pi / kSideStep));
     for (int k = 0; k < directions; ++k) consider(k * kSideStep);
     if (best_.cost < 1e8) return best_;
@@ -71,29 +67,11 @@ class SideSearch {
  private:
   void consider(double angle) {
     const Meeting& meeting = cell_.meeting();
-    // The axis of M as z of the offering hand, and the direction in which the other one comes.
-    const Pose offering = front_grip(meeting, other(hand_));
-    const Vector3 z = offering.R.col(2);
-    const Vector3 direction = meeting.T_UM.R * Vector3(std::cos(angle), std::sin(angle), 0);
-    // The fingers of the postument cover one layer only, so they fit before and behind the narrow palm of the track arm,
-    // whichever of the two hands comes; those of the track arm lie beside both hands.
-    const bool track_comes = hand_ == Hand::track;
-    const Vector3 beside = z.cross(direction);
-    const Vector3 y_offers = track_comes ? direction : beside, y_comes = track_comes ? beside : z;
-    Matrix3 R_offers, R_comes;
-    R_offers << y_offers.cross(z), y_offers, z;
-    R_comes << y_comes.cross(direction), y_comes, direction;
-    const Pose T_UO{R_offers, meeting.T_UM.p - depth(other(hand_)) * z};
-    const Pose T_UE{R_comes, meeting.T_UM.p - depth(hand_) * direction};
-
-    const auto offers = nearest_turn(other(hand_), T_UO, meeting.joints[index(other(hand_))]);
+    const SideGrip grip = side_grip(meeting, hand_, angle);
+    const auto offers = nearest_turn(other(hand_), grip.offers, meeting.joints[index(other(hand_))]);
     if (!offers) return;
-    AxisVector near = meeting.joints[index(hand_)];
-    const bool on_track = near.size() > 6;
-    for (int k = on_track ? -kTrackSteps : 0; k <= (on_track ? kTrackSteps : 0); ++k) {
-      if (on_track) near[0] = meeting.joints[index(hand_)][0] + k * kTrackStep;
-      if (const auto comes = nearest_turn(hand_, T_UE, near)) weigh(*comes, *offers);
-    }
+    for (const AxisVector& near : along_track(meeting.joints[index(hand_)]))
+      if (const auto comes = nearest_turn(hand_, grip.comes, near)) weigh(*comes, *offers);
   }
 
   /// Half a turn about z leaves a gripper the same.
@@ -136,7 +114,7 @@ class SideSearch {
   const PlanCell& cell_;
   Hand hand_;
   StanceReserves reserves_;
-  SideGrip best_;
+  SidePostures best_;
 };
 
 /// Adds for each face that is free of palm and fingers the quickest posture that shows it.
@@ -164,10 +142,7 @@ void add_shown(std::vector<Stance>& stances, const PlanCell& cell, Hand hand,
     // Jaws along an edge of the place; which one does not matter.
     for (int quarter = 0; quarter < 4; ++quarter) {
       const Pose T_GE = shown_hand(hand, shown, quarter * pi / 2);
-      AxisVector near = start;
-      const bool on_track = near.size() > 6;
-      for (int k = on_track ? -kTrackSteps : 0; k <= (on_track ? kTrackSteps : 0); ++k) {
-        if (on_track) near[0] = start[0] + k * kTrackStep;
+      for (const AxisVector& near : along_track(start)) {
         const auto joints = cell.inverse(hand, viewing.T_UG * T_GE, near);
         if (!joints) continue;
         const double seconds = seconds_along(cell, hand, {start, *joints});
@@ -181,12 +156,6 @@ void add_shown(std::vector<Stance>& stances, const PlanCell& cell, Hand hand,
 }
 
 }  // namespace
-
-Pose front_grip(const Meeting& meeting, Hand hand) {
-  const Pose T_ME =
-      hand == Hand::track ? Pose{} : Pose{Eigen::DiagonalMatrix<double, 3>(-1, 1, -1), Vector3::Zero()};
-  return meeting.T_UM * T_ME * along_z(-depth(hand));
-}
 
 std::optional<std::vector<AxisVector>> find_way(const PlanCell& cell, Hand hand, const AxisVector& hold,
                                                 const StanceReserves& reserves) {

@@ -34,9 +34,6 @@ struct StanceReserves {
   double dexterity{0.3};  ///< PlanCell::dexterity, where a hand works
 };
 
-/// @return T_UE of a hand that grips in front, with E aligned with M
-[[nodiscard]] Pose front_grip(const Meeting& meeting, Hand hand);
-
 /// @return all postures of a hand; in place front: in steps of a quarter turn, over all turns of the last joint. There
 ///         is no posture `side` (and `offered` of the other hand) when it cannot come from any side
 [[nodiscard]] std::vector<Stance> find_stances(const PlanCell& cell, Hand hand,

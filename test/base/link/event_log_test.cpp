@@ -4,6 +4,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <filesystem>
+#include <optional>
+#include <utility>
+#include <vector>
+
 #include "base/fault.hpp"
 #include "base/link/channel.hpp"
 #include "base/link/log_reader.hpp"
@@ -16,51 +21,70 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::int64_t kSession = 1;
+
 class LogFile : public ::testing::Test {
  protected:
-  LogFile() {
-    std::string pattern = (fs::temp_directory_path() / "event_log_test.XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
   ~LogFile() override { fs::remove_all(folder_); }
 
-  static void give(EventLog& log, const std::string& channel, std::int64_t number, std::int64_t stamp = 0) {
+  static fs::path new_folder() {
+    std::string pattern = (fs::temp_directory_path() / "event_log_test.XXXXXX").string();
+    return ::mkdtemp(pattern.data());
+  }
+
+  static test::Bytes order(std::int64_t number, std::int64_t stamp = 0) {
     operator_order_t m{};
-    m.header = {1, number, stamp};
+    m.header = {kSession, number, stamp};
     test::Bytes bytes(static_cast<std::size_t>(encoded_size<operator_order_t>()));
     m.encode(bytes.data(), 0, encoded_size<operator_order_t>());
-    log.receive(channel, bytes);
+    return bytes;
   }
-  fs::path folder_;
+  static void give(EventLog& log, const std::string& channel, std::int64_t number, std::int64_t stamp = 0) {
+    log.receive(channel, order(number, stamp));
+  }
+
+  const fs::path folder_ = new_folder();
+  const fs::path file_ = folder_ / "events.lcmlog";
+};
+
+/// The log of everything on a bus.
+class LogOfABus : public LogFile {
+ protected:
+  LogOfABus() { bus_.subscribe_all("s.", *log_); }
+  /// @return the file, closed
+  fs::path finished() {
+    log_.reset();
+    return file_;
+  }
+
+  test::DirectBus bus_;
+  std::optional<EventLog> log_{std::in_place, file_, kSession};
 };
 
 TEST_F(LogFile, CountsWhatIsMissingAndWritesRepetitionsOnce) {
-  const fs::path file = folder_ / "log";
   {
-    EventLog log(file, 1);
+    EventLog log(file_, kSession);
     for (const std::int64_t number : {1, 2, 2, 1, 3, 7}) give(log, "s.a", number, number);
     EXPECT_EQ(log.gaps(), 3);
     EXPECT_TRUE(log.flush());
     EXPECT_FALSE(log.failed());
   }
-  EXPECT_EQ(LogReader(file).messages<operator_order_t>("a").size(), 4U);
+  EXPECT_EQ(LogReader(file_).messages<operator_order_t>("a").size(), 4U);
 }
 
 TEST_F(LogFile, WritesWhatWasMissingWhenItIsRepeated) {
-  const fs::path file = folder_ / "log";
   {
-    EventLog log(file, 1);
+    EventLog log(file_, kSession);
     for (const std::int64_t number : {1, 4, 2, 2, 4, 3, 3}) give(log, "s.a", number, number);
     EXPECT_EQ(log.gaps(), 0);
   }
-  EXPECT_EQ(LogReader(file).messages().size(), 4U);
+  EXPECT_EQ(LogReader(file_).messages().size(), 4U);
 }
 
 TEST_F(LogFile, IsReadWithEveryMessageBeforeTheNextOfItsChannelAlsoWhereItCameLate) {
-  const fs::path file = folder_ / "log";
   using Message = std::pair<std::string, std::int64_t>;
   {
-    EventLog log(file, 1);
+    EventLog log(file_, kSession);
     for (const auto& [channel, number] : {Message{"a", 1},
                                           {"b", 1},
                                           {"a", 4},
@@ -73,7 +97,7 @@ TEST_F(LogFile, IsReadWithEveryMessageBeforeTheNextOfItsChannelAlsoWhereItCameLa
       give(log, "s." + channel, number);
   }
   std::vector<Message> read;
-  const LogReader reader(file);
+  const LogReader reader(file_);
   for (const LoggedMessage& m : reader.messages()) read.emplace_back(m.channel, header_of(m.bytes).number);
   EXPECT_EQ(read, (std::vector<Message>{{"a", 1},
                                         {"b", 1},
@@ -87,9 +111,8 @@ TEST_F(LogFile, IsReadWithEveryMessageBeforeTheNextOfItsChannelAlsoWhereItCameLa
 }
 
 TEST_F(LogFile, CountsNothingOnAChannelWithSeveralSendersAndWritesEverything) {
-  const fs::path file = folder_ / "log";
   {
-    EventLog log(file, 1);
+    EventLog log(file_, kSession);
     const std::int64_t by_time = 1'760'000'000'000'000;  // as terminals number their orders
     for (const std::int64_t number : {by_time, by_time + 500'000, by_time - 7, std::int64_t{3}})
       give(log, "s.operator", number, number);
@@ -97,44 +120,35 @@ TEST_F(LogFile, CountsNothingOnAChannelWithSeveralSendersAndWritesEverything) {
     give(log, "s.a", 3);
     EXPECT_EQ(log.gaps(), 2);
   }
-  EXPECT_EQ(LogReader(file).messages<operator_order_t>("operator").size(), 4U);
+  EXPECT_EQ(LogReader(file_).messages<operator_order_t>("operator").size(), 4U);
 }
 
 TEST_F(LogFile, AFullDiskIsTold) {
-  EventLog log("/dev/full", 1);
+  EventLog log("/dev/full", kSession);
   for (std::int64_t number = 1; number < 2000; ++number) give(log, "s.a", number);
   EXPECT_TRUE(log.failed()) << "as soon as the buffer could not be written";
-  EventLog small("/dev/full", 1);
+  EventLog small("/dev/full", kSession);
   give(small, "s.a", 1);
   EXPECT_FALSE(small.flush());
   EXPECT_TRUE(small.failed());
 }
 
-TEST_F(LogFile, HoldsEveryMessageOnceAndCountsWhatIsMissing) {
-  const auto file = folder_ / "events.lcmlog";
-  {
-    test::DirectBus bus;
-    EventLog log(file, 1);
-    bus.subscribe_all("s.", log);
-    Outbox<operator_order_t> a(bus, {Group::agents, "s.a"}, 1);
-    Outbox<sensor_reading_t> b(bus, {Group::agents, "s.b"}, 1);
-    for (std::int64_t stamp = 1; stamp <= 50; ++stamp) {
-      operator_order_t m{};
-      m.id = 7 * stamp;
-      a.publish(m, stamp);
-      b.publish({}, stamp);
-      a.repeat();
-    }
-    EXPECT_EQ(log.gaps(), 0);
-    operator_order_t late{};
-    late.header = {1, 53, 53};
-    test::Bytes bytes(static_cast<std::size_t>(encoded_size<operator_order_t>()));
-    late.encode(bytes.data(), 0, encoded_size<operator_order_t>());
-    bus.deliver("s.a", bytes);
-    EXPECT_EQ(log.gaps(), 2);
-    bus.deliver("s.c", test::Bytes(3));  // no message at all
+TEST_F(LogOfABus, HoldsEveryMessageOnceAndCountsWhatIsMissing) {
+  Outbox<operator_order_t> sent(bus_, {Group::agents, "s.a"}, kSession);
+  Outbox<sensor_reading_t> b(bus_, {Group::agents, "s.b"}, kSession);
+  for (std::int64_t stamp = 1; stamp <= 50; ++stamp) {
+    operator_order_t m{};
+    m.id = 7 * stamp;
+    sent.publish(m, stamp);
+    b.publish({}, stamp);
+    sent.repeat();
   }
-  const LogReader reader(file);
+  EXPECT_EQ(log_->gaps(), 0);
+  bus_.deliver("s.a", order(53, 53));
+  EXPECT_EQ(log_->gaps(), 2);
+  bus_.deliver("s.c", test::Bytes(3));  // no message at all
+
+  const LogReader reader(finished());
   EXPECT_EQ(reader.channels(), (std::vector<std::string>{"a", "b"}));
   const auto a = reader.messages<operator_order_t>("a");
   ASSERT_EQ(a.size(), 51U);
@@ -144,22 +158,17 @@ TEST_F(LogFile, HoldsEveryMessageOnceAndCountsWhatIsMissing) {
   EXPECT_TRUE(reader.messages<sensor_reading_t>("nothing").empty());
 }
 
-TEST_F(LogFile, MessagesOfAnotherSessionWithTheSameNameAreLeftOut) {
-  const auto file = folder_ / "events.lcmlog";
-  {
-    test::DirectBus bus;
-    EventLog log(file, 1);
-    bus.subscribe_all("s.", log);
-    Outbox<operator_order_t> own(bus, {Group::agents, "s.a"}, 1);
-    Outbox<operator_order_t> foreign(bus, {Group::agents, "s.a"}, 2);
-    Outbox<operator_order_t> foreign_operator(bus, {Group::agents, "s.operator"}, 2);
-    for (std::int64_t stamp = 1; stamp <= 9; ++stamp) foreign.publish({}, stamp);
-    foreign_operator.publish({}, 1);
-    own.publish({}, 1);
-    EXPECT_EQ(log.gaps(), 0);
-  }
-  const LogReader reader(file);
-  EXPECT_EQ(reader.session_id(), 1);
+TEST_F(LogOfABus, MessagesOfAnotherSessionWithTheSameNameAreLeftOut) {
+  Outbox<operator_order_t> own(bus_, {Group::agents, "s.a"}, kSession);
+  Outbox<operator_order_t> foreign(bus_, {Group::agents, "s.a"}, kSession + 1);
+  Outbox<operator_order_t> foreign_operator(bus_, {Group::agents, "s.operator"}, kSession + 1);
+  for (std::int64_t stamp = 1; stamp <= 9; ++stamp) foreign.publish({}, stamp);
+  foreign_operator.publish({}, 1);
+  own.publish({}, 1);
+  EXPECT_EQ(log_->gaps(), 0);
+
+  const LogReader reader(finished());
+  EXPECT_EQ(reader.session_id(), kSession);
   EXPECT_EQ(reader.messages().size(), 1U);
 }
 
@@ -172,7 +181,8 @@ TEST_F(LogFile, WhatCannotBeWrittenOrReadIsSaid) {
     }
     return FaultCode::none;
   };
-  EXPECT_EQ(code_of([&] { EventLog(folder_ / "no" / "such" / "folder", 1); }), FaultCode::cannot_write);
+  EXPECT_EQ(code_of([&] { EventLog(folder_ / "no" / "such" / "folder", kSession); }),
+            FaultCode::cannot_write);
   EXPECT_EQ(code_of([&] { LogReader(folder_ / "missing"); }), FaultCode::bad_log);
 }
 

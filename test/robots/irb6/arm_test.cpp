@@ -23,6 +23,25 @@ TEST(MakeArm, SelectsTheParameterSet) {
   EXPECT_LT(off, 0.010);
 }
 
+TEST_P(ArmTable, DiffersFromTheNominalOneByNoMoreThanACalibrationFinds) {
+  const auto nominal = make_arm(GetParam().name);
+  int compared = 0;
+  for (int k = 0; k < kCases / 10; ++k) {
+    const AxisVector motors = random_motors();
+    const AxisVector believed = nominal->joints_from_motors(motors), joints = arm_.joints_from_motors(motors);
+    if (!legal(*nominal, believed)) continue;
+    ++compared;
+    const auto distance = [&](const AxisVector& q) {
+      const Pose a = arm_.forward(q) * arm_.tool_in_wrist();
+      return (a.p - (nominal->forward(believed) * nominal->tool_in_wrist()).p).norm();
+    };
+    ASSERT_LT((joints - believed).cwiseAbs().maxCoeff(), 0.07) << believed.transpose();
+    ASSERT_LT(distance(believed), 0.020) << believed.transpose();
+    ASSERT_LT(distance(joints), 0.080) << believed.transpose();
+  }
+  EXPECT_GT(compared, kCases / 100);
+}
+
 TEST(MakeArm, RefusesAModelThatThereIsNot) {
   EXPECT_EQ(make_arm("irb6_postument", -1), nullptr);
   EXPECT_EQ(make_arm("irb6_postument", 99), nullptr);
