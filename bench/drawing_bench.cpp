@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
 #include "base/fault.hpp"
 #include "bench/figures.hpp"
+#include "bench/run_summary.hpp"
 #include "bench/task_process.hpp"
 #include "tasks/drawing/figure_info.hpp"
 
@@ -22,13 +22,6 @@ using nlohmann::json;
 
 constexpr int kSystemError = 3;  // exit status
 
-json summary_in(const fs::path& folder) {
-  std::ifstream file(folder / "summary.json");
-  json summary = json::parse(file, nullptr, false);
-  if (summary.is_discarded()) throw FaultError(FaultCode::internal_error, "a run has left no summary.json");
-  return summary;
-}
-
 void must(bool condition, const std::string& what) {
   if (!condition) throw FaultError(FaultCode::internal_error, what);
 }
@@ -39,7 +32,8 @@ json whole_run(const fs::path& folder, const std::vector<std::string>& more) {
   arguments.insert(arguments.end(), more.begin(), more.end());
   TaskProcess task("drawing", arguments);
   must(task.wait() == 0, "the drawing task did not end well");
-  json summary = summary_in(folder);
+  json summary = run_summary(folder);
+  must(!summary.is_null(), "a run has left no summary.json");
   fs::remove_all(folder);
   return summary;
 }
@@ -85,7 +79,7 @@ void kill_part(const std::string& name, const fs::path& recording, const fs::pat
   kills.left_running += still_running(children);
   if (name.empty()) return;  // killed itself: it cannot say anything any more
   kills.wrong_exits += status != kSystemError;
-  const json figures = summary_in(folder)["figures"];
+  const json figures = run_summary(folder).value("figures", json::object());
   if (name != "world") {
     must(figures.contains("stop_steps_max"), "the arms did not come to rest after the death of " + name);
     kills.stop_steps_max = std::max(kills.stop_steps_max, figures.at("stop_steps_max").get<int>());

@@ -2,10 +2,10 @@
 #include "bench/force_bench.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "base/fault.hpp"
+#include "bench/run_summary.hpp"
 #include "bench/task_process.hpp"
 #include "sim/force_figures.hpp"
 
@@ -19,8 +19,7 @@ nlohmann::json figures_of(const std::string& task) {
   TaskProcess process(task, {"--processes", "one", "--seed", "1", "--run-dir", folder.string()});
   if (process.wait() != 0)
     throw FaultError(FaultCode::internal_error, "the task " + task + " did not end well");
-  std::ifstream file(folder / "summary.json");
-  return nlohmann::json::parse(file)["figures"];
+  return run_summary(folder).at("figures");
 }
 
 }  // namespace

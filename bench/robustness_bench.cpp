@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "bench/figures.hpp"
+#include "bench/run_summary.hpp"
 #include "bench/task_process.hpp"
 #include "tasks/drawing/figure_info.hpp"
 
@@ -72,9 +72,8 @@ Figures run_robustness_group() {
       const fs::path folder = scratch.path() / "run";
       TaskProcess task("drawing", arguments(folder, paper, hand));
       failed += task.wait() != 0;
-      std::ifstream file(folder / "summary.json");
-      const json summary = json::parse(file, nullptr, false);
-      if (!summary.is_discarded())
+      const json summary = run_summary(folder);
+      if (!summary.is_null())
         take(summary.at("figures"), fmt::format("paper {:g}, hand {:g} N/m", paper, hand), worst);
       fs::remove_all(folder);
     }

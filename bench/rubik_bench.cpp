@@ -11,6 +11,7 @@
 #include "base/program.hpp"
 #include "base/text_file.hpp"
 #include "bench/figures.hpp"
+#include "bench/run_summary.hpp"
 #include "bench/task_process.hpp"
 
 namespace mrroc::bench {
@@ -56,7 +57,7 @@ json solve(int seed) {
   TaskProcess task("rubik", {"--seed", fmt::to_string(seed), "--processes", "separate", "--set",
                              "cameras.profile=fast", "--run-dir", folder.string()});
   task.wait();
-  json summary = read(folder / "summary.json");
+  json summary = run_summary(folder);
   if (!summary.empty()) summary["programs"] = programs();
   fs::create_directories(file_of(seed).parent_path());
   write_text_file(file_of(seed), summary.dump(1) + "\n");

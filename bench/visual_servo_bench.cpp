@@ -1,11 +1,11 @@
 // The visual servoing task in processes of its own.
 #include <fmt/format.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "base/fault.hpp"
 #include "bench/figures.hpp"
+#include "bench/run_summary.hpp"
 #include "bench/task_process.hpp"
 
 namespace mrroc::bench {
@@ -22,9 +22,8 @@ json servo_run(const std::vector<std::string>& more) {
   arguments.insert(arguments.end(), more.begin(), more.end());
   TaskProcess task("visual_servo", arguments);
   const int status = task.wait();
-  std::ifstream file(folder / "summary.json");
-  json summary = json::parse(file, nullptr, false);
-  if (status != 0 || summary.is_discarded())
+  json summary = run_summary(folder);
+  if (status != 0 || summary.is_null())
     throw FaultError(FaultCode::internal_error, "the visual servoing task did not end well");
   return summary;
 }

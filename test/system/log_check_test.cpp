@@ -42,12 +42,12 @@ class Checked : public ::testing::Test {
 
   /// Every process of the control system that messages can drive has been recomputed, and nothing differs.
   static void expect_same(const nlohmann::json& checked, const std::vector<std::string>& names) {
-    EXPECT_EQ(checked["differences"], 0) << checked.dump(2);
-    EXPECT_EQ(checked["complete"], true) << checked.dump(2);
+    EXPECT_EQ(checked.at("differences"), 0) << checked.dump(2);
+    EXPECT_EQ(checked.at("complete"), true) << checked.dump(2);
     for (const std::string& name : names) {
       const auto p = process(checked, name);
-      EXPECT_EQ(p["not_checked"], "") << name;
-      EXPECT_GT(p["compared"].get<int>(), 300) << name;
+      EXPECT_EQ(p.at("not_checked"), "") << name;
+      EXPECT_GT(p.at("compared").get<int>(), 300) << name;
     }
   }
 
@@ -58,8 +58,8 @@ class Checked : public ::testing::Test {
 TEST_F(Checked, PressIsRecomputedFromItsLog) {
   const auto checked = check(ran("press"));
   expect_same(checked, {"mp", "ecp-arm1"});
-  EXPECT_NE(process(checked, "world")["not_checked"], "") << "its links are not in the log";
-  EXPECT_NE(process(checked, "edp-arm1")["not_checked"], "");
+  EXPECT_NE(process(checked, "world").at("not_checked"), "") << "its links are not in the log";
+  EXPECT_NE(process(checked, "edp-arm1").at("not_checked"), "");
 }
 
 TEST_F(Checked, APausedAndAStoppedRunAreRecomputedToo) {
@@ -67,8 +67,8 @@ TEST_F(Checked, APausedAndAStoppedRunAreRecomputedToo) {
   expect_same(check(ran("press", {"--script", pause})), {"mp", "ecp-arm1"});
   const std::string stop = folder_.write("stop", "3 start\n170 stop\n");
   const auto stopped = check(ran("press", {"--script", stop}, 1));
-  EXPECT_EQ(stopped["differences"], 0);
-  EXPECT_EQ(stopped["complete"], true) << stopped.dump(2);
+  EXPECT_EQ(stopped.at("differences"), 0);
+  EXPECT_EQ(stopped.at("complete"), true) << stopped.dump(2);
 }
 
 TEST_F(Checked, WeighIsRecomputedFromItsLog) { expect_same(check(ran("weigh")), {"mp", "ecp-arm1"}); }
@@ -89,7 +89,7 @@ TEST_F(Checked, VisualServoIsRecomputedFromItsLog) {
   const auto checked =
       check(ran("visual_servo", {"--object", "apriltag", "--cameras", "sac", "--set", "task.duration=3"}));
   expect_same(checked, {"mp", "ecp-arm1"});
-  EXPECT_NE(process(checked, "vsp-sac")["not_checked"], "") << "pictures are not in the log";
+  EXPECT_NE(process(checked, "vsp-sac").at("not_checked"), "") << "pictures are not in the log";
 }
 
 TEST_F(Checked, AChangedByteIsNamedWithProcessStepBehaviourFunctionAndField) {
@@ -109,23 +109,24 @@ TEST_F(Checked, AChangedByteIsNamedWithProcessStepBehaviourFunctionAndField) {
   bytes[velocity + 2] = static_cast<char>(bytes[velocity + 2] ^ 0x10);
   std::ofstream(log, std::ios::binary | std::ios::trunc) << bytes;
   const auto checked = check(run_folder, 1);
-  EXPECT_EQ(checked["differences"], 1);
-  const auto first = process(checked, "ecp-arm1")["first"];
-  EXPECT_EQ(first["channel"], "arm1.command");
-  EXPECT_EQ(first["field"], "arm.axis[2].velocity");
-  EXPECT_EQ(first["function"], "f_ce");
-  EXPECT_EQ(first["stamp"], 200);
-  EXPECT_EQ(first["behaviour"], "2, settle");
+  EXPECT_EQ(checked.at("differences"), 1);
+  const auto first = process(checked, "ecp-arm1").at("first");
+  EXPECT_EQ(first.at("channel"), "arm1.command");
+  EXPECT_EQ(first.at("field"), "arm.axis[2].velocity");
+  EXPECT_EQ(first.at("function"), "f_ce");
+  EXPECT_EQ(first.at("stamp"), 200);
+  EXPECT_EQ(first.at("behaviour"), "2, settle");
 }
 
 TEST_F(Checked, ALogThatIsCutOffIsNotWhole) {
   const fs::path run_folder = ran("press");
-  EXPECT_TRUE(check(run_folder, 0)["damage"].get<std::string>().empty());
+  EXPECT_TRUE(check(run_folder, 0).at("damage").get<std::string>().empty());
   const fs::path log = run_folder / "events.lcmlog";
   fs::resize_file(log, fs::file_size(log) * 2 / 3);
   const auto checked = check(run_folder, 1);
-  EXPECT_FALSE(checked["complete"].get<bool>());
-  EXPECT_NE(checked["damage"].get<std::string>().find("cut off"), std::string::npos) << checked["damage"];
+  EXPECT_FALSE(checked.at("complete").get<bool>());
+  EXPECT_NE(checked.at("damage").get<std::string>().find("cut off"), std::string::npos)
+      << checked.at("damage");
 }
 
 TEST_F(Checked, ProgramsAreFoundBesideTheProgramOrBesideItsLinkAndMissedByName) {
@@ -160,9 +161,9 @@ TEST_F(Checked, AChangedParameterChangesWhatIsRecomputed) {
   config.insert(key + std::string("speed_per_force = ").size(), "0.0015 # ");
   std::ofstream(run_folder / "config.toml") << config;
   const auto checked = check(run_folder, 1);
-  const auto first = process(checked, "ecp-arm1")["first"];
-  EXPECT_EQ(first["channel"], "arm1.command");
-  EXPECT_NE(first["behaviour"], "");
+  const auto first = process(checked, "ecp-arm1").at("first");
+  EXPECT_EQ(first.at("channel"), "arm1.command");
+  EXPECT_NE(first.at("behaviour"), "");
 }
 
 }  // namespace

@@ -25,6 +25,18 @@ std::string text_of(const nlohmann::json& j) {
   return j.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
+/// @return the number of that key, 0 where there is none
+double number(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_number() ? found->get<double>() : 0;
+}
+
+/// @return the text of that key, empty where there is none
+std::string words(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
 void add_pictures(const fs::path& folder, const std::string& prefix, std::vector<std::string>& found) {
   const auto before = static_cast<std::ptrdiff_t>(found.size());
   std::error_code none;
@@ -55,22 +67,22 @@ Scene scene_of(const fs::path& folder) {
 
 void load_summary(const fs::path& folder, Record& record) {
   const nlohmann::json summary = summary_of(folder);
-  if (summary.is_object()) record.set("summary", text_of(summary));
-  if (summary.is_object() && summary.value("fault", nlohmann::json()).is_object()) {
-    const nlohmann::json& fault = summary["fault"];
-    record.say(text_of({{"t", summary.value("sim_s", 0.0)},
-                        {"process", fault.value("process", "")},
-                        {"code", fault.value("code", "")},
-                        {"text", "the run ended: " + fault.value("text", "")},
-                        {"fault", 1}}));
-  }
+  if (!summary.is_object()) return;
+  record.set("summary", text_of(summary));
+  const nlohmann::json fault = summary.value("fault", nlohmann::json());
+  if (!fault.is_object()) return;
+  record.say(text_of({{"t", number(summary, "sim_s")},
+                      {"process", words(fault, "process")},
+                      {"code", words(fault, "code")},
+                      {"text", "the run ended: " + words(fault, "text")},
+                      {"fault", 1}}));
 }
 
 std::vector<std::string> load_run(const fs::path& folder, Record& record) {
   const Scene scene = scene_of(link::checked_run_folder(folder));
   const nlohmann::json summary = summary_of(folder);
   SceneFrame frame{.source = "run", .folder = folder.string(), .pictures = pictures_of(folder)};
-  if (summary.is_object()) frame.task = summary.value("task", "");
+  if (summary.is_object()) frame.task = words(summary, "task");
   record.begin(scene_json(scene, frame));
   Listener listener(record, scene, "", 0);
   const link::LogReader log(folder);

@@ -32,6 +32,9 @@ struct Grasp {
   friend constexpr bool operator==(const Grasp&, const Grasp&) = default;
 };
 
+/// Edge of the cube: the distance between jaws that hold it [m].
+inline constexpr double kEdge = 0.057;
+
 /// Depth of a grip: how far E is from the middle of the cube, towards the arm, when the palm lies on the cube [m].
 [[nodiscard]] constexpr double depth(Hand hand) { return hand == Hand::postument ? 0.019 : 0.0095; }
 

@@ -8,8 +8,6 @@
 namespace mrroc::rubik {
 namespace {
 
-constexpr double kHolding = 0.057;  // distance between the jaws at the cube [m]
-
 constexpr double kDelayStep = 0.25;  // of the delays that are tried, as a share of the first motion
 constexpr double kLatest = 0.8;      // of them that pays
 
@@ -172,8 +170,8 @@ std::optional<FreeMotion> Motions::look_for(const Motion& m) const {
   CellState state;
   state.grasp = {carries ? m.hand : other(m.hand), Face::D, Face::B};
   state.joints[index(other(m.hand))] = m.kind == MotionKind::carry ? others.back() : others.hold;
-  state.jaws[index(m.hand)] = carries ? kHolding : kOpenJaws;
-  state.jaws[index(other(m.hand))] = m.kind == MotionKind::carry ? kOpenJaws : kHolding;
+  state.jaws[index(m.hand)] = carries ? kEdge : kOpenJaws;
+  state.jaws[index(other(m.hand))] = m.kind == MotionKind::carry ? kOpenJaws : kEdge;
   state.touched = m.kind == MotionKind::turn || m.kind == MotionKind::retreat;
 
   std::vector<AxisVector> points;
@@ -221,7 +219,7 @@ std::optional<FreeMotion> Motions::look_for(const Motion& m) const {
 std::optional<double> Motions::look_for_delay(const FreeMotion& carry, const FreeMotion& reach) const {
   CellState state;
   state.grasp = {carry.hand, Face::D, Face::B};
-  state.jaws[index(carry.hand)] = kHolding;
+  state.jaws[index(carry.hand)] = kEdge;
   state.jaws[index(reach.hand)] = kOpenJaws;
   // The hand that comes is where its approach begins when the cube has been there for a while.
   const double least = std::max(0.0, carry.seconds + kLag - reach.seconds);

@@ -9,9 +9,8 @@
 namespace mrroc::rubik {
 namespace {
 
-constexpr int kMostTries = 200;     // searches, each after one more motion is known to be blocked
-constexpr double kHolding = 0.057;  // distance between the jaws at the cube [m]
-constexpr double kSurprise = 0.1;   // by which a way may be longer than the straight line [s]
+constexpr int kMostTries = 200;    // searches, each after one more motion is known to be blocked
+constexpr double kSurprise = 0.1;  // by which a way may be longer than the straight line [s]
 
 Planned refused(NoPlan why, std::string text) { return {{}, why, std::move(text)}; }
 
@@ -47,7 +46,7 @@ struct Planner::Impl {
         return refused(NoPlan::bad_start, "an arm is beyond its limits at the start");
     }
     CellState state{start.joints, {kOpenJaws, kOpenJaws}, start.grasp, false};
-    state.jaws[index(start.grasp.hand)] = kHolding;
+    state.jaws[index(start.grasp.hand)] = kEdge;
     if (!cell.is_free(state)) return refused(NoPlan::collision, "the arms touch something at the start");
     return {};
   }

@@ -12,8 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int kWayParts = 2;     // straight in motors they are less than 0.6 mm beside the straight line
-constexpr double kEdge = 0.057;  // of the cube: jaws that hold it [m]
+constexpr int kWayParts = 2;  // straight in motors they are less than 0.6 mm beside the straight line
 constexpr double kSideStep = pi / 36;   // of the directions that are tried
 constexpr double kGoodReserve = 0.3;    // a posture at the side that has it needs no more
 constexpr double kReserveSeconds = 40;  // what it costs to have less

@@ -86,6 +86,20 @@ TEST(ViewRun, TellsTheFaultThatEndedARun) {
   EXPECT_NE(std::string(line.at("text")).find("gone"), std::string::npos);
 }
 
+TEST(ViewRun, ReadsASummaryWhosePartsAreDamaged) {
+  const test::ScratchFolder folder("mrroc-view-damaged");
+  std::ofstream(folder.path() / "summary.json")
+      << R"({"outcome": "fault", "sim_s": "late", "fault": {"code": 12, "process": null, "text": "gone"}})";
+  Record record;
+  record.begin("{}");
+  load_summary(folder.path(), record);
+  Record::Cursor page;
+  const json line = json::parse(record.news(page)).at("lines").at(0);
+  EXPECT_EQ(line.at("code"), "");
+  EXPECT_EQ(line.at("t"), 0);
+  EXPECT_NE(std::string(line.at("text")).find("gone"), std::string::npos);
+}
+
 TEST(ViewRun, SaysWhereAFolderIsNoRun) {
   const test::ScratchFolder folder("mrroc-view-none");
   Record record;

@@ -1,0 +1,11 @@
+// What a run has left of itself.
+#pragma once
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+namespace mrroc::bench {
+
+/// @return summary.json of a run folder; null when there is none, or it is damaged
+nlohmann::json run_summary(const std::filesystem::path& folder);
+
+}  // namespace mrroc::bench
