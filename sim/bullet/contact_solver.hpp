@@ -1,4 +1,4 @@
-// Bullet's solver of contacts, in less time.
+// Bullet's solver of contacts, in less time, and with a memory where one is wanted.
 #pragma once
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 
@@ -10,10 +10,10 @@
 namespace mrroc::sim {
 
 /// The projected Gauss-Seidel iteration of btMultiBodyConstraintSolver with friction in two directions: the same rows
-/// in the same order with the same bounds, so the same forces but for rounding. What it leaves out is zero: freedoms
-/// of fixed bases, friction where nothing presses. A turn of a face takes half the time (docs/decisions.md). Bodies other than
-/// multi-bodies must not move. With friction in one direction, along
-/// both by themselves, or a warm start it is the solver of Bullet itself; friction against rolling is left out.
+/// in the same order with the same bounds, so the same forces but for rounding, as long as nothing is remembered. What it
+/// leaves out is zero: freedoms of fixed bases, friction where nothing presses (docs/decisions.md). Bodies other than
+/// multi-bodies must not move. With friction in one direction, along both by themselves, or Bullet's own warm start it is
+/// the solver of Bullet itself; friction against rolling is left out.
 class ContactSolver final : public btMultiBodyConstraintSolver {
  public:
   /// From now on the iteration begins with the impulses of the integration before, not with none, as Bullet's own does:
