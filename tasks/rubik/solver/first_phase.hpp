@@ -7,6 +7,8 @@
 #include "tasks/rubik/cube/move.hpp"
 #include "tasks/rubik/solver/best_solution.hpp"
 #include "tasks/rubik/solver/bounds.hpp"
+#include "tasks/rubik/solver/entrances.hpp"
+#include "tasks/rubik/solver/fast_cube.hpp"
 #include "tasks/rubik/solver/limits.hpp"
 #include "tasks/rubik/solver/second_phase.hpp"
 
@@ -18,21 +20,21 @@ class Variant {
   /// @param axis  0..2: that which is looked along as if it were that of U and D  @param inverted  takes the inverse
   Variant(const Cube& cube, int axis, bool inverted);
 
-  /// @return the cube seen so, with its inverse
-  [[nodiscard]] const CubePair& pair() const { return pair_; }
+  /// @return the cube seen so
+  [[nodiscard]] const Cube& cube() const { return cube_; }
   /// @return what solves the cube itself, when the moves solve this variant
   [[nodiscard]] Moves solution(const Moves& moves) const;
 
  private:
-  CubePair pair_;
+  Cube cube_;
   int back_;
   bool inverted_;
 };
 
 /// Searches begins of one length after the other. One object per thread.
 ///
-/// The search goes depth first, but with blocks of states instead of single ones: while the states of a block
-/// are looked at one after the other, the memory for the next ones is on its way.
+/// The search goes depth first, but with blocks of states instead of single ones: the memory that a block needs is
+/// fetched before the first one is looked at. The last turns come from Entrances.
 class FirstPhase {
  public:
   /// @param bounds, best, watch  outlive this object
@@ -49,39 +51,47 @@ class FirstPhase {
   static constexpr int kMostTurns = 30;  ///< length of a begin
 
  private:
-  /// Twist, flips and slice, seen through the symmetry that leads to the class's representative.
-  struct State {
-    std::uint32_t flip_slice_class;
-    std::uint16_t twist;
-    std::uint8_t symmetry;
-  };
   struct Node {
-    State state;
+    CosetState state;
     Move move;           ///< that led here
     const Node* parent;  ///< nullptr: the begin of the search
-    CubePair pair;
+    Cube cube;
+
+    Node(const CosetState& s, const Cube& c) : state(s), parent(nullptr), cube(c) {}
+    Node(const CosetState& s, const FastTurns& turns, Move m, const Node& before)
+        : state(s), move(m), parent(&before), cube(turns.after(before.cube, m)) {}
   };
   using Block = std::vector<Node>;
+  /// A way into the group from a node, and where the second phase begins.
+  struct Begin {
+    const Node* node;
+    const Entrances::Entrance* entrance;
+    bool reversed;  ///< the last turn is counterclockwise
+    SecondPhase::State state;
+  };
 
-  [[nodiscard]] State state_of(const Cube& cube) const;
-  [[nodiscard]] State after(const State& s, int seen_move) const;
-  void prefetch(const State& s) const;
-  [[nodiscard]] std::uint32_t useful_turns(const State& s, int left) const;
+  void prefetch(const CosetState& s, int left) const;
+  [[nodiscard]] std::uint32_t followers(const Node& node) const;
+  [[nodiscard]] std::uint32_t useful_turns(const CosetState& s, std::uint32_t turns, int left) const;
   bool is_over();
   void descend(int depth, int left);
   void expand(const Node& node, int left, Block& next) const;
   void drop_hopeless(Block& block, int spare) const;
   [[nodiscard]] int longest_end(int depth) const;
-  void finish_all(const Block& block, int depth);
-  void finish(const Node& node, const SecondPhase::State& begin, int depth);
+  void finish_all(const Block& block, int depth, int left);
+  void note(const Begin& begin, int longest);
+  void finish(const Begin& begin, int depth, int left);
 
   const Tables& tables_;
+  const FastTurns& turns_;
+  const SeenArrangements& arrangements_;
   const Bounds& bounds_;
   BestSolution& best_;
   NodeCounter counter_;
   SecondPhase second_;
   const Variant* variant_{};
   std::array<Block, kMostTurns + 1> blocks_;  ///< by depth
+  std::vector<Begin> begins_;
   std::uint64_t nodes_{};
   bool over_{};
 };

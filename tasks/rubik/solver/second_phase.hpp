@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "tasks/rubik/cube/move.hpp"
+#include "tasks/rubik/solver/arrangement.hpp"
 #include "tasks/rubik/solver/tables.hpp"
 
 namespace mrroc::rubik {
@@ -20,11 +21,20 @@ class SecondPhase {
   struct State {
     unsigned corners, edges, slice;  ///< permutations of these, see coordinates.hpp
   };
-  /// @param cube  of the group
-  /// @param longest  ends longer than this are of no use
-  /// @return its state, and the memory that tells how far it is from solved is on its way; nothing when corners and
-  ///         slice alone need more turns
-  [[nodiscard]] std::optional<State> start(const Cube& cube, int longest) const;
+  /// @param before, turns  an arrangement and what turns that lead into the group make of it
+  /// @return the state there; nothing when corners and slice alone need more turns than longest
+  [[nodiscard]] std::optional<State> start(const Arrangement& before, const Arrangement& turns,
+                                           int longest) const;
+  /// @param k  a turn, kSecondPhaseMoves[k]
+  /// @return the state after it
+  [[nodiscard]] State after(const State& s, std::size_t k) const {
+    return {tables_.corner_permutation_moves[s.corners * kSecondPhaseMoves.size() + k],
+            tables_.edge_permutation_moves[s.edges * kSecondPhaseMoves.size() + k],
+            tables_.slice_permutation_moves[s.slice * kSecondPhaseMoves.size() + k]};
+  }
+  /// @return whether corners and slice alone need at most so many turns; then the memory that tells how far the state
+  ///         is from solved is on its way
+  [[nodiscard]] bool is_near(const State& s, int longest) const;
 
   /// Searches a shortest end.
   /// @param last  the turn before, which the end must not repeat; nullptr: none

@@ -73,6 +73,17 @@ std::vector<std::uint8_t> make_moves_seen() {
   return table;
 }
 
+std::vector<std::uint32_t> make_followers_seen() {
+  std::vector<std::uint32_t> table;
+  for (const Move last : all_moves())
+    for (int s = 0; s < kAxisSymmetries; ++s) {
+      table.push_back(0);
+      for (const Move m : all_moves())
+        if (may_follow(&last, m)) table.back() |= 1U << conjugate(m, symmetry(s)).index;
+    }
+  return table;
+}
+
 std::vector<std::uint8_t> make_symmetry_product() {
   std::vector<std::uint8_t> table;
   for (int a = 0; a < kAxisSymmetries; ++a)
@@ -95,7 +106,9 @@ Tables::Tables(TableSet set, const std::filesystem::path& folder, int threads, c
       edge_permutation_moves(move_table(kEdgePermutation, kSecondPhaseMoves)),
       slice_permutation_moves(move_table(kSlicePermutation, kSecondPhaseMoves)),
       moves_seen(make_moves_seen()),
+      followers_seen(make_followers_seen()),
       symmetry_product(make_symmetry_product()) {
+  entrances = Entrances(*this);
   const Depths depths = set == TableSet::small ? kSmall : kStandard;
   const std::string_view suffix = set == TableSet::small ? "-small" : "";
   const auto space = [](const Coordinate& page, const SymmetryClasses& classes, const Coordinate* row,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tasks/rubik/solver/coordinates.hpp"
+#include "tasks/rubik/solver/entrances.hpp"
 #include "tasks/rubik/solver/packed_table.hpp"
 #include "tasks/rubik/solver/table_file.hpp"
 
@@ -24,6 +25,14 @@ struct TableWatch {
   std::function<void(std::string_view table, double part)>
       progress;                                         ///< a table is being filled; part 0 to 1
   std::function<void(const std::string& text)> notice;  ///< a file was damaged, or cannot be written
+};
+
+/// A state of the first phase: flips and slice as a class of kFlipSlice and the symmetry that leads to its
+/// representative, twist as seen through this symmetry.
+struct CosetState {
+  std::uint32_t flip_slice_class;  ///< number of the class
+  std::uint16_t twist;             ///< of kTwist, seen so
+  std::uint8_t symmetry;           ///< 0 to 15
 };
 
 /// Bounds and successors that every solver shares; read-only, any number of threads may use it.
@@ -47,8 +56,28 @@ class Tables {
   std::vector<std::uint16_t> corner_permutation_moves, edge_permutation_moves, slice_permutation_moves;
   /// 16 * turn + s: the turn seen through s
   std::vector<std::uint8_t> moves_seen;
+  /// 16 * turn + s: mask of the turns that may follow it, both seen through s
+  std::vector<std::uint32_t> followers_seen;
   /// 16 * a + b: symmetry b, then a
   std::vector<std::uint8_t> symmetry_product;
+
+  Entrances entrances;  ///< into the second phase's group
+
+  /// @return state of the cube
+  [[nodiscard]] CosetState state_of(const Cube& cube) const {
+    const std::uint32_t member = flip_slices.member_of[kFlipSlice.of(cube)];
+    const auto s = static_cast<std::uint8_t>(member % kAxisSymmetries);
+    return {member / kAxisSymmetries, twist_seen[kTwist.of(cube) * kAxisSymmetries + s], s};
+  }
+  /// @param seen_turn  as seen through the state's symmetry
+  /// @return state after the turn
+  [[nodiscard]] CosetState after(const CosetState& s, int seen_turn) const {
+    const std::uint32_t member = flip_slice_moves[s.flip_slice_class * kMoves + seen_turn];
+    const std::uint32_t further = member % kAxisSymmetries;
+    const unsigned twist = twist_moves[s.twist * kMoves + seen_turn];
+    return {member / kAxisSymmetries, twist_seen[twist * kAxisSymmetries + further],
+            symmetry_product[further * kAxisSymmetries + s.symmetry]};
+  }
 
   /// @return turns to the second phase's group, exact or at least so many
   [[nodiscard]] unsigned phase1(std::uint32_t flip_slice_class, unsigned twist_seen_so) const {
