@@ -19,7 +19,7 @@ nlohmann::json figures_of(const std::string& task) {
   TaskProcess process(task, {"--processes", "one", "--seed", "1", "--run-dir", folder.string()});
   if (process.wait() != 0)
     throw FaultError(FaultCode::internal_error, "the task " + task + " did not end well");
-  return run_summary(folder).at("figures");
+  return needed_summary(folder).at("figures");
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ int run(const ArmTask& task, mp::TaskOptions& options) {
   mp::Ending ending{.folder = folder,
                     .figures = mp::figure_table(summary.figures, known, columns, !summary.fault),
                     .pictures = pictures_in(folder)};
-  if (task.result && !summary.fault) ending.figures += task.result(solo.traces());
+  if (task.result && !summary.fault && !summary.stopped) ending.figures += task.result(solo.traces());
   return mp::print_ending(summary, ending, options);
 }
 

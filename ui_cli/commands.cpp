@@ -137,7 +137,7 @@ void add_commands(CLI::App& app, CommandLine& line, const Surroundings& around) 
   app.add_subcommand("status", "Show the task, its processes and its agents once")->callback([&] {
     line.command = [&] {
       const Snapshot s = Connection(line.wish, around).client.await_status();
-      around.out << (line.json ? status_json(s) : status_text(s));
+      around.out << (line.json ? status_json(s) : status_text(s, line.wish.session));
     };
   });
   app.add_subcommand("list", "List the tasks that run on this host")->callback([&] {

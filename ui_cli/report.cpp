@@ -25,7 +25,7 @@ std::string numbered(int m, const std::string& name) {
 
 }  // namespace
 
-std::string status_text(const Snapshot& s) {
+std::string status_text(const Snapshot& s, std::string_view session) {
   std::string text = row("session", s.session);
   text += row("task", fmt::format("{}: {}{}", s.task, to_string(s.state),
                                   s.waits_for_trigger ? ", waits for a trigger" : ""));
@@ -56,7 +56,7 @@ std::string status_text(const Snapshot& s) {
     text += row(heading, fmt::format("{:<20} {:<9} heard {:.1f} s ago", p.name, to_string(p.state), p.age));
     heading.clear();
   }
-  const std::string message = as_typed(s.last_message);
+  const std::string message = as_typed(s.last_message, session);
   text +=
       row("message",
           s.last_code == FaultCode::none ? message : fmt::format("{}: {}", to_string(s.last_code), message));

@@ -1,6 +1,7 @@
 // What one-shot commands print: text for people, JSON for scripts. docs of the JSON keys are the functions'.
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/link/session.hpp"
@@ -9,8 +10,8 @@
 
 namespace mrroc::ui {
 
-/// @return several lines, each ended
-std::string status_text(const Snapshot& s);
+/// @param session  that hints are to name; empty: none  @return several lines, each ended
+std::string status_text(const Snapshot& s, std::string_view session = {});
 /// One object: session, task, state, m, behaviour, ended_because, waits_for_trigger, macrostep, sim_s [s],
 /// speed, progress (0..1 or null), progress_text, agents: [{name, m, behaviour, ended_because, T_0E: [m, angle-axis
 /// rad], F_a: [N, N m], sensor}], processes: [{name, state, age_s}], last_message: {code, text}, run_folder. Numbers that are

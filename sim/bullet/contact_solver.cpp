@@ -86,10 +86,11 @@ void ContactSolver::solve_cone(const Row& a, const Row& b, double limit) {
 }
 
 /// A spring and a damper along the surfaces: the row gives way by what the impulse is more than the spring's was.
+/// Bullet makes rows of friction that do not give way; a row that it has switched off has no 1 / (J M^-1 J^T).
 void ContactSolver::soften(const Row& friction, const ImpulseMemory::Contact& known, double h) {
   btMultiBodySolverConstraint& c = *friction.of;
   const auto& point = *static_cast<const btManifoldPoint*>(c.m_originalContactPoint);
-  if (!soft(point)) return;
+  if (!soft(point) || c.m_jacDiagABInv == 0) return;
   const double stiffness = shear_stiffness_ * point.m_combinedContactStiffness1;
   const double damping = shear_stiffness_ * point.m_combinedContactDamping1;
   const double yields = 1 / (h * (stiffness * h + damping));  // speed per impulse

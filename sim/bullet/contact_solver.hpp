@@ -10,20 +10,21 @@
 namespace mrroc::sim {
 
 /// The projected Gauss-Seidel iteration of btMultiBodyConstraintSolver with friction in two directions: the same rows
-/// in the same order with the same bounds, so the same forces but for rounding, as long as nothing is remembered. What it
-/// leaves out is zero: freedoms of fixed bases, friction where nothing presses (docs/decisions.md). Bodies other than
-/// multi-bodies must not move. With friction in one direction, along both by themselves, or Bullet's own warm start it is
-/// the solver of Bullet itself; friction against rolling is left out.
+/// in the same order with the same bounds, so the same forces but for rounding, as long as nothing is remembered. What
+/// it leaves out is zero: freedoms of fixed bases, friction where nothing presses (docs/decisions.md). Bodies other
+/// than multi-bodies must not move. With friction in one direction, along both by themselves, or Bullet's own warm
+/// start it is the solver of Bullet itself; friction against rolling is left out.
 class ContactSolver final : public btMultiBodyConstraintSolver {
  public:
-  /// From now on the iteration begins with the impulses of the integration before, not with none, as Bullet's own does:
-  /// what changes slowly converges over the integrations. And surfaces of soft contacts give way along themselves, too,
-  /// as rubber does, until friction does not hold them any more.
+  /// From now on the iteration begins with the impulses of the integration before, not with none, as Bullet's own
+  /// does: what changes slowly converges over the integrations. And surfaces of soft contacts give way along
+  /// themselves, too, as rubber does, until friction does not hold them any more.
   /// @param shear_stiffness  as a share of the stiffness along the normal, above 0
   void remember(double shear_stiffness) { shear_stiffness_ = shear_stiffness; }
   /// A body was made anew: begins with none once.
   void forget() { memory_.forget(); }
 
+  /// Once per integration, behind all islands: what they have left is remembered.
   void allSolved(const btContactSolverInfo& info, btIDebugDraw* drawer) override;
 
  protected:

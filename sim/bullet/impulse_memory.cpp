@@ -8,7 +8,7 @@
 namespace mrroc::sim {
 namespace {
 
-/// A contact is the same when it has moved by less on one of its bodies [m]: a corner stays where it is on its own body.
+/// A contact is the same when it has moved by less on one of its bodies [m]: a corner stays where it is on its body.
 constexpr double kSame = 1e-3;
 
 /// @return rotation of the first body, of the second where the first one is none
@@ -24,13 +24,14 @@ btMatrix3x3 turned(const btMultiBodySolverConstraint& row) {
 
 ImpulseMemory::Place ImpulseMemory::place_of(const btMultiBodySolverConstraint& normal) {
   const auto& point = *static_cast<const btManifoldPoint*>(normal.m_originalContactPoint);
-  return {normal.m_multiBodyA,
-          normal.m_multiBodyB,
-          normal.m_linkA,
-          normal.m_linkB,
-          point.m_localPointA,
-          point.m_localPointB,
-          {}};
+  // Bullet leaves the link of what is no multi-body as it was.
+  return {.a = normal.m_multiBodyA,
+          .b = normal.m_multiBodyB,
+          .link_a = normal.m_multiBodyA ? normal.m_linkA : -1,
+          .link_b = normal.m_multiBodyB ? normal.m_linkB : -1,
+          .on_a = point.m_localPointA,
+          .on_b = point.m_localPointB,
+          .contact = {}};
 }
 
 double ImpulseMemory::drive(const btMultiBodySolverConstraint& row) const {
@@ -71,8 +72,8 @@ void ImpulseMemory::turn_page() {
 }
 
 void ImpulseMemory::forget() {
-  before_ = {};
-  now_ = {};
+  turn_page();
+  turn_page();
 }
 
 }  // namespace mrroc::sim

@@ -7,12 +7,13 @@
 
 namespace mrroc::sim {
 
-/// Impulses of drives and contacts. Contacts are known again by their bodies and by where they are on one of them, since
-/// Bullet may find them anew in every integration; what acts along their surfaces turns with the first body. Two lists: of the integration before, which is read, and of the present
-/// one. Same calls, same answers: nothing depends on addresses but equality.
+/// Impulses of drives and contacts. Contacts are known again by their bodies and by where they are on one of them,
+/// since Bullet may find them anew in every integration; what acts along their surfaces turns with the first body.
+/// Two lists: of the integration before, which is read, and of the present one. Same calls, same answers: nothing
+/// depends on addresses but equality.
 class ImpulseMemory {
  public:
-  /// What was at a contact.
+  /// What was at a contact. Of friction that gives way only what its spring bears: the damper has forgotten the rest.
   struct Contact {
     double pressed{};          ///< along the normal [N s]
     btVector3 shear{0, 0, 0};  ///< along the surfaces, on the first body, in the world [N s]

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kGravity = 9.81;         // [m/s^2]
 constexpr double kTableThickness = 0.05;  // [m]
-/// Of pads along their surfaces, as a share of that along the normal: a block of rubber.
+/// Of what touches, along its surfaces, as a share of that along the normal: a block of rubber.
 constexpr double kShearStiffness = 0.2;
 
 }  // namespace

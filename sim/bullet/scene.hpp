@@ -79,8 +79,8 @@ class Scene {
   /// @param T_UP  of the table, as above
   void add_plate(const Pose& T_UP, const PlateParameters& plate);
 
-  /// Adds the floor, for a cube to fall on, tells contacts as it is right for hands that turn the cube, and takes
-  /// friction in two directions: in one alone a held cube turns in its pads.
+  /// Adds the floor, for a cube to fall on, tells contacts as it is right for hands that turn the cube, takes
+  /// friction in two directions, since in one alone a held cube turns in its pads, and lets the solver remember.
   void prepare_for_cube();
 
   /// Integrates once. @param h [s]

@@ -175,6 +175,26 @@ TEST(CubeCell, IsTheSameFromRunToRun) {
   EXPECT_EQ(hash(), hash());
 }
 
+TEST(CubeCell, OnTheFloorIsTheSameFromRunToRun) {
+  const auto hash = [] {
+    CubeCellParameters c;
+    c.distance = 0.08;
+    WorldParameters p = cube_cell(c);
+    p.cube->T_EC.p.x() = 0.2;  // beside the hand
+    World world(p, 1);
+    for (int k = 0; k < 700; ++k) world.step({});
+    EXPECT_TRUE(world.cube()->on_floor);
+    return world.state_hash();
+  };
+  EXPECT_EQ(hash(), hash());
+}
+
+TEST(CubeCell, IsSolvedWithTheIterationsOfTheTask) {
+  const Config task = Config::parse(std::string(rubik::config()), "rubik.toml");
+  EXPECT_EQ(cube_cell({}).solver_iterations,
+            task.integer("sim.solver_iterations", Config::kRequired, {1, 1000}));
+}
+
 TEST(CubeCell, BringsEveryFaceBeforeTheWorker) {
   using rubik::Face;
   const std::array<Vector3, 6> outwards{Vector3{0, 0, 1},  Vector3{1, 0, 0},  Vector3{0, -1, 0},

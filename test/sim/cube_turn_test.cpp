@@ -45,6 +45,48 @@ TEST(CubeTurn, TurnsTheFaceByContactAndHandsTheCubeOver) {
   EXPECT_LT(f.squeeze, 450);
 }
 
+TEST(CubeTurn, LayersThatAreLaidAnewUnderLoadAreNotFelt) {
+  TurnPlan plan = quick(2);
+  bool laid = false;
+  int since = 0;
+  Vector3 before = Vector3::Zero(), place = Vector3::Zero();
+  double torque = 0, across = 0, moved = 0;
+  const TurnFigures f = turn_face(plan, 2, [&](DrivenCell& cell, int m) {
+    const Wrench& F = cell.reply(kTrack).F_a;
+    const CubeTruth& cube = *cell.world().cube();
+    const Vector3 in_hand = (cell.world().effector(kTrack).inverse() * cube.T_UC).p;
+    if (laid && ++since <= 3) {  // what it was is told one macrostep late
+      across = std::max(across, (F.linear() - before).norm());
+      moved = std::max(moved, (in_hand - place).norm());
+    }
+    if (laid || m != 5 || std::abs(F[Axis::az]) < 1.5) return;
+    laid = cell.world().lay_cube(cube.axis);
+    torque = std::abs(F[Axis::az]);
+    before = F.linear();
+    place = in_hand;
+  });
+  ASSERT_TRUE(laid);
+  EXPECT_TRUE(f.turned) << to_string(f.trouble) << ", " << FaultError(f.fault).what();
+  EXPECT_GT(torque, 1.5);
+  EXPECT_LT(across, 3) << "N";
+  EXPECT_LT(moved, 1e-4);
+  EXPECT_LT(f.slip, 2e-4);
+}
+
+TEST(CubeTurn, AWorkerThatClosesAskewLosesNothingInItsPads) {
+  TurnPlan plan = random_turn(35);
+  plan.cell.face = rubik::Face::L;
+  plan.quarters = -1;
+  const TurnFigures f = turn_face(plan, 35);
+  EXPECT_TRUE(f.done && f.turned) << to_string(f.trouble) << ", " << FaultError(f.fault).what();
+  EXPECT_EQ(f.attempts, 1);
+  EXPECT_LT(f.lateral_peak, 6);
+  EXPECT_LT(f.steady_std, 0.2);
+  EXPECT_LT(f.slip, 2e-4);
+  EXPECT_LT(f.angle_error, std::numbers::pi / 180);
+  EXPECT_LT(f.squeeze, 290) << "no finger gives way";
+}
+
 TEST(CubeTurn, AFaceThatJamsIsTriedAgainAndThenNamedWithTheCubeHeld) {
   TurnPlan plan = quick(6);
   plan.cell.faces.mean.breakaway = 30;

@@ -119,7 +119,7 @@ int run_view(const std::vector<std::string>& arguments, std::ostream& out, std::
   try {
     return serve(o, out);
   } catch (const FaultError& e) {
-    err << e.error_line() << std::endl;
+    err << e.error_line(o.wish.session) << std::endl;
     return exit_status(e.fault().code);
   }
 }
