@@ -71,8 +71,10 @@ ManualAnswer ask(link::Bus& bus, const link::SessionInfo& session, const std::st
       if (const auto reading = link.reading(a.name)) homing.see(a.name, *reading);
     if (progress && wait && taken && !answer && Clock::now() > next) {
       const std::string line = std::exchange(told, true) ? homing.text() : kTaken;
-      if (!line.empty()) *progress << line << std::endl;
-      next += patience.progress;
+      if (!line.empty()) {
+        *progress << line << std::endl;
+        next += patience.progress;
+      }
     }
     if (answer && (answer->state != ManualState::taken || !wait)) return *answer;
     if (!answer) bus.wait(std::min(patience.repeat, std::chrono::milliseconds(20)));
