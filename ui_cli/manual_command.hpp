@@ -31,10 +31,10 @@ struct ManualWish {
 /// Words behind `ui_cli manual`, for the shell's completion.
 [[nodiscard]] std::vector<std::string> manual_words();
 
-/// Sends an instruction until it is answered, or those of a file, each when the one before is done; or prints the state of
-/// an arm, or adds its position to a file as the instruction that leads there: `move ARM joints NUMBER...`.
-/// @throws FaultError illegal_in_state: refused; failed: as the driver says, with the reason, or a position is not known; peer_silent:
-///                    nobody answers; bad_script, cannot_write: the file
+/// Sends an instruction until it is answered, or those of a file, each when the one before is done; or prints the
+/// state of an arm, or adds its position to a file as the instruction that leads there: `move ARM joints NUMBER...`.
+/// @throws FaultError illegal_in_state: refused; failed: as the driver says, with the reason, or a position is not
+///                    known; peer_silent: nobody answers; bad_script, cannot_write: the file
 void execute_manual(link::Bus& bus, const link::SessionInfo& session, const ManualWish& wish,
                     const Patience& patience, std::ostream& out);
 

@@ -21,9 +21,10 @@ class Panel {
   Panel(link::Bus& bus, Client& client, Glyphs glyphs, Clock::time_point now, std::string session = {});
 
   /// A key: s start, p pause, r resume, t trigger (asks for y when it comes early), x stop (asks for y), e emergency
-  /// stop (asks nothing; Ctrl-E too, also where an e is a letter of a line being typed), c what the charts show, m the page of manual operation, ? help, q leave. Others do nothing;
-  /// while the panel asks, any other than y and e means no; any key ends the help, and does nothing else but for e. On the page of manual operation its
-  /// own keys come first, see ManualPage, and r asks for y.
+  /// stop (asks nothing; Ctrl-E too, also where an e is a letter of a line being typed), c what the charts show, m the
+  /// page of manual operation, ? help, q leave. Others do nothing; while the panel asks, any other than y and e means
+  /// no; any key ends the help, and does nothing else but for e. On the page of manual operation its own keys come
+  /// first, see ManualPage, and r asks for y.
   void key(int key, Clock::time_point now);
   /// Takes what the client has heard, and sends what has to be sent. Call it often.
   void update(Clock::time_point now);
