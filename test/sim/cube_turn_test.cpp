@@ -27,7 +27,8 @@ TEST(CubeTurn, TurnsTheFaceByContactAndHandsTheCubeOver) {
     behind |= on_its_way;
     laid |= on_its_way && cell.world().lay_cube(0);
     const ArmTruth& holder = cell.world().truth(kTrack);
-    if (m == 6 && holder.jaws > kCubeEdge + 5e-4) held_fast = std::max(held_fast, std::abs(holder.jaw_force));
+    // The ends of the pads touch a cube that is half a degree askew until then.
+    if (m == 6 && holder.jaws > kCubeEdge + 1e-3) held_fast = std::max(held_fast, std::abs(holder.jaw_force));
   });
   EXPECT_TRUE(f.done) << to_string(f.trouble) << ", " << FaultError(f.fault).what();
   EXPECT_TRUE(f.turned);
