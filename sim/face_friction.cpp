@@ -46,12 +46,16 @@ FaceDrive::Action FaceDrive::step(double angle, double speed, double h) {
   double within = std::fmod(angle, kQuarter);
   if (within < 0) within += kQuarter;
   const double from_jam = std::abs(within - f_.jam_angle) / f_.jam_width;
-  if (jams_ && from_jam >= 1) tightness_ *= 1 - f_.jam_loosening;
-  jams_ = from_jam < 1;
-  const double jam = jams_ ? tightness_ * f_.jam * (1 - from_jam) : 0;
+  if (came_ != 0 && from_jam >= 1) {
+    tightness_ *= 1 - f_.jam_loosening;
+    came_ = 0;
+  }
+  if (came_ == 0 && from_jam < 1) came_ = within < f_.jam_angle ? 1 : -1;
+  const double jam = came_ == 0 ? 0 : tightness_ * f_.jam * (1 - from_jam);
   const double friction =
       f_.kinetic * (1 + f_.ripple * std::sin(8 * angle + f_.ripple_phase)) + f_.viscous * std::abs(speed);
-  return {0, friction + (f_.jam_direction < 0 ? 0 : jam), friction + (f_.jam_direction > 0 ? 0 : jam), 0};
+  return {0, friction + (came_ < 0 || f_.jam_direction < 0 ? 0 : jam),
+          friction + (came_ > 0 || f_.jam_direction > 0 ? 0 : jam), 0};
 }
 
 }  // namespace mrroc::sim

@@ -8,17 +8,17 @@ namespace mrroc::sim {
 
 /// Friction of one face about its axis, over the angle from its last seat. Figures of the order of MG fig. 17.
 struct FaceFriction {
-  double breakaway{3.2};   ///< that leads out of the seat [N m]
-  double kinetic{1.9};     ///< on the way, in the mean [N m]
-  double ripple{0.2};      ///< of kinetic, eight times a turn
-  double ripple_phase{};   ///< [rad]
-  double viscous{0.2};     ///< [N m s/rad]
-  double jam{};            ///< in the middle of the place where the face jams, besides [N m]
-  double jam_angle{0.7};   ///< that place, within the quarter turn, the same in both directions [rad]
-  int jam_direction{};     ///< 0: a jam resists in both directions; 1, -1: a positive, a negative turn alone
-  double jam_loosening{};  ///< share that a jam loses each time the face leaves its place, 0..1
-  double jam_width{0.06};  ///< half of its width [rad]
-  double detent{1.5};      ///< largest torque that draws the face into a seat [N m]
+  double breakaway{3.2};  ///< that leads out of the seat [N m]
+  double kinetic{1.9};    ///< on the way, in the mean [N m]
+  double ripple{0.2};     ///< of kinetic, eight times a turn
+  double ripple_phase{};  ///< [rad]
+  double viscous{0.2};    ///< [N m s/rad]
+  double jam{};           ///< besides in the middle of the place where the face jams; back it goes free [N m]
+  double jam_angle{0.7};  ///< that place, within the quarter turn, the same in both directions [rad]
+  int jam_direction{};    ///< 0: a jam resists in both directions; 1, -1: a positive, a negative turn alone
+  double jam_loosening{};       ///< share that a jam loses each time the face leaves its place, 0..1
+  double jam_width{0.06};       ///< half of its width [rad]
+  double detent{1.5};           ///< largest torque that draws the face into a seat [N m]
   double detent_friction{0.4};  ///< instead of kinetic where a seat draws [N m]
 };
 
@@ -62,7 +62,7 @@ class FaceDrive {
  private:
   FaceFriction f_;
   bool seated_{true};
-  bool jams_{};          // the face is where it jams
+  int came_{};           // direction in which it came to where it jams: 1, -1; 0: it is elsewhere
   double tightness_{1};  // what is left of the jam
 };
 

@@ -96,6 +96,19 @@ TEST(FaceFriction, AJamStopsWhatTurnedElsewhere) {
   EXPECT_LT(rig.angle, 0.75);
 }
 
+TEST(FaceFriction, AFaceThatJamsGoesBackTheWayItCame) {
+  FaceFriction f = faces(1)[0];
+  f.jam = 10;
+  f.jam_angle = 0.7;
+  for (const int direction : {1, -1}) {
+    Rig rig(f, 0.7 - direction * 0.5);
+    rig.run(direction * 4.5, 3);
+    EXPECT_LT(std::abs(rig.angle - 0.7), 0.06) << "it jams on both ways";
+    rig.run(-direction * 3., 1);
+    EXPECT_LT(direction * (rig.angle - 0.7), -0.3) << "with less torque than jams it";
+  }
+}
+
 TEST(FaceFriction, AJamOfOneDirectionLetsAFacePassInTheOther) {
   FaceFriction f = faces(1)[0];
   f.jam = 10;
@@ -123,7 +136,7 @@ TEST(FaceFriction, AJamThatLoosensLetsTheFacePassAtALaterAttempt) {
   Rig rig(f, 0.3);
   int attempts = 0;
   for (; rig.angle < 0.8 && attempts < 10; ++attempts) {
-    for (int k = 0; k < 2000 && rig.angle > 0.5; ++k) rig.run(-12, kStep);
+    for (int k = 0; k < 2000 && rig.angle > 0.5; ++k) rig.run(-4, kStep);
     for (int k = 0; k < 2000 && rig.angle < 0.8; ++k) rig.run(4, kStep);
   }
   EXPECT_EQ(attempts, 2) << "10 N m, then 1";
