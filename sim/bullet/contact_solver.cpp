@@ -85,7 +85,7 @@ void ContactSolver::solve_cone(const Row& a, const Row& b, double limit) {
   apply(b, share * wanted_b);
 }
 
-/// A spring and a damper along the surfaces: the row gives way by what the impulse is more than the spring's was.
+/// A spring and a damper along the surfaces: the row gives way by what the impulse is more than the spring's.
 /// Bullet makes rows of friction that do not give way; a row that it has switched off has no 1 / (J M^-1 J^T).
 void ContactSolver::soften(const Row& friction, const ImpulseMemory::Contact& known, double h) {
   btMultiBodySolverConstraint& c = *friction.of;
@@ -102,11 +102,10 @@ void ContactSolver::soften(const Row& friction, const ImpulseMemory::Contact& kn
 
 void ContactSolver::recall(double h) {
   for (const Row& row : joints_) apply(row, memory_.drive(*row.of));
-  known_.clear();
-  for (const Row& row : normals_) {
-    known_.push_back(memory_.contact(*row.of));
-    apply(row, known_.back().pressed);
-  }
+  contacts_.clear();
+  for (const Row& row : normals_) contacts_.push_back(row.of);
+  memory_.recall(contacts_, known_);
+  for (std::size_t k = 0; k < normals_.size(); ++k) apply(normals_[k], known_[k].pressed);
   for (const Row& row : frictions_) {
     const ImpulseMemory::Contact& known = known_[static_cast<std::size_t>(row.of->m_frictionIndex)];
     soften(row, known, h);
@@ -116,16 +115,22 @@ void ContactSolver::recall(double h) {
 
 void ContactSolver::memorise(double h) {
   for (const Row& row : joints_) memory_.keep_drive(*row.of);
-  shear_.assign(normals_.size(), btVector3(0, 0, 0));
-  for (const Row& row : frictions_)
-    shear_[static_cast<std::size_t>(row.of->m_frictionIndex)] +=
-        row.of->m_appliedImpulse * direction(*row.of);
+  rigid_.assign(normals_.size(), btVector3(0, 0, 0));
+  friction_.assign(normals_.size(), 0);
+  for (const Row& row : frictions_) {
+    const auto contact = static_cast<std::size_t>(row.of->m_frictionIndex);
+    rigid_[contact] += row.of->m_appliedImpulse * direction(*row.of);
+    friction_[contact] = row.of->m_friction;
+  }
   for (std::size_t k = 0; k < normals_.size(); ++k) {
-    const auto& point = *static_cast<const btManifoldPoint*>(normals_[k].of->m_originalContactPoint);
-    // What the damper bears now it does not bear any more when the speed is gone.
-    const double of_spring =
-        soft(point) ? h / (h + point.m_combinedContactDamping1 / point.m_combinedContactStiffness1) : 1;
-    memory_.keep_contact(*normals_[k].of, known_[k].shear + of_spring * (shear_[k] - known_[k].shear));
+    const btMultiBodySolverConstraint& normal = *normals_[k].of;
+    const auto& point = *static_cast<const btManifoldPoint*>(normal.m_originalContactPoint);
+    if (soft(point))
+      memory_.keep_contact(normal, known_[k].shear,
+                           {.stiffness = h * shear_stiffness_ * point.m_combinedContactStiffness1,
+                            .most = friction_[k] * normal.m_appliedImpulse});
+    else
+      memory_.keep_contact(normal, rigid_[k], {});
   }
 }
 

@@ -64,8 +64,10 @@ class ContactSolver final : public btMultiBodyConstraintSolver {
   double shear_stiffness_{};  // 0: nothing is remembered
   ImpulseMemory memory_;
   Rows joints_, normals_, frictions_;
-  std::vector<ImpulseMemory::Contact> known_;  // of each normal
-  std::vector<btVector3> shear_;               // the same after the iteration
+  std::vector<const btMultiBodySolverConstraint*> contacts_;  // the normals, for the memory
+  std::vector<ImpulseMemory::Contact> known_;                 // of each of them
+  std::vector<btVector3> rigid_;                              // friction of each of them after the iteration
+  std::vector<double> friction_;                              // its coefficient
 };
 
 }  // namespace mrroc::sim

@@ -4,34 +4,35 @@
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace mrroc::sim {
 namespace {
 
-/// A contact is the same when it has moved by less on one of its bodies [m]: a corner stays where it is on its body.
-constexpr double kSame = 1e-3;
+/// @return that of the link, of the world where there is no body
+btTransform frame(const btMultiBody* body, int link) {
+  if (!body) return btTransform::getIdentity();
+  const btCollisionObject* collider = link < 0 ? body->getBaseCollider() : body->getLink(link).m_collider;
+  return collider->getWorldTransform();
+}
 
-/// @return rotation of the first body, of the second where the first one is none
-btMatrix3x3 turned(const btMultiBodySolverConstraint& row) {
-  const auto of = [](const btMultiBody& body, int link) {
-    const btCollisionObject* collider = link < 0 ? body.getBaseCollider() : body.getLink(link).m_collider;
-    return collider->getWorldTransform().getBasis();
-  };
-  return row.m_multiBodyA ? of(*row.m_multiBodyA, row.m_linkA) : of(*row.m_multiBodyB, row.m_linkB);
+const btManifoldPoint& point(const btMultiBodySolverConstraint& normal) {
+  return *static_cast<const btManifoldPoint*>(normal.m_originalContactPoint);
 }
 
 }  // namespace
 
 ImpulseMemory::Place ImpulseMemory::place_of(const btMultiBodySolverConstraint& normal) {
-  const auto& point = *static_cast<const btManifoldPoint*>(normal.m_originalContactPoint);
   // Bullet leaves the link of what is no multi-body as it was.
+  const int link_a = normal.m_multiBodyA ? normal.m_linkA : -1;
+  const int link_b = normal.m_multiBodyB ? normal.m_linkB : -1;
+  const btVector3& middle = point(normal).m_positionWorldOnA;
   return {.a = normal.m_multiBodyA,
           .b = normal.m_multiBodyB,
-          .link_a = normal.m_multiBodyA ? normal.m_linkA : -1,
-          .link_b = normal.m_multiBodyB ? normal.m_linkB : -1,
-          .on_a = point.m_localPointA,
-          .on_b = point.m_localPointB,
-          .contact = {}};
+          .link_a = link_a,
+          .link_b = link_b,
+          .on_a = frame(normal.m_multiBodyA, link_a).invXform(middle),
+          .on_b = frame(normal.m_multiBodyB, link_b).invXform(middle)};
 }
 
 double ImpulseMemory::drive(const btMultiBodySolverConstraint& row) const {
@@ -41,34 +42,51 @@ double ImpulseMemory::drive(const btMultiBodySolverConstraint& row) const {
   return known == before_.drives.end() ? 0 : known->impulse;
 }
 
-ImpulseMemory::Contact ImpulseMemory::contact(const btMultiBodySolverConstraint& normal) const {
-  const Place here = place_of(normal);
-  const Place* nearest = nullptr;
-  double least = kSame * kSame;
-  for (const Place& p : before_.places) {
-    if (p.a != here.a || p.b != here.b || p.link_a != here.link_a || p.link_b != here.link_b) continue;
-    const double moved = std::min(p.on_a.distance2(here.on_a), p.on_b.distance2(here.on_b));
-    if (moved >= least) continue;
-    least = moved;
-    nearest = &p;
+void ImpulseMemory::recall(std::span<const btMultiBodySolverConstraint* const> normals,
+                           std::vector<Contact>& known) {
+  here_.clear();
+  for (const auto* normal : normals) here_.push_back(place_of(*normal));
+  known.assign(normals.size(), {});
+  for (const Kept& kept : before_.contacts) {
+    const Place& was = kept.place;
+    std::size_t nearest = here_.size();
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < here_.size(); ++k) {
+      const Place& is = here_[k];
+      if (is.a != was.a || is.b != was.b || is.link_a != was.link_a || is.link_b != was.link_b) continue;
+      const double away = is.on_a.distance2(was.on_a);
+      if (away >= least) continue;
+      least = away;
+      nearest = k;
+    }
+    if (nearest == here_.size()) continue;
+    const btTransform A = frame(was.a, was.link_a);
+    const btVector3 moved = A * was.on_a - frame(was.b, was.link_b) * was.on_b;
+    const btVector3& n = point(*normals[nearest]).m_normalWorldOnB;
+    btVector3 shear = A.getBasis() * kept.shear - kept.spring.stiffness * moved;
+    shear -= n * n.dot(shear);
+    if (kept.spring.stiffness > 0 && shear.length() > kept.spring.most)
+      shear *= kept.spring.most / shear.length();
+    known[nearest].pressed += kept.pressed;
+    known[nearest].shear += shear;
   }
-  if (!nearest) return {};
-  return {nearest->contact.pressed, turned(normal) * nearest->contact.shear};
 }
 
 void ImpulseMemory::keep_drive(const btMultiBodySolverConstraint& row) {
   now_.drives.push_back({row.m_orgConstraint, row.m_orgDofIndex, row.m_appliedImpulse});
 }
 
-void ImpulseMemory::keep_contact(const btMultiBodySolverConstraint& normal, const btVector3& shear) {
-  now_.places.push_back(place_of(normal));
-  now_.places.back().contact = {normal.m_appliedImpulse, shear * turned(normal)};
+void ImpulseMemory::keep_contact(const btMultiBodySolverConstraint& normal, const btVector3& shear,
+                                 const Spring& spring) {
+  const Place place = place_of(normal);
+  const btVector3 turned = shear * frame(place.a, place.link_a).getBasis();
+  now_.contacts.push_back({place, normal.m_appliedImpulse, turned, spring});
 }
 
 void ImpulseMemory::turn_page() {
   std::swap(before_, now_);
   now_.drives.clear();
-  now_.places.clear();
+  now_.contacts.clear();
 }
 
 void ImpulseMemory::forget() {

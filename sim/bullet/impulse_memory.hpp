@@ -3,31 +3,38 @@
 #include <BulletDynamics/Featherstone/btMultiBodySolverConstraint.h>
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace mrroc::sim {
 
-/// Impulses of drives and contacts. Contacts are known again by their bodies and by where they are on one of them,
-/// since Bullet may find them anew in every integration; what acts along their surfaces turns with the first body.
-/// Two lists: of the integration before, which is read, and of the present one. Same calls, same answers: nothing
-/// depends on addresses but equality.
+/// Impulses of drives and contacts. Bullet may find contacts anew in every integration: what was at a contact goes to
+/// the nearest one of the same bodies. Two lists: of the integration before, which is read, and of the present one.
+/// Same calls, same answers: nothing depends on addresses but equality.
 class ImpulseMemory {
  public:
-  /// What was at a contact. Of friction that gives way only what its spring bears: the damper has forgotten the rest.
+  /// What acts at a contact.
   struct Contact {
     double pressed{};          ///< along the normal [N s]
     btVector3 shear{0, 0, 0};  ///< along the surfaces, on the first body, in the world [N s]
   };
+  /// What gives way along the surfaces of a contact. By how far they have moved, not how fast: integrated speeds would
+  /// let a hand that turns lose what it holds.
+  struct Spring {
+    double stiffness{};  ///< change of shear per way [N s/m], 0: rigid
+    double most{};       ///< of shear, which friction bears [N s]
+  };
 
   /// @return the impulse of that drive's row, 0: not known [N s], [N m s]
   [[nodiscard]] double drive(const btMultiBodySolverConstraint& row) const;
-  /// @param normal  row of the contact @return what was there; nothing where no contact was
-  [[nodiscard]] Contact contact(const btMultiBodySolverConstraint& normal) const;
+  /// @param normals  rows of all contacts @param known  what each of them begins with: nothing where no contact was;
+  ///                 shear after the spring has followed the bodies
+  void recall(std::span<const btMultiBodySolverConstraint* const> normals, std::vector<Contact>& known);
 
   /// For the next integration. @param row  solved
   void keep_drive(const btMultiBodySolverConstraint& row);
-  /// @param normal  row of the contact, solved  @param shear  as in Contact
-  void keep_contact(const btMultiBodySolverConstraint& normal, const btVector3& shear);
+  /// @param normal  row of the contact, solved  @param shear  in the world [N s]
+  void keep_contact(const btMultiBodySolverConstraint& normal, const btVector3& shear, const Spring& spring);
   /// The present integration is the one before from now on.
   void turn_page();
   /// Drives and contacts are others from now on: a body was made anew.
@@ -42,16 +49,22 @@ class ImpulseMemory {
   struct Place {
     const btMultiBody *a, *b;
     int link_a, link_b;
-    btVector3 on_a, on_b;  // in the frames of the links [m]
-    Contact contact;
+    btVector3 on_a, on_b;  // the same point in the frames of the links, of the world where there is none [m]
+  };
+  struct Kept {
+    Place place;
+    double pressed;
+    btVector3 shear;  // in the frame of the first link
+    Spring spring;
   };
   struct Page {
     std::vector<Drive> drives;
-    std::vector<Place> places;
+    std::vector<Kept> contacts;
   };
   static Place place_of(const btMultiBodySolverConstraint& normal);
 
   Page before_, now_;
+  std::vector<Place> here_;
 };
 
 }  // namespace mrroc::sim

@@ -72,6 +72,17 @@ TEST_F(HeldCube, StaysInTheHandThatMoves) {
   EXPECT_EQ(cube().state, rubik::after({}, rubik::parse_moves("R U' F2")));
 }
 
+TEST_F(HeldCube, IsWhereItWasInAHandThatGoesToAndFroOnArcs) {
+  run(50);
+  const Pose before = in_hand();
+  for (int k = 0; k < 400; ++k) {
+    const double v = std::sin(2 * std::numbers::pi * k / 100);
+    run(1, {.x = u(0.2 * v), .ay = u(0.5 * v)});
+  }
+  run(25);
+  EXPECT_LT((before.inverse() * in_hand()).p.norm(), 1e-5) << "what is lost on every arc adds up";
+}
+
 TEST_F(HeldCube, IsFeltByTheSensorAsItsWeight) {
   run(30);
   const double with_cube = cell.world().truth(kTrack).S_F.linear().norm();

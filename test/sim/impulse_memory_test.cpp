@@ -6,6 +6,9 @@
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 #include <gtest/gtest.h>
 
+#include <deque>
+#include <vector>
+
 namespace mrroc::sim {
 namespace {
 
@@ -14,50 +17,95 @@ class Impulses : public testing::Test {
   Impulses() {
     hand_.setupFixed(2, 1, {1, 1, 1}, -1, btQuaternion::getIdentity(), {0, 0, 0}, {0, 0, 0});
     hand_.getLink(2).m_collider = &pad_;
+    cube_.getLink(0).m_collider = &layer_;
   }
-  /// A contact of two links, solved. @param on_a, on_b  where it is on them [m]
-  btMultiBodySolverConstraint contact(const btVector3& on_a, const btVector3& on_b, double impulse = 0) {
-    point_.m_localPointA = on_a;
-    point_.m_localPointB = on_b;
+  /// A row of a contact of the two links, with a normal along z. @param at  in the world [m]
+  btMultiBodySolverConstraint row(const btVector3& at, double impulse = 0) {
+    points_.emplace_back();
+    points_.back().m_positionWorldOnA = points_.back().m_positionWorldOnB = at;
+    points_.back().m_normalWorldOnB = {0, 0, 1};
     btMultiBodySolverConstraint row;
     row.m_multiBodyA = &hand_;
     row.m_multiBodyB = &cube_;
     row.m_linkA = 2;
     row.m_linkB = 0;
-    row.m_originalContactPoint = &point_;
+    row.m_originalContactPoint = &points_.back();
     row.m_appliedImpulse = impulse;
     return row;
   }
+  ImpulseMemory::Contact recall(const btMultiBodySolverConstraint& here) {
+    return recall_all({here}).front();
+  }
+  std::vector<ImpulseMemory::Contact> recall_all(const std::vector<btMultiBodySolverConstraint>& here) {
+    std::vector<const btMultiBodySolverConstraint*> normals;
+    for (const auto& r : here) normals.push_back(&r);
+    std::vector<ImpulseMemory::Contact> known;
+    memory_.recall(normals, known);
+    return known;
+  }
+  static void move(btCollisionObject& body, const btVector3& by) {
+    body.getWorldTransform().setOrigin(body.getWorldTransform().getOrigin() + by);
+  }
 
   btMultiBody hand_{3, 1, {1, 1, 1}, false, false}, cube_{1, 1, {1, 1, 1}, false, false};
-  btMultiBodyLinkCollider pad_{&hand_, 2};
-  btManifoldPoint point_;
+  btMultiBodyLinkCollider pad_{&hand_, 2}, layer_{&cube_, 0};
+  std::deque<btManifoldPoint> points_;
   ImpulseMemory memory_;
 };
 
-TEST_F(Impulses, OfAContactAreFoundWhereACornerOfEitherBodyStays) {
-  memory_.keep_contact(contact({0, 0, 0}, {0.1, 0, 0}, 3), {0, 1, 2});
-  memory_.keep_contact(contact({0.05, 0, 0}, {0.15, 0, 0}, 4), {5, 0, 0});
+constexpr ImpulseMemory::Spring kRigid{}, kSpring{.stiffness = 100, .most = 3};
+const btVector3 kNone{0, 0, 0};
+
+TEST_F(Impulses, OfAContactGoToTheNearestOne) {
+  memory_.keep_contact(row({0, 0, 0}, 3), {0, 1, 0}, kRigid);
+  memory_.keep_contact(row({0.05, 0, 0}, 4), {5, 0, 0}, kRigid);
   memory_.turn_page();
-  EXPECT_EQ(memory_.contact(contact({0.0001, 0, 0}, {0.3, 0, 0})).pressed, 3) << "it slides on the second";
-  EXPECT_EQ(memory_.contact(contact({0.3, 0, 0}, {0.1501, 0, 0})).pressed, 4) << "it slides on the first";
-  EXPECT_LT(memory_.contact(contact({0.0001, 0, 0}, {0.1, 0, 0})).shear.distance({0, 1, 2}), 1e-12);
-  EXPECT_EQ(memory_.contact(contact({0.025, 0, 0}, {0.125, 0, 0})).pressed, 0) << "nothing was there";
+  const auto known = recall_all({row({0.049, 0, 0}), row({0.001, 0, 0})});
+  EXPECT_EQ(known[0].pressed, 4);
+  EXPECT_LT(known[0].shear.distance({5, 0, 0}), 1e-12);
+  EXPECT_EQ(known[1].pressed, 3);
+  EXPECT_LT(known[1].shear.distance({0, 1, 0}), 1e-12);
 }
 
-TEST_F(Impulses, AlongTheSurfacesTurnWithTheFirstBody) {
-  memory_.keep_contact(contact({0, 0, 0}, {0, 0, 0}, 3), {1, 0, 0});
+TEST_F(Impulses, AreNotLostWhenContactsBecomeFewerNorMoreWhenTheyBecomeMore) {
+  memory_.keep_contact(row({0, 0, 0}, 3), {0, 1, 0}, kRigid);
+  memory_.keep_contact(row({0.05, 0, 0}, 4), {5, 0, 0}, kRigid);
   memory_.turn_page();
-  pad_.setWorldTransform(btTransform(btQuaternion({0, 0, 1}, SIMD_HALF_PI)));
-  EXPECT_LT(memory_.contact(contact({0, 0, 0}, {0, 0, 0})).shear.distance({0, 1, 0}), 1e-12);
+  const ImpulseMemory::Contact one = recall(row({0.02, 0, 0}));
+  EXPECT_EQ(one.pressed, 7);
+  EXPECT_LT(one.shear.distance({5, 1, 0}), 1e-12);
+  const auto three = recall_all({row({0, 0, 0}), row({0.02, 0, 0}), row({0.05, 0, 0})});
+  EXPECT_EQ(three[0].pressed + three[1].pressed + three[2].pressed, 7);
+  EXPECT_EQ(three[1].pressed, 0);
+}
+
+TEST_F(Impulses, AlongTheSurfacesTurnWithTheBodies) {
+  memory_.keep_contact(row({1, 0, 0}, 3), {1, 0, 0}, kSpring);
+  memory_.turn_page();
+  for (auto* body : {&pad_, &layer_})
+    body->setWorldTransform(btTransform(btQuaternion({0, 0, 1}, SIMD_HALF_PI)));
+  EXPECT_LT(recall(row({0, 1, 0})).shear.distance({0, 1, 0}), 1e-12)
+      << "nothing has moved along the other, on whatever arc";
+}
+
+TEST_F(Impulses, OfASpringAreThoseOfItsPlaceAsFarAsFrictionBearsThem) {
+  memory_.keep_contact(row({0, 0, 0}, 3), {1, 0, 0}, kSpring);
+  memory_.turn_page();
+  move(pad_, {0.005, 0, 0.001});
+  EXPECT_LT(recall(row({0, 0, 0})).shear.distance({0.5, 0, 0}), 1e-12) << "the pad has moved back by itself";
+  move(layer_, {0.005, 0, 0});
+  EXPECT_LT(recall(row({0, 0, 0})).shear.distance({1, 0, 0}), 1e-12) << "the layer has followed";
+  move(layer_, {0, 0.1, 0});
+  EXPECT_NEAR(recall(row({0, 0, 0})).shear.length(), kSpring.most, 1e-12) << "it slips";
 }
 
 TEST_F(Impulses, OfOtherLinksAreNotTaken) {
-  memory_.keep_contact(contact({0, 0, 0}, {0, 0, 0}, 3), {0, 0, 0});
+  memory_.keep_contact(row({0, 0, 0}, 3), kNone, kRigid);
   memory_.turn_page();
-  btMultiBodySolverConstraint other = contact({0, 0, 0}, {0, 0, 0});
-  other.m_linkB = 1;
-  EXPECT_EQ(memory_.contact(other).pressed, 0);
+  btMultiBodySolverConstraint other = row({0, 0, 0});
+  other.m_linkB = -1;
+  cube_.setBaseCollider(&layer_);
+  EXPECT_EQ(recall(other).pressed, 0);
 }
 
 TEST_F(Impulses, AreThoseOfTheIntegrationBeforeAndOfNoneAfterABodyWasMadeAnew) {
