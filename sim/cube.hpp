@@ -6,11 +6,12 @@
 #include "base/pose.hpp"
 #include "sim/face_friction.hpp"
 #include "tasks/rubik/cube/cube.hpp"
+#include "tasks/rubik/plan/grasp.hpp"
 
 namespace mrroc::sim {
 
 /// Edge of the original's cube [m].
-inline constexpr double kCubeEdge = 0.057;
+inline constexpr double kCubeEdge = rubik::kEdge;
 
 /// The frame of the cube, C, is fixed to its core: origin in the middle, x out of face R, z out of face U, so y comes
 /// out of face B. At the beginning an arm holds it.

@@ -258,10 +258,12 @@ ManualWish read_manual_words(const std::vector<std::string>& arguments) {
 }
 
 std::vector<std::string> manual_words() {
-  return {"home",         "move",      "jog",    "preset",    "tool",   "weight", "model",      "servo",
-          "gripper",      "bias",      "reset",  "stop",      "show",   "save",   "load",       "end",
-          "all",          "arm1",      "arm2",   "motors",    "joints", "euler",  "angle-axis", "speed",
-          "acceleration", "--no-wait", "--json", "--session", "--url"};
+  std::vector<std::string> words(kInstructions.begin(), kInstructions.end());
+  words.insert(words.end(), kOfShell.begin(), kOfShell.end());
+  for (const char* other : {"all", "arm1", "arm2", "motors", "joints", "euler", "angle-axis", "speed",
+                            "acceleration", "--no-wait", "--json", "--session", "--url"})
+    words.emplace_back(other);
+  return words;
 }
 
 void execute_manual(link::Bus& bus, const link::SessionInfo& session, const ManualWish& wish,

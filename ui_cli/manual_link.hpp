@@ -1,11 +1,13 @@
 // A terminal's end of the task `manual`: sends instructions, hears what became of them and where the arms are.
 #pragma once
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/effector_command.hpp"
@@ -20,6 +22,12 @@ namespace mrroc::ui {
 
 /// Characters of an instruction at most: what its message has room for.
 inline constexpr std::size_t kLongestInstruction = sizeof(manual_words_t{}.text) - 1;
+/// What an instruction begins with.
+inline constexpr std::array<std::string_view, 13> kInstructions{"home",   "move",  "jog",   "preset",  "tool",
+                                                                "weight", "model", "servo", "gripper", "bias",
+                                                                "reset",  "stop",  "end"};
+/// What a shell takes besides.
+inline constexpr std::array<std::string_view, 3> kOfShell{"show", "save", "load"};
 /// @return that an instruction has too many characters
 [[nodiscard]] std::string too_long(std::size_t characters);
 /// What to do about it.

@@ -48,7 +48,7 @@ ManualDeed typed(const std::string& asked, std::string text, const std::string& 
   drop(words, words_of(asked));
   if (words.empty()) return {};
   const auto rest = fmt::format("{}", fmt::join(words, " "));
-  if (asked.empty() && (words[0] == "show" || words[0] == "save" || words[0] == "load"))
+  if (asked.empty() && std::ranges::count(kOfShell, words[0]) > 0)
     return refusal(fmt::format("`{0}` is for a shell: `ui_cli manual {0} ...`", words[0]));
   for (const std::string& word : words)
     if (word.starts_with("--"))
@@ -61,10 +61,8 @@ ManualDeed typed(const std::string& asked, std::string text, const std::string& 
 
 /// @return whether the line begins with the name of an instruction
 bool names_instruction(const std::string& line) {
-  constexpr std::array<std::string_view, 16> kNames{"home",  "move",  "jog",     "preset", "tool",  "weight",
-                                                    "model", "servo", "gripper", "bias",   "reset", "stop",
-                                                    "end",   "show",  "save",    "load"};
-  return std::ranges::count(kNames, line.substr(0, line.find(' '))) > 0;
+  const std::string name = line.substr(0, line.find(' '));
+  return std::ranges::count(kInstructions, name) + std::ranges::count(kOfShell, name) > 0;
 }
 
 /// @return a number as short as it can be read back
