@@ -89,7 +89,8 @@ Figures run_rubik_group(bool resume) {
     regrasps += number(figures, "regrasps");
     sim_s += number(summary, "sim_s");
     wall_s += number(summary, "wall_s");
-    for (const char* key : {"turn_lateral_peak_N", "turn_angle_err_deg", "turn_slip_mm", "squeeze_N"})
+    for (const char* key :
+         {"turn_lateral_peak_N", "turn_lateral_std_N", "turn_angle_err_deg", "turn_slip_mm", "squeeze_N"})
       worst[key] = std::max(worst[key], number(figures, key));
   }
   return {
@@ -98,6 +99,7 @@ Figures run_rubik_group(bool resume) {
       {"regrasps_per_turn", turns > 0 ? regrasps / turns : 0, "", "cycles without a turn"},
       {"rubik_retries", retries, "", "of grips and turns, all cubes"},
       {"rubik_lateral_peak_N", worst["turn_lateral_peak_N"], "N", "x, y, z of the track arm while it turns"},
+      {"rubik_lateral_std_N", worst["turn_lateral_std_N"], "N", "their largest standard deviation in a turn"},
       {"rubik_angle_err_deg", worst["turn_angle_err_deg"], "deg",
        "face behind tool before its seat, largest"},
       {"rubik_slip_mm", worst["turn_slip_mm"], "mm", "of the cube in the track arm's jaws while it turns"},
