@@ -83,7 +83,7 @@ int main(int argc, char** argv) {
   bool resume = false;
   app.add_option("group", groups,
                  "edp, servo, stability, vision, drawing, robustness, solver, cube, plan, operator, rubik "
-                 "(default: all but rubik, which takes hours)")
+                 "(default: all but rubik, which takes an hour)")
       ->check(CLI::IsMember(group_names()));
   auto* to =
       app.add_option("--json", json.file,
