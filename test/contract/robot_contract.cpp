@@ -205,7 +205,8 @@ TEST_P(RobotContract, RefusesWhatIsOutOfReachByItsDistance) {
 // Along a path no axis moves much faster than the pose asks for, except near a singular pose.
 TEST_P(RobotContract, NeverJumpsOnAPath) {
   constexpr double kStep = 2e-4;  // [rad, m] of each joint
-  constexpr double kMost = 25;    // times as much as the pose asks for where it is well conditioned
+  // Times as much as the pose asks for where it is well conditioned; a rule for axes to spare may ask for more.
+  constexpr double kMost = 40;
   for (const Robot* robot : models_) {
     long steps = 0;
     for (int path = 0; path < 20; ++path) {
