@@ -86,11 +86,11 @@ void ContactSolver::solve_cone(const Row& a, const Row& b, double limit) {
 }
 
 /// A spring and a damper along the surfaces: the row gives way by what the impulse is more than the spring's.
-/// Bullet makes rows of friction that do not give way; a row that it has switched off has no 1 / (J M^-1 J^T).
+/// Bullet makes rows of friction that do not give way.
 void ContactSolver::soften(const Row& friction, const ImpulseMemory::Contact& known, double h) {
   btMultiBodySolverConstraint& c = *friction.of;
-  const auto& point = *static_cast<const btManifoldPoint*>(c.m_originalContactPoint);
-  if (!soft(point) || c.m_jacDiagABInv == 0) return;
+  const btManifoldPoint& point = contact_point(c);
+  if (!soft(point)) return;
   const double stiffness = shear_stiffness_ * point.m_combinedContactStiffness1;
   const double damping = shear_stiffness_ * point.m_combinedContactDamping1;
   const double yields = 1 / (h * (stiffness * h + damping));  // speed per impulse
@@ -107,6 +107,7 @@ void ContactSolver::recall(double h) {
   memory_.recall(contacts_, known_);
   for (std::size_t k = 0; k < normals_.size(); ++k) apply(normals_[k], known_[k].pressed);
   for (const Row& row : frictions_) {
+    if (row.of->m_jacDiagABInv == 0) continue;  // Bullet has switched it off: nothing moves along it
     const ImpulseMemory::Contact& known = known_[static_cast<std::size_t>(row.of->m_frictionIndex)];
     soften(row, known, h);
     apply(row, known.shear.dot(direction(*row.of)));
@@ -115,22 +116,19 @@ void ContactSolver::recall(double h) {
 
 void ContactSolver::memorise(double h) {
   for (const Row& row : joints_) memory_.keep_drive(*row.of);
-  rigid_.assign(normals_.size(), btVector3(0, 0, 0));
-  friction_.assign(normals_.size(), 0);
-  for (const Row& row : frictions_) {
-    const auto contact = static_cast<std::size_t>(row.of->m_frictionIndex);
-    rigid_[contact] += row.of->m_appliedImpulse * direction(*row.of);
-    friction_[contact] = row.of->m_friction;
-  }
+  applied_.assign(normals_.size(), btVector3(0, 0, 0));
+  for (const Row& row : frictions_)
+    applied_[static_cast<std::size_t>(row.of->m_frictionIndex)] +=
+        row.of->m_appliedImpulse * direction(*row.of);
   for (std::size_t k = 0; k < normals_.size(); ++k) {
     const btMultiBodySolverConstraint& normal = *normals_[k].of;
-    const auto& point = *static_cast<const btManifoldPoint*>(normal.m_originalContactPoint);
+    const btManifoldPoint& point = contact_point(normal);
     if (soft(point))
       memory_.keep_contact(normal, known_[k].shear,
                            {.stiffness = h * shear_stiffness_ * point.m_combinedContactStiffness1,
-                            .most = friction_[k] * normal.m_appliedImpulse});
+                            .most = normal.m_friction * normal.m_appliedImpulse});
     else
-      memory_.keep_contact(normal, rigid_[k], {});
+      memory_.keep_contact(normal, applied_[k], {});
   }
 }
 

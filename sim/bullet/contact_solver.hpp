@@ -18,10 +18,11 @@ class ContactSolver final : public btMultiBodyConstraintSolver {
  public:
   /// From now on the iteration begins with the impulses of the integration before, not with none, as Bullet's own
   /// does: what changes slowly converges over the integrations. And surfaces of soft contacts give way along
-  /// themselves, too, as rubber does, until friction does not hold them any more.
-  /// @param shear_stiffness  as a share of the stiffness along the normal, above 0
+  /// themselves, too, as rubber does, until friction does not hold them any more. Without effect where the solver is
+  /// that of Bullet, see above.
+  /// @param shear_stiffness  of stiffness and damping along the normal the share along the surfaces, above 0
   void remember(double shear_stiffness) { shear_stiffness_ = shear_stiffness; }
-  /// A body was made anew: begins with none once.
+  /// A body was made anew: begins with none once, of no body.
   void forget() { memory_.forget(); }
 
   /// Once per integration, behind all islands: what they have left is remembered.
@@ -66,8 +67,7 @@ class ContactSolver final : public btMultiBodyConstraintSolver {
   Rows joints_, normals_, frictions_;
   std::vector<const btMultiBodySolverConstraint*> contacts_;  // the normals, for the memory
   std::vector<ImpulseMemory::Contact> known_;                 // of each of them
-  std::vector<btVector3> rigid_;                              // friction of each of them after the iteration
-  std::vector<double> friction_;                              // its coefficient
+  std::vector<btVector3> applied_;                            // friction of each of them
 };
 
 }  // namespace mrroc::sim

@@ -1,6 +1,5 @@
 #include "sim/bullet/impulse_memory.hpp"
 
-#include <BulletCollision/NarrowPhaseCollision/btManifoldPoint.h>
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 
 #include <algorithm>
@@ -9,15 +8,11 @@
 namespace mrroc::sim {
 namespace {
 
-/// @return that of the link, of the world where there is no body
+/// @return pose of the link in the world; none where there is no body
 btTransform frame(const btMultiBody* body, int link) {
   if (!body) return btTransform::getIdentity();
   const btCollisionObject* collider = link < 0 ? body->getBaseCollider() : body->getLink(link).m_collider;
   return collider->getWorldTransform();
-}
-
-const btManifoldPoint& point(const btMultiBodySolverConstraint& normal) {
-  return *static_cast<const btManifoldPoint*>(normal.m_originalContactPoint);
 }
 
 }  // namespace
@@ -26,13 +21,13 @@ ImpulseMemory::Place ImpulseMemory::place_of(const btMultiBodySolverConstraint& 
   // Bullet leaves the link of what is no multi-body as it was.
   const int link_a = normal.m_multiBodyA ? normal.m_linkA : -1;
   const int link_b = normal.m_multiBodyB ? normal.m_linkB : -1;
-  const btVector3& middle = point(normal).m_positionWorldOnA;
+  const btVector3& here = contact_point(normal).m_positionWorldOnA;
   return {.a = normal.m_multiBodyA,
           .b = normal.m_multiBodyB,
           .link_a = link_a,
           .link_b = link_b,
-          .on_a = frame(normal.m_multiBodyA, link_a).invXform(middle),
-          .on_b = frame(normal.m_multiBodyB, link_b).invXform(middle)};
+          .on_a = frame(normal.m_multiBodyA, link_a).invXform(here),
+          .on_b = frame(normal.m_multiBodyB, link_b).invXform(here)};
 }
 
 double ImpulseMemory::drive(const btMultiBodySolverConstraint& row) const {
@@ -62,7 +57,7 @@ void ImpulseMemory::recall(std::span<const btMultiBodySolverConstraint* const> n
     if (nearest == here_.size()) continue;
     const btTransform A = frame(was.a, was.link_a);
     const btVector3 moved = A * was.on_a - frame(was.b, was.link_b) * was.on_b;
-    const btVector3& n = point(*normals[nearest]).m_normalWorldOnB;
+    const btVector3& n = contact_point(*normals[nearest]).m_normalWorldOnB;
     btVector3 shear = A.getBasis() * kept.shear - kept.spring.stiffness * moved;
     shear -= n * n.dot(shear);
     if (kept.spring.stiffness > 0 && shear.length() > kept.spring.most)

@@ -1,5 +1,6 @@
 // What the solver of contacts begins with: the impulses of the integration before.
 #pragma once
+#include <BulletCollision/NarrowPhaseCollision/btManifoldPoint.h>
 #include <BulletDynamics/Featherstone/btMultiBodySolverConstraint.h>
 
 #include <cstddef>
@@ -8,18 +9,23 @@
 
 namespace mrroc::sim {
 
+/// @return the point of contact that a row of it belongs to
+inline const btManifoldPoint& contact_point(const btMultiBodySolverConstraint& row) {
+  return *static_cast<const btManifoldPoint*>(row.m_originalContactPoint);
+}
+
 /// Impulses of drives and contacts. Bullet may find contacts anew in every integration: what was at a contact goes to
-/// the nearest one of the same bodies. Two lists: of the integration before, which is read, and of the present one.
-/// Same calls, same answers: nothing depends on addresses but equality.
+/// the nearest one of the same two links, and is forgotten where they touch no more. Two lists: of the integration
+/// before, which is read, and of the present one. Same calls, same answers: nothing depends on addresses but equality.
 class ImpulseMemory {
  public:
-  /// What acts at a contact.
+  /// What a contact begins with.
   struct Contact {
-    double pressed{};          ///< along the normal [N s]
-    btVector3 shear{0, 0, 0};  ///< along the surfaces, on the first body, in the world [N s]
+    double pressed{};  ///< along the normal [N s]
+    /// Along the surfaces, on the first body, in the world [N s]: of a spring what it bears without its damper.
+    btVector3 shear{0, 0, 0};
   };
-  /// What gives way along the surfaces of a contact. By how far they have moved, not how fast: integrated speeds would
-  /// let a hand that turns lose what it holds.
+  /// What gives way along the surfaces of a contact: told by how far they have moved along each other.
   struct Spring {
     double stiffness{};  ///< change of shear per way [N s/m], 0: rigid
     double most{};       ///< of shear, which friction bears [N s]
@@ -27,13 +33,17 @@ class ImpulseMemory {
 
   /// @return the impulse of that drive's row, 0: not known [N s], [N m s]
   [[nodiscard]] double drive(const btMultiBodySolverConstraint& row) const;
-  /// @param normals  rows of all contacts @param known  what each of them begins with: nothing where no contact was;
-  ///                 shear after the spring has followed the bodies
+  /// Several contacts that have become one give it the sum, of which friction keeps what that one can bear; one that
+  /// has become several gives all to the nearest.
+  /// @param normals  rows of all contacts @param known  of each of them, in the same order
   void recall(std::span<const btMultiBodySolverConstraint* const> normals, std::vector<Contact>& known);
 
   /// For the next integration. @param row  solved
   void keep_drive(const btMultiBodySolverConstraint& row);
-  /// @param normal  row of the contact, solved  @param shear  in the world [N s]
+  /// @param normal  row of the contact, solved
+  /// @param shear   on the first body, in the world [N s]: friction where the contact is rigid; of a spring what
+  ///                recall() has given, which follows the bodies when it is recalled next
+  /// @param spring  for the time until then
   void keep_contact(const btMultiBodySolverConstraint& normal, const btVector3& shear, const Spring& spring);
   /// The present integration is the one before from now on.
   void turn_page();
