@@ -50,7 +50,7 @@ Figures run_cube_group();
 /// beside the best one that a search finds. Takes about two minutes.
 /// @throws FaultError a plan is wrong, or there is none
 Figures run_plan_group();
-/// The task of the cube over twenty seeds, in separate processes. Takes hours. Summaries are kept in
+/// The task of the cube over twenty seeds, in separate processes. Takes an hour. Summaries are kept in
 /// runs/bench-rubik below the working directory.
 /// @param resume  cubes whose summary is there already are not solved again
 /// @throws FaultError start_failed, cannot_write

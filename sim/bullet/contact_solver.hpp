@@ -20,9 +20,10 @@ class ContactSolver final : public btMultiBodyConstraintSolver {
   /// does: what changes slowly converges over the integrations. And surfaces of soft contacts give way along
   /// themselves, too, as rubber does, until friction does not hold them any more. Without effect where the solver is
   /// that of Bullet, see above.
-  /// @param shear_stiffness  of stiffness and damping along the normal the share along the surfaces, above 0
+  /// @param shear_stiffness  stiffness and damping along the surfaces, as a share of those along the normal; above 0
   void remember(double shear_stiffness) { shear_stiffness_ = shear_stiffness; }
-  /// A body was made anew: begins with none once, of no body.
+  /// A body was made anew: the next integration begins with no impulses, of any body. What springs have borne along
+  /// surfaces is gone.
   void forget() { memory_.forget(); }
 
   /// Once per integration, behind all islands: what they have left is remembered.
@@ -67,7 +68,7 @@ class ContactSolver final : public btMultiBodyConstraintSolver {
   Rows joints_, normals_, frictions_;
   std::vector<const btMultiBodySolverConstraint*> contacts_;  // the normals, for the memory
   std::vector<ImpulseMemory::Contact> known_;                 // of each of them
-  std::vector<btVector3> applied_;                            // friction of each of them
+  std::vector<btVector3> applied_;                            // friction of each of them, solved
 };
 
 }  // namespace mrroc::sim

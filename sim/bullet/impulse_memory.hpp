@@ -27,15 +27,17 @@ class ImpulseMemory {
   };
   /// What gives way along the surfaces of a contact: told by how far they have moved along each other.
   struct Spring {
-    double stiffness{};  ///< change of shear per way [N s/m], 0: rigid
-    double most{};       ///< of shear, which friction bears [N s]
+    double
+        stiffness{};  ///< of the surfaces, times the step of integration, always the same [N s/m]; 0: rigid
+    double most{};    ///< of shear: coefficient of friction times what presses [N s]
   };
 
   /// @return the impulse of that drive's row, 0: not known [N s], [N m s]
   [[nodiscard]] double drive(const btMultiBodySolverConstraint& row) const;
   /// Several contacts that have become one give it the sum, of which friction keeps what that one can bear; one that
   /// has become several gives all to the nearest.
-  /// @param normals  rows of all contacts @param known  of each of them, in the same order
+  /// May be called several times in an integration. @param normals  rows of contacts that are solved together
+  /// @param known  of each of them, in the same order; zero where there was none
   void recall(std::span<const btMultiBodySolverConstraint* const> normals, std::vector<Contact>& known);
 
   /// For the next integration. @param row  solved

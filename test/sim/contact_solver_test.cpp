@@ -1,4 +1,4 @@
-// The solver of contacts against Bullet's own, whose forces it promises.
+// The solver of contacts against Bullet's own, whose forces it promises, and what it does with a memory.
 #include "sim/bullet/contact_solver.hpp"
 
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>

@@ -101,6 +101,32 @@ TEST_F(Impulses, OfASpringAreThoseOfItsPlaceAsFarAsFrictionBearsThem) {
       << "it slips";
 }
 
+TEST_F(Impulses, OfASpringDoNotJumpWhenItsStiffnessBecomesAnother) {
+  constexpr ImpulseMemory::Spring kHalf{.stiffness = kSpring.stiffness / 2, .most = kSpring.most};
+  memory_.keep_contact(row({0, 0, 0}, 3), {1, 0, 0}, kSpring);
+  memory_.turn_page();
+  move(pad_, {0.002, 0, 0});
+  const btVector3 shear = recall(row({0, 0, 0})).shear;
+  EXPECT_LT(shear.distance({0.8, 0, 0}), 1e-12);
+  memory_.keep_contact(row({0, 0, 0}, 3), shear, kHalf);
+  memory_.turn_page();
+  EXPECT_LT(recall(row({0, 0, 0})).shear.distance({0.8, 0, 0}), 1e-12);
+  move(pad_, {0.002, 0, 0});
+  EXPECT_LT(recall(row({0, 0, 0})).shear.distance({0.7, 0, 0}), 1e-12);
+}
+
+TEST_F(Impulses, OfContactsAreThoseOfTheIntegrationBeforeAndOfNoneAfterABodyWasMadeAnew) {
+  memory_.keep_contact(row({0, 0, 0}, 3), {1, 0, 0}, kSpring);
+  memory_.turn_page();
+  EXPECT_EQ(recall(row({0, 0, 0})).pressed, 3);
+  memory_.turn_page();
+  EXPECT_EQ(recall(row({0, 0, 0})).pressed, 0) << "nothing has touched";
+  memory_.keep_contact(row({0, 0, 0}, 3), {1, 0, 0}, kSpring);
+  memory_.forget();
+  EXPECT_EQ(recall(row({0, 0, 0})).pressed, 0);
+  EXPECT_EQ(recall(row({0, 0, 0})).shear.length(), 0);
+}
+
 TEST_F(Impulses, OfAContactWithWhatIsNoMultiBodyNeedNoLink) {
   const auto with_floor = [&](int link) {
     btMultiBodySolverConstraint r = row({0, 0, 0}, 3);
