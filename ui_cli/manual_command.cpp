@@ -13,6 +13,7 @@
 
 #include "base/as_typed.hpp"
 #include "base/fault.hpp"
+#include "base/manual.hpp"
 #include "ui_cli/homing_progress.hpp"
 #include "ui_cli/manual_link.hpp"
 #include "ui_cli/manual_page.hpp"
@@ -258,7 +259,7 @@ ManualWish read_manual_words(const std::vector<std::string>& arguments) {
 }
 
 std::vector<std::string> manual_words() {
-  std::vector<std::string> words(kInstructions.begin(), kInstructions.end());
+  std::vector<std::string> words(kManualVerbs.begin(), kManualVerbs.end());
   words.insert(words.end(), kOfShell.begin(), kOfShell.end());
   for (const char* other : {"all", "arm1", "arm2", "motors", "joints", "euler", "angle-axis", "speed",
                             "acceleration", "--no-wait", "--json", "--session", "--url"})

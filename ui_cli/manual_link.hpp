@@ -22,11 +22,7 @@ namespace mrroc::ui {
 
 /// Characters of an instruction at most: what its message has room for.
 inline constexpr std::size_t kLongestInstruction = sizeof(manual_words_t{}.text) - 1;
-/// What an instruction begins with.
-inline constexpr std::array<std::string_view, 13> kInstructions{"home",   "move",  "jog",   "preset",  "tool",
-                                                                "weight", "model", "servo", "gripper", "bias",
-                                                                "reset",  "stop",  "end"};
-/// What a shell takes besides.
+/// What a shell takes besides kManualVerbs.
 inline constexpr std::array<std::string_view, 3> kOfShell{"show", "save", "load"};
 /// @return that an instruction has too many characters
 [[nodiscard]] std::string too_long(std::size_t characters);

@@ -10,6 +10,7 @@
 
 #include "base/config.hpp"
 #include "base/fault.hpp"
+#include "base/manual.hpp"
 #include "base/representation.hpp"
 #include "ui_cli/keys.hpp"
 #include "ui_cli/manual_link.hpp"
@@ -62,7 +63,7 @@ ManualDeed typed(const std::string& asked, std::string text, const std::string& 
 /// @return whether the line begins with the name of an instruction
 bool names_instruction(const std::string& line) {
   const std::string name = line.substr(0, line.find(' '));
-  return std::ranges::count(kInstructions, name) + std::ranges::count(kOfShell, name) > 0;
+  return std::ranges::count(kManualVerbs, name) + std::ranges::count(kOfShell, name) > 0;
 }
 
 /// @return a number as short as it can be read back

@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "base/fault.hpp"
+#include "base/manual.hpp"
 #include "base/nearest.hpp"
 
 namespace mrroc::manual {
@@ -44,6 +45,7 @@ constexpr std::array kVerbs{
     Verb{"stop", Kind::stop, "stop ARM"},
     Verb{"end", Kind::nothing, "end"},
 };
+static_assert(std::ranges::equal(kVerbs, kManualVerbs, {}, &Verb::name), "terminals know the same ones");
 
 /// The words of a line, taken one after the other.
 class Reader {
