@@ -191,5 +191,40 @@ TEST(ContactSolver, ThatRemembersLetsSoftSurfacesGiveWayAlongThemselvesAndComeBa
   EXPECT_NEAR(before.place.z() - after.place.z(), 0, 0.02 * expected);
 }
 
+/// A box that slides through the grip under a load, and is unloaded again.
+struct Slid {
+  double friction{};   ///< while it slides [N]
+  double remaining{};  ///< way from where it was held to where it stays [m]
+  double speed{};      ///< there [m/s]
+};
+
+Slid slide(std::uint64_t seed, double weight) {
+  Hold<ContactSolver> hold(seed, Begin::gripped);
+  hold.solver().remember(kShear);
+  const auto after = [&](int steps) {
+    for (int step = 1; step < steps; ++step) hold.step();
+    return hold.step();
+  };
+  const double held = after(400).place.z();
+  hold.set_weight(weight);
+  const double before = after(2).velocity.z();
+  const double speed = after(2).velocity.z();
+  hold.set_weight(1);
+  const Seen stopped = after(400);
+  return {kMass * (9.81 * weight + (speed - before) / (2 * kStep)), held - stopped.place.z(),
+          stopped.velocity.length()};
+}
+
+TEST(ContactSolver, ThatRemembersLetsABoxSlideWithTheFrictionOfItsGripAndStayWhereItStops) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const double friction = slide(seed, 200).friction;
+    EXPECT_GT(friction, 1) << "seed " << seed;
+    EXPECT_NEAR(slide(seed, 150).friction, friction, 0.02 * friction) << "whatever the load, seed " << seed;
+    const Slid gently = slide(seed, 2 * friction / (kMass * 9.81));
+    EXPECT_LT(gently.speed, 1e-3) << "seed " << seed;
+    EXPECT_GT(gently.remaining, 5e-5) << "seed " << seed;
+  }
+}
+
 }  // namespace
 }  // namespace mrroc::sim
