@@ -3,7 +3,9 @@
 # mrroc_program(NAME sources...)  a program in bin/
 # mrroc_arm_task(NAME sources... [PARTS programs...])  a task of arms that work on their own (sim/arm_task.hpp): library
 #                                 mrroc_NAME with NAME.toml as mrroc::NAME::config(), programs NAME and ecp_NAME from
-#                                 main.cpp and main_ecp.cpp; PARTS: programs that it starts besides world and edp_irb6
+#                                 main.cpp and main_ecp.cpp; PARTS: programs that it starts besides world and drivers
+# mrroc_starts(NAME programs...)  building NAME also builds what it starts: these programs, the world, and the drivers of
+#                                 all robots
 # mrroc_robot(NAME sources...)    a robot (robots/catalogue.hpp): library mrroc_robot_NAME with NAME.urdf as
 #                                 mrroc::NAME::urdf(), program edp_NAME from main_edp.cpp; its kind(), declared in
 #                                 robots/NAME/robot.hpp, is entered in the catalogue
@@ -69,15 +71,17 @@ function(mrroc_arm_task name)
   target_link_libraries(ecp_${name} PRIVATE mrroc_${name})
   mrroc_program(${name} main.cpp)
   target_link_libraries(${name} PRIVATE mrroc_${name} mrroc_arm_task)
-  add_dependencies(${name} ecp_${name})
-  foreach(part ${arg_PARTS})
-    if(TARGET ${part})  # of this build; the installed ones are there
-      add_dependencies(${name} ${part})
+  mrroc_starts(${name} ecp_${name} ${arg_PARTS})
+endfunction()
+
+function(mrroc_starts name)
+  get_property(robots GLOBAL PROPERTY MRROC_ROBOTS)
+  list(TRANSFORM robots PREPEND edp_)
+  foreach(program ${ARGN} edp_irb6 ${robots} world)
+    if(TARGET ${program} OR PROJECT_NAME STREQUAL "mrroc")  # elsewhere the others are installed
+      add_dependencies(${name} ${program})
     endif()
   endforeach()
-  if(PROJECT_NAME STREQUAL "mrroc")
-    add_dependencies(${name} edp_irb6 world)
-  endif()
 endfunction()
 
 function(mrroc_robot name)

@@ -1,0 +1,184 @@
+#!/usr/bin/env bash
+# The project on a bare Debian: what the README tells a newcomer to type, in a root that holds apt and nothing else.
+# Usage: bare.sh [--cold] [--keep] [CONTRACT...]; it needs root, a mirror of Debian and some 6 GB below build/bare.
+# Exit status: 0 all contracts hold; 1 one does not; 77 no bare root could be made here, for the reason it says.
+set -euo pipefail
+
+top=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+place=$top/build/bare
+pristine=$place/pristine
+suite=bookworm
+bare_path=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin
+contracts=(the_commands_of_the_readme_work
+  a_user_who_may_not_install_is_told_what_to_type
+  without_a_network_it_is_said)
+
+usage() {
+  cat <<TEXT
+Usage: test/bare/bare.sh [--cold] [--keep] [CONTRACT...]
+
+  --cold   without the compiler's cache of this machine
+  --keep   the roots stay in build/bare, to look at
+Contracts, by default all of them:
+$(printf '  %s\n' "${contracts[@]}")
+TEXT
+}
+
+say() { printf '%s\n' "$*"; }
+# not_here WHY: no fault of the project
+not_here() {
+  say "skipped: $1"
+  exit 77
+}
+# broken WHAT [FILE]: a contract does not hold
+broken() {
+  say "FAILED: $1"
+  [[ -z ${2:-} ]] || tail -n 60 "$2"
+  exit 1
+}
+
+# --- the root --------------------------------------------------------------------------------------------
+
+# Debian's own archives among those that this machine uses.
+mirrors() {
+  apt-get indextargets --format '$(ORIGIN)|deb $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' |
+    sed -n 's/^Debian|//p' | sort -u
+}
+
+# How this machine reaches them.
+apt_settings() { apt-config dump | grep -E '^Acquire::(https?::|Retries|ForceIPv[46]|Check-Valid-Until)' || true; }
+
+make_pristine() {
+  [[ $EUID -eq 0 ]] || not_here "a bare root is made by root"
+  command -v mmdebstrap >/dev/null || not_here "mmdebstrap is not installed"
+  local sources
+  sources=$(mirrors)
+  [[ -n $sources ]] || not_here "apt knows no archive of Debian; try apt-get update"
+  mkdir -p "$place"
+  apt_settings >"$place/apt.conf"
+  mmdebstrap --variant=apt --aptopt="$place/apt.conf" "$suite" "$pristine.new" <<<"$sources" >"$place/mmdebstrap.log" 2>&1 || {
+    tail -n 5 "$place/mmdebstrap.log"
+    rm -rf "$pristine.new"
+    not_here "mmdebstrap made no root; build/bare/mmdebstrap.log tells why"
+  }
+  cp "$place/apt.conf" "$pristine.new/etc/apt/apt.conf.d/90mirror"
+  cp /etc/resolv.conf "$pristine.new/etc/resolv.conf"
+  mv "$pristine.new" "$pristine"
+}
+
+# new_root NAME HOME: a fresh copy with a clone of HEAD in HOME/mrroc; prints its folder
+new_root() {
+  local root=$place/$1
+  rm -rf "$root"
+  cp -a "$pristine" "$root"
+  mount -t proc proc "$root/proc"
+  mount --rbind /dev "$root/dev"
+  mount -t tmpfs tmpfs "$root/dev/shm"
+  mkdir -p "$root$2"
+  git clone --quiet --no-hardlinks "$top" "$root$2/mrroc"
+  say "$root"
+}
+
+# drop ROOT
+drop() {
+  umount --recursive --lazy "$1/dev" "$1/proc"
+  $keep || rm -rf "$1"
+}
+
+# inside ROOT COMMAND...: in the clone of root's home, with an environment as bare as the root
+inside() { chroot "$1" /usr/bin/env -i HOME=/root PATH=$bare_path /bin/bash -c 'cd ~/mrroc && "$@"' bash "${@:2}"; }
+
+# --- contracts -------------------------------------------------------------------------------------------
+
+# The first block of the README, without its comments.
+commands_of_the_readme() {
+  awk '/^```/ { if (inside) exit; inside = 1; next } inside { sub(/ *#.*/, ""); print }' "$top/README.md"
+}
+
+# stamped FILE: copies lines to a file, each with the time at which it came
+stamped() {
+  local line
+  while IFS= read -r line; do printf '%s %s\n' "$EPOCHREALTIME" "$line"; done >"$1"
+}
+
+the_commands_of_the_readme_work() {
+  local root command begun log n=0
+  root=$(new_root readme /root)
+  if [[ -n $cache ]]; then
+    mkdir -p "$root/root/.cache/ccache"
+    mount --bind "$cache" "$root/root/.cache/ccache"
+  fi
+  while IFS= read -r command; do
+    n=$((n + 1))
+    log=$place/readme-$n.log
+    begun=$EPOCHREALTIME
+    # shellcheck disable=SC2086  # as a shell takes the line apart
+    inside "$root" $command 2>&1 </dev/null | stamped "$log" || broken "$command" "$log"
+    awk -v begun="$begun" -v command="$command" '{ last = $1 } END { printf "%s: %.0f s\n", command, last - begun }' "$log"
+    # What it spent its time with, and when the first arm moved.
+    sed -nE 's/^[^ ]+ ((installing|configuring|building) .*[0-9]+ s)$/  \1/p' "$log"
+    awk -v begun="$begun" '/ m = 1 / { printf "fresh_clone_s %.0f\n", $1 - begun; exit }' "$log"
+    sed -nE 's/^[^ ]+ (skipped: .*|[0-9]+ passed, [0-9]+ failed)$/  \1/p' "$log"
+  done < <(commands_of_the_readme)
+  ((n == 2)) || broken "the README begins with $n commands"
+  drop "$root"
+}
+
+a_user_who_may_not_install_is_told_what_to_type() {
+  local root status=0 said line
+  root=$(new_root user /home/user)
+  echo 'user:x:1000:1000::/home/user:/bin/bash' >>"$root/etc/passwd"
+  echo 'user:x:1000:' >>"$root/etc/group"
+  chown -R 1000:1000 "$root/home/user"
+  said=$place/user.log
+  chroot --userspec=1000:1000 "$root" /usr/bin/env -i HOME=/home/user PATH=/usr/bin:/bin \
+    /bin/bash -c 'cd ~/mrroc && ./run drawing' >"$said" 2>&1 </dev/null || status=$?
+  ((status == 2)) || broken "status $status, not 2" "$said"
+  [[ $(tail -n 1 "$said") == 'error: missing_packages: '* ]] || broken 'the last line names no missing packages' "$said"
+  # The line is typed, but for the minutes that the packages would take.
+  line=$(sed -nE "s/.*type: su - -c '(.*)'$/\1/p" "$said")
+  [[ $line == *' install '* ]] || broken 'it has no line to type' "$said"
+  inside "$root" sh -c "cp -r /home/user/mrroc /root; ${line/ install / --dry-run install }" >"$place/typed.log" 2>&1 ||
+    broken "root typed: $line" "$place/typed.log"
+  drop "$root"
+}
+
+without_a_network_it_is_said() {
+  local root status=0 said=$place/network.log
+  root=$(new_root network /root)
+  unshare --net chroot "$root" /usr/bin/env -i HOME=/root PATH=$bare_path \
+    /bin/bash -c 'cd ~/mrroc && ./run drawing' >"$said" 2>&1 </dev/null || status=$?
+  ((status == 1)) || broken "status $status, not 1" "$said"
+  [[ $(tail -n 1 "$said") == 'error: install_failed: '*network* ]] || broken 'the last line names no network' "$said"
+  drop "$root"
+}
+
+# --- all of it -------------------------------------------------------------------------------------------
+
+cache= keep=false cold=false chosen=()
+for word in "$@"; do
+  case $word in
+    --cold) cold=true ;;
+    --keep) keep=true ;;
+    --help | -h) usage && exit ;;
+    *)
+      [[ " ${contracts[*]} " == *" $word "* ]] || { usage >&2 && exit 2; }
+      chosen+=("$word")
+      ;;
+  esac
+done
+((${#chosen[@]})) || chosen=("${contracts[@]}")
+$cold || cache=$(ccache --get-config cache_dir 2>/dev/null) || cache=
+[[ -z $cache ]] || mkdir -p "$cache"
+
+# What is mounted belongs to this run alone and goes with it, as do its processes.
+if [[ $EUID -eq 0 && $$ != 1 ]]; then
+  exec unshare --mount --pid --fork --kill-child --mount-proc "$0" "$@"
+fi
+[[ -d $pristine ]] || make_pristine
+for contract in "${chosen[@]}"; do
+  begun=$SECONDS
+  "$contract"
+  say "ok: $contract ($((SECONDS - begun)) s)"
+done
+[[ ${#chosen[@]} -lt ${#contracts[@]} ]] || say "bare_machine_ok 1"
