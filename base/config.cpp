@@ -1,7 +1,6 @@
 #include "base/config.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <fstream>
@@ -9,6 +8,7 @@
 #include <tuple>
 
 #include "base/config_store.hpp"
+#include "base/joined.hpp"
 
 namespace mrroc {
 namespace {
@@ -39,13 +39,11 @@ std::string suggestion(std::string_view key, const WordSet& known) {
   if (siblings.empty()) {
     WordSet sections;
     for (const std::string& k : known) sections.insert(k.substr(0, k.find('.')));
-    return sections.empty()
-               ? ""
-               : fmt::format(", nothing is known there; there are {}", fmt::join(sections, ", "));
+    return sections.empty() ? ""
+                            : fmt::format(", nothing is known there; there are {}", joined(sections, ", "));
   }
   const std::size_t shown = std::min(siblings.size(), kMostShown);
-  return fmt::format(", known keys there: {}{}",
-                     fmt::join(siblings.begin(), siblings.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
+  return fmt::format(", known keys there: {}{}", joined(std::span(siblings).first(shown), ", "),
                      shown < siblings.size() ? ", ..." : "");
 }
 

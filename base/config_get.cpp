@@ -1,11 +1,11 @@
 // Typed access to a Config: defaults, types and ranges.
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/config_store.hpp"
+#include "base/joined.hpp"
 
 namespace mrroc {
 namespace {
@@ -127,7 +127,7 @@ std::vector<std::string> Config::texts(std::string_view key,
 
 std::size_t Config::one_of(std::string_view key, const std::string& fallback,
                            const std::vector<std::string>& legal) const {
-  const Asked asked{"a text", fmt::format("{}", fmt::join(legal, " or "))};
+  const Asked asked{"a text", joined(legal, " or ")};
   const auto value = take<std::string>(key, fallback, asked);
   const auto found = std::find(legal.begin(), legal.end(), value);
   if (found != legal.end()) return static_cast<std::size_t>(found - legal.begin());

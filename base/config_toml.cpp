@@ -1,12 +1,12 @@
 // Between TOML and the flat map of a Config. The only file that knows the TOML library.
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
 #include <cctype>
 
 #include "base/config_store.hpp"
+#include "base/joined.hpp"
 
 namespace mrroc {
 namespace {
@@ -89,7 +89,7 @@ struct Writer {
   std::string operator()(const std::vector<T>& list) const {
     std::vector<std::string> parts;
     for (const T& v : list) parts.push_back((*this)(v));
-    return fmt::format("[{}]", fmt::join(parts, ", "));
+    return fmt::format("[{}]", joined(parts, ", "));
   }
 };
 

@@ -1,6 +1,6 @@
 #include "base/fault.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <type_traits>

@@ -1,6 +1,6 @@
 #include "base/text_file.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <charconv>
 #include <cmath>

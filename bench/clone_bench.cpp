@@ -1,5 +1,5 @@
 // How long a person waits for the compiler: from a fresh clone to a moving arm, and after a change in a task.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <chrono>
 #include <cstdlib>

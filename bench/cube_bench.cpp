@@ -1,5 +1,5 @@
 // Turns of a face of the cube between two grippers, over seeds of friction, face, direction and grasp error.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // How many of the documents' commands work: their test is run, and counted.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <sstream>
 

@@ -1,5 +1,5 @@
 // The drawing task as a user runs it: figures, repeatability, speed, and what happens when parts are killed.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <csignal>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // How long an arm goes on after the operator has pressed a key: pause, stop, emergency stop.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>

@@ -1,5 +1,5 @@
 // Every task run once, shortly, and recomputed from its log to its end.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>

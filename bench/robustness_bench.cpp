@@ -1,5 +1,5 @@
 // The drawing task over the stiffness of the paper and of the hand that teaches.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

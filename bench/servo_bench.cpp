@@ -1,5 +1,5 @@
 // Both algorithms of the servo side by side: the whole simulated arms in contact and in free motion.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <fstream>

@@ -1,5 +1,5 @@
 // The viewer: what it costs, and whether its page gets everything.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <httplib.h>
 #include <unistd.h>
 

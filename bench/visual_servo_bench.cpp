@@ -1,5 +1,5 @@
 // The visual servoing task in processes of its own.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "edp/recorder.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <fstream>
@@ -16,8 +16,7 @@ std::array<double, 3> three(const Vector3& p) { return {p.x(), p.y(), p.z()}; }
 
 template <class Numbers>
 void put(std::string& text, const Numbers& numbers, std::size_t count) {
-  for (std::size_t k = 0; k < count; ++k)
-    fmt::format_to(std::back_inserter(text), ",{:.9g}", static_cast<double>(numbers[k]));
+  for (std::size_t k = 0; k < count; ++k) text += fmt::format(",{:.9g}", static_cast<double>(numbers[k]));
 }
 
 void append(const std::filesystem::path& path, const std::string& text, bool anew) {
@@ -61,7 +60,7 @@ const StepRecord& Recorder::operator[](std::size_t k) const noexcept {
 std::string record_header(int axes) {
   std::string text = "step,t,state,fault";
   for (const std::string_view name : {"set_m", "enc", "current", "pwm"})
-    for (int k = 1; k <= axes; ++k) fmt::format_to(std::back_inserter(text), ",{}{}", name, k);
+    for (int k = 1; k <= axes; ++k) text += fmt::format(",{}{}", name, k);
   return text + ",set_x,set_y,set_z,x,y,z,Fx,Fy,Fz,Nx,Ny,Nz,raw_Fx,raw_Fy,raw_Fz,raw_Nx,raw_Ny,raw_Nz\n";
 }
 
@@ -70,8 +69,8 @@ std::string record_lines(const Recorder& recorder, int axes, double dt) {
   const auto n = static_cast<std::size_t>(axes);
   for (std::size_t k = 0; k < recorder.size(); ++k) {
     const StepRecord& r = recorder[k];
-    fmt::format_to(std::back_inserter(text), "{},{:.4f},{},{}", r.step, static_cast<double>(r.step) * dt,
-                   to_string(r.state), to_string(r.fault));
+    text += fmt::format("{},{:.4f},{},{}", r.step, static_cast<double>(r.step) * dt, to_string(r.state),
+                        to_string(r.fault));
     put(text, r.set_motor, n);
     put(text, r.encoder, n);
     put(text, r.current, n);

@@ -1,6 +1,6 @@
 #include "edp/shell.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/msg/convert.hpp"
 #include "base/operator.hpp"

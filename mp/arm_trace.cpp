@@ -1,6 +1,6 @@
 #include "mp/arm_trace.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -41,15 +41,14 @@ double mean_force(const ArmTrace& trace, Axis axis, int m, double last) {
 
 void write_arm_trace(const std::filesystem::path& file, const ArmTrace& trace) {
   std::string text = fmt::format("{}\n", kHeader);
-  const auto out = std::back_inserter(text);
   for (const ArmRow& row : trace) {
     if (!std::isfinite(row.t) || !row.pose.allFinite() || !finite(row.F) || !std::isfinite(row.gap))
       throw FileError(file.string(), 0, fmt::format("macrostep {} has a number that is not finite", row.i),
                       "");
-    fmt::format_to(out, "{},{:.4f},{}", row.i, row.t, row.m);
-    for (const double v : row.pose) fmt::format_to(out, ",{:.7f}", v);
-    for (const double v : row.F.v) fmt::format_to(out, ",{:.4f}", v);
-    fmt::format_to(out, ",{:.5f},{}\n", row.gap, row.blocked ? 1 : 0);
+    text += fmt::format("{},{:.4f},{}", row.i, row.t, row.m);
+    for (const double v : row.pose) text += fmt::format(",{:.7f}", v);
+    for (const double v : row.F.v) text += fmt::format(",{:.4f}", v);
+    text += fmt::format(",{:.5f},{}\n", row.gap, row.blocked ? 1 : 0);
   }
   write_text_file(file, text);
 }

@@ -1,6 +1,6 @@
 #include "mp/black_box.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <fstream>

@@ -1,6 +1,6 @@
 #include "mp/figure_table.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "mp/hosts.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
+#include "base/joined.hpp"
 
 namespace mrroc::mp {
 
@@ -32,7 +32,7 @@ bool assign_hosts(const std::vector<Host>& hosts, std::vector<Part>& parts) {
       if (part == parts.end()) {
         std::vector<std::string> names;
         for (const Part& p : parts) names.push_back(p.name);
-        refuse(fmt::format("the task has no process {}; it has {}", process, fmt::join(names, ", ")));
+        refuse(fmt::format("the task has no process {}; it has {}", process, joined(names, ", ")));
       }
       if (!part->start.empty()) refuse(process + " has another host already");
       part->start = host.start;

@@ -1,6 +1,6 @@
 #include "mp/operator_desk.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>

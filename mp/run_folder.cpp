@@ -1,8 +1,8 @@
 #include "mp/run_folder.hpp"
 
-#include <fmt/chrono.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
+#include <array>
 #include <cmath>
 #include <ctime>
 #include <fstream>
@@ -14,7 +14,12 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path fresh_name(const std::string& task) {
-  const std::string stem = fmt::format("{}-{:%Y%m%d-%H%M%S}", task, fmt::localtime(std::time(nullptr)));
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  ::localtime_r(&now, &local);
+  std::array<char, 32> time{};
+  std::strftime(time.data(), time.size(), "%Y%m%d-%H%M%S", &local);
+  const std::string stem = fmt::format("{}-{}", task, time.data());
   fs::path folder = fs::path("runs") / stem;
   for (int k = 2; fs::exists(folder); ++k) folder = fs::path("runs") / fmt::format("{}-{}", stem, k);
   return folder;

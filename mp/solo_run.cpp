@@ -1,6 +1,6 @@
 #include "mp/solo_run.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "mp/status_board.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

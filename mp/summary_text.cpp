@@ -1,6 +1,6 @@
 #include "mp/summary_text.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdio>
 

@@ -1,7 +1,6 @@
 #include "mp/task_run.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <atomic>
@@ -10,6 +9,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "base/joined.hpp"
 #include "base/link/log_reader.hpp"
 #include "base/link/lossy_bus.hpp"
 #include "base/link/real_time.hpp"
@@ -222,15 +222,15 @@ void TaskRun::start() {
         "--session",
         m.session,
         "--session-id",
-        fmt::to_string(m.session_id),
+        std::to_string(m.session_id),
         "--url",
         address_->url(),
         "--roster",
-        fmt::format("{}", fmt::join(m.roster, ",")),
+        joined(m.roster, ","),
         "--clock",
         clock_,
         "--patience",
-        fmt::to_string(std::chrono::duration<double>(m.patience).count()),
+        std::to_string(std::chrono::duration<double>(m.patience).count()),
         "--config",
         std::filesystem::absolute(folder_ / "config.toml").string()};  // another host begins elsewhere
     if (paced) words.emplace_back("--paced");

@@ -1,12 +1,12 @@
 #include "sim/cell_parts.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <tuple>
 
 #include "base/config_store.hpp"
+#include "base/joined.hpp"
 #include "base/link/lossy_bus.hpp"
 #include "base/link/session.hpp"
 #include "mp/hosts.hpp"
@@ -81,7 +81,7 @@ WorldParameters read_cell(const Config& config, const std::vector<CellArm>& arms
   if (config.texts("robots.order", keys) != keys)
     throw FaultError(
         FaultCode::bad_configuration,
-        fmt::format("robots.order: this task has the arms {}, in this order", fmt::join(keys, ", ")));
+        fmt::format("robots.order: this task has the arms {}, in this order", joined(keys, ", ")));
   read_camera_world(config, keys);
   const World still(parameters, seed);
   for (std::size_t k = 0; k < arms.size(); ++k) {

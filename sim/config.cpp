@@ -1,6 +1,6 @@
 #include "sim/config.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <span>
 #include <string>

@@ -1,6 +1,6 @@
 #include "sim/cube_config.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

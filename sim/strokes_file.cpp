@@ -1,6 +1,6 @@
 #include "sim/strokes_file.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <cstdio>

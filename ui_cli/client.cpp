@@ -1,6 +1,6 @@
 #include "ui_cli/client.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "ui_cli/completion.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
+#include "base/joined.hpp"
 
 namespace mrroc::ui {
 namespace {
@@ -28,7 +28,7 @@ std::string bash_completion(std::span<const CompletedCommand> commands) {
   std::string names, cases;
   for (const CompletedCommand& c : commands) {
     names += c.name + " ";
-    cases += fmt::format("    {}) words={} ;;\n", c.name, quoted(fmt::format("{}", fmt::join(c.words, " "))));
+    cases += fmt::format("    {}) words={} ;;\n", c.name, quoted(joined(c.words, " ")));
   }
   return fmt::format(
       R"x(# Completion of ui_cli for bash, also behind `mrroc` and `./run`:  source <(ui_cli completion bash)

@@ -1,7 +1,6 @@
 #include "ui_cli/explain.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>
@@ -12,6 +11,7 @@
 
 #include "base/as_typed.hpp"
 #include "base/fault_table.hpp"
+#include "base/joined.hpp"
 #include "base/nearest.hpp"
 #include "base/operator.hpp"
 #include "base/wrap.hpp"
@@ -41,7 +41,7 @@ std::string_view meaning(FaultClass c) {
 /// @return the code alone, where the words are an error line as programs write it; otherwise the words
 std::vector<std::string> without_error_line(const std::vector<std::string>& words) {
   constexpr std::string_view kBegin = "error: ";
-  const std::string line = fmt::format("{}", fmt::join(words, " "));
+  const std::string line = joined(words, " ");
   const std::size_t end = line.find(':', kBegin.size());
   if (!line.starts_with(kBegin)) return words;
   return {line.substr(kBegin.size(), end == std::string::npos ? end : end - kBegin.size())};
@@ -62,7 +62,7 @@ std::optional<FaultCode> code_of(const std::string& word) {
 
 /// @return the words as one state is written: their case and what is between them do not matter
 std::string as_state(const std::vector<std::string>& words) {
-  std::string name = lower(fmt::format("{}", fmt::join(words, " ")));
+  std::string name = lower(joined(words, " "));
   std::ranges::replace(name, '_', ' ');
   std::ranges::replace(name, '-', ' ');
   return name;

@@ -1,6 +1,6 @@
 #include "ui_cli/homing_progress.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -13,6 +13,7 @@
 
 #include "base/as_typed.hpp"
 #include "base/fault.hpp"
+#include "base/joined.hpp"
 #include "base/manual.hpp"
 #include "ui_cli/homing_progress.hpp"
 #include "ui_cli/manual_link.hpp"
@@ -89,7 +90,7 @@ EffectorReply look_at(link::Bus& bus, const link::SessionInfo& session, const st
   if (!arms.empty() && std::ranges::find(arms, arm, &ManualArm::name) == arms.end())
     throw FaultError(FaultCode::bad_usage,
                      fmt::format("there is no arm '{}'; there are {} and all", arm,
-                                 fmt::join(arms | std::views::transform(&ManualArm::name), ", ")),
+                                 joined(arms | std::views::transform(&ManualArm::name), ", ")),
                      "name one of them");
   const ManualLink link(bus, session, {arm}, patience);
   const auto begun = Clock::now();
@@ -237,7 +238,7 @@ ManualWish read_manual_words(const std::vector<std::string>& arguments) {
   }
   if (words.empty())
     throw FaultError(FaultCode::bad_usage, "an instruction is missing", "look at `ui_cli manual --help`");
-  wish.words = fmt::format("{}", fmt::join(words, " "));
+  wish.words = joined(words, " ");
   const auto form = [&](std::size_t count, const char* written) {
     if (words.size() != count)
       throw FaultError(FaultCode::bad_usage, fmt::format("it is written `{}`", written));

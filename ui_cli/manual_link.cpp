@@ -1,6 +1,6 @@
 #include "ui_cli/manual_link.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/fault.hpp"
 #include "base/link/decode.hpp"

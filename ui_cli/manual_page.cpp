@@ -10,6 +10,7 @@
 
 #include "base/config.hpp"
 #include "base/fault.hpp"
+#include "base/joined.hpp"
 #include "base/manual.hpp"
 #include "base/representation.hpp"
 #include "ui_cli/keys.hpp"
@@ -48,7 +49,7 @@ ManualDeed typed(const std::string& asked, std::string text, const std::string& 
   drop(words, {"manual"});
   drop(words, words_of(asked));
   if (words.empty()) return {};
-  const auto rest = fmt::format("{}", fmt::join(words, " "));
+  const auto rest = joined(words, " ");
   if (asked.empty() && std::ranges::count(kOfShell, words[0]) > 0)
     return refusal(fmt::format("`{0}` is for a shell: `ui_cli manual {0} ...`", words[0]));
   for (const std::string& word : words)
@@ -130,8 +131,8 @@ ManualDeed ManualPage::key(int key) {
     case ' ':
       return instruction("stop " + whom());
     case 'o':
-      return ask({fmt::format("preset of {} ({})", whom(), fmt::join(arms_[arm_].presets, ", ")),
-                  "preset " + whom()});
+      return ask(
+          {fmt::format("preset of {} ({})", whom(), joined(arms_[arm_].presets, ", ")), "preset " + whom()});
     case 'g':
       return ask(
           {.label = fmt::format("jaws of {} to [m]", whom()), .words = "gripper " + whom(), .key = "g"});
@@ -233,7 +234,7 @@ ManualDeed ManualPage::jog(double direction) const {
 }
 
 ManualDeed ManualPage::go_to(const std::string& line) const {
-  const std::string text = fmt::format("{}", fmt::join(words_of(line), " "));
+  const std::string text = joined(words_of(line), " ");
   if (text.empty()) return {};
   double target = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), target);

@@ -1,5 +1,5 @@
 // What the page of manual operation looks like.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <bit>

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/as_typed.hpp"
+#include "base/joined.hpp"
 #include "base/representation.hpp"
 #include "ui_cli/manual_page.hpp"
 
@@ -83,7 +84,7 @@ std::string servo_text(const RobotModel& model, std::size_t axes) {
     motors.push_back(fmt::format("{} {}", model.servo_algorithm[k], model.servo_parameter_set[k]));
   const bool same = std::ranges::all_of(motors, [&](const auto& m) { return m == motors.front(); });
   if (same) motors.resize(std::min<std::size_t>(motors.size(), 1));
-  return fmt::format("{}  algorithm and parameter set of {}", fmt::join(motors, ", "),
+  return fmt::format("{}  algorithm and parameter set of {}", joined(motors, ", "),
                      same ? "all motors" : "each motor");
 }
 

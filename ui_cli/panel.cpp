@@ -1,6 +1,6 @@
 #include "ui_cli/panel.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/as_typed.hpp"
 #include "ui_cli/keys.hpp"

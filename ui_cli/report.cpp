@@ -1,6 +1,6 @@
 #include "ui_cli/report.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "vsp/camera_loop.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/link/frame_store.hpp"
 #include "mrroc/camera_frame_t.hpp"

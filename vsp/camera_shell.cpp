@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/camera_config.hpp"
 #include "base/msg/convert.hpp"

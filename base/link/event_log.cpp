@@ -1,6 +1,6 @@
 #include "base/link/event_log.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <lcm/eventlog.h>
 
 #include <algorithm>

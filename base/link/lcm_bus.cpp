@@ -1,6 +1,6 @@
 #include "base/link/lcm_bus.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <lcm/lcm.h>
 #include <poll.h>
 

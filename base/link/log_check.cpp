@@ -1,6 +1,6 @@
 #include "base/link/log_check.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdio>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 #include "base/link/process.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "base/link/real_time.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <linux/capability.h>
 #include <sched.h>
 #include <sys/mman.h>

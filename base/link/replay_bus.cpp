@@ -1,6 +1,6 @@
 #include "base/link/replay_bus.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

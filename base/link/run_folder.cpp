@@ -1,6 +1,6 @@
 #include "base/link/run_folder.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <string_view>
 

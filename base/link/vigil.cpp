@@ -1,6 +1,6 @@
 #include "base/link/vigil.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

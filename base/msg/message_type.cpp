@@ -1,6 +1,6 @@
 #include "base/msg/message_type.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // Linear, cubic and quintic splines. Cubic and quintic ones are found in Hermite form: unknown are the
 // derivatives at the inner knots, given that the next higher ones are continuous there.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <Eigen/SparseLU>
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "ecp/generators/straight_path.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <kdl/utilities/error.h>
 #include <kdl/path_composite.hpp>

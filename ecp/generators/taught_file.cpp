@@ -1,5 +1,5 @@
 // The file of a recorded motion.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -71,14 +71,13 @@ void save(const std::filesystem::path& file, const TaughtPath& taught) {
   std::string text = fmt::format("{}\nspace {}\nreference {}\nnumbers {}\nforce {}\nposes {}\n", kTitle,
                                  name_of(taught.space, kSpaces), name_of(taught.reference, kReferences),
                                  numbers, name_of(taught.with_force, kYesNo), taught.poses.size());
-  const auto out = std::back_inserter(text);
   for (const TaughtPose& p : taught.poses) {
     if (!p.pose.allFinite() || !std::isfinite(p.t) || !finite(p.F))
       throw FileError(file.string(), 0, "the recording has a number that is not finite", "");
-    fmt::format_to(out, "{:.17g}", p.t);
-    for (const double q : p.pose) fmt::format_to(out, " {:.17g}", q);
+    text += fmt::format("{:.17g}", p.t);
+    for (const double q : p.pose) text += fmt::format(" {:.17g}", q);
     if (taught.with_force)
-      for (const double f : p.F.v) fmt::format_to(out, " {:.17g}", f);
+      for (const double f : p.F.v) text += fmt::format(" {:.17g}", f);
     text += '\n';
   }
   write_text_file(file, text + "end\n");

@@ -1,7 +1,7 @@
 #include "sim/camera/camera_station.hpp"
 #include "base/msg/pose_rows.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>

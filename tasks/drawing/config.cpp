@@ -1,6 +1,6 @@
 #include "tasks/drawing/config.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

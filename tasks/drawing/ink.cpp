@@ -1,6 +1,6 @@
 #include "tasks/drawing/ink.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -40,7 +40,7 @@ void write_ink(const std::filesystem::path& file, const Ink& ink) {
   for (const InkPoint& p : ink) {
     if (!std::isfinite(p.t) || !std::isfinite(p.x) || !std::isfinite(p.y))
       throw FaultError(FaultCode::internal_error, file.string() + ": ink with a number that is not finite");
-    fmt::format_to(std::back_inserter(text), "{},{:.4f},{:.4f},{:.4f}\n", p.stroke, p.t, p.x, p.y);
+    text += fmt::format("{},{:.4f},{:.4f},{:.4f}\n", p.stroke, p.t, p.x, p.y);
   }
   write_text_file(file, text);
 }

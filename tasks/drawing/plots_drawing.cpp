@@ -1,5 +1,5 @@
 // The input drawing, the taught ink and both copies.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <iterator>
@@ -16,7 +16,7 @@ std::string data(const std::string& name, const std::optional<Ink>& ink) {
   std::string dots = fmt::format("${}_dots << EOD\n", name);
   for (const Stroke& stroke : strokes_of(ink.value_or(Ink{}))) {
     std::string& block = stroke.size() == 1 ? dots : lines;
-    for (const Point& p : stroke) fmt::format_to(std::back_inserter(block), "{:.3f} {:.3f}\n", p.x(), p.y());
+    for (const Point& p : stroke) block += fmt::format("{:.3f} {:.3f}\n", p.x(), p.y());
     block += "\n";
   }
   // gnuplot warns about data blocks without a point.

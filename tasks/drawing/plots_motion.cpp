@@ -1,5 +1,5 @@
 // MS fig. 8, 9 and 10: what the arms did over time.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

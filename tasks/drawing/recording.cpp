@@ -1,6 +1,6 @@
 #include "tasks/drawing/recording.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,17 +82,16 @@ void save(const std::filesystem::path& file, const Taught& taught) {
   const Recording& recording = taught.recording;
   std::string text = fmt::format("{} {}\nmacrostep_s {:.17g}\nnodes {}\n{}\n", kFormat, kRecordingVersion,
                                  recording.macrostep_s(), recording.size(), kNodeColumns);
-  const auto out = std::back_inserter(text);
   for (std::size_t p = 0; p < recording.size(); ++p) {
     const Node node = recording[p];
     finite_or_throw(finite(node.velocity));
-    for (const double v : node.velocity.v) fmt::format_to(out, "{:.17g} ", v);
-    fmt::format_to(out, "{}\n", to_string(node.pen));
+    for (const double v : node.velocity.v) text += fmt::format("{:.17g} ", v);
+    text += fmt::format("{}\n", to_string(node.pen));
   }
-  fmt::format_to(out, "ink {}\n{}\n", taught.ink.size(), kInkColumns);
+  text += fmt::format("ink {}\n{}\n", taught.ink.size(), kInkColumns);
   for (const InkPoint& p : taught.ink) {
     finite_or_throw(std::isfinite(p.t) && std::isfinite(p.x) && std::isfinite(p.y));
-    fmt::format_to(out, "{} {:.17g} {:.17g} {:.17g}\n", p.stroke, p.t, p.x, p.y);
+    text += fmt::format("{} {:.17g} {:.17g} {:.17g}\n", p.stroke, p.t, p.x, p.y);
   }
   text += "end\n";
   write_text_file(file, text);

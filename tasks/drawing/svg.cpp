@@ -1,6 +1,6 @@
 #include "tasks/drawing/svg.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "tasks/drawing/svg_path.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace mrroc::drawing::svg {
 namespace {

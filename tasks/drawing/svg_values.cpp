@@ -1,6 +1,6 @@
 #include "tasks/drawing/svg_values.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

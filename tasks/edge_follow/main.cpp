@@ -1,5 +1,5 @@
 // Two arms lead a finger around a plate each.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <tuple>
 

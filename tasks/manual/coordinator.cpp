@@ -1,6 +1,6 @@
 #include "tasks/manual/coordinator.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "tasks/manual/desk.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

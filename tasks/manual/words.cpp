@@ -1,7 +1,6 @@
 #include "tasks/manual/words.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -13,6 +12,7 @@
 #include <sstream>
 
 #include "base/fault.hpp"
+#include "base/joined.hpp"
 #include "base/manual.hpp"
 #include "base/nearest.hpp"
 
@@ -106,7 +106,7 @@ const Verb& verb_of(Reader& in) {
                    fmt::format("there is no '{}'{}", shown(word),
                                near.empty() ? "" : fmt::format("; did you mean '{}'?", near)),
                    fmt::format("it is written `VERB ARM ...`, the verbs are {}",
-                               fmt::join(kVerbs | std::views::transform(&Verb::name), ", ")));
+                               joined(kVerbs | std::views::transform(&Verb::name), ", ")));
 }
 
 std::vector<std::size_t> arms_of(Reader& in, const std::vector<ArmInfo>& arms) {
@@ -120,7 +120,7 @@ std::vector<std::size_t> arms_of(Reader& in, const std::vector<ArmInfo>& arms) {
       chosen.push_back(static_cast<std::size_t>(found - arms.begin()));
     } else {
       in.refuse(fmt::format("there is no arm '{}'; there are {} and all", shown(key),
-                            fmt::join(arms | std::views::transform(&ArmInfo::key), ", ")));
+                            joined(arms | std::views::transform(&ArmInfo::key), ", ")));
     }
   }
   std::ranges::sort(chosen);
@@ -173,7 +173,7 @@ ManualOrder order_of(Reader in, const Verb& verb, const ArmInfo& arm) {
         const auto found = arm.presets.find(name);
         if (found == arm.presets.end())
           in.refuse(fmt::format("{} has no preset '{}'; it has {}", arm.key, shown(name),
-                                fmt::join(arm.presets | std::views::keys, ", ")));
+                                joined(arm.presets | std::views::keys, ", ")));
         o.value = found->second;
       } else {
         o.space = space_of(in);

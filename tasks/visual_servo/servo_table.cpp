@@ -1,6 +1,6 @@
 #include "tasks/visual_servo/servo_table.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "tasks/weigh/weigh.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

@@ -113,12 +113,15 @@ the_commands_of_the_readme_work() {
     log=$place/readme-$n.log
     begun=$EPOCHREALTIME
     # shellcheck disable=SC2086  # as a shell takes the line apart
-    inside "$root" $command 2>&1 </dev/null | stamped "$log" || broken "$command" "$log"
+    inside "$root" $command 2>&1 </dev/null | stamped "$log" || {
+      ! grep -q "error: install_failed: Debian's servers" "$log" || not_here "$command: Debian's servers were not reached"
+      broken "$command" "$log"
+    }
     awk -v begun="$begun" -v command="$command" '{ last = $1 } END { printf "%s: %.0f s\n", command, last - begun }' "$log"
     # What it spent its time with, and when the first arm moved.
     sed -nE 's/^[^ ]+ ((installing|configuring|building) .*[0-9]+ s)$/  \1/p' "$log"
     awk -v begun="$begun" '/ m = 1 / { printf "fresh_clone_s %.0f\n", $1 - begun; exit }' "$log"
-    sed -nE 's/^[^ ]+ (skipped: .*|[0-9]+ passed, [0-9]+ failed)$/  \1/p' "$log"
+    sed -nE 's/^[^ ]+ (skipped: .*|.*: [0-9]+ passed, [0-9]+ failed, .*)$/  \1/p' "$log"
   done < <(commands_of_the_readme)
   ((n == 2)) || broken "the README begins with $n commands"
   drop "$root"
@@ -155,7 +158,7 @@ without_a_network_it_is_said() {
 
 # --- all of it -------------------------------------------------------------------------------------------
 
-cache= keep=false cold=false chosen=()
+cache="" keep=false cold=false chosen=()
 for word in "$@"; do
   case $word in
     --cold) cold=true ;;

@@ -1,6 +1,6 @@
 #include "test/base/fault_document.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/fault_table.hpp"
 

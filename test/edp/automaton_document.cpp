@@ -1,6 +1,6 @@
 #include "test/edp/automaton_document.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "edp/automaton.hpp"
 

@@ -1,6 +1,6 @@
 #include "test/edp/guard_count.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstring>
 #include <vector>

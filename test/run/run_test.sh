@@ -141,6 +141,91 @@ STUB
   says '1 passed, 0 failed'
 }
 
+# A made-up Debian: PACKAGES are known to it, of which the first is installed; apt-get says SAID and ends with STATUS.
+debian() {
+  unset MRROC_SKIP_INSTALL
+  local known=$1 said=$2 status=$3
+  cat >stubs/dpkg-query <<STUB
+#!/usr/bin/env bash
+status=0
+for package in "\${@:4}"; do
+  if [[ \$package == ${known%% *} ]]; then echo "ii \$package"
+  elif [[ " $known " == *" \$package "* ]]; then echo "un \$package"
+  else status=1; fi
+done
+exit \$status
+STUB
+  cat >stubs/apt-get <<STUB
+#!/usr/bin/env bash
+echo "apt-get \$*" >>apt.log
+echo "$said" >&2
+[[ \$* == *update* ]] || exit $status
+STUB
+  chmod +x stubs/dpkg-query stubs/apt-get
+}
+
+packages_that_dpkg_has_never_heard_of_are_installed() {
+  debian 'g++ cmake' '' 0
+  touch built
+  ./run build 2>/dev/null
+  said=$(tail -n 1 apt.log)
+  says ' install -y '
+  says ' cmake '      # known, not installed
+  says ' liblcm-dev ' # never heard of
+  says_not ' g++ '    # installed
+}
+
+who_may_not_install_is_told_what_to_type() {
+  debian 'g++' '' 0
+  printf '#!/bin/sh\nexit 1\n' >stubs/sudo
+  chmod +x stubs/sudo
+  local status=0
+  # The script itself asks for the user's number: a copy of it has another one.
+  sed 's/\$EUID/1000/g' run >run_as_user && chmod +x run_as_user
+  said=$(./run_as_user build 2>&1) || status=$?
+  ((status == 2)) || fail "status $status"
+  says 'type: sudo apt-get update && sudo apt-get install -y --no-install-recommends cmake '
+  [[ ! -e apt.log && ! -e build ]] || fail 'something was done'
+}
+
+servers_that_are_not_reached_are_told_from_other_failures() {
+  debian 'g++' 'W: Failed to fetch http://mirror/dists: Temporary failure resolving mirror' 100
+  local status=0
+  said=$(./run build 2>&1) || status=$?
+  ((status == 1)) || fail "status $status"
+  says "error: install_failed: Debian's servers were not reached; look at the network"
+  debian 'g++' 'E: dpkg was interrupted' 100
+  said=$(./run build 2>&1) || true
+  says "error: install_failed: apt-get did not succeed; build/install.log tells why"
+}
+
+a_task_builds_only_what_it_starts_and_the_viewer_where_it_is_wanted() {
+  touch tasks/sketch/main.cpp
+  mkdir -p build/release/bin
+  printf '#!/bin/sh\n' >build/release/bin/sketch
+  chmod +x build/release/bin/sketch
+  sed -i 's/^\[\[ \$1 == --build/echo "$*" >>cmake.log\n&/' stubs/cmake
+  ./run sketch 2>/dev/null
+  said=$(tail -n 1 cmake.log)
+  says '--target sketch'
+  says_not 'ui_cli'
+  ./run sketch --view 2>/dev/null
+  said=$(tail -n 1 cmake.log)
+  says '--target sketch ui_cli'
+}
+
+what_a_check_is_given_is_judged_before_anything_is_done() {
+  local words status
+  for words in '--tidy --share 3' '--tidy --since nowhere' '--tidy --minutes x' '--since' '--usan'; do
+    status=0
+    # shellcheck disable=SC2086  # a list
+    said=$(./run test $words 2>&1) || status=$?
+    ((status == 2)) || fail "$words: status $status"
+    says 'error: bad_usage: '
+    [[ ! -e build ]] || fail "$words made a build folder"
+  done
+}
+
 a_filtered_test_says_that_all_tests_are_built() {
   said=$(./run test -R Nothing 2>&1) || true
   says 'all tests'

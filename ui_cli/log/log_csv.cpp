@@ -1,6 +1,6 @@
 #include "ui_cli/log/log_csv.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <map>

@@ -1,13 +1,13 @@
 #include "ui_cli/log/replay_check.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <map>
 #include <ranges>
 
 #include "base/fault.hpp"
+#include "base/joined.hpp"
 #include "base/link/channel.hpp"
 #include "base/link/process.hpp"
 #include "base/link/text.hpp"
@@ -80,7 +80,7 @@ ReplayCheck::ReplayCheck(link::Bus& bus, const RunRecord& run, const std::string
       throw FaultError(
           FaultCode::bad_usage,
           fmt::format("the run has no process '{}'; it has {}", name,
-                      fmt::join(run.processes() | std::views::transform(&LoggedProcess::name), ", ")));
+                      joined(run.processes() | std::views::transform(&LoggedProcess::name), ", ")));
     auto& w = *watched_.emplace_back(std::make_unique<Watched>(bus, session, name, id));
     for (const std::string& channel : channels_of(run, name)) {
       const auto first = std::ranges::find(run.log().messages(), channel, &LoggedMessage::channel);

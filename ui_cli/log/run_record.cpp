@@ -1,6 +1,6 @@
 #include "ui_cli/log/run_record.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

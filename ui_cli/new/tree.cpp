@@ -1,6 +1,6 @@
 #include "ui_cli/new/tree.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <fstream>

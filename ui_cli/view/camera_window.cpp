@@ -1,6 +1,6 @@
 #include "ui_cli/view/camera_window.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "ui_cli/view/run_source.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <fstream>

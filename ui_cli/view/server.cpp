@@ -1,6 +1,6 @@
 #include "ui_cli/view/server.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <httplib.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "vsp/calibration/hand_eye.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "vsp/calibration/lens.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

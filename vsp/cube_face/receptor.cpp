@@ -1,6 +1,6 @@
 #include "vsp/cube_face/receptor.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "tasks/rubik/cube/facelets.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <iterator>

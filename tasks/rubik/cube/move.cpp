@@ -1,6 +1,6 @@
 #include "tasks/rubik/cube/move.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <numeric>
 #include <utility>

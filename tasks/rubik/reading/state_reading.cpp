@@ -1,13 +1,13 @@
 #include "tasks/rubik/reading/state_reading.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
+#include "base/joined.hpp"
 #include "tasks/rubik/reading/colour_sorting.hpp"
 
 namespace mrroc::rubik {
@@ -27,7 +27,7 @@ std::string name_of(int facelet) {
 std::string names_of(const std::vector<int>& facelets) {
   std::vector<std::string> names;
   for (const int f : facelets) names.push_back(name_of(f));
-  return fmt::format("{}", fmt::join(names, ", "));
+  return joined(names, ", ");
 }
 
 /// @return whether a sticker is seen better than another time

@@ -1,6 +1,6 @@
 #include "tasks/rubik/solver/solver.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 #include "tasks/rubik/solver/table_progress.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 namespace mrroc::rubik {

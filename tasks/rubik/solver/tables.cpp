@@ -1,6 +1,6 @@
 #include "tasks/rubik/solver/tables.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "tasks/rubik/solver/coset_space.hpp"
 #include "tasks/rubik/solver/first_phase_moves.hpp"

@@ -1,7 +1,7 @@
 // The operator's language: what is understood, and what is refused with the way to write it.
 #include "tasks/manual/words.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "base/fault.hpp"

@@ -1,0 +1,90 @@
+// One short run of every task, also with sanitizers: it comes to its end, and what its processes decided is recomputed from
+// the log.
+#include <gtest/gtest.h>
+
+#include "test/system/started_task.hpp"
+
+namespace mrroc::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ShortRun {
+  std::string task;
+  std::vector<std::string> arguments;   ///< FILE: name of the file
+  std::string file;                     ///< its content; empty: there is none
+  std::vector<std::string> recomputed;  ///< processes
+};
+
+const std::vector<ShortRun> kRuns{
+    {"press", {}, "", {"mp", "ecp-arm1"}},
+    {"weigh", {}, "", {"mp", "ecp-arm1"}},
+    {"edge_follow", {}, "", {"mp", "ecp-arm1", "ecp-arm2"}},
+    {"drawing",
+     {"--drawing", "FILE", "--size", "10"},
+     lines_svg(1),
+     {"mp", "ecp-arm1", "ecp-arm2", "vsp-arm1", "vsp-arm2"}},
+    {"manual",
+     {"--words", "FILE", "--set", "robots.arm1.synchro=known_pose", "--set",
+      "robots.arm2.synchro=known_pose"},
+     "3 home all\n"
+     "100 move arm1 joints 0.1 -1.5 0 1.5 1.57 -1.57 speed 0.5 acceleration 0.2\n"
+     "300 jog arm2 angle-axis 0 0 -0.02 0 0 0 speed 0.5 acceleration 0.2\n"
+     "400 end\n",
+     {"mp", "ecp-arm1", "ecp-arm2"}},
+    {"visual_servo",
+     {"--object", "apriltag", "--cameras", "sac", "--set", "cameras.profile=fast", "--set",
+      "task.duration=2"},
+     "",
+     {"mp", "ecp-arm1"}},
+    {"rubik",
+     {"--scramble", "U'", "--eyes", "none", "--set", "task.tables=small"},
+     "",
+     {"mp", "ecp-arm1", "ecp-arm2"}},
+};
+
+class EveryTask : public ::testing::TestWithParam<ShortRun> {};
+
+TEST_P(EveryTask, ComesToItsEndAndIsRecomputedFromItsLog) {
+  const ShortRun& k = GetParam();
+  const Folder folder(false);  // it is recomputed here
+  std::vector<std::string> arguments = k.arguments;
+  if (!k.file.empty()) std::ranges::replace(arguments, "FILE", folder.write("file", k.file));
+  const std::string run_folder = (folder / "run").string();
+  const Ended ended =
+      run(folder, k.task, words({{"--processes", "one", "--run-dir", run_folder}, arguments}));
+  ASSERT_EQ(ended.status, 0) << ended.all();
+  EXPECT_EQ(summary(run_folder).at("outcome"), "done");
+
+  const Ended checked = run(folder, "ui_cli", {"log", "check", run_folder, "--json"});
+  EXPECT_EQ(checked.status, 0) << checked.all();
+  std::string text;
+  for (const std::string& line : checked.out) text += line + "\n";
+  const auto verdict = nlohmann::json::parse(text, nullptr, false);
+  ASSERT_TRUE(verdict.is_object()) << checked.all();
+  EXPECT_EQ(verdict.at("differences"), 0) << verdict.dump(2);
+  EXPECT_EQ(verdict.at("complete"), true) << verdict.dump(2);
+  for (const std::string& process : k.recomputed) {
+    const auto& all = verdict.at("processes");
+    const auto found = std::ranges::find_if(all, [&](const auto& p) { return p.at("process") == process; });
+    ASSERT_NE(found, all.end()) << process;
+    EXPECT_EQ(found->at("not_checked"), "") << process;
+    EXPECT_GT(found->at("compared").template get<int>(), 100) << process;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, EveryTask, ::testing::ValuesIn(kRuns),
+                         [](const auto& named) { return named.param.task; });
+
+/// A task that is added is to be run here, too.
+TEST(EveryTaskOfTheTree, IsAmongTheseRuns) {
+  for (const auto& entry : fs::directory_iterator(fs::path(MRROC_SOURCE_DIR) / "tasks")) {
+    if (!fs::exists(entry.path() / "main.cpp")) continue;
+    EXPECT_TRUE(std::ranges::any_of(kRuns, [&](const ShortRun& k) {
+      return k.task == entry.path().filename();
+    })) << entry.path();
+  }
+}
+
+}  // namespace
+}  // namespace mrroc::test
