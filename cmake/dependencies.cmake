@@ -13,6 +13,15 @@ pkg_check_modules(pugixml REQUIRED IMPORTED_TARGET pugixml)
 pkg_check_modules(json REQUIRED IMPORTED_TARGET nlohmann_json)
 pkg_check_modules(httplib REQUIRED IMPORTED_TARGET cpp-httplib)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
-# Only the virtual receptors link OpenCV and AprilTag. OpenCV's own CMake package asks for everything that it has.
-find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs videoio calib3d)
+# Only the virtual receptors link OpenCV and AprilTag. OpenCV's own CMake package asks for everything that it has, and
+# comes with Qt and MPI.
+foreach(module core imgproc imgcodecs videoio calib3d)
+  find_library(MRROC_OPENCV_${module} opencv_${module} REQUIRED)
+  if(NOT TARGET opencv_${module})
+    find_path(MRROC_OPENCV_HEADERS opencv2/core.hpp PATH_SUFFIXES opencv4 REQUIRED)
+    add_library(opencv_${module} UNKNOWN IMPORTED GLOBAL)
+    set_target_properties(opencv_${module} PROPERTIES IMPORTED_LOCATION ${MRROC_OPENCV_${module}}
+                          INTERFACE_INCLUDE_DIRECTORIES ${MRROC_OPENCV_HEADERS})
+  endif()
+endforeach()
 pkg_check_modules(apriltag REQUIRED IMPORTED_TARGET apriltag)

@@ -94,7 +94,7 @@ inline constexpr std::array kStates{
              "type the line that it prints, or `ui_cli doctor`"},
   StateEntry{"install_failed", "./run",
              "packages of the system could not be installed",
-             "look at build/install.log and at the network"},
+             "look at the network, then at build/install.log"},
   StateEntry{"configure_failed", "./run",
              "CMake found a problem",
              "look at build/configure-PRESET.log; ./run clean begins anew"},
