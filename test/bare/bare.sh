@@ -85,8 +85,8 @@ drop() {
   $keep || rm -rf "$1"
 }
 
-# inside ROOT COMMAND...: in the clone of root's home, with an environment as bare as the root
-inside() { chroot "$1" /usr/bin/env -i HOME=/root PATH=$bare_path /bin/bash -c 'cd ~/mrroc && "$@"' bash "${@:2}"; }
+# inside ROOT LINE: types a line in root's home, with an environment as bare as the root
+inside() { chroot "$1" /usr/bin/env -i HOME=/root PATH=$bare_path /bin/bash -c "cd && $2" </dev/null; }
 
 # --- contracts -------------------------------------------------------------------------------------------
 
@@ -112,8 +112,7 @@ the_commands_of_the_readme_work() {
     n=$((n + 1))
     log=$place/readme-$n.log
     begun=$EPOCHREALTIME
-    # shellcheck disable=SC2086  # as a shell takes the line apart
-    inside "$root" $command 2>&1 </dev/null | stamped "$log" || {
+    inside "$root" "cd mrroc && $command" 2>&1 | stamped "$log" || {
       ! grep -q "error: install_failed: Debian's servers" "$log" || not_here "$command: Debian's servers were not reached"
       broken "$command" "$log"
     }
@@ -141,7 +140,7 @@ a_user_who_may_not_install_is_told_what_to_type() {
   # The line is typed, but for the minutes that the packages would take.
   line=$(sed -nE "s/.*type: su - -c '(.*)'$/\1/p" "$said")
   [[ $line == *' install '* ]] || broken 'it has no line to type' "$said"
-  inside "$root" sh -c "cp -r /home/user/mrroc /root; ${line/ install / --dry-run install }" >"$place/typed.log" 2>&1 ||
+  inside "$root" "${line/ install / --dry-run install }" >"$place/typed.log" 2>&1 ||
     broken "root typed: $line" "$place/typed.log"
   drop "$root"
 }
@@ -149,8 +148,8 @@ a_user_who_may_not_install_is_told_what_to_type() {
 without_a_network_it_is_said() {
   local root status=0 said=$place/network.log
   root=$(new_root network /root)
-  unshare --net chroot "$root" /usr/bin/env -i HOME=/root PATH=$bare_path \
-    /bin/bash -c 'cd ~/mrroc && ./run drawing' >"$said" 2>&1 </dev/null || status=$?
+  (export -f inside && export bare_path && unshare --net bash -c 'inside "$@"' bash "$root" 'cd mrroc && ./run drawing') >"$said" 2>&1 ||
+    status=$?
   ((status == 1)) || broken "status $status, not 1" "$said"
   [[ $(tail -n 1 "$said") == 'error: install_failed: '*network* ]] || broken 'the last line names no network' "$said"
   drop "$root"

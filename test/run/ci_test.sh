@@ -1,0 +1,106 @@
+#!/usr/bin/env bash
+# The script .ci/run in a made-up clone, with a made-up ./run. Usage: ci_test.sh ROOT NAME
+set -euo pipefail
+
+clone=$(mktemp -d)
+trap 'rm -rf "$clone"' EXIT
+mkdir -p "$clone/.ci" "$clone/test/bare"
+cp "$1/.ci/run" "$clone/.ci/run"
+cd "$clone"
+export MRROC_CI_MEMORY=$clone/memory PATH=$clone/stubs:$PATH
+mkdir stubs memory
+printf '#!/bin/sh\n' >stubs/mmdebstrap
+
+# Every part has 3 tests, 1 of which is skipped; a file fail-WORD says what the line with that word ends with.
+cat >run <<'STUB'
+#!/usr/bin/env bash
+echo "./run $*" >>calls
+for file in fail-*; do
+  [[ -e $file && " $* " == *" --${file#fail-} "* ]] || continue
+  cat "$file"
+  exit 1
+done
+echo 'skipped: Page.Shows: there is no Chromium'
+echo "made-up tests: 2 passed, 0 failed, 1 skipped (1 s)"
+STUB
+cat >test/bare/bare.sh <<'STUB'
+#!/usr/bin/env bash
+echo "bare" >>calls
+if [[ -e no-mirror ]]; then echo 'skipped: mmdebstrap made no root'; exit 77; fi
+echo '  release tests: 10 passed, 0 failed, 0 skipped (1 s)'
+echo 'fresh_clone_s 99'
+echo 'bare_machine_ok 1'
+STUB
+chmod +x run stubs/mmdebstrap test/bare/bare.sh
+git init -q . && git -c user.name=a -c user.email=a@b commit -q --allow-empty -m made-up
+
+fail() {
+  printf 'FAILED: %s\n--- it said:\n%s\n' "$1" "$said" >&2
+  exit 1
+}
+says() { [[ $said == *"$1"* ]] || fail "'$1' is missing"; }
+says_not() { [[ $said != *"$1"* ]] || fail "'$1' is too much"; }
+# ci STATUS: runs it
+ci() {
+  local status=0
+  rm -f calls
+  said=$(.ci/run 2>&1) || status=$?
+  ((status == $1)) || fail "status $status, not $1"
+}
+
+all_parts_run_and_their_tests_are_counted() {
+  ci 0
+  [[ $(wc -l <calls) == 7 ]] || fail "$(cat calls)"
+  says 'bare_machine_ok 1'
+  says 'fresh_clone_s 99'
+  says 'skipped: Page.Shows: there is no Chromium'
+  [[ $(tail -n 1 <<<"$said") == '22 passed, 0 failed, 6 skipped' ]] || fail 'the last line'
+  [[ $(cat memory/landed) == "$(git rev-parse HEAD)" ]] || fail 'the commit is not kept'
+}
+
+a_part_that_fails_decides_and_the_others_run() {
+  local part
+  for part in asan tsan format tidy page; do
+    echo 'made-up tests: 1 passed, 2 failed, 0 skipped' >"fail-$part"
+    ci 1
+    says 'FAILED'
+    [[ $(wc -l <calls) == 7 ]] || fail "$(cat calls)"
+    [[ ! -e memory/landed ]] || fail 'it has not landed'
+    rm "fail-$part"
+  done
+  : >fail-asan # it says nothing
+  ci 1
+  [[ $(tail -n 1 <<<"$said") == *' 1 failed, '* ]] || fail 'it is not counted'
+}
+
+what_cannot_run_here_fails_nothing_and_comes_first_the_next_time() {
+  touch no-mirror
+  echo "error: install_failed: Debian's servers were not reached; look at the network" >fail-page
+  ci 0
+  says 'NOT RUN'
+  grep -qx './run test' calls || fail 'without a bare root the tests did not run on this machine'
+  rm no-mirror fail-page
+  ci 0
+  [[ $(sed -n '1p;2p' calls | tr '\n' ' ') == 'bare ./run test --page '* ]] || fail "$(cat calls)"
+  says_not 'NOT RUN'
+}
+
+what_has_not_begun_in_time_is_told_and_fails_nothing() {
+  MRROC_CI_LAST_BEGIN=-1 ci 0
+  [[ ! -e calls ]] || fail "$(cat calls)"
+  says 'NOT RUN'
+  says 'it had not begun after'
+  [[ $(wc -l <memory/left_out) == 7 ]] || fail 'they are not kept'
+}
+
+tidy_looks_at_what_differs_from_the_commit_that_passed_last_and_at_shares_by_turns() {
+  local before
+  ci 0
+  before=$(git rev-parse HEAD)
+  git -c user.name=a -c user.email=a@b commit -q --allow-empty -m next
+  ci 0
+  grep -q -- "--since $before" calls || fail "$(cat calls)"
+  grep -q -- '--share 2/8' calls || fail "$(cat calls)"
+}
+
+"$2"
