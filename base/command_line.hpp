@@ -1,202 +1,184 @@
-// What the command lines of all programs say of a word that does not exist, and of one that is missing.
+// The command lines of all programs: what they take, and what they say of a word that does not exist or is missing.
 #pragma once
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cctype>
+#include <concepts>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <map>
+#include <memory>
 #include <optional>
-#include <ostream>
+#include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "base/as_typed.hpp"
-#include "base/fault.hpp"
-#include "base/nearest.hpp"
-#include "base/program.hpp"
-
 namespace mrroc {
-
-/// @param kind  "option" or "command"
-/// @return bad_usage that names the word, and the nearest of those that exist
-inline FaultError unknown_word(const std::string& kind, const std::string& word, const WordSet& known) {
-  const std::string near = nearest(word, known);
-  return {FaultCode::bad_usage, fmt::format("there is no {} '{}'{}", kind, word,
-                                            near.empty() ? "" : fmt::format("; did you mean '{}'?", near))};
-}
-
-/// Adds the long options of a command line, as they are written.
-inline void add_options(const CLI::App& app, WordSet& known) {
-  for (const CLI::Option* o : app.get_options())
-    for (const std::string& name : o->get_lnames()) known.insert("--" + name);
-}
-
-/// To be called before parsing: CLI11 tells of a required option that is missing before one that does not exist.
-/// @throws FaultError bad_usage that names the first such option, and the nearest that exists
-inline void refuse_unknown_options(const CLI::App& app, int argc, const char* const* argv) {
-  WordSet known;
-  add_options(app, known);
-  for (int k = 1; k < argc; ++k) {
-    const std::string word = argv[k];
-    if (word == "--") return;
-    const std::string name = word.substr(0, word.find('='));
-    if (name.starts_with("--") && !known.contains(name)) throw unknown_word("option", name, known);
-  }
-}
-
-/// @return whether -h or --help is among the words before "--"
-inline bool asks_for_help(const std::vector<std::string>& words) {
-  const auto end = std::ranges::find(words, "--");
-  return std::find_if(words.begin(), end, [](const auto& w) { return w == "-h" || w == "--help"; }) != end;
-}
-
-/// Help does not wait for the rest of the line to be right.
-/// @return the help of the command that the words name, or of the whole line; nothing when they do not ask for it
-inline std::optional<std::string> help_asked(const CLI::App& app, const std::vector<std::string>& words) {
-  if (!asks_for_help(words)) return std::nullopt;
-  const CLI::App* command = &app;
-  std::string before;
-  for (const std::string& word : words)
-    for (const CLI::App* inner : command->get_subcommands(nullptr))
-      if (inner->get_name() == word) {
-        before += (before.empty() ? "" : " ") + command->get_name();
-        command = inner;
-        break;
-      }
-  return as_typed(command->help(before));
-}
-
-/// The same for the command line of a program, which gives the app its name if it has none.
-inline std::optional<std::string> help_asked(CLI::App& app, int argc, const char* const* argv) {
-  if (app.get_name().empty()) app.name(this_program().filename().string());
-  return help_asked(app, std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
-}
-
-/// @return bad_usage for words that no command of the line knows, better than what CLI11 says where that is possible
-inline FaultError unknown_word(const CLI::App& app, const CLI::Error& e) {
-  const std::vector<std::string> words = app.remaining(true);
-  for (const std::string& word : words) {
-    if (!word.starts_with("--")) continue;
-    WordSet options;
-    add_options(app, options);
-    for (const CLI::App* command : app.get_subcommands()) add_options(*command, options);
-    return unknown_word("option", word.substr(0, word.find('=')), options);
-  }
-  WordSet commands;
-  for (const CLI::App* command : app.get_subcommands(nullptr)) commands.insert(command->get_name());
-  if (words.empty() || words.front().starts_with("-") || commands.empty() || !app.get_subcommands().empty())
-    return {FaultCode::bad_usage, e.what()};
-  return unknown_word("command", words.front(), commands);
-}
 
 /// Lines that a program understands, from which its errors take what to type.
 using Examples = std::vector<std::string>;
 
-/// @return what to type: the first example that begins like the command and has the word in it, or has the word only;
-///         without one, where to look
-inline std::string what_to_type(const Examples& examples, const std::string& command,
-                                const std::string& word) {
-  const auto find = [&](const std::string& begin) {
-    return std::ranges::find_if(examples, [&](const std::string& line) {
-      return line.starts_with(begin) && fmt::format("{} ", line).find(word) != std::string::npos;
-    });
-  };
-  auto found = find(command);
-  if (found == examples.end() && !word.empty()) found = find("");
-  if (found != examples.end()) return fmt::format("type for example `{}`", *found);
-  return command.empty() ? "look at --help" : fmt::format("look at `{} --help`", command);
-}
+/// Says what is wrong with a value; the error of the line names the option before it.
+class WrongValue : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// Takes or checks a value as it was typed. @throws WrongValue; other errors leave the parsing as they are
+using TextFunction = std::function<void(const std::string& text)>;
+
+/// What the values of options are kept in. A vector takes all words that follow; an optional is empty without the option.
+template <class T>
+concept OptionValue = std::same_as<T, std::string> || std::same_as<T, std::filesystem::path> ||
+    std::same_as<T, int> || std::same_as<T, std::int64_t> || std::same_as<T, double> ||
+    std::same_as<T, std::optional<std::string>> || std::same_as<T, std::optional<double>> ||
+    std::same_as<T, std::vector<std::string>> || std::same_as<T, std::vector<std::filesystem::path>>;
+
+/// An option, a flag or a place of a command line: a light handle, valid as long as the line. What it says of the option
+/// is to be said before the line is parsed.
+class Option {
+ public:
+  /// @param name  of its value in the help, such as FILE
+  Option type_name(const std::string& name) const;
+  /// @param text  for the help, instead of what it was made with
+  Option about(const std::string& text) const;
+  /// Its value at this time is named in the help.
+  Option show_default() const;
+
+  /// A line without it is wrong.
+  Option required(bool is = true) const;
+  /// It may stand without a value: then given() tells that it was there.
+  Option value_optional() const;
+  /// Of a vector: separates values within a word.
+  Option delimiter(char between) const;
+
+  /// Another value is refused, and the help names those that there are.
+  Option one_of(const std::vector<std::string>& values) const;
+  /// A value outside of it is refused, and the help names the limits.
+  Option range(int low, int high) const;
+  Option range(double low, double high) const;
+  /// @param look  sees every value before it is used
+  Option check(const TextFunction& look) const;
+
+  /// A line with both is wrong.
+  Option excludes(const Option& other) const;
+  /// A line with this one and without the other is wrong.
+  Option needs(const Option& other) const;
+
+  /// @return whether the line that was parsed has it
+  [[nodiscard]] bool given() const;
+
+ private:
+  friend class CommandLine;
+  struct Held;
+  explicit Option(Held& held) : held_(&held) {}
+  Held* held_;
+};
+
+/// The command line of a program, or of a command within it. Options are added, then the line is parsed once.
+///
+/// A name of an option begins with --; without that it is a place: words that stand by themselves, in the order in which
+/// places are added. Values must live until the line is parsed; they stay as they are when it does not give them.
+class CommandLine {
+ public:
+  /// @param about  above the options in the help
+  /// @param name   in help and errors; empty: that of the running program
+  explicit CommandLine(const std::string& about = {}, const std::string& name = {});
+  ~CommandLine();
+  CommandLine(const CommandLine&) = delete;
+  CommandLine& operator=(const CommandLine&) = delete;
+
+  /// @param about  for the help, here and below
+  template <OptionValue Value>
+  Option option(const std::string& name, Value& value, const std::string& about = {});
+  /// @param take  gets the value
+  Option option(const std::string& name, const TextFunction& take, const std::string& about);
+  /// An option with a value that nobody wants.
+  Option ignored_option(const std::string& name, const std::string& about);
+  /// One of several words, each of which means a value.
+  template <class Value>
+  requires std::is_enum_v<Value> && std::same_as<std::underlying_type_t<Value>, std::uint8_t> Option
+  choice(const std::string& name, Value& value, const std::map<std::string, Value>& meanings,
+         const std::string& about) {
+    std::map<std::string, std::uint8_t> numbers;
+    for (const auto& [word, meaning] : meanings) numbers.emplace(word, static_cast<std::uint8_t>(meaning));
+    return numbered(
+        name, numbers, [&value](std::uint8_t number) { value = static_cast<Value>(number); }, about);
+  }
+  /// An option without a value. @param value  becomes true when it is given
+  Option flag(const std::string& name, bool& value, const std::string& about);
+  /// A flag that says what is so anyway.
+  Option flag(const std::string& name, const std::string& about);
+  /// @return an option that has been added. @throws std::out_of_range  there is none of this name
+  [[nodiscard]] Option named(const std::string& name);
+
+  /// Text at the end of the help; subcommands that are added later have the same.
+  void footer(const std::string& text);
+
+  /// Adds a command, which has a line of its own behind its name. @return valid as long as this one
+  CommandLine& subcommand(const std::string& name, const std::string& about);
+  /// A line has one subcommand. @param required  false: or none
+  void take_one_subcommand(bool required);
+  /// Options of this line may also stand behind the subcommands that are added later.
+  void take_options_anywhere();
+  /// Of a subcommand: nothing behind its name is looked at; remaining() has it.
+  void take_words_unread();
+  /// @param what  is called when the words of a line have been parsed and name this subcommand
+  void when_given(const std::function<void()>& what);
+  /// @return words that were not parsed
+  [[nodiscard]] std::vector<std::string> remaining() const;
+
+  [[nodiscard]] std::string name() const;
+  [[nodiscard]] std::string about() const;
+  /// @return the options as they are typed: "--help" and those that were added, in their order
+  [[nodiscard]] std::vector<std::string> long_options() const;
+  /// @return in the order in which they were added
+  [[nodiscard]] std::vector<const CommandLine*> subcommands() const;
+
+  /// Help does not wait for the rest of the line to be right.
+  /// @return the help of the command that the words name, or of the whole line; nothing when they do not ask for it
+  [[nodiscard]] std::optional<std::string> help_asked(const std::vector<std::string>& words) const;
+  /// The same for the arguments of main().
+  [[nodiscard]] std::optional<std::string> help_asked(int argc, const char* const* argv);
+
+  /// To be called before parsing, where a required option that is missing would be told before one that does not exist.
+  /// @throws FaultError bad_usage that names the first such option, and the nearest that exists
+  void refuse_unknown_options(int argc, const char* const* argv) const;
+
+  /// Takes the arguments of main() apart.
+  /// @param examples  lines that the program understands
+  /// @throws FaultError bad_usage: words that do not exist or are missing are named, with what to type
+  void parse(int argc, const char* const* argv, const Examples& examples = {});
+  /// The same for the words behind the name of a program or command. @throws FaultError bad_usage
+  void parse(const std::vector<std::string>& words, const Examples& examples = {});
+  /// The same where help waits for the options before it to be right.
+  /// @return the help, when the line asks for it @throws FaultError bad_usage
+  [[nodiscard]] std::optional<std::string> parse_or_help(int argc, const char* const* argv,
+                                                         const Examples& examples = {});
+  /// Takes apart the words behind the name of a command.
+  /// @param out  gets the help that was asked for
+  /// @param err  is told what is wrong
+  /// @return exit status when there is nothing more to do
+  [[nodiscard]] std::optional<int> parse_words(const std::vector<std::string>& words, std::ostream& out,
+                                               std::ostream& err, const Examples& examples = {});
+
+ private:
+  struct Parts;
+  explicit CommandLine(std::unique_ptr<Parts> parts);
+  Option numbered(const std::string& name, const std::map<std::string, std::uint8_t>& numbers,
+                  const std::function<void(std::uint8_t)>& take, const std::string& about);
+
+  std::unique_ptr<Parts> parts_;
+};
+
+/// @return whether -h or --help is among the words before "--"
+[[nodiscard]] bool asks_for_help(const std::vector<std::string>& words);
 
 /// What the examples at the end of a help show: lines that begin as typed() wants it, and what they do.
 using ExplainedLines = std::vector<std::pair<std::string, std::string>>;
 
 /// @return them as typed(), below each other, with what they do in a column of its own
-inline std::string explained(ExplainedLines lines) {
-  std::size_t width = 0;
-  for (auto& [line, does] : lines) {
-    line = typed(line);
-    width = std::max(width, line.size());
-  }
-  std::string text;
-  for (const auto& [line, does] : lines)
-    text += does.empty() ? fmt::format("  {}\n", line) : fmt::format("  {:<{}}   {}\n", line, width, does);
-  return text;
-}
-
-/// @param names  of one thing or several
-/// @return "A, B and C"
-inline std::string listed(const std::vector<std::string>& names) {
-  if (names.empty()) return "";
-  const std::string before = fmt::format("{}", fmt::join(names.begin(), names.end() - 1, ", "));
-  return before.empty() ? names.back() : fmt::format("{} and {}", before, names.back());
-}
-
-/// @return an option or a place of the line with what it is for: "RUN (the run folder)"
-inline std::string with_description(const CLI::Option& o) {
-  std::string name = o.get_name();
-  if (o.get_positional())
-    std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::toupper(c); });
-  return o.get_description().empty() ? name : fmt::format("{} ({})", name, o.get_description());
-}
-
-/// @param examples  lines that the program understands
-/// @return bad_usage for a line that CLI11 refuses: words that do not exist or are missing are named, with what to type
-inline FaultError wrong_words(const CLI::App& app, const CLI::Error& e, const Examples& examples = {}) {
-  const CLI::App* at = &app;  // the command that was reached
-  std::string command = app.get_name();
-  for (auto inner = at->get_subcommands(); !inner.empty(); inner = at->get_subcommands()) {
-    at = inner.back();
-    command += (command.empty() ? "" : " ") + at->get_name();
-  }
-  const bool required = dynamic_cast<const CLI::RequiredError*>(&e) != nullptr;
-  if (dynamic_cast<const CLI::ExtrasError*>(&e) || (required && !app.remaining(true).empty()))
-    return unknown_word(app, e);
-  if (required) {
-    std::vector<std::string> missing;
-    for (const CLI::Option* o : at->get_options())
-      if (o->get_required() && o->count() == 0) missing.push_back(with_description(*o));
-    if (missing.empty() && at->get_subcommands(nullptr).empty()) return {FaultCode::bad_usage, e.what()};
-    if (missing.empty()) {
-      for (const CLI::App* inner : at->get_subcommands(nullptr)) missing.push_back(inner->get_name());
-      return {FaultCode::bad_usage, fmt::format("a command is missing; there are {}", listed(missing)),
-              what_to_type(examples, command, "")};
-    }
-    return {FaultCode::bad_usage,
-            fmt::format("{} {} missing", listed(missing), missing.size() == 1 ? "is" : "are"),
-            what_to_type(examples, command, "")};
-  }
-  // "--session: 1 required NAME missing", "--url requires --session"
-  const std::string said = e.what(), name = said.substr(0, said.find_first_of(" :"));
-  const CLI::Option* option = at->get_option_no_throw(name);
-  if (!option) option = app.get_option_no_throw(name);
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&e) && option && option->count() == 0)
-    return {FaultCode::bad_usage, fmt::format("a value is missing behind {}", with_description(*option)),
-            what_to_type(examples, command, fmt::format(" {} ", name))};
-  const bool requires_another = dynamic_cast<const CLI::RequiresError*>(&e) != nullptr;
-  return {FaultCode::bad_usage, said,
-          what_to_type(requires_another ? examples : Examples{}, command, fmt::format(" {} ", name))};
-}
-
-/// Takes apart the words behind the name of a command.
-/// @param out       gets the help that was asked for
-/// @param err       is told what is wrong
-/// @param examples  lines that the program understands
-/// @return exit status when there is nothing more to do
-inline std::optional<int> parse_words(CLI::App& app, const std::vector<std::string>& words, std::ostream& out,
-                                      std::ostream& err, const Examples& examples = {}) {
-  if (const auto help = help_asked(app, words)) {
-    out << *help;
-    return 0;
-  }
-  try {
-    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
-    return std::nullopt;
-  } catch (const CLI::Error& e) {
-    err << wrong_words(app, e, examples).error_line() << std::endl;
-    return exit_status(FaultCode::bad_usage);
-  }
-}
+[[nodiscard]] std::string explained(ExplainedLines lines);
 
 }  // namespace mrroc

@@ -1,7 +1,6 @@
 // The benchmarks: figures that can be compared from version to version.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <functional>
 #include <optional>
@@ -75,33 +74,31 @@ int run(const std::vector<std::string>& wanted, const JsonOutput& json, const st
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Measures the framework and prints a table. The machine should have nothing else to do."};
-  app.name("bench");
+  CommandLine line("Measures the framework and prints a table. The machine should have nothing else to do.",
+                   "bench");
   std::vector<std::string> groups;
   JsonOutput json;
   std::string plots;
   bool resume = false;
-  app.add_option("group", groups,
-                 "edp, servo, stability, vision, drawing, robustness, solver, cube, plan, operator, rubik "
-                 "(default: all but rubik, which takes an hour)")
-      ->check(CLI::IsMember(group_names()));
-  auto* to =
-      app.add_option("--json", json.file,
-                     "prints {\"figures\": {KEY: number}, ...}, and the table on the standard error; with a "
-                     "FILE behind it: writes it there, after each group");
-  to->type_name("[FILE]")->expected(0, 1);
-  app.add_flag("--resume", resume, "leaves out groups whose figures are in the file already");
-  app.add_option("--plots", plots, "draws pictures of the servo group there (gnuplot)")->type_name("DIR");
+  line.option("group", groups,
+              "edp, servo, stability, vision, drawing, robustness, solver, cube, plan, operator, rubik "
+              "(default: all but rubik, which takes an hour)")
+      .one_of(group_names());
+  const Option to =
+      line.option("--json", json.file,
+                  "prints {\"figures\": {KEY: number}, ...}, and the table on the standard error; with a "
+                  "FILE behind it: writes it there, after each group")
+          .type_name("[FILE]")
+          .value_optional();
+  line.flag("--resume", resume, "leaves out groups whose figures are in the file already");
+  line.option("--plots", plots, "draws pictures of the servo group there (gnuplot)").type_name("DIR");
   try {
-    app.parse(argc, argv);
-    json.wanted = to->count() > 0;
+    if (const auto help = line.parse_or_help(argc, argv, {"./run bench servo --plots plots"})) {
+      fmt::print("{}", *help);
+      return 0;
+    }
+    json.wanted = to.given();
     return run(groups, json, plots, resume);
-  } catch (const CLI::CallForHelp& e) {
-    return app.exit(e);
-  } catch (const CLI::ParseError& e) {
-    const FaultError error = wrong_words(app, e, {"./run bench servo --plots plots"});
-    fmt::print(stderr, "{}\n", error.error_line());
-    return 2;
   } catch (const FaultError& e) {
     fmt::print(stderr, "{}\n", e.error_line());
     return exit_status(e.fault().code);

@@ -50,7 +50,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # What the libraries' users link, and what a run calls.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libeigen3-dev, libfmt-dev, liblcm-dev, libglib2.0-dev, libbullet-dev, liburdfdom-dev, \
-liborocos-kdl-dev, libtomlplusplus-dev, libcli11-dev, nlohmann-json3-dev, libpugixml-dev, libncurses-dev, \
+liborocos-kdl-dev, libtomlplusplus-dev, nlohmann-json3-dev, libpugixml-dev, libncurses-dev, \
 libopencv-core-dev, libopencv-imgproc-dev, libopencv-imgcodecs-dev, libopencv-videoio-dev, libopencv-calib3d-dev, \
 libapriltag-dev")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++, cmake, gnuplot-nox, libegl-mesa0, libgl1-mesa-dri, python3-numpy")

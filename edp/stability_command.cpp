@@ -1,8 +1,7 @@
 #include "edp/stability_command.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -98,38 +97,35 @@ ServoModel servo_of(const Arguments& a) {
   return LagServo{a.bandwidth, 2, a.servo_damping, a.feed_forward};
 }
 
-void add_options(CLI::App& app, Arguments& a) {
+void add_options(CommandLine& line, Arguments& a) {
   ContactLoop& l = a.loop;
-  app.add_option("--I", l.inertia, "inertia of the behaviour [kg], [kg m^2]")->capture_default_str();
-  app.add_option("--B", l.mobility, "reciprocal of its damping [s/kg], [s/(kg m^2)]")->capture_default_str();
-  app.add_option("--K", a.stiffness,
-                 "stiffness to judge: surroundings, tool, pen in series [N/m], [N m/rad]");
-  app.add_option("--dt", l.dt, "step of the driver [s]")->capture_default_str();
-  app.add_option("--delay", l.delay, "steps by which the force is late beyond the law's own")
-      ->capture_default_str();
-  app.add_option("--average", l.average, "readings in the moving average")->capture_default_str();
-  app.add_option("--low-pass", l.low_pass, "corner of the force's low pass [Hz], 0: none")
-      ->capture_default_str();
-  app.add_option("--contact-damping", l.contact_damping, "of the surroundings, per stiffness [s]")
-      ->capture_default_str();
-  auto* bandwidth =
-      app.add_option("--bandwidth", a.bandwidth, "natural frequency of a servo of second order [Hz]");
-  bandwidth->capture_default_str();
-  app.add_option("--servo-damping", a.servo_damping, "its damping ratio")->capture_default_str();
-  app.add_option("--feed-forward", a.feed_forward, "share of the set velocity that it is fed, 0..1")
-      ->capture_default_str();
-  auto* lag = app.add_option("--lag", a.lag, "time constant of a servo of first order instead [s]");
-  lag->check([](const std::string& text) {
-    return std::strtod(text.c_str(), nullptr) > 0 ? std::string{}
-                                                  : "it must be more than 0 s; without any lag: --ideal";
-  });
-  auto* ideal = app.add_flag("--ideal", a.ideal, "no servo at all: the arm is where it is set to be");
-  lag->excludes(bandwidth);
-  ideal->excludes(bandwidth)->excludes(lag);
-  app.add_flag("--sampled", a.sampled, "the force at the end of a step, not its mean over it");
-  auto* json = app.add_flag("--json", a.json, "print JSON");
-  app.add_flag("--map", a.map, "print the limit over I and B, for gnuplot")->excludes(json);
-  app.footer("\nExample: `ui_cli stability --I 20 --B 0.005 --K 1e4`\nMore: docs/stability.md");
+  line.option("--I", l.inertia, "inertia of the behaviour [kg], [kg m^2]").show_default();
+  line.option("--B", l.mobility, "reciprocal of its damping [s/kg], [s/(kg m^2)]").show_default();
+  line.option("--K", a.stiffness, "stiffness to judge: surroundings, tool, pen in series [N/m], [N m/rad]");
+  line.option("--dt", l.dt, "step of the driver [s]").show_default();
+  line.option("--delay", l.delay, "steps by which the force is late beyond the law's own").show_default();
+  line.option("--average", l.average, "readings in the moving average").show_default();
+  line.option("--low-pass", l.low_pass, "corner of the force's low pass [Hz], 0: none").show_default();
+  line.option("--contact-damping", l.contact_damping, "of the surroundings, per stiffness [s]")
+      .show_default();
+  const Option bandwidth =
+      line.option("--bandwidth", a.bandwidth, "natural frequency of a servo of second order [Hz]")
+          .show_default();
+  line.option("--servo-damping", a.servo_damping, "its damping ratio").show_default();
+  line.option("--feed-forward", a.feed_forward, "share of the set velocity that it is fed, 0..1")
+      .show_default();
+  const Option lag = line.option("--lag", a.lag, "time constant of a servo of first order instead [s]")
+                         .check([](const std::string& text) {
+                           if (!(std::strtod(text.c_str(), nullptr) > 0))
+                             throw WrongValue("it must be more than 0 s; without any lag: --ideal");
+                         });
+  const Option ideal = line.flag("--ideal", a.ideal, "no servo at all: the arm is where it is set to be");
+  lag.excludes(bandwidth);
+  ideal.excludes(bandwidth).excludes(lag);
+  line.flag("--sampled", a.sampled, "the force at the end of a step, not its mean over it");
+  const Option json = line.flag("--json", a.json, "print JSON");
+  line.flag("--map", a.map, "print the limit over I and B, for gnuplot").excludes(json);
+  line.footer("\nExample: `ui_cli stability --I 20 --B 0.005 --K 1e4`\nMore: docs/stability.md");
 }
 
 }  // namespace
@@ -184,23 +180,18 @@ std::string stability_map(ContactLoop loop) {
 
 int run_stability(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
   Arguments a;
-  CLI::App app("Which contact is stable under the force law (28), and what to change when it is not",
-               "ui_cli stability");
-  add_options(app, a);
-  if (const auto help = help_asked(app, arguments)) {
-    out << *help;
-    return 0;
-  }
+  CommandLine line("Which contact is stable under the force law (28), and what to change when it is not",
+                   "ui_cli stability");
+  add_options(line, a);
+  if (const auto status = line.parse_words(arguments, out, err, {"ui_cli stability --K 20000"}))
+    return *status;
   try {
-    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     a.loop.servo = servo_of(a);
     a.loop.mean_of_step = !a.sampled;
     out << (a.map    ? stability_map(a.loop)
             : a.json ? stability_json(a.loop, a.stiffness)
                      : stability_report(a.loop, a.stiffness));
     return 0;
-  } catch (const CLI::Error& e) {
-    err << wrong_words(app, e, {"ui_cli stability --K 20000"}).error_line() << std::endl;
   } catch (const FaultError& e) {
     err << FaultError(FaultCode::bad_usage, e.what()).error_line() << std::endl;
   }

@@ -1,8 +1,7 @@
 #include "mp/options.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstdio>
 #include <limits>
@@ -44,8 +43,7 @@ double parse_speed(const std::string& text) {
     used = 0;
   }
   if (used != text.size() || !(speed > 0) || speed > kMaxSpeed)
-    throw CLI::ValidationError(
-        "--speed", fmt::format("'{}' is neither max nor a number above 0 and up to {:g}", text, kMaxSpeed));
+    throw WrongValue(fmt::format("'{}' is neither max nor a number above 0 and up to {:g}", text, kMaxSpeed));
   return speed;
 }
 
@@ -53,67 +51,64 @@ std::uint64_t parse_seed(const std::string& text) {
   std::uint64_t seed = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
   if (error != std::errc() || end != text.data() + text.size() || seed > kMaxSeed)
-    throw CLI::ValidationError("--seed",
-                               fmt::format("'{}' is not a whole number from 0 to {}", text, kMaxSeed));
+    throw WrongValue(fmt::format("'{}' is not a whole number from 0 to {}", text, kMaxSeed));
   return seed;
 }
 
 }  // namespace
 
-void add_task_options(CLI::App& app, TaskOptions& o) {
-  app.option_defaults()->always_capture_default(false);
-  app.add_option_function<std::string>(
-         "--seed",
-         [&o](const std::string& s) {
-           o.seed = parse_seed(s);
-           o.seed_asked = true;
-         },
-         "seed of everything random (default: that of the configuration, 1)")
-      ->type_name("N");
-  app.add_option_function<std::string>(
-         "--clock", [&o](const std::string& c) { o.clock = c == "wall" ? ClockKind::wall : ClockKind::step; },
-         "step: lock-step, bit-identical (default); wall: 500 Hz of the monotonic clock")
-      ->check(CLI::IsMember({"step", "wall"}))
-      ->type_name("step|wall");
-  app.add_option_function<std::string>(
-         "--speed",
-         [&o](const std::string& s) {
-           o.speed = parse_speed(s);
-           o.speed_asked = true;
-         },
-         "simulated seconds per second in lock-step, or max (default)")
-      ->type_name("X|max");
-  app.add_option("--run-dir", o.run_dir, "the run folder (default runs/TASK-TIME)")->type_name("DIR");
-  app.add_option("--config", o.config_file,
-                 "values over the built-in ones; the config.toml of a run: instead of them")
-      ->type_name("FILE");
-  app.add_option("--set", o.settings, "sets a value of the configuration; may be repeated")
-      ->type_name("KEY=VALUE");
-  app.add_option_function<std::string>(
-         "--processes",
-         [&o](const std::string& p) {
-           o.separate = p == "separate";
-           o.separate_asked = o.separate;
-         },
-         "separate processes over LCM (default), or all in one")
-      ->check(CLI::IsMember({"separate", "one"}))
-      ->type_name("separate|one");
-  auto* attended = app.add_flag("--attended", o.attended, "a person at ui_cli gives start and triggers");
-  app.add_flag_callback(
-         "--unattended", [] {}, "the scripted operator gives them (default)")
-      ->excludes(attended);
-  app.add_option("--script", o.script, "operator input to replay: lines MACROSTEP ORDER")
-      ->type_name("FILE")
-      ->excludes(attended);
-  app.add_flag("--view", o.view, "also show the task as a web page; prints its address");
-  app.add_option("--session", o.session, "name for ui_cli --session (default: unique)")->type_name("NAME");
-  app.add_option("--url", o.url, "where the system talks (default: from the session's name)")
-      ->type_name("udpm://HOST:PORT?ttl=N");
-  app.add_option_function<std::string>(
-         "--check", [&o](const std::string& run) { o.check = link::checked_run_folder(run); },
-         "instead of a run: recompute the coordinator's orders from a run folder's log, and print "
-         "what differs as JSON; `ui_cli log check` does it for all processes")
-      ->type_name("RUN");
+void add_task_options(CommandLine& line, TaskOptions& o) {
+  line.option(
+          "--seed",
+          [&o](const std::string& s) {
+            o.seed = parse_seed(s);
+            o.seed_asked = true;
+          },
+          "seed of everything random (default: that of the configuration, 1)")
+      .type_name("N");
+  line.option(
+          "--clock",
+          [&o](const std::string& c) { o.clock = c == "wall" ? ClockKind::wall : ClockKind::step; },
+          "step: lock-step, bit-identical (default); wall: 500 Hz of the monotonic clock")
+      .one_of({"step", "wall"})
+      .type_name("step|wall");
+  line.option(
+          "--speed",
+          [&o](const std::string& s) {
+            o.speed = parse_speed(s);
+            o.speed_asked = true;
+          },
+          "simulated seconds per second in lock-step, or max (default)")
+      .type_name("X|max");
+  line.option("--run-dir", o.run_dir, "the run folder (default runs/TASK-TIME)").type_name("DIR");
+  line.option("--config", o.config_file,
+              "values over the built-in ones; the config.toml of a run: instead of them")
+      .type_name("FILE");
+  line.option("--set", o.settings, "sets a value of the configuration; may be repeated")
+      .type_name("KEY=VALUE");
+  line.option(
+          "--processes",
+          [&o](const std::string& p) {
+            o.separate = p == "separate";
+            o.separate_asked = o.separate;
+          },
+          "separate processes over LCM (default), or all in one")
+      .one_of({"separate", "one"})
+      .type_name("separate|one");
+  const Option attended = line.flag("--attended", o.attended, "a person at ui_cli gives start and triggers");
+  line.flag("--unattended", "the scripted operator gives them (default)").excludes(attended);
+  line.option("--script", o.script, "operator input to replay: lines MACROSTEP ORDER")
+      .type_name("FILE")
+      .excludes(attended);
+  line.flag("--view", o.view, "also show the task as a web page; prints its address");
+  line.option("--session", o.session, "name for ui_cli --session (default: unique)").type_name("NAME");
+  line.option("--url", o.url, "where the system talks (default: from the session's name)")
+      .type_name("udpm://HOST:PORT?ttl=N");
+  line.option(
+          "--check", [&o](const std::string& run) { o.check = link::checked_run_folder(run); },
+          "instead of a run: recompute the coordinator's orders from a run folder's log, and print "
+          "what differs as JSON; `ui_cli log check` does it for all processes")
+      .type_name("RUN");
 }
 
 std::string who_orders(const TaskOptions& o) {
@@ -121,23 +116,21 @@ std::string who_orders(const TaskOptions& o) {
   return o.script.empty() ? "" : ", orders from " + o.script.string();
 }
 
-int run_command_line(CLI::App& app, int argc, char** argv, const std::function<int()>& run) {
+int run_command_line(CommandLine& line, int argc, char** argv, const std::function<int()>& run) {
   const auto complain = [](const FaultError& e) {
     fmt::print(stderr, "{}\n", e.error_line());
     return exit_status(e.fault().code);
   };
-  app.footer(
+  line.footer(
       "Exit status: 0 done; 1 fault or stopped; 2 bad usage or input, nothing was started; 3 system error.");
-  if (const auto help = help_asked(app, argc, argv)) {
+  if (const auto help = line.help_asked(argc, argv)) {
     fmt::print("{}", *help);
     return 0;
   }
   try {
-    refuse_unknown_options(app, argc, argv);
-    app.parse(argc, argv);
+    line.refuse_unknown_options(argc, argv);
+    line.parse(argc, argv, kExamples);
     return run();
-  } catch (const CLI::ParseError& e) {
-    return complain(wrong_words(app, e, kExamples));
   } catch (const FaultError& e) {
     return complain(e);
   } catch (const std::exception& e) {

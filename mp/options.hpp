@@ -9,9 +9,9 @@
 
 #include "base/link/process.hpp"
 
-namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
-class App;       // declared only: the whole header takes seconds to compile
-}  // namespace CLI
+namespace mrroc {
+class CommandLine;
+}  // namespace mrroc
 
 namespace mrroc::mp {
 
@@ -36,14 +36,14 @@ struct TaskOptions {
 };
 
 /// Adds the common options to a program's command line.
-/// @param options  filled in by app.parse(); must live as long as app
-void add_task_options(CLI::App& app, TaskOptions& options);
+/// @param options  filled in when the line is parsed; must live as long as the line
+void add_task_options(CommandLine& line, TaskOptions& options);
 
 /// @return who gives start and triggers, to be said behind the task's name; empty: the scripted operator
 std::string who_orders(const TaskOptions& options);
 
 /// What every task's main does: parses the command line, runs the task, and writes the error line of what it throws.
 /// @return exit status
-int run_command_line(CLI::App& app, int argc, char** argv, const std::function<int()>& run);
+int run_command_line(CommandLine& line, int argc, char** argv, const std::function<int()>& run);
 
 }  // namespace mrroc::mp

@@ -1,12 +1,12 @@
 #include "sim/arm_task.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cstdio>
 
+#include "base/command_line.hpp"
 #include "base/text_file.hpp"
 #include "mp/check_run.hpp"
 #include "mp/figure_table.hpp"
@@ -154,10 +154,9 @@ void draw(const fs::path& folder, const std::vector<Picture>& pictures) {
 
 int run_arm_task(const ArmTask& task, int argc, char** argv) {
   mp::TaskOptions options;
-  CLI::App app{task.about};
-  app.name(task.name);
-  mp::add_task_options(app, options);
-  return mp::run_command_line(app, argc, argv, [&] { return run(task, options); });
+  CommandLine line(task.about, task.name);
+  mp::add_task_options(line, options);
+  return mp::run_command_line(line, argc, argv, [&] { return run(task, options); });
 }
 
 }  // namespace mrroc::sim

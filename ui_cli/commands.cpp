@@ -1,8 +1,7 @@
 #include "ui_cli/commands.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <ostream>
@@ -73,7 +72,8 @@ struct Connection {
       : bus(around.open(*session.address)), client(*bus, session, around.patience) {}
 };
 
-struct CommandLine {
+/// What the words say.
+struct Request {
   Wish wish;
   bool json{};
   bool yes{};                     ///< also a trigger that comes early
@@ -84,17 +84,17 @@ struct CommandLine {
 
 /// A trigger cannot be taken back: one that comes early must be meant.
 /// @throws FaultError illegal_in_state with the task's reason
-void refuse_early(Client& client, const CommandLine& line, const Surroundings& around) {
+void refuse_early(Client& client, const Request& request, const Surroundings& around) {
   const Snapshot s = client.await_status();
   if (!s.waits_for_trigger || s.early.empty()) return;
-  if (line.json) around.out << answer_json({OperatorOrder::trigger, false, s.early});
+  if (request.json) around.out << answer_json({OperatorOrder::trigger, false, s.early});
   throw FaultError(FaultCode::illegal_in_state, "trigger refused: " + s.early,
                    "wait until that is done, or give `ui_cli trigger --yes`");
 }
 
 /// @return the options that were given before the tool's name, as words behind it
 /// @throws FaultError bad_usage: the tool has no such option
-std::vector<std::string> given_before(const CommandLine& line, const Tool& tool,
+std::vector<std::string> given_before(const Request& request, const Tool& tool,
                                       const std::vector<std::string>& behind) {
   std::vector<std::string> words;
   const auto hand_on = [&](const std::string& option, const std::string& value) {
@@ -104,72 +104,71 @@ std::vector<std::string> given_before(const CommandLine& line, const Tool& tool,
     const auto again = [&](const std::string& w) { return w == option || w.starts_with(option + "="); };
     if (std::ranges::none_of(behind, again)) words.insert(words.end(), {option, value});
   };
-  hand_on("--session", line.wish.session);
-  hand_on("--url", line.wish.url);
-  if (line.json) words.emplace_back("--json");
+  hand_on("--session", request.wish.session);
+  hand_on("--url", request.wish.url);
+  if (request.json) words.emplace_back("--json");
   return words;
 }
 
-void add_tools(CLI::App& app, CommandLine& line, const Surroundings& around) {
+void add_tools(CommandLine& line, Request& request, const Surroundings& around) {
   for (const Tool& tool : around.tools) {
-    CLI::App* command = app.add_subcommand(tool.name, tool.about);
-    command->prefix_command()->set_help_flag();  // the tool reads its own options
-    command->fallthrough(false);
-    command->callback([&line, &around, &tool, command] {
-      line.command = [&, arguments = command->remaining()]() mutable {
-        const auto before = given_before(line, tool, arguments);
+    CommandLine& command = line.subcommand(tool.name, tool.about);
+    command.take_words_unread();  // the tool reads its own options
+    command.when_given([&request, &around, &tool, &command] {
+      request.command = [&, arguments = command.remaining()]() mutable {
+        const auto before = given_before(request, tool, arguments);
         arguments.insert(arguments.end(), before.begin(), before.end());
-        line.status = tool.run(arguments, around.out, around.err);
+        request.status = tool.run(arguments, around.out, around.err);
       };
     });
   }
 }
 
-void add_commands(CLI::App& app, CommandLine& line, const Surroundings& around) {
-  const auto look = [&line, &around] {
-    Connection c(line.wish, around);
-    watch(*c.bus, c.client, line.wish.session);
+void add_commands(CommandLine& line, Request& request, const Surroundings& around) {
+  const auto look = [&request, &around] {
+    Connection c(request.wish, around);
+    watch(*c.bus, c.client, request.wish.session);
   };
-  line.command = look;
-  app.add_subcommand("watch", "Full-screen view (the default)")->callback([&line, look] {
-    line.command = look;
+  request.command = look;
+  line.subcommand("watch", "Full-screen view (the default)").when_given([&request, look] {
+    request.command = look;
   });
-  app.add_subcommand("status", "Show the task, its processes and its agents once")->callback([&] {
-    line.command = [&] {
-      const Snapshot s = Connection(line.wish, around).client.await_status();
-      around.out << (line.json ? status_json(s) : status_text(s, line.wish.session));
+  line.subcommand("status", "Show the task, its processes and its agents once").when_given([&] {
+    request.command = [&] {
+      const Snapshot s = Connection(request.wish, around).client.await_status();
+      around.out << (request.json ? status_json(s) : status_text(s, request.wish.session));
     };
   });
-  app.add_subcommand("list", "List the tasks that run on this host")->callback([&] {
-    line.command = [&] {
+  line.subcommand("list", "List the tasks that run on this host").when_given([&] {
+    request.command = [&] {
       const auto running = link::running_sessions(around.sessions);
-      around.out << (line.json ? sessions_json(running) : sessions_text(running));
+      around.out << (request.json ? sessions_json(running) : sessions_text(running));
     };
   });
   for (const OrderHelp& o : kOrders) {
-    CLI::App* const command = app.add_subcommand(std::string(to_string(o.order)), o.help);
+    CommandLine& command = line.subcommand(std::string(to_string(o.order)), o.help);
     if (o.order == OperatorOrder::trigger)
-      command->add_flag("--yes", line.yes, "Also when the task says that it is too early");
-    command->callback([&, order = o.order] {
-      line.command = [&, order] {
-        Connection connection(line.wish, around);
-        if (order == OperatorOrder::trigger && !line.yes) refuse_early(connection.client, line, around);
+      command.flag("--yes", request.yes, "Also when the task says that it is too early");
+    command.when_given([&, order = o.order] {
+      request.command = [&, order] {
+        Connection connection(request.wish, around);
+        if (order == OperatorOrder::trigger && !request.yes) refuse_early(connection.client, request, around);
         const Answer answer = connection.client.order(order);
-        if (line.json) around.out << answer_json(answer);
+        if (request.json) around.out << answer_json(answer);
         if (!answer.accepted)
           throw FaultError(FaultCode::illegal_in_state,
                            std::string(to_string(order)) + " refused: " + answer.text);
-        if (!line.json) around.out << answer_text(answer);
+        if (!request.json) around.out << answer_text(answer);
       };
     });
   }
 }
 
 /// Every command with its options, as the shell completes them.
-std::vector<CompletedCommand> completed(const CLI::App& app, const Surroundings& around) {
+std::vector<CompletedCommand> completed(const CommandLine& line, const Surroundings& around) {
   std::vector<CompletedCommand> all;
-  for (const CLI::App* command : app.get_subcommands(nullptr)) {
-    CompletedCommand c{command->get_name(), command->get_description(), {}};
+  for (const CommandLine* command : line.subcommands()) {
+    CompletedCommand c{command->name(), command->about(), {}};
     const auto tool = std::ranges::find(around.tools, c.name, &Tool::name);
     if (tool != around.tools.end()) {
       c.words = tool->words;
@@ -178,10 +177,9 @@ std::vector<CompletedCommand> completed(const CLI::App& app, const Surroundings&
     } else if (c.name == "completion") {
       c.words = {"bash", "zsh"};
     } else {
-      for (const CLI::App* options : {command, &app})
-        for (const CLI::Option* o : options->get_options())
-          for (const std::string& name : o->get_lnames())
-            if (std::ranges::find(c.words, "--" + name) == c.words.end()) c.words.push_back("--" + name);
+      for (const CommandLine* options : {command, &line})
+        for (const std::string& name : options->long_options())
+          if (std::ranges::find(c.words, name) == c.words.end()) c.words.push_back(name);
     }
     if (std::ranges::find(c.words, "--help") == c.words.end()) c.words.emplace_back("--help");
     all.push_back(std::move(c));
@@ -189,33 +187,32 @@ std::vector<CompletedCommand> completed(const CLI::App& app, const Surroundings&
   return all;
 }
 
-void add_completion(CLI::App& app, CommandLine& line, const Surroundings& around) {
-  CLI::App* const command = app.add_subcommand("completion", "Print the completion script of a shell");
-  command->add_option("shell", line.shell, "bash or zsh")->required()->check(CLI::IsMember({"bash", "zsh"}));
-  command->callback([&] {
-    line.command = [&] {
-      const auto commands = completed(app, around);
-      around.out << (line.shell == "bash" ? bash_completion(commands) : zsh_completion(commands));
+void add_completion(CommandLine& line, Request& request, const Surroundings& around) {
+  CommandLine& command = line.subcommand("completion", "Print the completion script of a shell");
+  command.option("shell", request.shell, "bash or zsh").required().one_of({"bash", "zsh"});
+  command.when_given([&] {
+    request.command = [&] {
+      const auto commands = completed(line, around);
+      around.out << (request.shell == "bash" ? bash_completion(commands) : zsh_completion(commands));
     };
   });
 }
 
 /// The words of an instruction hold numbers that may look like options.
-void add_manual(CLI::App& app, CommandLine& line, const Surroundings& around) {
-  CLI::App* const command = app.add_subcommand("manual", "Move the idle arms of the task `manual` by hand");
-  command->prefix_command()->set_help_flag();
-  command->fallthrough(false);
-  command->callback([&line, &around, command] {
-    line.command = [&line, &around, arguments = command->remaining()] {
+void add_manual(CommandLine& line, Request& request, const Surroundings& around) {
+  CommandLine& command = line.subcommand("manual", "Move the idle arms of the task `manual` by hand");
+  command.take_words_unread();
+  command.when_given([&request, &around, &command] {
+    request.command = [&request, &around, arguments = command.remaining()] {
       if (arguments.empty()) {
         around.out << manual_help();
         return;
       }
       ManualWish wish = read_manual_words(arguments);
-      wish.json = wish.json || line.json;
-      if (wish.session.empty()) wish.session = line.wish.session;
-      line.wish.session = wish.session;  // hints name it
-      if (wish.url.empty()) wish.url = line.wish.url;
+      wish.json = wish.json || request.json;
+      if (wish.session.empty()) wish.session = request.wish.session;
+      request.wish.session = wish.session;  // hints name it
+      if (wish.url.empty()) wish.url = request.wish.url;
       Connection c({wish.session, wish.url}, around);
       if (c.client.session().id == 0) c.client.await_status();
       execute_manual(*c.bus, c.client.session(), wish, around.patience, around.out);
@@ -224,13 +221,13 @@ void add_manual(CLI::App& app, CommandLine& line, const Surroundings& around) {
 }
 
 /// @return the exit status when the words ask for help, in whatever place: then it has been printed
-std::optional<int> help(const CLI::App& app, const Surroundings& around,
+std::optional<int> help(const CommandLine& line, const Surroundings& around,
                         const std::vector<std::string>& words) {
-  const auto asked = help_asked(app, words);
+  const auto asked = line.help_asked(words);
   if (!asked) return std::nullopt;
-  const auto commands = app.get_subcommands(nullptr);
+  const auto commands = line.subcommands();
   const auto command = std::ranges::find_if(words, [&](const std::string& word) {
-    return std::ranges::any_of(commands, [&](const CLI::App* c) { return c->get_name() == word; });
+    return std::ranges::any_of(commands, [&](const CommandLine* c) { return c->name() == word; });
   });
   const std::string name = command == words.end() ? "" : *command;
   if (const auto tool = std::ranges::find(around.tools, name, &Tool::name); tool != around.tools.end()) {
@@ -251,36 +248,36 @@ int fail(const Surroundings& around, const FaultError& error, const std::string&
 }  // namespace
 
 int run(int argc, const char* const* argv, const Surroundings& around) {
-  CommandLine line;
-  CLI::App app(kAbout, "ui_cli");
-  app.require_subcommand(0, 1);
-  app.fallthrough();
-  app.add_option("--session", line.wish.session, "Name of the session; not needed when one task runs")
-      ->type_name("NAME");
-  app.add_option("--url", line.wish.url, "Where a task of another host talks: udpm://HOST:PORT?ttl=N")
-      ->type_name("URL");
-  app.add_flag("--json", line.json, "Print JSON");
-  app.footer(kCommandFooter);  // inherited by the commands
-  add_commands(app, line, around);
-  add_tools(app, line, around);
-  add_manual(app, line, around);
-  add_completion(app, line, around);
-  app.footer("\nExamples:\n" + explained(kLines) + kExitStatus);
-  if (const auto status = help(app, around, {argv + 1, argv + argc})) return *status;
+  Request request;
+  CommandLine line(kAbout, "ui_cli");
+  line.take_one_subcommand(false);
+  line.take_options_anywhere();
+  line.option("--session", request.wish.session, "Name of the session; not needed when one task runs")
+      .type_name("NAME");
+  line.option("--url", request.wish.url, "Where a task of another host talks: udpm://HOST:PORT?ttl=N")
+      .type_name("URL");
+  line.flag("--json", request.json, "Print JSON");
+  line.footer(kCommandFooter);  // inherited by the commands
+  add_commands(line, request, around);
+  add_tools(line, request, around);
+  add_manual(line, request, around);
+  add_completion(line, request, around);
+  line.footer("\nExamples:\n" + explained(kLines) + kExitStatus);
+  if (const auto status = help(line, around, {argv + 1, argv + argc})) return *status;
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::Error& e) {
-    return fail(around, wrong_words(app, e, kExamples), "");
+    line.parse(argc, argv, kExamples);
+  } catch (const FaultError& e) {
+    return fail(around, e, "");
   }
   try {
-    line.command();
-    return line.status;
+    request.command();
+    return request.status;
   } catch (const FaultError& e) {
-    return fail(around, e, line.wish.session);
+    return fail(around, e, request.wish.session);
   } catch (const link::NoMulticast& e) {
-    return fail(around, FaultError(FaultCode::no_multicast, e.what()), line.wish.session);
+    return fail(around, FaultError(FaultCode::no_multicast, e.what()), request.wish.session);
   } catch (const std::exception& e) {
-    return fail(around, FaultError(FaultCode::internal_error, e.what()), line.wish.session);
+    return fail(around, FaultError(FaultCode::internal_error, e.what()), request.wish.session);
   }
 }
 

@@ -1,8 +1,7 @@
 #include "vsp/recorded.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -11,6 +10,7 @@
 #include "base/camera_config.hpp"
 #include "base/command_line.hpp"
 #include "base/fault.hpp"
+#include "base/joined.hpp"
 #include "vsp/picture_file.hpp"
 
 namespace mrroc::vsp {
@@ -19,7 +19,7 @@ namespace {
 std::string key_of_camera(const Config& config, const RecordedRun& run) {
   std::vector<std::string> keys = config.tables("cameras");
   std::erase(keys, "light");  // no camera: that of the simulated ones
-  const std::string list = fmt::format("{}", fmt::join(keys, ", "));
+  const std::string list = joined(keys, ", ");
   const std::string file = run.camera.string();
   if (keys.empty()) throw FaultError(FaultCode::bad_configuration, file + " has no table [cameras.NAME]");
   if (run.key.empty() && keys.size() > 1)
@@ -43,23 +43,20 @@ RecordedTool tool_of(const ImageReceptor& receptor) {
 }
 
 int run(const RecordedTool& tool, int argc, char** argv) {
-  CLI::App app{tool.about + "\nHere on recorded pictures: prints a line of JSON for each."};
-  app.name(tool.program);
+  CommandLine line(tool.about + "\nHere on recorded pictures: prints a line of JSON for each.", tool.program);
   RecordedRun r;
-  app.add_option("--source", r.source, "a picture, a folder of pictures, or a film")->required();
-  app.add_option("--camera", r.camera, "the camera's TOML file, as `calibrate` writes it")->required();
-  app.add_option("--name", r.key, "which camera of the file, when there are several");
-  app.add_option("--annotate", r.annotate, "folder for pictures with the detection drawn in");
-  app.add_option("--strip", r.strip, "PNG file with all of them side by side");
-  try {
-    refuse_unknown_options(app, argc, argv);
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& e) {
-    return app.exit(e);
-  } catch (const CLI::ParseError& e) {
-    const std::string line = tool.program + " --source pictures --camera camera.toml";
-    throw wrong_words(app, e,
-                      {line, line + " --name eih", line + " --annotate seen", line + " --strip strip.png"});
+  line.option("--source", r.source, "a picture, a folder of pictures, or a film").required();
+  line.option("--camera", r.camera, "the camera's TOML file, as `calibrate` writes it").required();
+  line.option("--name", r.key, "which camera of the file, when there are several");
+  line.option("--annotate", r.annotate, "folder for pictures with the detection drawn in");
+  line.option("--strip", r.strip, "PNG file with all of them side by side");
+  line.refuse_unknown_options(argc, argv);
+  const std::string example = tool.program + " --source pictures --camera camera.toml";
+  if (const auto help = line.parse_or_help(
+          argc, argv,
+          {example, example + " --name eih", example + " --annotate seen", example + " --strip strip.png"})) {
+    fmt::print("{}", *help);
+    return 0;
   }
   run_recorded(tool, r, stdout);
   return 0;

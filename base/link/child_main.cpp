@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <csignal>
@@ -86,36 +85,33 @@ int child_main(int argc, char** argv, const std::string& about, const PartBody& 
   // A check needs no system.
   const bool joins = std::ranges::none_of(words, [](std::string_view w) { return w.starts_with("--check"); });
 
-  CLI::App app{about + "\nA task starts it; by hand it joins a system that waits for it."};
-  app.add_option("--session", membership.session, "name of the system")->required(joins);
-  app.add_option("--session-id", membership.session_id, "number of the run")->required(joins);
-  app.add_option("--url", url, "where the system talks: udpm://HOST:PORT?ttl=N")->required(joins);
-  app.add_option("--name", membership.name, "of this process in the roster")->required();
-  app.add_option("--roster", membership.roster, "all processes, the task's own first")
-      ->required(joins)
-      ->delimiter(',');
-  app.add_option("--config", config_file, "the run's config.toml")->required(joins);
-  app.add_option("--clock", clock, "step or wall")->check(CLI::IsMember({"step", "wall"}));
-  app.add_flag("--paced", paced,
-               "macrosteps last as long as they say: stays in memory, if that is permitted");
-  app.add_option("--patience", patience, "wait so long for a message that must come [s], 0: for ever")
-      ->check(CLI::Range(0.0, 1e6));
-  app.add_option("--arm", arguments.arm, "which arm it belongs to");
-  app.add_option("--robot", "the robot's model, for the reader of the process list");
-  app.add_option("--check", checked,
-                 "recompute from a run folder's log what this process sent, and print what differs as JSON")
-      ->type_name("RUN");
-  if (const auto help = help_asked(app, argc, argv)) {
+  CommandLine line(about + "\nA task starts it; by hand it joins a system that waits for it.");
+  line.option("--session", membership.session, "name of the system").required(joins);
+  line.option("--session-id", membership.session_id, "number of the run").required(joins);
+  line.option("--url", url, "where the system talks: udpm://HOST:PORT?ttl=N").required(joins);
+  line.option("--name", membership.name, "of this process in the roster").required();
+  line.option("--roster", membership.roster, "all processes, the task's own first")
+      .required(joins)
+      .delimiter(',');
+  line.option("--config", config_file, "the run's config.toml").required(joins);
+  line.option("--clock", clock, "step or wall").one_of({"step", "wall"});
+  line.flag("--paced", paced, "macrosteps last as long as they say: stays in memory, if that is permitted");
+  line.option("--patience", patience, "wait so long for a message that must come [s], 0: for ever")
+      .range(0.0, 1e6);
+  line.option("--arm", arguments.arm, "which arm it belongs to");
+  line.ignored_option("--robot", "the robot's model, for the reader of the process list");
+  line.option("--check", checked,
+              "recompute from a run folder's log what this process sent, and print what differs as JSON")
+      .type_name("RUN");
+  if (const auto help = line.help_asked(argc, argv)) {
     fmt::print("{}", *help);
     return 0;
   }
   try {
-    refuse_unknown_options(app, argc, argv);
-    app.parse(argc, argv);
+    line.refuse_unknown_options(argc, argv);
+    line.parse(argc, argv, {"./run press", "ui_cli log check runs/press-20260314-101500"});
   } catch (const FaultError& e) {
     return complain(e);
-  } catch (const CLI::ParseError& e) {
-    return complain(wrong_words(app, e, {"./run press", "ui_cli log check runs/press-20260314-101500"}));
   }
   membership.clock = clock == "wall" ? ClockKind::wall : ClockKind::step;
   membership.patience = std::chrono::milliseconds(std::llround(1e3 * patience));

@@ -1,29 +1,28 @@
 #include "tasks/drawing/input.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
-
+#include "base/command_line.hpp"
 #include "base/fault.hpp"
 #include "tasks/drawing/strokes.hpp"
 #include "tasks/drawing/svg.hpp"
 
 namespace mrroc::drawing {
 
-void add_input_options(CLI::App& app, InputOptions& o) {
-  auto* drawing = app.add_option("--drawing", o.drawing,
-                                 "what is taught: an SVG file (default: an arrow with six feathers)")
-                      ->type_name("FILE.svg");
-  auto* size = app.add_option("--size", o.size,
-                              fmt::format("larger side of the drawing (default {:g}, at most {:g})",
-                                          kDefaultSize, kSheetSize))
-                   ->type_name("MM");
-  auto* save = app.add_option("--save", o.save, "keeps the taught recording")->type_name("FILE");
-  app.add_option("--load", o.load, "reproduces a recording without a new teach-in")
-      ->type_name("FILE")
-      ->excludes(drawing)
-      ->excludes(size)
-      ->excludes(save);
+void add_input_options(CommandLine& line, InputOptions& o) {
+  const Option drawing =
+      line.option("--drawing", o.drawing, "what is taught: an SVG file (default: an arrow with six feathers)")
+          .type_name("FILE.svg");
+  const Option size = line.option("--size", o.size,
+                                  fmt::format("larger side of the drawing (default {:g}, at most {:g})",
+                                              kDefaultSize, kSheetSize))
+                          .type_name("MM");
+  const Option save = line.option("--save", o.save, "keeps the taught recording").type_name("FILE");
+  line.option("--load", o.load, "reproduces a recording without a new teach-in")
+      .type_name("FILE")
+      .excludes(drawing)
+      .excludes(size)
+      .excludes(save);
 }
 
 Input read_input(const InputOptions& o) {

@@ -7,9 +7,9 @@
 #include "tasks/drawing/drawing.hpp"
 #include "tasks/drawing/recording.hpp"
 
-namespace CLI {
-class App;  // declared only: the whole header takes seconds to compile
-}  // namespace CLI
+namespace mrroc {
+class CommandLine;
+}  // namespace mrroc
 
 namespace mrroc::drawing {
 
@@ -34,7 +34,7 @@ struct Input {
 };
 
 /// Adds the options to a program's command line.
-void add_input_options(CLI::App& app, InputOptions& options);
+void add_input_options(CommandLine& line, InputOptions& options);
 
 /// Reads what the options name.
 /// @throws FileError, FaultError bad_usage

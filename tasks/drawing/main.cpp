@@ -1,9 +1,9 @@
 // The drawing task: two arms copy a drawing that is taught to one of them.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "base/command_line.hpp"
 #include "base/config.hpp"
 #include "mp/check_run.hpp"
 #include "mp/summary_text.hpp"
@@ -174,11 +174,11 @@ int run(Options& o) {
 
 int main(int argc, char** argv) {
   Options o;
-  CLI::App app{
+  CommandLine line(
       "Two simulated IRb-6 arms copy a drawing that an operator teaches to one of them by leading its pen.\n"
-      "Without options the built-in arrow with six feathers is taught and copied."};
-  app.name("drawing");
-  drawing::add_input_options(app, o.input);
-  mp::add_task_options(app, o.task);
-  return mp::run_command_line(app, argc, argv, [&] { return run(o); });
+      "Without options the built-in arrow with six feathers is taught and copied.",
+      "drawing");
+  drawing::add_input_options(line, o.input);
+  mp::add_task_options(line, o.task);
+  return mp::run_command_line(line, argc, argv, [&] { return run(o); });
 }

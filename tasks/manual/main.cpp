@@ -1,9 +1,9 @@
 // Manual operation: the operator moves idle arms by instructions, with the same drivers, guards and log as a task.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "base/command_line.hpp"
 #include "mp/check_run.hpp"
 #include "mp/summary_text.hpp"
 #include "mp/task_run.hpp"
@@ -96,18 +96,18 @@ int run(Options& o) {
 
 int main(int argc, char** argv) {
   Options o;
-  CLI::App app{
+  CommandLine line(
       "Manual operation: two idle arms do what `ui_cli manual` tells them - homing, moves and jogs in "
       "motors, joints "
       "and poses,\npresets, tools, models, servo algorithms, gripper, force bias, reset - until `ui_cli "
-      "manual end`."};
-  app.name("manual");
-  app.add_option("--words", o.words, "instructions that need no terminal: lines MACROSTEP WORDS...")
-      ->type_name("FILE");
-  mp::add_task_options(app, o.task);
-  app.get_option("--speed")->description(
+      "manual end`.",
+      "manual");
+  line.option("--words", o.words, "instructions that need no terminal: lines MACROSTEP WORDS...")
+      .type_name("FILE");
+  mp::add_task_options(line, o.task);
+  line.named("--speed").about(
       "simulated seconds per second in lock-step, or max (default: 1, with --words max)");
-  return mp::run_command_line(app, argc, argv, [&] {
+  return mp::run_command_line(line, argc, argv, [&] {
     o.task = paced(o);
     return run(o);
   });

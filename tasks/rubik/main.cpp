@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <optional>
 
+#include "base/command_line.hpp"
 #include "base/representation.hpp"
 #include "mp/check_run.hpp"
 #include "mp/summary_text.hpp"
@@ -258,15 +258,17 @@ int run(Options& o) {
 
 int main(int argc, char** argv) {
   Options o;
-  CLI::App app{"Two simulated IRb-6 arms solve a Rubik's cube: one holds it, the other one turns its faces."};
-  app.name("rubik");
-  app.add_option("--scramble", o.scramble,
-                 "Turns that scramble the cube, such as \"R U' F2\"; \"\": none (default: 20 by the seed)");
-  app.add_option("--state", o.state, "The cube as 54 facelets, U R F D L B")->excludes("--scramble");
-  app.add_option("--eyes", o.eyes, "How the state becomes known: camera, or none: it is told")
-      ->check(CLI::IsMember({"camera", "none"}))
-      ->capture_default_str();
-  mp::add_task_options(app, o.task);
-  app.get_option("--eyes")->excludes("--config");  // it says which cameras there are
-  return mp::run_command_line(app, argc, argv, [&] { return run(o); });
+  CommandLine line(
+      "Two simulated IRb-6 arms solve a Rubik's cube: one holds it, the other one turns its faces.", "rubik");
+  const Option scramble =
+      line.option("--scramble", o.scramble,
+                  "Turns that scramble the cube, such as \"R U' F2\"; \"\": none (default: 20 by the seed)");
+  line.option("--state", o.state, "The cube as 54 facelets, U R F D L B").excludes(scramble);
+  const Option eyes =
+      line.option("--eyes", o.eyes, "How the state becomes known: camera, or none: it is told")
+          .one_of({"camera", "none"})
+          .show_default();
+  mp::add_task_options(line, o.task);
+  eyes.excludes(line.named("--config"));  // it says which cameras there are
+  return mp::run_command_line(line, argc, argv, [&] { return run(o); });
 }

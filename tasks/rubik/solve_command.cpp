@@ -1,8 +1,7 @@
 #include "tasks/rubik/solve_command.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
 #include <istream>
@@ -163,41 +162,36 @@ int solve_all(const Options& options, TableSet standard, const SolveStreams& str
 
 int run_cube_solve(int argc, const char* const* argv, const SolveStreams& streams, TableSet standard) {
   std::ostream& err = streams.err;
-  CLI::App app{kAbout};
-  app.name("cube_solve");
-  app.footer(kFooter);
+  CommandLine line(kAbout, "cube_solve");
+  line.footer(kFooter);
   Options options;
-  auto* cube = app.add_option("cube", options.words, "facelets or turns")->type_name("FACELETS|TURNS");
-  app.add_option("--file", options.file,
-                 "cubes, one a line, - for the standard input; what follows facelets is not read")
-      ->type_name("FILE")
-      ->excludes(cube);
-  app.add_option(
-         "--budget-ms", options.budget,
-         "time for each cube, at most half of it for IDA* (default: 2000 for IDA*, then 100 for two-phase; "
-         "with --optimal: none)")
-      ->check(CLI::Range(1, 86'400'000))
-      ->type_name("N");
-  app.add_flag(
-      "--optimal", options.optimal,
-      "IDA* until a solution is proven to be shortest; with a budget only up to 14 turns for certain");
-  app.add_option("--threads", options.threads, "for searching and for making tables (default 1)")
-      ->check(CLI::Range(1, 256))
-      ->type_name("N");
-  app.add_option("--tables", options.tables, "large: shorter solutions, and shortest ones sooner")
-      ->check(CLI::IsMember({"default", "large"}))
-      ->type_name("default|large");
-  app.add_option("--tables-dir", options.folder, "where tables are kept")->type_name("DIR");
+  const Option cube = line.option("cube", options.words, "facelets or turns").type_name("FACELETS|TURNS");
+  line.option("--file", options.file,
+              "cubes, one a line, - for the standard input; what follows facelets is not read")
+      .type_name("FILE")
+      .excludes(cube);
+  line.option(
+          "--budget-ms", options.budget,
+          "time for each cube, at most half of it for IDA* (default: 2000 for IDA*, then 100 for two-phase; "
+          "with --optimal: none)")
+      .range(1, 86'400'000)
+      .type_name("N");
+  line.flag("--optimal", options.optimal,
+            "IDA* until a solution is proven to be shortest; with a budget only up to 14 turns for certain");
+  line.option("--threads", options.threads, "for searching and for making tables (default 1)")
+      .range(1, 256)
+      .type_name("N");
+  line.option("--tables", options.tables, "large: shorter solutions, and shortest ones sooner")
+      .one_of({"default", "large"})
+      .type_name("default|large");
+  line.option("--tables-dir", options.folder, "where tables are kept").type_name("DIR");
   try {
-    app.parse(argc, argv);
+    if (const auto help = line.parse_or_help(
+            argc, argv, {"cube_solve --file cubes.txt", "cube_solve \"R U' F2\" --budget-ms 10"})) {
+      streams.out << *help;
+      return 0;
+    }
     return solve_all(options, standard, streams);
-  } catch (const CLI::CallForHelp& e) {
-    return app.exit(e, streams.out, err);
-  } catch (const CLI::ParseError& e) {
-    err << wrong_words(app, e, {"cube_solve --file cubes.txt", "cube_solve \"R U' F2\" --budget-ms 10"})
-               .error_line()
-        << '\n';
-    return 2;
   } catch (const FileError& e) {
     err << FaultError(FaultCode::bad_usage, e.wrong(), e.remedy()).error_line() << '\n';
     return 2;

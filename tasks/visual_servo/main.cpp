@@ -1,9 +1,9 @@
 // The visual servoing task: an arm brings its tool to a pose before an object that cameras see, and follows it.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "base/command_line.hpp"
 #include "mp/check_run.hpp"
 #include "mp/solo_run.hpp"
 #include "mp/summary_text.hpp"
@@ -136,37 +136,35 @@ int run(Options& o) {
       o.task);
 }
 
-void add_scenario_options(CLI::App& app, visual_servo::ScenarioOptions& o) {
+void add_scenario_options(CommandLine& line, visual_servo::ScenarioOptions& o) {
   std::vector<std::string> names;
   std::string about = "What the object does:";
   for (const auto& s : visual_servo::scenarios()) {
     names.emplace_back(s.name);
     about += fmt::format("\n{}: {}", s.name, s.about);
   }
-  app.add_option("--scenario", o.scenario, about)->check(CLI::IsMember(names))->capture_default_str();
-  app.add_option("--object", o.object, "What is looked for")
-      ->check(CLI::IsMember({"chessboard", "apriltag"}))
-      ->capture_default_str();
-  app.add_option("--aggregation", o.aggregation, "How the errors of two cameras become one (default: mean)")
-      ->check(CLI::IsMember({"mean", "switching", "weights"}));
-  app.add_option("--cameras", o.cameras,
-                 "Which cameras there are (default: both). Alone, sac stops when the arm hides the object "
-                 "from it, and eih must "
-                 "have the object in view from the beginning (object.pose)")
-      ->check(CLI::IsMember({"both", "sac", "eih"}));
+  line.option("--scenario", o.scenario, about).one_of(names).show_default();
+  line.option("--object", o.object, "What is looked for").one_of({"chessboard", "apriltag"}).show_default();
+  line.option("--aggregation", o.aggregation, "How the errors of two cameras become one (default: mean)")
+      .one_of({"mean", "switching", "weights"});
+  line.option("--cameras", o.cameras,
+              "Which cameras there are (default: both). Alone, sac stops when the arm hides the object "
+              "from it, and eih must "
+              "have the object in view from the beginning (object.pose)")
+      .one_of({"both", "sac", "eih"});
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   Options o;
-  CLI::App app{
+  CommandLine line(
       "An arm brings its tool to a pose before an object and follows it when it moves; it sees the object\n"
-      "through a camera above the scene (SAC), one in the hand (EIH), or both."};
-  app.name("visual_servo");
-  add_scenario_options(app, o.scenario);
-  mp::add_task_options(app, o.task);
+      "through a camera above the scene (SAC), one in the hand (EIH), or both.",
+      "visual_servo");
+  add_scenario_options(line, o.scenario);
+  mp::add_task_options(line, o.task);
   for (const char* option : {"--scenario", "--object", "--aggregation", "--cameras"})
-    app.get_option("--config")->excludes(option);
-  return mp::run_command_line(app, argc, argv, [&] { return run(o); });
+    line.named("--config").excludes(line.named(option));
+  return mp::run_command_line(line, argc, argv, [&] { return run(o); });
 }

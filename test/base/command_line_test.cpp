@@ -1,9 +1,12 @@
-// What is said of a command line that lacks something.
+// What is taken from a command line, and what is said of one that lacks something or has too much.
 #include "base/command_line.hpp"
 
 #include <gtest/gtest.h>
 
 #include <sstream>
+#include <stdexcept>
+
+#include "base/fault.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -13,23 +16,24 @@ const Examples kExamples{"bake bread rye", "bake bread rye --degrees 230", "bake
 /// A program with two commands, of which one wants two words.
 struct Bakery {
   Bakery() {
-    app.require_subcommand(1)->fallthrough();
-    CLI::App* const bread = app.add_subcommand("bread", "bakes one");
-    bread->add_option("grain", grain, "rye or wheat")->required();
-    bread->add_option("--degrees", degrees, "heat of the oven");
-    CLI::App* const sort = app.add_subcommand("sort", "into boxes");
-    sort->add_option("from", from)->required();
-    sort->add_option("to", to, "a box")->required();
-    app.add_option("--oven", oven, "which one")->type_name("NAME");
+    line.take_one_subcommand(true);
+    line.take_options_anywhere();
+    CommandLine& bread = line.subcommand("bread", "bakes one");
+    bread.option("grain", grain, "rye or wheat").required();
+    bread.option("--degrees", degrees, "heat of the oven");
+    CommandLine& sort = line.subcommand("sort", "into boxes");
+    sort.option("from", from).required();
+    sort.option("to", to, "a box").required();
+    line.option("--oven", oven, "which one").type_name("NAME");
   }
   /// @return the error line
   std::string said_of(const std::vector<std::string>& words, const Examples& examples = kExamples) {
     std::ostringstream out, err;
-    EXPECT_EQ(parse_words(app, words, out, err, examples), 2);
+    EXPECT_EQ(line.parse_words(words, out, err, examples), 2);
     return err.str();
   }
 
-  CLI::App app{"bakes", "bake"};
+  CommandLine line{"bakes", "bake"};
   std::string grain, from, to, oven;
   int degrees{};
 };
@@ -70,6 +74,193 @@ TEST(CommandLine, AWordThatDoesNotExistIsToldBeforeOneThatIsMissing) {
 TEST(CommandLine, WithoutExamplesItSaysWhereToLook) {
   EXPECT_EQ(Bakery().said_of({"bread"}, {}),
             "error: bad_usage: GRAIN (rye or wheat) is missing; look at `bake bread --help`\n");
+}
+
+TEST(CommandLine, OptionsStandBehindCommandsToo) {
+  Bakery bakery;
+  bakery.line.parse({"bread", "rye", "--oven", "old", "--degrees", "230"});
+  EXPECT_EQ(bakery.grain, "rye");
+  EXPECT_EQ(bakery.oven, "old");
+  EXPECT_EQ(bakery.degrees, 230);
+  EXPECT_TRUE(bakery.line.named("--oven").given());
+  EXPECT_THROW(static_cast<void>(bakery.line.named("--owen")), std::out_of_range);
+}
+
+TEST(CommandLine, HelpIsGivenForALineThatIsWrong) {
+  std::ostringstream out, err;
+  EXPECT_EQ(Bakery().line.parse_words({"bread", "--help", "--nonsense"}, out, err), 0);
+  EXPECT_NE(out.str().find("bakes one\n"), std::string::npos) << out.str();
+  EXPECT_NE(out.str().find("grain TEXT REQUIRED"), std::string::npos) << out.str();
+  EXPECT_EQ(err.str(), "");
+  EXPECT_FALSE(Bakery().line.help_asked({"bread", "--", "--help"}));
+}
+
+enum class Crust : std::uint8_t { soft, hard };
+
+/// A program that is particular about its values.
+struct Mill {
+  Mill() {
+    const Option first = line.option("--grain", grain, "of what").one_of({"rye", "wheat"}).type_name("GRAIN");
+    line.option("--stones", stones, "how many").range(1, 4);
+    const Option hours = line.option("--hours", hours_, "how long").range(0.5, 2.5).show_default();
+    line.option("--sieves", sieves, "sizes").delimiter(',');
+    const Option wind = line.flag("--wind", by_wind, "drives it");
+    line.flag("--water", "drives it (default)").excludes(wind);
+    line.option("--speed", speed, "of the wind").needs(wind);
+    line.option(
+        "--sacks", [this](const std::string& text) { take_sacks(text); }, "dozens, or all");
+    line.option("--for", whom, "a baker").check([](const std::string& name) {
+      if (name.size() < 2) throw WrongValue("it is too short");
+    });
+    line.option("--note", note, "is kept").value_optional();
+    line.choice<Crust>("--crust", crust, {{"soft", Crust::soft}, {"hard", Crust::hard}}, "is wanted");
+    line.ignored_option("--by", "who says so");
+    line.named("--sieves").excludes(first);
+    line.named("--for").about("who gets it");
+    std::ignore = hours;
+  }
+  void take_sacks(const std::string& text) {
+    if (text == "none") throw FaultError(FaultCode::bad_configuration, "the mill is shut");
+    if (text != "all") throw WrongValue("'" + text + "' is not all");
+    sacks = text;
+  }
+  /// @return what the error says; empty: there is none
+  std::string refusal(const std::vector<std::string>& words) {
+    try {
+      line.parse(words, {"mill --speed 3 --wind"});
+      return "";
+    } catch (const FaultError& e) {
+      EXPECT_EQ(e.fault().code, FaultCode::bad_usage);
+      return e.what() + std::string("; ") + std::string(e.remedy());
+    }
+  }
+
+  CommandLine line{"mills", "mill"};
+  std::string grain, sacks, whom, note;
+  std::optional<double> speed;
+  std::vector<std::string> sieves;
+  double hours_{1};
+  int stones{2};
+  bool by_wind{};
+  Crust crust{};
+};
+
+std::string refusal(const std::vector<std::string>& words) { return Mill().refusal(words); }
+
+TEST(CommandLine, ValuesAreWhatTheLineSays) {
+  Mill m;
+  EXPECT_EQ(m.refusal({"--stones", "3", "--hours=2", "--sieves", "1,2", "--wind", "--speed", "7", "--sacks",
+                       "all", "--for", "rye & son", "--note", "--crust", "hard", "--by", "me"}),
+            "");
+  EXPECT_EQ(m.stones, 3);
+  EXPECT_EQ(m.hours_, 2);
+  EXPECT_EQ(m.sieves, (std::vector<std::string>{"1", "2"}));
+  EXPECT_TRUE(m.by_wind);
+  EXPECT_EQ(m.speed, 7);
+  EXPECT_EQ(m.sacks, "all");
+  EXPECT_EQ(m.whom, "rye & son");
+  EXPECT_TRUE(m.line.named("--note").given());
+  EXPECT_EQ(m.note, "");
+  EXPECT_EQ(m.crust, Crust::hard);
+}
+
+TEST(CommandLine, ValuesThatAreNotGivenStayAsTheyWere) {
+  Mill m;
+  EXPECT_EQ(m.refusal({}), "");
+  EXPECT_EQ(m.stones, 2);
+  EXPECT_EQ(m.hours_, 1);
+  EXPECT_FALSE(m.speed);
+  EXPECT_FALSE(m.line.named("--note").given());
+}
+
+TEST(CommandLine, AValueThatIsNoneOfSeveralIsToldWithThem) {
+  EXPECT_EQ(refusal({"--grain", "oats"}), "--grain: oats not in {rye,wheat}; look at `mill --help`");
+}
+
+TEST(CommandLine, AValueOutOfItsRangeIsToldWithTheLimits) {
+  EXPECT_EQ(refusal({"--stones", "5"}), "--stones: Value 5 not in range 1 to 4; look at `mill --help`");
+  EXPECT_EQ(refusal({"--hours", "3"}),
+            "--hours: Value 3 not in range 0.500000 to 2.500000; look at `mill --help`");
+}
+
+TEST(CommandLine, AValueThatIsNoNumberIsTold) {
+  EXPECT_EQ(refusal({"--wind", "--speed", "fast"}),
+            "Could not convert: --speed = fast; look at `mill --help`");
+}
+
+TEST(CommandLine, OptionsThatExcludeEachOtherAreNamed) {
+  EXPECT_EQ(refusal({"--wind", "--water"}), "--wind excludes --water; look at `mill --help`");
+  EXPECT_EQ(refusal({"--sieves", "1", "--grain", "rye"}), "--grain excludes --sieves; look at `mill --help`");
+}
+
+TEST(CommandLine, AnOptionThatNeedsAnotherIsToldWithALineToType) {
+  EXPECT_EQ(refusal({"--speed", "3"}), "--speed requires --wind; type for example `mill --speed 3 --wind`");
+}
+
+TEST(CommandLine, WhatAFunctionSaysOfAValueIsToldBehindTheOption) {
+  EXPECT_EQ(refusal({"--sacks", "two"}), "--sacks: 'two' is not all; look at `mill --help`");
+  EXPECT_EQ(refusal({"--for", "x"}), "--for: it is too short; look at `mill --help`");
+}
+
+TEST(CommandLine, OtherErrorsOfAFunctionAreThrownAsTheyAre) {
+  Mill m;
+  try {
+    m.line.parse({"--sacks", "none"});
+    ADD_FAILURE();
+  } catch (const FaultError& e) {
+    EXPECT_EQ(e.fault().code, FaultCode::bad_configuration);
+  }
+}
+
+TEST(CommandLine, AnOptionThatIsGivenTwiceIsRefused) {
+  EXPECT_NE(refusal({"--stones", "1", "--stones", "2"}), "");
+}
+
+TEST(CommandLine, AWordThatNobodyTakesIsRefused) { EXPECT_NE(refusal({"flour"}), ""); }
+
+TEST(CommandLine, TheHelpHasWhatWasSaidOfTheOptions) {
+  const std::string help = Mill().line.help_asked(std::vector<std::string>{"-h"}).value();
+  for (const char* part :
+       {"mills\n", "--grain GRAIN:{rye,wheat}", "--stones INT:INT in [1 - 4]",
+        "--hours FLOAT:FLOAT in [0.5 - 2.5]=1", "Excludes: --wind", "Needs: --wind", "who gets it", "--by"})
+    EXPECT_NE(help.find(part), std::string::npos) << part << " is not in\n" << help;
+}
+
+TEST(CommandLine, AnUnknownOptionOfAProgramIsToldBeforeAnythingElse) {
+  const char* words[]{"bake", "--ovne=old"};
+  try {
+    Bakery().line.refuse_unknown_options(2, words);
+    ADD_FAILURE();
+  } catch (const FaultError& e) {
+    EXPECT_EQ(std::string(e.what()), "there is no option '--ovne'; did you mean '--oven'?");
+  }
+  const char* behind[]{"bake", "--", "--ovne=old"};
+  EXPECT_NO_THROW(Bakery().line.refuse_unknown_options(3, behind));
+}
+
+TEST(CommandLine, HelpMayWaitForTheOptionsBeforeIt) {
+  const char* right[]{"mill", "--stones", "2", "--help"};
+  const auto help = Mill().line.parse_or_help(4, right);
+  ASSERT_TRUE(help);
+  EXPECT_EQ(help->find("mills\n"), 0U);
+  const char* wrong[]{"mill", "--stones", "5", "--help"};
+  EXPECT_THROW(static_cast<void>(Mill().line.parse_or_help(4, wrong)), FaultError);
+}
+
+TEST(CommandLine, ACommandMayTakeItsWordsUnread) {
+  CommandLine line("bakes", "bake");
+  line.footer("the end");
+  CommandLine& tool = line.subcommand("tool", "of another");
+  tool.take_words_unread();
+  std::vector<std::string> words;
+  tool.when_given([&] { words = tool.remaining(); });
+  line.parse({"tool", "--its", "own", "--help"});
+  EXPECT_EQ(words, (std::vector<std::string>{"--its", "own", "--help"}));
+  ASSERT_EQ(line.subcommands().size(), 1U);
+  EXPECT_EQ(line.subcommands()[0]->name(), "tool");
+  EXPECT_EQ(line.subcommands()[0]->about(), "of another");
+  EXPECT_EQ(line.subcommands()[0]->long_options(), std::vector<std::string>{});
+  EXPECT_EQ(line.long_options(), std::vector<std::string>{"--help"});
 }
 
 }  // namespace

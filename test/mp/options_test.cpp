@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 
+#include "base/command_line.hpp"
 #include "base/fault.hpp"
 
 namespace mrroc::mp {
@@ -13,11 +13,12 @@ namespace {
 /// @return why the words are refused; empty if they are not
 std::string refusal(const std::vector<std::string>& words, TaskOptions* result = nullptr) {
   TaskOptions options;
-  CLI::App app;
-  add_task_options(app, options);
+  CommandLine line;
+  add_task_options(line, options);
   try {
-    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
-  } catch (const CLI::ParseError& e) {
+    line.parse(words);
+  } catch (const FaultError& e) {
+    if (e.fault().code != FaultCode::bad_usage) throw;
     return e.what();
   }
   if (result) *result = options;

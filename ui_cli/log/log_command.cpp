@@ -1,8 +1,7 @@
 #include "ui_cli/log/log_command.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <fstream>
 #include <functional>
 #include <limits>
@@ -86,22 +85,22 @@ const Examples kExamples{
     "ui_cli log compare runs/press-20260314-101500 runs/press-20260314-102000",
     "ui_cli log check runs/press-20260314-101500"};
 
-void add_run(CLI::App* command, Words& w) {
-  command->add_option("run", w.run, "the run folder")->required()->type_name("RUN");
+void add_run(CommandLine& command, Words& w) {
+  command.option("run", w.run, "the run folder").required().type_name("RUN");
 }
 
-void add_commands(CLI::App& app, Words& w) {
-  const auto runs = [&w](CLI::App* command, std::function<int(std::ostream&, std::ostream&)> what) {
-    command->add_flag("--json", w.json, "print JSON");
-    command->callback([&w, what = std::move(what)] { w.command = what; });
+void add_commands(CommandLine& line, Words& w) {
+  const auto runs = [&w](CommandLine& command, std::function<int(std::ostream&, std::ostream&)> what) {
+    command.flag("--json", w.json, "print JSON");
+    command.when_given([&w, what = std::move(what)] { w.command = what; });
   };
-  auto* show =
-      app.add_subcommand("show", "Tell a run: a line per macrostep, change, order, refusal and message");
+  CommandLine& show =
+      line.subcommand("show", "Tell a run: a line per macrostep, change, order, refusal and message");
   add_run(show, w);
-  show->add_option("--channel", w.show.channel, "every message of this channel instead")->type_name("C");
-  show->add_option("--from", w.show.from, "simulated time")->type_name("S");
-  show->add_option("--to", w.show.to, "simulated time")->type_name("S");
-  show->add_flag("--m", w.show.changes, "only what changes: behaviours, states, orders, faults, messages");
+  show.option("--channel", w.show.channel, "every message of this channel instead").type_name("C");
+  show.option("--from", w.show.from, "simulated time").type_name("S");
+  show.option("--to", w.show.to, "simulated time").type_name("S");
+  show.flag("--m", w.show.changes, "only what changes: behaviours, states, orders, faults, messages");
   runs(show, [&w](std::ostream& out, std::ostream& err) {
     w.show.json = w.json;
     if (w.show.from > w.show.to)
@@ -113,28 +112,27 @@ void add_commands(CLI::App& app, Words& w) {
     show_log(run, w.show, out);
     return 0;
   });
-  auto* csv = app.add_subcommand("csv", "Write a channel as a table; without a channel: list the channels");
+  CommandLine& csv =
+      line.subcommand("csv", "Write a channel as a table; without a channel: list the channels");
   add_run(csv, w);
-  csv->add_option("channel", w.what, "such as arm1.reply")->type_name("CHANNEL");
-  csv->add_option("--fields", w.fields, "only these, such as F_a,T_0E")->delimiter(',')->type_name("F,F...");
-  csv->add_option("--output", w.output, "file instead of the standard output")->type_name("FILE");
+  csv.option("channel", w.what, "such as arm1.reply").type_name("CHANNEL");
+  csv.option("--fields", w.fields, "only these, such as F_a,T_0E").delimiter(',').type_name("F,F...");
+  csv.option("--output", w.output, "file instead of the standard output").type_name("FILE");
   runs(csv, [&w](std::ostream& out, std::ostream& err) { return write_table(w, out, err); });
-  auto* plot = app.add_subcommand("plot", "Draw a picture: force, pose, motors or behaviours");
+  CommandLine& plot = line.subcommand("plot", "Draw a picture: force, pose, motors or behaviours");
   add_run(plot, w);
-  plot->add_option("what", w.what, "force, pose, motors or behaviours")
-      ->required()
-      ->check(CLI::IsMember(plot_subjects()));
-  plot->add_option("--output", w.output, "PNG file (default RUN/plots/log-WHAT.png)")->type_name("FILE");
+  plot.option("what", w.what, "force, pose, motors or behaviours").required().one_of(plot_subjects());
+  plot.option("--output", w.output, "PNG file (default RUN/plots/log-WHAT.png)").type_name("FILE");
   runs(plot, [&w](std::ostream& out, std::ostream& err) { return draw(w, out, err); });
-  auto* compare = app.add_subcommand("compare", "Find the first message in which two runs differ");
-  compare->add_option("a", w.run, "a run folder")->required()->type_name("A");
-  compare->add_option("b", w.other, "another")->required()->type_name("B");
+  CommandLine& compare = line.subcommand("compare", "Find the first message in which two runs differ");
+  compare.option("a", w.run, "a run folder").required().type_name("A");
+  compare.option("b", w.other, "another").required().type_name("B");
   runs(compare, [&w](std::ostream& out, std::ostream&) {
     return report_comparison(compare_runs(RunRecord(w.run), RunRecord(w.other)), w.json, out);
   });
-  auto* check_command =
-      app.add_subcommand("check", "Recompute from the log what every process decided, and name what differs");
-  check_command->add_option("run", w.runs, "run folders")->required()->type_name("RUN...");
+  CommandLine& check_command =
+      line.subcommand("check", "Recompute from the log what every process decided, and name what differs");
+  check_command.option("run", w.runs, "run folders").required().type_name("RUN...");
   runs(check_command, [&w](std::ostream& out, std::ostream&) { return check(w, out); });
 }
 
@@ -147,24 +145,15 @@ std::vector<std::string> log_words() {
 
 int run_log(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
   Words w;
-  CLI::App app("What a run folder holds, whether it can be recomputed, and where two runs differ.",
-               "ui_cli log");
-  app.require_subcommand(1);
-  add_commands(app, w);
-  app.footer(
+  CommandLine line("What a run folder holds, whether it can be recomputed, and where two runs differ.",
+                   "ui_cli log");
+  line.take_one_subcommand(true);
+  add_commands(line, w);
+  line.footer(
       "Exit status: 0; 1 runs differ, or a log is not what its programs compute; 2 bad usage; 3 system "
       "error.");
-  if (const auto help = help_asked(app, arguments)) {
-    out << *help;
-    return 0;
-  }
-  try {
-    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
-    return w.command(out, err);
-  } catch (const CLI::Error& e) {
-    err << wrong_words(app, e, kExamples).error_line() << "\n";
-    return exit_status(FaultCode::bad_usage);
-  }
+  if (const auto status = line.parse_words(arguments, out, err, kExamples)) return *status;
+  return w.command(out, err);
 }
 
 }  // namespace mrroc::ui

@@ -1,9 +1,7 @@
 #include "ui_cli/log/replay.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
 #include <nlohmann/json.hpp>
@@ -14,6 +12,7 @@
 
 #include "base/command_line.hpp"
 #include "base/fault.hpp"
+#include "base/joined.hpp"
 #include "base/link/channel.hpp"
 #include "base/link/child.hpp"
 #include "base/link/text.hpp"
@@ -202,7 +201,7 @@ std::vector<Listener> start(const RunRecord& run, const Words& w, const std::str
         throw FaultError(FaultCode::start_failed, fmt::format("{} ended with {}", l.name, *l.child.ended()),
                          "see its own line above");
     if (Clock::now() - begun > kSilent)
-      throw FaultError(FaultCode::peer_silent, fmt::format("{} did not get ready", fmt::join(w.with, ", ")));
+      throw FaultError(FaultCode::peer_silent, fmt::format("{} did not get ready", joined(w.with, ", ")));
   }
   return listeners;
 }
@@ -269,34 +268,33 @@ int replay_run(const Words& w, const ReplaySurroundings& around, std::ostream& o
 int run_replay(const std::vector<std::string>& arguments, const ReplaySurroundings& around, std::ostream& out,
                std::ostream& err) {
   Words w;
-  CLI::App app(
+  CommandLine line(
       "Publishes the messages of a run once more, at their pace, on a session of its own: look at it with "
       "`ui_cli`, or let a virtual sensor read it.",
       "ui_cli replay");
-  app.add_option("run", w.run, "the run folder")->required()->type_name("RUN");
-  app.add_option("--speed", w.options.speed,
-                 "simulated seconds per second, 0: as fast as possible (default 1)")
-      ->check(CLI::Range(0.0, 1e4))
-      ->type_name("X");
-  app.add_option("--from", w.options.from, "simulated time at which to begin")->type_name("S");
-  app.add_option("--without", w.without, "channels that somebody else publishes, such as arm1.pen_state")
-      ->delimiter(',')
-      ->type_name("C,C...");
-  app.add_option(
-         "--with", w.with,
-         "processes of the run that are started before the replay begins and listen to it, such as vsp-arm1: "
-         "what they say is compared with the log")
-      ->delimiter(',')
-      ->type_name("P,P...");
-  app.add_option("--session", w.session, "name of the session (default: unique)")->type_name("NAME");
-  app.add_flag("--json", w.json, "print JSON");
+  line.option("run", w.run, "the run folder").required().type_name("RUN");
+  line.option("--speed", w.options.speed, "simulated seconds per second, 0: as fast as possible (default 1)")
+      .range(0.0, 1e4)
+      .type_name("X");
+  line.option("--from", w.options.from, "simulated time at which to begin").type_name("S");
+  line.option("--without", w.without, "channels that somebody else publishes, such as arm1.pen_state")
+      .delimiter(',')
+      .type_name("C,C...");
+  line.option("--with", w.with,
+              "processes of the run that are started before the replay begins and listen to it, such as "
+              "vsp-arm1: "
+              "what they say is compared with the log")
+      .delimiter(',')
+      .type_name("P,P...");
+  line.option("--session", w.session, "name of the session (default: unique)").type_name("NAME");
+  line.flag("--json", w.json, "print JSON");
   if (const auto status =
-          parse_words(app, arguments, out, err,
-                      {"ui_cli replay runs/press-20260314-101500",
-                       "ui_cli replay runs/press-20260314-101500 --speed 10 --from 5",
-                       "ui_cli replay runs/press-20260314-101500 --without arm1.order,arm1.report",
-                       "ui_cli replay runs/drawing-20260314-101500 --with vsp-arm1,vsp-arm2",
-                       "ui_cli replay runs/press-20260314-101500 --session again"}))
+          line.parse_words(arguments, out, err,
+                           {"ui_cli replay runs/press-20260314-101500",
+                            "ui_cli replay runs/press-20260314-101500 --speed 10 --from 5",
+                            "ui_cli replay runs/press-20260314-101500 --without arm1.order,arm1.report",
+                            "ui_cli replay runs/drawing-20260314-101500 --with vsp-arm1,vsp-arm2",
+                            "ui_cli replay runs/press-20260314-101500 --session again"}))
     return *status;
   // Each process once, in the order in which they are named.
   std::set<std::string> named;

@@ -1,8 +1,7 @@
 #include "ui_cli/new/new_command.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -129,24 +128,24 @@ std::vector<std::string> new_words() {
 
 int run_new(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
   Options o;
-  CLI::App app(kAbout, "ui_cli new");
-  app.add_option("part", o.part, "robot, task or sensor")->required();
-  app.add_option("name", o.name, "its name")->required();
-  app.add_option("--into", o.into, "root of the clone; usual: the one in which you are")->type_name("DIR");
-  app.add_option("--robot", o.robot, "of a task: its arm; usual: irb6_postument")->type_name("NAME");
-  app.add_option("--sensor", o.sensor, "of a task: its virtual sensor, as made by `ui_cli new sensor`")
-      ->type_name("NAME");
-  app.add_option("--outside", o.outside,
-                 "of a task: a project of its own in DIR, against the installed framework")
-      ->type_name("DIR");
-  app.add_flag("--dry-run", o.dry_run, "only list what would be written");
-  app.add_flag("--json", o.json, "print JSON");
-  app.footer(kWritten + explained(kLines) + kExitStatus);
-  if (const auto status =
-          parse_words(app, arguments, out, err,
-                      {"ui_cli new task spiral", "ui_cli new task spiral --sensor whisker",
-                       "ui_cli new task spiral --robot gantry", "ui_cli new task spiral --outside ../spiral",
-                       "ui_cli new robot gantry --into ../mrroc"}))
+  CommandLine line(kAbout, "ui_cli new");
+  line.option("part", o.part, "robot, task or sensor").required();
+  line.option("name", o.name, "its name").required();
+  line.option("--into", o.into, "root of the clone; usual: the one in which you are").type_name("DIR");
+  line.option("--robot", o.robot, "of a task: its arm; usual: irb6_postument").type_name("NAME");
+  line.option("--sensor", o.sensor, "of a task: its virtual sensor, as made by `ui_cli new sensor`")
+      .type_name("NAME");
+  line.option("--outside", o.outside,
+              "of a task: a project of its own in DIR, against the installed framework")
+      .type_name("DIR");
+  line.flag("--dry-run", o.dry_run, "only list what would be written");
+  line.flag("--json", o.json, "print JSON");
+  line.footer(kWritten + explained(kLines) + kExitStatus);
+  if (const auto status = line.parse_words(
+          arguments, out, err,
+          {"ui_cli new task spiral", "ui_cli new task spiral --sensor whisker",
+           "ui_cli new task spiral --robot gantry", "ui_cli new task spiral --outside ../spiral",
+           "ui_cli new robot gantry --into ../mrroc"}))
     return *status;
   execute(o, out);
   return 0;

@@ -1,8 +1,7 @@
 #include "ui_cli/view/view_command.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -95,26 +94,28 @@ int serve(const Options& o, std::ostream& out) {
 
 int run_view(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
   Options o;
-  CLI::App app(kAbout, "ui_cli view");
-  app.add_option("run", o.run, "run folder (default: what runs now)")->type_name("RUN");
-  app.add_option("--port", o.port, "of 127.0.0.1 (default: 8460 or the next that is free)")
-      ->check(CLI::Range(1024, 65535))
-      ->type_name("N");
-  auto* session = app.add_option("--session", o.wish.session, "name of the session, when several tasks run");
-  session->type_name("NAME");
-  app.add_option("--url", o.wish.url, "where a task of another host talks: udpm://HOST:PORT?ttl=N")
-      ->needs(session)
-      ->type_name("URL");
-  app.add_flag("--with-task", o.with_task, "end when no task runs and no page is open for 5 s");
-  app.add_flag("--json", o.json, "the address as JSON: {\"url\": ...}");
-  app.footer("\nExamples:\n" + explained(kLines) + kExitStatus);
+  CommandLine line(kAbout, "ui_cli view");
+  line.option("run", o.run, "run folder (default: what runs now)").type_name("RUN");
+  line.option("--port", o.port, "of 127.0.0.1 (default: 8460 or the next that is free)")
+      .range(1024, 65535)
+      .type_name("N");
+  const Option session =
+      line.option("--session", o.wish.session, "name of the session, when several tasks run")
+          .type_name("NAME");
+  line.option("--url", o.wish.url, "where a task of another host talks: udpm://HOST:PORT?ttl=N")
+      .needs(session)
+      .type_name("URL");
+  line.flag("--with-task", o.with_task, "end when no task runs and no page is open for 5 s");
+  line.flag("--json", o.json, "the address as JSON: {\"url\": ...}");
+  line.footer("\nExamples:\n" + explained(kLines) + kExitStatus);
   interrupted = false;
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
   std::signal(SIGPIPE, SIG_IGN);  // a page that goes away is no error
-  if (const auto status = parse_words(app, arguments, out, err,
-                                      {"ui_cli view --port 8470", "ui_cli view --session press",
-                                       "ui_cli view --session cell --url udpm://239.255.76.67:7667?ttl=1"}))
+  if (const auto status =
+          line.parse_words(arguments, out, err,
+                           {"ui_cli view --port 8470", "ui_cli view --session press",
+                            "ui_cli view --session cell --url udpm://239.255.76.67:7667?ttl=1"}))
     return *status;
   try {
     return serve(o, out);

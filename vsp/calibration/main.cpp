@@ -1,8 +1,5 @@
 // Calibrates a camera from pictures of the chessboard.
-#include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
-#include <map>
+#include <fmt/core.h>
 
 #include "base/command_line.hpp"
 #include "base/fault.hpp"
@@ -11,35 +8,42 @@
 
 int main(int argc, char** argv) {
   using namespace mrroc;
-  CLI::App app{
+  CommandLine line(
       "Calibrates a camera from pictures of a chessboard: its lens, and with the robot's poses also where it "
       "is.\n"
-      "Writes a TOML file that the receptors and tasks read."};
-  app.name("calibrate");
+      "Writes a TOML file that the receptors and tasks read.",
+      "calibrate");
   vsp::CalibrationOrder order;
-  app.add_option("--pictures", order.pictures, "folder of pictures: at least 8, from all sides")->required();
-  app.add_option("--output", order.output, "TOML file that is written")->required();
-  app.add_option("--camera", order.camera, "TOML file with a lens that is known already");
-  auto* poses = app.add_option("--poses", order.poses, "table of poses: picture,x,y,z,ax,ay,az in m and rad");
-  const std::map<std::string, vsp::Arrangement> arrangements{
-      {"eye_in_hand", vsp::Arrangement::eye_in_hand},
-      {"board_in_hand", vsp::Arrangement::board_in_hand},
-      {"known_board", vsp::Arrangement::known_board}};
-  app.add_option("--arrangement", order.arrangement,
-                 "eye_in_hand: camera in the hand, poses of the hand; board_in_hand: camera beside the "
-                 "robot, poses of the "
-                 "hand; known_board: camera beside the robot, poses of the board")
-      ->transform(CLI::CheckedTransformer(arrangements))
-      ->needs(poses);
-  app.add_option("--name", order.name, "of the camera in the file, e.g. sac or eih");
-  app.add_option("--arm", order.arm, "whose poses they are");
+  line.option("--pictures", order.pictures, "folder of pictures: at least 8, from all sides").required();
+  line.option("--output", order.output, "TOML file that is written").required();
+  line.option("--camera", order.camera, "TOML file with a lens that is known already");
+  const Option poses =
+      line.option("--poses", order.poses, "table of poses: picture,x,y,z,ax,ay,az in m and rad");
+  line.choice<vsp::Arrangement>(
+          "--arrangement", order.arrangement,
+          {{"eye_in_hand", vsp::Arrangement::eye_in_hand},
+           {"board_in_hand", vsp::Arrangement::board_in_hand},
+           {"known_board", vsp::Arrangement::known_board}},
+          "eye_in_hand: camera in the hand, poses of the hand; board_in_hand: camera beside the "
+          "robot, poses of the "
+          "hand; known_board: camera beside the robot, poses of the board")
+      .needs(poses);
+  line.option("--name", order.name, "of the camera in the file, e.g. sac or eih");
+  line.option("--arm", order.arm, "whose poses they are");
   std::string board;
-  app.add_option("--board", board,
-                 "TOML file whose [chessboard] says columns, rows and square of the board (default: 9 x 6 "
-                 "inner corners, "
-                 "25 mm)");
+  line.option("--board", board,
+              "TOML file whose [chessboard] says columns, rows and square of the board (default: 9 x 6 "
+              "inner corners, "
+              "25 mm)");
   try {
-    app.parse(argc, argv);
+    const std::string example = "calibrate --pictures pictures --output camera.toml";
+    if (const auto help = line.parse_or_help(
+            argc, argv,
+            {example, example + " --name eih --poses poses.csv --arm arm1", example + " --camera lens.toml",
+             example + " --poses poses.csv --arrangement board_in_hand", example + " --board board.toml"})) {
+      fmt::print("{}", *help);
+      return 0;
+    }
     if (!board.empty()) {
       const Config file = Config::load(board);
       if (!file.has("chessboard.columns"))
@@ -49,16 +53,6 @@ int main(int argc, char** argv) {
     }
     vsp::calibrate(order, stdout);
     return 0;
-  } catch (const CLI::CallForHelp& e) {
-    return app.exit(e);
-  } catch (const CLI::ParseError& e) {
-    const std::string line = "calibrate --pictures pictures --output camera.toml";
-    const FaultError error =
-        wrong_words(app, e,
-                    {line, line + " --name eih --poses poses.csv --arm arm1", line + " --camera lens.toml",
-                     line + " --poses poses.csv --arrangement board_in_hand", line + " --board board.toml"});
-    fmt::print(stderr, "{}\n", error.error_line());
-    return 2;
   } catch (const FaultError& e) {
     fmt::print(stderr, "{}\n", e.error_line());
     return exit_status(e.fault().code);

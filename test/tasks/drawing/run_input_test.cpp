@@ -1,10 +1,10 @@
 // What a run is asked to do, and what it leaves: options, configuration, figures.
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fstream>
 
+#include "base/command_line.hpp"
 #include "base/fault.hpp"
 #include "tasks/drawing/config.hpp"
 #include "tasks/drawing/figure_info.hpp"
@@ -32,11 +32,11 @@ Input read_with(T InputOptions::*option, const V& value) {
 
 bool parses(const std::vector<std::string>& words, InputOptions* result = nullptr) {
   InputOptions options;
-  CLI::App app;
-  add_input_options(app, options);
+  CommandLine line;
+  add_input_options(line, options);
   try {
-    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
-  } catch (const CLI::ParseError&) {
+    line.parse(words);
+  } catch (const FaultError&) {
     return false;
   }
   if (result) *result = options;

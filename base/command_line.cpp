@@ -1,0 +1,400 @@
+#include "base/command_line.hpp"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <deque>
+#include <ostream>
+#include <span>
+
+#include "base/as_typed.hpp"
+#include "base/fault.hpp"
+#include "base/joined.hpp"
+#include "base/nearest.hpp"
+#include "base/program.hpp"
+
+namespace mrroc {
+namespace {
+
+/// @param kind  "option" or "command"
+/// @return bad_usage that names the word, and the nearest of those that exist
+FaultError unknown_word(const std::string& kind, const std::string& word, const WordSet& known) {
+  const std::string near = nearest(word, known);
+  return {FaultCode::bad_usage, fmt::format("there is no {} '{}'{}", kind, word,
+                                            near.empty() ? "" : fmt::format("; did you mean '{}'?", near))};
+}
+
+/// @return the long options of a command line, as they are written
+std::vector<std::string> long_options_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* o : app.get_options())
+    for (const std::string& name : o->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+void add_options(const CLI::App& app, WordSet& known) {
+  for (const std::string& name : long_options_of(app)) known.insert(name);
+}
+
+/// @return bad_usage for words that no command of the line knows, better than what CLI11 says where that is possible
+FaultError unknown_word(const CLI::App& app, const CLI::Error& e) {
+  const std::vector<std::string> words = app.remaining(true);
+  for (const std::string& word : words) {
+    if (!word.starts_with("--")) continue;
+    WordSet options;
+    add_options(app, options);
+    for (const CLI::App* command : app.get_subcommands()) add_options(*command, options);
+    return unknown_word("option", word.substr(0, word.find('=')), options);
+  }
+  WordSet commands;
+  for (const CLI::App* command : app.get_subcommands(nullptr)) commands.insert(command->get_name());
+  if (words.empty() || words.front().starts_with("-") || commands.empty() || !app.get_subcommands().empty())
+    return {FaultCode::bad_usage, e.what()};
+  return unknown_word("command", words.front(), commands);
+}
+
+/// @return what to type: the first example that begins like the command and has the word in it, or has the word only;
+///         without one, where to look
+std::string what_to_type(const Examples& examples, const std::string& command, const std::string& word) {
+  const auto find = [&](const std::string& begin) {
+    return std::ranges::find_if(examples, [&](const std::string& line) {
+      return line.starts_with(begin) && fmt::format("{} ", line).find(word) != std::string::npos;
+    });
+  };
+  auto found = find(command);
+  if (found == examples.end() && !word.empty()) found = find("");
+  if (found != examples.end()) return fmt::format("type for example `{}`", *found);
+  return command.empty() ? "look at --help" : fmt::format("look at `{} --help`", command);
+}
+
+/// @param names  of one thing or several
+/// @return "A, B and C"
+std::string listed(const std::vector<std::string>& names) {
+  if (names.empty()) return "";
+  const std::string before = joined(std::span(names).first(names.size() - 1), ", ");
+  return before.empty() ? names.back() : fmt::format("{} and {}", before, names.back());
+}
+
+/// @return an option or a place of the line with what it is for: "RUN (the run folder)"
+std::string with_description(const CLI::Option& o) {
+  std::string name = o.get_name();
+  if (o.get_positional())
+    std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::toupper(c); });
+  return o.get_description().empty() ? name : fmt::format("{} ({})", name, o.get_description());
+}
+
+/// @return bad_usage for a line that CLI11 refuses: words that do not exist or are missing are named, with what to type
+FaultError wrong_words(const CLI::App& app, const CLI::Error& e, const Examples& examples) {
+  const CLI::App* at = &app;  // the command that was reached
+  std::string command = app.get_name();
+  for (auto inner = at->get_subcommands(); !inner.empty(); inner = at->get_subcommands()) {
+    at = inner.back();
+    command += (command.empty() ? "" : " ") + at->get_name();
+  }
+  const bool required = dynamic_cast<const CLI::RequiredError*>(&e) != nullptr;
+  if (dynamic_cast<const CLI::ExtrasError*>(&e) || (required && !app.remaining(true).empty()))
+    return unknown_word(app, e);
+  if (required) {
+    std::vector<std::string> missing;
+    for (const CLI::Option* o : at->get_options())
+      if (o->get_required() && o->count() == 0) missing.push_back(with_description(*o));
+    if (missing.empty() && at->get_subcommands(nullptr).empty()) return {FaultCode::bad_usage, e.what()};
+    if (missing.empty()) {
+      for (const CLI::App* inner : at->get_subcommands(nullptr)) missing.push_back(inner->get_name());
+      return {FaultCode::bad_usage, fmt::format("a command is missing; there are {}", listed(missing)),
+              what_to_type(examples, command, "")};
+    }
+    return {FaultCode::bad_usage,
+            fmt::format("{} {} missing", listed(missing), missing.size() == 1 ? "is" : "are"),
+            what_to_type(examples, command, "")};
+  }
+  // "--session: 1 required NAME missing", "--url requires --session"
+  const std::string said = e.what(), name = said.substr(0, said.find_first_of(" :"));
+  const CLI::Option* option = at->get_option_no_throw(name);
+  if (!option) option = app.get_option_no_throw(name);
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&e) && option && option->count() == 0)
+    return {FaultCode::bad_usage, fmt::format("a value is missing behind {}", with_description(*option)),
+            what_to_type(examples, command, fmt::format(" {} ", name))};
+  const bool requires_another = dynamic_cast<const CLI::RequiresError*>(&e) != nullptr;
+  return {FaultCode::bad_usage, said,
+          what_to_type(requires_another ? examples : Examples{}, command, fmt::format(" {} ", name))};
+}
+
+}  // namespace
+
+struct Option::Held {
+  CLI::Option& option;
+};
+
+Option Option::type_name(const std::string& name) const {
+  held_->option.type_name(name);
+  return *this;
+}
+
+Option Option::about(const std::string& text) const {
+  held_->option.description(text);
+  return *this;
+}
+
+Option Option::show_default() const {
+  held_->option.capture_default_str();
+  return *this;
+}
+
+Option Option::required(bool is) const {
+  held_->option.required(is);
+  return *this;
+}
+
+Option Option::value_optional() const {
+  held_->option.expected(0, 1);
+  return *this;
+}
+
+Option Option::delimiter(char between) const {
+  held_->option.delimiter(between);
+  return *this;
+}
+
+Option Option::one_of(const std::vector<std::string>& values) const {
+  held_->option.check(CLI::IsMember(values));
+  return *this;
+}
+
+Option Option::range(int low, int high) const {
+  held_->option.check(CLI::Range(low, high));
+  return *this;
+}
+
+Option Option::range(double low, double high) const {
+  held_->option.check(CLI::Range(low, high));
+  return *this;
+}
+
+Option Option::check(const TextFunction& look) const {
+  held_->option.check([look](const std::string& text) -> std::string {
+    try {
+      look(text);
+      return {};
+    } catch (const WrongValue& e) {
+      return e.what();
+    }
+  });
+  return *this;
+}
+
+Option Option::excludes(const Option& other) const {
+  held_->option.excludes(&other.held_->option);
+  return *this;
+}
+
+Option Option::needs(const Option& other) const {
+  held_->option.needs(&other.held_->option);
+  return *this;
+}
+
+bool Option::given() const { return held_->option.count() > 0; }
+
+struct CommandLine::Parts {
+  Option add(CLI::Option* option) { return Option(options.emplace_back(*option)); }
+
+  std::unique_ptr<CLI::App> own;  ///< of the whole line; those of subcommands belong to the line above
+  CLI::App& app;
+  std::deque<Option::Held> options{};
+  std::vector<std::unique_ptr<CommandLine>> subcommands{};
+};
+
+CommandLine::CommandLine(const std::string& about, const std::string& name) {
+  auto app = std::make_unique<CLI::App>(about, name);
+  CLI::App& whole = *app;
+  parts_ = std::make_unique<Parts>(std::move(app), whole);
+}
+
+CommandLine::CommandLine(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+CommandLine::~CommandLine() = default;
+
+template <OptionValue Value>
+Option CommandLine::option(const std::string& name, Value& value, const std::string& about) {
+  return parts_->add(parts_->app.add_option(name, value, about));
+}
+
+template Option CommandLine::option(const std::string&, std::string&, const std::string&);
+template Option CommandLine::option(const std::string&, std::filesystem::path&, const std::string&);
+template Option CommandLine::option(const std::string&, int&, const std::string&);
+template Option CommandLine::option(const std::string&, std::int64_t&, const std::string&);
+template Option CommandLine::option(const std::string&, double&, const std::string&);
+template Option CommandLine::option(const std::string&, std::optional<std::string>&, const std::string&);
+template Option CommandLine::option(const std::string&, std::optional<double>&, const std::string&);
+template Option CommandLine::option(const std::string&, std::vector<std::string>&, const std::string&);
+template Option CommandLine::option(const std::string&, std::vector<std::filesystem::path>&,
+                                    const std::string&);
+
+Option CommandLine::option(const std::string& name, const TextFunction& take, const std::string& about) {
+  const auto told = [name, take](const std::string& text) {
+    try {
+      take(text);
+    } catch (const WrongValue& e) {
+      throw CLI::ValidationError(name, e.what());
+    }
+  };
+  return parts_->add(parts_->app.add_option_function<std::string>(name, told, about));
+}
+
+Option CommandLine::ignored_option(const std::string& name, const std::string& about) {
+  return parts_->add(parts_->app.add_option(name, about));
+}
+
+Option CommandLine::numbered(const std::string& name, const std::map<std::string, std::uint8_t>& numbers,
+                             const std::function<void(std::uint8_t)>& take, const std::string& about) {
+  enum class Number : std::uint8_t {};
+  std::map<std::string, Number> meanings;
+  for (const auto& [word, number] : numbers) meanings.emplace(word, Number{number});
+  const auto told = [take](const Number& number) { take(static_cast<std::uint8_t>(number)); };
+  return parts_->add(parts_->app.add_option_function<Number>(name, told, about)
+                         ->transform(CLI::CheckedTransformer(meanings)));
+}
+
+Option CommandLine::flag(const std::string& name, bool& value, const std::string& about) {
+  return parts_->add(parts_->app.add_flag(name, value, about));
+}
+
+Option CommandLine::flag(const std::string& name, const std::string& about) {
+  return parts_->add(parts_->app.add_flag_callback(
+      name, [] {}, about));
+}
+
+Option CommandLine::named(const std::string& name) {
+  const CLI::Option* const wanted = parts_->app.get_option_no_throw(name);
+  const auto found =
+      std::ranges::find_if(parts_->options, [&](const auto& held) { return &held.option == wanted; });
+  if (found == parts_->options.end()) throw std::out_of_range("there is no option " + name);
+  return Option(*found);
+}
+
+void CommandLine::footer(const std::string& text) { parts_->app.footer(text); }
+
+CommandLine& CommandLine::subcommand(const std::string& name, const std::string& about) {
+  auto parts = std::make_unique<Parts>(nullptr, *parts_->app.add_subcommand(name, about));
+  parts_->subcommands.emplace_back(new CommandLine(std::move(parts)));
+  return *parts_->subcommands.back();
+}
+
+void CommandLine::take_one_subcommand(bool required) { parts_->app.require_subcommand(required ? 1 : 0, 1); }
+
+void CommandLine::take_options_anywhere() { parts_->app.fallthrough(); }
+
+void CommandLine::take_words_unread() {
+  parts_->app.prefix_command()->set_help_flag();
+  parts_->app.fallthrough(false);
+}
+
+void CommandLine::when_given(const std::function<void()>& what) { parts_->app.callback(what); }
+
+std::vector<std::string> CommandLine::remaining() const { return parts_->app.remaining(); }
+
+std::string CommandLine::name() const { return parts_->app.get_name(); }
+
+std::string CommandLine::about() const { return parts_->app.get_description(); }
+
+std::vector<std::string> CommandLine::long_options() const { return long_options_of(parts_->app); }
+
+std::vector<const CommandLine*> CommandLine::subcommands() const {
+  std::vector<const CommandLine*> all;
+  for (const auto& command : parts_->subcommands) all.push_back(command.get());
+  return all;
+}
+
+std::optional<std::string> CommandLine::help_asked(const std::vector<std::string>& words) const {
+  if (!asks_for_help(words)) return std::nullopt;
+  const CLI::App* command = &parts_->app;
+  std::string before;
+  for (const std::string& word : words)
+    for (const CLI::App* inner : command->get_subcommands(nullptr))
+      if (inner->get_name() == word) {
+        before += (before.empty() ? "" : " ") + command->get_name();
+        command = inner;
+        break;
+      }
+  return as_typed(command->help(before));
+}
+
+std::optional<std::string> CommandLine::help_asked(int argc, const char* const* argv) {
+  if (name().empty()) parts_->app.name(this_program().filename().string());
+  return help_asked(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
+}
+
+void CommandLine::refuse_unknown_options(int argc, const char* const* argv) const {
+  WordSet known;
+  add_options(parts_->app, known);
+  for (int k = 1; k < argc; ++k) {
+    const std::string word = argv[k];
+    if (word == "--") return;
+    const std::string name = word.substr(0, word.find('='));
+    if (name.starts_with("--") && !known.contains(name)) throw unknown_word("option", name, known);
+  }
+}
+
+void CommandLine::parse(int argc, const char* const* argv, const Examples& examples) {
+  try {
+    parts_->app.parse(argc, argv);
+  } catch (const CLI::Error& e) {
+    throw wrong_words(parts_->app, e, examples);
+  }
+}
+
+void CommandLine::parse(const std::vector<std::string>& words, const Examples& examples) {
+  try {
+    parts_->app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::Error& e) {
+    throw wrong_words(parts_->app, e, examples);
+  }
+}
+
+std::optional<std::string> CommandLine::parse_or_help(int argc, const char* const* argv,
+                                                      const Examples& examples) {
+  try {
+    parts_->app.parse(argc, argv);
+    return std::nullopt;
+  } catch (const CLI::CallForHelp&) {
+    return parts_->app.help();
+  } catch (const CLI::Error& e) {
+    throw wrong_words(parts_->app, e, examples);
+  }
+}
+
+std::optional<int> CommandLine::parse_words(const std::vector<std::string>& words, std::ostream& out,
+                                            std::ostream& err, const Examples& examples) {
+  if (const auto help = help_asked(words)) {
+    out << *help;
+    return 0;
+  }
+  try {
+    parse(words, examples);
+    return std::nullopt;
+  } catch (const FaultError& e) {
+    if (e.fault().code != FaultCode::bad_usage) throw;
+    err << e.error_line() << std::endl;
+    return exit_status(FaultCode::bad_usage);
+  }
+}
+
+bool asks_for_help(const std::vector<std::string>& words) {
+  const auto end = std::ranges::find(words, "--");
+  return std::find_if(words.begin(), end, [](const auto& w) { return w == "-h" || w == "--help"; }) != end;
+}
+
+std::string explained(ExplainedLines lines) {
+  std::size_t width = 0;
+  for (auto& [line, does] : lines) {
+    line = typed(line);
+    width = std::max(width, line.size());
+  }
+  std::string text;
+  for (const auto& [line, does] : lines)
+    text += does.empty() ? fmt::format("  {}\n", line) : fmt::format("  {:<{}}   {}\n", line, width, does);
+  return text;
+}
+
+}  // namespace mrroc
