@@ -35,6 +35,10 @@ concept OptionValue = std::same_as<T, std::string> || std::same_as<T, std::files
     std::same_as<T, std::optional<std::string>> || std::same_as<T, std::optional<double>> ||
     std::same_as<T, std::vector<std::string>> || std::same_as<T, std::vector<std::filesystem::path>>;
 
+/// What one of several words may mean: an enumeration that is kept in a byte.
+template <class T>
+concept ByteEnum = std::is_enum_v<T> && std::same_as<std::underlying_type_t<T>, std::uint8_t>;
+
 /// An option, a flag or a place of a command line: a light handle, valid as long as the line. What it says of the option
 /// is to be said before the line is parsed.
 class Option {
@@ -97,10 +101,9 @@ class CommandLine {
   /// An option with a value that nobody wants.
   Option ignored_option(const std::string& name, const std::string& about);
   /// One of several words, each of which means a value.
-  template <class Value>
-  requires std::is_enum_v<Value> && std::same_as<std::underlying_type_t<Value>, std::uint8_t> Option
-  choice(const std::string& name, Value& value, const std::map<std::string, Value>& meanings,
-         const std::string& about) {
+  template <ByteEnum Value>
+  Option choice(const std::string& name, Value& value, const std::map<std::string, Value>& meanings,
+                const std::string& about) {
     std::map<std::string, std::uint8_t> numbers;
     for (const auto& [word, meaning] : meanings) numbers.emplace(word, static_cast<std::uint8_t>(meaning));
     return numbered(
