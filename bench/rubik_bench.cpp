@@ -54,7 +54,7 @@ json kept(int seed) {
 json solve(int seed) {
   const ScratchFolder scratch;
   const fs::path folder = scratch.path() / "run";
-  TaskProcess task("rubik", {"--seed", fmt::to_string(seed), "--processes", "separate", "--set",
+  TaskProcess task("rubik", {"--seed", std::to_string(seed), "--processes", "separate", "--set",
                              "cameras.profile=fast", "--run-dir", folder.string()});
   task.wait();
   json summary = run_summary(folder);

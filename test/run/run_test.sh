@@ -7,7 +7,8 @@ trap 'rm -rf "$clone"' EXIT
 cp "$1/run" "$clone/run"
 mkdir "$clone/cmake"
 cp "$1"/cmake/*.awk "$clone/cmake/"
-mkdir -p "$clone/tasks/sketch" "$clone/stubs"
+mkdir -p "$clone/tasks/sketch" "$clone/stubs" "$clone/test"
+cp "$1/test/test_command.sh" "$clone/test/"
 touch "$clone/tasks/sketch/CMakeLists.txt" "$clone/CMakePresets.json"
 cd "$clone"
 export MRROC_SKIP_INSTALL=1 PATH=$clone/stubs:$PATH

@@ -184,7 +184,7 @@ std::vector<Listener> start(const RunRecord& run, const Words& w, const std::str
     const LoggedProcess& p = *std::ranges::find(run.processes(), name, &LoggedProcess::name);
     std::vector<std::string> arguments{
         "--session",    session,
-        "--session-id", fmt::to_string(run.log().session_id()),
+        "--session-id", std::to_string(run.log().session_id()),
         "--url",        address.url(),
         "--roster",     "mp," + name,
         "--clock",      "step",

@@ -1,0 +1,147 @@
+# shellcheck shell=bash disable=SC2154  # its variables are those of ./run, which sources it
+# The command `./run test`: tests, with sanitizers too, and checks of the sources.
+
+passed=0 failed=0
+
+# Leaves out the lines of tests that passed; a terminal sees the count instead.
+only_failures() {
+  local line start='^ +Start +[0-9]+: ' pass='^ *([0-9]+/[0-9]+) Test +#.* Passed '
+  while IFS= read -r line; do
+    if [[ $line =~ $pass ]]; then
+      [[ ! -t 1 ]] || printf '\r%s ' "${BASH_REMATCH[1]}"
+    elif [[ ! $line =~ $start ]]; then
+      printf '%s\n' "$line"
+    fi
+  done
+}
+
+# skip_reasons PRESET: a line for every reason, with the tests that were skipped for it
+skip_reasons() {
+  awk -f "$root/cmake/skip_reasons.awk" "$build/test-$1.log" "$build/$1/Testing/Temporary/LastTest.log" >&2
+}
+
+# run_tests PRESET [ctest options]: all output in build/test-PRESET.log, that of failures here
+run_tests() {
+  local preset=$1 log=$build/test-$1.log start=$SECONDS status=0 bad all skipped
+  shift
+  (cd "$root" && ctest --preset "$preset" "$@") 2>&1 | tee "$log" | only_failures || status=$?
+  read -r bad all < <(sed -nE 's/.* ([0-9]+) tests failed out of ([0-9]+).*/\1 \2/p' "$log") || true
+  bad=${bad:-1} all=${all:-1}
+  ((status == 0)) || ((bad > 0)) || bad=1
+  skipped=$(grep -c '(Skipped)$' "$log") || true
+  passed=$((passed + all - bad - skipped)) failed=$((failed + bad))
+  ((skipped == 0)) || skip_reasons "$preset"
+  say "$preset tests: $((all - bad - skipped)) passed, $bad failed, $skipped skipped ($((SECONDS - start)) s)"
+}
+
+# check TEXT LOG COMMAND...: a phase that counts as one test
+check() {
+  if phase "$@"; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
+}
+
+check_format() {
+  git -C "$root" ls-files -z '*.cpp' '*.hpp' | (cd "$root" && xargs -0 clang-format --dry-run -Werror)
+}
+
+check_shell() { (cd "$root" && git ls-files -z run .ci/run '*.sh' | xargs -0 shellcheck --external-sources --severity=warning); }
+
+test_format() {
+  need_packages "${check_packages[@]}"
+  local before=$passed
+  check "clang-format" format check_format
+  check "shellcheck" shellcheck check_shell
+  say "checks of the sources: $((passed - before)) passed, $((2 - passed + before)) failed, 0 skipped"
+}
+
+# tidy_files SINCE SHARE: of the files that the build knows, those that differ from a commit, or for a header that does one
+# that includes it; and part K of N of all. Neither is named: all
+tidy_files() {
+  local list=$build/tidy-known.txt name
+  sed -n 's/^ *"file": "\(.*\)",*$/\1/p' "$build/dev/compile_commands.json" | grep -v "^$build/" | sort -u >"$list"
+  [[ -n $1$2 ]] || cat "$list"
+  [[ -z $2 ]] || awk -v k="${2%/*}" -v n="${2#*/}" 'NR % n == k % n' "$list"
+  [[ -n $1 ]] || return 0
+  while IFS= read -r name; do
+    case $name in
+      *.cpp) grep -xF "$root/$name" "$list" ;;
+      *) git -C "$root" grep -lF "#include \"$name\"" -- '*.cpp' | sed "s|^|$root/|" | grep -xFf "$list" | sed -n 1p ;;
+    esac || true # one that no build knows
+  done < <(git -C "$root" diff --name-only --diff-filter=d "$1" -- '*.cpp' '*.hpp')
+}
+
+# tidy_one DEADLINE FILE: nothing is said of one that is in order
+tidy_one() {
+  local said
+  if (($1 > 0 && EPOCHSECONDS > $1)); then
+    echo "tidy skipped: $2"
+  elif ! said=$(clang-tidy --quiet -p "$build/dev" "$2" 2>/dev/null); then
+    printf '%s\ntidy failed: %s\n' "$said" "$2"
+  fi
+}
+
+# test_tidy SINCE SHARE MINUTES: every file counts as a test
+test_tidy() {
+  need_packages "${packages[@]}" "${check_packages[@]}"
+  compile dev mrroc_generated
+  local files=$build/tidy-files.txt log=$build/tidy.log start=$SECONDS deadline=0 all bad skipped
+  [[ -z $3 ]] || deadline=$((EPOCHSECONDS + 60 * $3))
+  tidy_files "$1" "$2" | sort -u | shuf --random-source=<(yes) >"$files"
+  export -f tidy_one
+  export build
+  xargs -r -a "$files" -d '\n' -P "$jobs" -n 1 bash -c 'tidy_one "$@"' bash "$deadline" >"$log" || true
+  all=$(wc -l <"$files") bad=$(grep -c '^tidy failed: ' "$log") skipped=$(grep -c '^tidy skipped: ' "$log") || true
+  ((bad == 0)) || grep -E '^tidy failed: |(error|warning): ' "$log" | sort -u | head -n 60 >&2
+  ((skipped == 0)) || say "skipped: $skipped files: no time was left for them"
+  passed=$((passed + all - bad - skipped)) failed=$((failed + bad))
+  say "clang-tidy: $((all - bad - skipped)) passed, $bad failed, $skipped skipped ($((SECONDS - start)) s)"
+}
+
+# test_sanitized PRESET [ctest options]
+test_sanitized() {
+  need_packages "${packages[@]}"
+  compile "$1" programs tests
+  run_tests "$@"
+}
+
+test_release() {
+  prepare programs tests
+  if (($#)) && ! (cd "$root" && ctest --preset release -N "$@" | grep '^  Test ' >/dev/null); then
+    fail 2 bad_usage "no test has '$2' in its name; all names: ctest --test-dir build/release -N"
+  fi
+  run_tests release "$@"
+}
+
+run_test_command() {
+  local what=() filter=() page=false since='' share='' minutes=''
+  while (($#)); do
+    case $1 in
+      --all) what+=(release asan tsan format tidy) page=true ;;
+      --page) page=true ;;
+      --asan | --tsan | --format | --tidy) what+=("${1#--}") ;;
+      -R | --since | --share | --minutes)
+        [[ -n ${2:-} ]] || fail 2 bad_usage "$1 wants a value; look at ./run test --help"
+        case $1 in -R) filter=(-R "$2") ;; --since) since=$2 ;; --share) share=$2 ;; --minutes) minutes=$2 ;; esac
+        shift
+        ;;
+      *) fail 2 bad_usage "test does not know '$1'; look at ./run test --help" ;;
+    esac
+    shift
+  done
+  [[ -z $since ]] || git -C "$root" rev-parse --quiet --verify "$since^{commit}" >/dev/null ||
+    fail 2 bad_usage "--since: there is no commit '$since'"
+  [[ -z $share || $share =~ ^[0-9]+/[1-9][0-9]*$ ]] || fail 2 bad_usage "--share: '$share' is not of the form K/N"
+  [[ -z $minutes || $minutes =~ ^[1-9][0-9]*$ ]] || fail 2 bad_usage "--minutes: '$minutes' is no number of minutes"
+  if $page; then need_packages "${page_packages[@]}"; fi
+  ((${#what[@]})) || what=(release)
+  local part
+  for part in "${what[@]}"; do
+    case $part in
+      release) test_release "${filter[@]}" ;;
+      asan | tsan) test_sanitized "$part" "${filter[@]}" ;;
+      format) test_format ;;
+      tidy) test_tidy "$since" "$share" "$minutes" ;;
+    esac
+  done
+  printf '%d passed, %d failed\n' "$passed" "$failed"
+  ((failed == 0)) || fail 1 tests_failed "$failed of $((passed + failed)) failed; the reasons are above and in build/*.log"
+}
