@@ -125,6 +125,7 @@ FaultError wrong_words(const CLI::App& app, const CLI::Error& e, const Examples&
 }  // namespace
 
 struct Option::Held {
+  explicit Held(CLI::Option& of) : option(of) {}
   CLI::Option& option;
 };
 
@@ -198,6 +199,7 @@ Option Option::needs(const Option& other) const {
 bool Option::given() const { return held_->option.count() > 0; }
 
 struct CommandLine::Parts {
+  Parts(std::unique_ptr<CLI::App> owned, CLI::App& of) : own(std::move(owned)), app(of) {}
   Option add(CLI::Option* option) { return Option(options.emplace_back(*option)); }
 
   std::unique_ptr<CLI::App> own;  ///< of the whole line; those of subcommands belong to the line above

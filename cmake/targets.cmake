@@ -1,9 +1,9 @@
-# What all targets have in common, and mrroc_test(NAME [THREADS] sources...)  a gtest suite that mirrors one folder;
-# THREADS: it has more than one
+# What all targets have in common, and mrroc_test(NAME [THREADS] [TIMEOUT s] sources...)  a gtest suite that mirrors one
+# folder; THREADS: it has more than one; TIMEOUT: of each test, usual: 900
 include(GoogleTest)
 include(functions)
 
-# What ./run builds for a task, and what it builds for the tests.
+# All programs, and what ./run builds for the tests.
 add_custom_target(programs)
 add_custom_target(tests)
 
@@ -67,7 +67,10 @@ if(MRROC_TESTS)
 endif()
 
 function(mrroc_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "THREADS" "" "")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "THREADS" "TIMEOUT" "")
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 900)
+  endif()
   add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
   target_link_libraries(${name} PRIVATE mrroc_test_options GTest::gtest_main)
   target_precompile_headers(${name} REUSE_FROM mrroc_test_headers)
@@ -77,5 +80,5 @@ function(mrroc_test name)
     return()
   endif()
   add_dependencies(tests ${name})
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 900)
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${arg_TIMEOUT})
 endfunction()

@@ -56,7 +56,7 @@ test_format() {
 # tidy_files SINCE SHARE: of the files that the build knows, those that differ from a commit, or for a header that does one
 # that includes it; and part K of N of all. Neither is named: all
 tidy_files() {
-  local list=$build/tidy-known.txt name
+  local list=$build/tidy-known.txt name found step
   sed -n 's/^ *"file": "\(.*\)",*$/\1/p' "$build/dev/compile_commands.json" | grep -v "^$build/" | sort -u >"$list"
   [[ -n $1$2 ]] || cat "$list"
   [[ -z $2 ]] || awk -v k="${2%/*}" -v n="${2#*/}" 'NR % n == k % n' "$list"
@@ -64,36 +64,54 @@ tidy_files() {
   while IFS= read -r name; do
     case $name in
       *.cpp) grep -xF "$root/$name" "$list" ;;
-      *) git -C "$root" grep -lF "#include \"$name\"" -- '*.cpp' | sed "s|^|$root/|" | grep -xFf "$list" | sed -n 1p ;;
+      *)
+        # From header to header, until a source includes one.
+        for ((step = 0; step < 5; ++step)); do
+          found=$(git -C "$root" grep -lF "#include \"$name\"" -- '*.cpp' | sed "s|^|$root/|" | grep -xFf "$list" | sed -n 1p) || true
+          [[ -z $found ]] || break
+          name=$(git -C "$root" grep -lF "#include \"$name\"" -- '*.hpp' | sed -n 1p) || true
+          [[ -n $name ]] || break
+        done
+        [[ -z $found ]] || printf '%s\n' "$found"
+        ;;
     esac || true # one that no build knows
   done < <(git -C "$root" diff --name-only --diff-filter=d "$1" -- '*.cpp' '*.hpp')
 }
 
-# tidy_one DEADLINE FILE: nothing is said of one that is in order
+# tidy_one DEADLINE FILE: says what is wrong with it, and writes down that it was looked at
 tidy_one() {
-  local said
+  local said done=ok
   if (($1 > 0 && EPOCHSECONDS > $1)); then
-    echo "tidy skipped: $2"
+    done=skipped
   elif ! said=$(clang-tidy --quiet -p "$build/dev" "$2" 2>/dev/null); then
-    printf '%s\ntidy failed: %s\n' "$said" "$2"
+    done=failed
+    printf '%s\n' "$said"
   fi
+  printf '%s %s\n' "$done" "$2" >>"$build/tidy-done.txt"
 }
 
 # test_tidy SINCE SHARE MINUTES: every file counts as a test
 test_tidy() {
   need_packages "${packages[@]}" "${check_packages[@]}"
   compile dev mrroc_generated
-  local files=$build/tidy-files.txt log=$build/tidy.log start=$SECONDS deadline=0 all bad skipped
+  local files=$build/tidy-files.txt log=$build/tidy.log start=$SECONDS deadline=0 all good skipped bad
   [[ -z $3 ]] || deadline=$((EPOCHSECONDS + 60 * $3))
-  tidy_files "$1" "$2" | sort -u | shuf --random-source=<(yes) >"$files"
+  tidy_files "$1" "$2" | sort -u | shuf >"$files" # so that others are left when the time is over
+  : >"$build/tidy-done.txt"
   export -f tidy_one
   export build
   xargs -r -a "$files" -d '\n' -P "$jobs" -n 1 bash -c 'tidy_one "$@"' bash "$deadline" >"$log" || true
-  all=$(wc -l <"$files") bad=$(grep -c '^tidy failed: ' "$log") skipped=$(grep -c '^tidy skipped: ' "$log") || true
-  ((bad == 0)) || grep -E '^tidy failed: |(error|warning): ' "$log" | sort -u | head -n 60 >&2
+  all=$(wc -l <"$files")
+  good=$(grep -c '^ok ' "$build/tidy-done.txt") || true
+  skipped=$(grep -c '^skipped ' "$build/tidy-done.txt") || true
+  bad=$((all - good - skipped))
+  if ((bad > 0)); then
+    grep -E '(error|warning): ' "$log" | sort -u | sed -n 1,60p >&2
+    sed -n 's/^failed /clang-tidy: /p' "$build/tidy-done.txt" >&2
+  fi
   ((skipped == 0)) || say "skipped: $skipped files: no time was left for them"
-  passed=$((passed + all - bad - skipped)) failed=$((failed + bad))
-  say "clang-tidy: $((all - bad - skipped)) passed, $bad failed, $skipped skipped ($((SECONDS - start)) s)"
+  passed=$((passed + good)) failed=$((failed + bad))
+  say "clang-tidy: $good passed, $bad failed, $skipped skipped ($((SECONDS - start)) s)"
 }
 
 # test_sanitized PRESET [ctest options]
@@ -131,6 +149,8 @@ run_test_command() {
     fail 2 bad_usage "--since: there is no commit '$since'"
   [[ -z $share || $share =~ ^[0-9]+/[1-9][0-9]*$ ]] || fail 2 bad_usage "--share: '$share' is not of the form K/N"
   [[ -z $minutes || $minutes =~ ^[1-9][0-9]*$ ]] || fail 2 bad_usage "--minutes: '$minutes' is no number of minutes"
+  [[ -z $since$share$minutes || " ${what[*]} " == *" tidy "* ]] ||
+    fail 2 bad_usage "--since, --share and --minutes are for --tidy; look at ./run test --help"
   if $page; then need_packages "${page_packages[@]}"; fi
   ((${#what[@]})) || what=(release)
   local part

@@ -3,6 +3,8 @@
 # Usage: bare.sh [--cold] [--keep] [CONTRACT...]; it needs root, a mirror of Debian and some 6 GB below build/bare.
 # Exit status: 0 all contracts hold; 1 one does not; 77 no bare root could be made here, for the reason it says.
 set -euo pipefail
+shopt -s inherit_errexit
+export LC_ALL=C.UTF-8
 
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 place=$top/build/bare
@@ -49,20 +51,18 @@ mirrors() {
 apt_settings() { apt-config dump | grep -E '^Acquire::(https?::|Retries|ForceIPv[46]|Check-Valid-Until)' || true; }
 
 make_pristine() {
-  [[ $EUID -eq 0 ]] || not_here "a bare root is made by root"
   command -v mmdebstrap >/dev/null || not_here "mmdebstrap is not installed"
   local sources
   sources=$(mirrors)
   [[ -n $sources ]] || not_here "apt knows no archive of Debian; try apt-get update"
   mkdir -p "$place"
+  rm -rf "$pristine.new" # of one that was ended
   apt_settings >"$place/apt.conf"
   mmdebstrap --variant=apt --aptopt="$place/apt.conf" "$suite" "$pristine.new" <<<"$sources" >"$place/mmdebstrap.log" 2>&1 || {
     tail -n 5 "$place/mmdebstrap.log"
     rm -rf "$pristine.new"
     not_here "mmdebstrap made no root; build/bare/mmdebstrap.log tells why"
   }
-  cp "$place/apt.conf" "$pristine.new/etc/apt/apt.conf.d/90mirror"
-  cp /etc/resolv.conf "$pristine.new/etc/resolv.conf"
   mv "$pristine.new" "$pristine"
 }
 
@@ -71,6 +71,8 @@ new_root() {
   local root=$place/$1
   rm -rf "$root"
   cp -a "$pristine" "$root"
+  apt_settings >"$root/etc/apt/apt.conf.d/90mirror"
+  cp /etc/resolv.conf "$root/etc/resolv.conf"
   mount -t proc proc "$root/proc"
   mount --rbind /dev "$root/dev"
   mount -t tmpfs tmpfs "$root/dev/shm"
@@ -82,7 +84,8 @@ new_root() {
 # drop ROOT
 drop() {
   umount --recursive --lazy "$1/dev" "$1/proc"
-  $keep || rm -rf "$1"
+  ! mountpoint -q "$1/root/.cache/ccache" || umount "$1/root/.cache/ccache"
+  $keep || rm -rf --one-file-system "$1"
 }
 
 # inside ROOT LINE: types a line in root's home, with an environment as bare as the root
@@ -113,13 +116,15 @@ the_commands_of_the_readme_work() {
     log=$place/readme-$n.log
     begun=$EPOCHREALTIME
     inside "$root" "cd mrroc && $command" 2>&1 | stamped "$log" || {
-      ! grep -q "error: install_failed: Debian's servers" "$log" || not_here "$command: Debian's servers were not reached"
+      ! tail -n 1 "$log" | grep -q "error: install_failed: Debian's servers" || not_here "$command: Debian's servers were not reached"
       broken "$command" "$log"
     }
     awk -v begun="$begun" -v command="$command" '{ last = $1 } END { printf "%s: %.0f s\n", command, last - begun }' "$log"
     # What it spent its time with, and when the first arm moved.
-    sed -nE 's/^[^ ]+ ((installing|configuring|building) .*[0-9]+ s)$/  \1/p' "$log"
-    awk -v begun="$begun" '/ m = 1 / { printf "fresh_clone_s %.0f\n", $1 - begun; exit }' "$log"
+    sed -nE -e 's/^[^ ]+ ((installing|configuring) .*[0-9]+ s)$/  \1/p' \
+      -e 's/^[^ ]+ +[0-9]+ % \(.* of ([0-9]+ steps)\) \.\.\. ([0-9]+ s)$/  building: \1, \2/p' "$log"
+    awk -v begun="$begun" -v cache="${cache:+with what the compiler has in its cache}" '
+      / m = 1 / { printf "fresh_clone_s %.0f %s\n", $1 - begun, cache; exit }' "$log"
     sed -nE 's/^[^ ]+ (skipped: .*|.*: [0-9]+ passed, [0-9]+ failed, .*)$/  \1/p' "$log"
   done < <(commands_of_the_readme)
   ((n == 2)) || broken "the README begins with $n commands"
@@ -140,8 +145,10 @@ a_user_who_may_not_install_is_told_what_to_type() {
   # The line is typed, but for the minutes that the packages would take.
   line=$(sed -nE "s/.*type: su - -c '(.*)'$/\1/p" "$said")
   [[ $line == *' install '* ]] || broken 'it has no line to type' "$said"
-  inside "$root" "${line/ install / --dry-run install }" >"$place/typed.log" 2>&1 ||
+  inside "$root" "${line/ install / --dry-run install }" >"$place/typed.log" 2>&1 || {
+    ! grep -qE 'Failed to fetch|Temporary failure' "$place/typed.log" || not_here "Debian's servers were not reached"
     broken "root typed: $line" "$place/typed.log"
+  }
   drop "$root"
 }
 
@@ -174,7 +181,9 @@ $cold || cache=$(ccache --get-config cache_dir 2>/dev/null) || cache=
 [[ -z $cache ]] || mkdir -p "$cache"
 
 # What is mounted belongs to this run alone and goes with it, as do its processes.
-if [[ $EUID -eq 0 && $$ != 1 ]]; then
+[[ $EUID -eq 0 ]] || not_here "a bare root is made by root"
+if [[ $$ != 1 ]]; then
+  unshare --mount --pid --fork true 2>/dev/null || not_here "root may make no namespaces here"
   exec unshare --mount --pid --fork --kill-child --mount-proc "$0" "$@"
 fi
 [[ -d $pristine ]] || make_pristine

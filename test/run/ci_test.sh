@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The script .ci/run in a made-up clone, with a made-up ./run. Usage: ci_test.sh ROOT NAME
 set -euo pipefail
+command -v git >/dev/null || { echo 'skipped: there is no git'; exit 77; }
 
 clone=$(mktemp -d)
 trap 'rm -rf "$clone"' EXIT
@@ -20,12 +21,15 @@ for file in fail-*; do
   cat "$file"
   exit 1
 done
+if [[ -e slow && "$*" == *--asan* ]]; then sleep 20; fi
+if [[ -e no-time && "$*" == *--since* ]]; then echo 'skipped: 3 files: no time was left for them'; fi
 echo 'skipped: Page.Shows: there is no Chromium'
 echo "made-up tests: 2 passed, 0 failed, 1 skipped (1 s)"
 STUB
 cat >test/bare/bare.sh <<'STUB'
 #!/usr/bin/env bash
 echo "bare" >>calls
+if [[ -e broken ]]; then echo 'FAILED: ./run drawing'; exit 1; fi
 if [[ -e no-mirror ]]; then echo 'skipped: mmdebstrap made no root'; exit 77; fi
 echo '  release tests: 10 passed, 0 failed, 0 skipped (1 s)'
 echo 'fresh_clone_s 99'
@@ -68,6 +72,10 @@ a_part_that_fails_decides_and_the_others_run() {
     [[ ! -e memory/landed ]] || fail 'it has not landed'
     rm "fail-$part"
   done
+  touch broken
+  ci 1
+  says 'FAILED'
+  rm broken
   : >fail-asan # it says nothing
   ci 1
   [[ $(tail -n 1 <<<"$said") == *' 1 failed, '* ]] || fail 'it is not counted'
@@ -91,16 +99,33 @@ what_has_not_begun_in_time_is_told_and_fails_nothing() {
   says 'NOT RUN'
   says 'it had not begun after'
   [[ $(wc -l <memory/left_out) == 7 ]] || fail 'they are not kept'
+  [[ ! -e memory/landed ]] || fail 'what nobody looked at has landed'
 }
 
 tidy_looks_at_what_differs_from_the_commit_that_passed_last_and_at_shares_by_turns() {
   local before
   ci 0
   before=$(git rev-parse HEAD)
+  grep -q -- '--share 1/8' calls || fail "$(cat calls)"
   git -c user.name=a -c user.email=a@b commit -q --allow-empty -m next
   ci 0
   grep -q -- "--since $before" calls || fail "$(cat calls)"
   grep -q -- '--share 2/8' calls || fail "$(cat calls)"
+  # Files for which no time was left belong to the next run's.
+  before=$(git rev-parse HEAD)
+  git -c user.name=a -c user.email=a@b commit -q --allow-empty -m third
+  touch no-time
+  ci 0
+  grep -q -- '--share 3/8' calls || fail "$(cat calls)"
+  ci 0
+  grep -q -- "--since $before" calls || fail "$(cat calls)"
+}
+
+a_part_that_takes_too_long_is_ended_and_fails() {
+  touch slow
+  MRROC_CI_LAST_END=6 ci 1
+  says 'it was ended 0 minutes after the beginning of the whole'
+  says 'NOT RUN'
 }
 
 "$2"

@@ -217,7 +217,10 @@ a_task_builds_only_what_it_starts_and_the_viewer_where_it_is_wanted() {
 
 what_a_check_is_given_is_judged_before_anything_is_done() {
   local words status
-  for words in '--tidy --share 3' '--tidy --since nowhere' '--tidy --minutes x' '--since' '--usan'; do
+  if command -v git >/dev/null; then
+    git init -q . && git -c user.name=a -c user.email=a@b commit -q --allow-empty -m made-up
+  fi
+  for words in '--tidy --share 3' '--since HEAD' '--tidy --since nowhere' '--tidy --minutes x' '--since' '--usan'; do
     status=0
     # shellcheck disable=SC2086  # a list
     said=$(./run test $words 2>&1) || status=$?
