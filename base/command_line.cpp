@@ -125,7 +125,6 @@ FaultError wrong_words(const CLI::App& app, const CLI::Error& e, const Examples&
 }  // namespace
 
 struct Option::Held {
-  explicit Held(CLI::Option& of) : option(of) {}
   CLI::Option& option;
 };
 
@@ -199,8 +198,7 @@ Option Option::needs(const Option& other) const {
 bool Option::given() const { return held_->option.count() > 0; }
 
 struct CommandLine::Parts {
-  Parts(std::unique_ptr<CLI::App> owned, CLI::App& of) : own(std::move(owned)), app(of) {}
-  Option add(CLI::Option* option) { return Option(options.emplace_back(*option)); }
+  Option add(CLI::Option* option) { return Option(options.emplace_back(Option::Held{*option})); }
 
   std::unique_ptr<CLI::App> own;  ///< of the whole line; those of subcommands belong to the line above
   CLI::App& app;
@@ -211,7 +209,7 @@ struct CommandLine::Parts {
 CommandLine::CommandLine(const std::string& about, const std::string& name) {
   auto app = std::make_unique<CLI::App>(about, name);
   CLI::App& whole = *app;
-  parts_ = std::make_unique<Parts>(std::move(app), whole);
+  parts_ = std::make_unique<Parts>(Parts{std::move(app), whole});
 }
 
 CommandLine::CommandLine(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -278,7 +276,7 @@ Option CommandLine::named(const std::string& name) {
 void CommandLine::footer(const std::string& text) { parts_->app.footer(text); }
 
 CommandLine& CommandLine::subcommand(const std::string& name, const std::string& about) {
-  auto parts = std::make_unique<Parts>(nullptr, *parts_->app.add_subcommand(name, about));
+  auto parts = std::make_unique<Parts>(Parts{nullptr, *parts_->app.add_subcommand(name, about)});
   parts_->subcommands.emplace_back(new CommandLine(std::move(parts)));
   return *parts_->subcommands.back();
 }

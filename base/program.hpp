@@ -22,6 +22,7 @@ namespace mrroc {
 ///         projects outside of the tree have them
 /// @throws FaultError start_failed: it is in neither place
 [[nodiscard]] inline std::filesystem::path program_beside(const std::string& name) {
+  // The kernel tells an address as a number.  NOLINTNEXTLINE(performance-no-int-to-ptr)
   const auto* const called = reinterpret_cast<const char*>(::getauxval(AT_EXECFN));
   const std::filesystem::path own = program_folder();
   const std::filesystem::path link =
