@@ -78,12 +78,28 @@ tidy_files() {
   done < <(git -C "$root" diff --name-only --diff-filter=d "$1" -- '*.cpp' '*.hpp')
 }
 
+# changed_lines SINCE: for clang-tidy, which then speaks of nothing else; of too many only the files
+changed_lines() {
+  git -C "$root" diff -U0 --diff-filter=d "$1" -- '*.cpp' '*.hpp' | awk '
+    function close_file() {
+      if (name == "") return
+      names = names (names ? "," : "") "{\"name\":\"" name "\"}"
+      files = files (files ? "," : "") "{\"name\":\"" name "\"" (lines ? ",\"lines\":[" lines "]" : "") "}"
+    }
+    /^\+\+\+ b\// { close_file(); name = substr($2, 3); lines = "" }
+    /^@@/ {
+      split(substr($3, 2), at, ","); n = at[2] == "" ? 1 : at[2]
+      if (n > 0) lines = lines (lines ? "," : "") "[" at[1] "," at[1] + n - 1 "]"
+    }
+    END { close_file(); print "[" (length(files) > 120000 ? names : files) "]" }'
+}
+
 # tidy_one DEADLINE FILE: says what is wrong with it, and writes down that it was looked at
 tidy_one() {
   local said done=ok
   if (($1 > 0 && EPOCHSECONDS > $1)); then
     done=skipped
-  elif ! said=$(clang-tidy --quiet -p "$build/dev" "$2" 2>/dev/null); then
+  elif ! said=$(clang-tidy --quiet -p "$build/dev" ${lines:+"--line-filter=$lines"} "$2" 2>/dev/null); then
     done=failed
     printf '%s\n' "$said"
   fi
@@ -98,8 +114,10 @@ test_tidy() {
   [[ -z $3 ]] || deadline=$((EPOCHSECONDS + 60 * $3))
   tidy_files "$1" "$2" | sort -u | shuf >"$files" # so that others are left when the time is over
   : >"$build/tidy-done.txt"
+  local lines=''
+  [[ -z $1 || -n $2 ]] || lines=$(changed_lines "$1")
   export -f tidy_one
-  export build
+  export build lines
   xargs -r -a "$files" -d '\n' -P "$jobs" -n 1 bash -c 'tidy_one "$@"' bash "$deadline" >"$log" || true
   all=$(wc -l <"$files")
   good=$(grep -c '^ok ' "$build/tidy-done.txt") || true

@@ -106,17 +106,17 @@ tidy_looks_at_what_differs_from_the_commit_that_passed_last_and_at_shares_by_tur
   local before
   ci 0
   before=$(git rev-parse HEAD)
-  grep -q -- '--share 1/8' calls || fail "$(cat calls)"
+  grep -q -- '--share 1/24' calls || fail "$(cat calls)"
   git -c user.name=a -c user.email=a@b commit -q --allow-empty -m next
   ci 0
   grep -q -- "--since $before" calls || fail "$(cat calls)"
-  grep -q -- '--share 2/8' calls || fail "$(cat calls)"
+  grep -q -- '--share 2/24' calls || fail "$(cat calls)"
   # Files for which no time was left belong to the next run's.
   before=$(git rev-parse HEAD)
   git -c user.name=a -c user.email=a@b commit -q --allow-empty -m third
   touch no-time
   ci 0
-  grep -q -- '--share 3/8' calls || fail "$(cat calls)"
+  grep -q -- '--share 3/24' calls || fail "$(cat calls)"
   ci 0
   grep -q -- "--since $before" calls || fail "$(cat calls)"
 }
