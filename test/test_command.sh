@@ -132,10 +132,12 @@ test_tidy() {
   say "clang-tidy: $good passed, $bad failed, $skipped skipped ($((SECONDS - start)) s)"
 }
 
-# test_sanitized PRESET [ctest options]
+# test_sanitized PRESET [ctest options]: with threads what CMakePresets.json names for them
 test_sanitized() {
+  local targets=(programs tests)
+  [[ $1 != tsan ]] || targets=(base_link_test mp_test mp_delay_test test_every_task)
   need_packages "${packages[@]}"
-  compile "$1" programs tests
+  compile "$1" "${targets[@]}"
   run_tests "$@"
 }
 
