@@ -79,7 +79,7 @@ TEST(Layers, KeepEachLibraryInItsFolder) {
   EXPECT_EQ(layer_violation("bench/vision.cpp", "opencv2/core.hpp", false), "");
   EXPECT_EQ(layer_violation("vsp/cube_face/colours.cpp", "opencv2/imgproc.hpp", false), "");
   EXPECT_EQ(layer_violation("sim/camera/gl.cpp", "EGL/egl.h", false), "");
-  EXPECT_EQ(layer_violation("base/command_line.cpp", "CLI/CLI.hpp", false), "");
+  EXPECT_EQ(layer_violation("base/command_line.cpp", "CLI/App.hpp", false), "");
   for (const auto& [path, include] : {Line{"edp/shell.cpp", "lcm/lcm-cpp.hpp"},
                                       {"base/pose.cpp", "lcm/lcm.h"},
                                       {"tasks/drawing/main.cpp", "lcm/lcm-cpp.hpp"},
@@ -89,9 +89,9 @@ TEST(Layers, KeepEachLibraryInItsFolder) {
                                       {"robots/irb6/model.cpp", "bullet/btBulletCollisionCommon.h"},
                                       {"tasks/drawing/main.cpp", "LinearMath/btVector3.h"},
                                       {"vsp/shell.cpp", "EGL/egl.h"},
-                                      {"base/command_line.hpp", "CLI/CLI.hpp"},
-                                      {"bench/main.cpp", "CLI/CLI.hpp"},
-                                      {"mp/options.cpp", "CLI/CLI.hpp"},
+                                      {"base/command_line.hpp", "CLI/App.hpp"},
+                                      {"bench/main.cpp", "CLI/App.hpp"},
+                                      {"mp/options.cpp", "CLI/App.hpp"},
                                       {"sim/world.cpp", "GL/glcorearb.h"},
                                       {"vsp/cube_face/colours.cpp", "opencv2/opencv.hpp"},
                                       {"sim/camera.cpp", "opencv2/opencv.hpp"}})
