@@ -113,6 +113,7 @@ test_tidy() {
   local files=$build/tidy-files.txt log=$build/tidy.log start=$SECONDS deadline=0 all good skipped bad
   [[ -z $3 ]] || deadline=$((EPOCHSECONDS + 60 * $3))
   tidy_files "$1" "$2" | sort -u | shuf >"$files" # so that others are left when the time is over
+  [[ -s $files ]] || say "no file is concerned"
   : >"$build/tidy-done.txt"
   local lines=''
   [[ -z $1 || -n $2 ]] || lines=$(changed_lines "$1")
@@ -167,7 +168,8 @@ run_test_command() {
   done
   [[ -z $since ]] || git -C "$root" rev-parse --quiet --verify "$since^{commit}" >/dev/null ||
     fail 2 bad_usage "--since: there is no commit '$since'"
-  [[ -z $share || $share =~ ^[0-9]+/[1-9][0-9]*$ ]] || fail 2 bad_usage "--share: '$share' is not of the form K/N"
+  [[ -z $share ]] || { [[ $share =~ ^[0-9]+/[0-9]+$ ]] && ((10#${share%/*} < 10#${share#*/})); } ||
+    fail 2 bad_usage "--share: '$share' is not of the form K/N with K from 0 to N - 1"
   [[ -z $minutes || $minutes =~ ^[1-9][0-9]*$ ]] || fail 2 bad_usage "--minutes: '$minutes' is no number of minutes"
   [[ -z $since$share$minutes || " ${what[*]} " == *" tidy "* ]] ||
     fail 2 bad_usage "--since, --share and --minutes are for --tidy; look at ./run test --help"

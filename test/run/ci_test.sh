@@ -8,7 +8,7 @@ trap 'rm -rf "$clone"' EXIT
 mkdir -p "$clone/.ci" "$clone/test/bare"
 cp "$1/.ci/run" "$clone/.ci/run"
 cd "$clone"
-export MRROC_CI_MEMORY=$clone/memory PATH=$clone/stubs:$PATH
+export MRROC_CI_MEMORY=$clone/memory MRROC_CI_PARTS="bare asan tsan format changed page share" PATH=$clone/stubs:$PATH
 mkdir stubs memory
 printf '#!/bin/sh\n' >stubs/mmdebstrap
 
