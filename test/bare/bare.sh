@@ -73,6 +73,7 @@ new_root() {
   cp -a "$pristine" "$root"
   apt_settings >"$root/etc/apt/apt.conf.d/90mirror"
   cp /etc/resolv.conf "$root/etc/resolv.conf"
+  mount --bind "$root" "$root" # network namespaces want / to be a mount
   mount -t proc proc "$root/proc"
   mount --rbind /dev "$root/dev"
   mount -t tmpfs tmpfs "$root/dev/shm"
@@ -83,8 +84,7 @@ new_root() {
 
 # drop ROOT
 drop() {
-  umount --recursive --lazy "$1/dev" "$1/proc"
-  ! mountpoint -q "$1/root/.cache/ccache" || umount "$1/root/.cache/ccache"
+  umount --recursive --lazy "$1"
   $keep || rm -rf --one-file-system "$1"
 }
 

@@ -25,6 +25,7 @@ clean() {
 trap clean EXIT
 ip netns add "$desk" 2>/dev/null || skip "network namespaces are not allowed here"
 ip netns add "$robot"
+ip netns exec "$robot" true 2>/dev/null || skip "nothing can be run in a network namespace here"
 ip link add name "d$$" netns "$desk" type veth peer name "r$$" netns "$robot" || skip "there are no virtual network cards here"
 number=1
 for side in "$desk d$$" "$robot r$$"; do

@@ -17,6 +17,8 @@ struct ShortRun {
   bool lasts{};                         ///< too long for the thread sanitizer, which sees it stopped
 };
 
+void PrintTo(const ShortRun& k, std::ostream* out) { *out << k.task; }  // NOLINT: the name that gtest wants
+
 #ifdef __SANITIZE_THREAD__
 constexpr bool kSlowThreads = true;
 #else
