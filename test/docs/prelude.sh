@@ -62,6 +62,9 @@ live_manual() {
   await 10 ui_cli manual show arm1
 }
 
+# in_own_network COMMAND...: root in a root of another file system may make no namespace of users
+in_own_network() { if ((EUID == 0)); then unshare -n "$@"; else unshare -rn "$@"; fi; }
+
 # background COMMAND...: it runs until the shell ends
 background() {
   : >"$place/background.out"
