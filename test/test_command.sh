@@ -173,6 +173,8 @@ run_test_command() {
   [[ -z $minutes || $minutes =~ ^[1-9][0-9]*$ ]] || fail 2 bad_usage "--minutes: '$minutes' is no number of minutes"
   [[ -z $since$share$minutes || " ${what[*]} " == *" tidy "* ]] ||
     fail 2 bad_usage "--since, --share and --minutes are for --tidy; look at ./run test --help"
+  ((${#filter[@]} == 0)) || [[ ! " ${what[*]} " =~ " format "|" tidy " ]] ||
+    fail 2 bad_usage "-R is for tests; --format and --tidy look at sources"
   if $page; then need_packages "${page_packages[@]}"; fi
   ((${#what[@]})) || what=(release)
   local part

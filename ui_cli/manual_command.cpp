@@ -55,77 +55,88 @@ std::vector<std::string> names_of(const std::vector<ManualArm>& arms) {
   return names;
 }
 
+/// The task `manual` as one command speaks to it, with one link however many instructions there are: what a link has
+/// subscribed to stays with the bus.
+struct Task {
+  Task(link::Bus& b, const link::SessionInfo& s, const ManualWish& wish, const Patience& p)
+      : bus(b), session(s), patience(p), arms(manual_arms(s.run_folder)), link(b, s, names(wish), p) {}
+  /// @return of the arms, as far as they are known here; otherwise of the one that is asked for
+  [[nodiscard]] std::vector<std::string> names(const ManualWish& wish) const {
+    if (arms.empty() && !wish.show.empty()) return {wish.show};
+    return names_of(arms);
+  }
+
+  link::Bus& bus;
+  const link::SessionInfo& session;
+  const Patience& patience;
+  std::vector<ManualArm> arms;  ///< none: which there are is not known on this host
+  ManualLink link;
+};
+
 /// @param progress  is told when the instruction takes long, and then how far homing is; null: nothing is told
 /// @return the last answer: refused, taken when that is enough, done or failed
-ManualAnswer ask(link::Bus& bus, const link::SessionInfo& session, const std::string& words, bool wait,
-                 const Patience& patience, std::ostream* progress) {
-  const std::vector<ManualArm> arms = arms_to_home(words, session.run_folder);
-  ManualLink link(bus, session, names_of(arms), patience);
+ManualAnswer ask(Task& task, const std::string& words, bool wait, std::ostream* progress) {
+  const std::vector<ManualArm> arms = arms_to_home(words, task.session.run_folder);
   HomingProgress homing(arms);
   const auto begun = Clock::now();
-  auto next = begun + patience.told;  // line of progress
+  auto next = begun + task.patience.told;  // line of progress
   bool taken = false, told = false;
-  link.begin(words, begun);
+  task.link.begin(words, begun);
   while (true) {
-    const auto answer = link.poll(Clock::now());
+    const auto answer = task.link.poll(Clock::now());
     taken = taken || (answer && answer->state == ManualState::taken);
     for (const ManualArm& a : arms)
-      if (const auto reading = link.reading(a.name)) homing.see(a.name, *reading);
+      if (const auto reading = task.link.reading(a.name)) homing.see(a.name, *reading);
     if (progress && wait && taken && !answer && Clock::now() > next) {
       const std::string line = std::exchange(told, true) ? homing.text() : kTaken;
       if (!line.empty()) {
         *progress << line << std::endl;
-        next += patience.progress;
+        next += task.patience.progress;
       }
     }
     if (answer && (answer->state != ManualState::taken || !wait)) return *answer;
-    if (!answer) bus.wait(std::min(patience.repeat, std::chrono::milliseconds(20)));
+    if (!answer) task.bus.wait(std::min(task.patience.repeat, std::chrono::milliseconds(20)));
   }
 }
 
 /// @return the newest reading of an arm @throws FaultError bad_usage: there is none of this name; peer_silent
-EffectorReply look_at(link::Bus& bus, const link::SessionInfo& session, const std::string& arm,
-                      const Patience& patience) {
-  const auto arms = manual_arms(session.run_folder);
+EffectorReply look_at(Task& task, const std::string& arm) {
+  const auto& arms = task.arms;
   if (!arms.empty() && std::ranges::find(arms, arm, &ManualArm::name) == arms.end())
     throw FaultError(FaultCode::bad_usage,
                      fmt::format("there is no arm '{}'; there are {} and all", arm,
                                  joined(arms | std::views::transform(&ManualArm::name), ", ")),
                      "name one of them");
-  const ManualLink link(bus, session, {arm}, patience);
   const auto begun = Clock::now();
-  while (!link.reading(arm)) {
-    if (Clock::now() - begun > patience.give_up)
+  while (!task.link.reading(arm)) {
+    if (Clock::now() - begun > task.patience.give_up)
       throw FaultError(FaultCode::peer_silent,
-                       fmt::format("session {} says nothing: no reply of {}", session.name, arm),
+                       fmt::format("session {} says nothing: no reply of {}", task.session.name, arm),
                        "instructions are for the task `manual`: look with `ui_cli list`");
-    bus.wait(patience.repeat);
+    task.bus.wait(task.patience.repeat);
   }
-  return *link.reading(arm);
+  return *task.link.reading(arm);
 }
 
-void show_all(link::Bus& bus, const link::SessionInfo& session, bool json, const Patience& patience,
-              std::ostream& out) {
-  const auto arms = manual_arms(session.run_folder);
-  if (arms.empty())
+void show_all(Task& task, bool json, std::ostream& out) {
+  if (task.arms.empty())
     throw FaultError(FaultCode::bad_usage, "which arms there are is not known on this host",
                      "name one: show arm1");
   std::string between = json ? "[" : "";
-  for (const ManualArm& arm : arms) {
+  for (const ManualArm& arm : task.arms) {
     out << std::exchange(between, json ? "," : "\n");
-    show_arm(look_at(bus, session, arm.name, patience), arm.name, json, out);
+    show_arm(look_at(task, arm.name), arm.name, json, out);
   }
   if (json) out << "]\n";
 }
 
 /// Adds where the arm is to the file.
-void save(const EffectorReply& r, const ManualWish& wish, const link::SessionInfo& session,
-          std::ostream& out) {
-  const auto arms = manual_arms(session.run_folder);
-  const auto arm = std::ranges::find(arms, wish.show, &ManualArm::name);
-  if (arm == arms.end())
+void save(Task& task, const ManualWish& wish, std::ostream& out) {
+  const EffectorReply r = look_at(task, wish.show);
+  const auto arm = std::ranges::find(task.arms, wish.show, &ManualArm::name);
+  if (arm == task.arms.end())
     throw FaultError(FaultCode::bad_usage,
-                     fmt::format("{} is no arm of the run in {}", wish.show, session.run_folder.string()),
+                     fmt::format("{} is no arm of the run in {}", wish.show, task.session.run_folder.string()),
                      "save on the host of the task, where its run folder is");
   if (!position_known(r))
     throw FaultError(FaultCode::illegal_in_state,
@@ -196,11 +207,10 @@ void must_be_good(const ManualAnswer& answer, const std::string& words) {
 }
 
 /// Gives the instructions of a file, each when the one before is done.
-void load(link::Bus& bus, const link::SessionInfo& session, const ManualWish& wish, const Patience& patience,
-          std::ostream& out) {
+void load(Task& task, const ManualWish& wish, std::ostream& out) {
   const auto lines = instructions_in(wish.load);
   for (const auto& [place, words] : lines) {
-    const ManualAnswer answer = ask(bus, session, words, true, patience, wish.json ? nullptr : &out);
+    const ManualAnswer answer = ask(task, words, true, wish.json ? nullptr : &out);
     if (answer.state == ManualState::not_understood)
       throw FaultError(FaultCode::bad_script, fmt::format("{}: {}: {}", place, words, answer.text),
                        "correct the line; those before it have been done");
@@ -270,23 +280,12 @@ std::vector<std::string> manual_words() {
 
 void execute_manual(link::Bus& bus, const link::SessionInfo& session, const ManualWish& wish,
                     const Patience& patience, std::ostream& out) {
-  if (wish.show == "all" && wish.save.empty()) {
-    show_all(bus, session, wish.json, patience, out);
-    return;
-  }
-  if (!wish.show.empty()) {
-    const EffectorReply reading = look_at(bus, session, wish.show, patience);
-    if (wish.save.empty())
-      show_arm(reading, wish.show, wish.json, out);
-    else
-      save(reading, wish, session, out);
-    return;
-  }
-  if (!wish.load.empty()) {
-    load(bus, session, wish, patience, out);
-    return;
-  }
-  const ManualAnswer answer = ask(bus, session, wish.words, wish.wait, patience, wish.json ? nullptr : &out);
+  Task task(bus, session, wish, patience);
+  if (!wish.save.empty()) return save(task, wish, out);
+  if (wish.show == "all") return show_all(task, wish.json, out);
+  if (!wish.show.empty()) return show_arm(look_at(task, wish.show), wish.show, wish.json, out);
+  if (!wish.load.empty()) return load(task, wish, out);
+  const ManualAnswer answer = ask(task, wish.words, wish.wait, wish.json ? nullptr : &out);
   if (wish.json)
     out << Json{{"words", wish.words},
                 {"accepted",

@@ -40,7 +40,8 @@ struct ManualAnswer {
 /// that was lost comes again. Used by one thread.
 class ManualLink {
  public:
-  /// @param bus  must outlive the link  @param session  of the task  @param arms  whose readings are wanted
+  /// @param bus  must outlive the link, which must outlive the last bus.wait()  @param session  of the task
+  /// @param arms  whose readings are wanted
   ManualLink(link::Bus& bus, const link::SessionInfo& session, const std::vector<std::string>& arms,
              Patience patience = {});
   ~ManualLink();

@@ -36,7 +36,7 @@ class Bus {
   virtual ~Bus() = default;
   /// Sends one message. @param bytes  of the whole message; not needed any more afterwards
   virtual void publish(const Route& route, std::span<const std::uint8_t> bytes) = 0;
-  /// @param sink must outlive the bus
+  /// @param sink  is called by wait(), and must exist as long as that is called
   virtual void subscribe(const Route& route, Sink& sink) = 0;
   /// Gives the sink everything in the group agents whose channel begins with prefix.
   virtual void subscribe_all(const std::string& prefix, Sink& sink) = 0;

@@ -195,4 +195,5 @@ for contract in "${chosen[@]}"; do
   "$contract"
   say "ok: $contract ($((SECONDS - begun)) s)"
 done
+say "bare machine: ${#chosen[@]} passed, 0 failed, 0 skipped"
 [[ ${#chosen[@]} -lt ${#contracts[@]} ]] || say "bare_machine_ok 1"

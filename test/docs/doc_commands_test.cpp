@@ -89,7 +89,7 @@ TEST_P(TypedCommands, Work) {
         << trial.script << "\nended with " << status << ":\n"
         << said();
   }
-  if (lacks) GTEST_SKIP() << "some commands need what this host lacks: multicast, or Chromium";
+  if (lacks) GTEST_SKIP() << "some commands need what this host lacks: multicast, Chromium, git or dpkg-dev";
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, TypedCommands, ::testing::ValuesIn(documents()), named);

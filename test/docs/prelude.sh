@@ -71,8 +71,13 @@ background() {
   "$@" >>"$place/background.out" 2>&1 &
 }
 
-# in_terminal SECONDS COMMAND: in a terminal of its own, on which nobody types
-in_terminal() { timeout "$1" script -qec "$2" /dev/null >"$place/screen" || [[ $? == 124 ]]; }
+# terminal_shows TEXT COMMAND: at last, in a terminal of its own on which nobody types
+terminal_shows() {
+  : >"$place/screen"
+  script -qefc "$2" /dev/null >"$place/screen" &
+  await 20 grep -q "$1" "$place/screen"
+  kill $!
+}
 
 # written NAME: a task that `ui_cli new` has written, with the program of another one in its place: it is not built here.
 # What is written is built, tested and run by test/new/generated.sh.
@@ -92,6 +97,11 @@ fails() {
   [[ $status == "$wanted" ]] || { echo "ended with $status, not $wanted: $*" && return 1; }
 }
 
+# need COMMAND...: a host without it cannot try this
+need() {
+  local name
+  for name in "$@"; do command -v "$name" >/dev/null || { echo "no $name" && exit 77; }; done
+}
 need_messages() {
   ui_cli doctor | grep -q '^multicast *ok' || { echo "no multicast" && exit 77; }
 }

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/link/decode.hpp"
@@ -58,13 +59,13 @@ bool Listener::is_new(std::string_view channel, std::span<const std::uint8_t> by
   constexpr std::size_t kHeader = 32;  // LCM's fingerprint and header_t
   if (bytes.size() < kHeader) return false;
   if (session_id_ != 0 && big_endian(bytes.data() + 8) != session_id_) return false;
-  const bool one_sender = !link::has_several_senders(channel);
-  const std::int64_t number = big_endian(bytes.data() + 16);
-  auto it = last_.find(channel);
-  if (it == last_.end()) it = last_.emplace(std::string(channel), one_sender ? number - 1 : 0).first;
-  if (one_sender) {
+  if (!link::has_several_senders(channel)) {
+    const std::int64_t number = big_endian(bytes.data() + 16);  // senders count from 1
+    auto it = last_.find(channel);
+    if (it == last_.end()) it = last_.emplace(std::string(channel), std::max(number, std::int64_t{1}) - 1).first;
     if (number <= it->second) return false;
-    lost_ += number - it->second - 1;
+    const std::int64_t gap = number - it->second - 1;
+    lost_ += std::min(gap, std::numeric_limits<std::int64_t>::max() - lost_);
     it->second = number;
   }
   ++messages_;

@@ -160,6 +160,25 @@ TEST(ViewListener, CountsWhatIsLostAndIgnoresWhatComesAgainOrFromOthers) {
   EXPECT_EQ(listener.messages(), 3);
 }
 
+TEST(ViewListener, CountsNumbersThatNoSenderWouldGive) {
+  Record record;
+  record.begin("{}");
+  Listener listener(record, {}, "s", 7);
+  constexpr auto kMost = std::numeric_limits<std::int64_t>::max();
+  const auto hear = [&](const std::string& channel, std::int64_t number) {
+    listener.receive(channel, test::encoded(test::reply(1, 0.9, 0, 1), number, 1, 7));
+  };
+  for (const std::int64_t number : {std::int64_t{0}, std::int64_t{-1}, std::numeric_limits<std::int64_t>::min()})
+    hear("s.arm1.reply", number);
+  EXPECT_EQ(listener.messages(), 0) << "senders count from 1";
+  for (const char* channel : {"s.arm1.reply", "s.arm2.reply"}) {
+    hear(channel, 1);
+    hear(channel, kMost);
+  }
+  EXPECT_EQ(listener.messages(), 4);
+  EXPECT_EQ(listener.lost(), kMost) << "and no more";
+}
+
 TEST(ViewListener, LosesNothingWhereEveryTerminalNumbersItsOwnMessages) {
   Record record;
   record.begin("{}");

@@ -31,7 +31,7 @@ void SampleTask::take_picture() {
   Image image(320, 240, 3);
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) image.row(y)[3 * x + 1] = static_cast<std::uint8_t>((x + i_) % 256);
-  const std::int64_t number = i_ / 2;
+  const std::int64_t number = i_ / 2 + 1;
   camera_frame_t m{};
   m.step = 10 * i_;
   m.slot = camera_->write(number, m.step, 0.02 * static_cast<double>(i_), image.view());
