@@ -135,9 +135,10 @@ void save(Task& task, const ManualWish& wish, std::ostream& out) {
   const EffectorReply r = look_at(task, wish.show);
   const auto arm = std::ranges::find(task.arms, wish.show, &ManualArm::name);
   if (arm == task.arms.end())
-    throw FaultError(FaultCode::bad_usage,
-                     fmt::format("{} is no arm of the run in {}", wish.show, task.session.run_folder.string()),
-                     "save on the host of the task, where its run folder is");
+    throw FaultError(
+        FaultCode::bad_usage,
+        fmt::format("{} is no arm of the run in {}", wish.show, task.session.run_folder.string()),
+        "save on the host of the task, where its run folder is");
   if (!position_known(r))
     throw FaultError(FaultCode::illegal_in_state,
                      fmt::format("{} does not know its position, it is {}", wish.show, to_string(r.state)),

@@ -62,7 +62,8 @@ bool Listener::is_new(std::string_view channel, std::span<const std::uint8_t> by
   if (!link::has_several_senders(channel)) {
     const std::int64_t number = big_endian(bytes.data() + 16);  // senders count from 1
     auto it = last_.find(channel);
-    if (it == last_.end()) it = last_.emplace(std::string(channel), std::max(number, std::int64_t{1}) - 1).first;
+    if (it == last_.end())
+      it = last_.emplace(std::string(channel), std::max(number, std::int64_t{1}) - 1).first;
     if (number <= it->second) return false;
     const std::int64_t gap = number - it->second - 1;
     lost_ += std::min(gap, std::numeric_limits<std::int64_t>::max() - lost_);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -168,7 +169,8 @@ TEST(ViewListener, CountsNumbersThatNoSenderWouldGive) {
   const auto hear = [&](const std::string& channel, std::int64_t number) {
     listener.receive(channel, test::encoded(test::reply(1, 0.9, 0, 1), number, 1, 7));
   };
-  for (const std::int64_t number : {std::int64_t{0}, std::int64_t{-1}, std::numeric_limits<std::int64_t>::min()})
+  for (const std::int64_t number :
+       {std::int64_t{0}, std::int64_t{-1}, std::numeric_limits<std::int64_t>::min()})
     hear("s.arm1.reply", number);
   EXPECT_EQ(listener.messages(), 0) << "senders count from 1";
   for (const char* channel : {"s.arm1.reply", "s.arm2.reply"}) {
