@@ -25,10 +25,10 @@ run_tests() {
   local preset=$1 log=$build/test-$1.log start=$SECONDS status=0 bad all skipped
   shift
   (cd "$root" && ctest --preset "$preset" "$@") 2>&1 | tee "$log" | only_failures || status=$?
-  read -r bad all < <(sed -nE 's/.* ([0-9]+) tests failed out of ([0-9]+).*/\1 \2/p' "$log") || true
+  read -r bad all < <(sed -nE 's/.* ([0-9]+) tests failed out of ([0-9]+).*/\1 \2/p' "$log" | tail -n 1) || true
   bad=${bad:-1} all=${all:-1}
   ((status == 0)) || ((bad > 0)) || bad=1
-  skipped=$(grep -c '(Skipped)$' "$log") || true
+  skipped=$(grep -cE '^ *[0-9]+/[0-9]+ Test .*\*\*\*Skipped ' "$log") || true
   passed=$((passed + all - bad - skipped)) failed=$((failed + bad))
   ((skipped == 0)) || skip_reasons "$preset"
   say "$preset tests: $((all - bad - skipped)) passed, $bad failed, $skipped skipped ($((SECONDS - start)) s)"
@@ -80,7 +80,7 @@ tidy_files() {
 
 # changed_lines SINCE: for clang-tidy, which then speaks of nothing else; of too many only the files
 changed_lines() {
-  git -C "$root" diff -U0 --diff-filter=d "$1" -- '*.cpp' '*.hpp' | awk '
+  git -C "$root" diff --no-color --no-ext-diff --src-prefix=a/ --dst-prefix=b/ -U0 --diff-filter=d "$1" -- '*.cpp' '*.hpp' | awk '
     function close_file() {
       if (name == "") return
       names = names (names ? "," : "") "{\"name\":\"" name "\"}"
@@ -102,22 +102,23 @@ tidy_one() {
   elif ! said=$(clang-tidy --quiet -p "$build/dev" ${lines:+"--line-filter=$lines"} "$2" 2>/dev/null); then
     done=failed
     printf '%s\n' "$said"
+    say "FAILED: clang-tidy: $2"
   fi
   printf '%s %s\n' "$done" "$2" >>"$build/tidy-done.txt"
 }
 
 # test_tidy SINCE SHARE MINUTES: every file counts as a test
 test_tidy() {
-  need_packages "${packages[@]}" "${check_packages[@]}"
-  compile dev mrroc_generated
   local files=$build/tidy-files.txt log=$build/tidy.log start=$SECONDS deadline=0 all good skipped bad
   [[ -z $3 ]] || deadline=$((EPOCHSECONDS + 60 * $3))
+  need_packages "${packages[@]}" "${check_packages[@]}"
+  compile dev mrroc_generated
   tidy_files "$1" "$2" | sort -u | shuf >"$files" # so that others are left when the time is over
   [[ -s $files ]] || say "no file is concerned"
   : >"$build/tidy-done.txt"
   local lines=''
   [[ -z $1 || -n $2 ]] || lines=$(changed_lines "$1")
-  export -f tidy_one
+  export -f tidy_one say
   export build lines
   xargs -r -a "$files" -d '\n' -P "$jobs" -n 1 bash -c 'tidy_one "$@"' bash "$deadline" >"$log" || true
   all=$(wc -l <"$files")
@@ -126,7 +127,6 @@ test_tidy() {
   bad=$((all - good - skipped))
   if ((bad > 0)); then
     grep -E '(error|warning): ' "$log" | sort -u | sed -n 1,60p >&2
-    sed -n 's/^failed /clang-tidy: /p' "$build/tidy-done.txt" >&2
   fi
   ((skipped == 0)) || say "skipped: $skipped files: no time was left for them"
   passed=$((passed + good)) failed=$((failed + bad))

@@ -13,11 +13,10 @@ constexpr double kMoved = 1;  // of a motor [rad]: more than one that only holds
 
 }  // namespace
 
-std::vector<ManualArm> arms_to_home(const std::string& instruction, const std::filesystem::path& run_folder) {
+std::vector<ManualArm> arms_to_home(const std::string& instruction, std::vector<ManualArm> arms) {
   std::string verb, whom;
   std::istringstream(instruction) >> verb >> whom;
   if (verb != "home") return {};
-  std::vector<ManualArm> arms = manual_arms(run_folder);
   std::erase_if(arms, [&](const ManualArm& a) { return whom != "all" && whom != a.name; });
   return arms;
 }

@@ -1,7 +1,6 @@
 // How far arms are that look for their positions, as it is seen from outside.
 #pragma once
 #include <array>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,10 +11,10 @@
 namespace mrroc::ui {
 
 /// @param instruction  as behind `ui_cli manual`
-/// @param run_folder   of the task; may be empty, or of another host
-/// @return the arms that it homes; none when it does something else, or when they are not known here
+/// @param arms         those of the task; none: they are not known here
+/// @return the arms that it homes; none when it does something else
 [[nodiscard]] std::vector<ManualArm> arms_to_home(const std::string& instruction,
-                                                  const std::filesystem::path& run_folder);
+                                                  std::vector<ManualArm> arms);
 
 /// Homing moves one motor after the other, so those that have moved tell how far it is.
 class HomingProgress {

@@ -59,12 +59,11 @@ std::vector<std::string> names_of(const std::vector<ManualArm>& arms) {
 /// subscribed to stays with the bus.
 struct Task {
   Task(link::Bus& b, const link::SessionInfo& s, const ManualWish& wish, const Patience& p)
-      : bus(b), session(s), patience(p), arms(manual_arms(s.run_folder)), link(b, s, names(wish), p) {}
-  /// @return of the arms, as far as they are known here; otherwise of the one that is asked for
-  [[nodiscard]] std::vector<std::string> names(const ManualWish& wish) const {
-    if (arms.empty() && !wish.show.empty()) return {wish.show};
-    return names_of(arms);
-  }
+      : bus(b),
+        session(s),
+        patience(p),
+        arms(manual_arms(s.run_folder)),
+        link(b, s, arms.empty() ? std::vector{wish.show} : names_of(arms), p) {}
 
   link::Bus& bus;
   const link::SessionInfo& session;
@@ -76,7 +75,7 @@ struct Task {
 /// @param progress  is told when the instruction takes long, and then how far homing is; null: nothing is told
 /// @return the last answer: refused, taken when that is enough, done or failed
 ManualAnswer ask(Task& task, const std::string& words, bool wait, std::ostream* progress) {
-  const std::vector<ManualArm> arms = arms_to_home(words, task.session.run_folder);
+  const std::vector<ManualArm> arms = arms_to_home(words, task.arms);
   HomingProgress homing(arms);
   const auto begun = Clock::now();
   auto next = begun + task.patience.told;  // line of progress

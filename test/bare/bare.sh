@@ -51,13 +51,15 @@ mirrors() {
 # How this machine reaches them.
 apt_settings() { apt-config dump | grep -E '^Acquire::(https?::|Retries|ForceIPv[46]|Check-Valid-Until)' || true; }
 
+# The root that all others are copies of; it is made once for the archives that this machine uses.
 make_pristine() {
   command -v mmdebstrap >/dev/null || not_here "mmdebstrap is not installed"
   local sources
   sources=$(mirrors)
   [[ -n $sources ]] || not_here "apt knows no archive of Debian; try apt-get update"
   mkdir -p "$place"
-  rm -rf "$pristine.new" # of one that was ended
+  [[ ! -d $pristine || $(cat "$place/sources.list" 2>/dev/null) != "$sources" ]] || return 0
+  rm -rf "$pristine" "$pristine.new" # of other archives, or of one that was ended
   apt_settings >"$place/apt.conf"
   mmdebstrap --variant=apt --aptopt="$place/apt.conf" "$suite" "$pristine.new" <<<"$sources" >"$place/mmdebstrap.log" 2>&1 || {
     tail -n 5 "$place/mmdebstrap.log"
@@ -65,6 +67,7 @@ make_pristine() {
     not_here "mmdebstrap made no root; build/bare/mmdebstrap.log tells why"
   }
   mv "$pristine.new" "$pristine"
+  printf '%s\n' "$sources" >"$place/sources.list"
 }
 
 # new_root NAME HOME: a fresh copy with a clone of HEAD in HOME/mrroc; prints its folder
@@ -99,10 +102,13 @@ commands_of_the_readme() {
   awk '/^```/ { if (inside) exit; inside = 1; next } inside { sub(/ *#.*/, ""); print }' "$top/README.md"
 }
 
-# stamped FILE: copies lines to a file, each with the time at which it came
+# stamped FILE: copies lines to a file, each with the time at which it came; tests that fail are told at once
 stamped() {
   local line
-  while IFS= read -r line; do printf '%s %s\n' "$EPOCHREALTIME" "$line"; done >"$1"
+  while IFS= read -r line; do
+    printf '%s %s\n' "$EPOCHREALTIME" "$line" >&3
+    [[ $line != *'***'[FTEN]* ]] || say "$line"
+  done 3>"$1"
 }
 
 the_commands_of_the_readme_work() {
@@ -189,7 +195,7 @@ if [[ $$ != 1 ]]; then
   unshare --mount --pid --fork true 2>/dev/null || not_here "root may make no namespaces here"
   exec unshare --mount --pid --fork --kill-child --mount-proc "$0" "$@"
 fi
-[[ -d $pristine ]] || make_pristine
+make_pristine
 for contract in "${chosen[@]}"; do
   begun=$SECONDS
   "$contract"

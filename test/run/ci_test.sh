@@ -22,8 +22,11 @@ for file in fail-*; do
   cat "$file"
   exit 1
 done
-if [[ -e slow && "$*" == *--asan* ]]; then cat slow && sleep 20; fi
+if [[ -e slow && "$*" == *--asan* ]]; then cat slow && sleep 40; fi
+if [[ -e killed && "$*" == *--asan* ]]; then kill -9 $$; fi
+if [[ -e all-skipped && "$*" == *--page* ]]; then echo 'made-up tests: 0 passed, 0 failed, 1 skipped (1 s)' && exit; fi
 if [[ -e no-time && "$*" == *--since* ]]; then echo 'skipped: 3 files: no time was left for them'; fi
+if [[ -e no-time-for-the-share && "$*" == *--share* ]]; then echo 'skipped: 3 files: no time was left for them'; fi
 echo 'skipped: Page.Shows: there is no Chromium'
 echo "made-up tests: 2 passed, 0 failed, 1 skipped (1 s)"
 STUB
@@ -121,17 +124,43 @@ tidy_looks_at_what_differs_from_the_commit_that_passed_last_and_at_shares_by_tur
   grep -q -- '--share 3/24' calls || fail "$(cat calls)"
   ci 0
   grep -q -- "--since $before" calls || fail "$(cat calls)"
+  # A share, too.
+  rm no-time
+  touch no-time-for-the-share
+  ci 0
+  ci 0
+  grep -q -- '--share 5/24' calls || fail "$(cat calls)"
 }
 
 a_part_that_is_not_through_in_time_is_ended_and_what_failed_in_it_decides() {
   touch slow
-  MRROC_CI_LAST_END=6 ci 0
-  says 'it was ended 0 minutes after the beginning of the whole; nothing had failed until then'
+  export MRROC_CI_PARTS="format asan changed" MRROC_CI_LAST_END=15
+  ci 0
+  says 'it was ended 0 minutes after the beginning of the whole'
   grep -qx asan memory/left_out || fail 'it does not come first the next time'
   [[ ! -e memory/landed ]] || fail 'what nobody looked at has landed'
   echo '  7/9 Test #7: Links.Hear ...***Failed  0.1 sec' >slow
-  MRROC_CI_LAST_END=6 ci 1
+  rm memory/left_out
+  ci 1
   says 'FAILED'
+}
+
+a_part_that_had_all_the_time_or_was_killed_by_others_has_failed() {
+  touch slow
+  MRROC_CI_PARTS="asan format" MRROC_CI_LAST_END=15 ci 1
+  says 'FAILED'
+  says 'it was ended'
+  rm slow
+  touch killed
+  MRROC_CI_PARTS="format asan" ci 1
+  says 'FAILED'
+}
+
+a_part_whose_tests_were_all_skipped_has_not_run() {
+  touch all-skipped
+  MRROC_CI_PARTS="format page" ci 0
+  says 'NOT RUN'
+  grep -qx page memory/left_out || fail 'it does not come first the next time'
 }
 
 "$2"

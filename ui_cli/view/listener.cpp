@@ -51,8 +51,12 @@ void Listener::receive(std::string_view channel, std::span<const std::uint8_t> b
   try {
     if (is_new(channel, bytes)) take(channel.substr(channel.find('.') + 1), bytes);
   } catch (const std::exception&) {  // no memory: what a page shows is not worth more
-    ++lost_;
+    lose(1);
   }
+}
+
+void Listener::lose(std::int64_t messages) {
+  lost_ += std::min(messages, std::numeric_limits<std::int64_t>::max() - lost_);
 }
 
 bool Listener::is_new(std::string_view channel, std::span<const std::uint8_t> bytes) {
@@ -60,13 +64,12 @@ bool Listener::is_new(std::string_view channel, std::span<const std::uint8_t> by
   if (bytes.size() < kHeader) return false;
   if (session_id_ != 0 && big_endian(bytes.data() + 8) != session_id_) return false;
   if (!link::has_several_senders(channel)) {
-    const std::int64_t number = big_endian(bytes.data() + 16);  // senders count from 1
+    const std::int64_t number = big_endian(bytes.data() + 16);
+    if (number < 1) return false;  // senders count from 1
     auto it = last_.find(channel);
-    if (it == last_.end())
-      it = last_.emplace(std::string(channel), std::max(number, std::int64_t{1}) - 1).first;
+    if (it == last_.end()) it = last_.emplace(std::string(channel), number - 1).first;
     if (number <= it->second) return false;
-    const std::int64_t gap = number - it->second - 1;
-    lost_ += std::min(gap, std::numeric_limits<std::int64_t>::max() - lost_);
+    lose(number - it->second - 1);
     it->second = number;
   }
   ++messages_;

@@ -57,6 +57,8 @@ class Listener final : public link::Sink {
     std::int32_t fault{};  // told last
   };
 
+  /// Counts them as lost; numbers come from the network, and their sum stays within its bounds.
+  void lose(std::int64_t messages);
   [[nodiscard]] bool is_new(std::string_view channel, std::span<const std::uint8_t> bytes);
   void take(std::string_view name, std::span<const std::uint8_t> bytes);
   void take_reply(const std::string& arm, const effector_reply_t& m);
