@@ -1,22 +1,24 @@
 // Texts one behind the other.
 #pragma once
+#include <functional>
 #include <string>
 #include <string_view>
 
 namespace mrroc {
 
 /// What fmt::join does for texts; that one brings all of a library for numbers into every file that uses it.
-/// @param texts    a range of what a std::string can be appended with
+/// @param things   a range
 /// @param between  two of them, such as ", "
+/// @param text     of a thing: what a std::string can be appended with; a member or a function, default: itself
 /// @return "A, B, C"; empty: there are none
-template <class Texts>
-[[nodiscard]] std::string joined(const Texts& texts, std::string_view between) {
+template <class Things, class Text = std::identity>
+[[nodiscard]] std::string joined(const Things& things, std::string_view between, Text text = {}) {
   std::string all;
   bool first = true;
-  for (const auto& text : texts) {
+  for (const auto& thing : things) {
     if (!first) all += between;
     first = false;
-    all += text;
+    all += std::invoke(text, thing);
   }
   return all;
 }

@@ -8,7 +8,6 @@
 #include <kdl/chainiksolverpos_lma.hpp>
 #include <map>
 #include <random>
-#include <ranges>
 #include <string>
 #include <vector>
 
@@ -95,7 +94,7 @@ KDL::Chain postument_chain() {
     reversed.emplace_back(KDL::Joint(j.name, f.p, axis, KDL::Joint::RotAxis), f);
   }
   KDL::Chain chain;
-  for (const KDL::Segment& s : reversed | std::views::reverse) chain.addSegment(s);
+  for (auto s = reversed.rbegin(); s != reversed.rend(); ++s) chain.addSegment(*s);
   return chain;
 }
 

@@ -136,8 +136,7 @@ std::string stability_report(const ContactLoop& loop, std::optional<double> stif
   std::vector<double> stiffnesses{1e3, 2e3, 5e3, 1e4, 2e4, 5e4, 1e5, 2e5, 5e5, 1e6};
   if (stiffness) stiffnesses.push_back(*stiffness);
   std::ranges::sort(stiffnesses);
-  const auto twice = std::ranges::unique(stiffnesses);
-  stiffnesses.erase(twice.begin(), twice.end());
+  stiffnesses.erase(std::unique(stiffnesses.begin(), stiffnesses.end()), stiffnesses.end());
   for (const double K : stiffnesses) text += row_text(K, contact_mode(loop, K));
   if (limit == 0) return text + "\nNo contact is stable with this loop.\n";
   if (std::isinf(limit)) return text + "\nContact of any stiffness is stable with this loop.\n";

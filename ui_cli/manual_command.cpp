@@ -7,7 +7,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <ostream>
-#include <ranges>
 #include <sstream>
 #include <utility>
 
@@ -102,10 +101,10 @@ ManualAnswer ask(Task& task, const std::string& words, bool wait, std::ostream* 
 EffectorReply look_at(Task& task, const std::string& arm) {
   const auto& arms = task.arms;
   if (!arms.empty() && std::ranges::find(arms, arm, &ManualArm::name) == arms.end())
-    throw FaultError(FaultCode::bad_usage,
-                     fmt::format("there is no arm '{}'; there are {} and all", arm,
-                                 joined(arms | std::views::transform(&ManualArm::name), ", ")),
-                     "name one of them");
+    throw FaultError(
+        FaultCode::bad_usage,
+        fmt::format("there is no arm '{}'; there are {} and all", arm, joined(arms, ", ", &ManualArm::name)),
+        "name one of them");
   const auto begun = Clock::now();
   while (!task.link.reading(arm)) {
     if (Clock::now() - begun > task.patience.give_up)

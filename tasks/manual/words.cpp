@@ -8,7 +8,6 @@
 #include <cmath>
 #include <fstream>
 #include <optional>
-#include <ranges>
 #include <sstream>
 
 #include "base/fault.hpp"
@@ -102,11 +101,11 @@ const Verb& verb_of(Reader& in) {
   WordSet known;
   for (const Verb& v : kVerbs) known.insert(std::string(v.name));
   const std::string near = nearest(word, known);
-  throw FaultError(FaultCode::bad_usage,
-                   fmt::format("there is no '{}'{}", shown(word),
-                               near.empty() ? "" : fmt::format("; did you mean '{}'?", near)),
-                   fmt::format("it is written `VERB ARM ...`, the verbs are {}",
-                               joined(kVerbs | std::views::transform(&Verb::name), ", ")));
+  throw FaultError(
+      FaultCode::bad_usage,
+      fmt::format("there is no '{}'{}", shown(word),
+                  near.empty() ? "" : fmt::format("; did you mean '{}'?", near)),
+      fmt::format("it is written `VERB ARM ...`, the verbs are {}", joined(kVerbs, ", ", &Verb::name)));
 }
 
 std::vector<std::size_t> arms_of(Reader& in, const std::vector<ArmInfo>& arms) {
@@ -120,12 +119,11 @@ std::vector<std::size_t> arms_of(Reader& in, const std::vector<ArmInfo>& arms) {
       chosen.push_back(static_cast<std::size_t>(found - arms.begin()));
     } else {
       in.refuse(fmt::format("there is no arm '{}'; there are {} and all", shown(key),
-                            joined(arms | std::views::transform(&ArmInfo::key), ", ")));
+                            joined(arms, ", ", &ArmInfo::key)));
     }
   }
   std::ranges::sort(chosen);
-  const auto twice = std::ranges::unique(chosen);
-  chosen.erase(twice.begin(), twice.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   return chosen;
 }
 
@@ -173,7 +171,7 @@ ManualOrder order_of(Reader in, const Verb& verb, const ArmInfo& arm) {
         const auto found = arm.presets.find(name);
         if (found == arm.presets.end())
           in.refuse(fmt::format("{} has no preset '{}'; it has {}", arm.key, shown(name),
-                                joined(arm.presets | std::views::keys, ", ")));
+                                joined(arm.presets, ", ", [](const auto& preset) { return preset.first; })));
         o.value = found->second;
       } else {
         o.space = space_of(in);

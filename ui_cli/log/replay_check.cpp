@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <ranges>
 
 #include "base/fault.hpp"
 #include "base/joined.hpp"
@@ -77,10 +76,9 @@ ReplayCheck::ReplayCheck(link::Bus& bus, const RunRecord& run, const std::string
   const std::int64_t id = run.log().session_id();
   for (const std::string& name : processes) {
     if (std::ranges::find(run.processes(), name, &LoggedProcess::name) == run.processes().end())
-      throw FaultError(
-          FaultCode::bad_usage,
-          fmt::format("the run has no process '{}'; it has {}", name,
-                      joined(run.processes() | std::views::transform(&LoggedProcess::name), ", ")));
+      throw FaultError(FaultCode::bad_usage,
+                       fmt::format("the run has no process '{}'; it has {}", name,
+                                   joined(run.processes(), ", ", &LoggedProcess::name)));
     auto& w = *watched_.emplace_back(std::make_unique<Watched>(bus, session, name, id));
     for (const std::string& channel : channels_of(run, name)) {
       const auto first = std::ranges::find(run.log().messages(), channel, &LoggedMessage::channel);

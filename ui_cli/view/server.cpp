@@ -116,8 +116,8 @@ void Server::route() {
   });
   http_->Get("/api/stream", [this](const Request&, Response& response) { stream(response); });
   http_->Get(R"(/api/camera/([A-Za-z0-9_-]+)\.bmp)", [this](const Request& request, Response& response) {
-    if (auto picture = shown_.cameras.picture(request.matches[1]))
-      response.set_content(std::move(*picture), "image/bmp");
+    if (const auto picture = shown_.cameras.picture(request.matches[1]))
+      response.set_content(*picture, "image/bmp");
     else
       refuse(response, 404, fmt::format("there is no picture of a camera {}", request.matches[1].str()));
   });
@@ -132,9 +132,9 @@ void Server::picture(const Request& request, Response& response) const {
   if (std::ranges::find(known, wanted) == known.end())
     return refuse(response, 404, "the run folder has no such picture");
   std::ifstream file(folder / wanted, std::ios::binary);
-  std::string bytes(std::istreambuf_iterator<char>(file), {});
+  const std::string bytes(std::istreambuf_iterator<char>(file), {});
   if (!file) return refuse(response, 404, "the picture cannot be read");
-  response.set_content(std::move(bytes), "image/png");
+  response.set_content(bytes, "image/png");
 }
 
 void Server::stream(Response& response) {
