@@ -387,9 +387,9 @@ bool asks_for_help(const std::vector<std::string>& words) {
 
 std::string explained(ExplainedLines lines) {
   std::size_t width = 0;
-  for (auto& [line, does] : lines) {
-    line = typed(line);
-    width = std::max(width, line.size());
+  for (auto& entry : lines) {
+    entry.first = typed(entry.first);
+    width = std::max(width, entry.first.size());
   }
   std::string text;
   for (const auto& [line, does] : lines)
