@@ -1,9 +1,9 @@
 // Transport over LCM (udpm), between processes of one or several hosts.
 #pragma once
 #include <memory>
-#include <stdexcept>
 
 #include "base/link/bus.hpp"
+#include "base/link/multicast_socket.hpp"
 
 namespace mrroc::link {
 
@@ -18,11 +18,6 @@ struct LcmAddress {
   static LcmAddress parse(const std::string& url);
   /// @return as parse() takes it
   [[nodiscard]] std::string url() const;
-};
-
-/// The host lets nobody talk over multicast.
-struct NoMulticast : std::runtime_error {
-  using std::runtime_error::runtime_error;
 };
 
 /// @throws NoMulticast when there is no route for multicast

@@ -1,7 +1,14 @@
 // What every transport promises, in memory and over the network.
 #include "base/link/bus.hpp"
 
+#include <arpa/inet.h>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <thread>
 
 #include "base/link/lcm_bus.hpp"
 #include "base/link/memory_bus.hpp"
@@ -113,6 +120,82 @@ TEST_P(Transport, AnEndCanLeaveWhileOthersTalk) {
 
 INSTANTIATE_TEST_SUITE_P(Bus, Transport, ::testing::Values("memory", "lcm"),
                          [](const auto& instance) { return instance.param; });
+
+/// Somebody on this host who sends whatever bytes he likes.
+class Stranger {
+ public:
+  explicit Stranger(const LcmAddress& to) : file_(::socket(AF_INET, SOCK_DGRAM, 0)) {
+    to_.sin_family = AF_INET;
+    to_.sin_port = htons(static_cast<std::uint16_t>(to.port));
+    ::inet_pton(AF_INET, to.host.c_str(), &to_.sin_addr);
+    const std::uint8_t ttl = 0;
+    ::setsockopt(file_, IPPROTO_IP, IP_MULTICAST_TTL, &ttl, sizeof ttl);
+  }
+  ~Stranger() { ::close(file_); }
+  Stranger(const Stranger&) = delete;
+  Stranger& operator=(const Stranger&) = delete;
+  void send(const Bytes& datagram) const {
+    ::sendto(file_, datagram.data(), datagram.size(), 0, reinterpret_cast<const sockaddr*>(&to_), sizeof to_);
+  }
+
+ private:
+  int file_;
+  sockaddr_in to_{};
+};
+
+/// @return a piece of a larger message, as LCM makes it
+Bytes fragment(std::uint32_t size, std::uint32_t offset, std::uint16_t number, std::uint16_t of,
+               std::size_t bytes) {
+  Bytes d{'L', 'C', '0', '3', 0, 0, 0, 1};
+  for (const std::uint32_t word : {size, offset, static_cast<std::uint32_t>(number) << 16 | of})
+    for (int shift = 24; shift >= 0; shift -= 8) d.push_back(static_cast<std::uint8_t>(word >> shift));
+  for (const char c : {'s', '.', 'a', '\0'}) d.push_back(static_cast<std::uint8_t>(c));
+  d.resize(d.size() + bytes, 1);
+  return d;
+}
+
+TEST(LcmBus, WhatAStrangerSendsHurtsNobodyAndIsNotHandedOn) {
+  const LcmAddress address = address_for("bus-test-" + std::to_string(random_id() % 100000));
+  if (!multicast_works(address)) GTEST_SKIP() << "no multicast on this host";
+  const auto receiver = open_lcm(address), sender = open_lcm(address);
+  Collector got, all;
+  const Route route{Group::agents, "s.a"};
+  receiver->subscribe(route, got);
+  receiver->subscribe_all("s.", all);
+  const Stranger stranger(address);
+  stranger.send(fragment(1000, 0xFFFFFFCA, 0, 2, 80));  // its offset and size wrap in 32 bits
+  stranger.send(fragment(0xFFFFFFFF, 0, 0, 65535, 80));
+  stranger.send(fragment(80, 0, 0, 1, 80));
+  stranger.send({});
+  stranger.send({'L', 'C', '0', '2', 0, 0, 0, 0, 's', '.', 'a'});  // no end of the name
+  stranger.send(Bytes(65507, 'L'));
+  sender->publish(route, Bytes{5});
+  for (int tries = 0; tries < 200 && got.got.empty(); ++tries) receiver->wait(10ms);
+  receiver->wait(20ms);
+  ASSERT_EQ(got.got.size(), 1U);
+  EXPECT_EQ(got.got[0].second, Bytes{5});
+  EXPECT_EQ(all.got.size(), 1U);
+}
+
+TEST(LcmBus, AFloodHoldsUpNoOtherWork) {
+  const LcmAddress address = address_for("bus-test-" + std::to_string(random_id() % 100000));
+  if (!multicast_works(address)) GTEST_SKIP() << "no multicast on this host";
+  const auto receiver = open_lcm(address);
+  Collector got;
+  receiver->subscribe({Group::agents, "s.a"}, got);
+  std::atomic<bool> ended{false};
+  {
+    const std::jthread flood([&](const std::stop_token& stop) {
+      const Stranger stranger(address);
+      const Bytes piece = fragment(256 << 20, 0, 0, 4000, 1400);
+      while (!stop.stop_requested()) stranger.send(piece);
+      ended = true;
+    });
+    for (int k = 0; k < 20; ++k) receiver->wait(1ms);  // each returns, though there is always more
+    EXPECT_FALSE(ended);
+  }
+  EXPECT_TRUE(got.got.empty());
+}
 
 TEST(LcmAddress, IsReadFromItsOwnUrl) {
   const LcmAddress a{"239.1.2.3", 20004, 1};

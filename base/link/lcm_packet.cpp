@@ -1,0 +1,19 @@
+#include "base/link/lcm_packet.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace mrroc::link {
+
+std::optional<LcmPacket> read_packet(std::span<const std::uint8_t> datagram) noexcept {
+  constexpr std::array<std::uint8_t, 4> kMagic{'L', 'C', '0', '2'};
+  if (datagram.size() < kPacketHeader || !std::ranges::equal(datagram.first(kMagic.size()), kMagic))
+    return {};
+  const auto rest = datagram.subspan(kPacketHeader);
+  const auto name = rest.first(std::min(rest.size(), kLongestChannel + 1));
+  const auto length = static_cast<std::size_t>(std::ranges::find(name, 0) - name.begin());
+  if (length == 0 || length == name.size()) return {};
+  return LcmPacket{{reinterpret_cast<const char*>(name.data()), length}, rest.subspan(length + 1)};
+}
+
+}  // namespace mrroc::link
