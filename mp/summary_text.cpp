@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/as_typed.hpp"
+#include "base/print.hpp"
 
 namespace mrroc::mp {
 namespace {
@@ -39,10 +40,9 @@ std::string ending_text(const Summary& s, const Ending& ending, const TaskOption
 }
 
 int print_ending(const Summary& summary, const Ending& ending, const TaskOptions& options) {
-  fmt::print("{}", ending_text(summary, ending, options));
-  std::fflush(stdout);
-  if (summary.fault) fmt::print(stderr, "{}\n", error_line(*summary.fault, options.session));
-  fmt::print("run folder: {}\n", ending.folder.string());
+  print(stdout, ending_text(summary, ending, options));
+  if (summary.fault) print(stderr, error_line(*summary.fault, options.session) + "\n");
+  print(stdout, fmt::format("run folder: {}\n", ending.folder.string()));
   return summary.fault ? exit_status(summary.fault->code) : 0;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -14,6 +15,7 @@
 #include "base/link/lossy_bus.hpp"
 #include "base/link/real_time.hpp"
 #include "base/program.hpp"
+#include "base/signals.hpp"
 #include "mp/black_box.hpp"
 #include "mp/hosts.hpp"
 #include "mp/tell.hpp"
@@ -40,6 +42,16 @@ std::atomic<int> last_signal{0};
 void interrupt(int signal) {
   last_signal = signal;
   ++interrupts;
+}
+
+/// Signals that stop the task, and their names.
+constexpr std::array<std::pair<int, std::string_view>, 3> kStops{
+    {{SIGINT, "SIGINT"}, {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"}}};
+
+/// From now on they stop it in a controlled way, unless the caller wants one ignored, as nohup does.
+void take_signals() {
+  for (const auto& [number, name] : kStops)
+    if (std::signal(number, interrupt) == SIG_IGN) std::signal(number, SIG_IGN);
 }
 
 /// A macrostep at a slow pace is not a silent peer.
@@ -81,6 +93,7 @@ TaskRun::TaskRun(const std::string& task, const TaskOptions& options, const std:
                               .patience = patience_at(options.speed),
                               .macrostep = macrostep_at(options, config)};
   for (const Part& p : parts) membership.roster.push_back(p.name);
+  survive_failed_writes();
   session_file_ =
       std::make_unique<link::SessionFile>(link::SessionInfo{.name = session_,
                                                             .id = membership.session_id,
@@ -97,8 +110,7 @@ TaskRun::TaskRun(const std::string& task, const TaskOptions& options, const std:
           folder / kOperatorScript);
   interrupts = 0;
   last_macrostep_ = link::Process::Clock::now();
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
+  take_signals();
 }
 
 TaskRun::TaskRun(const std::string& task, link::Process& process, const std::filesystem::path& folder,
@@ -138,8 +150,8 @@ TaskRun::~TaskRun() {
     process_->on_service = nullptr;
     return;
   }
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  for (const auto& [number, name] : kStops)
+    if (std::signal(number, SIG_DFL) == SIG_IGN) std::signal(number, SIG_IGN);
   process_->on_service = nullptr;
   if (board_) {
     set_state(TaskState::ended, false);
@@ -261,7 +273,8 @@ void TaskRun::each_macrostep(std::int64_t i, double sim_s) {
 
 Fault TaskRun::stop_reason() const {
   if (signal_ == 0) return {.code = FaultCode::operator_stop};
-  return {.code = FaultCode::interrupted, .text = signal_ == SIGINT ? "SIGINT" : "SIGTERM"};
+  const auto* const signal = std::ranges::find(kStops, signal_, &std::pair<int, std::string_view>::first);
+  return {.code = FaultCode::interrupted, .text = signal == kStops.end() ? "a signal" : signal->second};
 }
 
 void TaskRun::survive(const Fault& fault, const std::string& advice) {

@@ -1,12 +1,10 @@
 #include "mp/tell.hpp"
 
-#include <fmt/core.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <cstdio>
-
 #include "base/as_typed.hpp"
+#include "base/print.hpp"
 #include "base/wrap.hpp"
 
 namespace mrroc::mp {
@@ -38,8 +36,7 @@ std::string folded(std::string_view line, int width) {
 }
 
 void tell(std::string_view line, std::string_view session) {
-  fmt::print("{}\n", folded(as_typed(line, session), terminal_width()));
-  std::fflush(stdout);
+  print(stdout, folded(as_typed(line, session), terminal_width()) + "\n");
 }
 
 }  // namespace mrroc::mp

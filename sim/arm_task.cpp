@@ -145,9 +145,9 @@ void draw(const fs::path& folder, const std::vector<Picture>& pictures) {
                                 p.name, p.script));
     const mp::GnuplotResult result = mp::run_gnuplot(folder, script);
     if (result == mp::GnuplotResult::failed)
-      fmt::print("gnuplot could not draw {}.png; see plots/gnuplot.log\n", p.name);
+      mp::tell(fmt::format("gnuplot could not draw {}.png; see plots/gnuplot.log", p.name));
     if (result != mp::GnuplotResult::absent) continue;
-    fmt::print("gnuplot is not installed, so there are no pictures of the run\n");
+    mp::tell("gnuplot is not installed, so there are no pictures of the run");
     return;
   }
 }

@@ -15,6 +15,7 @@
 #include "base/link/lossy_bus.hpp"
 #include "base/link/real_time.hpp"
 #include "base/link/run_folder.hpp"
+#include "base/signals.hpp"
 
 namespace mrroc::link {
 namespace {
@@ -71,7 +72,9 @@ int check(const std::filesystem::path& folder, const Membership& membership, con
 }  // namespace
 
 int child_main(int argc, char** argv, const std::string& about, const PartBody& body) {
-  std::signal(SIGINT, SIG_IGN);  // the task's own program decides
+  for (const int of_terminal : {SIGINT, SIGHUP})
+    std::signal(of_terminal, SIG_IGN);  // the task's own program decides
+  survive_failed_writes();
   Membership membership;
   PartArguments arguments;
   std::string url = LcmAddress{}.url();

@@ -115,10 +115,11 @@ void finish(const Options& o, const Setup& s, const fs::path& folder, const draw
     if (record.whole && ink.taught)
       drawing::save(o.input.save, {record.recording, *ink.taught});
     else
-      fmt::print("{} was not written: the teach-in has not come to its end\n", o.input.save.string());
+      mp::tell(
+          fmt::format("{} was not written: the teach-in has not come to its end", o.input.save.string()));
   }
   const auto plots = drawing::plot_run(folder, s.sheets);
-  if (!plots.note.empty()) fmt::print("{}\n", plots.note);
+  if (!plots.note.empty()) mp::tell(plots.note);
 }
 
 /// Runs the coordinator on the log of a run.

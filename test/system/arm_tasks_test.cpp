@@ -49,6 +49,48 @@ TEST(Press, SaysTheSameInSeparateProcesses) {
   EXPECT_EQ(summary(folder / "one")["log_hash"], summary(folder / "separate")["log_hash"]);
 }
 
+/// @return how press ends when a shell runs it with a line around it, in which @ stands for it
+Ended in_shell(const Folder& folder, const std::string& line) {
+  const std::string press = MRROC_BIN "/press --processes one --run-dir " + (folder / "run").string();
+  std::string typed = line;
+  typed.replace(typed.find('@'), 1, press);
+  return run(folder, "/bin/bash", {"-c", typed});
+}
+
+TEST(Press, ComesToItsEndThoughNobodyReadsWhatItTells) {
+  const Folder folder;
+  const Ended ended = in_shell(folder, "@ | head -n 1; exit ${PIPESTATUS[0]}");
+  EXPECT_EQ(ended.status, 0) << ended.all();
+  EXPECT_EQ(summary(folder / "run").at("outcome"), "done");
+}
+
+TEST(Press, StopsWithAFaultWhereItsLogMayGrowNoLongerAndLeavesItsSummary) {
+  const Folder folder(false);
+  const Ended ended = in_shell(folder, "ulimit -f 256; exec @");
+  EXPECT_TRUE(ended.last_err().starts_with("error: cannot_write: ")) << ended.all();
+  EXPECT_EQ(summary(folder / "run").at("fault").at("code"), "cannot_write");
+}
+
+TEST(Press, StopsAsByAnOrderWhenItsTerminalIsClosedUnlessTheCallerWantsItToGoOn) {
+  const Folder folder;
+  const auto press = [&](const std::string& around, const std::string& name) {
+    return "exec " + around + MRROC_BIN "/press --processes one --speed 5 --run-dir " +
+           (folder / name).string();
+  };
+  Started task(folder, "/bin/bash", {"-c", press("", "closed")}, "closed");
+  ASSERT_TRUE(task.await_line("approach"));
+  task.signal(SIGHUP);
+  const Ended ended = task.end();
+  EXPECT_EQ(ended.status, 1) << ended.all();
+  EXPECT_TRUE(ended.last_err().starts_with("error: interrupted: a signal ended the task (SIGHUP)"))
+      << ended.all();
+  EXPECT_EQ(summary(folder / "closed").at("outcome"), "stopped");
+  Started other(folder, "/bin/bash", {"-c", press("nohup ", "nohup")}, "nohup");
+  ASSERT_TRUE(other.await_line("approach"));
+  other.signal(SIGHUP);
+  EXPECT_EQ(other.end().status, 0);
+}
+
 TEST(Press, IsRepeatedFromTheConfigurationOfItsRunInAFolderOfItsOwn) {
   const Folder folder;
   const auto press = [&](const std::string& name, std::vector<std::string> more) {

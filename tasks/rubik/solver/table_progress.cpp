@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include "base/print.hpp"
+
 namespace mrroc::rubik {
 
 TableProgress::TableProgress(std::FILE* stream)
@@ -10,7 +12,7 @@ TableProgress::TableProgress(std::FILE* stream)
 
 TableWatch TableProgress::watch() {
   return {[this](std::string_view table, double part) { show(table, part); },
-          [this](const std::string& text) { fmt::print(stream_, "{}\n", text); }};
+          [this](const std::string& text) { print(stream_, text + "\n"); }};
 }
 
 void TableProgress::show(std::string_view table, double part) {
@@ -24,15 +26,14 @@ void TableProgress::show(std::string_view table, double part) {
   const double seconds = std::chrono::duration<double>(steady_clock::now() - begin_).count();
   const int percent = static_cast<int>(100 * part);
   if (part >= 1 && (terminal_ || announced_)) {
-    fmt::print(stream_, "{}table {} made in {:.1f} s\n", terminal_ ? "\r" : "", table, seconds);
+    print(stream_, fmt::format("{}table {} made in {:.1f} s\n", terminal_ ? "\r" : "", table, seconds));
   } else if (terminal_ && percent > shown_) {
-    fmt::print(stream_, "\rmaking table {} ... {} % ", table, percent);
+    print(stream_, fmt::format("\rmaking table {} ... {} % ", table, percent));
     shown_ = percent;
   } else if (!terminal_ && !announced_ && seconds > 1) {
-    fmt::print(stream_, "making table {} ...\n", table);
+    print(stream_, fmt::format("making table {} ...\n", table));
     announced_ = true;
   }
-  std::fflush(stream_);
 }
 
 }  // namespace mrroc::rubik
