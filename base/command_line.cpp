@@ -248,12 +248,11 @@ Option CommandLine::ignored_option(const std::string& name, const std::string& a
 
 Option CommandLine::numbered(const std::string& name, const std::map<std::string, std::uint8_t>& numbers,
                              const std::function<void(std::uint8_t)>& take, const std::string& about) {
-  enum class Number : std::uint8_t {};
-  std::map<std::string, Number> meanings;
-  for (const auto& [word, number] : numbers) meanings.emplace(word, Number{number});
-  const auto told = [take](const Number& number) { take(static_cast<std::uint8_t>(number)); };
-  return parts_->add(parts_->app.add_option_function<Number>(name, told, about)
-                         ->transform(CLI::CheckedTransformer(meanings)));
+  std::vector<std::string> words;
+  for (const auto& [word, number] : numbers) words.push_back(word);
+  const auto told = [numbers, take](const std::string& word) { take(numbers.at(word)); };
+  return parts_->add(
+      parts_->app.add_option_function<std::string>(name, told, about)->check(CLI::IsMember(words)));
 }
 
 Option CommandLine::flag(const std::string& name, bool& value, const std::string& about) {

@@ -57,7 +57,8 @@ std::string Input::about() const {
     sum += length(s);
     points += s.size();
   }
-  return fmt::format("{}: {} strokes, {} points, {:.0f} mm", name, drawing.size(), points, sum);
+  return fmt::format("{}: {} stroke{}, {} points, {:.0f} mm", name, drawing.size(),
+                     drawing.size() == 1 ? "" : "s", points, sum);
 }
 
 }  // namespace mrroc::drawing

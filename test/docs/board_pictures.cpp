@@ -1,5 +1,6 @@
 // Writes pictures of a chessboard with poses of the hand, for the documents' commands about cameras:
 // board_pictures FOLDER. FOLDER/eye_in_hand.csv and board_in_hand.csv belong to the same pictures.
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -25,7 +26,10 @@ void add_line(std::ofstream& file, const std::string& picture, const Pose& pose)
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) return 2;
+  if (argc != 2 || argv[1][0] == '-') {
+    std::fputs("Usage: board_pictures FOLDER\n", stderr);
+    return 2;
+  }
   const std::filesystem::path folder = argv[1];
   std::filesystem::create_directories(folder / "pictures");
   std::ofstream eye(folder / "eye_in_hand.csv");
