@@ -212,7 +212,7 @@ void TaskRun::stop_promptly() {
 }
 
 void TaskRun::tell_lateness() {
-  constexpr std::chrono::seconds kApart{1};
+  constexpr std::chrono::seconds kApart{10};
   const auto now = link::Process::Clock::now();
   const std::int64_t late = supervisor_->skipped();
   if (late <= late_told_ || now - late_told_at_ < kApart || clock_ != "wall" || process_->over()) return;
