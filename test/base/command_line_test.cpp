@@ -224,7 +224,7 @@ TEST(CommandLine, AWordThatNobodyTakesIsRefused) {
 TEST(CommandLine, TheHelpHasWhatWasSaidOfTheOptions) {
   const std::string help = Mill().line.help_asked(std::vector<std::string>{"-h"}).value();
   for (const char* part :
-       {"mills\n", "--grain GRAIN:{rye,wheat}", "--crust CRUST:{hard,soft} ", "--stones INT:INT in [1 - 4]",
+       {"mills\n", "--grain GRAIN:{rye,wheat}", "--crust TEXT:{hard,soft} ", "--stones INT:INT in [1 - 4]",
         "--hours FLOAT:FLOAT in [0.5 - 2.5]=1", "Excludes: --wind", "Needs: --wind", "who gets it", "--by"})
     EXPECT_NE(help.find(part), std::string::npos) << part << " is not in\n" << help;
   for (const char c : help) EXPECT_TRUE(c == '\n' || (c >= ' ' && c <= '~')) << static_cast<int>(c);
