@@ -131,6 +131,8 @@ too long
 skipped: not this test, which only says so
 <end of output>
 LOG
+printf '%s\n' '1/3 Test #1: Page.Shows ....***Skipped   0.04 sec' '2/3 Test #2: Arm.Moves ....***Skipped   0.04 sec' \
+  '3/3 Test #3: Arm.Stands ....   Passed    0.04 sec'
 echo '100% tests passed, 0 tests failed out of 3'
 printf 'The following tests did not run:\n\t  1 - Page.Shows (Skipped)\n\t  2 - Arm.Moves (Skipped)\n'
 STUB
