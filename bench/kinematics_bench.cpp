@@ -94,7 +94,8 @@ KDL::Chain postument_chain() {
     reversed.emplace_back(KDL::Joint(j.name, f.p, axis, KDL::Joint::RotAxis), f);
   }
   KDL::Chain chain;
-  for (auto s = reversed.rbegin(); s != reversed.rend(); ++s) chain.addSegment(*s);
+  std::reverse(reversed.begin(), reversed.end());
+  for (const KDL::Segment& s : reversed) chain.addSegment(s);
   return chain;
 }
 

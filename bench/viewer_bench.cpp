@@ -1,6 +1,5 @@
 // The viewer: what it costs, and whether its page gets everything.
 #include <fmt/core.h>
-#include <httplib.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -16,6 +15,7 @@
 #include "bench/task_process.hpp"
 #include "test/ui_cli/view/sample_run.hpp"
 #include "test/ui_cli/view/sample_task.hpp"
+#include "ui_cli/view/httplib.hpp"
 
 namespace mrroc::bench {
 namespace {

@@ -73,7 +73,7 @@ template <Images A, class Program>
 void run_solo_ecp(link::Process& process, const Config& config, const link::PartArguments& arguments,
                   Program program, const OtherLinks& others = {}, const std::string& sensor = {}) {
   using X = typename A::X;
-  constexpr auto done = [](const X& x) {
+  const auto done = [](const X& x) {
     Report r = tell<A>(x);
     r.event = kWorkDone;
     return r;

@@ -38,12 +38,18 @@ struct Library {
 };
 
 constexpr std::array kLibraries{
-    Library{"lcm/", "base/link"},        Library{"bullet/", "sim"},
-    Library{"btBullet", "sim"},          Library{"BulletDynamics/", "sim"},
-    Library{"BulletCollision/", "sim"},  Library{"LinearMath/", "sim"},
-    Library{"EGL/", "sim/camera"},       Library{"GL/", "sim/camera"},
-    Library{"opencv2/", "vsp"},          Library{"apriltag/", "vsp"},
-    Library{"httplib.h", "ui_cli/view"}, Library{"CLI/", "base/command_line.cpp"},
+    Library{"lcm/", "base/link"},
+    Library{"bullet/", "sim"},
+    Library{"btBullet", "sim"},
+    Library{"BulletDynamics/", "sim"},
+    Library{"BulletCollision/", "sim"},
+    Library{"LinearMath/", "sim"},
+    Library{"EGL/", "sim/camera"},
+    Library{"GL/", "sim/camera"},
+    Library{"opencv2/", "vsp"},
+    Library{"apriltag/", "vsp"},
+    Library{"httplib.h", "ui_cli/view/httplib.hpp"},
+    Library{"CLI/", "base/command_line.cpp"},
 };
 
 bool is_in(std::string_view path, std::string_view folder) {

@@ -46,7 +46,7 @@ class SupervisorTest : public ::testing::Test {
 
   /// A system with MP in this thread.
   struct System {
-    System(std::vector<Part> parts, const fs::path& messages, std::int64_t session_id = 1,
+    System(const std::vector<Part>& parts, const fs::path& messages, std::int64_t session_id = 1,
            std::chrono::milliseconds leave = std::chrono::seconds(5))
         : bus(hub.open()),
           mp(*bus, member(parts, session_id)),

@@ -149,7 +149,7 @@ TEST_F(Panel, AsksBeforeATriggerThatComesEarly) {
 TEST_F(Panel, AsksAndOrdersNothingWhenTheTaskIsOver) {
   for (const TaskState state : {TaskState::ending, TaskState::ended}) {
     publish(state);
-    for (const int key : {'x', 's', 't', 'e'}) {
+    for (const int key : {int{'x'}, int{'s'}, int{'t'}, int{'e'}}) {
       press(key);
       EXPECT_EQ(notice(), " the task is over; q leaves");
     }

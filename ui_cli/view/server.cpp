@@ -1,7 +1,6 @@
 #include "ui_cli/view/server.hpp"
 
 #include <fmt/core.h>
-#include <httplib.h>
 
 #include <algorithm>
 #include <chrono>
@@ -10,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/fault.hpp"
+#include "ui_cli/view/httplib.hpp"
 #include "ui_cli/view/run_source.hpp"
 #include "ui_cli/view/static_files.hpp"
 

@@ -48,7 +48,7 @@ inline Trace run_agent(Bus& bus, const Membership& me, const std::string& before
   const auto in = process.inbox<operator_order_t>(before + ".out");
   const auto out = process.outbox<operator_order_t>(me.name + ".out");
   Trace trace;
-  trace.value = me.name[0];
+  trace.value = std::int64_t{static_cast<unsigned char>(me.name[0])};
   const auto publish = [&](std::int64_t stamp) {
     operator_order_t m{};
     m.id = trace.value;
@@ -146,13 +146,12 @@ class Ring {
   Ring(const Open& open, const std::map<std::string, Behaviour>& behaviours, std::int64_t session_id = 1)
       : bus_(open("boss")), boss(*bus_, session_id) {
     for (std::size_t k = 1; k < kRoster.size(); ++k) {
-      const std::string name = kRoster[k];
+      const std::string& name = kRoster[k];
       const std::string before = k == 1 ? kRoster.back() : kRoster[k - 1];
-      threads_.emplace_back(
-          [this, open, name, before, session_id, b = behaviours.at(name), &trace = traces[name]] {
-            const auto bus = open(name);
-            trace = run_agent(*bus, member(name, session_id), before, b);
-          });
+      threads_.emplace_back([open, name, before, session_id, b = behaviours.at(name), &trace = traces[name]] {
+        const auto bus = open(name);
+        trace = run_agent(*bus, member(name, session_id), before, b);
+      });
     }
   }
   ~Ring() { finish(); }

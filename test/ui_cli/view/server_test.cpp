@@ -1,7 +1,6 @@
 #include "ui_cli/view/server.hpp"
 
 #include <gtest/gtest.h>
-#include <httplib.h>
 
 #include <atomic>
 #include <nlohmann/json.hpp>
@@ -9,6 +8,7 @@
 
 #include "base/fault.hpp"
 #include "test/ui_cli/view/sample_run.hpp"
+#include "ui_cli/view/httplib.hpp"
 #include "ui_cli/view/run_source.hpp"
 #include "ui_cli/view/static_files.hpp"
 
