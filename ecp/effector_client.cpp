@@ -17,7 +17,10 @@ void EffectorClient::settle_until(std::int64_t number) {
 void EffectorClient::see(const EffectorReply& reply) {
   if (reply.session == session_ && reply.expected <= number_ + 1) settle_until(reply.expected - 1);
   const Sent s = sent(reply.macrostep - 1);
-  if (s.macrostep != reply.macrostep - 1 || s.number == 0) return;
+  if (s.macrostep != reply.macrostep - 1 || s.number == 0) {
+    if (const Sent* const skipped = unanswered(reply.macrostep - 1)) send_again(reply, *skipped);
+    return;
+  }
   const bool unseen = reply.verdict == Verdict::none;
   if (!unseen && reply.fault.code != FaultCode::lost_command && reply.number == s.number) {
     settle_until(s.number);
@@ -29,11 +32,21 @@ void EffectorClient::see(const EffectorReply& reply) {
       count_anew(reply.macrostep, 1);
     return;
   }
-  if (s.macrostep < repeated_from_) return;
+  if (s.macrostep >= repeated_from_) send_again(reply, s);
+}
+
+const EffectorClient::Sent* EffectorClient::unanswered(std::int64_t macrostep) const {
+  if (late_patience_ == 0 || pending_.empty()) return nullptr;
+  const auto found = std::ranges::find_if(sent_, [&](const Sent& s) {
+    return s.macrostep >= repeated_from_ && s.macrostep < macrostep && s.number >= pending_.front().number;
+  });
+  return found == sent_.end() ? nullptr : &*found;
+}
+
+void EffectorClient::send_again(const EffectorReply& reply, const Sent& s) {
   repeated_from_ = reply.macrostep + 1;
   sent_of_pending_ = 0;
-  const bool late = unseen && late_patience_ > 0;
-  if (late ? ++late_ < late_patience_ : ++failures_ < kAttempts) return;
+  if (late_patience_ > 0 ? ++late_ < late_patience_ : ++failures_ < kAttempts) return;
   fault_ = Fault{.code = FaultCode::command_repeated_refused};
   fault_->value = static_cast<double>(s.number);
   fault_->limit = kAttempts;

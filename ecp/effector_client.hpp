@@ -16,9 +16,9 @@ class EffectorClient {
   /// Attempts at one command before the link counts as broken.
   static constexpr int kAttempts = 3;
 
-  /// @param late_patience  macrosteps in a row in which the driver may have seen nothing: with the wall clock a
-  ///        command can be late; it is sent again and is no failure. 0: in lock-step there is no lateness, and
-  ///        what the driver has not seen is lost
+  /// @param late_patience  sendings of a command that the driver may have missed in a row: with the wall clock a
+  ///        command or the one before it can be late, or its answer is skipped; it is sent again and is no failure.
+  ///        0: in lock-step there is no lateness, and what the driver has not seen is lost
   explicit EffectorClient(std::int64_t session, int late_patience = 0)
       : session_(session), late_patience_(late_patience) {}
 
@@ -32,7 +32,7 @@ class EffectorClient {
   ///         always goes out at once
   EffectorCommand next(EffectorCommand wanted, std::int64_t macrostep);
 
-  /// @return the system error after kAttempts failures or late_patience late macrosteps in a row
+  /// @return the system error after kAttempts failures, with the wall clock late_patience, in a row
   [[nodiscard]] const std::optional<Fault>& fault() const { return fault_; }
   /// @return commands that wait because earlier ones had to be repeated
   [[nodiscard]] std::size_t backlog() const { return pending_.size() - sent_of_pending_; }
@@ -46,6 +46,11 @@ class EffectorClient {
     std::int64_t number{};
     bool reset{};
   };
+  /// @return a command for a macrostep before that one, of whose end nothing is known though it must have come: with
+  ///         the wall clock, its answer was skipped; null: there is none
+  [[nodiscard]] const Sent* unanswered(std::int64_t macrostep) const;
+  /// Goes back to the oldest command that is not executed. @param s  what the driver has not got
+  void send_again(const EffectorReply& reply, const Sent& s);
   Sent& sent(std::int64_t macrostep) { return sent_[static_cast<std::size_t>(macrostep) % kRemembered]; }
 
   void settle_until(std::int64_t number);

@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <optional>
+#include <random>
+#include <vector>
 
 #include "base/link/injection.hpp"
 #include "edp/protocol.hpp"
@@ -269,6 +272,71 @@ TEST(EffectorClient, AReplyAfterSkippedMacrostepsSaysWhatHasBeenExecuted) {
   client.see(reply);
   EXPECT_TRUE(client.settled());
   EXPECT_EQ(client.next({.instruction = Instruction::set}, 81).number, 4);
+}
+
+TEST(EffectorClient, ACommandWhoseAnswerWasSkippedIsSentAgain) {
+  EffectorClient client(kSession, 50);
+  client.next({.instruction = Instruction::synchro}, 2);
+  client.next({}, 3);
+  EffectorReply reply;  // of macrostep 4; what came in 3 was passed over
+  reply.macrostep = 4;
+  reply.expected = 1;
+  client.see(reply);
+  const EffectorCommand again = client.next({}, 5);
+  EXPECT_EQ(again.instruction, Instruction::synchro);
+  EXPECT_EQ(again.number, 1);
+  EXPECT_FALSE(client.fault());
+}
+
+TEST(EffectorClient, WithTheWallClockEveryCommandIsExecutedOnceAndInOrderWhateverIsLateOrSkipped) {
+  for (unsigned seed = 1; seed <= 300; ++seed) {
+    std::mt19937_64 random(seed);
+    const auto chance = [&](double p) { return std::bernoulli_distribution(p)(random); };
+    std::uniform_real_distribution<> share(0, 0.5);
+    double late = share(random), passed_over = share(random), missed = share(random);
+    EffectorClient client(kSession, 1000);
+    edp::Protocol protocol;
+    std::vector<int> executed;
+    std::map<std::int64_t, EffectorReply> replies{{1, {}}};
+    int commanded = 0;
+    for (std::int64_t i = 1; i <= 700; ++i) {
+      const bool ends = i > 360;
+      if (ends) late = passed_over = missed = 0;
+      std::optional<EffectorCommand> sent;
+      if (replies.contains(i) && !chance(passed_over)) {
+        client.see(replies.at(i));
+        EffectorCommand wanted;
+        if (!ends && chance(0.4)) {
+          wanted.instruction = Instruction::set_get;
+          wanted.outputs = static_cast<std::uint16_t>(++commanded);
+        }
+        sent = client.next(wanted, i + 1);
+      }
+      if (chance(missed)) continue;  // by the driver, the macrostep i + 1
+      EffectorReply& reply = replies[i + 2];
+      reply.macrostep = i + 2;
+      if (sent && !chance(late)) {
+        const auto decision = protocol.admit(*sent, false);
+        using Admission = edp::Protocol::Admission;
+        if (decision.admission == Admission::execute) {
+          protocol.conclude(*sent, true);
+          executed.push_back(sent->outputs);
+        }
+        if (decision.admission != Admission::nothing) {
+          reply.number = sent->number;
+          reply.verdict = decision.admission == Admission::refuse ? Verdict::refused : Verdict::executed;
+          reply.fault = decision.fault;
+        }
+      }
+      reply.session = executed.empty() ? 0 : kSession;
+      reply.expected = protocol.expected();
+    }
+    EXPECT_FALSE(client.fault()) << "seed " << seed;
+    EXPECT_TRUE(client.settled()) << "seed " << seed;
+    ASSERT_EQ(executed.size(), static_cast<std::size_t>(commanded)) << "seed " << seed;
+    for (int k = 0; k < commanded; ++k)
+      ASSERT_EQ(executed[static_cast<std::size_t>(k)], k + 1) << "seed " << seed;
+  }
 }
 
 TEST(EffectorClient, AnswersOfAnotherMacrostepSayNothing) {
