@@ -1,4 +1,4 @@
-// One row per axis of the task frame: what the papers' command tables hold (MG tabs 4-8, MS tabs 1-4).
+// One row per axis of the task frame, as in the papers' command tables (MG tabs 4-8, MS tabs 1-4).
 #pragma once
 #include "base/spatial.hpp"
 

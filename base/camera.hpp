@@ -1,4 +1,4 @@
-// Cameras as images and readings need them: the model of the lens, and what a virtual receptor tells of an object.
+// The model of a camera with its lens, and the reading that a virtual receptor gives of an object.
 // Kornuta & Zielinski, VS, sec. 3.
 #pragma once
 #include <array>
@@ -33,7 +33,8 @@ Vector2 project(const CameraModel& camera, const Vector3& point);
 /// @return whether numbers are finite and sizes positive
 bool is_proper(const CameraModel& camera);
 
-/// What a virtual receptor r_1,k found in one frame. There is one for every frame, also when nothing was seen.
+/// Reading of a virtual receptor r_1,k from one frame. There is one for every frame, also when nothing was
+/// seen.
 struct CameraReading {
   std::int64_t frame{};  ///< 0, 1, 2... of the camera
   std::int64_t step{};   ///< of the effector drivers at which the picture was taken

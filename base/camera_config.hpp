@@ -1,5 +1,5 @@
-// The cameras' part of the configuration, as the world that draws their pictures, the receptors that look at them and
-// the agents that use their readings all read it:
+// The cameras' part of the configuration, as the simulator that draws their pictures, the receptors that look
+// at them and the agents that use their readings all read it:
 //
 //   [cameras]
 //   order = ["sac", "eih"]
@@ -16,7 +16,7 @@
 
 namespace mrroc {
 
-/// What a camera is fixed to, and hence in which frame its place is known.
+/// The body that a camera is fixed to; its place is known in that body's frame.
 enum class CameraMount : std::uint8_t {
   world,         ///< the floor: T_UC
   base,          ///< the floor, known relative to an arm's base: 0_C T. The papers' SAC

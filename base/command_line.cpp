@@ -7,24 +7,17 @@
 #include <cctype>
 #include <deque>
 #include <ostream>
-#include <span>
+#include <string_view>
+#include <type_traits>
 
-#include "base/as_typed.hpp"
+#include "base/closest_match.hpp"
+#include "base/command_hint.hpp"
+#include "base/command_words.hpp"
 #include "base/fault.hpp"
-#include "base/joined.hpp"
-#include "base/nearest.hpp"
 #include "base/program.hpp"
 
 namespace mrroc {
 namespace {
-
-/// @param kind  "option" or "command"
-/// @return bad_usage that names the word, and the nearest of those that exist
-FaultError unknown_word(const std::string& kind, const std::string& word, const WordSet& known) {
-  const std::string near = nearest(word, known);
-  return {FaultCode::bad_usage, fmt::format("there is no {} '{}'{}", kind, word,
-                                            near.empty() ? "" : fmt::format("; did you mean '{}'?", near))};
-}
 
 /// @return the long options of a command line, as they are written
 std::vector<std::string> long_options_of(const CLI::App& app) {
@@ -39,42 +32,26 @@ void add_options(const CLI::App& app, WordSet& known) {
 }
 
 /// @return bad_usage for words that no command of the line knows, better than what CLI11 says where that is possible
-FaultError unknown_word(const CLI::App& app, const CLI::Error& e) {
+FaultError unknown_word(const CLI::App& app, const WordSet& orders, const CLI::Error& e) {
   const std::vector<std::string> words = app.remaining(true);
+  if (!words.empty() && is_setting(words.front()) && app.get_option_no_throw("--set"))
+    return {FaultCode::bad_usage, fmt::format("'{}' stands by itself", words.front()),
+            fmt::format("give --set {}", words.front())};
   for (const std::string& word : words) {
     if (!word.starts_with("--")) continue;
     WordSet options;
     add_options(app, options);
     for (const CLI::App* command : app.get_subcommands()) add_options(*command, options);
-    return unknown_word("option", word.substr(0, word.find('=')), options);
+    const std::string name = word.substr(0, word.find('='));
+    return no_such_word("option", name, closest_match(name, options));
   }
   WordSet commands;
-  for (const CLI::App* command : app.get_subcommands(nullptr)) commands.insert(command->get_name());
-  if (words.empty() || words.front().starts_with("-") || commands.empty() || !app.get_subcommands().empty())
+  for (const CLI::App* command : app.get_subcommands(nullptr))
+    if (!orders.contains(command->get_name())) commands.insert(command->get_name());
+  const bool none = commands.empty() && orders.empty();
+  if (words.empty() || words.front().starts_with("-") || none || !app.get_subcommands().empty())
     return {FaultCode::bad_usage, e.what()};
-  return unknown_word("command", words.front(), commands);
-}
-
-/// @return what to type: the first example that begins like the command and has the word in it, or has the word only;
-///         without one, where to look
-std::string what_to_type(const Examples& examples, const std::string& command, const std::string& word) {
-  const auto find = [&](const std::string& begin) {
-    return std::ranges::find_if(examples, [&](const std::string& line) {
-      return line.starts_with(begin) && fmt::format("{} ", line).find(word) != std::string::npos;
-    });
-  };
-  auto found = find(command);
-  if (found == examples.end() && !word.empty()) found = find("");
-  if (found != examples.end()) return fmt::format("type for example `{}`", *found);
-  return command.empty() ? "look at --help" : fmt::format("look at `{} --help`", command);
-}
-
-/// @param names  of one thing or several
-/// @return "A, B and C"
-std::string listed(const std::vector<std::string>& names) {
-  if (names.empty()) return "";
-  const std::string before = joined(std::span(names).first(names.size() - 1), ", ");
-  return before.empty() ? names.back() : fmt::format("{} and {}", before, names.back());
+  return no_such_word("command", words.front(), closest_match(words.front(), commands, orders));
 }
 
 /// @return an option or a place of the line with what it is for: "RUN (the run folder)"
@@ -85,8 +62,28 @@ std::string with_description(const CLI::Option& o) {
   return o.get_description().empty() ? name : fmt::format("{} ({})", name, o.get_description());
 }
 
+/// The range of an option, with the help of CLI11's and words of its own.
+class Range final : public CLI::Range {
+ public:
+  template <class Number>
+  Range(Number low, Number high) : CLI::Range(low, high) {
+    func_ = [low, high](const std::string& text) -> std::string {
+      Number value{};
+      if (!CLI::detail::lexical_cast(text, value)) return no_number<Number>(text);
+      if (value >= low && value <= high) return {};
+      return fmt::format("{} is outside {}..{}", text, low, high);
+    };
+  }
+
+  template <class Number>
+  static std::string no_number(const std::string& text) {
+    return fmt::format("'{}' is no {}number", text, std::is_integral_v<Number> ? "whole " : "");
+  }
+};
+
 /// @return bad_usage for a line that CLI11 refuses: words that do not exist or are missing are named, with what to type
-FaultError wrong_words(const CLI::App& app, const CLI::Error& e, const Examples& examples) {
+FaultError wrong_words(const CLI::App& app, const WordSet& orders, const CLI::Error& e,
+                       const Examples& examples) {
   const CLI::App* at = &app;  // the command that was reached
   std::string command = app.get_name();
   for (auto inner = at->get_subcommands(); !inner.empty(); inner = at->get_subcommands()) {
@@ -95,7 +92,7 @@ FaultError wrong_words(const CLI::App& app, const CLI::Error& e, const Examples&
   }
   const bool required = dynamic_cast<const CLI::RequiredError*>(&e) != nullptr;
   if (dynamic_cast<const CLI::ExtrasError*>(&e) || (required && !app.remaining(true).empty()))
-    return unknown_word(app, e);
+    return unknown_word(app, orders, e);
   if (required) {
     std::vector<std::string> missing;
     for (const CLI::Option* o : at->get_options())
@@ -111,12 +108,20 @@ FaultError wrong_words(const CLI::App& app, const CLI::Error& e, const Examples&
             what_to_type(examples, command, "")};
   }
   // "--session: 1 required NAME missing", "--url requires --session"
+  constexpr std::string_view kNotConverted = "Could not convert: ";  // and "--option = word"
   const std::string said = e.what(), name = said.substr(0, said.find_first_of(" :"));
   const CLI::Option* option = at->get_option_no_throw(name);
   if (!option) option = app.get_option_no_throw(name);
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&e) && option && option->count() == 0)
     return {FaultCode::bad_usage, fmt::format("a value is missing behind {}", with_description(*option)),
             what_to_type(examples, command, fmt::format(" {} ", name))};
+  if (dynamic_cast<const CLI::ConversionError*>(&e) && said.starts_with(kNotConverted)) {
+    const std::size_t equals = said.find(" = ");
+    return {FaultCode::bad_usage,
+            fmt::format("{}: {}", said.substr(kNotConverted.size(), equals - kNotConverted.size()),
+                        Range::no_number<double>(said.substr(equals + 3))),
+            what_to_type(Examples{}, command, "")};
+  }
   const bool requires_another = dynamic_cast<const CLI::RequiresError*>(&e) != nullptr;
   return {FaultCode::bad_usage, said,
           what_to_type(requires_another ? examples : Examples{}, command, fmt::format(" {} ", name))};
@@ -164,12 +169,12 @@ Option Option::one_of(const std::vector<std::string>& values) const {
 }
 
 Option Option::range(int low, int high) const {
-  held_->option.check(CLI::Range(low, high));
+  held_->option.check(Range(low, high));
   return *this;
 }
 
 Option Option::range(double low, double high) const {
-  held_->option.check(CLI::Range(low, high));
+  held_->option.check(Range(low, high));
   return *this;
 }
 
@@ -204,6 +209,7 @@ struct CommandLine::Parts {
   CLI::App& app;
   std::deque<Option::Held> options{};
   std::vector<std::unique_ptr<CommandLine>> subcommands{};
+  WordSet orders{};  ///< those of the subcommands that order() has added
 };
 
 CommandLine::CommandLine(const std::string& about, const std::string& name) {
@@ -280,6 +286,11 @@ CommandLine& CommandLine::subcommand(const std::string& name, const std::string&
   return *parts_->subcommands.back();
 }
 
+CommandLine& CommandLine::order(const std::string& name, const std::string& about) {
+  parts_->orders.insert(name);
+  return subcommand(name, about);
+}
+
 void CommandLine::take_one_subcommand(bool required) { parts_->app.require_subcommand(required ? 1 : 0, 1); }
 
 void CommandLine::take_options_anywhere() { parts_->app.fallthrough(); }
@@ -316,7 +327,7 @@ std::optional<std::string> CommandLine::help_asked(const std::vector<std::string
         command = inner;
         break;
       }
-  return as_typed(command->help(before));
+  return command_hint(command->help(before));
 }
 
 std::optional<std::string> CommandLine::help_asked(int argc, const char* const* argv) {
@@ -331,7 +342,8 @@ void CommandLine::refuse_unknown_options(int argc, const char* const* argv) cons
     const std::string word = argv[k];
     if (word == "--") return;
     const std::string name = word.substr(0, word.find('='));
-    if (name.starts_with("--") && !known.contains(name)) throw unknown_word("option", name, known);
+    if (name.starts_with("--") && !known.contains(name))
+      throw no_such_word("option", name, closest_match(name, known));
   }
 }
 
@@ -339,7 +351,7 @@ void CommandLine::parse(int argc, const char* const* argv, const Examples& examp
   try {
     parts_->app.parse(argc, argv);
   } catch (const CLI::Error& e) {
-    throw wrong_words(parts_->app, e, examples);
+    throw wrong_words(parts_->app, parts_->orders, e, examples);
   }
 }
 
@@ -347,7 +359,7 @@ void CommandLine::parse(const std::vector<std::string>& words, const Examples& e
   try {
     parts_->app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::Error& e) {
-    throw wrong_words(parts_->app, e, examples);
+    throw wrong_words(parts_->app, parts_->orders, e, examples);
   }
 }
 
@@ -359,7 +371,7 @@ std::optional<std::string> CommandLine::parse_or_help(int argc, const char* cons
   } catch (const CLI::CallForHelp&) {
     return parts_->app.help();
   } catch (const CLI::Error& e) {
-    throw wrong_words(parts_->app, e, examples);
+    throw wrong_words(parts_->app, parts_->orders, e, examples);
   }
 }
 
@@ -377,23 +389,6 @@ std::optional<int> CommandLine::parse_words(const std::vector<std::string>& word
     err << e.error_line() << std::endl;
     return exit_status(FaultCode::bad_usage);
   }
-}
-
-bool asks_for_help(const std::vector<std::string>& words) {
-  const auto end = std::ranges::find(words, "--");
-  return std::find_if(words.begin(), end, [](const auto& w) { return w == "-h" || w == "--help"; }) != end;
-}
-
-std::string explained(ExplainedLines lines) {
-  std::size_t width = 0;
-  for (auto& entry : lines) {
-    entry.first = typed(entry.first);
-    width = std::max(width, entry.first.size());
-  }
-  std::string text;
-  for (const auto& [line, does] : lines)
-    text += does.empty() ? fmt::format("  {}\n", line) : fmt::format("  {:<{}}   {}\n", line, width, does);
-  return text;
 }
 
 }  // namespace mrroc

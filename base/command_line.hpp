@@ -1,4 +1,4 @@
-// The command lines of all programs: what they take, and what they say of a word that does not exist or is missing.
+// Reads the command lines of all programs, and reports words that do not exist or are missing.
 #pragma once
 #include <concepts>
 #include <cstdint>
@@ -11,13 +11,11 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
-namespace mrroc {
+#include "base/command_words.hpp"
 
-/// Lines that a program understands, from which its errors take what to type.
-using Examples = std::vector<std::string>;
+namespace mrroc {
 
 /// Says what is wrong with a value; the error of the line names the option before it.
 class WrongValue : public std::invalid_argument {
@@ -28,14 +26,14 @@ class WrongValue : public std::invalid_argument {
 /// Takes or checks a value as it was typed. @throws WrongValue; other errors leave the parsing as they are
 using TextFunction = std::function<void(const std::string& text)>;
 
-/// What the values of options are kept in. A vector takes all words that follow; an optional is empty without the option.
+/// A type that keeps the value of an option. A vector takes all words that follow; an optional is empty without the option.
 template <class T>
 concept OptionValue = std::same_as<T, std::string> || std::same_as<T, std::filesystem::path> ||
     std::same_as<T, int> || std::same_as<T, std::int64_t> || std::same_as<T, double> ||
     std::same_as<T, std::optional<std::string>> || std::same_as<T, std::optional<double>> ||
     std::same_as<T, std::vector<std::string>> || std::same_as<T, std::vector<std::filesystem::path>>;
 
-/// What one of several words may mean: an enumeration that is kept in a byte.
+/// Value of one of several words: an enumeration that is kept in a byte.
 template <class T>
 concept ByteEnum = std::is_enum_v<T> && std::same_as<std::underlying_type_t<T>, std::uint8_t>;
 
@@ -121,6 +119,9 @@ class CommandLine {
 
   /// Adds a command, which has a line of its own behind its name. @return valid as long as this one
   CommandLine& subcommand(const std::string& name, const std::string& about);
+  /// Adds a subcommand that makes a machine do something: for a wrong word it is only suggested when hardly anything else
+  /// can be meant.
+  CommandLine& order(const std::string& name, const std::string& about);
   /// A line has one subcommand. @param required  false: or none
   void take_one_subcommand(bool required);
   /// Options of this line may also stand behind the subcommands that are added later.
@@ -132,7 +133,9 @@ class CommandLine {
   /// @return words that were not parsed
   [[nodiscard]] std::vector<std::string> remaining() const;
 
+  /// @return as help and errors show it
   [[nodiscard]] std::string name() const;
+  /// @return text above the options in the help
   [[nodiscard]] std::string about() const;
   /// @return the options as they are typed: "--help" and those that were added, in their order
   [[nodiscard]] std::vector<std::string> long_options() const;
@@ -145,7 +148,8 @@ class CommandLine {
   /// The same for the arguments of main().
   [[nodiscard]] std::optional<std::string> help_asked(int argc, const char* const* argv);
 
-  /// To be called before parsing, where a required option that is missing would be told before one that does not exist.
+  /// Call this before parsing, where a required option that is missing would be told before one that does not
+  /// exist.
   /// @throws FaultError bad_usage that names the first such option, and the nearest that exists
   void refuse_unknown_options(int argc, const char* const* argv) const;
 
@@ -174,14 +178,5 @@ class CommandLine {
 
   std::unique_ptr<Parts> parts_;
 };
-
-/// @return whether -h or --help is among the words before "--"
-[[nodiscard]] bool asks_for_help(const std::vector<std::string>& words);
-
-/// What the examples at the end of a help show: lines that begin as typed() wants it, and what they do.
-using ExplainedLines = std::vector<std::pair<std::string, std::string>>;
-
-/// @return them as typed(), below each other, with what they do in a column of its own
-[[nodiscard]] std::string explained(ExplainedLines lines);
 
 }  // namespace mrroc

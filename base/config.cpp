@@ -3,12 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <tuple>
 
+#include "base/config_bounds.hpp"
 #include "base/config_store.hpp"
 #include "base/joined.hpp"
+#include "base/text_file.hpp"
 
 namespace mrroc {
 namespace {
@@ -20,17 +20,31 @@ std::string located(const ConfigPlace& place, const std::string& text) {
   return result + ": " + text;
 }
 
+/// What is to be corrected; empty: as for every wrong configuration.
+std::string remedy_of(const ConfigPlace& place) {
+  if (place.file.starts_with("--set ")) return "correct that --set option";
+  return place.line > 0 ? "correct that file" : "";
+}
+
 constexpr std::size_t kMostShown = 16;  // keys in an error
 
 std::string_view last_part(std::string_view key) { return key.substr(key.rfind('.') + 1); }
 
+/// @return of the known keys that end with the part the one with the fewest parts, the first of equals; empty: none does
+std::string least_deep(std::string_view part, const WordSet& known) {
+  const auto depth = [](const std::string& k) { return std::count(k.begin(), k.end(), '.'); };
+  std::string best;
+  for (const std::string& k : known)
+    if (last_part(k) == part && (best.empty() || depth(k) < depth(best))) best = k;
+  return best;
+}
+
 /// The known key that was probably meant, as the end of a sentence.
 std::string suggestion(std::string_view key, const WordSet& known) {
-  if (const std::string near = nearest(key, known); !near.empty())
+  if (const std::string near = closest_match(key, known); !near.empty())
     return fmt::format(", did you mean '{}'?", near);
-  const auto same = std::find_if(known.begin(), known.end(),
-                                 [&](const std::string& k) { return last_part(k) == last_part(key); });
-  if (same != known.end()) return fmt::format(", did you mean '{}'?", *same);
+  if (const std::string same = least_deep(last_part(key), known); !same.empty())
+    return fmt::format(", did you mean '{}'?", same);
   const std::string_view table = key.substr(0, key.size() - last_part(key).size());
   std::vector<std::string> siblings;
   for (const std::string& k : known)
@@ -50,7 +64,7 @@ std::string suggestion(std::string_view key, const WordSet& known) {
 }  // namespace
 
 ConfigError::ConfigError(ConfigPlace place, std::string key, const std::string& text)
-    : FaultError(FaultCode::bad_configuration, located(place, text)),
+    : FaultError(FaultCode::bad_configuration, located(place, text), remedy_of(place)),
       place_(std::move(place)),
       key_(std::move(key)) {}
 
@@ -91,16 +105,7 @@ Config Config::parse(std::string_view text, const std::string& name) {
 }
 
 Config Config::load(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::exists(file, error))
-    throw FaultError(FaultCode::bad_configuration, file.string() + ": there is no such configuration file",
-                     "check the name of the file");
-  std::ifstream stream(file, std::ios::binary);
-  std::stringstream text;
-  if (!std::filesystem::is_regular_file(file, error) || !stream || (text << stream.rdbuf()).bad())
-    throw FaultError(FaultCode::bad_configuration, file.string() + ": the configuration file cannot be read",
-                     "check its name and its permissions");
-  return parse(text.str(), file.string());
+  return parse(read_input_file(file, kLargestConfig, FaultCode::bad_configuration), file.string());
 }
 
 void Config::overlay(const Config& above) {
@@ -173,6 +178,13 @@ void Config::check_all_used() const {
       count > 1 ? fmt::format(" ({} more {} unknown)", count - 1, count > 2 ? "are" : "is") : "";
   throw ConfigError(where, unknown,
                     fmt::format("unknown key '{}'{}{}", unknown, suggestion(unknown, store_->asked), others));
+}
+
+std::vector<ConfigParameter> Config::parameters() const {
+  std::vector<ConfigParameter> all;
+  for (const auto& [key, entry] : store_->entries)
+    if (store_->asked.contains(key)) all.push_back({key, to_toml(entry.value), entry.range, entry.unit});
+  return all;
 }
 
 std::string Config::dump() const { return store_->write(); }

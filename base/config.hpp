@@ -29,7 +29,7 @@
 
 namespace mrroc {
 
-/// Where a value of the configuration comes from.
+/// The place from which a value of the configuration comes.
 struct ConfigPlace {
   std::string file;  ///< path as given, "--set KEY=VALUE", or "default"
   int line{};        ///< counted from 1; 0: not in a file
@@ -66,6 +66,14 @@ struct IntegerBounds {
   std::int64_t max{std::numeric_limits<std::int64_t>::max()};  ///< largest legal integer
 };
 
+/// A key that the program reads, for lists.
+struct ConfigParameter {
+  std::string key;    ///< dotted, from the root
+  std::string value;  ///< in TOML: given, or the default
+  std::string range;  ///< legal values in words; empty: any of its type
+  std::string unit;   ///< empty: it has none
+};
+
 struct ConfigStore;
 
 /// A tree of values under dotted keys, e.g. "robots.arm1.tool.weight". A handle: copies and sections share
@@ -79,8 +87,9 @@ class Config {
   /// An empty configuration: every parameter has its default.
   Config();
 
-  /// @throws FaultError bad_configuration: no such file, or one that cannot be read
-  /// @throws ConfigError a syntax error with its line and column
+  /// @throws FaultError bad_configuration: no such file, no file but a folder, a pipe or the like, or one that cannot be
+  ///         read
+  /// @throws ConfigError a syntax error with its line and column; too large or too deep (base/config_bounds.hpp)
   static Config load(const std::filesystem::path& file);
   /// @param text TOML: tables, numbers, truth values, texts, lists of numbers or of texts
   /// @param name what errors call the text
@@ -162,13 +171,16 @@ class Config {
     return names[one_of(key, name, legal)].second;
   }
 
-  /// To be called when everything has been read.
+  /// Call this when everything has been read.
   /// @throws ConfigError a key in this section that nothing asked for: file, line, key and the nearest known
   /// key
   void check_all_used() const;
   /// @return all values from the root, given and default, as TOML with units and ranges as comments; parsing
   ///         it gives the same values
   [[nodiscard]] std::string dump() const;
+
+  /// @return every key that was asked for, in alphabetical order
+  [[nodiscard]] std::vector<ConfigParameter> parameters() const;
 
   /// @return the same configuration with a memory of its own of what is asked for: another thread may read it
   [[nodiscard]] Config copy() const;

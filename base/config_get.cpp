@@ -10,18 +10,14 @@
 namespace mrroc {
 namespace {
 
-/// The bounds and the unit in words; an open side is left out.
+/// The bounds in words; an open side is left out.
 template <class B>
-std::string range_text(const B& bounds, std::string_view unit) {
+std::string range_text(const B& bounds) {
   const B all;
-  std::string range;
-  if (bounds.min > all.min && bounds.max < all.max)
-    range = fmt::format("{} to {}", bounds.min, bounds.max);
-  else if (bounds.min > all.min)
-    range = fmt::format("at least {}", bounds.min);
-  else if (bounds.max < all.max)
-    range = fmt::format("at most {}", bounds.max);
-  return range + (range.empty() || unit.empty() ? "" : " ") + std::string(unit);
+  if (bounds.min > all.min && bounds.max < all.max) return fmt::format("{} to {}", bounds.min, bounds.max);
+  if (bounds.min > all.min) return fmt::format("at least {}", bounds.min);
+  if (bounds.max < all.max) return fmt::format("at most {}", bounds.max);
+  return "";
 }
 
 /// Numbers given without a fraction, and empty lists, are of the type that is asked for.
@@ -34,17 +30,32 @@ void adapt(ConfigValue& value) {
       value = std::vector<std::string>();
 }
 
+/// The value as an error shows it.
+std::string shown(const ConfigValue& value) {
+  constexpr std::size_t kMost = 80;
+  std::string text = to_toml(value);
+  if (text.size() > kMost) text = text.substr(0, kMost) + "..";
+  return text;
+}
+
 bool finite(std::int64_t) { return true; }
 bool finite(double value) { return std::isfinite(value); }
 
 }  // namespace
 
-/// What a getter expects of a value.
-struct Config::Asked {
-  std::string type;   ///< in words, for messages
-  std::string range;  ///< range and unit in words, may be empty
+std::string limits_text(std::string_view range, std::string_view unit) {
+  return fmt::format("{}{}{}", range, range.empty() || unit.empty() ? "" : " ", unit);
+}
 
-  [[nodiscard]] std::string words() const { return range.empty() ? type : type + ", " + range; }
+/// A getter's expectation of a value.
+struct Config::Asked {
+  std::string type;    ///< in words, for messages
+  std::string range;   ///< in words, may be empty
+  std::string unit{};  ///< may be empty
+
+  /// @return range and unit
+  [[nodiscard]] std::string limits() const { return limits_text(range, unit); }
+  [[nodiscard]] std::string words() const { return limits().empty() ? type : type + ", " + limits(); }
 };
 
 template <class T>
@@ -55,18 +66,18 @@ T Config::take(std::string_view key, const std::optional<T>& fallback, const Ask
     if (!fallback)
       throw ConfigError({store_->main_file.empty() ? "configuration" : store_->main_file}, path,
                         fmt::format("the key '{}' is missing, it must be {}", path, asked.words()));
-    store_->put(path, {*fallback, {"default"}, {}, true});
+    store_->put(path, {.value = *fallback, .place = {"default"}, .from_default = true});
   }
   ConfigEntry& entry = store_->entries.find(path)->second;
   adapt<T>(entry.value);
   const T* value = std::get_if<T>(&entry.value);
   if (value == nullptr)
-    throw ConfigError(
-        entry.place, path,
-        fmt::format("'{}' must be {}, and it is {}", path, asked.words(), to_toml(entry.value)));
+    throw ConfigError(entry.place, path,
+                      fmt::format("'{}' must be {}, and it is {}", path, asked.words(), shown(entry.value)));
   if (entry.from_default && fallback && *value != *fallback)
     throw FaultError(FaultCode::internal_error, fmt::format("the key '{}' has two defaults", path));
-  entry.note = asked.range;
+  entry.range = asked.range;
+  entry.unit = asked.unit;
   return *value;
 }
 
@@ -77,12 +88,12 @@ void Config::check(std::string_view key, T value, B bounds, const Asked& asked) 
   const ConfigPlace& place = store_->entries.find(path)->second.place;
   if (!finite(value)) throw ConfigError(place, path, fmt::format("'{}' is not a finite number", path));
   throw ConfigError(place, path,
-                    fmt::format("'{}' is {}, out of its range: {}", path, to_toml(value), asked.range));
+                    fmt::format("'{}' is {}, out of its range: {}", path, shown(value), asked.limits()));
 }
 
 double Config::number(std::string_view key, std::optional<double> fallback, Bounds bounds,
                       std::string_view unit) const {
-  const Asked asked{"a number", range_text(bounds, unit)};
+  const Asked asked{"a number", range_text(bounds), std::string(unit)};
   const auto value = take<double>(key, fallback, asked);
   check(key, value, bounds, asked);
   return value;
@@ -92,7 +103,7 @@ std::vector<double> Config::list(std::string_view key, const std::optional<std::
                                  Bounds bounds, std::string_view unit,
                                  std::optional<std::size_t> size) const {
   const Asked asked{size ? fmt::format("a list of {} numbers", *size) : "a list of numbers",
-                    range_text(bounds, unit)};
+                    range_text(bounds), std::string(unit)};
   auto value = take<std::vector<double>>(key, fallback, asked);
   for (const double element : value) check(key, element, bounds, asked);
   if (size && *size != value.size()) {
@@ -105,10 +116,10 @@ std::vector<double> Config::list(std::string_view key, const std::optional<std::
 
 std::int64_t Config::whole(std::string_view key, std::optional<std::int64_t> fallback, IntegerBounds bounds,
                            IntegerBounds in_type, std::string_view unit) const {
-  const Asked asked{"a whole number", range_text(bounds, unit)};
+  const Asked asked{"a whole number", range_text(bounds), std::string(unit)};
   const auto value = take<std::int64_t>(key, fallback, asked);
   check(key, value, bounds, asked);
-  check(key, value, in_type, {asked.type, range_text(in_type, unit)});
+  check(key, value, in_type, {asked.type, range_text(in_type), asked.unit});
   return value;
 }
 
@@ -132,9 +143,9 @@ std::size_t Config::one_of(std::string_view key, const std::string& fallback,
   const auto found = std::find(legal.begin(), legal.end(), value);
   if (found != legal.end()) return static_cast<std::size_t>(found - legal.begin());
   const std::string path = fmt::format("{}{}", prefix_, key);
-  const std::string near = nearest(value, WordSet(legal.begin(), legal.end()));
+  const std::string near = closest_match(value, WordSet(legal.begin(), legal.end()));
   throw ConfigError(store_->entries.find(path)->second.place, path,
-                    fmt::format("'{}' is {}, it must be {}{}", path, to_toml(value), asked.range,
+                    fmt::format("'{}' is {}, it must be {}{}", path, shown(value), asked.range,
                                 near.empty() ? "" : fmt::format("; did you mean \"{}\"?", near)));
 }
 

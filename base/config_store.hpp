@@ -1,4 +1,4 @@
-// What a Config is made of, between the reader of TOML, the typed access and the writer of TOML.
+// The values of a Config and their places; used by the reader and writer of TOML and by the typed access.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "base/closest_match.hpp"
 #include "base/config.hpp"
-#include "base/nearest.hpp"
 
 namespace mrroc {
 
@@ -18,9 +18,10 @@ using ConfigValue =
 
 /// One key's value and what is known about it.
 struct ConfigEntry {
-  ConfigValue value;         ///< as it was given; its range is checked when it is read
-  ConfigPlace place;         ///< where it was given
-  std::string note;          ///< unit and range, known once it was read
+  ConfigValue value{};       ///< as it was given; its range is checked when it is read
+  ConfigPlace place{};       ///< where it was given
+  std::string range{};       ///< legal values in words, known once it was read; empty: any of its type
+  std::string unit{};        ///< the same
   bool from_default{false};  ///< nobody gave it: the code's default
 };
 
@@ -47,6 +48,8 @@ struct ConfigStore {
   [[nodiscard]] std::string write() const;
 };
 
+/// @return range and unit as one text: "0 to 5 N"; either may be empty
+[[nodiscard]] std::string limits_text(std::string_view range, std::string_view unit);
 /// @return the value as TOML
 [[nodiscard]] std::string to_toml(const ConfigValue& value);
 

@@ -1,10 +1,11 @@
-// Between TOML and the flat map of a Config. The only file that knows the TOML library.
+// Converts between TOML and the flat map of a Config. The only file that uses the TOML library.
 #include <fmt/core.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
 #include <cctype>
 
+#include "base/config_bounds.hpp"
 #include "base/config_store.hpp"
 #include "base/joined.hpp"
 
@@ -29,13 +30,19 @@ struct Reader {
   void table(const toml::table& content, const std::string& prefix) {
     for (const auto& [key, node] : content) {
       const std::string path = prefix + std::string(key.str());
+      if (key.str().size() > kLongestKeyPart)
+        throw ConfigError(place(node.source()), path.substr(0, prefix.size() + kLongestKeyPart),
+                          fmt::format("a key with {} characters; it may have {} between its dots",
+                                      key.str().size(), kLongestKeyPart));
       if (!is_bare(key.str()))
         throw ConfigError(place(node.source()), path, "a key may have letters, digits, '_' and '-' only");
+      if (std::ranges::count(path, '.') >= kMostKeyParts)  // with those of the tables around it
+        throw ConfigError(place(node.source()), {}, fmt::format("a key has over {} parts", kMostKeyParts));
       if (const auto* inner = node.as_table()) {
         store.put_table(path, place(node.source()));
         table(*inner, path + ".");
       } else {
-        store.put(path, {value(node, path), place(node.source()), {}, false});
+        store.put(path, {.value = value(node, path), .place = place(node.source())});
       }
     }
   }
@@ -98,6 +105,11 @@ struct Writer {
 std::string to_toml(const ConfigValue& value) { return std::visit(Writer{}, value); }
 
 void ConfigStore::read(std::string_view text, const std::string& name, bool with_lines) {
+  if (text.size() > kLargestConfig)
+    throw ConfigError({name}, {},
+                      fmt::format("{} bytes are over the limit of {}", text.size(), kLargestConfig));
+  if (const auto excess = config_excess(text))
+    throw ConfigError({name, with_lines ? excess->line : 0, excess->column}, {}, excess->wrong);
   try {
     Reader{*this, name, with_lines}.table(toml::parse(text, name), "");
   } catch (const toml::parse_error& error) {
@@ -119,7 +131,7 @@ std::string ConfigStore::write() const {
     const std::size_t dot = key.rfind('.');
     const std::string table = dot == std::string::npos ? "" : key.substr(0, dot);
     const std::string name = dot == std::string::npos ? key : key.substr(dot + 1);
-    groups[table].push_back({name + " = " + to_toml(entry.value), entry.note});
+    groups[table].push_back({name + " = " + to_toml(entry.value), limits_text(entry.range, entry.unit)});
   }
   std::string result;
   for (const auto& [table, lines] : groups) {

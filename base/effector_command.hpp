@@ -1,4 +1,4 @@
-// What a control subsystem and its effector driver say to each other: y_ce and x_ce (MG 7, fig. 7-10).
+// The messages between a control subsystem and its effector driver: y_ce and x_ce (MG 7, fig. 7-10).
 #pragma once
 #include <array>
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace mrroc {
 /// commands nothing.
 enum class Instruction : std::uint8_t { keep, set, get, set_get, synchro, query, reset, release };
 
-/// What SET sets and GET gets; a bit mask.
+/// Parts that SET sets and GET gets; a bit mask.
 enum class Part : std::uint8_t { arm = 1, robot_model = 2, io = 4, force_bias = 8 };
 constexpr std::uint8_t operator|(Part a, Part b) {
   return static_cast<std::uint8_t>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
@@ -116,7 +116,7 @@ struct CurrentStatistics {
   std::array<double, kMaxAxes> rms{};       ///< root of the mean square [A]: what heats the motor
 };
 
-/// What became of a command.
+/// Result of a command.
 /// none: there was none; failed: it was taken, and its macrostep could not go on.
 enum class Verdict : std::uint8_t { none, executed, refused, failed };
 
@@ -143,6 +143,9 @@ struct EffectorReply {
   RobotModel robot_model{};               ///< GET ROBOT_MODEL: what the driver works with
   std::uint16_t inputs{};                 ///< GET INPUTS: binary input lines of the robot controller
   std::array<double, kAnalogInputs> analog{};  ///< GET INPUTS: analog lines [V]
+  bool position_known{};  ///< the motors have been synchronised: joints and poses mean something
+  bool
+      at_rest{};  ///< the robot rests: brakes closed or set point standing, and its encoders have stood for 0.2 s
 };
 
 /// One step's proprioceptive reading, for virtual sensors that aggregate them (MS 27).

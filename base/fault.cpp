@@ -2,30 +2,50 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
 #include <type_traits>
 
-#include "base/as_typed.hpp"
+#include "base/command_hint.hpp"
 #include "base/fault_table.hpp"
+#include "base/printable.hpp"
 
 namespace mrroc {
 namespace {
 
-constexpr bool rows_are_numbered() {
-  for (std::size_t k = 0; k < kFaultTable.size(); ++k)
-    if (static_cast<std::size_t>(kFaultTable[k].code) != k) return false;
-  return true;
-}
-static_assert(rows_are_numbered(), "row k of the table must describe the code with the number k");
-static_assert(static_cast<std::size_t>(FaultCode::interrupted) + 1 == kFaultTable.size());
-static_assert(std::is_trivially_copyable_v<Fault>);
+using Rows = std::array<const FaultEntry*, kFaultNumbers>;
 
-std::string printable(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c < ' ' || c > '~') c = '?';
-  return result;
+constexpr std::size_t number(FaultCode code) { return static_cast<std::size_t>(code); }
+
+/// @return the framework's own rows by number
+constexpr Rows own_rows() {
+  Rows rows{};
+  for (const FaultEntry& entry : kFaultTable) rows[number(entry.code)] = &entry;
+  return rows;
 }
+constexpr bool rows_are_in_order() {
+  return std::ranges::adjacent_find(kFaultTable, std::ranges::greater_equal{}, &FaultEntry::code) ==
+         kFaultTable.end();
+}
+static_assert(rows_are_in_order(), "rows stand in the order of their numbers, each number once");
+static_assert(number(kFaultTable.back().code) < kFirstTaskFault);
+
+constinit Rows g_rows = own_rows();  // changes before main() begins only
+
+/// Ends the program before it has begun: there is nobody yet to report to.
+[[noreturn]] void refuse(const FaultEntry& entry) {
+  fmt::print(
+      stderr,
+      "error: internal_error: the fault {} (number {}) is registered twice, or its number is too large\n",
+      entry.name, number(entry.code));
+  std::abort();
+}
+
+static_assert(std::is_trivially_copyable_v<Fault>);
 
 std::string figures(const Fault& fault) {
   if (!std::isfinite(fault.value)) return fmt::format("value {}", fault.value);
@@ -35,9 +55,24 @@ std::string figures(const Fault& fault) {
 
 }  // namespace
 
+RegisteredFaults::RegisteredFaults(std::span<const FaultEntry> rows) noexcept {
+  for (const FaultEntry& entry : rows) {
+    const std::size_t k = number(entry.code);
+    if (k >= g_rows.size() || g_rows[k] != nullptr || fault_code(entry.name)) refuse(entry);
+    g_rows[k] = &entry;
+  }
+}
+
+std::vector<FaultEntry> all_faults() {
+  std::vector<FaultEntry> all;
+  for (const FaultEntry* const entry : g_rows)
+    if (entry != nullptr) all.push_back(*entry);
+  return all;
+}
+
 const FaultEntry& fault_entry(FaultCode code) noexcept {
-  const auto row = static_cast<std::size_t>(code);
-  return kFaultTable[row < kFaultTable.size() ? row : static_cast<std::size_t>(FaultCode::internal_error)];
+  const FaultEntry* const entry = number(code) < g_rows.size() ? g_rows[number(code)] : nullptr;
+  return entry != nullptr ? *entry : *g_rows[number(FaultCode::internal_error)];
 }
 
 std::string_view to_string(FaultCode code) noexcept { return fault_entry(code).name; }
@@ -57,22 +92,24 @@ std::string_view to_string(FaultClass fault_class) noexcept {
 FaultClass class_of(FaultCode code) noexcept { return fault_entry(code).fault_class; }
 
 std::optional<FaultCode> fault_code(std::int64_t number) noexcept {
-  if (number < 0 || number >= static_cast<std::int64_t>(kFaultTable.size())) return std::nullopt;
+  if (number < 0 || number >= static_cast<std::int64_t>(g_rows.size()) ||
+      g_rows[static_cast<std::size_t>(number)] == nullptr)
+    return std::nullopt;
   return static_cast<FaultCode>(number);
 }
 
 std::optional<FaultCode> fault_code(std::string_view name) noexcept {
-  for (const FaultEntry& entry : kFaultTable)
-    if (entry.name == name) return entry.code;
+  for (const FaultEntry* const entry : g_rows)
+    if (entry != nullptr && entry->name == name) return entry->code;
   return std::nullopt;
 }
 
 std::string what_happened(const Fault& fault) {
   std::string result;
-  if (!fault.process.empty()) result += printable(fault.process.view()) + ": ";
+  if (!fault.process.empty()) result += without_controls(fault.process.view()) + ": ";
   result += fault_entry(fault.code).text;
   std::string detail = fault.axis >= 0 ? fmt::format("axis {}", fault.axis) : std::string();
-  for (const std::string& part : {figures(fault), printable(fault.text.view())})
+  for (const std::string& part : {figures(fault), without_controls(fault.text.view())})
     if (!part.empty()) detail += (detail.empty() ? "" : ", ") + part;
   if (!detail.empty()) result += " (" + detail + ")";
   return result;
@@ -86,7 +123,8 @@ std::string describe(const Fault& fault) {
 
 std::string error_line(const Fault& fault, std::string_view session) {
   const FaultEntry& entry = fault_entry(fault.code);
-  return as_typed(fmt::format("error: {}: {}; {}", entry.name, what_happened(fault), entry.remedy), session);
+  return command_hint(fmt::format("error: {}: {}; {}", entry.name, what_happened(fault), entry.remedy),
+                      session);
 }
 
 int exit_status(FaultCode code) noexcept {
@@ -98,7 +136,8 @@ int exit_status(FaultCode code) noexcept {
 FaultError::FaultError(const Fault& fault) : std::runtime_error(what_happened(fault)), fault_(fault) {}
 
 FaultError::FaultError(FaultCode code, const std::string& what)
-    : std::runtime_error(what), fault_{.code = code, .process = {}, .text = std::string_view(what)} {}
+    : std::runtime_error(without_controls(what)),
+      fault_{.code = code, .process = {}, .text = std::string_view(what)} {}
 
 FaultError::FaultError(FaultCode code, const std::string& what, std::string remedy) : FaultError(code, what) {
   remedy_ = std::move(remedy);
@@ -109,7 +148,7 @@ std::string_view FaultError::remedy() const noexcept {
 }
 
 std::string FaultError::error_line(std::string_view session) const {
-  return as_typed(fmt::format("error: {}: {}; {}", to_string(fault_.code), what(), remedy()), session);
+  return command_hint(fmt::format("error: {}: {}; {}", to_string(fault_.code), what(), remedy()), session);
 }
 
 }  // namespace mrroc

@@ -1,5 +1,5 @@
-// The one table of errors: code, class, what happened, what to do, and what it mostly comes from. docs/faults.md is made from it; after a
-// change here run  MRROC_UPDATE_DOCS=1 ./run test -R FaultTable
+// The table of errors that the framework raises: code, class, event, remedy and usual cause. docs/faults.md
+// is made from it; after a change here run  MRROC_UPDATE_DOCS=1 ./run test -R FaultTable
 #pragma once
 #include <array>
 
@@ -11,7 +11,7 @@ namespace mrroc {
 #define MRROC_FAULT(code, fault_class, text, remedy, causes) \
   FaultEntry { FaultCode::code, #code, FaultClass::fault_class, text, remedy, causes }
 
-/// Row k describes the code with the number k.
+/// Rows in the order of their numbers; rows of tasks are registered (RegisteredFaults).
 inline constexpr std::array kFaultTable{
   MRROC_FAULT(none, non_fatal, "no error", "nothing",
               "-"),
@@ -119,25 +119,6 @@ inline constexpr std::array kFaultTable{
               "bring the object into view of a camera, look at its light and its size in the configuration",
               "something stands between; the object is too far, too small or turned away; light; the wrong object named by --object"),
 
-  MRROC_FAULT(no_plan, non_fatal, "there is no way of the arms to do that",
-              "look at where the arms stand and how the cube is held at the beginning",
-              "a cube that is held so that the other arm cannot reach it; arms placed too far from each other"),
-  MRROC_FAULT(grasp_missed, non_fatal, "a hand did not grip the cube, or did not let go of it",
-              "look at where the cube is and how far the jaws go",
-              "the cube is not where it should be; a cube of another size; a gripper that is blocked"),
-  MRROC_FAULT(face_jammed, non_fatal, "a face of the cube does not turn",
-              "take the cube out and turn the face by hand, or allow more torque with --set task.torque=4.2",
-              "a cube that jams; layers that are not in their seats; a hand that holds the wrong layers"),
-  MRROC_FAULT(cube_slipped, non_fatal, "the cube is not where the hand that holds it should have it",
-              "put the cube into the hand anew",
-              "a grip that slipped; somebody or something touched the cube; a cube of another size"),
-  MRROC_FAULT(cube_dropped, non_fatal, "the hand that held the cube is empty",
-              "put the cube into the hand anew",
-              "the cube fell or was taken away; a gripper without power"),
-  MRROC_FAULT(cube_misread, non_fatal, "what the camera reads cannot be the state of a cube",
-              "look at the light and at the stickers, or tell the state with --eyes none",
-              "glare or coloured light; a sticker that is missing or dirty; a cube that was taken apart"),
-
   MRROC_FAULT(start_failed, system, "a process could not be started",
               "build all programs, and look at messages.log in the run folder",
               "a program that was not built; no right to execute it; no memory"),
@@ -153,9 +134,21 @@ inline constexpr std::array kFaultTable{
   MRROC_FAULT(peer_silent, system, "an expected message did not come in time",
               "look at the sender with `ui_cli status`",
               "a process that hangs; messages of another version; a broken network"),
-  MRROC_FAULT(hardware_silent, system, "the world or the drives give no state",
-              "look at the process `world`; the drives brake by themselves",
-              "the world or the drives hang or have died; a broken network"),
+  MRROC_FAULT(hardware_silent, system, "the simulator or the drives give no state",
+              "look at the process `simulator`; the drives brake by themselves",
+              "the simulator or the drives hang or have died; a broken network"),
+  MRROC_FAULT(supervisor_silent, system, "the supervisor was not heard, and the arms came to rest",
+              "do not suspend a task that runs by the wall clock: pause it; on a busy host, run less beside it",
+              "the task's own program was stopped by SIGSTOP; it hangs; a host that did not run it for too long"),
+  MRROC_FAULT(stop_not_confirmed, system, "a process did not confirm the stop and was ended",
+              "look at its last lines in messages.log",
+              "a process that hangs or was suspended; a host on which the network is down"),
+  MRROC_FAULT(ended_early, system, "a part of the system ended before the task's program had come to its end",
+              "look at the last lines of the process in messages.log",
+              "a mistake in a control subsystem or sensor of your own"),
+  MRROC_FAULT(no_fingerprint, system, "a process did not tell what it had sent: the run has no fingerprint",
+              "look at the last lines of the process in messages.log, and run the task again",
+              "its last message was lost; more links than a status has room for"),
   MRROC_FAULT(no_multicast, system, "this host has no route for multicast messages",
               "type `ip route add 224.0.0.0/4 dev lo` as root, or use --processes one",
               "a container or a laptop without any network; a firewall"),
@@ -174,6 +167,9 @@ inline constexpr std::array kFaultTable{
   MRROC_FAULT(no_renderer, system, "pictures of the simulated cameras cannot be drawn on this host",
               "install Mesa's EGL: apt-get install libegl1 libegl-mesa0 libgl1-mesa-dri",
               "a machine without Mesa; a container with few packages"),
+  MRROC_FAULT(host_too_slow, system, "this host cannot keep to the wall clock",
+              "end what runs beside it, use more cores or --set cameras.profile=fast; or leave out --clock wall: in lock-step nothing is late",
+              "other programs that want the cores; fewer cores than the simulator and its cameras need; no right to SCHED_FIFO (`ui_cli doctor`)"),
   MRROC_FAULT(internal_error, system, "the program broke one of its own rules",
               "report it with the run folder",
               "a mistake in the program"),
@@ -205,9 +201,6 @@ inline constexpr std::array kFaultTable{
   MRROC_FAULT(bad_log, non_fatal, "the log of a run cannot be used",
               "name the events.lcmlog of a run folder",
               "a run that was killed before it wrote its log; another file"),
-  MRROC_FAULT(bad_cube, non_fatal, "the cube cannot be solved, or its description cannot be read",
-              "look at the stickers named, or at the turns",
-              "stickers copied wrongly; a corner or an edge that was put in turned; faces in another order than U R F D L B"),
   MRROC_FAULT(no_such_session, non_fatal, "no task, or more than one, runs to attach to",
               "start a task, or name one with --session",
               "no task runs; one runs under another user or on another host (--url)"),
@@ -221,6 +214,20 @@ inline constexpr std::array kFaultTable{
   MRROC_FAULT(interrupted, non_fatal, "a signal ended the task",
               "start it again when ready",
               "Ctrl-C, or a signal of the system"),
+
+  MRROC_FAULT(time_limit, non_fatal, "the task has not ended within the simulated time of --max-time",
+              "look at what it waits for, which the error names; or allow more with --max-time",
+              "a terminal condition that never holds, such as a force that is never reached; a script that lacks an order; a limit too short for the task"),
+  MRROC_FAULT(script_ended, non_fatal, "the script has ended, and the task waits for an order that nobody gives",
+              "add the order to the script, or give it with `ui_cli` within 10 s",
+              "a script that lacks a start, a trigger or a resume; an order of the script that was refused because it came too early"),
+  MRROC_FAULT(figures_missed, non_fatal, "a figure of the run misses what is wanted",
+              "look at the table of figures above and at the pictures in the run folder",
+              "other parameters than the figures are meant for; a disturbance; a regression. Without --strict the exit status is 0"),
+
+  MRROC_FAULT(excessive_torque, non_fatal, "the motion asks a motor for more torque than it may give; the arm was stopped where it is",
+              "remove what is in the way or the load, or command less; a row of a task can go on from it (on_failed)",
+              "an obstacle that the force sensor does not feel; a load beyond the drive; a change of velocity that the motors cannot make"),
 };
 // clang-format on
 #undef MRROC_FAULT

@@ -1,4 +1,4 @@
-// A file as it is, for those who can do without it.
+// Reads a whole file; empty if it cannot be read.
 #pragma once
 #include <filesystem>
 #include <fstream>

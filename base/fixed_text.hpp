@@ -1,4 +1,4 @@
-// A short text of fixed size, for everything that travels in messages or is made in the servo step.
+// A short text of fixed size, for messages and for the servo step.
 #pragma once
 #include <algorithm>
 #include <array>

@@ -1,10 +1,10 @@
-// What the simulated operator's hand is asked to do.
+// Commands to the simulated operator's hand.
 #pragma once
 #include <cstdint>
 
 namespace mrroc {
 
-/// What the hand at one arm does.
+/// Action of the hand at one arm.
 enum class HandAction : std::uint8_t {
   release,     ///< lets the pen go
   lead_along,  ///< leads the pen along the drawing of the configuration

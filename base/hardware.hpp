@@ -1,5 +1,5 @@
-// What an effector driver reads from its drives and sends to them in one step. The same for a simulated arm
-// and a real one.
+// The readings that an effector driver gets from its drives and the commands that it sends to them in one
+// step. The same for a simulated arm and a real one.
 #pragma once
 #include "base/axes.hpp"
 #include "base/spatial.hpp"
@@ -13,9 +13,10 @@ inline constexpr std::size_t kAnalogInputs = 8;
 enum class AxisSwitch : std::uint8_t {
   lower_limit = 1,
   upper_limit = 2,
-  synchro = 4,       ///< pressed on the whole lower side of the synchronisation position
-  over_current = 8,  ///< the drive has limited its current
-  index = 16         ///< the zero mark of the encoder, once per turn, passed in this step
+  synchro = 4,          ///< pressed on the whole lower side of the synchronisation position
+  over_current = 8,     ///< the drive has switched itself off: its current was more than it bears
+  index = 16,           ///< the zero mark of the encoder, once per turn, passed in this step
+  current_limited = 32  ///< the drive has limited its current in this step: the torque is less than asked for
 };
 
 /// Everything measured in one step. Trivially copyable. A robot of n axes with a motor-driven gripper has the
@@ -37,11 +38,11 @@ struct HardwareReading {
 struct HardwareCommand {
   std::int64_t step{};  ///< step of the reading that it answers
   std::array<double, kMaxAxes>
-      pwm{};            ///< duty cycle per motor in units of 1/255 of the supply, within [-255, 255]
-  bool enabled{};       ///< false: the drives of the axes brake
-  bool jaws_enabled{};  ///< false: the drive of the jaws brakes; a grip outlasts the rest of the arm
-  std::int64_t commanded_until{};  ///< first step after the last commanded macrostep
-  std::uint16_t outputs{};         ///< binary output lines of the robot controller; kept until changed
+      pwm{};                 ///< duty cycle per motor in units of 1/255 of the supply, within [-255, 255]
+  bool enabled{};            ///< false: the drives of the axes brake
+  bool jaws_enabled{};       ///< false: the drive of the jaws brakes; a grip outlasts the rest of the arm
+  std::int64_t macrostep{};  ///< of the driver's next step; a plant that keeps time for a task counts by it
+  std::uint16_t outputs{};   ///< binary output lines of the robot controller; kept until changed
 };
 
 /// Full scale of HardwareCommand::pwm.

@@ -1,5 +1,5 @@
-// A picture as bytes, for cameras, their frame stores and the virtual receptors. No library of images is needed
-// to hold one; those that have their own (OpenCV) can look at the same bytes.
+// A picture as bytes, for cameras, their frame stores and the virtual receptors. It needs no image library;
+// libraries such as OpenCV can use the same bytes.
 #pragma once
 #include <cstddef>
 #include <cstdint>

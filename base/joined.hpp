@@ -1,4 +1,4 @@
-// Texts one behind the other.
+// Joins texts with a separator.
 #pragma once
 #include <functional>
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace mrroc {
 
-/// What fmt::join does for texts; that one brings all of a library for numbers into every file that uses it.
+/// Joins texts as fmt::join does; that one brings all of a library for numbers into every file that uses it.
 /// @param things   a range
 /// @param between  two of them, such as ", "
 /// @param text     of a thing: what a std::string can be appended with; a member or a function, default: itself

@@ -1,4 +1,4 @@
-// What the operator can ask of a running task, and the states in which the task answers.
+// The orders that the operator can give to a running task, and the states in which the task accepts them.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What the virtual sensor of a pen reports (MS fig. 3).
+// The reading of a pen's virtual sensor (MS fig. 3).
 #pragma once
 #include <array>
 #include <cstdint>

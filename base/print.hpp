@@ -1,4 +1,4 @@
-// Words for whoever started a program.
+// Prints text to the user at once.
 #pragma once
 #include <cstdio>
 #include <string_view>

@@ -1,4 +1,4 @@
-// The running program's file, and the programs beside it.
+// Finds the running program's file and the programs beside it.
 #pragma once
 #include <sys/auxv.h>
 #include <unistd.h>

@@ -18,7 +18,7 @@ class ScriptPort {
   using X = typename A::X;
   using Y = typename A::Y;
 
-  /// What a behaviour decided in one macrostep.
+  /// Decision of a behaviour in one macrostep.
   struct Decision {
     int m;  ///< number of the behaviour
     Y y;    ///< as it was dispatched

@@ -6,7 +6,7 @@
 
 namespace mrroc {
 
-/// Of all numbers that were added. Real-time safe.
+/// Statistics of all numbers that were added. Real-time safe.
 class Statistics {
  public:
   /// Takes one more.

@@ -8,13 +8,15 @@
 #include <system_error>
 
 #include "base/fault.hpp"
+#include "base/printable.hpp"
 
 namespace mrroc {
 namespace fs = std::filesystem;
 namespace {
 
 std::string placed(const std::string& file, int line, const std::string& wrong) {
-  return line > 0 ? fmt::format("{}:{}: {}", file, line, wrong) : fmt::format("{}: {}", file, wrong);
+  return without_controls(line > 0 ? fmt::format("{}:{}: {}", file, line, wrong)
+                                   : fmt::format("{}: {}", file, wrong));
 }
 
 }  // namespace
@@ -26,15 +28,21 @@ FileError::FileError(const std::string& file, int line, const std::string& wrong
       wrong_(placed(file, line, wrong)),
       remedy_(remedy) {}
 
-std::string read_text_file(const fs::path& file, std::size_t limit) {
+namespace {
+
+/// @throws FileError all that read_text_file() does, but for empty files
+std::string whole_file(const fs::path& file, std::size_t limit) {
   const std::string name = file.string();
   std::error_code error;
   if (!fs::exists(file, error)) throw FileError(name, 0, "there is no such file", "check the name");
-  if (!fs::is_regular_file(file, error)) throw FileError(name, 0, "this is not a file", "check the name");
+  // Before it is opened: a process that opens a pipe waits for its other end.
+  if (!fs::is_regular_file(file, error))
+    throw FileError(name, 0,
+                    fs::is_directory(file, error) ? "this is not a file but a folder" : "this is not a file",
+                    "check the name");
   const std::uintmax_t size = fs::file_size(file, error);
   std::ifstream in(file, std::ios::binary);
   if (error || !in) throw FileError(name, 0, "the file cannot be read", "check its permissions");
-  if (size == 0) throw FileError(name, 0, "the file is empty", "give one with content");
   if (size > limit)
     throw FileError(name, 0, fmt::format("{} bytes are over the limit of {}", size, limit),
                     "give a smaller file");
@@ -43,6 +51,20 @@ std::string read_text_file(const fs::path& file, std::size_t limit) {
   if (in.gcount() != static_cast<std::streamsize>(size))
     throw FileError(name, 0, "the file could not be read to its end", "try again");
   return text;
+}
+
+}  // namespace
+
+std::string read_text_file(const fs::path& file, std::size_t limit) {
+  std::string text = whole_file(file, limit);
+  if (text.empty()) throw FileError(file.string(), 0, "the file is empty", "give one with content");
+  return text;
+}
+
+std::string read_input_file(const fs::path& file, std::size_t limit, FaultCode code) try {
+  return whole_file(file, limit);
+} catch (const FileError& e) {
+  throw FaultError(code, e.wrong(), e.remedy());
 }
 
 void write_text_file(const fs::path& file, std::string_view content) {

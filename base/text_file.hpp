@@ -1,10 +1,12 @@
-// Text files that people may have edited: read whole, taken apart line by line, blamed by line.
+// Text files that people may have edited: read whole, split into lines, errors reported with the line.
 #pragma once
 #include <filesystem>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+
+#include "base/fault.hpp"
 
 namespace mrroc {
 
@@ -22,7 +24,6 @@ class FileError : public std::runtime_error {
   [[nodiscard]] const std::string& file() const { return file_; }
   [[nodiscard]] int line() const { return line_; }  ///< counted from 1; 0 if unknown
   /// @return what() without the remedy
-  /// @return what() without the remedy
   [[nodiscard]] const std::string& wrong() const { return wrong_; }
   [[nodiscard]] const std::string& remedy() const { return remedy_; }  ///< may be empty
 
@@ -36,6 +37,13 @@ class FileError : public std::runtime_error {
 /// @return the file's content
 /// @throws FileError  missing, a folder, unreadable, empty or too large
 [[nodiscard]] std::string read_text_file(const std::filesystem::path& file, std::size_t limit);
+
+/// The same for those who tell errors as faults; an empty file is left to the reader of its text.
+/// @param code  of the error
+/// @return the file's content
+/// @throws FaultError code: missing, no file but a folder, a pipe or a device, unreadable or too large
+[[nodiscard]] std::string read_input_file(const std::filesystem::path& file, std::size_t limit,
+                                          FaultCode code);
 
 /// Writes a file as a whole: it appears under its name only when it is complete.
 /// @throws FaultError cannot_write

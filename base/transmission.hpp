@@ -1,4 +1,4 @@
-// What embodied agents and the coordinator say to each other: the transmission images x_cT and y_cT.
+// The messages between embodied agents and the coordinator: the transmission images x_cT and y_cT.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -28,6 +28,7 @@ struct Report {
   DriverState driver_state{DriverState::not_synchronised};  ///< as in its last reply
   Verdict verdict{Verdict::none};                           ///< on its last command
   Fault fault{};                                            ///< why that was refused or failed
+  bool position_known{};         ///< as in its last reply; without it T_0E and F_a are zeros
   std::array<double, 6> T_0E{};  ///< measured pose of E in the base: x y z [m], angle-axis [rad]
   Wrench F_a{};                  ///< adjusted force in E
   double gripper{};              ///< distance of the jaws [m]
@@ -45,6 +46,15 @@ struct SensorReading {
   int state{};                     ///< discrete reading
   bool valid{};                    ///< something was seen
   std::array<double, 16> value{};  ///< continuous reading, meaning set by the sensor
+};
+
+/// y_cV: what an agent tells its virtual sensor, MG (2), (6); MS (12), (13). Zeros: nothing is asked of it. Trivially
+/// copyable.
+struct SensorSetting {
+  int mode{};                     ///< what the sensor is to do, as the sensor says; 0: what it does by itself
+  std::array<double, 8> value{};  ///< finite; meaning set by the sensor
+
+  friend bool operator==(const SensorSetting&, const SensorSetting&) = default;
 };
 
 }  // namespace mrroc

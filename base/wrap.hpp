@@ -1,4 +1,4 @@
-// Texts that are longer than there is room for.
+// Cuts or wraps texts that are longer than a line.
 #pragma once
 #include <string>
 #include <string_view>

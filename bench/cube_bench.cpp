@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bench/figures.hpp"
-#include "sim/cube_turn.hpp"
+#include "test/rig/cube_turn.hpp"
 
 namespace mrroc::bench {
 namespace {
@@ -21,25 +21,25 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr int kKinds = 12;  // six faces in two directions
 
 /// Faces and directions in order, everything else drawn from the seed.
-sim::TurnPlan plan_of(int k) {
-  sim::TurnPlan plan = sim::random_turn(static_cast<std::uint64_t>(k + 1));
-  plan.cell.face = static_cast<rubik::Face>(k % rubik::kFaces);
-  plan.quarters = k / rubik::kFaces % 2 == 0 ? 1 : -1;
+rig::TurnPlan plan_of(int k) {
+  rig::TurnPlan plan = rig::random_turn(static_cast<std::uint64_t>(k + 1));
+  plan.cell.face = static_cast<cube::Face>(k % cube::kFaces);
+  plan.quarters = k / cube::kFaces % 2 == 0 ? 1 : -1;
   return plan;
 }
 
 /// Does every kAtOnce-th turn. @param all  gets each at its place
-void turn(int first, std::vector<sim::TurnFigures>& all) {
+void turn(int first, std::vector<rig::TurnFigures>& all) {
   for (int k = first; k < kTurns; k += kAtOnce) {
-    sim::TurnFigures& f = all[static_cast<std::size_t>(k)];
-    f = sim::turn_face(plan_of(k), static_cast<std::uint64_t>(k + 1));
+    rig::TurnFigures& f = all[static_cast<std::size_t>(k)];
+    f = rig::turn_face(plan_of(k), static_cast<std::uint64_t>(k + 1));
     std::fprintf(stderr, "cube: turn %d of %d, %s: %.2f mm, %.2f deg, %.1f N, %.1f N m\n", k + 1, kTurns,
                  f.turned && f.done ? f.attempts == 1 ? "turned" : "turned at a later attempt" : "NOT TURNED",
                  1e3 * f.slip, kDegrees * f.angle_error, f.lateral_peak, f.torque_peak);
   }
 }
 
-bool at_once(const sim::TurnFigures& f) { return f.turned && f.done && f.attempts == 1 && f.grips == 1; }
+bool at_once(const rig::TurnFigures& f) { return f.turned && f.done && f.attempts == 1 && f.grips == 1; }
 
 /// Of one face and direction.
 struct Kind {
@@ -48,7 +48,7 @@ struct Kind {
 };
 
 /// @return the face and direction that succeed least
-Kind worst_kind(const std::vector<sim::TurnFigures>& all) {
+Kind worst_kind(const std::vector<rig::TurnFigures>& all) {
   std::array<int, kKinds> tried{}, good{};
   for (std::size_t k = 0; k < all.size(); ++k) {
     ++tried[k % kKinds];
@@ -65,21 +65,21 @@ Kind worst_kind(const std::vector<sim::TurnFigures>& all) {
 
 Figures run_cube_group() {
   const auto begin = std::chrono::steady_clock::now();
-  std::vector<sim::TurnFigures> all(kTurns);
+  std::vector<rig::TurnFigures> all(kTurns);
   std::vector<std::future<void>> shares;
   for (int k = 0; k < kAtOnce; ++k) shares.push_back(std::async(std::launch::async, turn, k, std::ref(all)));
   for (auto& share : shares) share.get();
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
-  const auto mean = [&](double sim::TurnFigures::*figure) {
+  const auto mean = [&](double rig::TurnFigures::*figure) {
     double sum = 0;
     for (const auto& f : all) sum += f.*figure;
     return sum / static_cast<double>(all.size());
   };
-  const auto most = [&](double sim::TurnFigures::*figure) {
+  const auto most = [&](double rig::TurnFigures::*figure) {
     return std::ranges::max(all, {}, figure).*figure;
   };
-  using F = sim::TurnFigures;
+  using F = rig::TurnFigures;
   const auto share = [&](auto is_so) {
     return 100. * static_cast<double>(std::ranges::count_if(all, is_so)) / kTurns;
   };

@@ -1,4 +1,4 @@
-// How many of the documents' commands work: their test is run, and counted.
+// Counts how many of the documents' commands work: runs their test.
 #include <fmt/core.h>
 
 #include <sstream>

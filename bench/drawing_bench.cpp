@@ -79,7 +79,7 @@ void kill_part(const std::string& name, const fs::path& recording, const fs::pat
   if (name.empty()) return;  // killed itself: it cannot say anything any more
   kills.wrong_exits += status != kSystemError;
   const json figures = needed_summary(folder).value("figures", json::object());
-  if (name != "world") {
+  if (name != "simulator") {
     must(figures.contains("stop_steps_max"), "the arms did not come to rest after the death of " + name);
     kills.stop_steps_max = std::max(kills.stop_steps_max, figures.at("stop_steps_max").get<int>());
   }
@@ -105,10 +105,10 @@ Figures run_drawing_group() {
 
   Kills kills;
   for (const char* name :
-       {"edp-arm1", "edp-arm2", "ecp-arm1", "ecp-arm2", "vsp-arm1", "vsp-arm2", "world", ""})
+       {"edp-arm1", "edp-arm2", "ecp-arm1", "ecp-arm2", "vsp-arm1", "vsp-arm2", "simulator", ""})
     kill_part(name, recording, scratch.path() / "kill", kills);
   figures.push_back({"stop_steps_max", static_cast<double>(kills.stop_steps_max), "steps",
-                     "to rest after any part but the world was killed in a stroke"});
+                     "to rest after any part but the simulator was killed in a stroke"});
   figures.push_back({"kill_wrong_exits", static_cast<double>(kills.wrong_exits), "",
                      "kills of parts after which the exit status was not 3"});
   figures.push_back({"kill_left_running", static_cast<double>(kills.left_running), "",

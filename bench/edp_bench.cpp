@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "robots/irb6/arm.hpp"
 #include "test/edp/guard_count.hpp"
 #include "test/heap.hpp"
+#include "test/sim/pose_goal.hpp"
 
 namespace mrroc::bench {
 namespace {
@@ -91,6 +93,7 @@ class Rig {
     p.synchro_joints = arm.front();
     p.T_WE = arm.tool_in_wrist();
     p.force.T_WS = arm.sensor_in_wrist();
+    p.supervision.torque_steps = std::numeric_limits<int>::max();  // the motors of this rig need no torque
     return p;
   }
 
@@ -169,6 +172,16 @@ long set_point_violations(long steps) {
   return violations;
 }
 
+/// @throws FaultError internal_error: a motion has ended with a fault
+Figures pose_goal_figures() {
+  const sim::test::PoseGoalCount count = sim::test::count_pose_goals(1000, 1);
+  if (count.faults > 0) throw FaultError(FaultCode::internal_error, "a pose was not reached: " + count.worst);
+  return {{"pose_goal_err_mm", count.error_mm, "mm",
+           "1,000 single commands with a pose, then silence: distance from it at rest, in the world"},
+          {"pose_goal_err_deg", count.error_deg, "deg", "angle there"},
+          {"pose_goal_overshoot_mm", count.overshoot_mm, "mm", "how far the arm was beyond the pose"}};
+}
+
 }  // namespace
 
 Figures run_edp_group() {
@@ -195,7 +208,9 @@ Figures run_edp_group() {
       {"fk_ns", ns.at("direct_kinematics/0"), "ns", "direct kinematics"},
       {"ik_vs_kdl", ns.at("kdl_inverse_kinematics/0") / ik, "", "KDL's numeric solver over ours, same poses"},
   };
+  std::ranges::move(pose_goal_figures(), std::back_inserter(figures));
   figures.push_back(stability_limit_figure());
+  figures.push_back(sign_figure());
   std::ranges::move(run_force_figures(), std::back_inserter(figures));
   return figures;
 }

@@ -1,4 +1,4 @@
-// What a benchmark has measured, and the groups of benchmarks.
+// Figures that a benchmark has measured, and the groups of benchmarks.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -18,6 +18,9 @@ using Figures = std::vector<Figure>;  ///< in the order of the table
 /// Step of the effector driver, kinematics, force measurement, the tasks press and edge_follow. Takes about a
 /// minute.
 Figures run_edp_group();
+/// Signing and checking one message; in the group edp.
+/// @throws FaultError internal_error
+Figure sign_figure();
 /// Both algorithms of the servo over motor friction, in contact and in free motion. Takes about a minute.
 /// @param plots folder for the picture servo.png and its script; empty: none
 /// @throws FaultError cannot_write, internal_error
@@ -34,6 +37,10 @@ Figures run_vision_group();
 /// @throws FaultError a run did not do what it should
 Figures run_drawing_group();
 
+/// The pen-state sensor in 300 drawings over tremors, hands and papers, in one thread. Takes ten minutes.
+/// @param plots folder for the picture pen_state.png and its table; empty: none
+/// @throws FaultError a driver refused to start
+Figures run_pen_state_group(const std::filesystem::path& plots);
 /// The drawing task over the stiffness of paper and hand: worst figures. Takes about a minute.
 Figures run_robustness_group();
 /// Runs the visual servoing task several times in separate processes; part of the group vision. Takes about two minutes.
@@ -55,6 +62,10 @@ Figures run_plan_group();
 /// @param resume  cubes whose summary is there already are not solved again
 /// @throws FaultError start_failed, cannot_write
 Figures run_rubik_group(bool resume);
+/// Small errors in the framework, one at a time, and whether a test notices them: a sample of all areas. Takes hours.
+/// @param resume  what the last sample has found is not tried again
+/// @throws FaultError start_failed: a test fails without an error, or universalmutator cannot be installed
+Figures run_mutation_group(bool resume);
 /// The documents' commands, viewer, recomputed logs, latencies of keys, a fresh clone, a rebuild. Takes half an hour.
 /// @throws FaultError cannot_write, start_failed, no_such_session, peer_silent
 Figures run_operator_group();

@@ -7,7 +7,7 @@
 #include "base/fault.hpp"
 #include "bench/run_summary.hpp"
 #include "bench/task_process.hpp"
-#include "sim/force_figures.hpp"
+#include "test/rig/force_figures.hpp"
 
 namespace mrroc::bench {
 namespace {
@@ -25,7 +25,7 @@ nlohmann::json figures_of(const std::string& task) {
 }  // namespace
 
 Figures run_force_figures() {
-  const sim::ForceFigures f = sim::measure_forces(20, 100, 1);
+  const rig::ForceFigures f = rig::measure_forces(20, 100, 1);
   const nlohmann::json press = figures_of("press");
   const nlohmann::json edge = figures_of("edge_follow");
   const double rms = std::ranges::max(edge.at("edge_follow_rms_N").get<std::vector<double>>());

@@ -13,7 +13,7 @@
 
 #include "bench/kinematics_bench.hpp"
 #include "robots/irb6/arm.hpp"
-#include "sim/robot_description.hpp"
+#include "robots/irb6/robot_type.hpp"
 
 namespace mrroc::irb6 {
 namespace {
@@ -82,7 +82,7 @@ void motors_from_joints(benchmark::State& state) {
 }
 
 KDL::Chain postument_chain() {
-  const auto model = urdf::parseURDF(std::string(sim::robot_description(sim::ArmModel::irb6_postument)));
+  const auto model = urdf::parseURDF(std::string(irb6::postument().urdf));
   std::vector<KDL::Segment> reversed;
   for (auto link = model->getLink("wrist"); link->parent_joint;
        link = model->getLink(link->parent_joint->parent_link_name)) {

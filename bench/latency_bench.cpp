@@ -1,4 +1,4 @@
-// How long an arm goes on after the operator has pressed a key: pause, stop, emergency stop.
+// Measures the time from the operator's key (pause, stop, emergency stop) to the arm's reaction.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -27,10 +27,10 @@ constexpr int kKeys = 100;
 constexpr int kPausesPerRun = 4;
 constexpr double kApproachSpeed = 0.01;  // of the task press in its first behaviour [m/s]
 
-/// The task press in real time, watched on its channels, and the full-screen terminal beside it.
-class Watched {
+/// The task press in real time, observed on its channels, and the full-screen terminal beside it.
+class ObservedTask {
  public:
-  explicit Watched(const std::filesystem::path& folder)
+  explicit ObservedTask(const std::filesystem::path& folder)
       : folder_(folder),
         session_(link::unique_session_name("latency")),
         task_("press",
@@ -41,7 +41,7 @@ class Watched {
       throw FaultError(FaultCode::start_failed, "the task press did not start; look at ./run press");
     for (const auto& s : link::running_sessions())
       if (s.name == session_ && s.address) {
-        bus_ = link::open_lcm(*s.address);
+        bus_ = link::open_session(s);
         replies_.emplace(*bus_, link::Route{link::Group::agents, session_ + ".arm1.reply"}, s.id);
       }
     if (!bus_) throw FaultError(FaultCode::no_such_session, "the task press has no session");
@@ -63,8 +63,9 @@ class Watched {
   }
 
   /// Call it at once after the key: only what came before it counts.
-  /// @param t  not before the last watch() @return the step, with its fraction, that was executed then. A world that
-  /// lags has not gone farther than to its next reply, so a latency may come out too long, but not too short
+  /// @param t  not before the last watch() @return the step, with its fraction, that was executed then.
+  /// A simulator that lags has not gone farther than to its next reply, so a latency may come out too long, but
+  /// not too short
   [[nodiscard]] double step_at(Clock::time_point t) const {
     const double passed = std::chrono::duration<double>(t - newest_.at).count();
     return newest_.step + std::clamp(passed, 0.0, kMacrostep) / kStep;
@@ -96,9 +97,9 @@ class Watched {
   Newest newest_;
 };
 
-/// The speed along the way drops at once by a seventh when the velocity that is commanded becomes zero; the noise of
-/// the force sensor changes it by a hundredth.
-bool slower(const Step& before, const Step& now) { return speed(before, now) < 0.95 * kApproachSpeed; }
+/// A pause takes a tenth of the commanded velocity in its first macrostep, of which three steps have followed a third; the
+/// noise of the force sensor changes it by a hundredth.
+bool slower(const Step& before, const Step& now) { return speed(before, now) < 0.97 * kApproachSpeed; }
 
 bool decelerates(const Step&, const Step& now) { return now.state == "decelerating"; }
 bool brakes(const Step&, const Step& now) { return now.state == "faulted"; }
@@ -129,7 +130,7 @@ struct Samples {
 
 void pause_in_one_run(std::mt19937& random, Samples& samples) {
   const ScratchFolder scratch;
-  Watched press(scratch.path() / "run");
+  ObservedTask press(scratch.path() / "run");
   std::uniform_real_distribution<double> moment(0.2, 0.26);
   struct Pair {
     double pause{}, resume{}, next{};
@@ -148,7 +149,7 @@ void pause_in_one_run(std::mt19937& random, Samples& samples) {
   press.terminal().press('x');
   press.watch(0.05s);
   press.terminal().press('y');
-  const Watched::Record run = press.record();
+  const ObservedTask::Record run = press.record();
   for (const Pair& p : pressed) {
     Latency l = latency(run.steps, p.pause, slower);
     // An arm that does not move on has met what it approaches: it may be that which has made it slower.
@@ -160,7 +161,7 @@ void pause_in_one_run(std::mt19937& random, Samples& samples) {
 /// @param keys     all that have to be pressed, the last one is the order
 void stop_one_run(std::mt19937& random, const std::string& keys, const Wanted& wanted, Samples& samples) {
   const ScratchFolder scratch;
-  Watched press(scratch.path() / "run");
+  ObservedTask press(scratch.path() / "run");
   std::uniform_real_distribution<double> moment(0.15, 0.5);
   press.watch(std::chrono::duration<double>(moment(random)));
   double pressed = 0;
@@ -168,7 +169,7 @@ void stop_one_run(std::mt19937& random, const std::string& keys, const Wanted& w
     pressed = press.step_at(press.terminal().press(key));
     press.watch(0.05s);
   }
-  const Watched::Record run = press.record();
+  const ObservedTask::Record run = press.record();
   samples.add(latency(run.steps, pressed, wanted), run.done, run.screen);
 }
 

@@ -1,4 +1,4 @@
-// What a driver's record of every step tells of the time from a key to its effect.
+// Computes the time from a key to its effect from a driver's record of every step.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -28,7 +28,7 @@ inline constexpr double kMacrostep = 0.02;  ///< [s]
 /// Whether a step is as the key wants it.
 using Wanted = std::function<bool(const Step& before, const Step& now)>;
 
-/// What one press of a key has shown.
+/// The latency that one press of a key has shown.
 struct Latency {
   /// How the sample came about.
   enum class Kind : std::uint8_t {
@@ -41,7 +41,7 @@ struct Latency {
   double macrosteps{};  ///< from the key to the first step that is as wanted; of a measured one only
 };
 
-/// What comes later is not the key's effect but the end of the behaviour [macrosteps].
+/// A reaction after more than that is not the key's effect but the end of the behaviour [macrosteps].
 inline constexpr double kLongest = 20;
 
 /// @param steps    all of the run, one after the other

@@ -10,6 +10,8 @@
 
 #include "base/command_line.hpp"
 #include "base/fault.hpp"
+#include "base/print.hpp"
+#include "base/standard_files.hpp"
 #include "bench/figures.hpp"
 #include "bench/own_output.hpp"
 #include "bench/report.hpp"
@@ -26,16 +28,18 @@ const std::vector<
         {"stability", [](const std::string&, bool) { return bench::run_stability_group(); }},
         {"vision", [](const std::string&, bool) { return bench::run_vision_group(); }},
         {"drawing", [](const std::string&, bool) { return bench::run_drawing_group(); }},
+        {"pen_state", [](const std::string& plots, bool) { return bench::run_pen_state_group(plots); }},
         {"robustness", [](const std::string&, bool) { return bench::run_robustness_group(); }},
         {"solver", [](const std::string&, bool) { return bench::run_solver_group(); }},
         {"cube", [](const std::string&, bool) { return bench::run_cube_group(); }},
         {"plan", [](const std::string&, bool) { return bench::run_plan_group(); }},
         {"operator", [](const std::string&, bool) { return bench::run_operator_group(); }},
         {"rubik", [](const std::string&, bool resume) { return bench::run_rubik_group(resume); }},
+        {"mutation", [](const std::string&, bool resume) { return bench::run_mutation_group(resume); }},
     };
 
 /// Groups that have to be named.
-const std::vector<std::string> kLong{"rubik"};
+const std::vector<std::string> kLong{"rubik", "mutation"};
 
 std::vector<std::string> group_names() {
   std::vector<std::string> names;
@@ -81,8 +85,9 @@ int main(int argc, char** argv) {
   std::string plots;
   bool resume = false;
   line.option("group", groups,
-              "edp, servo, stability, vision, drawing, robustness, solver, cube, plan, operator, rubik "
-              "(default: all but rubik, which takes an hour)")
+              "edp, servo, stability, vision, drawing, pen_state, robustness, solver, cube, plan, operator, "
+              "rubik, mutation "
+              "(default: all but rubik and mutation, which take an hour or more)")
       .one_of(group_names());
   const Option to =
       line.option("--json", json.file,
@@ -91,14 +96,15 @@ int main(int argc, char** argv) {
           .type_name("[FILE]")
           .value_optional();
   line.flag("--resume", resume, "leaves out groups whose figures are in the file already");
-  line.option("--plots", plots, "draws pictures of the servo group there (gnuplot)").type_name("DIR");
+  line.option("--plots", plots, "draws pictures of the groups servo and pen_state there (gnuplot)")
+      .type_name("DIR");
   try {
     if (const auto help = line.parse_or_help(argc, argv, {"./run bench servo --plots plots"})) {
-      fmt::print("{}", *help);
-      return 0;
+      print(stdout, *help);
+      return end_standard_output(0);
     }
     json.wanted = to.given();
-    return run(groups, json, plots, resume);
+    return end_standard_output(run(groups, json, plots, resume));
   } catch (const FaultError& e) {
     fmt::print(stderr, "{}\n", e.error_line());
     return exit_status(e.fault().code);

@@ -23,14 +23,14 @@ constexpr int kBetterSteps = 400;      // of each
 const Vector3 kLeastPlace(-0.2, 0.2, 0.4), kMostPlace(1.4, 2.2, 1.9);  // in the world [m]
 
 /// Of one posture, as in meeting_reach().
-double reserve(const PlanCell& cell, Hand hand, const AxisVector& joints) {
-  const double s = cell.dexterity(hand, joints);
-  return std::min(cell.reserve(hand, joints), 2 * (1 - std::sqrt(std::max(0., 1 - s * s))));
+double margin(const PlanCell& cell, Hand hand, const AxisVector& joints) {
+  const double s = cell.manipulability(hand, joints);
+  return std::min(cell.joint_limit_margin(hand, joints), 2 * (1 - std::sqrt(std::max(0., 1 - s * s))));
 }
 
-/// @return the best reserve that the hand keeps in so many positions, a quarter turn apart, of one grip
+/// @return the best margin that the hand keeps in so many positions, a quarter turn apart, of one grip
 /// @param hold  the first of these positions gets here
-double reserve_of_quarters(const PlanCell& cell, Hand hand, const Pose& T_UE, AxisVector& hold) {
+double margin_of_quarters(const PlanCell& cell, Hand hand, const Pose& T_UE, AxisVector& hold) {
   const auto found = cell.inverse(hand, T_UE, hold);
   if (!found) return -1;
   const auto back = cell.inverse(hand, T_UE * along_z(-kRetreatDistance), *found);
@@ -42,7 +42,7 @@ double reserve_of_quarters(const PlanCell& cell, Hand hand, const Pose& T_UE, Ax
     for (int k = 0; k < kQuarters; ++k)
       for (AxisVector joints : {*found, *back}) {
         joints[last] += (first + k) * pi / 2;
-        least = std::min(least, reserve(cell, hand, joints));
+        least = std::min(least, margin(cell, hand, joints));
       }
     if (least <= best) continue;
     best = least;
@@ -52,15 +52,15 @@ double reserve_of_quarters(const PlanCell& cell, Hand hand, const Pose& T_UE, Ax
   return best;
 }
 
-/// @return the best reserve of the track arm that comes to the cube from any side
-double reserve_of_side_grip(const PlanCell& cell, const Meeting& meeting) {
+/// @return the best margin of the track arm that comes to the cube from any side
+double margin_of_side_grip(const PlanCell& cell, const Meeting& meeting) {
   double best = -1;
   for (double angle = 0; angle < 2 * pi; angle += kSideStep) {
     const Pose T_UE = side_grip(meeting, Hand::track, angle).comes;
     for (const AxisVector& near : along_track(meeting.joints[index(Hand::track)]))
       for (const double turn : {0., pi}) {
         const auto joints = cell.inverse(Hand::track, T_UE * turn_about_z(turn), near);
-        if (joints) best = std::max(best, reserve(cell, Hand::track, *joints));
+        if (joints) best = std::max(best, margin(cell, Hand::track, *joints));
       }
   }
   return best;
@@ -81,7 +81,7 @@ MeetingCandidate measured(const PlanCell& cell, const Pose& T_UM, const ArmJoint
   for (const Hand hand : kHands) {
     double best = -1;
     for (AxisVector hold : {joints[index(hand)], turned_over(joints[index(hand)])}) {
-      const double reach = reserve_of_quarters(cell, hand, front_grip(candidate.meeting, hand), hold);
+      const double reach = margin_of_quarters(cell, hand, front_grip(candidate.meeting, hand), hold);
       if (reach <= best) continue;
       best = reach;
       candidate.meeting.joints[index(hand)] = hold;
@@ -89,7 +89,7 @@ MeetingCandidate measured(const PlanCell& cell, const Pose& T_UM, const ArmJoint
     candidate.reach = std::min(candidate.reach, best);
     if (candidate.reach <= 0) return candidate;
   }
-  candidate.reach = std::min(candidate.reach, reserve_of_side_grip(cell, candidate.meeting));
+  candidate.reach = std::min(candidate.reach, margin_of_side_grip(cell, candidate.meeting));
   return candidate;
 }
 

@@ -1,4 +1,4 @@
-// The search for the place where two arms turn faces of a cube: how the cell's place (sim/cube_cell.hpp) is found.
+// The search for the place where two arms turn faces of a cube: how the cell's place (tasks/rubik/cell/layout.hpp) is found.
 #pragma once
 #include <cstdint>
 
@@ -27,7 +27,7 @@ struct MeetingCandidate {
 /// Draws places between the arms, directions, turns about them and positions of the track, then betters the best ones
 /// step by step. The same arguments give the same answer.
 /// @param candidates  number of draws, > 0
-/// @return the best one whose grips are free of collisions; ways to it are the planner's matter
+/// @return the best one whose grips are free of collisions; paths to it are the planner's matter
 [[nodiscard]] MeetingCandidate search_meeting(const rubik::PlanCell& cell, int candidates,
                                               std::uint64_t seed);
 

@@ -1,4 +1,4 @@
-// What the figures of the group operator are made of, one function for each method.
+// Computations of the figures of the group operator, one function for each method.
 #pragma once
 #include "bench/figures.hpp"
 
@@ -13,8 +13,8 @@ Figures latency_figures();
 /// Short runs of all tasks, recomputed from their logs: log_check_differences. Two minutes.
 /// @throws FaultError start_failed: a task did not end well; bad_log: a run could not be checked
 Figures log_check_figures();
-/// A new clone until its arm moves: fresh_clone_s. Then the build there after a changed line in a task: rebuild_s. As long
-/// as a first build, some ten minutes.
+/// A new clone until its arm moves: fresh_clone_s. Then the builds there after a changed line in a task, rebuild_s, and
+/// in the effector driver, driver_rebuild_s. As long as a first build, some ten minutes.
 /// @throws FaultError cannot_write, start_failed
 Figures clone_figures();
 /// Runs the test of the documents' commands; what share of them ended well: doc_commands_run, doc_commands_as_they_stand.

@@ -1,4 +1,4 @@
-// A standard output for a program's result alone.
+// Reserves standard output for a program's result alone.
 #pragma once
 #include <string_view>
 

@@ -23,19 +23,11 @@ using nlohmann::json;
 constexpr std::array kPaper{2e3, 5e3, 1e4, 2e4, 3e4};  // [N/m]
 constexpr std::array kHand{500., 1000.};               // [N/m]
 
-/// A pen that comes down at 12 mm/s raises the force by 0.24 N per N/mm in 20 ms: on softer paper the receptor has to
-/// look at a longer time to notice it, and without that the task waits for the paper for ever.
-constexpr double kSoftPaper = 5e3;  // [N/m]
-
 std::vector<std::string> arguments(const fs::path& folder, double paper, double hand) {
   std::vector<std::string> a{"--seed", "1", "--processes", "one", "--run-dir", folder.string()};
   const auto set = [&](const std::string& what) { a.insert(a.end(), {"--set", what}); };
   set(fmt::format("sim.paper.stiffness={:.1f}", paper));
   set(fmt::format("sim.hand.stiffness={:.1f}", hand));
-  if (paper < kSoftPaper) {
-    set("pen_state.impact_time=0.06");
-    set("pen_state.impact_force=1.0");
-  }
   return a;
 }
 

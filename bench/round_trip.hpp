@@ -3,7 +3,7 @@
 
 namespace mrroc::bench {
 
-/// What became of FK(IK(x)) over random poses.
+/// Results of FK(IK(x)) over random poses.
 struct RoundTrips {
   long poses{};      ///< tried, over all kinematic models of both arms
   long solutions{};  ///< asked for, several of each pose

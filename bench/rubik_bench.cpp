@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr int kCubes = 20;
-constexpr std::array kPrograms{"rubik", "ecp_rubik", "edp_irb6", "world", "vsp_cube_face"};
+constexpr std::array kPrograms{"rubik", "ecp_rubik", "edp_irb6", "simulator", "vsp_cube_face"};
 
 /// @return what tells the programs of this build from those of another one
 std::string programs() {

@@ -1,4 +1,4 @@
-// What a run has left of itself.
+// Reads the summary of a run.
 #pragma once
 #include <filesystem>
 #include <nlohmann/json.hpp>

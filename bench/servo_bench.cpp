@@ -11,6 +11,7 @@
 #include "edp/deceleration.hpp"
 #include "edp/servo_coefficients.hpp"
 #include "mp/gnuplot.hpp"
+#include "test/rig/irb6_cell.hpp"
 #include "test/sim/driver.hpp"
 
 namespace mrroc::bench {
@@ -29,7 +30,7 @@ struct Contact {
 
 /// Two arms above their sheets; all motors' friction scaled to that of the large ones.
 sim::WorldParameters world_with(double friction, double stiffness) {
-  sim::WorldParameters world;
+  sim::WorldParameters world = rig::irb6_cell();
   for (sim::ArmParameters& arm : world.arms) {
     arm.paper.stiffness = stiffness;
     for (sim::MotorParameters& motor : arm.motors) motor.friction *= friction / kFriction;
@@ -176,6 +177,7 @@ void plot(const std::filesystem::path& folder, const std::vector<Row>& rows) {
     case mp::GnuplotResult::absent:
       fmt::print(stderr, "gnuplot is not installed, so there is a script but no picture\n");
       break;
+    case mp::GnuplotResult::stopped:
     case mp::GnuplotResult::failed:
       throw FaultError(FaultCode::internal_error, "gnuplot did not draw servo.gp; see gnuplot.log beside it");
   }

@@ -5,10 +5,10 @@
 #include "base/fault.hpp"
 #include "sim/camera/cell_scene.hpp"
 #include "sim/camera/cube_view.hpp"
-#include "sim/cube_camera.hpp"
-#include "sim/cube_cell.hpp"
-#include "sim/plan_cell.hpp"
+#include "tasks/rubik/cell/cube_camera.hpp"
+#include "tasks/rubik/cell/plan_cell.hpp"
 #include "tasks/rubik/plan/planner.hpp"
+#include "test/rig/cube_cell.hpp"
 
 namespace mrroc::bench {
 namespace {
@@ -17,9 +17,9 @@ using namespace rubik;
 
 /// The cell as the task begins.
 sim::WorldParameters start_cell() {
-  sim::CubeCellParameters retreated;
+  rubik::CubeCellParameters retreated;
   retreated.distance = kRetreatDistance;
-  return sim::cube_cell(retreated);
+  return rubik::cube_cell(retreated);
 }
 
 PlanStart start_of(const sim::WorldParameters& cell) {
@@ -34,7 +34,7 @@ PlanStart start_of(const sim::WorldParameters& cell) {
 
 /// @param cell  the arms are put where the step has them
 Look look_of(const Step& step, const Pose& T_UG, sim::WorldParameters cell) {
-  const double held = cell.arms[sim::kTrack].jaws->start;
+  const double held = cell.arms[rubik::kTrack].jaws->start;
   cell.cube.reset();
   for (const Hand hand : kHands) {
     const AxisVector& joints = step.contact[index(hand)];
@@ -47,12 +47,12 @@ Look look_of(const Step& step, const Pose& T_UG, sim::WorldParameters cell) {
 
 }  // namespace
 
-ShownCube::ShownCube(unsigned seed) : random_(seed), camera_(sim::cube_camera()) {
+ShownCube::ShownCube(unsigned seed) : random_(seed), camera_(cube_camera()) {
   const sim::WorldParameters parameters = start_cell();
   PlanStart start = start_of(parameters);
   for (int reading = 0; reading < kReadings; ++reading) {
-    const Viewing viewing = sim::viewing_place(reading);
-    const sim::CubePlanCell cell(parameters, viewing);
+    const Viewing viewing = viewing_place(reading);
+    const CubePlanCell cell(usual_cell(), viewing);
     const Planned planned = Planner(cell).make_reading_plan(start);
     if (!planned.plan)
       throw FaultError(FaultCode::internal_error, "no plan to show all faces: " + planned.text);
@@ -66,7 +66,7 @@ ShownCube::ShownCube(unsigned seed) : random_(seed), camera_(sim::cube_camera())
 std::vector<Pose> ShownCube::places() const {
   std::vector<Pose> places;
   for (int reading = 0; reading < kReadings; ++reading)
-    places.push_back(camera_.place.inverse() * sim::viewing_place(reading).T_UG);
+    places.push_back(camera_.place.inverse() * viewing_place(reading).T_UG);
   return places;
 }
 
@@ -82,7 +82,7 @@ CubeLight ShownCube::draw_light(Lighting lighting) {
   }
   if (lighting != Lighting::glaring) return drawn;
   // The lamp mirrors itself somewhere on the face.
-  const Pose T_UG = sim::viewing_place().T_UG;
+  const Pose T_UG = viewing_place().T_UG;
   const Vector3 view =
       (camera_.place.p - T_UG * Vector3(uniform(-0.03, 0.03), uniform(-0.03, 0.03), 0)).normalized();
   const Vector3 normal = T_UG.R.col(2);

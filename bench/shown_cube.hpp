@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "base/camera_config.hpp"
+#include "base/cube/cube.hpp"
 #include "base/pose.hpp"
 #include "sim/camera/scene.hpp"
-#include "tasks/rubik/cube/cube.hpp"
 #include "tasks/rubik/reading/state_reading.hpp"
 
 namespace mrroc::bench {
@@ -48,7 +48,7 @@ class ShownCube {
   CubeLight draw_light(Lighting lighting);
   /// @return what the camera sees, with the cube some millimetres and degrees from where it should be in the hand, anew at
   ///         each call
-  camera::Scene show(const Look& look, const rubik::Cube& cube, const CubeLight& light);
+  camera::Scene show(const Look& look, const cube::Cube& cube, const CubeLight& light);
 
  private:
   double uniform(double a, double b) { return std::uniform_real_distribution<>(a, b)(random_); }

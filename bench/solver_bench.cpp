@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "base/cube/facelets.hpp"
 #include "base/fault.hpp"
 #include "base/text_file.hpp"
 #include "bench/figures.hpp"
-#include "tasks/rubik/cube/facelets.hpp"
 #include "tasks/rubik/solver/solver.hpp"
 #include "tasks/rubik/solver/table_progress.hpp"
 

@@ -1,4 +1,4 @@
-// How far predictions of edp/stability.hpp are from what simulations do.
+// Compares predictions of edp/stability.hpp with simulations.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -7,6 +7,7 @@
 #include "bench/figures.hpp"
 #include "edp/stability.hpp"
 #include "robots/irb6/parameters.hpp"
+#include "robots/irb6/robot_type.hpp"
 #include "test/edp/contact_simulation.hpp"
 #include "test/sim/one_axis.hpp"
 #include "test/sim/pressing_arm.hpp"
@@ -25,7 +26,7 @@ constexpr double kPrecision = 0.01;          // of simulated limits
 constexpr double kPress = 8;                 // [N]
 constexpr double kSwings = 0.3;         // deviation over the pressing force from which it does not settle
 constexpr double kStiff = 1e6;          // where a limit that there is not is looked for [N/m]
-constexpr double kPaperDamping = 2e-3;  // of the world's contact, per stiffness [s]
+constexpr double kPaperDamping = 2e-3;  // of the simulator's contact, per stiffness [s]
 
 double error_pct(double predicted, double simulated) { return 100 * std::abs(predicted / simulated - 1); }
 
@@ -62,7 +63,7 @@ constexpr std::array kLaws{Law{20, 0.005}, Law{5, 0.0025}, Law{10, 0.005}, Law{5
 
 sim::OneAxis one_axis(const PressingAxis& a) {
   sim::OneAxis o{irb6::kPostument.axes[a.axis].properties,
-                 sim::arm_parameters(sim::ArmModel::irb6_postument).motors[a.axis], 0, a.lever / a.gear, 0};
+                 sim::arm_parameters(irb6::postument()).motors[a.axis], 0, a.lever / a.gear, 0};
   const edp::RegulatorCoefficients& k = o.axis.servo.incremental[0];
   o.inertia = sim::kStep / std::log(k.b0 / k.b1) / sim::mechanical_time_constant(o.motor, 1);
   return o;
@@ -149,7 +150,7 @@ std::vector<double> real_regulators(int algorithm_no) {
   return errors;
 }
 
-/// @return whether the real driver in the world keeps swinging when it presses its pen on such a table
+/// @return whether the real driver in the simulator keeps swinging when it presses its pen on such a table
 bool arm_swings(const Law& law, edp::ServoChoice servo, double K) {
   sim::WorldParameters w = sim::PressingArm::world_of_one();
   w.arms[0].paper.stiffness = K;

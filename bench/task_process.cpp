@@ -5,11 +5,13 @@
 #include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <csignal>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <thread>
@@ -38,15 +40,16 @@ ProcessStat stat_of(const fs::path& process) {
 }  // namespace
 
 TaskProcess::TaskProcess(const std::string& program, const std::vector<std::string>& arguments,
-                         std::chrono::milliseconds patience)
-    : program_(program), patience_(patience) {
+                         std::chrono::milliseconds timeout)
+    : program_(program), timeout_(timeout) {
   std::vector<std::string> words{(program_folder() / program).string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& w : words) argv.push_back(w.data());
   argv.push_back(nullptr);
   int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) throw FaultError(FaultCode::start_failed, "cannot make a pipe");
+  if (::pipe2(ends, O_CLOEXEC) != 0)
+    throw FaultError(FaultCode::start_failed, fmt::format("cannot make a pipe: {}", std::strerror(errno)));
   pid_ = ::fork();
   if (pid_ == 0) {
     ::dup2(ends[1], STDOUT_FILENO);
@@ -76,7 +79,7 @@ void TaskProcess::give_up() {
   kill();
   throw FaultError(FaultCode::peer_silent,
                    fmt::format("{} has said nothing for {} s and has been ended", program_,
-                               std::chrono::duration<double>(patience_).count()));
+                               std::chrono::duration<double>(timeout_).count()));
 }
 
 bool TaskProcess::read_line(std::string& line) {
@@ -87,7 +90,7 @@ bool TaskProcess::read_line(std::string& line) {
       return true;
     }
     pollfd file{output_, POLLIN, 0};
-    if (::poll(&file, 1, static_cast<int>(patience_.count())) == 0) give_up();
+    if (::poll(&file, 1, static_cast<int>(timeout_.count())) == 0) give_up();
     char part[4096];
     const auto n = ::read(output_, part, sizeof part);
     if (n <= 0) return false;
@@ -108,7 +111,7 @@ int TaskProcess::wait() {
   for (std::string line; read_line(line);) {
   }
   int status = 0;
-  const auto deadline = std::chrono::steady_clock::now() + patience_;
+  const auto deadline = std::chrono::steady_clock::now() + timeout_;
   while (::waitpid(pid_, &status, WNOHANG) == 0) {
     if (std::chrono::steady_clock::now() > deadline) give_up();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));

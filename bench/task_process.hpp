@@ -13,10 +13,10 @@ namespace mrroc::bench {
 class TaskProcess {
  public:
   /// @param program    name of a program in the folder of this one
-  /// @param patience   for its next line, and for its end after the last one; then it is killed
+  /// @param timeout    for its next line, and for its end after the last one; then it is killed
   /// @throws FaultError start_failed
   TaskProcess(const std::string& program, const std::vector<std::string>& arguments,
-              std::chrono::milliseconds patience = std::chrono::minutes(30));
+              std::chrono::milliseconds timeout = std::chrono::minutes(30));
   /// Kills it if it runs.
   ~TaskProcess();
   TaskProcess(const TaskProcess&) = delete;
@@ -41,7 +41,7 @@ class TaskProcess {
   [[noreturn]] void give_up();
 
   std::string program_;
-  std::chrono::milliseconds patience_;
+  std::chrono::milliseconds timeout_;
   pid_t pid_{};
   int output_{-1};
   std::string buffer_;

@@ -57,8 +57,8 @@ TerminalProgram::Clock::time_point TerminalProgram::press(char key) {
   return now;
 }
 
-bool TerminalProgram::await(const std::string& text, std::chrono::milliseconds patience) {
-  const auto deadline = Clock::now() + patience;
+bool TerminalProgram::await(const std::string& text, std::chrono::milliseconds timeout) {
+  const auto deadline = Clock::now() + timeout;
   while (Clock::now() < deadline) {
     {
       const std::lock_guard lock(mutex_);

@@ -27,8 +27,8 @@ class TerminalProgram {
   /// @return the moment before the byte was written
   Clock::time_point press(char key);
   /// @param text  without spaces: a screen moves over cells that stay as they are
-  /// @return whether the program writes it, since the last key, within the patience
-  bool await(const std::string& text, std::chrono::milliseconds patience);
+  /// @return whether the program writes it, since the last key, within the timeout
+  bool await(const std::string& text, std::chrono::milliseconds timeout);
   /// @return what it has written since the last key: printable characters, a blank for what moves the cursor
   [[nodiscard]] std::string written();
 

@@ -5,11 +5,12 @@
 #include <ctime>
 #include <numbers>
 
+#include "base/target/board.hpp"
+#include "base/target/tag.hpp"
 #include "bench/vision_render.hpp"
 #include "sim/camera/cell_scene.hpp"
 #include "sim/camera/textures.hpp"
-#include "vsp/apriltag/tag.hpp"
-#include "vsp/chessboard/board.hpp"
+#include "test/rig/irb6_cell.hpp"
 
 namespace mrroc::bench {
 
@@ -33,7 +34,7 @@ double quantile(std::vector<double> values, double share) {
 }
 
 ViewedCell::ViewedCell(Object object, unsigned seed) : object_(object), random_(seed) {
-  const sim::WorldParameters parameters;
+  const sim::WorldParameters parameters = rig::irb6_cell();
   const sim::World world(parameters, 1);
   scene_ = sim::CellScene(parameters).take(world);
   arms_end_ = scene_.bodies.size();
@@ -41,7 +42,7 @@ ViewedCell::ViewedCell(Object object, unsigned seed) : object_(object), random_(
   if (object == Object::board)
     camera::add_board(scene_, {}, T_UG_);
   else
-    camera::add_tag(scene_, vsp::kTag.id, vsp::kTag.edge, T_UG_);
+    camera::add_tag(scene_, kTag.id, kTag.edge, T_UG_);
 }
 
 Pose ViewedCell::pose(const CameraModel& camera, double nearest, double farthest) {
@@ -64,8 +65,8 @@ Pose ViewedCell::pose(const CameraModel& camera, double nearest, double farthest
 
 bool ViewedCell::visible(const CameraModel& camera, const Pose& T_CG) const {
   const bool board = object_ == Object::board;
-  const double w = 0.5 * (board ? vsp::kBoard.width() : vsp::kTag.edge + 2 * vsp::kTag.margin);
-  const double h = 0.5 * (board ? vsp::kBoard.height() : vsp::kTag.edge + 2 * vsp::kTag.margin);
+  const double w = 0.5 * (board ? kBoard.width() : kTag.edge + 2 * kTag.margin);
+  const double h = 0.5 * (board ? kBoard.height() : kTag.edge + 2 * kTag.margin);
   const Vector3 eye = this->camera(T_CG).p;
   constexpr int kPoints = 4;
   for (int i = -kPoints; i <= kPoints; ++i)
@@ -95,7 +96,7 @@ bool ViewedCell::shows_arm(const CameraModel& camera, const Pose& T_CG) const {
 // Floor, paper and tables lie below the plate.
 bool ViewedCell::belongs_to_an_arm(const camera::Body& body) const {
   const double height = 0.5 * body.T_UB.R.row(2).cwiseAbs().dot(body.size);
-  return body.shape != camera::Shape::quad && body.T_UB.p.z() + height >= T_UG_.p.z();
+  return body.shape != Shape::quad && body.T_UB.p.z() + height >= T_UG_.p.z();
 }
 
 // Whether a body that is not below the plate comes near the ray; bodies are taken as large as the balls around them.

@@ -1,15 +1,15 @@
 // Faces of the cube in the track arm's hand, read in all kinds of light, to the state of the whole cube.
+#include "base/cube/move.hpp"
 #include "bench/shown_cube.hpp"
 #include "bench/vision.hpp"
 #include "sim/camera/renderer.hpp"
-#include "tasks/rubik/cube/move.hpp"
 #include "tasks/rubik/reading/state_reading.hpp"
 #include "vsp/cube_face/cube_face_sensor.hpp"
 
 namespace mrroc::bench {
 namespace {
 
-using rubik::FaceView;
+using cube::FaceView;
 
 constexpr int kCubes = 168;  // six faces each
 
@@ -28,13 +28,13 @@ class FaceBench {
 
   void look_at_cube(int number, Lighting lighting, Tally& tally) {
     std::mt19937_64 random(static_cast<std::uint64_t>(number) + 1);
-    const rubik::Cube cube = rubik::random_cube(random);
-    const std::string facelets = rubik::to_facelets(cube);
+    const cube::Cube cube = cube::random_cube(random);
+    const std::string facelets = cube::to_facelets(cube);
     const CubeLight light = shown_.draw_light(lighting);
     rubik::StateReading state;
     std::vector<FaceView> views;
     for (int reading = 0; reading < rubik::kReadings && !state.cube; ++reading) {
-      if (reading > 0) tally.flagged += rubik::kFaces;
+      if (reading > 0) tally.flagged += cube::kFaces;
       for (const Look& look : shown_.looks(reading))
         views.push_back(look_at_face(look, cube, light, facelets, tally));
       state = rubik::read_state(views);
@@ -44,7 +44,7 @@ class FaceBench {
       ++tally.unread;
       return;
     }
-    for (int f = 0; f < rubik::kFaces; ++f) {
+    for (int f = 0; f < cube::kFaces; ++f) {
       const auto first = static_cast<std::size_t>(kStickers * f);
       if (state.facelets.substr(first, kStickers) != facelets.substr(first, kStickers)) ++tally.wrong;
     }
@@ -53,19 +53,19 @@ class FaceBench {
   [[nodiscard]] double longest_ms() const { return longest_; }
 
  private:
-  FaceView look_at_face(const Look& look, const rubik::Cube& cube, const CubeLight& light,
+  FaceView look_at_face(const Look& look, const cube::Cube& cube, const CubeLight& light,
                         const std::string& facelets, Tally& tally) {
     const Image picture =
         renderer_.render(shown_.show(look, cube, light), shown_.camera().place, tally.faces++);
     const double begun = thread_ms();
     const CubeFaceReading reading = sensor_.detect(picture.view(), tally.faces, 0);
     longest_ = std::max(longest_, thread_ms() - begun);
-    const FaceView view = rubik::view_of(look.R_GC, reading);
+    const FaceView view = cube::view_of(look.R_GC, reading);
     judge_names(reading, view.shown, facelets, tally);
     return view;
   }
 
-  void judge_names(const CubeFaceReading& reading, rubik::ShownFace shown, const std::string& facelets,
+  void judge_names(const CubeFaceReading& reading, cube::ShownFace shown, const std::string& facelets,
                    Tally& tally) {
     if (!reading.valid) {
       ++tally.named_unsure;
@@ -74,7 +74,7 @@ class FaceBench {
     bool wrong = false;
     for (int k = 0; k < kStickers; ++k)
       wrong = wrong || reading.stickers[static_cast<std::size_t>(k)].colour !=
-                           colour_of(facelets[static_cast<std::size_t>(rubik::facelet(shown, k))]);
+                           colour_of(facelets[static_cast<std::size_t>(cube::facelet(shown, k))]);
     tally.named_wrong += wrong ? 1 : 0;
   }
 

@@ -1,4 +1,4 @@
-// What adverse pictures do to the receptors, and how much work pictures are, also against OpenCV's own detector.
+// Measures detection in adverse pictures, and the work per picture, also against OpenCV's own detector.
 #include <algorithm>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
@@ -102,7 +102,7 @@ void compare(vsp::ChessboardSensor& sensor, const Image& picture, Comparison& c,
   cv::Mat grey = all;
   if (picture.channels == 3) cv::cvtColor(all, grey, cv::COLOR_BGR2GRAY);
   std::vector<cv::Point2f> corners;
-  const bool found = cv::findChessboardCorners(grey, {vsp::kBoard.columns, vsp::kBoard.rows}, corners);
+  const bool found = cv::findChessboardCorners(grey, {kBoard.columns, kBoard.rows}, corners);
   if (found)
     cv::cornerSubPix(grey, corners, {5, 5}, {-1, -1},
                      {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 30, 0.01});

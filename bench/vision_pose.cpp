@@ -1,4 +1,4 @@
-// How exact the poses are that receptors find in pictures of the cell.
+// Measures the accuracy of the poses that receptors find in pictures of the cell.
 #include <cmath>
 #include <numbers>
 

@@ -6,6 +6,7 @@
 #include "sim/camera/cell_scene.hpp"
 #include "sim/camera/renderer.hpp"
 #include "sim/camera/textures.hpp"
+#include "test/rig/irb6_cell.hpp"
 
 namespace mrroc::bench {
 namespace {
@@ -18,7 +19,7 @@ double processor_ms() {
 }
 
 double render_ms(const camera::RenderProfile& profile) {
-  const sim::WorldParameters parameters;
+  const sim::WorldParameters parameters = rig::irb6_cell();
   const sim::World world(parameters, 1);
   camera::Scene scene = sim::CellScene(parameters).take(world);
   const Pose& T_UB = parameters.arms[0].T_UB;

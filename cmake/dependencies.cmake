@@ -7,6 +7,7 @@ find_package(Curses REQUIRED)
 pkg_check_modules(lcm REQUIRED IMPORTED_TARGET lcm)
 # Bullet in double precision; the CMake package of Debian is the single-precision build.
 pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)
+pkg_check_modules(sodium REQUIRED IMPORTED_TARGET libsodium)
 pkg_check_modules(urdfdom REQUIRED IMPORTED_TARGET urdfdom)
 pkg_check_modules(kdl REQUIRED IMPORTED_TARGET orocos-kdl)
 pkg_check_modules(pugixml REQUIRED IMPORTED_TARGET pugixml)

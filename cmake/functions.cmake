@@ -1,14 +1,17 @@
 # mrroc_library(NAME [SERVO_STEP] sources...)  a library target of one folder, with the project's warnings;
 #                                 SERVO_STEP: it works in every step of a driver and is optimised for that
 # mrroc_program(NAME sources...)  a program in bin/
-# mrroc_arm_task(NAME sources... [PARTS programs...])  a task of arms that work on their own (sim/arm_task.hpp): library
+# mrroc_arm_task(NAME sources... [PARTS programs...])  a task of arms that work on their own (launch/arm_task.hpp): library
 #                                 mrroc_NAME with NAME.toml as mrroc::NAME::config(), programs NAME and ecp_NAME from
-#                                 main.cpp and main_ecp.cpp; PARTS: programs that it starts besides world and drivers
-# mrroc_starts(NAME programs...)  building NAME also builds what it starts: these programs, the world, and the drivers of
+#                                 main.cpp and main_ecp.cpp; PARTS: programs that it starts besides simulator and drivers
+# mrroc_coordinated_task(NAME sources... [PARTS programs...])  a task whose coordinator orders what its arms copy
+#                                 (mp/coordinated_run.hpp, ecp/transparent.hpp): the same with ecp_transparent for ecp_NAME
+# mrroc_starts(NAME programs...)  building NAME also builds what it starts: these programs, the simulator, and the drivers of
 #                                 all robots
-# mrroc_robot(NAME sources...)    a robot (robots/catalogue.hpp): library mrroc_robot_NAME with NAME.urdf as
-#                                 mrroc::NAME::urdf(), program edp_NAME from main_edp.cpp; its kind(), declared in
-#                                 robots/NAME/robot.hpp, is entered in the catalogue
+# mrroc_robot(NAME sources... [TYPES types...])  a robot (robots/catalogue.hpp): library mrroc_robot_NAME with NAME.urdf as
+#                                 mrroc::NAME::urdf(), program edp_NAME from main_edp.cpp; mrroc::NAME::type() is entered
+#                                 in the catalogue. TYPES: several that one program drives, each TYPE with NAME_TYPE.urdf
+#                                 as mrroc::NAME::TYPE_urdf() and entered as mrroc::NAME::TYPE()
 # mrroc_catalogue()               library mrroc_catalogue: every robot that has been registered so far
 #
 # The installed CMake package has them too, for tasks and robots outside of this tree.
@@ -62,22 +65,31 @@ function(mrroc_embed space function file)
   configure_file(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/embedded_text.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/${function}_text.cpp @ONLY)
 endfunction()
 
-function(mrroc_arm_task name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "PARTS")
+# Library and program of a task. ECP: the program of its control subsystems
+function(mrroc_task name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "ECP" "PARTS")
   mrroc_embed(${name} config ${name}.toml)
   mrroc_library(mrroc_${name} ${arg_UNPARSED_ARGUMENTS} ${CMAKE_CURRENT_BINARY_DIR}/config_text.cpp)
   target_link_libraries(mrroc_${name} PUBLIC mrroc_ecp mrroc_mp)
+  mrroc_program(${name} main.cpp)
+  target_link_libraries(${name} PRIVATE mrroc_${name} mrroc_launch)
+  mrroc_starts(${name} ${arg_ECP} ${arg_PARTS})
+endfunction()
+
+function(mrroc_arm_task name)
   mrroc_program(ecp_${name} main_ecp.cpp)
   target_link_libraries(ecp_${name} PRIVATE mrroc_${name})
-  mrroc_program(${name} main.cpp)
-  target_link_libraries(${name} PRIVATE mrroc_${name} mrroc_arm_task)
-  mrroc_starts(${name} ecp_${name} ${arg_PARTS})
+  mrroc_task(${name} ${ARGN} ECP ecp_${name})
+endfunction()
+
+function(mrroc_coordinated_task name)
+  mrroc_task(${name} ${ARGN} ECP ecp_transparent)
 endfunction()
 
 function(mrroc_starts name)
   get_property(robots GLOBAL PROPERTY MRROC_ROBOTS)
   list(TRANSFORM robots PREPEND edp_)
-  foreach(program ${ARGN} edp_irb6 ${robots} world)
+  foreach(program ${ARGN} ${robots} simulator)
     if(TARGET ${program} OR PROJECT_NAME STREQUAL "mrroc")  # elsewhere the others are installed
       add_dependencies(${name} ${program})
     endif()
@@ -85,22 +97,42 @@ function(mrroc_starts name)
 endfunction()
 
 function(mrroc_robot name)
-  mrroc_embed(${name} urdf ${name}.urdf)
-  mrroc_library(mrroc_robot_${name} SERVO_STEP ${ARGN} ${CMAKE_CURRENT_BINARY_DIR}/urdf_text.cpp)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "TYPES")
+  set(texts)
+  if(arg_TYPES)
+    foreach(type ${arg_TYPES})
+      mrroc_embed(${name} ${type}_urdf ${name}_${type}.urdf)
+      list(APPEND texts ${CMAKE_CURRENT_BINARY_DIR}/${type}_urdf_text.cpp)
+    endforeach()
+  else()
+    mrroc_embed(${name} urdf ${name}.urdf)
+    list(APPEND texts ${CMAKE_CURRENT_BINARY_DIR}/urdf_text.cpp)
+    set(arg_TYPES type)
+  endif()
+  mrroc_library(mrroc_robot_${name} SERVO_STEP ${arg_UNPARSED_ARGUMENTS} ${texts})
   target_link_libraries(mrroc_robot_${name} PUBLIC mrroc_robots)
   mrroc_program(edp_${name} main_edp.cpp)
   target_link_libraries(edp_${name} PRIVATE mrroc_robot_${name})
   set_property(GLOBAL APPEND PROPERTY MRROC_ROBOTS ${name})
+  list(TRANSFORM arg_TYPES PREPEND "${name}::")
+  set_property(GLOBAL APPEND PROPERTY MRROC_ROBOT_TYPES ${arg_TYPES})
 endfunction()
 
-# Writes the source of the catalogue of all robots that have been registered so far.
+# Writes the source of the catalogue of all robots that have been registered so far; in other projects, of the
+# framework's own ones and those.
 function(mrroc_known_robots file)
-  get_property(robots GLOBAL PROPERTY MRROC_ROBOTS)
+  get_property(types GLOBAL PROPERTY MRROC_ROBOT_TYPES)
+  if(NOT PROJECT_NAME STREQUAL "mrroc")
+    get_target_property(own mrroc_catalogue MRROC_TYPES)
+    list(PREPEND types ${own})
+  endif()
   set(MRROC_DECLARATIONS "")
-  set(MRROC_KINDS "")
-  foreach(robot ${robots})
-    string(APPEND MRROC_DECLARATIONS "namespace mrroc::${robot} {\nconst robots::Kind& kind();\n}\n")
-    string(APPEND MRROC_KINDS "&${robot}::kind(), ")
+  set(MRROC_ENTRIES "")
+  foreach(type ${types})
+    string(REGEX MATCH "^(.*)::(.*)$" matched ${type})
+    string(APPEND MRROC_DECLARATIONS
+           "namespace mrroc::${CMAKE_MATCH_1} {\nconst robots::RobotType& ${CMAKE_MATCH_2}();\n}\n")
+    string(APPEND MRROC_ENTRIES "&${type}(), ")
   endforeach()
   file(CONFIGURE OUTPUT ${file} @ONLY CONTENT [[
 #include "robots/catalogue.hpp"
@@ -108,9 +140,9 @@ function(mrroc_known_robots file)
 @MRROC_DECLARATIONS@
 namespace mrroc::robots {
 
-std::span<const Kind* const> catalogue() {
-  static const std::vector<const Kind*> kinds{@MRROC_KINDS@};
-  return kinds;
+std::span<const RobotType* const> catalogue() {
+  static const std::vector<const RobotType*> types{@MRROC_ENTRIES@};
+  return types;
 }
 
 }  // namespace mrroc::robots
@@ -124,4 +156,6 @@ function(mrroc_catalogue)
   get_property(robots GLOBAL PROPERTY MRROC_ROBOTS)
   list(TRANSFORM robots PREPEND mrroc_robot_)
   target_link_libraries(mrroc_catalogue PUBLIC mrroc_robots ${robots})
+  get_property(types GLOBAL PROPERTY MRROC_ROBOT_TYPES)
+  set_target_properties(mrroc_catalogue PROPERTIES MRROC_TYPES "${types}" EXPORT_PROPERTIES MRROC_TYPES)
 endfunction()

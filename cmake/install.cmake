@@ -13,7 +13,7 @@ install(FILES ${CMAKE_BINARY_DIR}/mrroc-config.cmake ${CMAKE_BINARY_DIR}/mrroc-c
               cmake/dependencies.cmake cmake/functions.cmake cmake/embedded_text.cpp.in
         DESTINATION ${MRROC_PACKAGE})
 
-foreach(folder base edp ecp mp vsp ui_cli robots tasks sim)
+foreach(folder base edp ecp mp vsp ui_cli robots tasks sim launch)
   install(DIRECTORY ${folder} DESTINATION include/mrroc FILES_MATCHING PATTERN "*.hpp")
 endforeach()
 install(DIRECTORY ${MRROC_GENERATED}/mrroc DESTINATION include/mrroc FILES_MATCHING PATTERN "*.hpp")
@@ -49,7 +49,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # What the libraries' users link, and what a run calls.
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "libeigen3-dev, libfmt-dev, liblcm-dev, libglib2.0-dev, libbullet-dev, liburdfdom-dev, \
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libeigen3-dev, libfmt-dev, liblcm-dev, libglib2.0-dev, libsodium-dev, libbullet-dev, liburdfdom-dev, \
 liborocos-kdl-dev, libtomlplusplus-dev, nlohmann-json3-dev, libpugixml-dev, libncurses-dev, \
 libopencv-core-dev, libopencv-imgproc-dev, libopencv-imgcodecs-dev, libopencv-videoio-dev, libopencv-calib3d-dev, \
 libapriltag-dev")

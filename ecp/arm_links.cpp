@@ -1,7 +1,6 @@
 #include "ecp/arm_links.hpp"
 
 #include "base/hash.hpp"
-#include "base/msg/convert.hpp"
 #include "base/msg/finite.hpp"
 
 namespace mrroc::ecp {
@@ -15,7 +14,7 @@ std::int64_t session_of(const std::string& process) {
 }
 
 /// With the wall clock, macrosteps in a row in which the driver may see nothing of what is sent: a second.
-constexpr int kLatePatience = 50;
+constexpr int kLateAttempts = 50;
 
 /// @return the message for that macrostep, or the newest one; null when there is none at all
 template <class M>
@@ -34,10 +33,12 @@ ArmLinks::ArmLinks(link::Process& process, const ArmLinkNames& names)
       reply_in_(process.inbox<effector_reply_t>(names.robot + ".reply")),
       order_in_(process.inbox<agent_order_t>(names.robot + ".order")),
       others_(names.others),
-      client_(session_of(process.membership().name), process.lock_step() ? 0 : kLatePatience) {
+      client_(session_of(process.context().name), process.lock_step() ? 0 : kLateAttempts) {
   sources_ = {reply_in_.get(), order_in_.get()};
-  sources_.insert(sources_.end(), others_.sources.begin(), others_.sources.end());
+  const link::Sources others = others_.all_sources();
+  sources_.insert(sources_.end(), others.begin(), others.end());
   if (!has_sensor_) return;
+  setting_out_ = std::make_unique<link::OutgoingLink<SensorSetting>>(process, names.sensor + ".setting");
   reading_in_ = process.inbox<sensor_reading_t>(names.sensor);
   sources_.push_back(reading_in_.get());
 }
@@ -48,9 +49,21 @@ Outcome ArmLinks::begin() {
   return wait();
 }
 
+void ArmLinks::set_sensor(const SensorSetting& setting) {
+  if (setting_out_) setting_out_->set(setting);
+}
+
 void ArmLinks::send(const EffectorCommand& command, const Report& report) {
   command_out_->publish(to_message(client_.next(command, i_ + 1)), i_ + 1);
   report_out_->publish(to_message(report), i_ + 1);
+  if (setting_out_) setting_out_->send(i_ + 1);
+  others_.send(i_ + 1);
+}
+
+void ArmLinks::end() {
+  send({.instruction = Instruction::release}, {.ready = true});
+  if (setting_out_) setting_out_->end();
+  others_.end();
 }
 
 Outcome ArmLinks::wait() {
@@ -65,7 +78,7 @@ Outcome ArmLinks::receive() {
   const auto here = [&] {
     if (!all) return reply_in_->newest() && reply_in_->newest()->header.stamp >= i_;
     return reply_in_->at(i_) && (!has_sensor_ || reading_in_->at(i_)) && order_in_->at(i_) &&
-           (!others_.here || others_.here(i_, reply_in_->at(i_)->step));
+           others_.all_here(i_, reply_in_->at(i_)->step);
   };
   process_.await_from(sources_, FaultCode::peer_silent, [&] { return here() || stopped(); });
   if (stopped()) return Outcome::aborted;
@@ -81,6 +94,7 @@ Outcome ArmLinks::receive() {
     order_ = from_message(*m);
     order_.late = m->header.stamp < i_;
   }
+  others_.receive(i_);
   client_.see(reply_);
   return client_.fault() ? Outcome::faulted : Outcome::terminated;
 }

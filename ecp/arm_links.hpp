@@ -6,7 +6,9 @@
 #include <string>
 
 #include "base/link/process.hpp"
+#include "base/link/transmission_link.hpp"
 #include "base/motion.hpp"
+#include "base/msg/convert.hpp"
 #include "base/transmission.hpp"
 #include "ecp/effector_client.hpp"
 #include "mrroc/agent_order_t.hpp"
@@ -17,20 +19,13 @@
 
 namespace mrroc::ecp {
 
-/// Links of an agent that the agent reads itself, such as those of cameras with a clock of their own.
-struct OtherLinks {
-  /// Inboxes that are waited for; they must outlive the links.
-  link::Sources sources;
-  /// In lock-step: whether what macrostep i needs of them has come (rule R7). Empty: it needs nothing.
-  /// @param step  of the effector driver's reading in x_ce
-  std::function<bool(std::int64_t i, std::int64_t step)> here;
-};
-
 /// Names of an agent's links.
 struct ArmLinkNames {
-  std::string robot;    ///< channels ROBOT.command, .reply, .order, .report
-  std::string sensor;   ///< channel of the virtual sensor's readings; empty: the agent has none
-  OtherLinks others{};  ///< waited for as the others are, also while the agent is paused
+  std::string robot;  ///< channels ROBOT.command, .reply, .order, .report
+  std::string
+      sensor;  ///< channel of the virtual sensor's readings, SENSOR; its settings go to SENSOR.setting. Empty: the
+               ///< agent has none
+  link::OtherLinks others{};  ///< waited for as these are, also while the agent is paused
 };
 
 /// Sends y and receives x once per macrostep. In lock-step every message of macrostep i is waited for (rule
@@ -39,7 +34,7 @@ struct ArmLinkNames {
 /// order is marked as late.
 class ArmLinks {
  public:
-  /// To be made before the process assembles. @param process  must outlive the links
+  /// Make this before the process assembles. @param process  must outlive the links
   ArmLinks(link::Process& process, const ArmLinkNames& names);
 
   /// Assembles with the others, publishes the defined messages of macrostep 1 and receives the first images.
@@ -51,8 +46,13 @@ class ArmLinks {
     process_.in_behaviour(m, name, until);
   }
 
-  /// Sends what is for macrostep i + 1.
+  /// y_cV for the virtual sensor, from the next send() on; zeros before.
+  void set_sensor(const SensorSetting& setting);
+  /// Sends what is for macrostep i + 1: these, the sensor's setting and the typed links.
   void send(const EffectorCommand& command, const Report& report);
+
+  /// Releases the effector, and says on the typed links that nothing more will come.
+  void end();
 
   /// i := i + 1, receives the images of the new macrostep.
   /// @return aborted when the system stops, faulted when the driver does not take commands any more
@@ -79,11 +79,12 @@ class ArmLinks {
   bool has_sensor_;
   std::unique_ptr<link::Outbox<effector_command_t>> command_out_;
   std::unique_ptr<link::Outbox<agent_report_t>> report_out_;
+  std::unique_ptr<link::OutgoingLink<SensorSetting>> setting_out_;  // null: the agent has no sensor
   std::unique_ptr<link::Inbox<effector_reply_t>> reply_in_;
   std::unique_ptr<link::Inbox<sensor_reading_t>> reading_in_;
   std::unique_ptr<link::Inbox<agent_order_t>> order_in_;
   link::Sources sources_;
-  OtherLinks others_;
+  link::OtherLinks others_;
   EffectorClient client_;
   std::int64_t i_{};
   EffectorReply reply_;

@@ -36,7 +36,7 @@ void EffectorClient::see(const EffectorReply& reply) {
 }
 
 const EffectorClient::Sent* EffectorClient::unanswered(std::int64_t macrostep) const {
-  if (late_patience_ == 0 || pending_.empty()) return nullptr;
+  if (late_attempts_ == 0 || pending_.empty()) return nullptr;
   const auto found = std::ranges::find_if(sent_, [&](const Sent& s) {
     return s.macrostep >= repeated_from_ && s.macrostep < macrostep && s.number >= pending_.front().number;
   });
@@ -46,7 +46,7 @@ const EffectorClient::Sent* EffectorClient::unanswered(std::int64_t macrostep) c
 void EffectorClient::send_again(const EffectorReply& reply, const Sent& s) {
   repeated_from_ = reply.macrostep + 1;
   sent_of_pending_ = 0;
-  if (late_patience_ > 0 ? ++late_ < late_patience_ : ++failures_ < kAttempts) return;
+  if (late_attempts_ > 0 ? ++late_ < late_attempts_ : ++failures_ < kAttempts) return;
   fault_ = Fault{.code = FaultCode::command_repeated_refused};
   fault_->value = static_cast<double>(s.number);
   fault_->limit = kAttempts;

@@ -1,4 +1,4 @@
-// The control subsystem's side of the command protocol: numbers commands and repeats what was lost.
+// The control subsystem's side of the command protocol: numbers commands and repeats lost ones.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -16,11 +16,11 @@ class EffectorClient {
   /// Attempts at one command before the link counts as broken.
   static constexpr int kAttempts = 3;
 
-  /// @param late_patience  sendings of a command that the driver may have missed in a row: with the wall clock a
+  /// @param late_attempts  sendings of a command that the driver may have missed in a row: with the wall clock a
   ///        command or the one before it can be late, or its answer is skipped; it is sent again and is no failure.
   ///        0: in lock-step there is no lateness, and what the driver has not seen is lost
-  explicit EffectorClient(std::int64_t session, int late_patience = 0)
-      : session_(session), late_patience_(late_patience) {}
+  explicit EffectorClient(std::int64_t session, int late_attempts = 0)
+      : session_(session), late_attempts_(late_attempts) {}
 
   /// Takes x_ce of a macrostep. Call it before next() for the same macrostep. Macrosteps may be skipped: every
   /// reply says which commands have been executed.
@@ -32,7 +32,7 @@ class EffectorClient {
   ///         always goes out at once
   EffectorCommand next(EffectorCommand wanted, std::int64_t macrostep);
 
-  /// @return the system error after kAttempts failures, with the wall clock late_patience, in a row
+  /// @return the system error after kAttempts failures, with the wall clock late_attempts, in a row
   [[nodiscard]] const std::optional<Fault>& fault() const { return fault_; }
   /// @return commands that wait because earlier ones had to be repeated
   [[nodiscard]] std::size_t backlog() const { return pending_.size() - sent_of_pending_; }
@@ -65,7 +65,7 @@ class EffectorClient {
   std::size_t sent_of_pending_{};        // of these, sent and not given up
   std::array<Sent, kRemembered> sent_{};
   std::int64_t repeated_from_{};  // answers to commands before this macrostep are out of date
-  int late_patience_;
+  int late_attempts_;
   int late_{};  // macrosteps in a row
   int failures_{};
   std::optional<Fault> fault_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/latency.hpp"
+
 namespace mrroc::ecp {
 namespace {
 
@@ -27,7 +29,7 @@ Outcome rest(ArmLinks& links, int macrosteps) {
 /// Sends one command and waits for what becomes of it.
 Outcome execute(ArmLinks& links, const EffectorCommand& command) {
   links.send(command, not_ready_yet(links));
-  const std::int64_t answered = links.i() + 2;  // stamp of the reply to a command sent in macrostep i
+  const std::int64_t answered = links.i() + latency::kCommandToReply;
   while (true) {
     if (const Outcome o = links.wait(); o != Outcome::terminated) return o;
     if (links.i() >= answered && links.reply().verdict == Verdict::executed) return Outcome::terminated;

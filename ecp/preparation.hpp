@@ -1,4 +1,4 @@
-// What a control subsystem does with its effector before the task begins.
+// Prepares the effector before the task begins.
 #pragma once
 #include "base/config.hpp"
 #include "ecp/arm_links.hpp"

@@ -10,18 +10,20 @@
 namespace mrroc::ecp {
 
 /// Port of an agent whose images are
-///     X { c; EffectorReply e; SensorReading V; Order T; int64 i, i_0 }   Y { c; EffectorCommand e; V; Report
-///     T }
-/// A V of another type is left as it is: an agent with sensors of its own fills it in itself.
+///     X { c; EffectorReply e; SensorReading V; Order T; int64 i, i_0 }
+///     Y { c; EffectorCommand e; SensorSetting V; Report T }
+/// A V of another type is left as it is: an agent with sensors of its own reads and sets them itself, one whose y.V is
+/// empty sets nothing. T may be more than Order and Report (base/linked_port.hpp).
 template <Images A>
 class ArmPort {
  public:
   /// @param links  must outlive the port
   explicit ArmPort(ArmLinks& links) : links_(links) {}
 
-  /// The operations of a Port: sends y.e and y.T for macrostep i + 1; i := i + 1; fills in e, V, T and i of x.
+  /// The operations of a Port: sends y.e, y.V and y.T for macrostep i + 1; i := i + 1; fills in e, V, T and i of x.
   void dispatch(const Motion<A>& motion, const typename A::Y& y) {
     links_.in_behaviour(motion.m, motion.name, motion.until);
+    if constexpr (std::is_same_v<decltype(y.V), SensorSetting>) links_.set_sensor(y.V);
     links_.send(y.e, y.T);
   }
   Outcome wait() { return links_.wait(); }
@@ -58,7 +60,7 @@ void run_ecp(link::Process& process, const ArmLinkNames& names, const Preparatio
     process.report_fault(fault_of(links));
     return;
   }
-  if (outcome == Outcome::terminated) links.send({.instruction = Instruction::release}, {.ready = true});
+  if (outcome == Outcome::terminated) links.end();
   process.report_done();
   process.stay();
 }

@@ -1,5 +1,5 @@
-// The state automaton of an effector driver: one table that says what every event leads to in every state. The
-// driver runs on it, docs/automaton.md is made from it.
+// The state automaton of an effector driver: one table gives the transition for every event in every state.
+// The driver runs on it, docs/automaton.md is made from it.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace mrroc::edp {
 
-/// What can happen to a driver. The first ones are what commands ask for, and may be refused; a command that
+/// Events of a driver. The first ones are what commands ask for, and may be refused; a command that
 /// asks for several things is refused when one of them is. The last ones happen by themselves. QUERY is legal
 /// in every state and changes none, so it is no event.
 enum class Event : std::uint8_t {
@@ -36,7 +36,7 @@ inline constexpr std::size_t kEvents = 17;
 /// Events before this one are asked for by commands, the others happen by themselves.
 inline constexpr Event kFirstOwnEvent = Event::homed;
 
-/// What an event leads to in a state.
+/// Result of an event in a state.
 struct Transition {
   DriverState next{};   ///< the state afterwards; the same one when it was refused
   FaultCode refusal{};  ///< none: the event takes place. Own events that cannot happen are illegal_in_state

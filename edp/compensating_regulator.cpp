@@ -12,7 +12,7 @@ namespace {
 /// Share of the difference from the regulator before that is left after a step.
 constexpr double kFade = 0.9;
 
-/// Of the largest current that the regulator may ask for.
+/// Share of the largest current that the regulator may ask for.
 constexpr double kCurrentShare = 0.8;
 
 }  // namespace
@@ -28,7 +28,8 @@ CompensatingRegulator::CompensatingRegulator(const CompensationCoefficients& c, 
   torque_scale_ = drive.pwm_per_torque();
   per_presliding_ = 1 / (drive.presliding * increments_per_rad);
   stiffness_ = drive.friction * torque_scale_ * per_presliding_;
-  max_pull_ = kCurrentShare * drive.max_current * drive.resistance * kPwmScale / drive.supply;
+  max_pull_ = std::min(kCurrentShare * drive.max_current, drive.current_limit) * drive.resistance *
+              kPwmScale / drive.supply;
 
   // Ackermann's formula for both: K = [0 1] [B AB]^-1 (A - z)^2, L = A^-1 (A - z)^3 [C; CA; CA^2]^-1 [0 0 1]'.
   const Eigen::Vector2d B((1 - beta_) * gain_, (1 - alpha_) * gain_);
@@ -52,7 +53,7 @@ CompensatingRegulator::CompensatingRegulator(const CompensationCoefficients& c, 
   l_d_ = L[2];
 }
 
-double CompensatingRegulator::step(double set_increment, double error, double preload) noexcept {
+double CompensatingRegulator::step(double set_increment, double error, double gravity_feed_forward) noexcept {
   if (restarted_) {
     p_ = -error;
     v_ = r_ = 0;
@@ -64,7 +65,7 @@ double CompensatingRegulator::step(double set_increment, double error, double pr
   d_ += l_d_ * surprise;
 
   deflection_ = (deflection_ + set_increment) / (1 + std::abs(set_increment) * per_presliding_);
-  const double known = preload * torque_scale_ + stiffness_ * deflection_;
+  const double known = gravity_feed_forward * torque_scale_ + stiffness_ * deflection_;
   if (join_ == Join::with_its_load) d_ = known + r_ * per_gain_ - joined_pwm_;
 
   const double wanted =
@@ -73,7 +74,9 @@ double CompensatingRegulator::step(double set_increment, double error, double pr
   join_ = Join::none;
 
   const double idle = v_ * per_gain_;  // without current
-  const double pull = std::clamp(wanted + bump_ - idle, -max_pull_, max_pull_);
+  const double free_pull = wanted + bump_ - idle;
+  const double pull = std::clamp(free_pull, -max_pull_, max_pull_);
+  at_limit_ = pull != free_pull;
   const double u = std::clamp(idle + pull, -kMaxPwm, kMaxPwm);
   bump_ *= kFade;
 
@@ -106,6 +109,7 @@ void CompensatingRegulator::resume(const CompensatingRegulator& other, double pw
 
 void CompensatingRegulator::restart() noexcept {
   restarted_ = true;
+  at_limit_ = false;
   bump_ = 0;
 }
 

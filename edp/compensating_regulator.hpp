@@ -1,4 +1,4 @@
-// Position regulator that knows its drive: feed-forward of speed and load, an observer for what is not known.
+// Position regulator with a model of its drive: feed-forward of speed and load, observer of unknown loads.
 #pragma once
 #include <cstdint>
 #include <limits>
@@ -7,7 +7,7 @@
 
 namespace mrroc::edp {
 
-/// What a regulator knows about the drive of one motor; everything at the shaft. Nominal: the real figures
+/// A regulator's model of the drive of one motor; everything at the shaft. Nominal: the real figures
 /// may differ by tens of per cent.
 struct DriveModel {
   double resistance{1};     ///< of winding and bridge [ohm], positive
@@ -15,7 +15,10 @@ struct DriveModel {
   double friction{};        ///< that is compensated [N m]. A shaft with less is none the worse for it: the
                             ///< compensation follows the set motion, so it cannot make the loop hunt
   double presliding{0.02};  ///< turn in which friction builds up after a reversal [rad], positive
-  /// From which on the supervision stops the arm [A]; regulators that know their drive ask for less.
+  /// To which the drive limits its current [A], positive: the torque grows no further.
+  double current_limit{std::numeric_limits<double>::infinity()};
+  /// From which on the supervision stops the arm [A]: not below current_limit, so the drive has not limited its current.
+  /// Regulators that know their drive ask for no more than 0.8 of it, and than current_limit.
   double max_current{std::numeric_limits<double>::infinity()};
   double torque_constant{0.105};  ///< [N m/A], equal to the voltage constant [V s/rad]
   double supply{48};              ///< voltage at full duty cycle [V]
@@ -38,7 +41,7 @@ struct CompensationCoefficients {
   double observer{};   ///< of the observer: its triple pole [rad/s], positive
 };
 
-/// What a CompensatingRegulator works with, in encoder increments, steps and 1/255 of the supply.
+/// Numbers of a CompensatingRegulator, in encoder increments, steps and 1/255 of the supply.
 struct CompensationGains {
   double alpha;          ///< model: share of the speed that is kept in a step without current
   double beta;           ///< its way in that step, per speed
@@ -47,7 +50,7 @@ struct CompensationGains {
   double l_p, l_v, l_d;  ///< of the observer
 };
 
-/// Position regulator with feed-forward of speed, preload and compensation of friction.
+/// Position regulator with feed-forward of speed and gravity, and compensation of friction.
 ///
 /// With p and v the position and speed of the shaft, Set the sum of all set increments r before this step, and
 /// a load d that an observer estimates together with p and v from the encoder and the duty cycles sent:
@@ -56,11 +59,11 @@ struct CompensationGains {
 ///     u = u_r + K_p e_p + K_v e_v - d + u_g + u_f,   clipped
 ///
 /// u_r is the duty cycle that takes the model of the drive from speed r(k-1) to r(k) in one step; on the way the
-/// shaft is half a step behind its set position. u_g holds the preload that is told (gravity), u_f is Dahl's
+/// shaft is half a step behind its set position. u_g is the gravity feed-forward that is told, u_f is Dahl's
 /// friction of a shaft that moves as it is set to. What is left of the load - friction and inertia that are
 /// not as expected, forces of contact - is the observer's d: there is no other integral action, so
 /// nothing winds up when the output is clipped. It is clipped at
-/// 0.8 of the largest current too, as the model has it.
+/// 0.8 of the largest current and at the drive's limit too, as the model has it.
 ///
 /// Units: encoder increments, steps, and 1/255 of the supply. Real-time safe but for the constructor.
 class CompensatingRegulator {
@@ -70,11 +73,11 @@ class CompensatingRegulator {
   CompensatingRegulator(const CompensationCoefficients& c, const DriveModel& drive, double increments_per_rad,
                         double dt);
 
-  /// @param set_increment motion of the set position in this step [increments]
-  /// @param error         set position before this step minus measured position [increments]
-  /// @param preload       torque that holds the known load, e.g. gravity [N m]
+  /// @param set_increment         motion of the set position in this step [increments]
+  /// @param error                 set position before this step minus measured position [increments]
+  /// @param gravity_feed_forward  torque that holds the known load, e.g. gravity [N m]
   /// @return duty cycle, within +-kMaxPwm
-  [[nodiscard]] double step(double set_increment, double error, double preload) noexcept;
+  [[nodiscard]] double step(double set_increment, double error, double gravity_feed_forward) noexcept;
 
   /// Goes on where a regulator of another kind has left off: the next duty cycle is pwm, and its difference from
   /// what this regulator asks for fades away. The load is the one that pwm has been holding.
@@ -88,6 +91,8 @@ class CompensatingRegulator {
   /// Forgets the past: the shaft stands where it is set to be, without load.
   void reset() noexcept;
 
+  /// @return whether the last step would have asked for more current than it may
+  [[nodiscard]] bool at_limit() const noexcept { return at_limit_; }
   /// @return what the regulator is, but for friction and what clips it
   [[nodiscard]] CompensationGains gains() const noexcept {
     return {alpha_, beta_, gain_, k_p_, k_v_, l_p_, l_v_, l_d_};
@@ -107,6 +112,7 @@ class CompensatingRegulator {
   double deflection_{};     // of Dahl's spring [increments]
   double bump_{};           // what is left of the difference from the regulator before
   double joined_pwm_{};     // its last duty cycle
+  bool at_limit_{};         // of the current, in the last step
   bool restarted_{true};    // position and speed are to be taken from the next measurement
   enum class Join : std::uint8_t { none, with_its_load, without };
   Join join_{Join::none};

@@ -1,4 +1,4 @@
-// How a motion ends when no command follows: the speed of the set point falls smoothly to zero.
+// Ends a motion that no command follows: the speed of the set point falls smoothly to zero.
 #pragma once
 
 namespace mrroc::edp {
@@ -24,6 +24,14 @@ constexpr double speed_ratio(int k, int n) noexcept {
 /// @return way of a whole stop of n steps, in steps of the initial speed: the sum of remaining_speed over
 ///         k = 1..n, which is (n - 1)/2 because the ramp is symmetric. Real-time safe
 constexpr double stopping_way(int n) noexcept { return 0.5 * (n - 1); }
+
+/// @return way of a stop of n steps up to its step k, in steps of the initial speed: the sum of remaining_speed over
+///         1..k, from the sums of squares and of cubes. Real-time safe
+constexpr double way_of_stop(int k, int n) noexcept {
+  const double sum = 0.5 * k * (k + 1);
+  return k - sum * (2 * k + 1) / (static_cast<double>(n) * n) +
+         2 * sum * sum / (static_cast<double>(n) * n * n);
+}
 
 /// @return way that is left of a stop of n steps after step k, in steps of the speed of step k; 0 for k >= n.
 ///         Real-time safe

@@ -9,8 +9,8 @@
 namespace mrroc::edp {
 namespace {
 
-/// Rise of the share of the gravity preload in a step once homing has found the positions: without a jolt.
-constexpr double kPreloadRise = 0.01;
+/// Rise of the share of the gravity feed-forward in a step once homing has found the positions: no jolt.
+constexpr double kGravityFeedForwardRise = 0.01;
 
 const DriverParameters& checked(const Robot& robot, const DriverParameters& p) {
   const auto demand = [](bool good, const char* what) {
@@ -34,8 +34,9 @@ const DriverParameters& checked(const Robot& robot, const DriverParameters& p) {
   demand(p.force.low_pass >= 0, "the corner of the force's low pass must not be negative");
   demand(!p.servo || Servo::known(p.servo->algorithm_no, p.servo->parameter_set_no),
          "there is no such servo algorithm or parameter set");
-  demand(p.force.patience >= 1, "the force patience must be at least 1");
+  demand(p.force.fault_after >= 1, "the number of bad forces must be at least 1");
   demand(is_usable(p.oscillation), "the bounds of an unstable contact must be positive, and in order");
+  demand(p.supervision.torque_steps >= 1, "the steps of full torque must be at least 1");
   demand(p.force.stuck_after >= 0, "the number of equal forces must not be negative");
   return p;
 }
@@ -50,7 +51,8 @@ Driver::Driver(const Robot& robot, const DriverParameters& parameters)
       generator_({&robot, parameters.limits, parameters.dt, parameters.stop_steps}, parameters.T_WE),
       oscillation_(parameters.oscillation, parameters.dt),
       servo_(robot, parameters.dt),
-      homing_(robot, parameters.homing, parameters.dt) {
+      homing_(robot, parameters.homing, parameters.dt),
+      torque_(parameters.supervision.torque_steps) {
   const AxisVector zero = AxisVector::Zero(robot.axes());
   measured_ = {zero, zero, p_.dt, {}, {}, {}};
   if (p_.gripper) {
@@ -66,43 +68,66 @@ Driver::Driver(const Robot& robot, const DriverParameters& parameters)
     servo_.select(k, parameters.servo->algorithm_no, parameters.servo->parameter_set_no);
 }
 
-bool Driver::at_rest() const noexcept {
+bool Driver::stands() const noexcept {
   return state_ == DriverState::not_synchronised || state_ == DriverState::ready ||
          state_ == DriverState::holding;
 }
 
 HardwareCommand Driver::step(const HardwareReading& reading) noexcept {
-  const bool stood = at_rest();  // the reading is of the time before this step
-  if (reply_due_) sample_count_ = 0;
-  reply_due_ = false;
+  const bool stood = stands();  // the reading is of the time before this step
   if (at_boundary()) begin_macrostep(reading);
   ++iota_;
-  currents_.add(reading.current);
+  reply_builder_.begin_step(reading);
   measure(reading);
+  watch_standstill();
   supervise(reading);
   adjust_force(reading, stood);
-  add_sample();
+  reply_builder_.add(measured_.T_0E, measured_.F_a);
   if (iota_ == n_Q_) answer(reading);
-  move();
-  if (reply_due_) complete_answer();
+  move(reading);
+  if (reply_builder_.due()) reply_builder_.complete(view(), answer_, protocol_);
   const HardwareCommand command = drive(reading);
   if (iota_ == n_) end_macrostep();
   ++steps_done_;
   return command;
 }
 
+DriverView Driver::view() const noexcept {
+  return {.robot = *robot_,
+          .generator = generator_,
+          .servo = servo_,
+          .gripper = gripper_ ? &*gripper_ : nullptr,
+          .model = model_,
+          .motors = measured_.motors,
+          .state = state_,
+          .fault = fault_,
+          .position_known = position_known_,
+          .at_rest = standstill_.at_rest()};
+}
+
+void Driver::answer(const HardwareReading& reading) noexcept {
+  reply_builder_.build(view(), answer_, protocol_, reading);
+  if (!answer_.replay && reply_builder_.reply().fault.code == fault_.code) fault_told_ = true;
+}
+
+void Driver::watch_standstill() noexcept {
+  const bool set_point_stands =
+      state_ != DriverState::homing && generator_.phase() == StepGenerator::MotionPhase::standing;
+  standstill_.step(last_step_, measured_.increment, commanded_until_, braked() || set_point_stands);
+}
+
 HardwareCommand Driver::drive(const HardwareReading& reading) noexcept {
   if (state_ == DriverState::holding || state_ == DriverState::not_synchronised)
-    held_steps_ = std::min(held_steps_ + 1, kBrakesCloseAfter + 1);
+    held_steps_ = std::min(held_steps_ + 1, kSettleAtGoal + 1);
   else if (state_ != DriverState::faulted)
     held_steps_ = 0;
   HardwareCommand command{};
   command.step = reading.step;
-  command.commanded_until = commanded_until_;
   command.outputs = outputs_;
   command.enabled = !braked();
   if (command.enabled) {
-    command.pwm = servo_.step(generator_.set_point().motor_increment, measured_.increment, preload());
+    command.pwm =
+        servo_.step(generator_.set_point().motor_increment, measured_.increment, gravity_feed_forward());
   } else {
     servo_.braked(measured_.increment);
   }
@@ -119,10 +144,10 @@ void Driver::drive_jaws(HardwareCommand& command) noexcept {
     gripper_->braked();
 }
 
-AxisVector Driver::preload() noexcept {
+AxisVector Driver::gravity_feed_forward() noexcept {
   if (!position_known_) return AxisVector::Zero(robot_->axes());
-  preload_share_ = std::min(1., preload_share_ + kPreloadRise);
-  return preload_share_ * robot_->gravity(generator_.set_point().axes.motors);
+  gravity_feed_forward_share_ = std::min(1., gravity_feed_forward_share_ + kGravityFeedForwardRise);
+  return gravity_feed_forward_share_ * robot_->gravity(generator_.set_point().axes.motors);
 }
 
 void Driver::begin_macrostep(const HardwareReading& reading) noexcept {
@@ -134,7 +159,13 @@ void Driver::begin_macrostep(const HardwareReading& reading) noexcept {
   n_ = p_.n_s;
   n_Q_ = std::max(1, p_.n_s - 1);
   if (!protocol_.owner()) fire(Event::abandoned);
-  if (state_ == DriverState::executing || state_ == DriverState::jogging) generator_.stop();
+  if (state_ == DriverState::executing || state_ == DriverState::jogging) {
+    // A motor that leaves its limit switch must not return towards it.
+    if (leaving_ != 0)
+      generator_.stop();
+    else
+      generator_.finish();
+  }
   fire(Event::silence);
 }
 
@@ -143,14 +174,14 @@ void Driver::end_macrostep() noexcept {
   taken_ = false;
   motion_event_.reset();
   answer_ = {};
-  const bool over = state_ != DriverState::faulted && generator_.motion() == StepGenerator::Motion::standing;
+  const bool over =
+      state_ != DriverState::faulted && generator_.phase() == StepGenerator::MotionPhase::standing;
   if (fault_ && fault_told_ && over) fault_ = {};
 }
 
 void Driver::measure(const HardwareReading& reading) noexcept {
   if (steps_done_ == 0) {
     encoders_.synchronise(reading, AxisVector::Zero(robot_->axes()));
-    last_step_ = reading.step - 1;
     last_encoder_ = reading.encoder;
   }
   const int axes = robot_->axes();
@@ -177,13 +208,13 @@ void Driver::home(const HardwareReading& reading) noexcept {
     encoders_.synchronise(reading, motors);
     set_position_known();
     generator_.stand_at(motors);
-    preload_share_ = 1;  // the brakes have held the arm until now
-    if (gripper_) gripper_->believe(p_.jaws, reading.encoder[static_cast<std::size_t>(robot_->axes())]);
+    gravity_feed_forward_share_ = 1;  // the brakes have held the arm until now
+    believe_jaws(reading);
     return;
   }
   if (!homing_.done())
     if (const std::optional<Fault> wrong = homing_.step(reading)) return trip(*wrong);
-  if (!homing_.done() || !home_jaws()) return;
+  if (!homing_.done() || !home_jaws(reading)) return;
   // The regulators go on without a jolt: the set point keeps its distance from the shafts.
   const AxisVector lag = generator_.set_point().axes.motors - encoders_.motors(reading);
   for (int k = 0; k < robot_->axes(); ++k)
@@ -192,7 +223,12 @@ void Driver::home(const HardwareReading& reading) noexcept {
   generator_.stand_at(encoders_.motors(reading) + lag);
 }
 
-bool Driver::home_jaws() noexcept {
+void Driver::believe_jaws(const HardwareReading& reading) noexcept {
+  if (gripper_) gripper_->believe(p_.jaws, reading.encoder[static_cast<std::size_t>(robot_->axes())]);
+}
+
+bool Driver::home_jaws(const HardwareReading& reading) noexcept {
+  if (p_.jaws_known) believe_jaws(reading);
   if (!gripper_ || gripper_->known()) return true;
   if (!gripper_->homing()) gripper_->start_homing();
   return false;
@@ -234,7 +270,7 @@ void Driver::adjust_force(const HardwareReading& reading, bool stood) noexcept {
   const ForceSensor::Health health = force_.take(reading.S_F_m, stood);
   if (!position_known_ && braked()) return;
   if (state_ != DriverState::faulted)
-    if (const std::optional<Fault> wrong = sensor_fault(health, force_.complaint())) trip(*wrong);
+    if (const std::optional<Fault> wrong = sensor_fault(health, force_.diagnostic())) trip(*wrong);
   if (!position_known_) return;
   if (bias_pending_) force_.bias(measured_.T_0W.R);
   bias_pending_ = false;
@@ -242,7 +278,22 @@ void Driver::adjust_force(const HardwareReading& reading, bool stood) noexcept {
   measured_.F_a = xi_F(generator_.tool_inverse(), force_.adjusted(measured_.T_0W.R));
 }
 
-void Driver::move() noexcept {
+std::optional<Fault> Driver::relieve(const HardwareReading& reading) noexcept {
+  if (!moves()) {
+    torque_.forget();
+    return {};
+  }
+  std::optional<Fault> heavy =
+      torque_.step(*robot_, reading, servo_.at_limit(), measured_.increment, measured_.time);
+  if (heavy) stand_where_measured();
+  return heavy;
+}
+
+void Driver::move(const HardwareReading& reading) noexcept {
+  if (const std::optional<Fault> heavy = relieve(reading)) {
+    fire(Event::failed);
+    fail(*heavy);
+  }
   const AxisSet watched = state_ == DriverState::executing ? force_axes_ : AxisSet();
   if (const std::optional<Fault> swings = oscillation_.step(measured_.F_a, watched)) {
     generator_.stop();
@@ -250,21 +301,24 @@ void Driver::move() noexcept {
     fail(*swings);
   }
   if (state_ == DriverState::homing) return generator_.shift(homing_.increment());
-  if (state_ != DriverState::executing && state_ != DriverState::decelerating &&
-      state_ != DriverState::jogging)
-    return;
+  if (!moves()) return;
   if (const std::optional<Fault> wrong = generator_.step(measured_.F_a)) {
     fire(Event::failed);
     fail(*wrong);
   }
-  if (state_ != DriverState::executing && generator_.motion() == StepGenerator::Motion::standing)
+  if (state_ != DriverState::executing && generator_.phase() == StepGenerator::MotionPhase::standing)
     fire(Event::stood);
 }
 
 void Driver::trip(const Fault& fault) noexcept {
   fire(Event::trip);
-  held_steps_ = kBrakesCloseAfter + 1;
+  held_steps_ = kSettleAtGoal + 1;
   fail(fault);
+}
+
+void Driver::drop_owner() noexcept {
+  protocol_.drop_owner();
+  if (moves()) generator_.stop();
 }
 
 void Driver::fail(const Fault& fault) noexcept {

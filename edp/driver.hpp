@@ -8,33 +8,27 @@
 #include "base/effector_command.hpp"
 #include "base/hardware.hpp"
 #include "edp/automaton.hpp"
-#include "edp/current_meter.hpp"
 #include "edp/driver_parameters.hpp"
 #include "edp/encoders.hpp"
 #include "edp/force_sensor.hpp"
 #include "edp/homing.hpp"
 #include "edp/oscillation.hpp"
 #include "edp/protocol.hpp"
+#include "edp/reply_builder.hpp"
 #include "edp/robot.hpp"
 #include "edp/servo.hpp"
+#include "edp/standstill_detector.hpp"
 #include "edp/step_generator.hpp"
+#include "edp/torque_watch.hpp"
 
 namespace mrroc::edp {
-
-/// What was measured in one step.
-struct MeasuredStep {
-  Pose T_0E;   ///< measured
-  Wrench F_a;  ///< adjusted force in E
-  /// @return the same as messages have it
-  [[nodiscard]] StepSample sample() const noexcept;
-};
 
 /// Effector driver of one robot.
 ///
 /// Macrosteps follow one another without a gap. Each begins at a boundary; there the command for it is taken,
 /// if there is one, and it then lasts n_s steps of that command, and one passive step more, in which the set
 /// point stands, when n_Q = n_s + 1. Without a SET ARM command it lasts DriverParameters::n_s steps, and the
-/// arm comes to rest and holds.
+/// arm comes to rest and holds: at the goal of its motion, when that was a position (docs/timing.md, Arriving).
 ///
 /// The shell's loop:
 ///
@@ -42,7 +36,7 @@ struct MeasuredStep {
 ///     send(driver.step(reading));
 ///     if (driver.reply_due()) publish(driver.reply(), driver.samples());
 ///
-/// What is legal in which state, and what it leads to, says the table in edp/automaton.hpp. The drives brake
+/// The table in edp/automaton.hpp says which command is legal in which state, and what follows from it. The drives brake
 /// in not_synchronised and faulted, and in holding once the arm is at rest; in all other states they follow
 /// the set point.
 ///
@@ -54,18 +48,23 @@ struct MeasuredStep {
 /// A refused command changes nothing: the macrostep goes on as if it had not come. A macrostep that cannot be
 /// executed to its end (a limit, a singularity, too fast) brings the arm to rest and ends in the verdict
 /// failed with a non-fatal fault; SET ARM is refused with that fault until the arm holds and the fault has
-/// been told in a reply. A malfunction (over-current, over-speed, following error, limit switch, force
-/// sensor) is a fatal fault: the drives brake, and only reset leads on, from the measured pose. A motor whose
-/// limit switch is pressed then may move away from it, and no farther.
+/// been told in a reply. A motion that asks a motor for more torque than it may give, for longer than
+/// SupervisionParameters::torque_steps, ends likewise (excessive_torque), but at once and where the arm is: what it
+/// pushes against is relieved, and the next motion begins at the measured pose.
+///
+/// A malfunction (over-current, over-speed, following error, limit switch, force sensor) is a fatal fault: the drives
+/// brake, and only reset leads on, from the measured pose. A motor whose limit switch is pressed then may move away from
+/// it, and no farther.
 ///
 /// take() and step() are real-time safe: no allocation, no lock, no exception.
 class Driver {
  public:
-  /// Most samples that samples() gives: the newest.
-  static constexpr std::size_t kMaxSamples = 32;
   /// Steps that a stopped arm is held by its regulators before the brakes close. They alone bring it to rest:
   /// the regulators answer the edges of the encoders with jolts of a millimetre per second.
   static constexpr int kBrakesCloseAfter = 15;
+  /// The same of an arm that has been told where to come to rest: until then the regulators have made up for what the
+  /// motion has left, some 0.2 mm at 0.2 m/s.
+  static constexpr int kSettleAtGoal = 60;
 
   /// @param robot must live longer than the driver
   /// @throw FaultError bad_configuration when a parameter makes no sense, with its name
@@ -83,34 +82,43 @@ class Driver {
 
   /// @return whether the next step begins a macrostep
   [[nodiscard]] bool at_boundary() const noexcept { return iota_ == 0; }
+  /// @return steps of the macrostep that lasts or has just ended: of its command, or of one without a command
+  [[nodiscard]] int macrostep_steps() const noexcept { return n_ > 0 ? n_ : p_.n_s; }
   /// @return whether the step just done was n_Q: reply() is new. So once in every macrostep
-  [[nodiscard]] bool reply_due() const noexcept { return reply_due_; }
+  [[nodiscard]] bool reply_due() const noexcept { return reply_builder_.due(); }
   /// @return whether motor positions are known
   [[nodiscard]] bool synchronised() const noexcept { return position_known_; }
   /// @return the last reply. Its number is 0 and its verdict none when there was no command; measured pose,
   ///         force, state and the robot model are always there, and the fault that stands, if any. To a repeated command and
   ///         to QUERY it is the reply stored then. Its macrostep is 0: the shell stamps it.
-  [[nodiscard]] const EffectorReply& reply() const noexcept { return reply_; }
+  [[nodiscard]] const EffectorReply& reply() const noexcept { return reply_builder_.reply(); }
   /// @return readings of all steps since the reply before, the last one at the end; valid until the next step
-  [[nodiscard]] std::span<const MeasuredStep> samples() const noexcept {
-    return {samples_.data(), sample_count_};
-  }
+  [[nodiscard]] std::span<const MeasuredStep> samples() const noexcept { return reply_builder_.samples(); }
   /// @return after the last step
   [[nodiscard]] DriverState state() const noexcept { return state_; }
+  /// @return when the motors moved last, and whether the robot is at rest
+  [[nodiscard]] const StandstillDetector& standstill() const noexcept { return standstill_; }
+  /// @return first step after the last commanded macrostep; 0: there was none
+  [[nodiscard]] std::int64_t commanded_until() const noexcept { return commanded_until_; }
   /// @return the fault that stands: fatal, or non-fatal and not yet told; code none when there is none
   [[nodiscard]] const Fault& fault() const noexcept { return fault_; }
   /// @return the set point: pose T_c, joints, motors. Meaningful when synchronised
   [[nodiscard]] const SetPoint& set_point() const noexcept { return generator_.set_point(); }
-  /// @return who holds the driver and which number comes next
+  /// @return which process holds the driver and which number comes next
   [[nodiscard]] const Protocol& protocol() const noexcept { return protocol_; }
-  /// The owner of the session is dead: the driver is free for another one.
-  void drop_owner() noexcept { protocol_.drop_owner(); }
+  /// @return whether it has an owner, and that is another session
+  [[nodiscard]] bool owned_by_another(std::int64_t session) const noexcept {
+    return protocol_.owner() && *protocol_.owner() != session;
+  }
+  /// The owner of the session is dead, or the operator stops the system: the driver is free for another owner, and the
+  /// arm comes to rest where it can, not at a goal. Call it at a boundary.
+  void drop_owner() noexcept;
   /// A malfunction that the shell has found, emergency_stop for instance: the drives brake from the next step
   /// on, and the driver is faulted until it is reset. Call it between steps.
   void trip(const Fault& fault) noexcept;
 
  private:
-  /// What is measured in a step.
+  /// Measurements of a step.
   struct Measured {
     AxisVector motors;     // [rad]
     AxisVector increment;  // since the step before [encoder increments]
@@ -118,19 +126,6 @@ class Driver {
     Pose T_0W;
     Pose T_0E;
     Wrench F_a;  // in E
-  };
-  /// What the command of the present macrostep has come to.
-  struct Answer {
-    std::int64_t session{};
-    std::int64_t number{};
-    Verdict verdict{Verdict::none};
-    Fault fault{};
-    std::uint8_t parts{};  // what was got
-    Representation representation{Representation::frame};
-    Representation tool_representation{Representation::frame};
-    Feedback feedback{Feedback::measured};
-    bool replay{};  // the stored reply is the answer
-    bool store{};   // the reply is to be stored
   };
 
   [[nodiscard]] std::optional<Fault> execute(const EffectorCommand& command) noexcept;
@@ -145,27 +140,31 @@ class Driver {
   void end_macrostep() noexcept;
   void measure(const HardwareReading& reading) noexcept;
   void home(const HardwareReading& reading) noexcept;
-  [[nodiscard]] bool home_jaws() noexcept;
+  void believe_jaws(const HardwareReading& reading) noexcept;
+  [[nodiscard]] bool home_jaws(const HardwareReading& reading) noexcept;
   void set_position_known() noexcept;
   void drive_jaws(HardwareCommand& command) noexcept;
   void reset() noexcept;
   void supervise(const HardwareReading& reading) noexcept;
   void adjust_force(const HardwareReading& reading, bool stood) noexcept;
-  void add_sample() noexcept;
+  [[nodiscard]] DriverView view() const noexcept;
   void answer(const HardwareReading& reading) noexcept;
-  // What is set in step n_Q, which is known after its motion only; what is measured stays that of its beginning.
-  void complete_answer() noexcept;
-  void move() noexcept;
-  // [rad, m]; 0 while the positions of the motors are not known.
-  [[nodiscard]] AxisVector measured_joints() const noexcept;
-  void report_pose(EffectorReply& reply) const noexcept;
-  void report_model(EffectorReply& reply) const noexcept;
+  void move(const HardwareReading& reading) noexcept;
+  // Whether the motion has asked a motor for too much torque for too long; then the set point stands where the arm is.
+  [[nodiscard]] std::optional<Fault> relieve(const HardwareReading& reading) noexcept;
+  [[nodiscard]] bool moves() const noexcept {
+    return state_ == DriverState::executing || state_ == DriverState::decelerating ||
+           state_ == DriverState::jogging;
+  }
   void stand_where_measured() noexcept;
   void fail(const Fault& fault) noexcept;
-  [[nodiscard]] AxisVector preload() noexcept;
+  [[nodiscard]] AxisVector gravity_feed_forward() noexcept;
   [[nodiscard]] HardwareCommand drive(const HardwareReading& reading) noexcept;
-  [[nodiscard]] bool at_rest() const noexcept;
-  [[nodiscard]] bool braked() const noexcept { return held_steps_ > kBrakesCloseAfter; }
+  [[nodiscard]] bool stands() const noexcept;
+  void watch_standstill() noexcept;
+  [[nodiscard]] bool braked() const noexcept {
+    return held_steps_ > (generator_.at_goal() ? kSettleAtGoal : kBrakesCloseAfter);
+  }
 
   const Robot* robot_;
   DriverParameters p_;
@@ -177,13 +176,15 @@ class Driver {
   Homing homing_;
   std::optional<Gripper> gripper_;
   Protocol protocol_;
-  CurrentMeter currents_;
+  ReplyBuilder reply_builder_;
+  TorqueWatch torque_;
+  StandstillDetector standstill_;
   RobotModel model_;  // what was set last; the tool is the generator's
   std::uint16_t outputs_{};
 
   DriverState state_{DriverState::not_synchronised};
   bool position_known_{};
-  double preload_share_{};  // of the gravity preload that the servo is told
+  double gravity_feed_forward_share_{};  // of the gravity feed-forward that the servo is told
   Fault fault_{};
   bool fault_told_{};  // in a reply
   Measured measured_;
@@ -191,9 +192,9 @@ class Driver {
   std::int64_t last_step_{};
   std::int64_t steps_done_{};
 
-  int held_steps_{kBrakesCloseAfter + 1};  // since the arm came to rest
-  int iota_{};                             // step of the macrostep, 1..n_; 0 at a boundary
-  int n_{};                                // steps of the macrostep with the passive one
+  int held_steps_{kSettleAtGoal + 1};  // since the arm came to rest
+  int iota_{};                         // step of the macrostep, 1..n_; 0 at a boundary
+  int n_{};                            // steps of the macrostep with the passive one
   int n_Q_{};
   std::int64_t commanded_until_{};
 
@@ -203,12 +204,7 @@ class Driver {
   std::uint8_t leaving_{};  // motors whose limit switch has been pressed since the last reset
   bool bias_pending_{};
   AxisSet force_axes_;  // of the last SET ARM
-  Answer answer_;
-
-  EffectorReply reply_{};
-  bool reply_due_{};
-  std::array<MeasuredStep, kMaxSamples> samples_{};
-  std::size_t sample_count_{};
+  Answer answer_;       // to the command of the present macrostep
 };
 
 }  // namespace mrroc::edp

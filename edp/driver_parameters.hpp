@@ -23,21 +23,24 @@ struct ForceSensorParameters {
   int average{1};  ///< readings in the moving average, 1..4. The original took 2; a reading here is already
                    ///< the mean over its step, and every further one delays the force and costs stable
                    ///< stiffness of contact (docs/stability.md)
-  double low_pass{};  ///< corner of a first-order filter behind the average [Hz], 0: none. It costs stable
-                      ///< stiffness too
-  int patience{3};    ///< bad readings (absent, not finite, saturated) in succession that are a fault; until
-                      ///< then the last good one stands, so that one shock does not stop a task
-  int stuck_after{};  ///< equal readings of one component in succession that are a fault, 0: readings come
-                      ///< without noise and may be equal for ever
+  double low_pass{};   ///< corner of a first-order filter behind the average [Hz], 0: none. It costs stable
+                       ///< stiffness too
+  int fault_after{3};  ///< bad readings (absent, not finite, saturated) in succession that are a fault; until
+                       ///< then the last good one stands, so that one shock does not stop a task
+  int stuck_after{};   ///< equal readings of one component in succession that are a fault, 0: readings come
+                       ///< without noise and may be equal for ever
 };
 
 /// When the supervision of the drives calls a fault.
 struct SupervisionParameters {
   double over_speed{1.25};      ///< measured motor speed, as a multiple of AxisProperties::max_motor_speed
   double following_error{1.5};  ///< set minus measured motor position [rad] of the shaft
+  /// Steps in succession in which a motor that moves the arm may give all the torque that its drive, or its regulator,
+  /// allows without gaining speed, >= 1: a jump of the set velocity takes some.
+  int torque_steps{25};
 };
 
-/// What SYNCHRO does.
+/// Action of SYNCHRO.
 enum class Synchronisation : std::uint8_t {
   known_pose,  ///< believes that the arm stands at synchro_joints: nothing moves
   homing       ///< looks for the switches and zero marks of all axes (edp/homing.hpp)
@@ -58,6 +61,7 @@ struct HomingParameters {
   int ramp_steps{10};                       ///< of a change between rest and the coarse speed
   int standstill_steps{250};                ///< on the switch
   int settle_steps{25};                     ///< after the zero mark
+  bool returns{};  ///< when all positions are known the arm goes back to where it stood before
 };
 
 /// Everything that a Driver must know beyond its robot.
@@ -73,7 +77,11 @@ struct DriverParameters {
                               ///< for known_pose
   HomingParameters homing;    ///< for Synchronisation::homing
   std::optional<GripperParameters> gripper;  ///< none: the robot has no motor-driven jaws
-  double jaws{0.074};                 ///< distance at which SYNCHRO finds the jaws [m]. Only for known_pose
+  double jaws{0.074};  ///< distance at which SYNCHRO finds the jaws [m]. Only for known_pose
+                       ///< and for jaws_known
+  bool
+      jaws_known{};  ///< an arm that is homed believes `jaws`, as with known_pose: a hand that holds something must not
+                     ///< open its jaws to find their stop
   Pose T_WE;                          ///< tool in the wrist until SET ROBOT_MODEL says otherwise
   ForceSensorParameters force;        ///< of the sensor in the wrist
   Limits limits;                      ///< of commands and set points

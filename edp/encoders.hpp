@@ -1,4 +1,4 @@
-// From encoder counts to motor positions.
+// Converts encoder counts to motor positions.
 #pragma once
 #include "base/hardware.hpp"
 #include "edp/robot.hpp"

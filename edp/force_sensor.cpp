@@ -38,20 +38,20 @@ Wrench ForceSensor::mean_with(const Wrench& S_F_m) noexcept {
 
 ForceSensor::Health ForceSensor::judge(const Wrench& S_F_m) noexcept {
   const auto is_nan = [](double x) { return std::isnan(x); };
-  if (std::ranges::all_of(S_F_m.v, is_nan)) return run_out_of_patience(Health::silent, {-1, S_F_m.v[0], 0});
+  if (std::ranges::all_of(S_F_m.v, is_nan)) return count_bad(Health::silent, {-1, S_F_m.v[0], 0});
   for (const Axis a : kAxes) {
     if (std::abs(S_F_m[a]) < p_.range[a]) continue;  // false for NaN
     const Health health = std::isfinite(S_F_m[a]) ? Health::saturated : Health::not_finite;
-    return run_out_of_patience(health, {static_cast<int>(a), S_F_m[a], p_.range[a]});
+    return count_bad(health, {static_cast<int>(a), S_F_m[a], p_.range[a]});
   }
   bad_in_succession_ = 0;
   return stuck(S_F_m) ? Health::stuck : Health::good;
 }
 
-ForceSensor::Health ForceSensor::run_out_of_patience(Health health, const Complaint& complaint) noexcept {
-  complaint_ = complaint;
-  if (bad_in_succession_ < p_.patience) ++bad_in_succession_;
-  return bad_in_succession_ < p_.patience ? Health::skipped : health;
+ForceSensor::Health ForceSensor::count_bad(Health health, const SensorDiagnostic& diagnostic) noexcept {
+  diagnostic_ = diagnostic;
+  if (bad_in_succession_ < p_.fault_after) ++bad_in_succession_;
+  return bad_in_succession_ < p_.fault_after ? Health::skipped : health;
 }
 
 bool ForceSensor::stuck(const Wrench& S_F_m) noexcept {
@@ -62,7 +62,7 @@ bool ForceSensor::stuck(const Wrench& S_F_m) noexcept {
     unchanged = S_F_m[a] == last_[a] ? std::min(unchanged + 1, p_.stuck_after) : 0;
     if (found || unchanged < p_.stuck_after) continue;
     found = true;
-    complaint_ = {static_cast<int>(a), S_F_m[a], static_cast<double>(p_.stuck_after)};
+    diagnostic_ = {static_cast<int>(a), S_F_m[a], static_cast<double>(p_.stuck_after)};
   }
   last_ = S_F_m;
   return found;
@@ -91,11 +91,10 @@ Wrench ForceSensor::adjusted(const Matrix3& R_0W) const noexcept {
   return -(xi_F(p_.T_WS, S_F_m_ - S_F_0_) - gravity(R_0W) - W_F_r_);
 }
 
-std::optional<Fault> sensor_fault(ForceSensor::Health health,
-                                  const ForceSensor::Complaint& complaint) noexcept {
+std::optional<Fault> sensor_fault(ForceSensor::Health health, const SensorDiagnostic& diagnostic) noexcept {
   using Health = ForceSensor::Health;
   const auto fault = [&](FaultCode code, std::string_view text) {
-    return make_fault(code, text, complaint.component, complaint.value, complaint.limit);
+    return make_fault(code, text, diagnostic.component, diagnostic.value, diagnostic.limit);
   };
   switch (health) {
     case Health::good:

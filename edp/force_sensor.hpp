@@ -1,4 +1,4 @@
-// Adjusted force: what the end effector exerts on its surroundings, freed from the tool's weight.
+// Adjusted force: the force of the end effector on its surroundings, without the tool's weight.
 // MG 8.2, eq. (44), (45).
 #pragma once
 #include <array>
@@ -10,6 +10,13 @@
 
 namespace mrroc::edp {
 
+/// Error of a reading of the force sensor.
+struct SensorDiagnostic {
+  int component{};  ///< 0..5, along and about the axes of S; -1: all
+  double value{};   ///< [N], [N m]
+  double limit{};   ///< [N], [N m]; of a stuck component the number of equal readings allowed
+};
+
 /// Force/torque sensor in the wrist. Frames: W wrist, S sensor, G mass centre of the tool (orientation of W).
 /// The raw reading is the external load on the tool side of the sensor, gravity and surroundings, in S.
 /// Real-time safe.
@@ -19,9 +26,9 @@ class ForceSensor {
   enum class Health : std::uint8_t {
     good,        ///< the reading is used
     skipped,     ///< a bad reading was left out, the last good one stands
-    silent,      ///< no component is a number for longer than the patience: there is no sensor
-    not_finite,  ///< a component is not finite for longer than the patience
-    saturated,   ///< a component is at the end of its range for longer than the patience
+    silent,      ///< no component is a number in fault_after readings in succession: there is no sensor
+    not_finite,  ///< a component is not finite in fault_after readings in succession
+    saturated,   ///< a component is at the end of its range in fault_after readings in succession
     stuck,       ///< a component has not changed for stuck_after readings, not even by noise
   };
   /// Readings at rest of which the bias is the mean; when the arm has stood for a shorter time, of those that
@@ -36,14 +43,8 @@ class ForceSensor {
   /// @param at_rest the arm stands still; readings of a moving arm do not count for the bias
   Health take(const Wrench& S_F_m, bool at_rest) noexcept;
 
-  /// What was wrong with a reading.
-  struct Complaint {
-    int component{};  ///< 0..5, along and about the axes of S; -1: all
-    double value{};   ///< [N], [N m]
-    double limit{};   ///< [N], [N m]; of a stuck component the number of equal readings allowed
-  };
   /// @return what was wrong with the last bad reading
-  [[nodiscard]] const Complaint& complaint() const noexcept { return complaint_; }
+  [[nodiscard]] const SensorDiagnostic& diagnostic() const noexcept { return diagnostic_; }
 
   /// Weight and mass centre of everything beyond the sensor; bias() must follow, the old one is void.
   /// @param w [N], >= 0  @param P W_G P [m], in W
@@ -61,7 +62,7 @@ class ForceSensor {
  private:
   [[nodiscard]] Wrench gravity(const Matrix3& R_0W) const noexcept;
   [[nodiscard]] Health judge(const Wrench& S_F_m) noexcept;
-  [[nodiscard]] Health run_out_of_patience(Health health, const Complaint& complaint) noexcept;
+  [[nodiscard]] Health count_bad(Health health, const SensorDiagnostic& diagnostic) noexcept;
   [[nodiscard]] bool stuck(const Wrench& S_F_m) noexcept;
   [[nodiscard]] Wrench mean_with(const Wrench& S_F_m) noexcept;
 
@@ -75,7 +76,7 @@ class ForceSensor {
   int bad_in_succession_{};
   Wrench last_{};
   std::array<int, 6> unchanged_{};  // readings since a component changed
-  Complaint complaint_{};
+  SensorDiagnostic diagnostic_{};
   std::array<Wrench, kBiasWindow> at_rest_{};
   std::size_t at_rest_count_{};
   bool was_at_rest_{};
@@ -83,6 +84,6 @@ class ForceSensor {
 
 /// @return the fatal fault that a health is, naming the component; nothing for good and skipped. Real-time safe
 [[nodiscard]] std::optional<Fault> sensor_fault(ForceSensor::Health health,
-                                                const ForceSensor::Complaint& complaint) noexcept;
+                                                const SensorDiagnostic& diagnostic) noexcept;
 
 }  // namespace mrroc::edp

@@ -47,7 +47,7 @@ Fault beyond(const Range& legal, double start, double end, int axis, std::string
   return make_fault(FaultCode::joint_limit, text, axis, end, below ? legal.lower : legal.upper);
 }
 
-Objection check_row(const AxisCommand& row, Axis axis, double largest_force, const Limits& limits) {
+ValidationError check_row(const AxisCommand& row, Axis axis, double largest_force, const Limits& limits) {
   const int k = static_cast<int>(axis);
   if (!known(row.b, Behaviour::contact)) return unknown("behaviour", static_cast<double>(row.b));
   for (const double number : {row.force, row.velocity, row.inertia, row.mobility})
@@ -56,24 +56,26 @@ Objection check_row(const AxisCommand& row, Axis axis, double largest_force, con
   if (!within(a.force, largest_force))
     return make_fault(FaultCode::out_of_limits, "F_d [N], [N m]", k, a.force, largest_force);
   if (!between_0_and(limits.inertia, a.inertia))
-    return make_fault(FaultCode::out_of_limits, "I [kg], [kg m^2]", k, a.inertia, limits.inertia);
+    return make_fault(FaultCode::out_of_limits, "I [kg], [kg m^2], 0 to the limit", k, a.inertia,
+                      limits.inertia);
   if (!between_0_and(limits.mobility, a.mobility))
-    return make_fault(FaultCode::out_of_limits, "B [s/kg], [s/(kg m^2)]", k, a.mobility, limits.mobility);
+    return make_fault(FaultCode::out_of_limits, "B [s/kg], [s/(kg m^2)], 0 to the limit", k, a.mobility,
+                      limits.mobility);
   return {};
 }
 
-Objection check_rows(const ArmCommand& command, const Limits& limits) {
+ValidationError check_rows(const ArmCommand& command, const Limits& limits) {
   Twist free_motion;
   for (const Axis axis : kAxes) {
     const AxisCommand& row = command.frame[axis];
-    if (const Objection wrong = check_row(row, axis, limits.force[axis], limits)) return wrong;
+    if (const ValidationError wrong = check_row(row, axis, limits.force[axis], limits)) return wrong;
     const bool pose = command.mu == Interpolation::tcim_pose;  // its velocity is computed, not commanded
     free_motion[axis] = row.b == Behaviour::contact ? row.mobility * row.force : pose ? 0 : row.velocity;
   }
   return check_velocity(free_motion, limits);
 }
 
-Objection check_pose(const ArmCommand& command, int axes) {
+ValidationError check_pose(const ArmCommand& command, int axes) {
   const Representation r = command.representation;
   if (!known(r, Representation::xyz_angle_axis)) return unknown("representation", static_cast<double>(r));
   if (!known(command.reference, Reference::relative))
@@ -100,7 +102,7 @@ Fault make_fault(FaultCode code, std::string_view text, int axis, double value, 
   return fault;
 }
 
-Objection check_form(const EffectorCommand& command) noexcept {
+ValidationError check_form(const EffectorCommand& command) noexcept {
   if (!known(command.instruction, Instruction::release))
     return unknown("instruction", static_cast<double>(command.instruction));
   const bool sets = command.instruction == Instruction::set || command.instruction == Instruction::set_get;
@@ -123,7 +125,7 @@ Objection check_form(const EffectorCommand& command) noexcept {
   return {};
 }
 
-Objection check_arm(const ArmCommand& command, int axes, const Limits& limits) noexcept {
+ValidationError check_arm(const ArmCommand& command, int axes, const Limits& limits) noexcept {
   if (!known(command.mu, Interpolation::tcim_velocity))
     return unknown("interpolation", static_cast<double>(command.mu));
   if (command.n_s < 1 || command.n_s > kMaxSteps)
@@ -133,12 +135,12 @@ Objection check_arm(const ArmCommand& command, int axes, const Limits& limits) n
   if (!std::isfinite(command.gripper))
     return make_fault(FaultCode::not_finite, "distance of the jaws [m]", -1, command.gripper);
   if (command.mu != Interpolation::tcim_velocity)
-    if (const Objection wrong = check_pose(command, axes)) return wrong;
+    if (const ValidationError wrong = check_pose(command, axes)) return wrong;
   if (command.mu != Interpolation::mim) return check_rows(command, limits);
   return {};
 }
 
-Objection check_model(const RobotModel& model, const Robot& robot, const Limits& limits) noexcept {
+ValidationError check_model(const RobotModel& model, const Robot& robot, const Limits& limits) noexcept {
   if (model.set_kinematic_model && robot.with_model(model.kinematic_model) == nullptr)
     return make_fault(FaultCode::unknown_model, "KINEMATIC_MODEL", -1, model.kinematic_model,
                       robot.models() - 1);
@@ -163,7 +165,8 @@ Objection check_model(const RobotModel& model, const Robot& robot, const Limits&
   }
   if (model.set_force_tool) {
     if (!between_0_and(limits.weight, model.weight))
-      return make_fault(FaultCode::out_of_limits, "weight of the tool [N]", -1, model.weight, limits.weight);
+      return make_fault(FaultCode::out_of_limits, "weight of the tool [N], 0 to the limit", -1, model.weight,
+                        limits.weight);
     const double lever = Vector3(model.mass_centre[0], model.mass_centre[1], model.mass_centre[2]).norm();
     if (!within(lever, limits.lever))
       return make_fault(FaultCode::out_of_limits, "distance of the mass centre [m]", -1, lever, limits.lever);
@@ -171,19 +174,20 @@ Objection check_model(const RobotModel& model, const Robot& robot, const Limits&
   return {};
 }
 
-Objection check_velocity(const Twist& v, const Limits& limits) noexcept {
-  const auto check = [](const Vector3& part, double limit, int first, std::string_view text) -> Objection {
+ValidationError check_velocity(const Twist& v, const Limits& limits) noexcept {
+  const auto check = [](const Vector3& part, double limit, int first,
+                        std::string_view text) -> ValidationError {
     if (no_longer_than(part, limit)) return {};
     int worst{};
     part.cwiseAbs().maxCoeff(&worst);
     return make_fault(FaultCode::too_fast, text, first + worst, part.norm(), limit);
   };
-  if (const Objection wrong = check(v.linear(), limits.linear_velocity, 0, "speed [m/s]")) return wrong;
+  if (const ValidationError wrong = check(v.linear(), limits.linear_velocity, 0, "speed [m/s]")) return wrong;
   return check(v.angular(), limits.angular_velocity, 3, "speed [rad/s]");
 }
 
-Objection check_range(const Robot& robot, const AxisPositions& from, const AxisPositions& to,
-                      double stop_way) noexcept {
+ValidationError check_range(const Robot& robot, const AxisPositions& from, const AxisPositions& to,
+                            double stop_way) noexcept {
   const int axes = robot.axes();
   for (int k = 0; k < axes; ++k) {
     const AxisProperties& axis = robot.axis(k);
@@ -230,8 +234,8 @@ bool AxisRanges::allow(const AxisVector& before, const AxisVector& after) const 
   return allowed;
 }
 
-Objection check_motor_speed(const Robot& robot, const AxisVector& from, const AxisVector& to,
-                            double time) noexcept {
+ValidationError check_motor_speed(const Robot& robot, const AxisVector& from, const AxisVector& to,
+                                  double time) noexcept {
   const int axes = robot.axes();
   for (int k = 0; k < axes; ++k) {
     const double speed = std::abs(to[k] - from[k]) / time;
@@ -242,8 +246,8 @@ Objection check_motor_speed(const Robot& robot, const AxisVector& from, const Ax
   return {};
 }
 
-Objection check_motor_acceleration(const AxisVector& before, const AxisVector& after, double dt,
-                                   const Limits& limits) noexcept {
+ValidationError check_motor_acceleration(const AxisVector& before, const AxisVector& after, double dt,
+                                         const Limits& limits) noexcept {
   for (int k = 0; k < after.size(); ++k) {
     const double a = std::abs(after[k] - before[k]) / dt;
     if (!(a <= limits.motor_acceleration * (1 + kRounding)))
@@ -253,22 +257,23 @@ Objection check_motor_acceleration(const AxisVector& before, const AxisVector& a
   return {};
 }
 
-Objection check_acceleration(const Twist& before, const Twist& after, double dt,
-                             const Limits& limits) noexcept {
+ValidationError check_acceleration(const Twist& before, const Twist& after, double dt,
+                                   const Limits& limits) noexcept {
   const auto check = [dt](const Vector3& change, double limit, int first,
-                          std::string_view text) -> Objection {
+                          std::string_view text) -> ValidationError {
     if (no_longer_than(change, limit * dt)) return {};
     int worst{};
     change.cwiseAbs().maxCoeff(&worst);
     return make_fault(FaultCode::excessive_acceleration, text, first + worst, change.norm() / dt, limit);
   };
   const Twist change = after - before;
-  if (const Objection wrong = check(change.linear(), limits.linear_acceleration, 0, "acceleration [m/s^2]"))
+  if (const ValidationError wrong =
+          check(change.linear(), limits.linear_acceleration, 0, "acceleration [m/s^2]"))
     return wrong;
   return check(change.angular(), limits.angular_acceleration, 3, "acceleration [rad/s^2]");
 }
 
-Objection check_workspace(const Pose& from, const Pose& to, const Limits& limits) noexcept {
+ValidationError check_workspace(const Pose& from, const Pose& to, const Limits& limits) noexcept {
   if (!limits.workspace) return {};
   for (int k = 0; k < 3; ++k) {
     const double lower = limits.workspace->lower[k];
@@ -281,7 +286,7 @@ Objection check_workspace(const Pose& from, const Pose& to, const Limits& limits
   return {};
 }
 
-Objection check_contact_force(const Wrench& F_a, const Twist& v, const Limits& limits) noexcept {
+ValidationError check_contact_force(const Wrench& F_a, const Twist& v, const Limits& limits) noexcept {
   for (const Axis a : kAxes)
     if (std::abs(F_a[a]) > limits.contact_force[a] && F_a[a] * v[a] > 0)
       return make_fault(FaultCode::force_limit, "contact force [N], [N m]", static_cast<int>(a), F_a[a],

@@ -25,11 +25,12 @@ bool is_set(std::uint8_t switches, AxisSwitch which) {
 }  // namespace
 
 Homing::Homing(const Robot& robot, const HomingParameters& parameters, double dt) noexcept
-    : robot_(&robot), p_(parameters), dt_(dt), increment_(AxisVector::Zero(robot.axes())) {}
+    : robot_(&robot), p_(parameters), dt_(dt), increment_(AxisVector::Zero(robot.axes())), way_(increment_) {}
 
 void Homing::start() noexcept {
-  axes_done_ = 0;
+  axes_done_ = axes_back_ = 0;
   speed_ = 0;
+  way_.setZero();
   enter(Phase::begin);
 }
 
@@ -44,8 +45,13 @@ std::optional<Fault> Homing::step(const HardwareReading& reading) noexcept {
         phase_ == Phase::search ? FaultCode::synchro_switch_missing : FaultCode::synchro_switch_stuck,
         range());
   ++steps_;
+  if (phase_ == Phase::back) {
+    go_back();
+    return {};
+  }
   if (std::optional<Fault> wrong = move(reading)) return wrong;
   increment_[axis()] = speed_ * dt_;
+  way_[axis()] += increment_[axis()];
   travelled_ += std::abs(increment_[axis()]);
   if (phase_ == Phase::settle && steps_ >= p_.settle_steps && speed_ == 0) end_axis();
   return {};
@@ -88,13 +94,31 @@ std::optional<Fault> Homing::move(const HardwareReading& reading) noexcept {
     case Phase::settle:
       approach(0);
       return {};
+    case Phase::back:
+      break;
   }
   return {};
 }
 
 void Homing::end_axis() noexcept {
   ++axes_done_;
-  enter(Phase::begin);
+  enter(found() ? Phase::back : Phase::begin);
+}
+
+/// At the largest speed, up to the coarse one, from which the ramp still ends where the axis stood.
+void Homing::go_back() noexcept {
+  const int k = axis();
+  if (way_[k] == 0) {  // the last increment is of the step before
+    speed_ = 0;
+    ++axes_back_;
+    return;
+  }
+  const double coarse = p_.axis[static_cast<std::size_t>(k)].coarse;
+  const double change = coarse / p_.ramp_steps;
+  const double left = std::abs(way_[k]);
+  approach(std::min(coarse, change * (std::sqrt(0.25 + 2 * left / (change * dt_)) - 0.5)));
+  increment_[k] = -std::copysign(std::min(speed_ * dt_, left), way_[k]);
+  way_[k] += increment_[k];
 }
 
 double Homing::range() const noexcept {

@@ -1,4 +1,4 @@
-// Homing: finds the positions of motors whose encoders count from an unknown place.
+// Homing: finds the positions of motors whose encoders count from an unknown position.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -20,6 +20,8 @@ namespace mrroc::edp {
 ///  4. it leaves the switch at the fine speed; the first zero mark of the encoder after that is the place
 ///     where the motor position is AxisHoming::position
 ///  5. it settles, and the next axis begins
+///  6. with HomingParameters::returns, every axis goes back to where it stood at the beginning, the last one
+///     first: the way back is the way that it has come
 ///
 /// The switch is believed when two readings in succession agree. An axis never moves farther than
 /// its legal range. Nothing is known about positions until all axes are done. Real-time safe.
@@ -38,19 +40,27 @@ class Homing {
 
   /// @return motion of the set points in this step [rad]; one per axis, all but one of them 0
   [[nodiscard]] const AxisVector& increment() const noexcept { return increment_; }
-  /// @return whether all axes are done
-  [[nodiscard]] bool done() const noexcept { return axes_done_ == robot_->axes(); }
-  /// @return axis that is being homed
-  [[nodiscard]] int axis() const noexcept { return (p_.first_axis + axes_done_) % robot_->axes(); }
+  /// @return whether all axes are done, and are back if they are to return
+  [[nodiscard]] bool done() const noexcept {
+    return found() && axes_back_ == (p_.returns ? robot_->axes() : 0);
+  }
+  /// @return axis that is being homed, or goes back
+  [[nodiscard]] int axis() const noexcept {
+    const int place = found() ? robot_->axes() - 1 - axes_back_ : axes_done_;
+    return (p_.first_axis + place) % robot_->axes();
+  }
   /// @return count of an axis' encoder at its position AxisHoming::position; meaningful when done
   [[nodiscard]] std::int32_t count(int axis) const noexcept { return count_[static_cast<std::size_t>(axis)]; }
 
  private:
-  enum class Phase : std::uint8_t { begin, leave, search, stand, release, index, settle };
+  enum class Phase : std::uint8_t { begin, leave, search, stand, release, index, settle, back };
+
+  [[nodiscard]] bool found() const noexcept { return axes_done_ == robot_->axes(); }
 
   void enter(Phase phase) noexcept;
   [[nodiscard]] std::optional<Fault> move(const HardwareReading& reading) noexcept;
   void end_axis() noexcept;
+  void go_back() noexcept;
   [[nodiscard]] double range() const noexcept;
   /// The set point's speed comes nearer to a speed, in ramp_steps from rest to the coarse one.
   void approach(double speed) noexcept;
@@ -61,12 +71,14 @@ class Homing {
   double dt_;
   Phase phase_{};
   int axes_done_{};
+  int axes_back_{};
   int steps_{};         // in the phase
   double travelled_{};  // in the phase [rad]
   double speed_{};      // of the set point [rad/s]
   bool pressed_{};      // the switch, believed
   bool last_sample_{};
   AxisVector increment_;
+  AxisVector way_;  // of the set points since start() [rad]
   std::array<std::int32_t, kMaxAxes> count_{};
 };
 

@@ -12,7 +12,7 @@ struct Box {
   Vector3 upper = Vector3::Zero();  ///< [m]
 };
 
-/// What a command may ask for; the limits of joints, motors and motor speeds belong to the robot
+/// Bounds of a command; the limits of joints, motors and motor speeds belong to the robot
 /// (edp/robot.hpp). A command beyond one of them is refused; a set point that would go beyond one brings the
 /// arm to rest, and the macrostep fails with the reason. Nothing is clipped.
 struct Limits {

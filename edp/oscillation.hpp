@@ -1,5 +1,4 @@
-// Notices in operation that a contact has become unstable: the force swings,
-// and the swings do not die away.
+// Detects a contact that has become unstable: the force oscillates, and the oscillation does not decay.
 #pragma once
 #include <array>
 #include <bitset>
@@ -12,7 +11,7 @@
 
 namespace mrroc::edp {
 
-/// What is called an unstable contact. A swing is the way of the force from an
+/// Definition of an unstable contact. A swing is the way of the force from an
 /// extremum to the next one, in the mean over a period.
 struct OscillationParameters {
   double force{2};         ///< least swing that counts [N], > 0; infinite: never
@@ -71,7 +70,7 @@ class OscillationObserver {
     double swing;
     double time;  // [s]
   };
-  /// What is remembered of an axis.
+  /// Memory of an axis.
   struct History {
     std::array<Half, kMostHalves> half{};
     std::size_t count{};                 // halves so far

@@ -1,5 +1,5 @@
-// Who may command an effector driver, and which of his commands is the next (docs/architecture.md, on the
-// wire).
+// Decides which process may command an effector driver, and which of its commands is the next (docs/architecture.md, on
+// the wire).
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -12,7 +12,7 @@ namespace mrroc::edp {
 /// commands. Real-time safe.
 class Protocol {
  public:
-  /// What is to be done with a message.
+  /// Action for a message.
   enum class Admission : std::uint8_t {
     nothing,  ///< keep, release: no command
     execute,  ///< the next command of the owner: validate it, execute or refuse it, then conclude()
@@ -20,7 +20,7 @@ class Protocol {
     reset,    ///< an operator's reset: the effector has no owner any more
     refuse,   ///< answer with the fault
   };
-  /// How a command is dealt with.
+  /// Treatment of a command.
   struct Decision {
     Admission admission{Admission::nothing};  ///< what the driver has to do
     Fault fault{};                            ///< reason of a refusal

@@ -114,7 +114,7 @@ void RecordFiles::add(const StepRecord& record) noexcept {
 
 void RecordFiles::trigger() noexcept { triggered_ = true; }
 
-void RecordFiles::throw_down() {
+void RecordFiles::dump_on_abort() {
   if (when_ != Recording::on_fault || recorder_.size() == 0 || fault_step_ >= 0 || files_ == kMostFiles)
     return;
   const std::int64_t last = recorder_[recorder_.size() - 1].step;

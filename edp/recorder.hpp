@@ -1,4 +1,4 @@
-// The reader of an effector driver: what happened in the last steps, written down when something goes wrong.
+// The reader of an effector driver: keeps the last steps and writes them down after a fault.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -87,7 +87,7 @@ class RecordFiles {
   void add(const StepRecord& record) noexcept;
   /// When no more steps come because of a fault elsewhere: writes those there are, unless a file has them already. Not
   /// real-time safe.
-  void throw_down();
+  void dump_on_abort();
   /// Begins a file as a fault does, unless one was begun a moment ago: something has happened elsewhere. Real-time safe.
   void trigger() noexcept;
   /// Once per macrostep: writes what there is to be written. What cannot be written is left out: a driver does not end

@@ -1,4 +1,4 @@
-// What the kernel of a robot gives to the effector driver's shell.
+// The interface between the kernel of a robot and the effector driver's shell.
 #pragma once
 #include <array>
 #include <optional>

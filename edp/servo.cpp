@@ -47,6 +47,16 @@ bool Servo::select(int motor, int algorithm_no, int parameter_set_no) noexcept {
   return true;
 }
 
+std::array<bool, kMaxAxes> Servo::at_limit() const noexcept {
+  std::array<bool, kMaxAxes> limited{};
+  for (int k = 0; k < robot_->axes(); ++k) {
+    const Motor& m = motors_[index(k)];
+    limited[index(k)] =
+        m.choice.algorithm_no == 1 && m.compensating[index(m.choice.parameter_set_no)].at_limit();
+  }
+  return limited;
+}
+
 void Servo::reset() noexcept {
   for (Motor& m : motors_) {
     for (IncrementalRegulator& regulator : m.incremental) regulator.reset();
@@ -74,12 +84,13 @@ double Servo::Motor::see(double set_increment, double measured_increment) noexce
   return told;
 }
 
-double Servo::Motor::step(double set_increment, double measured_increment, double preload) noexcept {
+double Servo::Motor::step(double set_increment, double measured_increment,
+                          double gravity_feed_forward) noexcept {
   last_seen = see(set_increment, measured_increment);
   const std::size_t set = index(choice.parameter_set_no);
   const double behind = error - last_seen;
   pwm = choice.algorithm_no == 0 ? incremental[set].step(set_increment, last_seen)
-                                 : compensating[set].step(set_increment, behind, preload);
+                                 : compensating[set].step(set_increment, behind, gravity_feed_forward);
   error = behind + set_increment;
   last_set = set_increment;
   driven = true;
@@ -88,12 +99,13 @@ double Servo::Motor::step(double set_increment, double measured_increment, doubl
 
 std::array<double, kMaxAxes> Servo::step(const AxisVector& set_increment,
                                          const AxisVector& measured_increment,
-                                         const AxisVector& preload) noexcept {
+                                         const AxisVector& gravity_feed_forward) noexcept {
   std::array<double, kMaxAxes> pwm{};
   const int axes = robot_->axes();
   for (int k = 0; k < axes; ++k) {
     Motor& m = motors_[index(k)];
-    pwm[index(k)] = m.step(set_increment[k] * m.increments_per_rad, measured_increment[k], preload[k]);
+    pwm[index(k)] =
+        m.step(set_increment[k] * m.increments_per_rad, measured_increment[k], gravity_feed_forward[k]);
   }
   return pwm;
 }

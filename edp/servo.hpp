@@ -17,7 +17,7 @@ class Servo {
   /// Every motor begins with the standard regulator of the robot's table.
   /// @param robot must live longer than the servo @param dt duration of a step [s]; the coefficients of
   /// algorithm 0 hold for 0.002 s only
-  explicit Servo(const Robot& robot, double dt = 0.002);
+  explicit Servo(const Robot& robot, double dt);
 
   /// @return whether there is such a regulator; any numbers may be asked for
   [[nodiscard]] static constexpr bool known(int algorithm_no, int parameter_set_no) noexcept {
@@ -35,16 +35,20 @@ class Servo {
     return motors_[static_cast<std::size_t>(motor)].choice;
   }
 
+  /// @return by motor: whether its regulator would have asked for more current than it may in the last step. One
+  ///         that does not know its drive (algorithm 0) never says so
+  [[nodiscard]] std::array<bool, kMaxAxes> at_limit() const noexcept;
+
   /// Forgets the past: the motors are where they are set to be. The regulators stay selected.
   void reset() noexcept;
 
-  /// One step. @param set_increment       motion of the set positions in this step [rad]
-  /// @param measured_increment  motion of the shafts in the step before [encoder increments]
-  /// @param preload             torques of the motors that hold the known load, Robot::gravity() [N m]
+  /// One step. @param set_increment         motion of the set positions in this step [rad]
+  /// @param measured_increment    motion of the shafts in the step before [encoder increments]
+  /// @param gravity_feed_forward  torques of the motors that hold the known load, Robot::gravity() [N m]
   /// @return duty cycles [1/255 of the supply]; zero beyond the robot's axes
   [[nodiscard]] std::array<double, kMaxAxes> step(const AxisVector& set_increment,
                                                   const AxisVector& measured_increment,
-                                                  const AxisVector& preload) noexcept;
+                                                  const AxisVector& gravity_feed_forward) noexcept;
 
   /// One step in which the brakes hold the shafts: the regulators wait, and hear later how far the shafts
   /// moved.
@@ -66,7 +70,8 @@ class Servo {
     bool driven{};       // since the last reset
     double pwm{};        // of the step before
     [[nodiscard]] double see(double set_increment, double measured_increment) noexcept;
-    [[nodiscard]] double step(double set_increment, double measured_increment, double preload) noexcept;
+    [[nodiscard]] double step(double set_increment, double measured_increment,
+                              double gravity_feed_forward) noexcept;
   };
 
   const Robot* robot_;

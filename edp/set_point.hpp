@@ -1,4 +1,4 @@
-// Where an arm is told to be: the set pose T_c and what belongs to it.
+// The set point of an arm: the set pose T_c, the axes' positions and the velocity that belong to it.
 #pragma once
 #include "base/axes.hpp"
 #include "base/pose.hpp"

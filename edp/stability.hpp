@@ -1,5 +1,5 @@
-// Which contact is stable under law (28): the linear loop of law, force measurement, servo and surroundings in
-// discrete time. For design and documents, not for the servo step.
+// Decides which contact is stable under law (28): the linear loop of law, force measurement, servo and
+// surroundings in discrete time. For design and documents, not for the servo step.
 //
 // Unlike the ideal plant of MG 8.1.3, whose damping ratio is 1 / (2 B sqrt(K I)), a real loop acts on a force
 // that is late: law (28) uses the force of the step before, the reading is a mean over a step, filters delay

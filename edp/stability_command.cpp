@@ -9,6 +9,7 @@
 #include <ostream>
 
 #include "base/command_line.hpp"
+#include "base/counted.hpp"
 #include "base/fault.hpp"
 
 namespace mrroc::edp {
@@ -31,10 +32,10 @@ std::string loop_text(const ContactLoop& l) {
   return fmt::format(
       "law (28)   I = {:g} kg, B = {:g} s/kg, every {:g} ms\n"
       "servo      {}\n"
-      "force      {}, average of {}, {}, {} steps late beyond the law's own\n",
+      "force      {}, average of {}, {}, {} late beyond the law's own\n",
       l.inertia, l.mobility, 1e3 * l.dt, servo_text(l.servo),
       l.mean_of_step ? "mean over its step" : "at the end of its step", l.average,
-      l.low_pass > 0 ? fmt::format("low pass {:g} Hz", l.low_pass) : "no low pass", l.delay);
+      l.low_pass > 0 ? fmt::format("low pass {:g} Hz", l.low_pass) : "no low pass", counted(l.delay, "step"));
 }
 
 std::string row_text(double K, const ContactMode& m) {

@@ -1,4 +1,4 @@
-// The command `ui_cli stability`: tells a person which contact law (28) bears, and what to change.
+// The command `ui_cli stability`: tells which contacts are stable under law (28), and what to change.
 #pragma once
 #include <iosfwd>
 #include <optional>

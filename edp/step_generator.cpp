@@ -1,5 +1,7 @@
 #include "edp/step_generator.hpp"
 
+#include <algorithm>
+
 #include "edp/control_law.hpp"
 #include "edp/deceleration.hpp"
 
@@ -30,55 +32,135 @@ void StepGenerator::set_robot(const Robot& robot) noexcept {
 }
 
 void StepGenerator::shift(const AxisVector& increment) noexcept {
-  motion_ = Motion::executing;
+  phase_ = MotionPhase::executing;
+  macrostep_ = {};
   macrostep_.mu = Interpolation::mim;
   set_.motor_increment = increment;
   set_.axes.motors += increment;
 }
 
 void StepGenerator::stand() noexcept {
-  motion_ = Motion::standing;
+  phase_ = MotionPhase::standing;
+  at_goal_ = false;
+  passive_ = false;
+  goal_.reset();
   set_.motor_increment = AxisVector::Zero(rules_.robot->axes());
   set_.v_0W = {};
 }
 
+Beginning StepGenerator::beginning(const Pose& T_WE) const noexcept {
+  Beginning begin;
+  begin.from = set_;
+  begin.from.T_0E = begin.T_0E = set_.T_0E * T_EW_ * T_WE;
+  begin.axes = set_.axes;
+  begin.at_rest = set_.motor_increment.isZero(0) && !passive_;
+  if (!goal_) return begin;
+  begin.on_the_way = true;
+  begin.T_0E = goal_->T_0W * T_WE;
+  begin.axes = goal_->axes;
+  return begin;
+}
+
 std::optional<Fault> StepGenerator::start(const ArmCommand& command, const Pose& T_WE) noexcept {
-  SetPoint from = set_;
-  from.T_0E = set_.T_0E * T_EW_ * T_WE;
-  if (const std::optional<Fault> wrong = plan_macrostep(command, from, T_WE, rules_, macrostep_))
+  if (const std::optional<Fault> wrong = plan_macrostep(command, beginning(T_WE), T_WE, rules_, macrostep_))
     return wrong;
-  set_tool(T_WE);
-  motion_ = Motion::executing;
+  change_tool(T_WE);
+  phase_ = MotionPhase::executing;
+  at_goal_ = false;
+  returning_ = false;
+  goal_.reset();
+  if (macrostep_.approach) goal_ = macrostep_.goal;
   k_ = 0;
   return {};
 }
 
 void StepGenerator::set_tool(const Pose& T_WE) noexcept {
+  change_tool(T_WE);
+  // An approach in the task frame moves the E that it was planned for. The motors can go on to where the wrist belongs.
+  if (!macrostep_.approach || macrostep_.mu == Interpolation::mim) return;
+  macrostep_.approach.reset();
+  if (phase_ == MotionPhase::arriving) begin_stop(rules_.stop_steps);
+}
+
+void StepGenerator::change_tool(const Pose& T_WE) noexcept {
   set_.T_0E = set_.T_0E * T_EW_ * T_WE;
   T_WE_ = T_WE;
   T_EW_ = T_WE.inverse();
 }
 
+void StepGenerator::finish() noexcept {
+  if (phase_ != MotionPhase::executing) return;
+  if (!macrostep_.goal) return stop();
+  goal_ = macrostep_.goal;
+  if (macrostep_.approach) {
+    phase_ = MotionPhase::arriving;
+    return;
+  }
+  begin_stop(macrostep_.stop_steps);
+}
+
 void StepGenerator::stop() noexcept {
-  if (motion_ != Motion::executing) return;
-  if ((set_.motor_increment.array() == 0).all()) return stand();
-  motion_ = Motion::stopping;
+  goal_.reset();
+  if (phase_ != MotionPhase::executing && phase_ != MotionPhase::arriving) return;
+  if (!nearly_there()) return begin_stop(rules_.stop_steps);
+  phase_ = MotionPhase::arriving;
+}
+
+// A stop would lead beyond the goal, which may lie at a limit. In the task frame the law would go on, and it may be what has
+// to stop.
+bool StepGenerator::nearly_there() const noexcept {
+  const bool returns = phase_ == MotionPhase::arriving && returning_;
+  return macrostep_.mu == Interpolation::mim && macrostep_.approach && !returns &&
+         !set_.motor_increment.isZero(0) &&
+         macrostep_.approach->remaining(k_) < stopping_way(rules_.stop_steps);
+}
+
+void StepGenerator::begin_stop(int steps) noexcept {
+  if ((set_.motor_increment.array() == 0).all()) return end_stop();
+  phase_ = MotionPhase::stopping;
+  stop_steps_ = steps;
   stop_in_motors_ = macrostep_.mu == Interpolation::mim;
   stop_at_once_ = false;
   k_ = 0;
 }
 
+void StepGenerator::end_stop() noexcept {
+  const std::optional<Goal> goal = goal_;
+  stand();
+  if (!goal) return;
+  to_ = goal->axes.motors;
+  if (macrostep_.mu != Interpolation::mim) {
+    const InverseSolution s = rules_.robot->inverse(goal->T_0W, set_.axes.joints);
+    if (!s.reached) return;
+    to_ = rules_.robot->motors_from_joints(s.joints);
+  }
+  at_goal_ = true;
+  constexpr double kThere = 1e-6;  // [rad], a 600th of an increment
+  from_ = set_.axes.motors;
+  if ((to_ - from_).cwiseAbs().maxCoeff() <= kThere) return;
+  phase_ = MotionPhase::arriving;
+  at_goal_ = false;
+  returning_ = true;
+  goal_ = goal;
+  k_ = 0;
+}
+
 std::optional<Fault> StepGenerator::step(const Wrench& F_a) noexcept {
-  if (motion_ == Motion::standing) return {};
-  if (motion_ == Motion::stopping) {
+  if (phase_ == MotionPhase::standing) return {};
+  if (phase_ == MotionPhase::stopping) {
     stop_step();
     return {};
   }
-  std::optional<Fault> wrong = k_ == macrostep_.n_s ? passive_step() : active_step(F_a);
+  passive_ = phase_ == MotionPhase::executing && k_ == macrostep_.n_s && !macrostep_.approach;
+  std::optional<Fault> wrong = phase_ == MotionPhase::arriving ? arriving_step(F_a)
+                               : passive_                      ? passive_step()
+                                                               : active_step(F_a);
   if (!wrong) return wrong;
   // The motors can be brought to rest wherever the arm is, which does not hold for the task frame: it may be
   // the inverse kinematics that has no solution.
-  motion_ = Motion::stopping;
+  goal_.reset();
+  phase_ = MotionPhase::stopping;
+  stop_steps_ = rules_.stop_steps;
   stop_in_motors_ = true;
   stop_at_once_ = wrong->code == FaultCode::force_limit;  // every farther step would press harder
   k_ = 0;
@@ -86,12 +168,33 @@ std::optional<Fault> StepGenerator::step(const Wrench& F_a) noexcept {
   return wrong;
 }
 
+std::optional<Fault> StepGenerator::arriving_step(const Wrench& F_a) noexcept {
+  const int steps = returning_ ? return_steps(stop_steps_) : macrostep_.approach->steps();
+  if (k_ < steps) return returning_ ? returning_step(F_a) : active_step(F_a);
+  const bool has_goal = goal_.has_value();
+  stand();
+  at_goal_ = has_goal;
+  return {};
+}
+
+std::optional<Fault> StepGenerator::returning_step(const Wrench& F_a) noexcept {
+  ++k_;
+  Candidate next;
+  place(from_ + minimum_jerk(k_, return_steps(stop_steps_)) * (to_ - from_), next);
+  if (std::optional<Fault> wrong = check_motion(next, F_a)) return wrong;
+  if (std::optional<Fault> wrong = check(next)) return wrong;
+  accept(next);
+  return {};
+}
+
 std::optional<Fault> StepGenerator::active_step(const Wrench& F_a) noexcept {
   ++k_;
   Candidate next;
   if (std::optional<Fault> wrong = execute(F_a, next)) return wrong;
   if (std::optional<Fault> wrong = check(next)) return wrong;
-  if (std::optional<Fault> wrong = check_stop(next, stopping_way(rules_.stop_steps))) return wrong;
+  double way = stopping_way(rules_.stop_steps);
+  if (macrostep_.approach) way = std::min(way, macrostep_.approach->remaining(k_));
+  if (std::optional<Fault> wrong = check_stop(next, way)) return wrong;
   accept(next);
   return {};
 }
@@ -114,15 +217,14 @@ std::optional<Fault> StepGenerator::passive_step() noexcept {
 std::optional<Fault> StepGenerator::execute(const Wrench& F_a, Candidate& next) noexcept {
   const double dt = rules_.dt;
   if (macrostep_.mu == Interpolation::mim) {
-    const double part = static_cast<double>(k_) / macrostep_.n_s;
+    const double part =
+        macrostep_.approach ? macrostep_.approach->part(k_) : static_cast<double>(k_) / macrostep_.n_s;
     place(macrostep_.from + part * (macrostep_.to - macrostep_.from), next);
-    if (!rules_.position_known) return {};
-    const Twist v_E = xi_V(T_EW_, xi_star(R_0W_.transpose(), next.v_0W));
-    if (std::optional<Fault> wrong = check_velocity(v_E, rules_.limits)) return wrong;
-    return check_contact_force(F_a, v_E, rules_.limits);
+    return check_motion(next, F_a);
   }
   if (macrostep_.mu == Interpolation::tcim_pose) {
-    const Twist v_d = xi_star(set_.T_0E.R.transpose(), macrostep_.v_d);
+    Twist v_d = xi_star(set_.T_0E.R.transpose(), macrostep_.v_d);
+    if (macrostep_.approach) v_d = macrostep_.approach->speed(k_) * v_d;
     for (const Axis a : kAxes) macrostep_.frame[a].velocity = v_d[a];
   }
   const Twist v_before = previous_velocity();
@@ -133,6 +235,13 @@ std::optional<Fault> StepGenerator::execute(const Wrench& F_a, Candidate& next) 
   if (std::optional<Fault> wrong = check_acceleration(stood ? Twist{} : v_before, v_c, dt, rules_.limits))
     return wrong;
   return follow(v_c, next);
+}
+
+std::optional<Fault> StepGenerator::check_motion(const Candidate& next, const Wrench& F_a) const noexcept {
+  if (!rules_.position_known) return {};
+  const Twist v_E = xi_V(T_EW_, xi_star(R_0W_.transpose(), next.v_0W));
+  if (std::optional<Fault> wrong = check_velocity(v_E, rules_.limits)) return wrong;
+  return check_contact_force(F_a, v_E, rules_.limits);
 }
 
 Twist StepGenerator::previous_velocity() const noexcept {
@@ -205,12 +314,12 @@ void StepGenerator::accept(const Candidate& next) noexcept {
 void StepGenerator::stop_step() noexcept {
   if (stop_at_once_) return brake();
   ++k_;
-  if (k_ >= rules_.stop_steps) return stand();
-  const double ratio = speed_ratio(k_, rules_.stop_steps);
+  if (k_ >= stop_steps_) return end_stop();
+  const double ratio = speed_ratio(k_, stop_steps_);
   Candidate next;
   if (!stop_in_motors_) {
     // The motors must be able to take over the rest of the stop wherever the task frame ends.
-    const double rest = remaining_way(k_, rules_.stop_steps);
+    const double rest = remaining_way(k_, stop_steps_);
     if (!follow(ratio * previous_velocity(), next) && !check(next) && !check_stop(next, rest))
       return accept(next);
     stop_in_motors_ = true;
@@ -225,7 +334,7 @@ void StepGenerator::brake() noexcept {
   const double most = rules_.limits.motor_acceleration * rules_.dt * rules_.dt;
   const AxisVector slower =
       set_.motor_increment - AxisVector(set_.motor_increment.cwiseMax(-most).cwiseMin(most));
-  if (slower.isZero(0)) return stand();
+  if (slower.isZero(0)) return end_stop();
   Candidate next;
   place(set_.axes.motors + slower, next);
   accept(next);

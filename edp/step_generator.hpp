@@ -14,9 +14,9 @@ namespace mrroc::edp {
 /// (MIM), or to rest. The set point never leaves the limits. Real-time safe.
 class StepGenerator {
  public:
-  /// What the set point does.
-  /// executing: a macrostep; stopping: on the way to rest.
-  enum class Motion : std::uint8_t { standing, executing, stopping };
+  /// Phase of the set point's motion.
+  /// executing: a macrostep; arriving: on the way to its goal, where it comes to rest; stopping: on the way to rest.
+  enum class MotionPhase : std::uint8_t { standing, executing, arriving, stopping };
 
   /// Stands with all motors at 0 until stand_at(). @param T_WE  tool in the wrist
   StepGenerator(const MotionRules& rules, const Pose& T_WE) noexcept;
@@ -40,11 +40,17 @@ class StepGenerator {
   /// @return why it is refused; then nothing has changed
   [[nodiscard]] std::optional<Fault> start(const ArmCommand& command, const Pose& T_WE) noexcept;
 
-  /// The tool is another one from now on; the wrist stays where it is. @param T_WE tool in the wrist
+  /// The tool is another one from now on; the wrist stays where it is, or ends where it was told to be.
+  /// @param T_WE tool in the wrist
   void set_tool(const Pose& T_WE) noexcept;
 
-  /// No command follows: the speed falls smoothly to zero in stop_steps, then the set point stands. In TCIM
-  /// the wrist's velocity falls, in MIM the motors'.
+  /// No command follows: the set point comes to rest at the goal of the motion. One that brakes before its goal goes on
+  /// to it; one that has arrived there at speed stops as by stop() and returns. A motion without a goal stops.
+  void finish() noexcept;
+
+  /// Whatever moves stops: the speed falls smoothly to zero in stop_steps, then the set point stands. In TCIM
+  /// the wrist's velocity falls, in MIM the motors'. The goal is given up; a motion of the motors (MIM) that brakes before it
+  /// already, and would pass it in such a stop, comes to rest there.
   void stop() noexcept;
 
   /// One step of the set point.
@@ -55,7 +61,9 @@ class StepGenerator {
   std::optional<Fault> step(const Wrench& F_a) noexcept;
 
   /// @return what the set point does after the last step
-  [[nodiscard]] Motion motion() const noexcept { return motion_; }
+  [[nodiscard]] MotionPhase phase() const noexcept { return phase_; }
+  /// @return whether the set point stands at the goal of the last motion
+  [[nodiscard]] bool at_goal() const noexcept { return at_goal_; }
   /// @return as the last step has left it
   [[nodiscard]] const SetPoint& set_point() const noexcept { return set_; }
   /// @return T_WE
@@ -77,6 +85,16 @@ class StepGenerator {
   [[nodiscard]] std::optional<Fault> execute(const Wrench& F_a, Candidate& next) noexcept;
   [[nodiscard]] std::optional<Fault> active_step(const Wrench& F_a) noexcept;
   [[nodiscard]] std::optional<Fault> passive_step() noexcept;
+  [[nodiscard]] std::optional<Fault> arriving_step(const Wrench& F_a) noexcept;
+  [[nodiscard]] std::optional<Fault> returning_step(const Wrench& F_a) noexcept;
+  // Of a set point that moves along the motors' line. F_a: in E
+  [[nodiscard]] std::optional<Fault> check_motion(const Candidate& next, const Wrench& F_a) const noexcept;
+  [[nodiscard]] Beginning beginning(const Pose& T_WE) const noexcept;
+  void change_tool(const Pose& T_WE) noexcept;
+  [[nodiscard]] bool nearly_there() const noexcept;
+  void begin_stop(int steps) noexcept;
+  // The stop is over: it stands, or returns to the goal that it has passed.
+  void end_stop() noexcept;
   [[nodiscard]] std::optional<Fault> check(const Candidate& next) const noexcept;
   // Whether the motors' stop that may have to follow ends within the limits, too. way: of that stop, in steps
   // of the present speed.
@@ -95,10 +113,17 @@ class StepGenerator {
   SetPoint set_;
   Matrix3 R_0W_;  // orientation of the wrist at the set point
   Macrostep macrostep_;
-  Motion motion_{Motion::standing};
+  MotionPhase phase_{MotionPhase::standing};
+  std::optional<Goal>
+      goal_;  // that the set point is on its way to when it is not there at the end of its macrostep
+  bool at_goal_{};
+  bool returning_{};  // arriving: back to the goal, along from_..to_
+  AxisVector from_, to_;
+  bool passive_{};    // the last step was passive
+  int stop_steps_{};  // of the stop or return that goes on
   bool stop_in_motors_{};
   bool stop_at_once_{};
-  int k_{};  // step of the macrostep, or of the stop
+  int k_{};  // step of the macrostep, of the stop, or of the return
 };
 
 }  // namespace mrroc::edp

@@ -41,7 +41,7 @@ std::optional<Fault> supervise_drives(const Robot& robot, const SupervisionParam
     if ((lower || upper) && (moves_on || (drives.leaving >> k & 1) == 0))
       return make_fault(FaultCode::limit_switch, axis.name, k, drives.measured[k],
                         lower ? axis.motor.lower : axis.motor.upper);
-    const double speed = std::abs(drives.increment[k]) / (axis.increments_per_rad * drives.time);
+    const double speed = std::abs(motor_speed(axis, drives.increment[k], drives.time));
     const double max_speed = rules.over_speed * axis.max_motor_speed;
     if (!(speed <= max_speed)) return make_fault(FaultCode::over_speed, axis.name, k, speed, max_speed);
     const double error = drives.set[k] - drives.measured[k];

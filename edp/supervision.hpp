@@ -1,4 +1,4 @@
-// Supervision of the drives: what makes an effector stop at once.
+// Supervises the drives: detects what must stop an effector at once.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace mrroc::edp {
 
-/// What the supervision looks at, per motor.
+/// Input of the supervision, per motor.
 struct DriveObservation {
   AxisVector set;        ///< set positions of the step before [rad]
   AxisVector measured;   ///< positions [rad]
@@ -19,6 +19,12 @@ struct DriveObservation {
   AxisVector commanded;  ///< motion of the set positions in the step before [rad]
   std::uint8_t leaving;  ///< motors, bit k for motor k, that may leave a limit switch that is pressed
 };
+
+/// @param increment  of its encoder  @param time  in which it came [s]
+/// @return speed of a motor [rad/s]. Real-time safe
+[[nodiscard]] inline double motor_speed(const AxisProperties& axis, double increment, double time) noexcept {
+  return increment / (axis.increments_per_rad * time);
+}
 
 /// @return motors, bit k for motor k, with a limit switch pressed. Real-time safe
 [[nodiscard]] std::uint8_t at_limit_switch(const HardwareReading& reading) noexcept;

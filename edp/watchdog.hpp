@@ -1,4 +1,4 @@
-// What an effector driver does when nothing comes any more, with the wall clock or with real drives.
+// The effector driver's reaction when messages stop, with the wall clock or with real drives.
 #pragma once
 #include <cstdint>
 
@@ -8,22 +8,22 @@ namespace mrroc::edp {
 /// clock: it is told what has come and what has not.
 class Watchdog {
  public:
-  /// What is to be done.
+  /// Action to take.
   enum class Verdict : std::uint8_t {
     well,        ///< go on
     decelerate,  ///< the macrostep that begins has no command after one that had: the arm comes to rest and holds
     trip,        ///< the drives have been silent for too long: fault hardware_silent
   };
 
-  /// @param state_patience  periods without a state after which the drives count as silent, >= 1 [steps]
-  constexpr explicit Watchdog(int state_patience) : state_patience_(state_patience) {}
+  /// @param state_timeout  periods without a state after which the drives count as silent, >= 1 [steps]
+  constexpr explicit Watchdog(int state_timeout) : state_timeout_(state_timeout) {}
 
   /// A state has come.
   constexpr void state() noexcept { silent_ = 0; }
   /// A step's time has passed without a state.
   /// @return trip, once for each silence
   constexpr Verdict no_state() noexcept {
-    return ++silent_ == state_patience_ ? Verdict::trip : Verdict::well;
+    return ++silent_ == state_timeout_ ? Verdict::trip : Verdict::well;
   }
 
   /// A macrostep begins.
@@ -42,7 +42,7 @@ class Watchdog {
   [[nodiscard]] constexpr std::int64_t holds() const noexcept { return holds_; }
 
  private:
-  int state_patience_;
+  int state_timeout_;
   int silent_{};
   bool commanded_{};
   std::int64_t holds_{};

@@ -11,8 +11,14 @@
 namespace mrroc::mp {
 
 CoordinatorLinks::CoordinatorLinks(link::Process& process, const std::vector<std::string>& arms,
-                                   OperatorAgent& human)
-    : process_(process), operator_(human), reports_(arms.size()) {
+                                   OperatorAgent& human, const TaskClock& clock, link::OtherLinks others)
+    : process_(process),
+      operator_(human),
+      control_out_(process.outbox<simulation_control_t>("simulation.control")),
+      others_(std::move(others)),
+      sources_(others_.all_sources()),
+      reports_(arms.size()),
+      clock_(clock) {
   for (const std::string& arm : arms) {
     order_out_.push_back(process.outbox<agent_order_t>(arm + ".order"));
     report_in_.push_back(process.inbox<agent_report_t>(arm + ".report"));
@@ -29,7 +35,14 @@ Outcome CoordinatorLinks::begin(const Order& order) {
 void CoordinatorLinks::send(std::span<const Order> orders) {
   for (std::size_t arm = 0; arm < orders.size(); ++arm)
     order_out_[arm]->publish(to_message(orders[arm]), i_ + 1);
-  operator_.inform(i_ + 1, orders[0].m, orders[0].finished);
+  simulation_control_t control{};
+  control.paused = image_.paused;
+  control.finished = orders[0].finished;
+  control.hands = operator_.has_hands();
+  control_out_->publish(control, i_ + 1);
+  others_.send(i_ + 1);
+  if (orders[0].finished) others_.end();
+  operator_.inform(i_ + 1, orders[0].m);
 }
 
 Outcome CoordinatorLinks::wait() {
@@ -38,7 +51,7 @@ Outcome CoordinatorLinks::wait() {
   const auto here = [this] {
     if (!process_.lock_step()) return newest() >= i_ && operator_.here(i_);
     return std::ranges::all_of(report_in_, [this](const auto& in) { return in->at(i_) != nullptr; }) &&
-           operator_.here(i_);
+           others_.all_here(i_, 0) && operator_.here(i_);
   };
   process_.report_progress(i_, 0);
   try {
@@ -54,13 +67,13 @@ Outcome CoordinatorLinks::wait() {
     i_ = newest();
     process_.report_progress(i_, 0);
   }
-  linger([&] { return stopped() || newest() > i_; });
+  wait_for_late_orders([&] { return stopped() || newest() > i_; });
   if (stopped()) return Outcome::aborted;
   return receive();
 }
 
-void CoordinatorLinks::linger(const std::function<bool()>& ends) {
-  const auto macrostep = process_.membership().macrostep;
+void CoordinatorLinks::wait_for_late_orders(const std::function<bool()>& ends) {
+  const auto macrostep = process_.context().macrostep;
   if (macrostep.count() > 0) process_.await(ends, link::Process::Clock::now() + macrostep * 3 / 5);
 }
 
@@ -86,7 +99,14 @@ Outcome CoordinatorLinks::receive() {
     fault_ = reports_[arm].fault;
     return Outcome::faulted;
   }
+  try {
+    others_.receive(i_);
+  } catch (const FaultError& e) {
+    fault_ = e.fault();
+    return Outcome::faulted;
+  }
   image_ = operator_.image(i_);
+  clock_.advance(image_.paused, m_);
   return Outcome::terminated;
 }
 

@@ -4,12 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
 #include <stdexcept>
+
+#include "base/counted.hpp"
+#include "base/joined.hpp"
 
 namespace mrroc::mp {
 namespace {
 
-constexpr std::string_view kRow = "  {:<46}{}   {:<12}{}\n";
+constexpr std::string_view kRow = "  {:<46}{}   {:<11} {}\n";
 
 std::vector<double> values(const Figure& figure) {
   if (const double* x = std::get_if<double>(&figure)) return {*x};
@@ -18,11 +23,20 @@ std::vector<double> values(const Figure& figure) {
 
 std::string cell(double x) { return std::isfinite(x) ? fmt::format("{:.4g}", x) : "-"; }
 
+/// @return the numbers of a figure that are not as wanted, among them those that were not measured; nothing when
+/// nothing is wanted of it
+std::optional<std::vector<double>> misses(const FigureInfo& info, const std::vector<double>& x) {
+  if (wanted(info).empty()) return std::nullopt;
+  std::vector<double> missed;
+  std::ranges::copy_if(x, std::back_inserter(missed),
+                       [&](double v) { return !std::isfinite(v) || v < info.low || v > info.high; });
+  return missed;
+}
+
 std::string verdict(const FigureInfo& info, const std::vector<double>& x) {
-  if (wanted(info).empty() || !std::ranges::any_of(x, [](double v) { return std::isfinite(v); })) return "";
-  const bool good = std::ranges::all_of(
-      x, [&](double v) { return !std::isfinite(v) || (v >= info.low && v <= info.high); });
-  return good ? "ok" : "NOT OK";
+  const auto missed = misses(info, x);
+  if (!missed) return "";
+  return missed->empty() ? "ok" : "NOT OK";
 }
 
 std::string row(const FigureInfo& info, const Figure& figure, std::size_t columns, bool judged) {
@@ -55,19 +69,48 @@ std::string wanted(const FigureInfo& info) {
   return at_least ? fmt::format(">= {:g}", info.low) : "";
 }
 
+FigureVerdict judge(const std::map<std::string, Figure>& figures, std::span<const FigureInfo> known) {
+  FigureVerdict v;
+  for (const FigureInfo& info : known) {
+    const auto figure = figures.find(std::string(info.key));
+    if (figure == figures.end()) continue;
+    const auto missed = misses(info, values(figure->second));
+    if (!missed) continue;
+    ++v.judged;
+    std::vector<std::string> cells;
+    for (const double x : *missed) cells.push_back(std::isfinite(x) ? cell(x) : "not measured");
+    if (!cells.empty())
+      v.missed.push_back(fmt::format("{} {} (wanted {})", info.key, joined(cells, " and "), wanted(info)));
+  }
+  return v;
+}
+
+std::string to_string(const FigureVerdict& v) {
+  if (v.judged == 0) return "";
+  if (v.missed.empty())
+    return v.judged == 1   ? "the figure is as wanted"
+           : v.judged == 2 ? "both figures are as wanted"
+                           : fmt::format("all {} figures are as wanted", v.judged);
+  return fmt::format("{} of {} missed what is wanted: {}", v.missed.size(), counted(v.judged, "figure"),
+                     joined(v.missed, ", "));
+}
+
 std::string figure_table(const std::map<std::string, Figure>& figures, std::span<const FigureInfo> known,
                          std::span<const std::string_view> columns, bool judged) {
+  std::size_t width = columns.size();  // a figure may have more numbers than there are headings
+  for (const auto& [key, figure] : figures) width = std::max(width, values(figure).size());
   std::string headings;
-  for (const std::string_view column : columns) headings += fmt::format(" {:>9}", column);
+  for (std::size_t k = 0; k < width; ++k)
+    headings += fmt::format(" {:>9}", k < columns.size() ? columns[k] : std::string_view());
   std::string table = fmt::format(kRow, "figure", headings, "wanted", "");
   table.erase(table.find_last_not_of(" \n") + 1);
   table += "\n";
   for (const FigureInfo& info : known)
     if (const auto figure = figures.find(std::string(info.key)); figure != figures.end())
-      table += row(info, figure->second, columns.size(), judged);
+      table += row(info, figure->second, width, judged);
   for (const auto& [key, figure] : figures)
     if (std::ranges::find(known, key, &FigureInfo::key) == known.end())
-      table += row({.key = key, .words = key, .unit = {}}, figure, columns.size(), judged);
+      table += row({.key = key, .words = key, .unit = {}}, figure, width, judged);
   return table;
 }
 

@@ -25,6 +25,12 @@ fs::path fresh_name(const std::string& task) {
   return folder;
 }
 
+/// @return a name as a line of text can hold it
+std::string shortened(const std::string& name) {
+  constexpr std::size_t kMost = 60;
+  return name.size() <= kMost ? name : name.substr(0, kMost) + "...";
+}
+
 nlohmann::ordered_json number(double x) {
   return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr);
 }
@@ -48,11 +54,18 @@ nlohmann::ordered_json to_json(const Fault& fault) {
 fs::path name_run_folder(const fs::path& wanted, const std::string& task) {
   fs::path folder = wanted.empty() ? fresh_name(task) : wanted;
   std::error_code error;
-  if (fs::exists(folder) && !fs::is_empty(folder, error))
-    throw FaultError(FaultCode::bad_usage,
-                     fmt::format("{} {}", folder.string(),
-                                 fs::exists(folder / "config.toml") ? "holds a run already" : "is not empty"),
-                     "choose another --run-dir or delete it");
+  const bool there = fs::exists(folder, error);
+  if (error)
+    throw FaultError(
+        error == std::errc::filename_too_long ? FaultCode::bad_usage : FaultCode::cannot_write,
+        fmt::format("{} cannot be a run folder: {}", shortened(folder.string()), error.message()),
+        "choose another --run-dir");
+  if (there && !fs::is_empty(folder, error))
+    throw FaultError(
+        FaultCode::bad_usage,
+        fmt::format("{} {}", folder.string(),
+                    fs::exists(folder / "config.toml", error) ? "holds a run already" : "is not empty"),
+        "choose another --run-dir or delete it");
   return folder;
 }
 
@@ -64,15 +77,20 @@ void make_run_folder(const fs::path& folder) {
                      fmt::format("cannot make {}: {}", folder.string(), error.message()));
 }
 
+void discard_run_folder(const fs::path& folder) noexcept {
+  std::error_code ignored;
+  if (fs::exists(folder / "config.toml", ignored)) fs::remove_all(folder, ignored);
+}
+
 void write_summary(const fs::path& folder, const Summary& s) {
   nlohmann::ordered_json json;
   json["task"] = s.task;
   json["outcome"] = s.stopped ? "stopped" : s.fault ? "fault" : "done";
   json["fault"] = nullptr;
   if (s.fault) json["fault"] = to_json(*s.fault);
-  for (const SurvivedFault& survived : s.survived) {
-    json["survived"].push_back(to_json(survived.fault));
-    json["survived"].back()["sim_s"] = survived.sim_s;
+  for (const RecoverableFault& recovered : s.survived) {
+    json["survived"].push_back(to_json(recovered.fault));
+    json["survived"].back()["sim_s"] = recovered.sim_s;
   }
   if (!s.black_box.empty()) json["black_box"] = s.black_box;
   json["sim_s"] = s.sim_s;
@@ -83,7 +101,19 @@ void write_summary(const fs::path& folder, const Summary& s) {
   for (const auto& [key, figure] : s.figures) json["figures"][key] = to_json(figure);
   // Texts of faults can come from anywhere: bytes that are no UTF-8 are replaced.
   const std::string text = json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  write_text(folder / "summary.json", text + "\n");
+  // One that is there already stays whole if this one cannot be written.
+  const fs::path written = folder / "summary.json.new";
+  std::error_code error;
+  try {
+    write_text(written, text + "\n");
+  } catch (const FaultError&) {
+    fs::remove(written, error);
+    throw;
+  }
+  fs::rename(written, folder / "summary.json", error);
+  if (error)
+    throw FaultError(FaultCode::cannot_write,
+                     fmt::format("cannot write {}", (folder / "summary.json").string()));
 }
 
 void write_text(const fs::path& file, const std::string& text) {

@@ -4,36 +4,17 @@
 
 #include <algorithm>
 
+#include "base/agent_images.hpp"
+
 namespace mrroc::mp {
-namespace {
 
-/// An arm's readings are of the behaviour that it reported so many macrosteps before (MG 11-15).
-constexpr std::size_t kExecuted = 2;
+/// c_c0: what the arms are told of one another; constant during a run.
+struct SoloRun::DormantMemory {
+  Coordinate* coordinate{};
+};
 
-}  // namespace
-
-/// Images of the coordinator: reports in, orders out.
-struct SoloRun::Dormant {
-  struct None {};
-  struct Memory {
-    Coordinate* coordinate{};  // constant
-  };
-  struct Transmission {
-    std::vector<Report> agent;
-    OperatorImage h;
-  };
-  struct X {
-    Memory c;
-    None e, V;
-    Transmission T;
-    std::int64_t i{}, i_0{};
-  };
-  struct Y {
-    Memory c;
-    None e, V;
-    std::vector<Order> T;
-  };
-
+/// The coordinator: starts and pauses its arms, and waits until they are done.
+struct SoloRun::Dormant : CoordinatorAgent<DormantMemory, std::dynamic_extent> {
   static Memory retain(const X& x) { return x.c; }
   static None nothing(const X&) { return {}; }
   static std::vector<Order> orders(const X& x, SoloOrder m, bool finished) {
@@ -63,19 +44,20 @@ constexpr Motion<SoloRun::Dormant> SoloRun::Dormant::wait_for_end() {
   return {1, "the arms work", retain, retain, nothing, nothing, work, all_done, "all arms are done"};
 }
 
-SoloRun::SoloRun(TaskRun& run, const SoloParameters& parameters,
-                 std::function<void(const std::string&)> announce)
+SoloRun::SoloRun(TaskRun& run, const SoloParameters& parameters)
     : run_(run),
       k_(parameters),
-      operator_(run.process(), run.desk(), parameters.gives_start),
+      operator_(run.process(), run.command_server(), parameters.gives_start),
       links_(run.process(), parameters.arms, operator_),
-      announce_(std::move(announce)),
+      recorder_(parameters.arms.size(), TraceNumbers::agents, parameters.dt, parameters.n_s),
       traces_(parameters.arms.size()),
       m_(parameters.arms.size()) {}
 
 Outcome SoloRun::execute() {
   using X = Dormant::X;
-  const auto observe_x = [this](const Motion<Dormant>& motion, const X&) { observe(motion.m == 1); };
+  const auto observe_x = [this](const Motion<Dormant>& motion, const X& x) {
+    observe(x.T.agent, motion.m == 1);
+  };
   CoordinatorPort<Dormant, decltype(observe_x)> port(links_, observe_x);
   X x;
   x.c.coordinate = k_.coordinate;
@@ -92,58 +74,43 @@ Outcome SoloRun::execute() {
 
 double SoloRun::progress(bool working) {
   if (!working) return 0;
-  if (working_since_ == 0) working_since_ = links_.i();
-  if (k_.lasts > 0)
-    return std::min(1.0, static_cast<double>(links_.i() - working_since_) / static_cast<double>(k_.lasts));
+  const double time = links_.clock().now().time;
+  if (!working_since_) working_since_ = time;
+  if (k_.lasts > 0) return std::min(1.0, (time - *working_since_) / static_cast<double>(k_.lasts));
   const Report& r = links_.report(0);
   if (r.event == kWorkDone) return 1;
   return std::max(0.0, (r.m - 1) / static_cast<double>(std::max<std::size_t>(1, k_.behaviours.size())));
 }
 
-void SoloRun::observe(bool working) {
-  const double macrostep_s = k_.n_s * k_.dt;
+void SoloRun::observe(std::span<const Report> reports, bool working) {
   const std::int64_t i = links_.i();
-  for (std::size_t arm = 0; arm < traces_.size(); ++arm) {
-    const Report& r = links_.report(arm);
-    std::ranges::copy_backward(std::array{m_[arm][0], m_[arm][1]}, m_[arm].end());
-    m_[arm][0] = r.m;
-    if (!r.ready || !working) continue;
-    ArmRow row;
-    row.i = i;
-    // x_ce was measured in step n_Q of the macrostep before the last.
-    row.t = static_cast<double>(i - 2) * macrostep_s + (k_.n_s - 1) * k_.dt;
-    row.m = m_[arm][kExecuted];
-    row.pose = Eigen::Map<const Vector6>(r.T_0E.data());
-    row.F = r.F_a;
-    row.gap = r.gripper;
-    row.blocked = r.blocked;
-    traces_[arm].push_back(row);
-  }
+  recorder_.note(i, 0, reports);
+  if (working) recorder_.add_rows(traces_);
   if (k_.watch) k_.watch();
   show(working);
-  run_.each_macrostep(i, static_cast<double>(i) * macrostep_s);
+  run_.each_macrostep(i, static_cast<double>(i) * k_.n_s * k_.dt);
 }
 
 void SoloRun::show(bool working) {
-  const bool paused = links_.operator_image().paused;
-  run_.set_state(!working ? TaskState::waiting_for_start
-                 : paused ? TaskState::paused
-                          : TaskState::running,
+  run_.set_state(!working                  ? TaskState::waiting_for_start
+                 : links_.clock().paused() ? TaskState::paused
+                                           : TaskState::running,
                  false);
   for (std::size_t arm = 0; arm < m_.size(); ++arm) {
     const Report& r = links_.report(arm);
     const auto number = static_cast<std::size_t>(std::max(0, r.m));
     const BehaviourWords words = number >= 1 && number <= k_.behaviours.size() ? k_.behaviours[number - 1]
-                                 : working                                     ? BehaviourWords{"done"}
-                                           : BehaviourWords{"waits", "start given"};
-    if (working && r.m != m_[arm][1])
-      announce_(fmt::format("{:8.2f} s  {}  m = {}  {}", static_cast<double>(links_.i()) * k_.n_s * k_.dt,
-                            k_.arms[arm], r.m, words.name));
+                                 : r.event == kWorkDone                        ? BehaviourWords{"done"}
+                                                        : BehaviourWords{"waits", "start given"};
+    if (working && r.m != m_[arm])
+      run_.announce()(static_cast<double>(links_.i()) * k_.n_s * k_.dt,
+                      fmt::format("{}  m = {}  {}", k_.arms[arm], r.m, words.name));
     if (arm == 0) {
       run_.board().set_behaviour(r.m, words.name, words.until);
       run_.board().set_progress(progress(working), words.name);
     }
     run_.board().set_arm(arm, r, "");
+    m_[arm] = r.m;
   }
 }
 

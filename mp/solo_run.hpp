@@ -1,16 +1,17 @@
-// MP of a task whose arms work on their own (coordination "none" or sporadic, MG 5): starts them, pauses them, writes
-// down what they report, and ends when all are done.
+// MP of a task whose arms work on their own (coordination "none" or sporadic, MG 5): starts them, pauses
+// them, records what they report, and ends when all are done.
 #pragma once
-#include <array>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "mp/arm_trace.hpp"
+#include "mp/auto_start_operator.hpp"
 #include "mp/coordinator_links.hpp"
-#include "mp/dormant_operator.hpp"
 #include "mp/task_run.hpp"
+#include "mp/trace_recorder.hpp"
 
 namespace mrroc::mp {
 
@@ -26,46 +27,45 @@ struct BehaviourWords {
   std::string until{};  ///< what it waits for; may be empty
 };
 
-/// What the run is told.
+/// Settings of the run.
 struct SoloParameters {
   std::vector<std::string> arms;           ///< keys, e.g. arm1
   std::vector<BehaviourWords> behaviours;  ///< m = 1, 2, ...
-  std::int64_t lasts{};      ///< macrosteps of work; 0: until the behaviours have been, one after another
-  double dt{0.002};          ///< duration of a step [s]
-  int n_s{10};               ///< steps of a macrostep
-  bool gives_start{true};    ///< false: a person or a script gives it
-  Coordinate* coordinate{};  ///< null: the coordinator is dormant
+  std::int64_t
+      lasts{};  ///< macrosteps of work, in task time; 0: until the behaviours have been, one after another
+  double dt{0.002};               ///< duration of a step [s]
+  int n_s{10};                    ///< steps of a macrostep
+  bool gives_start{true};         ///< false: a person or a script gives it
+  Coordinate* coordinate{};       ///< null: the coordinator is dormant
   std::function<void()> watch{};  ///< called in every macrostep; may be empty
 };
 
 /// The coordinator.
-class SoloRun {
+class SoloRun final : public CoordinatorRun {
  public:
-  /// @param announce  gets a line for every behaviour that an arm begins
-  SoloRun(TaskRun& run, const SoloParameters& parameters, std::function<void(const std::string&)> announce);
+  /// @param run  is told of every behaviour that an arm begins; must outlive this object
+  SoloRun(TaskRun& run, const SoloParameters& parameters);
 
-  /// Runs the task to its end. Call TaskRun::start() before.
-  Outcome execute();
-
-  /// @return why execute() gave faulted
-  [[nodiscard]] const Fault& fault() const { return links_.fault(); }
+  Outcome execute() override;
+  [[nodiscard]] const Fault& fault() const override { return links_.fault(); }
   /// @return a row per arm and macrostep; m is the behaviour that was being executed
-  [[nodiscard]] const std::vector<ArmTrace>& traces() const { return traces_; }
+  [[nodiscard]] std::span<const ArmTrace> traces() const override { return traces_; }
 
  private:
+  struct DormantMemory;
   struct Dormant;
-  void observe(bool working);
+  void observe(std::span<const Report> reports, bool working);
   void show(bool working);
   [[nodiscard]] double progress(bool working);
 
   TaskRun& run_;
   SoloParameters k_;
-  DormantOperator operator_;
+  AutoStartOperator operator_;
   CoordinatorLinks links_;
-  std::function<void(const std::string&)> announce_;
+  TraceRecorder recorder_;
   std::vector<ArmTrace> traces_;
-  std::vector<std::array<int, 3>> m_;  // of the last reports, newest first
-  std::int64_t working_since_{};       // macrostep; 0: not yet
+  std::vector<int> m_;                   // of the reports that were shown last
+  std::optional<double> working_since_;  // task time; nothing: not yet
 };
 
 }  // namespace mrroc::mp

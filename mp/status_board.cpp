@@ -14,10 +14,11 @@ constexpr std::chrono::milliseconds kPeriod{100};
 StatusBoard::StatusBoard(link::Process& process, const Supervisor& supervisor, const std::string& task,
                          const std::vector<std::string>& arms, const std::string& run_folder)
     : supervisor_(supervisor),
-      out_(process.bus(), process.route("task_status"), process.membership().session_id) {
+      out_(process.bus(), process.route("task_status"), process.context().session_id) {
   link::put_text(status_.task, task);
   link::put_text(status_.run_folder, run_folder);
   status_.n_agents = static_cast<int>(std::min(arms.size(), std::size(status_.agent)));
+  drivers_.resize(std::size(status_.agent));
   for (int k = 0; k < status_.n_agents; ++k)
     link::put_text(status_.agent[k], arms[static_cast<std::size_t>(k)]);
 }
@@ -35,6 +36,13 @@ void StatusBoard::set_behaviour(int m, std::string_view name, std::string_view u
   status_.m = m;
   link::put_text(status_.behaviour, name);
 }
+std::string StatusBoard::behaviour() const { return link::get_text(status_.behaviour); }
+std::string StatusBoard::watched() const {
+  std::string text = fmt::format("{} {}", status_.m, status_.progress);
+  for (const DriverState state : drivers_) text += fmt::format(" {}", static_cast<int>(state));
+  const bool homes = std::ranges::find(drivers_, DriverState::homing) != drivers_.end();
+  return homes ? fmt::format("{} in {}", text, macrostep_) : text;
+}
 void StatusBoard::set_state(TaskState state, bool waits_for_trigger) {
   status_.state = static_cast<int>(state);
   status_.waits_for_trigger = waits_for_trigger;
@@ -49,9 +57,11 @@ void StatusBoard::set_time(std::int64_t macrostep, double sim_s) {
   status_.sim_time = sim_s;
 }
 void StatusBoard::set_arm(std::size_t arm, const Report& report, std::string_view sensor_text) {
+  status_.position_known[arm] = report.position_known ? 1 : 0;
   std::ranges::copy(report.T_0E, status_.T_0E[arm]);
   std::ranges::copy(report.F_a.v, status_.F_a[arm]);
   status_.sensor[arm] = report.sensor;
+  drivers_[arm] = report.driver_state;
   link::put_text(status_.sensor_text[arm], sensor_text);
 }
 
@@ -71,22 +81,23 @@ void StatusBoard::publish() {
   take_processes();
   link::put_text(status_.last_message, supervisor_.last_message());
   status_.last_code = static_cast<int>(supervisor_.last_code());
+  status_.fault = supervisor_.fault() ? static_cast<int>(supervisor_.fault()->code) : 0;
   out_.publish(status_, macrostep_);
 }
 
 void StatusBoard::take_processes() {
   agents_begun_ = supervisor_.behaviours_begun();
-  const auto parts = supervisor_.parts();
-  status_.n_processes = static_cast<int>(std::min(parts.size(), std::size(status_.process)));
+  const auto nodes = supervisor_.node_statuses();
+  status_.n_processes = static_cast<int>(std::min(nodes.size(), std::size(status_.process)));
   for (int k = 0; k < status_.n_processes; ++k) {
-    const PartStatus& p = parts[static_cast<std::size_t>(k)];
+    const NodeStatus& p = nodes[static_cast<std::size_t>(k)];
     link::put_text(status_.process[k], p.name);
     status_.process_state[k] = static_cast<int>(p.state);
     status_.process_age[k] = p.age;
   }
   for (int k = 0; k < status_.n_agents; ++k) {
-    const auto ecp = std::ranges::find(parts, "ecp-" + link::get_text(status_.agent[k]), &PartStatus::name);
-    if (ecp == parts.end()) continue;
+    const auto ecp = std::ranges::find(nodes, "ecp-" + link::get_text(status_.agent[k]), &NodeStatus::name);
+    if (ecp == nodes.end()) continue;
     status_.agent_m[k] = ecp->m;
     link::put_text(status_.agent_behaviour[k], ecp->behaviour);
     link::put_text(status_.agent_ended_because[k], ecp->ended_because);

@@ -1,4 +1,4 @@
-// What the operator's terminals see of a running task.
+// The status of a running task, as the operator's terminals show it.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -32,8 +32,18 @@ class StatusBoard {
   void set_progress(double share, const std::string& text);
   /// @param macrostep  of the coordinator, 0: none yet  @param sim_s  simulated time [s]
   void set_time(std::int64_t macrostep, double sim_s);
-  /// @param sensor_text  name of the sensor's reading
+  /// @param arm  below the number that the message has room for  @param sensor_text  name of the sensor's reading
   void set_arm(std::size_t arm, const Report& report, std::string_view sensor_text);
+
+  /// @return number, name and end of the present behaviour, as they were set
+  [[nodiscard]] int m() const { return status_.m; }
+  [[nodiscard]] std::string behaviour() const;
+  [[nodiscard]] const std::string& until() const { return until_; }
+  /// @return share of the task that is done, 0..1
+  [[nodiscard]] double progress() const { return status_.progress; }
+  /// @return what changes while the run goes on: behaviour, progress and the drivers' states, in no words for people.
+  /// While a driver homes it changes always: that ends by itself, no axis goes farther than its range
+  [[nodiscard]] std::string watched() const;
 
   /// Publishes when it is time.
   void poll();
@@ -49,10 +59,11 @@ class StatusBoard {
   link::Process::Clock::time_point last_{};
   std::int64_t macrostep_{};
   double last_sim_s_{};
-  bool news_{};                  // to be told at once
-  std::string until_;            // of the present behaviour
-  double begun_s_{};             // simulated time at which it began [s]
-  std::int64_t agents_begun_{};  // behaviours that the agents had begun when they were told
+  bool news_{};                       // to be told at once
+  std::vector<DriverState> drivers_;  // one per agent
+  std::string until_;                 // of the present behaviour
+  double begun_s_{};                  // simulated time at which it began [s]
+  std::int64_t agents_begun_{};       // behaviours that the agents had begun when they were told
 };
 
 }  // namespace mrroc::mp

@@ -1,4 +1,4 @@
-// Forces of every step of a run, which a table with a row per macrostep does not have.
+// Adds the forces of every step to a run's rows, which hold one value per macrostep.
 #pragma once
 #include <string>
 

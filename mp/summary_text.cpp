@@ -4,7 +4,8 @@
 
 #include <cstdio>
 
-#include "base/as_typed.hpp"
+#include "base/command_hint.hpp"
+#include "base/counted.hpp"
 #include "base/print.hpp"
 
 namespace mrroc::mp {
@@ -28,21 +29,27 @@ std::string ending_text(const Summary& s, const Ending& ending, const TaskOption
                                            : "done",
                                  s.sim_s, s.wall_s, s.wall_s > 0 ? s.sim_s / s.wall_s : 0);
   if (!s.stopped) text += ending.figures;
-  for (const SurvivedFault& survived : s.survived)
-    text += fmt::format("fault at {:.2f} s, after which the task went on: {}\n", survived.sim_s,
-                        describe(survived.fault));
+  for (const RecoverableFault& recovered : s.survived)
+    text += fmt::format("fault at {:.2f} s, after which the task went on: {}\n", recovered.sim_s,
+                        describe(recovered.fault));
   if (!s.black_box.empty())
-    text += fmt::format("black box, the last 5 s of every process: {} files in the run folder, such as {}\n",
-                        s.black_box.size(), s.black_box.front());
+    text += fmt::format("black box, the last 5 s of every process: {} in the run folder, such as {}\n",
+                        counted(s.black_box.size(), "file"), s.black_box.front());
   for (const std::filesystem::path& picture : ending.pictures)
     if (!s.stopped) text += fmt::format("picture: {}\n", picture.string());
-  return as_typed(text + view_hint(s, ending, options), options.session);
+  return command_hint(text + view_hint(s, ending, options), options.session);
 }
 
 int print_ending(const Summary& summary, const Ending& ending, const TaskOptions& options) {
   print(stdout, ending_text(summary, ending, options));
+  const std::string verdict = summary.fault ? "" : to_string(ending.verdict);
+  const bool failed = options.strict && !verdict.empty() && !ending.verdict.missed.empty();
   if (summary.fault) print(stderr, error_line(*summary.fault, options.session) + "\n");
+  if (failed)
+    print(stderr, FaultError(FaultCode::figures_missed, verdict).error_line(options.session) + "\n");
+  if (!verdict.empty()) print(stdout, fmt::format("done; {}\n", verdict));
   print(stdout, fmt::format("run folder: {}\n", ending.folder.string()));
+  if (failed) return exit_status(FaultCode::figures_missed);
   return summary.fault ? exit_status(summary.fault->code) : 0;
 }
 

@@ -1,19 +1,21 @@
-// What a task prints when it has ended.
+// The text that a task prints when it has ended.
 #pragma once
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "mp/figure_table.hpp"
 #include "mp/options.hpp"
 #include "mp/run_folder.hpp"
 
 namespace mrroc::mp {
 
-/// What is told of a run that has ended besides its summary.
+/// Data of a finished run that are printed besides its summary.
 struct Ending {
   std::filesystem::path folder;                   ///< of the run
   std::string figures{};                          ///< lines, see figure_table()
   std::vector<std::filesystem::path> pictures{};  ///< of the run
+  FigureVerdict verdict{};                        ///< on the figures of a run that came to its end
 };
 
 /// @return how the run ended and how long it took, then figures and pictures - not those of a run that was stopped,
@@ -21,8 +23,9 @@ struct Ending {
 [[nodiscard]] std::string ending_text(const Summary& summary, const Ending& ending,
                                       const TaskOptions& options);
 
-/// Prints that, then the error line on standard error, if there is one, and the run folder as the last line.
-/// @return exit status of the task
+/// Prints that, the error line on standard error, if there is one, a line with the verdict on the figures of a run that is
+/// done, and the run folder as the last line.
+/// @return exit status of the task; with --strict 1 when a figure misses what is wanted
 [[nodiscard]] int print_ending(const Summary& summary, const Ending& ending, const TaskOptions& options);
 
 }  // namespace mrroc::mp

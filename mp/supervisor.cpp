@@ -3,15 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstdio>
 #include <cstdlib>
-#include <map>
 
 #include "base/link/text.hpp"
-#include "base/msg/convert.hpp"
-#include "base/program.hpp"
-#include "mp/silence.hpp"
 
 namespace mrroc::mp {
 namespace {
@@ -20,12 +15,10 @@ using link::Phase;
 using link::ProcessState;
 using namespace std::chrono_literals;
 
-constexpr auto kRepeat = 100ms;    // between the supervisor's own messages
-constexpr auto kLook = 20ms;       // between looks at the children
-constexpr auto kAssembling = 60s;  // until everybody must be there
-constexpr auto kTellSkipped = 1s;  // between lines about lateness, of each process
-constexpr auto kHang = 10s;        // without a sign of life
-constexpr auto kComeToRest = 20s;  // for arms to come to rest after a stop
+constexpr auto kRepeat = 100ms;      // between the supervisor's own messages
+constexpr auto kLook = 20ms;         // between looks at the children
+constexpr auto kComeToEnd = 1s;      // for a process to end by a signal
+constexpr int kLastMacrosteps = 20;  // that all make meanwhile
 
 #ifdef MRROC_SANITIZED
 constexpr bool kWatchHangs = false;  // sanitizers slow processes down without a bound
@@ -33,36 +26,25 @@ constexpr bool kWatchHangs = false;  // sanitizers slow processes down without a
 constexpr bool kWatchHangs = true;
 #endif
 
+double in_seconds(std::chrono::milliseconds time) { return std::chrono::duration<double>(time).count(); }
+
 }  // namespace
 
-struct Supervisor::Watched {
-  Watched(link::Process& mp, Part p)
-      : part(std::move(p)),
-        status_in(mp.bus(), mp.route(part.name + ".status"), mp.membership().session_id),
-        console_in(mp.bus(), mp.route(part.name + ".console"), mp.membership().session_id) {}
+bool is_operators_word(FaultCode reason) {
+  return reason == FaultCode::operator_stop || reason == FaultCode::interrupted ||
+         reason == FaultCode::emergency_stop;
+}
 
-  Part part;
-  link::Queue<process_status_t> status_in;
-  link::Queue<console_t> console_in;
-  process_status_t status{};
-  ProcessState state{ProcessState::starting};
-  Silence silence{Clock::now()};
-  std::int64_t skipped_told{};
-  Clock::time_point told_at{};
-  std::optional<link::Child> child;
-  std::atomic<bool> thread_ended{};
-  std::jthread thread;
-};
-
-Supervisor::Supervisor(link::Process& mp, std::vector<Part> parts, const std::filesystem::path& messages,
-                       std::chrono::milliseconds leave)
+Supervisor::Supervisor(link::Process& mp, std::vector<NodeSpec> nodes, const std::filesystem::path& messages,
+                       const SupervisorTimes& times)
     : mp_(mp),
-      out_(mp.bus(), mp.route("supervisor"), mp.membership().session_id),
-      begun_(Clock::now()),
-      leave_(leave),
+      out_(mp.bus(), mp.route("supervisor"), mp.context().session_id),
+      assembling_(Clock::now()),
+      escalation_(Clock::now()),
+      times_(times),
       messages_(messages) {
-  watched_.push_back(std::make_unique<Watched>(mp, Part{mp.membership().name, {}, {}, {}, {}}));
-  for (Part& p : parts) watched_.push_back(std::make_unique<Watched>(mp, std::move(p)));
+  nodes_.push_back(std::make_unique<SupervisedNode>(mp, NodeSpec{.name = mp.context().name}));
+  for (NodeSpec& p : nodes) nodes_.push_back(std::make_unique<SupervisedNode>(mp, std::move(p)));
   mp_.on_service = [this] { poll(); };
 }
 
@@ -78,36 +60,12 @@ Supervisor::~Supervisor() {
   }
 }
 
-void Supervisor::start_processes(const std::vector<std::string>& common) {
-  for (auto& w : watched_) {
-    if (w->part.program.empty()) continue;
-    std::vector<std::string> arguments = common;
-    arguments.insert(arguments.end(), w->part.arguments.begin(), w->part.arguments.end());
-    const bool here = w->part.start.empty();
-    w->child.emplace(here ? program_beside(w->part.program) : program_folder() / w->part.program, arguments,
-                     w->part.start);
-    w->silence.hear(Clock::now());
-  }
+void Supervisor::start_processes(const std::vector<std::string>& common, const std::string& input) {
+  for (const auto& node : nodes_) node->start_process(common, input);
 }
 
 void Supervisor::start_threads(link::MemoryHub& hub) {
-  for (auto& w : watched_) {
-    if (!w->part.body) continue;
-    link::Membership membership = mp_.membership();
-    membership.name = w->part.name;
-    w->thread = std::jthread([&hub, membership, body = w->part.body, &ended = w->thread_ended] {
-      const auto bus = hub.open();
-      link::Process process(*bus, membership);
-      try {
-        body(process);
-      } catch (const FaultError& e) {
-        process.report_fault(e.fault());
-      } catch (const std::exception& e) {
-        process.report_fault({.code = FaultCode::internal_error, .text = e.what()});
-      }
-      ended = true;
-    });
-  }
+  for (const auto& node : nodes_) node->start_thread(hub, mp_.context());
 }
 
 void Supervisor::poll() {
@@ -117,84 +75,142 @@ void Supervisor::poll() {
     last_look_ = now;
     watch_children();
     watch_hangs();
+    watch_leavers();
+    watch_stop();
   }
   lead();
   if (now - last_said_ > kRepeat) publish();
 }
 
 void Supervisor::hear() {
-  for (auto& w : watched_) {
-    while (const auto line = w->console_in.take())
-      log(w->part.name, link::get_text(line->text), fault_code(line->code).value_or(FaultCode::none));
-    while (const auto s = w->status_in.take()) {
-      if (s->state < 0 || s->state >= static_cast<int>(ProcessState::dead)) continue;  // nobody says so
-      const auto now = Clock::now();
-      w->silence.hear(now);
-      if (w->state == ProcessState::dead) continue;
-      const bool leaves = s->state >= static_cast<int>(ProcessState::done);
-      if (s->skipped > w->skipped_told && (leaves || now - w->told_at > kTellSkipped)) {
-        log(w->part.name,
-            fmt::format("late: {} skipped, {} in all", s->skipped - w->skipped_told, s->skipped),
-            FaultCode::none);
-        w->skipped_told = s->skipped;
-        w->told_at = now;
-      }
-      if (s->m != w->status.m || !std::ranges::equal(s->behaviour, w->status.behaviour)) ++behaviours_begun_;
-      w->status = *s;
-      const auto state = static_cast<ProcessState>(s->state);
-      const bool news = state != w->state;
-      w->state = state;
-      if (s->at_rest) {
-        at_rest_ = true;
-        std::ranges::copy(s->stop_steps, stop_steps_.begin());
-      }
-      if (news && state == ProcessState::faulted) {
-        tell(from_message(s->fault));
-      }
+  for (const auto& node : nodes_) {
+    while (const auto line = node->take_line())
+      messages_.write(node->name(), link::get_text(line->text),
+                      fault_code(line->code).value_or(FaultCode::none));
+    while (const auto news = node->take_status(Clock::now())) {
+      if (news->late > 0)
+        messages_.write(node->name(),
+                        fmt::format("late: {} skipped, {} in all", news->late, node->status().skipped),
+                        FaultCode::none);
+      if (news->begun) ++behaviours_begun_;
+      if (news->fault) log_and_stop(*news->fault);
     }
   }
 }
 
 void Supervisor::watch_children() {
-  for (auto& w : watched_) {
-    if (w->thread_ended && w->state == ProcessState::faulted) tell_dead(*w);
-    if (!w->child || !w->child->reap()) continue;
-    if (w->child->ended_well() || ending_) {
-      if (w->state < ProcessState::done) w->state = ProcessState::done;
+  for (const auto& node : nodes_) {
+    if (node->thread_ended() && node->state() == ProcessState::faulted) publish_dead(*node);
+    link::Child* const child = node->child();
+    if (!child || !child->reap()) continue;
+    const bool well = child->ended_well();
+    if (ending_ || (well && fault_)) {
+      if (node->state() < ProcessState::done) node->set_state(ProcessState::done);
       continue;
     }
     hear();
-    if (w->state == ProcessState::faulted) {  // it has told why
-      tell_dead(*w);
+    if (node->state() == ProcessState::faulted) {  // it has told why
+      publish_dead(*node);
       continue;
     }
-    Fault fault{.code = FaultCode::process_died, .process = w->part.name};
-    fault.text = fmt::format("{} ended with {}", w->part.name, *w->child->ended());
-    declare_dead(*w, fault);
+    // Nobody leaves before he is told to.
+    Fault fault{.code = well ? FaultCode::ended_early : FaultCode::process_died, .process = node->name()};
+    fault.text = fmt::format("{} ended with {}{}", node->name(), *child->ended(),
+                             well ? " while the system was running" : "");
+    declare_dead(*node, fault);
   }
 }
 
 void Supervisor::watch_hangs() {
   if (!kWatchHangs) return;
-  for (auto& w : watched_) {
-    w->silence.look(Clock::now());
-    if (!w->child || w->child->ended() || w->silence.counted() < kHang) continue;
-    Fault fault{.code = FaultCode::process_hung, .process = w->part.name};
-    fault.text = fmt::format("{} has not been heard for {} s", w->part.name, kHang.count());
-    w->child->kill();
-    declare_dead(*w, fault);
+  for (const auto& node : nodes_) {
+    const auto silence = node->silence(Clock::now());
+    link::Child* const child = node->child();
+    if (!child || child->ended() || silence < times_.hang) continue;
+    Fault fault{.code = FaultCode::process_hung, .process = node->name()};
+    fault.text = fmt::format("{} has not been heard for {:g} s", node->name(), in_seconds(times_.hang));
+    child->kill();
+    declare_dead(*node, fault);
   }
 }
 
-void Supervisor::declare_dead(Watched& part, const Fault& fault) {
-  part.state = ProcessState::dead;
-  tell_dead(part);
+// A node that has done its work stays until the system ends. Before the task's program has come to its end
+// nobody can have.
+void Supervisor::watch_leavers() {
+  if (program_ended_ || fault_ || said_.phase != static_cast<int>(Phase::running)) return;
+  for (const auto& node : nodes_) {
+    if (node == nodes_.front() || node->state() != ProcessState::done) continue;
+    if (node->left(Clock::now()) < times_.leaves) continue;
+    Fault fault{.code = FaultCode::ended_early, .process = node->name()};
+    fault.text = fmt::format("{} says that it is done, and the task is not", node->name());
+    stop(fault, 0);
+  }
+}
+
+bool Supervisor::stop_confirmed() const {
+  return said_.phase >= static_cast<int>(Phase::stopping) &&
+         std::all_of(nodes_.begin() + 1, nodes_.end(),
+                     [this](const auto& node) { return node->confirms(said_.as_of); });
+}
+
+void Supervisor::watch_stop() {
+  if (said_.phase < static_cast<int>(Phase::stopping) || stop_confirmed())
+    return escalation_.settle(Clock::now());
+  escalation_.wait(Clock::now());
+  if (!kWatchHangs || ending_ || !fault_ || !escalation_.asks()) return;
+  for (const auto& node : nodes_) {
+    if (node == nodes_.front() || node->confirms(said_.as_of)) continue;
+    if (!node->asked_to_end)
+      ask_to_end(*node);
+    else if (escalation_.kills())
+      kill_unconfirmed(*node);
+  }
+}
+
+void Supervisor::ask_to_end(SupervisedNode& node) {
+  const double time = in_seconds(escalation_.timeout());
+  node.asked_to_end = true;
+  escalation_.add(node.name());
+  const bool ordered = is_operators_word(fault_->code) || fault_->code == FaultCode::stop_not_confirmed;
+  if (ordered && led_) {  // before that nothing moves
+    fault_ = Fault{.code = FaultCode::stop_not_confirmed, .process = node.name()};
+    fault_->text = fmt::format("not confirmed in {:.1f} s by {}", time, escalation_.unconfirmed());
+  }
+  alarm(node, fmt::format("{} has not confirmed the stop in {:.1f} s: {}", node.name(), time,
+                          node.child() ? "SIGTERM" : "it is a thread, with which the whole program ends"));
+  if (node.child()) node.child()->terminate();
+}
+
+void Supervisor::kill_unconfirmed(SupervisedNode& node) {
+  if (!node.child()) return;
+  alarm(node, fmt::format("{} does not end by SIGTERM either: SIGKILL", node.name()));
+  node.child()->kill();
+  declare_dead(node, {.code = FaultCode::stop_not_confirmed, .process = node.name()});
+}
+
+void Supervisor::alarm(const SupervisedNode& node, const std::string& line) {
+  messages_.write(node.name(), line, FaultCode::stop_not_confirmed);
+  if (on_alarm) on_alarm(line);
+}
+
+void Supervisor::kill_all() {
+  for (const auto& node : nodes_) {
+    if (!node->child() || node->child()->ended()) continue;
+    node->child()->kill();
+    node->set_state(ProcessState::dead);
+    publish_dead(*node);
+  }
+}
+
+void Supervisor::declare_dead(SupervisedNode& node, const Fault& fault) {
+  node.set_state(ProcessState::dead);
+  publish_dead(node);
   stop(fault, 0);
 }
 
-void Supervisor::tell_dead(const Watched& part) {
+void Supervisor::publish_dead(const SupervisedNode& node) {
   const auto index =
-      std::ranges::find_if(watched_, [&](const auto& w) { return w.get() == &part; }) - watched_.begin();
+      std::ranges::find_if(nodes_, [&](const auto& n) { return n.get() == &node; }) - nodes_.begin();
   const std::int64_t bit = std::int64_t{1} << index;
   if ((said_.dead & bit) != 0) return;
   said_.dead |= bit;
@@ -207,12 +223,15 @@ void Supervisor::lead() {
     said_.phase = static_cast<int>(Phase::running);
     led_ = true;
     publish();
-  } else if (Clock::now() - begun_ > kAssembling) {
+    return;
+  }
+  assembling_.look(Clock::now());
+  if (assembling_.counted() > times_.assembling) {
     std::string missing;
-    for (const auto& w : watched_)
-      if (w->state < ProcessState::ready) missing += (missing.empty() ? "" : ", ") + w->part.name;
+    for (const auto& node : nodes_)
+      if (node->state() < ProcessState::ready) missing += (missing.empty() ? "" : ", ") + node->name();
     stop({.code = FaultCode::not_ready,
-          .text = fmt::format("not there after {} s: {}", kAssembling.count(), missing)},
+          .text = fmt::format("not there after {:g} s: {}", in_seconds(times_.assembling), missing)},
          0);
   }
 }
@@ -220,9 +239,10 @@ void Supervisor::lead() {
 void Supervisor::stop(const Fault& reason, std::int64_t as_of) {
   if (!fault_) {
     fault_ = reason;
-    // log() writes class and code itself.
-    log(reason.process.empty() ? mp_.membership().name : std::string(reason.process.view()),
-        fmt::format("{}; {}", what_happened(reason), fault_entry(reason.code).remedy), reason.code);
+    // The log writes class and code itself.
+    messages_.write(reason.process.empty() ? mp_.context().name : std::string(reason.process.view()),
+                    fmt::format("{}; {}", what_happened(reason), fault_entry(reason.code).remedy),
+                    reason.code);
   }
   if (said_.phase >= static_cast<int>(Phase::stopping)) {
     // A death in a system that stops already must not wait for the agreed macrostep.
@@ -237,107 +257,117 @@ void Supervisor::stop(const Fault& reason, std::int64_t as_of) {
   publish();
 }
 
-void Supervisor::tell(const Fault& fault) {
+void Supervisor::log_and_stop(const Fault& fault) {
+  if (fault_ && fault_->code == fault.code && fault_->process.view() == fault.process.view()) return;
   if (fault_)
-    log(std::string(fault.process.view()), describe(fault), fault.code);  // the first one is told by stop()
+    messages_.write(fault.process.view(), describe(fault), fault.code);  // the first one is told by stop()
   stop(fault, 0);
 }
 
 void Supervisor::publish() {
   last_said_ = Clock::now();
+  if (!mp_.context().replayed) mp_.lead(said_);  // a replay hears what was said in the run
   out_.publish(said_, 0);
 }
 
 bool Supervisor::all(ProcessState at_least) const {
-  return std::ranges::all_of(watched_, [&](const auto& w) { return w->state >= at_least; });
+  return std::ranges::all_of(nodes_, [&](const auto& node) { return node->state() >= at_least; });
 }
 
-bool Supervisor::world_is_dead() const {
-  return std::ranges::any_of(
-      watched_, [](const auto& w) { return w->part.name == "world" && w->state >= ProcessState::done; });
+bool Supervisor::robots_rest() const {
+  return std::ranges::all_of(
+      nodes_, [this](const auto& node) { return node->rests() || (node->ended() && plant_rests(*node)); });
+}
+
+// A driver that has done its work has left its robot at rest.
+bool Supervisor::plant_rests(const SupervisedNode& driver) const {
+  if (driver.plant().empty() || driver.state() == ProcessState::done) return true;
+  const auto plant =
+      std::ranges::find_if(nodes_, [&](const auto& node) { return node->name() == driver.plant(); });
+  return plant == nodes_.end() || (*plant)->ended() || (*plant)->state() == ProcessState::faulted ||
+         (*plant)->status().at_rest;
+}
+
+std::optional<int> Supervisor::stop_steps() const {
+  std::optional<int> most;
+  for (const auto& node : nodes_)
+    if (const auto steps = node->stop_steps()) most = std::max(most.value_or(0), *steps);
+  return most;
+}
+
+bool Supervisor::await_for(std::chrono::milliseconds time, const std::function<bool()>& ready) {
+  link::HeartbeatMonitor waited(Clock::now());
+  bool there = false;
+  mp_.await([&] {
+    waited.look(Clock::now());
+    there = ready();
+    return there || waited.counted() > time;
+  });
+  return there;
+}
+
+void Supervisor::await_work() {
+  const auto last =
+      std::chrono::duration_cast<std::chrono::milliseconds>(mp_.context().macrostep * kLastMacrosteps);
+  const auto done = [this] { return all(ProcessState::done) || fault_; };
+  if (!kWatchHangs) {
+    mp_.await(done);
+    return;
+  }
+  if (await_for(times_.finish + last, done)) return;
+  for (const auto& node : nodes_)
+    if (node->state() < ProcessState::done && !fault_)
+      log_and_stop({.code = FaultCode::process_hung,
+                    .process = node->name(),
+                    .text = fmt::format("the task is over, and {} does not come to its end", node->name())});
 }
 
 void Supervisor::end() {
-  if (!fault_) {
-    mp_.await([this] { return all(ProcessState::done) || fault_; });
-  }
-  if (fault_) {
-    // Who runs for less than the time between two signs of life has told no step yet.
-    if (led_ && watched_.size() > 1)
-      mp_.await([this] { return at_rest_ || world_is_dead(); }, Clock::now() + kComeToRest);
-  }
-  ending_ = true;
-  said_.phase = static_cast<int>(Phase::finished);
-  publish();
-  const auto gone = [this] {
-    return std::ranges::all_of(watched_, [](const auto& w) {
-      return (!w->child || w->child->ended()) && (!w->thread.joinable() || w->thread_ended);
-    });
-  };
-  if (!mp_.await(gone, Clock::now() + leave_)) {
-    for (auto& w : watched_)
-      if (w->child) w->child->kill();
-    mp_.await(gone, Clock::now() + leave_);
-  }
+  program_ended_ = true;
+  if (!fault_) await_work();
+  if (fault_ && led_) await_for(times_.come_to_rest, [this] { return robots_rest(); });
+  // Nodes that have not confirmed are ended and named before the others are let go.
+  if (fault_ && kWatchHangs)
+    await_for(StopEscalation::kConfirm + StopEscalation::kTerminate + kComeToEnd,
+              [this] { return stop_confirmed(); });
+  let_go();
   end_threads();
   hear();
 }
 
+void Supervisor::let_go() {
+  ending_ = true;
+  said_.phase = static_cast<int>(Phase::finished);
+  publish();
+  const auto gone = [this] {
+    return std::ranges::none_of(nodes_, [](const auto& node) { return node->runs(); });
+  };
+  if (mp_.await(gone, Clock::now() + times_.leave)) return;
+  for (const auto& node : nodes_)
+    if (node->child()) node->child()->kill();
+  mp_.await(gone, Clock::now() + times_.leave);
+}
+
 void Supervisor::end_threads() {
-  for (auto& w : watched_) {
-    if (!w->thread.joinable()) continue;
-    if (w->thread_ended) {
-      w->thread.join();
-      continue;
-    }
+  for (const auto& node : nodes_) {
+    if (node->join()) continue;
     abandons_threads_ = true;
-    tell({.code = FaultCode::process_hung,
-          .process = w->part.name,
-          .text = fmt::format("the thread {} does not end", w->part.name)});
+    log_and_stop({.code = FaultCode::process_hung,
+                  .process = node->name(),
+                  .text = fmt::format("the thread {} does not end", node->name())});
   }
 }
 
-std::vector<PartStatus> Supervisor::parts() const {
-  std::vector<PartStatus> all;
-  for (const auto& w : watched_)
-    all.push_back({w->part.name, w->state,
-                   std::chrono::duration<double>(Clock::now() - w->silence.heard()).count(), w->status.m,
-                   link::get_text(w->status.behaviour), link::get_text(w->status.ended_because)});
+std::vector<NodeStatus> Supervisor::node_statuses() const {
+  std::vector<NodeStatus> all;
+  for (const auto& node : nodes_) all.push_back(node->summary(Clock::now()));
   return all;
 }
 
 std::int64_t Supervisor::skipped() const {
   std::int64_t sum = 0;
-  for (const auto& w : watched_) sum += w->status.skipped;
+  for (const auto& node : nodes_) sum += node->status().skipped;
   return sum;
-}
-
-std::uint64_t Supervisor::log_hash() const {
-  std::map<std::string, const channel_hash_t*> by_channel;
-  for (const auto& w : watched_) {
-    if (w->status.state != static_cast<int>(ProcessState::done)) return 0;
-    const auto told = std::min<std::size_t>(static_cast<std::size_t>(std::max(0, w->status.n_hashes)),
-                                            std::size(w->status.hash));
-    for (std::size_t k = 0; k < told; ++k)
-      by_channel[link::get_text(w->status.hash[k].channel)] = &w->status.hash[k];
-  }
-  Hash hash;
-  for (const auto& [channel, h] : by_channel) {
-    hash.add(channel);
-    hash.add(static_cast<std::uint64_t>(h->count));
-    hash.add(static_cast<std::uint64_t>(h->hash));
-  }
-  return hash.value();
-}
-
-void Supervisor::log(const std::string& process, const std::string& text, FaultCode code) {
-  const double seconds = std::chrono::duration<double>(Clock::now() - begun_).count();
-  const std::string_view kind = code == FaultCode::none ? "info" : to_string(class_of(code));
-  messages_ << fmt::format("{:10.3f}  {:10}  {:9}  {:20}  {}\n", seconds, process, kind,
-                           code == FaultCode::none ? "-" : to_string(code), text)
-            << std::flush;
-  last_message_ = process + ": " + text;
-  last_code_ = code;
 }
 
 }  // namespace mrroc::mp

@@ -1,62 +1,57 @@
 // Starts the processes of a task, watches them, and leads the system from assembling to its end.
 #pragma once
-#include <array>
 #include <chrono>
 #include <cstdint>
-#include <fstream>
+#include <filesystem>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "base/fault.hpp"
-#include "base/link/child.hpp"
+#include "base/link/heartbeat_monitor.hpp"
 #include "base/link/memory_bus.hpp"
 #include "base/link/process.hpp"
+#include "mp/fingerprint.hpp"
+#include "mp/message_log.hpp"
+#include "mp/stop_escalation.hpp"
+#include "mp/supervised_node.hpp"
 
 namespace mrroc::mp {
 
-/// One process of a task besides MP: a program, or the same thing as a thread.
-struct Part {
-  std::string name;                          ///< in the roster and on its channels
-  std::string program;                       ///< file beside the task's program
-  std::vector<std::string> arguments;        ///< beyond those that every part gets
-  std::function<void(link::Process&)> body;  ///< what the program does, for a system in one process
-  std::vector<std::string> start{};          ///< words before the program: make it run on another host
-};
+/// @param reason  why a system was stopped @return whether it is a word of the operator, and no failure
+[[nodiscard]] bool is_operators_word(FaultCode reason);
 
-/// What the supervisor knows of a process.
-struct PartStatus {
-  std::string name;  ///< as in the roster
-  /// As it has told last; dead: as the supervisor has found.
-  link::ProcessState state{link::ProcessState::starting};
-  double age{};               ///< [s] since it was last heard
-  int m{};                    ///< behaviour of its agent, 0: none, or one without a number
-  std::string behaviour;      ///< its name; empty: none has been told
-  std::string ended_because;  ///< the behaviour before, and why it ended
+/// The supervisor's time limits [wall time].
+struct SupervisorTimes {
+  std::chrono::milliseconds assembling{60'000};    ///< until everybody must be there
+  std::chrono::milliseconds hang{10'000};          ///< without a sign of life
+  std::chrono::milliseconds come_to_rest{20'000};  ///< for arms to come to rest after a stop
+  std::chrono::milliseconds leaves{2000};    ///< from a node that is done to the end of the task's program
+  std::chrono::milliseconds finish{20'000};  ///< from that end until every node has done its work
+  std::chrono::milliseconds leave{5000};     ///< for processes and threads to end by themselves
 };
 
 /// The supervisor. Lives in MP's thread; everything happens in poll(), which MP's process calls whenever it
 /// waits.
 class Supervisor {
  public:
-  /// @param mp        MP's own connection; its roster names MP first, then the parts in order
+  /// @param mp        MP's own connection; its roster names MP first, then the nodes in order
   /// @param messages  file for all processes' lines
-  /// @param leave     time for processes and threads to end by themselves
-  Supervisor(link::Process& mp, std::vector<Part> parts, const std::filesystem::path& messages,
-             std::chrono::milliseconds leave = std::chrono::seconds(5));
+  /// @param times     other ones than usual are for tests
+  Supervisor(link::Process& mp, std::vector<NodeSpec> nodes, const std::filesystem::path& messages,
+             const SupervisorTimes& times = {});
   /// A thread that does not end cannot be ended: then the whole process ends here, with the status of process_hung.
   ~Supervisor();
   Supervisor(const Supervisor&) = delete;
   Supervisor& operator=(const Supervisor&) = delete;
 
-  /// Starts every part as a child process.
+  /// Starts every node as a child process.
   /// @param common  arguments for all
+  /// @param input   what each finds on its standard input
   /// @throws FaultError start_failed
-  void start_processes(const std::vector<std::string>& common);
-  /// Starts every part as a thread.
+  void start_processes(const std::vector<std::string>& common, const std::string& input = {});
+  /// Starts every node as a thread.
   void start_threads(link::MemoryHub& hub);
 
   /// Everything that has to be looked after.
@@ -66,62 +61,83 @@ class Supervisor {
   /// @param as_of  first macrostep without a command; 0: at once
   void stop(const Fault& reason, std::int64_t as_of);
 
-  /// Waits until the parts have done their work (after the task's end) or the arms are at rest (after a
+  /// Second order of the user to stop: nodes that have not confirmed within StopEscalation::kHurry are ended.
+  void hurry() { escalation_.hurry(); }
+  /// Third word: ends every node at once, by SIGKILL; drives without drivers brake.
+  void kill_all();
+
+  /// @return whether every node that lives obeys the stop, or rests since a fault of its own; false: nobody has stopped
+  ///         the system
+  [[nodiscard]] bool stop_confirmed() const;
+  /// @return nodes that did not confirm the stop in time and were ended, by name; empty: none
+  [[nodiscard]] const std::string& unconfirmed() const { return escalation_.unconfirmed(); }
+  /// @return a node that has not told what it has sent, by name; empty: all have
+  [[nodiscard]] std::string without_fingerprint() const { return mp::without_fingerprint(nodes_); }
+
+  /// Called with a line that the person in front of the task has to read; may be empty.
+  std::function<void(const std::string&)> on_alarm;
+
+  /// Waits until the nodes have done their work (after the task's end) or the arms are at rest (after a
   /// stop), and ends everything that still runs. A thread that does not end is told of as process_hung.
   void end();
 
   /// @return why the system was stopped: the first reason; nothing: it was not
   [[nodiscard]] const std::optional<Fault>& fault() const { return fault_; }
   /// @return in the order of the roster, MP first
-  [[nodiscard]] std::vector<PartStatus> parts() const;
+  [[nodiscard]] std::vector<NodeStatus> node_statuses() const;
   /// @return how often any process has begun another behaviour
   [[nodiscard]] std::int64_t behaviours_begun() const { return behaviours_begun_; }
-  /// @return steps from the end of the last commanded macrostep to rest, per arm; -1 unknown
-  [[nodiscard]] const std::array<int, 4>& stop_steps() const { return stop_steps_; }
+  /// @return steps from the end of the last commanded macrostep to rest, of the robot that took longest; nothing: nobody
+  ///         has told
+  [[nodiscard]] std::optional<int> stop_steps() const;
   /// @return fingerprint of all control messages; 0 when not every process has told its own
-  [[nodiscard]] std::uint64_t log_hash() const;
+  [[nodiscard]] std::uint64_t log_hash() const { return fingerprint_of(nodes_); }
   /// @return steps, macrosteps and periods that processes have passed over because of lateness, of all; with the wall
   /// clock alone
   [[nodiscard]] std::int64_t skipped() const;
   /// @return the last line that a process said
-  [[nodiscard]] const std::string& last_message() const { return last_message_; }
+  [[nodiscard]] const std::string& last_message() const { return messages_.last(); }
   /// @return its code; none: information
-  [[nodiscard]] FaultCode last_code() const { return last_code_; }
-  /// Writes a line of MP itself.
-  void log(const std::string& process, const std::string& text, FaultCode code);
+  [[nodiscard]] FaultCode last_code() const { return messages_.last_code(); }
 
  private:
   using Clock = link::Process::Clock;
-  struct Watched;
 
   void hear();
   void watch_children();
   void watch_hangs();
+  void watch_leavers();
+  void watch_stop();
+  void ask_to_end(SupervisedNode& node);
+  void kill_unconfirmed(SupervisedNode& node);
   void lead();
   void publish();
+  void await_work();
+  bool await_for(std::chrono::milliseconds time, const std::function<bool()>& ready);
+  void let_go();
   void end_threads();
-  void tell(const Fault& fault);  // of a part
-  void declare_dead(Watched& part, const Fault& fault);
-  void tell_dead(const Watched& part);  // the others do not wait for it any more
+  void alarm(const SupervisedNode& node, const std::string& line);
+  void log_and_stop(const Fault& fault);  // of a node
+  void declare_dead(SupervisedNode& node, const Fault& fault);
+  void publish_dead(const SupervisedNode& node);  // the others do not wait for it any more
   [[nodiscard]] bool all(link::ProcessState at_least) const;
-  [[nodiscard]] bool world_is_dead() const;
+  [[nodiscard]] bool robots_rest() const;  // as far as their drivers live to tell, or else their plant
+  [[nodiscard]] bool plant_rests(const SupervisedNode& driver) const;
 
   link::Process& mp_;
-  std::vector<std::unique_ptr<Watched>> watched_;  // in the order of the roster, MP first
+  SupervisedNodes nodes_;
   link::Outbox<supervisor_t> out_;
   supervisor_t said_{};
   Clock::time_point last_said_{};
   Clock::time_point last_look_{};
-  Clock::time_point begun_;
-  std::chrono::milliseconds leave_;
-  std::ofstream messages_;
-  std::string last_message_;
-  FaultCode last_code_{FaultCode::none};
+  link::HeartbeatMonitor assembling_;
+  StopEscalation escalation_;
+  SupervisorTimes times_;
+  MessageLog messages_;
   std::optional<Fault> fault_;
   bool led_{};  // everybody was there, and the system ran
-  std::array<int, 4> stop_steps_{-1, -1, -1, -1};
   std::int64_t behaviours_begun_{};
-  bool at_rest_{};
+  bool program_ended_{};  // the task's own
   bool ending_{};
   bool abandons_threads_{};
 };

@@ -5,15 +5,18 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <filesystem>
+#include <string>
 
 #include "base/program.hpp"
 
 namespace mrroc::mp {
 namespace {
 
-constexpr std::chrono::seconds kPatience{3};
+constexpr std::chrono::seconds kTimeout{3};
 
 /// In the grandchild, between fork and exec: only calls that are safe there.
 [[noreturn]] void become(char* const* words, int out, int nothing) {
@@ -36,7 +39,7 @@ void start_apart(char* const* words, int out, int nothing) {
 }
 
 std::string first_line(int file) {
-  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  const auto deadline = std::chrono::steady_clock::now() + kTimeout;
   std::string line;
   char c = 0;
   while (c != '\n') {
@@ -62,7 +65,8 @@ std::string start_viewer(const std::string& session) {
   std::string with_task = "--with-task";
   char* const words[] = {program.data(), view.data(), option.data(), name.data(), with_task.data(), nullptr};
   int out[2];
-  if (::pipe2(out, O_CLOEXEC) != 0) return "no viewer: cannot make a pipe";
+  if (::pipe2(out, O_CLOEXEC) != 0)
+    return std::string("no viewer: cannot make a pipe: ") + std::strerror(errno);
   const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
   start_apart(words, out[1], nothing);
   ::close(out[1]);

@@ -1,4 +1,4 @@
-// The viewer beside a task.
+// Starts the viewer beside a task.
 #pragma once
 #include <string>
 

@@ -1,12 +1,14 @@
 #include "robots/driver_config.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <iterator>
 #include <optional>
 
+#include "base/link/real_time.hpp"
 #include "edp/driver.hpp"
 #include "edp/shell.hpp"
-#include "mrroc/world_state_t.hpp"
 #include "robots/gripper/jaws.hpp"
 
 namespace mrroc::robots {
@@ -74,10 +76,14 @@ edp::DriverParameters read_driver(const Config& config, const std::string& key, 
   d.T_WE = read_pose(table, "tool.pose", defaults.T_WE);
   if (table.choice("gripper", false, {{"none", false}, {"two_jaw", true}})) d.gripper = gripper::two_jaw();
   if (d.gripper) d.jaws = table.number("jaws", d.jaws, {0.053, 0.09}, "m at SYNCHRO");
+  if (d.gripper) d.jaws_known = table.flag("jaws_known", false);
   d.homing = defaults.homing;
+  d.homing.returns = table.flag("homing_returns", true);
   using enum edp::Synchronisation;
-  d.synchronisation = table.choice("synchro", synchro_joints.empty() ? homing : known_pose,
-                                   {{"homing", homing}, {"known_pose", known_pose}});
+  // Later readers of the table get the joints that the first reader knew.
+  const bool known = !synchro_joints.empty() || table.has("synchro_joints");
+  d.synchronisation =
+      table.choice("synchro", known ? known_pose : homing, {{"homing", homing}, {"known_pose", known_pose}});
   if (d.synchronisation == homing) return d;
   const auto axes = static_cast<std::size_t>(robot.axes());
   const auto given =
@@ -118,26 +124,29 @@ link::Injection read_command_link(const Config& config, const std::string& key) 
   return i;
 }
 
-void run_driver(link::Process& process, const Config& config, const link::PartArguments& arguments,
-                const edp::Robot& robot, const edp::DriverParameters& parameters) {
+void run_driver(link::Process& process, const Config& config, const link::NodeArguments& arguments,
+                const edp::Robot& robot, const edp::DriverParameters& parameters,
+                std::span<const HardwareKind> own) {
   process.needs_unlogged("the servo links");
   const std::vector<std::string> arms = config.texts("robots.order", std::nullopt);
+  if (std::ranges::find(arms, arguments.arm) == arms.end())
+    throw FaultError(FaultCode::bad_configuration, "robots.order: '" + arguments.arm + "' is not there");
   edp::ShellParameters shell;
   shell.robot = arguments.arm;
-  const auto place = std::ranges::find(arms, arguments.arm);
-  shell.index = static_cast<int>(place - arms.begin());
-  if (place == arms.end() || shell.index >= static_cast<int>(std::size(world_state_t{}.robot)))
-    throw FaultError(FaultCode::bad_configuration,
-                     "robots.order: '" + arguments.arm + "' is not among the first four");
-  shell.n_s = parameters.n_s;
   shell.dt = parameters.dt;
   shell.ecp = "ecp-" + arguments.arm;
   shell.axes = robot.axes();
   shell.recording = read_recording(config, arguments.arm);
   shell.folder = config.text("run.folder", std::nullopt);
   shell.injection = read_command_link(config, arguments.arm);
+  HardwareChoice choice = read_hardware(config, arguments.arm);
+  if (!arguments.hardware.empty()) choice.kind = arguments.hardware;
+  if (!process.lock_step() && choice.core >= 0)
+    process.log(fmt::format("{} core {}", link::pin_to_core(choice.core) ? "runs on" : "may not run on",
+                            choice.core));
   edp::Driver driver(robot, parameters);
-  edp::run_edp(process, driver, shell);
+  edp::run_edp(process, driver,
+               open_hardware(choice.kind, own, {process, config, arguments.arm, robot, parameters}), shell);
 }
 
 }  // namespace mrroc::robots

@@ -1,4 +1,4 @@
-// The table [robots.ARM] of a configuration: what a driver of any robot reads of it.
+// Reads the table [robots.ARM] of a configuration: the part that is the same for drivers of all robots.
 #pragma once
 #include <array>
 #include <string>
@@ -11,10 +11,11 @@
 #include "edp/driver_parameters.hpp"
 #include "edp/recorder.hpp"
 #include "edp/robot.hpp"
+#include "robots/hardware_kind.hpp"
 
 namespace mrroc::robots {
 
-/// What a robot's own data say where the configuration says nothing.
+/// Defaults from a robot's own data, where the configuration gives no value.
 struct DriverDefaults {
   Pose T_WS;                                 ///< force/torque sensor in the wrist
   Pose T_WE;                                 ///< usual tool in the wrist
@@ -42,9 +43,12 @@ edp::Recording read_recording(const Config& config, const std::string& key);
 /// @return faults made on purpose on the link ARM.command, from [robots.ARM.command_link]
 link::Injection read_command_link(const Config& config, const std::string& key);
 
-/// Runs the effector driver of an arm until its system ends.
+/// Runs the effector driver of an arm until its system ends, with the hardware that the arguments or the configuration
+/// name.
+/// @param own  kinds of hardware that the robot has beside the common ones
 /// @throws ConfigError; FaultError bad_configuration  the arm is not among [robots] order
-void run_driver(link::Process& process, const Config& config, const link::PartArguments& arguments,
-                const edp::Robot& robot, const edp::DriverParameters& parameters);
+void run_driver(link::Process& process, const Config& config, const link::NodeArguments& arguments,
+                const edp::Robot& robot, const edp::DriverParameters& parameters,
+                std::span<const HardwareKind> own = {});
 
 }  // namespace mrroc::robots

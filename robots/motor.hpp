@@ -1,5 +1,6 @@
-// What is known of the motors of a robot: data of its plant.
+// Data of a robot's motors, for its plant.
 #pragma once
+#include <limits>
 
 namespace mrroc::robots {
 
@@ -12,6 +13,8 @@ struct MotorParameters {
   double brake_torque{};          ///< torque at which the closed brake slips [N m]
   double torque_constant{0.105};  ///< K_t [N m/A], equal to K_e [V s/rad]
   double supply{48};              ///< voltage at full duty cycle [V]
+  /// To which the drive limits the current of the motor that it drives [A], positive: its torque grows no further.
+  double current_limit{std::numeric_limits<double>::infinity()};
 };
 
 }  // namespace mrroc::robots

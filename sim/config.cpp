@@ -2,14 +2,14 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
+#include "robots/catalogue.hpp"
 #include "sim/cube_config.hpp"
-#include "sim/robot_description.hpp"
-#include "sim/shell.hpp"
-#include "sim/strokes_file.hpp"
 
 namespace mrroc::sim {
 namespace {
@@ -36,6 +36,7 @@ HandParameters read_hand(const Config& t, HandParameters h) {
   h.press = t.number("press", h.press, {0.2, 10}, "N");
   h.press_wander = t.number("press_wander", h.press_wander, {0, 1});
   h.tremor = t.number("tremor", h.tremor, {0, 0.002}, "m");
+  h.tremor_frequency = t.number("tremor_frequency", h.tremor_frequency, {1, 20}, "Hz");
   return h;
 }
 
@@ -57,7 +58,7 @@ void read_sensor_fault(const Config& robot, ForceSensorParameters& s) {
   s.fault_step = robot.integer("force_fault_step", s.fault_step, {0, 100'000'000}, "steps");
 }
 
-/// What is wrong with one switch, for tests of homing.
+/// Defect of one switch, for tests of homing.
 void read_switches(const Config& t, std::array<SwitchParameters, kMaxAxes>& switches) {
   const double place = t.number("place", switches[0].place, {-100, 100}, "rad of the motor");
   for (SwitchParameters& s : switches) s.place = place;
@@ -80,35 +81,31 @@ PlateParameters read_plate(const Config& t, PlateParameters p) {
   return p;
 }
 
-/// Where the base of an arm stands in the world. The default is not taken apart and put together again: its bits stay.
-Pose read_place(const Config& robot, const Pose& fallback) {
-  std::array<double, 6> usual{};
-  Eigen::Map<AngleAxisPose>(usual.data()) = angle_axis_from_pose(fallback);
-  const auto place = robot.numbers<6>("place", usual, {-10, 10}, "m, rad, of the base in the world");
-  return place == usual ? fallback : pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(place.data()));
+/// @return number of the kinematic model that the arm really has
+int read_true_model(const Config& robot, const robots::RobotType& type) {
+  if (type.parameter_sets.size() < 2) return 0;
+  std::vector<std::pair<std::string_view, int>> names;
+  for (const std::string_view name : type.parameter_sets)
+    names.emplace_back(name, static_cast<int>(names.size()));
+  return robot.choice("true_kinematics", 0, std::span(std::as_const(names)));
 }
 
-/// The robot that a table names, with its usual parameters.
-ArmParameters read_model(const Config& robot, ArmModel fallback) {
-  std::vector<std::pair<std::string_view, int>> names{{robot_name(ArmModel::irb6_postument), 0},
-                                                      {robot_name(ArmModel::irb6_track), 1}};
-  const std::size_t added = names.size();
-  for (const robots::Kind* kind : robots::catalogue())
-    names.emplace_back(kind->name, static_cast<int>(names.size()));
-  const auto chosen = static_cast<std::size_t>(
-      robot.choice("model", fallback == ArmModel::irb6_postument ? 0 : 1, std::span(std::as_const(names))));
-  if (chosen >= added) return arm_parameters(*robots::catalogue()[chosen - added]);
-  return arm_parameters(chosen == 0 ? ArmModel::irb6_postument : ArmModel::irb6_track);
+/// @param robot  its table
+void read_start(const Config& robot, const std::string& key, ArmParameters& arm) {
+  arm.start = robot.list("start_joints", arm.start, {-10, 10}, "rad, m");
+  if (arm.start.empty() || arm.start.size() == arm.motors.size()) return;
+  throw FaultError(FaultCode::bad_configuration,
+                   fmt::format("robots.{}.start_joints: {} has {} axes, but {} joints are given", key,
+                               arm.type->name, arm.motors.size(), arm.start.size()));
 }
 
-ArmParameters read_arm(const Config& config, const std::string& key, ArmModel fallback) {
+/// @param usual  name of the robot that it is unless the table says another
+ArmParameters read_arm(const Config& config, const std::string& key, std::string_view usual) {
   const Config robot = config.section("robots." + key);
   const Config sim = config.section("sim");
-  ArmParameters arm = read_model(robot, fallback);
-  arm.T_UB = read_place(robot, arm.T_UB);
-  arm.kinematics = robot.choice(
-      "true_kinematics", arm.kinematics,
-      {{"nominal", irb6::ParameterSet::nominal}, {"calibrated", irb6::ParameterSet::calibrated}});
+  ArmParameters arm = arm_parameters(robots::read_type(config, key, robots::catalogue(), usual));
+  arm.T_UB = robots::read_place(config, key, "sim", *arm.type);
+  arm.model = read_true_model(robot, *arm.type);
   arm.paper = read_paper(sim.section("paper"), arm.paper);
   arm.hand = read_hand(sim.section("hand"), arm.hand);
   arm.sensor = read_sensor(sim.section("sensor"), arm.sensor);
@@ -118,11 +115,11 @@ ArmParameters read_arm(const Config& config, const std::string& key, ArmModel fa
   arm.start_height = sim.number("start_height", arm.start_height, {0.005, 0.1}, "m");
   read_switches(robot.section("switches"), arm.switches);
   if (robot.choice("gripper", false, {{"none", false}, {"two_jaw", true}})) arm.jaws = JawParameters{};
-  read_fingers(robot, arm);
+  read_fingers(config, key, arm);
   arm.object = robot.number("object", 0, {0, 0.09}, "m between the jaws, 0: nothing");
   arm.lines.loop_back = robot.flag("lines.loop_back", arm.lines.loop_back);
   arm.lines.inputs = static_cast<std::uint16_t>(robot.integer("lines.inputs", 0, {0, 65535}, "bit mask"));
-  arm.start = robot.list("start_joints", arm.start, {-10, 10}, "rad, m");
+  read_start(robot, key, arm);
   const double scale = sim.number("motor_friction", 1, {0, 10}, "of the estimate");
   for (MotorParameters& m : arm.motors) m.friction *= scale;
   return arm;
@@ -134,30 +131,12 @@ WorldParameters read_world(const Config& config) {
   WorldParameters w;
   w.substeps = config.integer("sim.substeps", w.substeps, {1, 16}, "per step");
   w.solver_iterations = config.integer("sim.solver_iterations", w.solver_iterations, {10, 1000});
-  w.arms.clear();
+  const auto types = robots::catalogue();
   const auto keys = config.texts("robots.order", std::vector<std::string>{"arm1", "arm2"});
   for (const std::string& key : keys)
-    w.arms.push_back(read_arm(config, key, w.arms.empty() ? ArmModel::irb6_postument : ArmModel::irb6_track));
+    w.arms.push_back(read_arm(config, key, types[std::min(w.arms.size(), types.size() - 1)]->name));
   w.cube = read_cube(config, keys);
   return w;
-}
-
-void run_world_process(link::Process& process, const Config& config, const link::PartArguments&) {
-  process.needs_unlogged("the servo links");
-  ShellParameters shell;
-  shell.robots = config.texts("robots.order", std::nullopt);
-  for (const std::string& robot : shell.robots) shell.drivers.push_back("edp-" + robot);
-  shell.n_s = config.integer("time.n_s", 10, {2, 32}, "steps");
-  shell.speed = config.number("sim.speed", std::nullopt, {0, 1e4}, "of real time, 0: as fast as possible");
-  shell.folder = config.text("run.folder", std::nullopt);
-  if (const std::string strokes = config.text("run.strokes", std::nullopt); !strokes.empty())
-    shell.strokes = read_strokes(strokes);
-  const WorldParameters parameters = read_world(config);
-  World world(parameters, static_cast<std::uint64_t>(config.integer<std::int64_t>("seed", 1)));
-  const CameraWorld seen = read_camera_world(config, shell.robots);
-  std::optional<CameraStation> cameras;
-  if (!seen.cameras.empty()) cameras.emplace(process, seen, parameters, shell.robots);
-  run_world(process, world, shell, cameras ? &*cameras : nullptr);
 }
 
 }  // namespace mrroc::sim

@@ -1,15 +1,13 @@
-// The simulated world's part of the configuration, and its process.
+// The simulator's part of the configuration.
 #pragma once
-#include "base/link/child_main.hpp"
+#include "base/config.hpp"
 #include "sim/world.hpp"
 
 namespace mrroc::sim {
 
-/// @return the parameters in [sim] and [robots.ARM]; arms as [robots] order says
+/// @return the parameters in [sim] and [robots.ARM]; arms as [robots] order says. Without [robots.ARM] model the arms are
+///         those of the catalogue, in its order; those beyond it are of its last type.
 /// @throws ConfigError
 WorldParameters read_world(const Config& config);
-
-/// Builds the world and runs its shell.
-void run_world_process(link::Process& process, const Config& config, const link::PartArguments& arguments);
 
 }  // namespace mrroc::sim

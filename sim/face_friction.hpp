@@ -1,4 +1,4 @@
-// What a face of a cube opposes to being turned: its seat, friction that depends on the angle, and a jam.
+// Resistance of a cube's face to being turned: its seat, friction that depends on the angle, and a jam.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -22,7 +22,7 @@ struct FaceFriction {
   double detent_friction{0.4};  ///< instead of kinetic where a seat draws [N m]
 };
 
-/// How faces differ from one another.
+/// Differences between faces.
 struct FaceFrictionSpread {
   FaceFriction mean;      ///< of all faces
   double factor{0.1};     ///< relative standard deviation of breakaway and kinetic, at most twice that
@@ -40,7 +40,7 @@ inline constexpr double kSeat = 0.009;
 /// The state of one face. Deterministic, no allocation.
 class FaceDrive {
  public:
-  /// What acts about the axis of the face in the next integration.
+  /// Friction and torque about the axis of the face in the next integration.
   struct Action {
     double speed{};     ///< that friction tries to hold [rad/s]
     double positive{};  ///< friction at most, against a positive turn [N m]

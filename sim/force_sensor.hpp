@@ -1,4 +1,4 @@
-// The wrist force/torque sensor: what its electronics make of the true load.
+// The wrist force/torque sensor: its readings of a true load.
 #pragma once
 #include <cstdint>
 #include <random>
@@ -7,7 +7,7 @@
 
 namespace mrroc::sim {
 
-/// How a sensor is broken.
+/// Defects of a sensor.
 enum class SensorFault : std::uint8_t {
   none,
   stuck,      ///< repeats its last good reading

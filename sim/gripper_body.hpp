@@ -1,17 +1,13 @@
-// The body of a two-jaw gripper that can touch things: fingers with pads, a palm, and the elastic wrist it hangs on.
+// The body of a two-jaw gripper in contacts: fingers with pads, a palm, and the elastic wrist that bears
+// them.
 #pragma once
-#include "base/spatial.hpp"
+#include "base/cube/fingers.hpp"
 
 namespace mrroc::sim {
 
-/// The gripper's frame is E: midway between the pads, y along their motion, z out of the hand. Masses are part of the
+/// Masses are part of the
 /// tool's: they take nothing from or add nothing to its weight and mass centre.
-struct GripperBodyParameters {
-  double pad_width{0.05};       ///< along x [m]
-  double pad_depth{0.015};      ///< along z [m]
-  double pad_thickness{0.01};   ///< along y [m]
-  double palm{0.0095};          ///< from E back to the palm, against which a cube's face rests [m]
-  double palm_width{0.024};     ///< edge of the square palm [m]
+struct GripperBodyParameters : cube::GripperShape {
   double friction{0.8};         ///< of the pads
   double palm_friction{0.3};    ///< of the palm
   double pad_stiffness{8e5};    ///< of a pad, all its points of contact together [N/m]
@@ -22,5 +18,12 @@ struct GripperBodyParameters {
   double wrist_stiffness{2e4};  ///< of the wrist between arm and sensor, along x, y and z [N/m]
   double wrist_damping{0.3};    ///< ratio of the wrist with the tool's mass
 };
+
+/// @return a gripper of that shape, the rest as usual
+[[nodiscard]] inline GripperBodyParameters gripper_body(const cube::GripperShape& shape) {
+  GripperBodyParameters p;
+  static_cast<cube::GripperShape&>(p) = shape;
+  return p;
+}
 
 }  // namespace mrroc::sim

@@ -13,7 +13,7 @@ namespace mrroc::sim {
 /// A line of points in sheet coordinates [mm].
 using Polyline = std::vector<Eigen::Vector2d>;
 
-/// How the operator's hand moves and how stiff it is.
+/// Motion and stiffness of the operator's hand.
 struct HandParameters {
   double stiffness{1000};        ///< [N/m]
   double damping{30};            ///< [N s/m]
@@ -36,7 +36,7 @@ struct HandParameters {
   double inertia{20};  ///< ... and its I [kg]
 };
 
-/// What the hand is doing.
+/// Present action of the hand.
 enum class HandPhase : std::uint8_t { idle, leading, done };
 
 /// Progress of the hand's script.

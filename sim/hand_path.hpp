@@ -1,4 +1,4 @@
-// A line for the hand to follow, and how fast a person goes where.
+// The line that the hand follows, and a person's speed along it.
 #pragma once
 #include <Eigen/Core>
 #include <vector>

@@ -17,7 +17,7 @@ constexpr double kDown = -0.1;       // lowering aims below any paper [m]
 constexpr double kNear = 4e-4;       // the pen is where it was led to [m]
 constexpr double kCornerRest = 0.1;  // shortest rest at a corner [s]
 constexpr double kAboveRest = 0.3;   // shortest rest above the paper [s]
-constexpr double kPatience = 1.5;    // longest rest, and longest wait for a lifted pen [s]
+constexpr double kTimeout = 1.5;     // longest rest, and longest wait for a lifted pen [s]
 constexpr double kLifted = 0.7;      // share of the lift from which on the pen counts as lifted
 constexpr double kPressing = 0.003;  // fastest change of the depth to which the hand presses [m/s]
 constexpr double kGentle = 0.6;      // share of the lowering speed when it goes down only to travel
@@ -112,10 +112,10 @@ bool HandScript::along_path(double dt) {
 
 void HandScript::advance(double dt, const Vector3& tip, bool on_paper) {
   const bool near = (tip.head<2>() - place_).norm() < kNear;
-  const auto rested = [&](double least) { return (near && since_ > least) || since_ > kPatience; };
+  const auto rested = [&](double least) { return (near && since_ > least) || since_ > kTimeout; };
   switch (stage_) {
     case Stage::travel:  // a pen that is on the paper is lifted first
-      if (tip.z() < kLifted * level_ && since_ < kPatience) break;
+      if (tip.z() < kLifted * level_ && since_ < kTimeout) break;
       if (along_path(dt)) enter(Stage::above);
       break;
     case Stage::above:
@@ -136,7 +136,7 @@ void HandScript::advance(double dt, const Vector3& tip, bool on_paper) {
       if (rested(kCornerRest)) end_piece();
       break;
     case Stage::lift:
-      if ((target_ >= p_.lift && tip.z() > kLifted * p_.lift) || since_ > kPatience) end_stroke();
+      if ((target_ >= p_.lift && tip.z() > kLifted * p_.lift) || since_ > kTimeout) end_stroke();
       break;
     case Stage::hold:
       break;

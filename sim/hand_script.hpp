@@ -1,4 +1,4 @@
-// Where the operator's hand wants the pen to be: the course of events of leading it.
+// The pen position that the operator's hand wants, over the course of leading it.
 #pragma once
 #include <Eigen/Core>
 #include <vector>

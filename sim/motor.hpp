@@ -1,4 +1,4 @@
-// Voltage-driven DC motor behind a gear: what a PWM drive and its brake do to the shaft.
+// Voltage-driven DC motor behind a gear: torques of a PWM drive and of the brake on the shaft.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -19,6 +19,18 @@ using robots::MotorParameters;
 constexpr double motor_current(const MotorParameters& m, double pwm, double speed) {
   const double voltage = m.supply * std::clamp(pwm, -kPwmScale, kPwmScale) / kPwmScale;
   return (voltage - m.torque_constant * speed) / m.resistance;
+}
+
+/// Current of a winding whose drive limits it.
+struct LimitedCurrent {
+  double current{};  ///< [A]
+  bool limited{};    ///< it would be more
+};
+/// @param current  without the limit [A]
+/// @return what the drive lets through
+constexpr LimitedCurrent limited_current(const MotorParameters& m, double current) {
+  const double let_through = std::clamp(current, -m.current_limit, m.current_limit);
+  return {let_through, let_through != current};
 }
 
 /// @return torque on the rotor at that current, friction not included [N m]

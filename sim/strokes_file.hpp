@@ -1,4 +1,4 @@
-// What the operator's hand is to draw, from a file.
+// Reads the strokes that the operator's hand draws from a file.
 #pragma once
 #include <filesystem>
 #include <vector>

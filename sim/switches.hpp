@@ -1,4 +1,4 @@
-// Switches and encoder zero marks of the simulated motors, and what can be wrong with them.
+// Switches and encoder zero marks of the simulated motors, and their possible defects.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace mrroc::sim {
 
-/// What is wrong with the parts that one motor is homed by.
+/// Defects of the parts by which one motor is homed.
 enum class SwitchFault : std::uint8_t {
   none,
   missing,  ///< the synchronisation switch is never pressed
@@ -26,7 +26,7 @@ struct SwitchParameters {
   SwitchFault fault{SwitchFault::none};  ///< made on purpose
 };
 
-/// What the switches of one motor say. The limit switches lie at the ends of the motor's legal range.
+/// Readings of one motor's switches. The limit switches lie at the ends of the motor's legal range.
 /// @param motor  true position [rad] @param before  the same one step before @param legal range of the motor
 /// @return AxisSwitch bits
 inline std::uint8_t read_switches(const SwitchParameters& p, double motor, double before,

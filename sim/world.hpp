@@ -1,6 +1,6 @@
-// The simulated work cell: arms with drives, wrist sensors, pens or grippers, their sheets, the operators' hands, and a
-// cube.
-// One step of the world is one step of the effector drivers. The only code that knows Bullet is behind it.
+// The simulated work cell: arms with drives, wrist sensors, pens or grippers, their sheets, the operators'
+// hands, and a cube. One step of the world is one step of the effector drivers. The only code that knows
+// Bullet is behind it.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -13,7 +13,6 @@
 #include "base/hardware.hpp"
 #include "base/pose.hpp"
 #include "robots/catalogue.hpp"
-#include "robots/irb6/parameters.hpp"
 #include "sim/cube.hpp"
 #include "sim/force_sensor.hpp"
 #include "sim/gripper_body.hpp"
@@ -30,9 +29,6 @@ namespace mrroc::sim {
 /// Duration of a step of the world and of an effector driver [s].
 inline constexpr double kStep = 0.002;
 
-/// Which robot an arm of the world is.
-enum class ArmModel : std::uint8_t { irb6_postument, irb6_track, other };
-
 /// Everything beyond the force sensor, as it really is.
 struct ToolParameters {
   double weight{};                       ///< w [N], > 0
@@ -47,10 +43,8 @@ struct LineParameters {
 
 /// One arm of the world.
 struct ArmParameters {
-  ArmModel model{};                                            ///< decides kinematics, masses and gears
-  const robots::Kind* kind{};                                  ///< of a model that is `other`; lives on
-  irb6::ParameterSet kinematics{irb6::ParameterSet::nominal};  ///< the true lengths, linkages, zeros;
-                                                               ///< a driver of another set errs
+  const robots::RobotType* type{};      ///< decides kinematics, masses and gears; not null; lives on
+  int model{};                          ///< number of the true kinematic model; a driver of another one errs
   Pose T_UB;                            ///< the arm's base (its frame 0) in the world U
   std::vector<MotorParameters> motors;  ///< one per axis
   ForceSensorParameters sensor;         ///< in the wrist
@@ -63,31 +57,26 @@ struct ArmParameters {
   double object{};  ///< width of what is between the jaws after reset() [m], 0: nothing
   std::array<SwitchParameters, kMaxAxes> switches{};  ///< for homing, one per motor
   LineParameters lines;                               ///< of the robot's controller
-  std::vector<double> start;  ///< joints after reset() [rad], track [m], one per axis; empty: the pen stands
-                              ///< above the sheet's centre
-  std::optional<ToolParameters> tool;  ///< the true tool; none: that of robots/irb6/*.urdf
+  std::vector<double>
+      start;  ///< joints after reset() [rad], track [m], one per axis; empty: those of the type
+  std::optional<ToolParameters> tool;  ///< the true tool; none: that of the description
   double pen_radius{0.002};            ///< of the ball that touches the paper [m]
   double start_height{0.02};           ///< of the pen above the sheet's centre after reset() [m]
 };
 
-/// The parameters of an arm as documented in docs/plant.md.
-/// @param model  which IRb-6; decides motors and place; its links and its tool are in
-/// robots/irb6/*.urdf
-ArmParameters arm_parameters(ArmModel model);
-/// The same of a robot that is no IRb-6; it stands where arm 2 stands.
-ArmParameters arm_parameters(const robots::Kind& kind);
+/// @return the parameters of an arm as documented in docs/plant.md; links and tool are those of the type's description.
+/// @param type  lives on
+ArmParameters arm_parameters(const robots::RobotType& type);
 
 /// The whole work cell.
 struct WorldParameters {
-  /// Arm 1 (index 0) on its pedestal, arm 2 on its track, 2.1 m apart.
-  std::vector<ArmParameters> arms{arm_parameters(ArmModel::irb6_postument),
-                                  arm_parameters(ArmModel::irb6_track)};
+  std::vector<ArmParameters> arms;     ///< at least one; a world without arms is refused
   std::optional<CubeParameters> cube;  ///< none: there is no cube
   int substeps{2};                     ///< integration steps per step, at least 1
   int solver_iterations{100};          ///< of the contact and friction solver
 };
 
-/// What a test or a figure may know and a driver may not.
+/// The truth, for tests and figures, not for drivers.
 struct ArmTruth {
   AxisVector joints;                      ///< [rad], track [m]
   Pose T_0E;                              ///< pen tip in the arm's base
@@ -107,7 +96,7 @@ struct ArmTruth {
 class World {
  public:
   /// @throws std::invalid_argument  a parameter is out of range; the text says which
-  explicit World(const WorldParameters& parameters = {}, std::uint64_t seed = 1);
+  explicit World(const WorldParameters& parameters, std::uint64_t seed = 1);
   ~World();
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
@@ -154,7 +143,7 @@ class World {
   /// @return the true state of the cube; null: there is none
   [[nodiscard]] const CubeTruth* cube() const;
   /// From now on a face of the cube has this friction. Without a cube nothing happens.
-  void set_face_friction(rubik::Face face, const FaceFriction& friction);
+  void set_face_friction(cube::Face face, const FaceFriction& friction);
   /// Lays the cube's layers anew, as a turn about another axis does. @param axis 0 x, 1 y, 2 z of the cube
   /// @return whether they are in or near their seats, so that it can be done; false without a cube
   bool lay_cube(int axis);

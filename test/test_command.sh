@@ -142,6 +142,21 @@ test_sanitized() {
   run_tests "$@"
 }
 
+# test_fuzz MINUTES: every target of test/fuzz counts as a test. New inputs are kept for the next time.
+test_fuzz() {
+  local folder=$root/test/fuzz found=$build/fuzz/found before=$passed lost=$failed start=$SECONDS name options
+  need_packages "${packages[@]}" "${fuzz_packages[@]}"
+  compile fuzz fuzz
+  for name in "$folder"/corpus/*/; do
+    name=$(basename "$name")
+    mkdir -p "$found/$name" "$build/fuzz/seen/$name"
+    options=("-max_total_time=$((60 * $1))" -max_len=20000 -timeout=25 -rss_limit_mb=2048 "-artifact_prefix=$found/$name/")
+    [[ ! -e $folder/dictionary/$name.dict ]] || options+=("-dict=$folder/dictionary/$name.dict")
+    check "fuzzing $name" "fuzz-$name" "$build/fuzz/bin/fuzz_$name" "${options[@]}" "$build/fuzz/seen/$name" "$folder/corpus/$name"
+  done
+  say "fuzz targets: $((passed - before)) passed, $((failed - lost)) failed, 0 skipped ($((SECONDS - start)) s)"
+}
+
 test_release() {
   prepare programs tests
   if (($#)) && ! (cd "$root" && ctest --preset release -N "$@" | grep '^  Test ' >/dev/null); then
@@ -154,9 +169,9 @@ run_test_command() {
   local what=() filter=() page=false since='' share='' minutes=''
   while (($#)); do
     case $1 in
-      --all) what+=(release asan tsan format tidy) page=true ;;
+      --all) what+=(release asan tsan fuzz format tidy) page=true ;;
       --page) page=true ;;
-      --asan | --tsan | --format | --tidy) what+=("${1#--}") ;;
+      --asan | --tsan | --fuzz | --format | --tidy) what+=("${1#--}") ;;
       -R | --since | --share | --minutes)
         [[ -n ${2:-} ]] || fail 2 bad_usage "$1 wants a value; look at ./run test --help"
         case $1 in -R) filter=(-R "$2") ;; --since) since=$2 ;; --share) share=$2 ;; --minutes) minutes=$2 ;; esac
@@ -171,10 +186,12 @@ run_test_command() {
   [[ -z $share ]] || { [[ $share =~ ^[0-9]+/[0-9]+$ ]] && ((10#${share%/*} < 10#${share#*/})); } ||
     fail 2 bad_usage "--share: '$share' is not of the form K/N with K from 0 to N - 1"
   [[ -z $minutes || $minutes =~ ^[1-9][0-9]*$ ]] || fail 2 bad_usage "--minutes: '$minutes' is no number of minutes"
-  [[ -z $since$share$minutes || " ${what[*]} " == *" tidy "* ]] ||
-    fail 2 bad_usage "--since, --share and --minutes are for --tidy; look at ./run test --help"
-  ((${#filter[@]} == 0)) || [[ ! " ${what[*]} " =~ " format "|" tidy " ]] ||
-    fail 2 bad_usage "-R is for tests; --format and --tidy look at sources"
+  [[ -z $since$share || " ${what[*]} " == *" tidy "* ]] ||
+    fail 2 bad_usage "--since and --share are for --tidy; look at ./run test --help"
+  [[ -z $minutes || " ${what[*]} " =~ " tidy "|" fuzz " ]] ||
+    fail 2 bad_usage "--minutes is for --tidy and --fuzz; look at ./run test --help"
+  ((${#filter[@]} == 0)) || [[ ! " ${what[*]} " =~ " format "|" tidy "|" fuzz " ]] ||
+    fail 2 bad_usage "-R is for tests; --format and --tidy look at sources, --fuzz makes inputs"
   if $page; then need_packages "${page_packages[@]}"; fi
   ((${#what[@]})) || what=(release)
   local part
@@ -182,6 +199,7 @@ run_test_command() {
     case $part in
       release) test_release "${filter[@]}" ;;
       asan | tsan) test_sanitized "$part" "${filter[@]}" ;;
+      fuzz) test_fuzz "${minutes:-1}" ;;
       format) test_format ;;
       tidy) test_tidy "$since" "$share" "$minutes" ;;
     esac

@@ -18,8 +18,8 @@ std::string candidates(const std::vector<link::SessionInfo>& running) {
 
 [[noreturn]] void nothing_runs(const std::string& what) {
   throw FaultError(FaultCode::no_such_session, what,
-                   "start one, for example with `./run drawing`, or name a task of another host or user with "
-                   "--session and --url");
+                   "start one, for example with `./run drawing`, or name a task of another host with "
+                   "--session, --url and --key-file");
 }
 
 link::LcmAddress parse_url(const std::string& url) {
@@ -30,30 +30,33 @@ link::LcmAddress parse_url(const std::string& url) {
   }
 }
 
-link::SessionInfo find(const Wish& wish, const std::vector<link::SessionInfo>& running) {
-  if (wish.session.empty()) {
-    if (!wish.url.empty()) throw FaultError(FaultCode::bad_usage, "--url needs --session beside it");
+link::SessionInfo find(const SessionSelector& selector, const std::vector<link::SessionInfo>& running) {
+  if (selector.session.empty()) {
+    if (!selector.url.empty()) throw FaultError(FaultCode::bad_usage, "--url needs --session beside it");
     if (running.empty()) nothing_runs("no task runs");
     if (running.size() == 1) return running.front();
     throw FaultError(FaultCode::no_such_session,
                      fmt::format("{} tasks run: {}", running.size(), candidates(running)),
                      "name one with --session NAME");
   }
-  link::check_session_name(wish.session);
-  const auto known = std::ranges::find(running, wish.session, &link::SessionInfo::name);
+  link::check_session_name(selector.session);
+  const auto known = std::ranges::find(running, selector.session, &link::SessionInfo::name);
   if (known != running.end()) return *known;
-  if (!wish.url.empty()) return {wish.session, 0, {}, {}, {}, 0};
-  const std::string what = fmt::format("no task runs under the name {}", wish.session);
+  if (!selector.url.empty()) return {.name = selector.session, .address = {}, .task = {}, .run_folder = {}};
+  const std::string what = fmt::format("no task runs under the name {}", selector.session);
   if (running.empty()) nothing_runs(what);
-  throw FaultError(FaultCode::no_such_session, fmt::format("{}; these run: {}", what, candidates(running)),
-                   "name one of them with --session, or a task of another host or user with --url beside it");
+  throw FaultError(
+      FaultCode::no_such_session, fmt::format("{}; these run: {}", what, candidates(running)),
+      "name one of them with --session, or a task of another host with --url and --key-file beside it");
 }
 
 }  // namespace
 
-link::SessionInfo choose_session(const Wish& wish, const std::vector<link::SessionInfo>& running) {
-  link::SessionInfo session = find(wish, running);
-  if (!wish.url.empty()) session.address = parse_url(wish.url);
+link::SessionInfo choose_session(const SessionSelector& selector,
+                                 const std::vector<link::SessionInfo>& running) {
+  link::SessionInfo session = find(selector, running);
+  if (!selector.url.empty()) session.address = parse_url(selector.url);
+  if (!selector.key_file.empty()) session.key = link::read_key_file(selector.key_file);
   if (!session.address)
     throw FaultError(
         FaultCode::no_such_session,

@@ -1,4 +1,4 @@
-// A picture made of characters, before it reaches a terminal.
+// A picture made of characters, drawn in memory before it is written to a terminal.
 #pragma once
 #include <cstdint>
 #include <string>

@@ -43,7 +43,7 @@ const Examples kExamples{"ui_cli completion bash", "ui_cli status --session pres
                          "ui_cli status --session cell --url udpm://239.255.76.67:7667?ttl=1"};
 
 constexpr const char* kCommandFooter =
-    "\nEvery command takes --session NAME, --url URL and --json; see `ui_cli --help`.";
+    "\nEvery command takes --session NAME, --url URL, --key-file FILE and --json; see `ui_cli --help`.";
 
 struct OrderHelp {
   OperatorOrder order;
@@ -61,20 +61,20 @@ constexpr std::array<OrderHelp, 6> kOrders{{
 
 /// A connection with the session that the user meant.
 struct Connection {
-  Connection(const Wish& wish, const Surroundings& around)
-      : Connection(choose_session(wish, link::running_sessions(around.sessions)), around) {}
+  Connection(const SessionSelector& selector, const Environment& environment)
+      : Connection(choose_session(selector, link::running_sessions(environment.sessions)), environment) {}
 
   std::unique_ptr<link::Bus> bus;
   Client client;
 
  private:
-  Connection(const link::SessionInfo& session, const Surroundings& around)
-      : bus(around.open(*session.address)), client(*bus, session, around.patience) {}
+  Connection(const link::SessionInfo& session, const Environment& environment)
+      : bus(environment.open(session)), client(*bus, session, environment.timeouts) {}
 };
 
-/// What the words say.
+/// Meaning of the command's words.
 struct Request {
-  Wish wish;
+  SessionSelector selector;
   bool json{};
   bool yes{};                     ///< also a trigger that comes early
   std::string shell;              ///< whose completion is wanted
@@ -84,10 +84,10 @@ struct Request {
 
 /// A trigger cannot be taken back: one that comes early must be meant.
 /// @throws FaultError illegal_in_state with the task's reason
-void refuse_early(Client& client, const Request& request, const Surroundings& around) {
+void refuse_early(Client& client, const Request& request, const Environment& environment) {
   const Snapshot s = client.await_status();
   if (!s.waits_for_trigger || s.early.empty()) return;
-  if (request.json) around.out << answer_json({OperatorOrder::trigger, false, s.early});
+  if (request.json) environment.out << answer_json({OperatorOrder::trigger, false, s.early});
   throw FaultError(FaultCode::illegal_in_state, "trigger refused: " + s.early,
                    "wait until that is done, or give `ui_cli trigger --yes`");
 }
@@ -104,30 +104,31 @@ std::vector<std::string> given_before(const Request& request, const Tool& tool,
     const auto again = [&](const std::string& w) { return w == option || w.starts_with(option + "="); };
     if (std::ranges::none_of(behind, again)) words.insert(words.end(), {option, value});
   };
-  hand_on("--session", request.wish.session);
-  hand_on("--url", request.wish.url);
+  hand_on("--session", request.selector.session);
+  hand_on("--url", request.selector.url);
+  hand_on("--key-file", request.selector.key_file.string());
   if (request.json) words.emplace_back("--json");
   return words;
 }
 
-void add_tools(CommandLine& line, Request& request, const Surroundings& around) {
-  for (const Tool& tool : around.tools) {
+void add_tools(CommandLine& line, Request& request, const Environment& environment) {
+  for (const Tool& tool : environment.tools) {
     CommandLine& command = line.subcommand(tool.name, tool.about);
     command.take_words_unread();  // the tool reads its own options
-    command.when_given([&request, &around, &tool, &command] {
+    command.when_given([&request, &environment, &tool, &command] {
       request.command = [&, arguments = command.remaining()]() mutable {
         const auto before = given_before(request, tool, arguments);
         arguments.insert(arguments.end(), before.begin(), before.end());
-        request.status = tool.run(arguments, around.out, around.err);
+        request.status = tool.run(arguments, environment.out, environment.err);
       };
     });
   }
 }
 
-void add_commands(CommandLine& line, Request& request, const Surroundings& around) {
-  const auto look = [&request, &around] {
-    Connection c(request.wish, around);
-    watch(*c.bus, c.client, request.wish.session);
+void add_commands(CommandLine& line, Request& request, const Environment& environment) {
+  const auto look = [&request, &environment] {
+    Connection c(request.selector, environment);
+    watch(*c.bus, c.client, request.selector.session);
   };
   request.command = look;
   line.subcommand("watch", "Full-screen view (the default)").when_given([&request, look] {
@@ -135,42 +136,44 @@ void add_commands(CommandLine& line, Request& request, const Surroundings& aroun
   });
   line.subcommand("status", "Show the task, its processes and its agents once").when_given([&] {
     request.command = [&] {
-      const Snapshot s = Connection(request.wish, around).client.await_status();
-      around.out << (request.json ? status_json(s) : status_text(s, request.wish.session));
+      const Snapshot s = Connection(request.selector, environment).client.await_status();
+      environment.out << (request.json ? status_json(s) : status_text(s, request.selector.session));
     };
   });
   line.subcommand("list", "List the tasks that run on this host").when_given([&] {
     request.command = [&] {
-      const auto running = link::running_sessions(around.sessions);
-      around.out << (request.json ? sessions_json(running) : sessions_text(running));
+      const auto running = link::running_sessions(environment.sessions);
+      environment.out << (request.json ? sessions_json(running) : sessions_text(running));
     };
   });
   for (const OrderHelp& o : kOrders) {
-    CommandLine& command = line.subcommand(std::string(to_string(o.order)), o.help);
+    CommandLine& command = line.order(std::string(to_string(o.order)), o.help);
     if (o.order == OperatorOrder::trigger)
       command.flag("--yes", request.yes, "Also when the task says that it is too early");
     command.when_given([&, order = o.order] {
       request.command = [&, order] {
-        Connection connection(request.wish, around);
-        if (order == OperatorOrder::trigger && !request.yes) refuse_early(connection.client, request, around);
+        Connection connection(request.selector, environment);
+        if (order == OperatorOrder::trigger && !request.yes)
+          refuse_early(connection.client, request, environment);
         const Answer answer = connection.client.order(order);
-        if (request.json) around.out << answer_json(answer);
+        if (request.json) environment.out << answer_json(answer);
+        if (!answer.accepted && answer.code != FaultCode::none) throw FaultError(answer.code, answer.text);
         if (!answer.accepted)
           throw FaultError(FaultCode::illegal_in_state,
                            std::string(to_string(order)) + " refused: " + answer.text);
-        if (!request.json) around.out << answer_text(answer);
+        if (!request.json) environment.out << answer_text(answer);
       };
     });
   }
 }
 
 /// Every command with its options, as the shell completes them.
-std::vector<CompletedCommand> completed(const CommandLine& line, const Surroundings& around) {
+std::vector<CompletedCommand> completed(const CommandLine& line, const Environment& environment) {
   std::vector<CompletedCommand> all;
   for (const CommandLine* command : line.subcommands()) {
     CompletedCommand c{command->name(), command->about(), {}};
-    const auto tool = std::ranges::find(around.tools, c.name, &Tool::name);
-    if (tool != around.tools.end()) {
+    const auto tool = std::ranges::find(environment.tools, c.name, &Tool::name);
+    if (tool != environment.tools.end()) {
       c.words = tool->words;
     } else if (c.name == "manual") {
       c.words = manual_words();
@@ -187,41 +190,42 @@ std::vector<CompletedCommand> completed(const CommandLine& line, const Surroundi
   return all;
 }
 
-void add_completion(CommandLine& line, Request& request, const Surroundings& around) {
+void add_completion(CommandLine& line, Request& request, const Environment& environment) {
   CommandLine& command = line.subcommand("completion", "Print the completion script of a shell");
   command.option("shell", request.shell, "bash or zsh").required().one_of({"bash", "zsh"});
   command.when_given([&] {
     request.command = [&] {
-      const auto commands = completed(line, around);
-      around.out << (request.shell == "bash" ? bash_completion(commands) : zsh_completion(commands));
+      const auto commands = completed(line, environment);
+      environment.out << (request.shell == "bash" ? bash_completion(commands) : zsh_completion(commands));
     };
   });
 }
 
 /// The words of an instruction hold numbers that may look like options.
-void add_manual(CommandLine& line, Request& request, const Surroundings& around) {
+void add_manual(CommandLine& line, Request& request, const Environment& environment) {
   CommandLine& command = line.subcommand("manual", "Move the idle arms of the task `manual` by hand");
   command.take_words_unread();
-  command.when_given([&request, &around, &command] {
-    request.command = [&request, &around, arguments = command.remaining()] {
+  command.when_given([&request, &environment, &command] {
+    request.command = [&request, &environment, arguments = command.remaining()] {
       if (arguments.empty()) {
-        around.out << manual_help();
+        environment.out << manual_help();
         return;
       }
-      ManualWish wish = read_manual_words(arguments);
-      wish.json = wish.json || request.json;
-      if (wish.session.empty()) wish.session = request.wish.session;
-      request.wish.session = wish.session;  // hints name it
-      if (wish.url.empty()) wish.url = request.wish.url;
-      Connection c({wish.session, wish.url}, around);
+      ManualRequest manual = read_manual_words(arguments);
+      manual.json = manual.json || request.json;
+      if (manual.session.empty()) manual.session = request.selector.session;
+      request.selector.session = manual.session;  // hints name it
+      if (manual.url.empty()) manual.url = request.selector.url;
+      if (manual.key_file.empty()) manual.key_file = request.selector.key_file;
+      Connection c({manual.session, manual.url, manual.key_file}, environment);
       if (c.client.session().id == 0) c.client.await_status();
-      execute_manual(*c.bus, c.client.session(), wish, around.patience, around.out);
+      execute_manual(*c.bus, c.client.session(), manual, environment.timeouts, environment.out);
     };
   });
 }
 
 /// @return the exit status when the words ask for help, in whatever place: then it has been printed
-std::optional<int> help(const CommandLine& line, const Surroundings& around,
+std::optional<int> help(const CommandLine& line, const Environment& environment,
                         const std::vector<std::string>& words) {
   const auto asked = line.help_asked(words);
   if (!asked) return std::nullopt;
@@ -230,54 +234,58 @@ std::optional<int> help(const CommandLine& line, const Surroundings& around,
     return std::ranges::any_of(commands, [&](const CommandLine* c) { return c->name() == word; });
   });
   const std::string name = command == words.end() ? "" : *command;
-  if (const auto tool = std::ranges::find(around.tools, name, &Tool::name); tool != around.tools.end()) {
+  if (const auto tool = std::ranges::find(environment.tools, name, &Tool::name);
+      tool != environment.tools.end()) {
     std::vector<std::string> behind(std::next(command), words.end());
     if (!asks_for_help(behind)) behind.emplace_back("--help");
-    return tool->run(behind, around.out, around.err);
+    return tool->run(behind, environment.out, environment.err);
   }
-  around.out << (name == "manual" ? manual_help() : *asked);
+  environment.out << (name == "manual" ? manual_help() : *asked);
   return 0;
 }
 
-int fail(const Surroundings& around, const FaultError& error, const std::string& session) {
-  around.out << std::flush;
-  around.err << error.error_line(session) << std::endl;
+int fail(const Environment& environment, const FaultError& error, const std::string& session) {
+  environment.out << std::flush;
+  environment.err << error.error_line(session) << std::endl;
   return exit_status(error.fault().code);
 }
 
 }  // namespace
 
-int run(int argc, const char* const* argv, const Surroundings& around) {
+int run(int argc, const char* const* argv, const Environment& environment) {
   Request request;
   CommandLine line(kAbout, "ui_cli");
   line.take_one_subcommand(false);
   line.take_options_anywhere();
-  line.option("--session", request.wish.session, "Name of the session; not needed when one task runs")
+  line.option("--session", request.selector.session, "Name of the session; not needed when one task runs")
       .type_name("NAME");
-  line.option("--url", request.wish.url, "Where a task of another host talks: udpm://HOST:PORT?ttl=N")
+  line.option("--url", request.selector.url, "Where a task of another host talks: udpm://HOST:PORT?ttl=N")
       .type_name("URL");
+  line.option("--key-file", request.selector.key_file,
+              "Key of a session of another host: a copy of its .key file")
+      .type_name("FILE");
   line.flag("--json", request.json, "Print JSON");
   line.footer(kCommandFooter);  // inherited by the commands
-  add_commands(line, request, around);
-  add_tools(line, request, around);
-  add_manual(line, request, around);
-  add_completion(line, request, around);
+  add_commands(line, request, environment);
+  add_tools(line, request, environment);
+  add_manual(line, request, environment);
+  add_completion(line, request, environment);
   line.footer("\nExamples:\n" + explained(kLines) + kExitStatus);
-  if (const auto status = help(line, around, {argv + 1, argv + argc})) return *status;
+  if (const auto status = help(line, environment, {argv + 1, argv + argc})) return *status;
   try {
     line.parse(argc, argv, kExamples);
   } catch (const FaultError& e) {
-    return fail(around, e, "");
+    return fail(environment, e, "");
   }
   try {
     request.command();
     return request.status;
   } catch (const FaultError& e) {
-    return fail(around, e, request.wish.session);
+    return fail(environment, e, request.selector.session);
   } catch (const link::NoMulticast& e) {
-    return fail(around, FaultError(FaultCode::no_multicast, e.what()), request.wish.session);
+    return fail(environment, FaultError(FaultCode::no_multicast, e.what()), request.selector.session);
   } catch (const std::exception& e) {
-    return fail(around, FaultError(FaultCode::internal_error, e.what()), request.wish.session);
+    return fail(environment, FaultError(FaultCode::internal_error, e.what()), request.selector.session);
   }
 }
 

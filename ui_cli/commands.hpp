@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/link/bus.hpp"
-#include "base/link/lcm_bus.hpp"
+#include "base/link/session.hpp"
 #include "ui_cli/client.hpp"
 
 namespace mrroc::ui {
@@ -22,19 +22,19 @@ struct Tool {
   std::vector<std::string> words{};  ///< that may follow, for the shell's completion
 };
 
-/// What the program finds around it; tests give it something else.
-struct Surroundings {
+/// Streams, transport and tools of the program; tests give it something else.
+struct Environment {
   std::ostream& out;               ///< what was asked for
   std::ostream& err;               ///< errors, and what they come from
   std::filesystem::path sessions;  ///< directory of the running sessions
   /// Makes a terminal's end of the transport.
-  std::function<std::unique_ptr<link::Bus>(const link::LcmAddress&)> open;
-  Patience patience;          ///< with the task
+  std::function<std::unique_ptr<link::Bus>(const link::SessionInfo&)> open;
+  Timeouts timeouts;          ///< with the task
   std::vector<Tool> tools{};  ///< commands besides those that talk to a task
 };
 
 /// Runs the program; after an error its last line on err is `error: CODE: what happened; what to do`.
 /// @return exit status: 0 done, 1 refused by the task, 2 bad usage or no such session, 3 system error
-int run(int argc, const char* const* argv, const Surroundings& around);
+int run(int argc, const char* const* argv, const Environment& environment);
 
 }  // namespace mrroc::ui

@@ -45,7 +45,7 @@ _ui_cli_at() {{
   fi
   for (( ; k < COMP_CWORD; ++k)); do
     case ${{COMP_WORDS[k]}} in
-      --session | --url) # and their value, which bash takes apart at = and :
+      --session | --url | --key-file) # and their value, which bash takes apart at = and :
         ((++k))
         [[ ${{COMP_WORDS[k]}} != = ]] || ((++k))
         while [[ ${{COMP_WORDS[k+1]:-}} == : ]]; do ((k += 2)); done
@@ -90,7 +90,7 @@ complete -o bashdefault -o default -F _ui_cli ui_cli
 complete -o bashdefault -o default -F _ui_cli_mrroc mrroc
 complete -o bashdefault -o default -F _ui_cli_run run
 )x",
-      quoted(names + "--session --url --json --help"), cases, kNames);
+      quoted(names + "--session --url --key-file --json --help"), cases, kNames);
 }
 
 std::string zsh_completion(std::span<const CompletedCommand> commands) {
@@ -125,7 +125,7 @@ _ui_cli() {{
   fi
   for (( ; k < CURRENT; ++k)); do
     case $words[k] in
-      --session | --url) ((++k)) ;;
+      --session | --url | --key-file) ((++k)) ;;
       -*) ;;
       *) command=$words[k]; break ;;
     esac

@@ -1,4 +1,4 @@
-// Completion of ui_cli's words in the user's shell.
+// Completes ui_cli's words in the user's shell.
 #pragma once
 #include <span>
 #include <string>

@@ -6,7 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "base/as_typed.hpp"
+#include "base/command_hint.hpp"
+#include "base/counted.hpp"
 #include "base/fault.hpp"
 
 namespace mrroc::ui {
@@ -14,9 +15,9 @@ namespace {
 
 /// Sockets of the framework ask for so much [bytes].
 constexpr std::int64_t kReceiveBuffer = 4'194'304;
-/// Of the servo step's 2 ms this much lateness can be borne [us].
+/// Tolerable lateness within the servo step's 2 ms [us].
 constexpr std::int64_t kLateness = 500;
-/// The highest priority that a process of the framework asks for: the world's (base/link/child_main.cpp).
+/// The highest priority that a process of the framework asks for: the simulator's (base/link/child_main.cpp).
 constexpr int kPriority = 40;
 /// A run of a minute with its log is some 20 MB.
 constexpr std::int64_t kFreeBytes = 1'000'000'000;
@@ -44,7 +45,7 @@ Finding clocks(const Host& h) {
 }
 
 Finding cores(const Host& h) {
-  const std::string found = fmt::format("{} core{}", h.cores, h.cores == 1 ? "" : "s");
+  const std::string found = counted(h.cores, "core") + ", to each of which a driver may be pinned";
   if (h.cores >= 2) return {"cores", Verdict::good, found, ""};
   return {"cores", Verdict::limited, found + "; tasks run several times slower",
           "give the machine a second core"};
@@ -80,6 +81,22 @@ Finding disk(const Host& h) {
   return {"disk", Verdict::bad, found, "make room, or give tasks --run-dir on another disk"};
 }
 
+Finding authentication(const Host& h) {
+  if (!h.sessions_refused.empty())
+    return {"sessions", Verdict::bad, h.sessions_refused, "remove what is there, or set XDG_RUNTIME_DIR"};
+  if (h.tag_us < 0)
+    return {"sessions", Verdict::bad, "a message that was signed is not recognised",
+            "install libsodium23 anew"};
+  const std::string found = fmt::format(
+      "messages are signed with a key of their run, {:.1f} us each; keys are in {}, for you alone: they do "
+      "not protect from "
+      "your own programs, root, listeners, or a network that is filled up",
+      h.tag_us, h.sessions.string());
+  if (h.sessions_note.empty()) return {"sessions", Verdict::good, found, ""};
+  return {"sessions", Verdict::limited, h.sessions_note + "; " + found,
+          "let root remove it, or set XDG_RUNTIME_DIR"};
+}
+
 std::string_view to_string(Verdict v) {
   switch (v) {
     case Verdict::good:
@@ -112,14 +129,15 @@ std::string json_of(const std::vector<Finding>& findings) {
 }  // namespace
 
 std::vector<Finding> examine(const Host& h) {
-  return {multicast(h), buffers(h), clocks(h), cores(h), real_time(h), packages(h), disk(h)};
+  return {multicast(h), buffers(h),  clocks(h), cores(h),
+          real_time(h), packages(h), disk(h),   authentication(h)};
 }
 
 int run_doctor(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
   const bool json = arguments == std::vector<std::string>{"--json"};
   if (!json && !arguments.empty()) {
     if (std::ranges::count(arguments, "--help") + std::ranges::count(arguments, "-h") > 0) {
-      out << as_typed(
+      out << command_hint(
           "Usage: ui_cli doctor [--json]\n\nLooks whether this host suits the framework. Each line says ok, "
           "or "
           "what to type.\nExit status: 0; 1 when tasks will not run.\n");

@@ -1,4 +1,5 @@
-// The command `ui_cli doctor`: whether this host suits the framework, and what to type where it does not.
+// The command `ui_cli doctor`: checks that this host suits the framework, and says what to type where it does
+// not.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -9,7 +10,7 @@
 
 namespace mrroc::ui {
 
-/// What is looked at.
+/// Properties of a host that are checked.
 struct Host {
   bool multicast{};                    ///< a process can hear its own messages
   std::int64_t receive_buffer{};       ///< largest that a socket may have, net.core.rmem_max [bytes]
@@ -21,6 +22,10 @@ struct Host {
   std::vector<std::string> missing;    ///< of kNeeded, what is not installed
   std::filesystem::path folder;        ///< where runs/ would go
   std::int64_t free_bytes{};           ///< there
+  std::filesystem::path sessions{};    ///< where sessions and their keys are
+  std::string sessions_note{};         ///< why that is not the usual folder; empty: it is
+  std::string sessions_refused{};      ///< why it cannot be used; empty: it can
+  double tag_us{};                     ///< time to make the tag of a command and to check it [us]
 };
 
 /// Something that runs use, and the packages that bring it.
@@ -38,7 +43,7 @@ inline constexpr std::array kNeeded{
 /// @return this host. Takes a quarter of a second
 [[nodiscard]] Host look_at_host();
 
-/// What one check has found.
+/// Result of one check.
 enum class Verdict : std::uint8_t {
   good,
   limited,  ///< works, with what the text says

@@ -9,10 +9,10 @@
 #include <ostream>
 #include <utility>
 
-#include "base/as_typed.hpp"
-#include "base/fault_table.hpp"
+#include "base/closest_match.hpp"
+#include "base/command_hint.hpp"
+#include "base/fault.hpp"
 #include "base/joined.hpp"
-#include "base/nearest.hpp"
 #include "base/operator.hpp"
 #include "base/wrap.hpp"
 #include "ui_cli/states.hpp"
@@ -109,9 +109,9 @@ nlohmann::ordered_json json_of(const FaultEntry& e) {
 
 FaultError unknown(const std::string& word) {
   WordSet names;
-  for (const FaultEntry& e : kFaultTable) names.emplace(e.name);
+  for (const FaultEntry& e : all_faults()) names.emplace(e.name);
   for (const StateEntry& s : kStates) names.emplace(s.name);
-  const std::string near = nearest(lower(word), names);
+  const std::string near = closest_match(lower(word), names);
   return {FaultCode::bad_usage,
           fmt::format("there is no error and no state '{}'{}", word,
                       near.empty() ? "" : fmt::format("; did you mean '{}'?", near)),
@@ -120,7 +120,7 @@ FaultError unknown(const std::string& word) {
 
 void list(std::ostream& out, bool json) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const FaultEntry& e : kFaultTable) {
+  for (const FaultEntry& e : all_faults()) {
     if (e.code == FaultCode::none) continue;
     if (json)
       all.push_back(json_of(e));
@@ -142,7 +142,7 @@ void list(std::ostream& out, bool json) {
 /// Adds a paragraph with a heading before it.
 void add(std::string& text, std::string_view head, std::string_view words) {
   constexpr int kWidth = 80, kHead = 17;
-  for (const std::string& line : wrap(as_typed(words), kWidth - kHead))
+  for (const std::string& line : wrap(command_hint(words), kWidth - kHead))
     text += fmt::format("{:<{}}{}\n", std::exchange(head, ""), kHead, line);
 }
 
@@ -190,7 +190,7 @@ std::string explanation(FaultCode code) {
 
 std::vector<std::string> explain_words() {
   std::vector<std::string> words{"--json"};
-  for (const FaultEntry& e : kFaultTable) words.emplace_back(e.name);
+  for (const FaultEntry& e : all_faults()) words.emplace_back(e.name);
   for (const StateEntry& s : kStates)
     if (s.name.find(' ') == std::string_view::npos && std::ranges::count(words, s.name) == 0)
       words.emplace_back(s.name);
@@ -202,7 +202,7 @@ int run_explain(const std::vector<std::string>& arguments, std::ostream& out, st
   std::vector<std::string> words;
   for (const std::string& a : arguments) {
     if (a == "--help" || a == "-h") {
-      out << as_typed(kHelp);
+      out << command_hint(kHelp);
       return 0;
     }
     if (a == "--json")

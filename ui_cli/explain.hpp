@@ -1,4 +1,4 @@
-// The command `ui_cli explain CODE`: what an error means, what it mostly comes from, and what to do.
+// The command `ui_cli explain CODE`: the meaning of an error, its usual cause, and the remedy.
 #pragma once
 #include <iosfwd>
 #include <string>

@@ -1,6 +1,7 @@
 #include "ui_cli/history.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace mrroc::ui {
 
@@ -25,7 +26,7 @@ std::string_view to_string(Quantity q) {
 void History::add(const Snapshot& s) {
   for (const AgentView& a : s.agents) {
     auto& samples = agents_[a.name];
-    Sample sample;
+    Sample sample{.begun = a.m != 0 || (!samples.empty() && samples.back().begun)};
     for (std::size_t k = 0; k < 3; ++k) {
       sample.F[k] = a.F_a[k];
       sample.p[k] = 1e3 * a.T_0E[k];
@@ -40,10 +41,12 @@ std::vector<double> History::samples(const std::string& agent, Quantity q, int w
   if (it == agents_.end() || width <= 0) return {};
   const auto& all = it->second;
   const auto count = std::min(all.size(), static_cast<std::size_t>(width));
-  const auto value = [q](const Sample& s) {
+  const bool begun = all.back().begun;
+  const auto value = [q, begun](const Sample& s) {
     constexpr std::array<std::size_t, kQuantities.size()> kAxis{2, 0, 1, 0, 1, 2};
     const std::size_t axis = kAxis[static_cast<std::size_t>(q)];
-    return q <= Quantity::F_y ? s.F[axis] : s.p[axis];
+    if (q > Quantity::F_y) return s.p[axis];
+    return s.begun || !begun ? s.F[axis] : std::numeric_limits<double>::quiet_NaN();
   };
   std::vector<double> values;
   for (std::size_t k = all.size() - count; k < all.size(); ++k) values.push_back(value(all[k]));

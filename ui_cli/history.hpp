@@ -11,7 +11,7 @@
 
 namespace mrroc::ui {
 
-/// What a chart shows: a component of F_a in E [N], or of the position of E in the arm's base [mm].
+/// Quantity of a chart: a component of F_a in E [N], or of the position of E in the arm's base [mm].
 enum class Quantity : std::uint8_t { F_z, F_x, F_y, x, y, z };
 /// In the order in which the key c shows them.
 inline constexpr std::array kQuantities{Quantity::F_z, Quantity::F_x, Quantity::F_y,
@@ -30,6 +30,7 @@ class History {
   /// Takes force and position of every agent; the oldest sample beyond kKept goes.
   void add(const Snapshot& s);
   /// @param width  so many of the newest at most
+  /// Before an agent's first behaviour its sensor has a bias: such a force is NaN where there are later ones.
   /// @return oldest first, a force [N], or how far a coordinate has come since the first of them [mm]; empty for an
   ///         agent that is not known
   [[nodiscard]] std::vector<double> samples(const std::string& agent, Quantity q, int width) const;
@@ -38,6 +39,7 @@ class History {
   struct Sample {
     std::array<double, 3> F{};  // [N]
     std::array<double, 3> p{};  // [mm]
+    bool begun{};               // the agent has, or had, a behaviour
   };
   std::map<std::string, std::deque<Sample>> agents_;
 };

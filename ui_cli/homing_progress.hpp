@@ -1,4 +1,4 @@
-// How far arms are that look for their positions, as it is seen from outside.
+// Progress of arms that are homing, computed from their motors' positions.
 #pragma once
 #include <array>
 #include <optional>

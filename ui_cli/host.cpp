@@ -10,8 +10,12 @@
 #include <fstream>
 #include <sstream>
 #include <thread>
+#include <vector>
 
+#include "base/link/authentication.hpp"
 #include "base/link/lcm_bus.hpp"
+#include "base/link/lcm_packet.hpp"
+#include "base/link/private_folder.hpp"
 #include "base/link/real_time.hpp"
 #include "base/link/session.hpp"
 #include "ui_cli/doctor.hpp"
@@ -73,10 +77,33 @@ Permitted try_out() {
   return permitted;
 }
 
+double time_of_a_tag_us() {
+  using Clock = std::chrono::steady_clock;
+  constexpr int kTags = 1000;
+  constexpr std::size_t kCommand = 588;  // [bytes]
+  const link::TagKey key(link::Key::random());
+  const std::vector<std::uint8_t> message(kCommand);
+  std::vector<std::uint8_t> datagram;
+  std::size_t right = 0;
+  const auto begun = Clock::now();
+  for (std::uint64_t k = 1; k <= kTags; ++k) {
+    link::write_packet(datagram, 1, "doctor.arm1.command", message);
+    link::sign(datagram, {1, k}, key);
+    right += link::authenticate(datagram, key).has_value();
+  }
+  const double us = std::chrono::duration<double, std::micro>(Clock::now() - begun).count();
+  return right == kTags ? us / kTags : -1;
+}
+
 }  // namespace
 
 Host look_at_host() {
   Host h;
+  const link::SessionPlace place = link::session_place();
+  h.sessions = place.directory;
+  h.sessions_note = place.note;
+  h.sessions_refused = link::why_no_private_folder(h.sessions);
+  h.tag_us = time_of_a_tag_us();
   h.multicast = link::multicast_works(link::address_for("doctor"));
   h.receive_buffer = number_in("/proc/sys/net/core/rmem_max");
   timespec resolution{};

@@ -1,9 +1,9 @@
-// Keys that are no characters, with the numbers that curses gives them.
+// Keys that are not characters, with the numbers that curses gives them.
 #pragma once
 
 namespace mrroc::ui {
 
-/// What Terminal::key() returns for them.
+/// Numbers of keys, as Terminal::key() returns them.
 namespace key {
 /// With the control key, and what the main part of the keyboard gives.
 inline constexpr int kControlC = 3;

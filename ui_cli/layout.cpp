@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/as_typed.hpp"
+#include "base/command_hint.hpp"
 #include "base/wrap.hpp"
 #include "ui_cli/layout_tables.hpp"
 #include "ui_cli/manual_page.hpp"
@@ -40,6 +40,17 @@ void put_both(Canvas& c, int row, const std::string& left, Style left_style, con
         left_style);
 }
 
+bool stopped_by_operator(FaultCode code) {
+  return code == FaultCode::operator_stop || code == FaultCode::interrupted;
+}
+
+/// @return how a task ends that was stopped or had a fault
+std::string ending_of(FaultCode code) {
+  if (code == FaultCode::emergency_stop) return "EMERGENCY STOP";
+  if (stopped_by_operator(code)) return code == FaultCode::interrupted ? "interrupted" : "stopped";
+  return fmt::format("FAULT {}", to_string(code));
+}
+
 void put_title(Canvas& c, const View& v) {
   const std::string task = v.snapshot ? v.snapshot->task : "task";
   std::string state = " NO STATUS YET ";
@@ -51,6 +62,10 @@ void put_title(Canvas& c, const View& v) {
     state = fmt::format(" {} ", to_string(v.snapshot->state));
     style = style_of(v.snapshot->state);
   }
+  if (v.snapshot && v.snapshot->fault != FaultCode::none) {
+    state = fmt::format(" {}, {} ", ending_of(v.snapshot->fault), to_string(v.snapshot->state));
+    style = stopped_by_operator(v.snapshot->fault) ? style : Style::bad;
+  }
   const int end = c.size().columns;
   c.put(0, 1, cut(fmt::format("{}   session {}", task, v.session), end - 2 - static_cast<int>(state.size())));
   c.paint(0, Style::title);
@@ -61,8 +76,12 @@ void put_title(Canvas& c, const View& v) {
 int put_task(Canvas& c, const Snapshot& s) {
   const int end = c.size().columns;
   int row = 1;
-  const std::string behaviour = s.m != 0 ? fmt::format("m {}  {}", s.m, s.behaviour) : s.behaviour;
+  std::string behaviour = s.m != 0 ? fmt::format("m {}  {}", s.m, s.behaviour) : s.behaviour;
   std::string times = fmt::format("{} s simulated, {} x", fixed(s.sim_time, 2), fixed(s.speed, 1));
+  if (!s.is_current()) {  // what was, when it ended
+    if (!behaviour.empty()) behaviour = "ended in " + behaviour;
+    times = fixed(s.sim_time, 2) + " s simulated";
+  }
   const std::string counted = s.macrostep > 0 ? fmt::format("i {}, {}", s.macrostep, times) : times;
   const auto fits = [&](const std::string& right) {
     return static_cast<int>(behaviour.size() + right.size()) + 4 <= end;
@@ -71,7 +90,7 @@ int put_task(Canvas& c, const Snapshot& s) {
     times = counted;
   else if (!fits(times))
     times = fixed(s.sim_time, 2) + " s";
-  put_both(c, row++, behaviour, Style::heading, times, Style::plain);
+  put_both(c, row++, behaviour, s.is_current() ? Style::heading : Style::dim, times, Style::plain);
   std::string wait;
   if (s.waits_for_trigger)
     wait = s.early.empty() ? "waits for your trigger: press t" : "press t later: " + s.early;
@@ -204,7 +223,7 @@ Plan plan(int rows, const Snapshot& s, int processes) {
 Plan plan_with_charts(int rows, const Snapshot& s, int columns) {
   const Plan all = plan(rows, s, process_rows(s, columns));
   if (all.chart_height > 0) return all;
-  const Plan counted = plan(rows, s, troubled_rows(s, columns));
+  const Plan counted = plan(rows, s, faulty_process_rows(s, columns));
   return counted.chart_height > 0 ? counted : all;
 }
 

@@ -1,4 +1,4 @@
-// The full-screen view as a pure function of what is to be seen.
+// Draws the full-screen view as a pure function of its contents.
 #pragma once
 #include <optional>
 #include <string>

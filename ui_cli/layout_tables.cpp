@@ -45,7 +45,7 @@ int rows_for(std::size_t processes, int columns) {
   return (static_cast<int>(processes) + beside - 1) / beside;
 }
 
-/// What stands for processes that are not shown.
+/// Text in place of processes that are not shown.
 std::string hidden_text(std::size_t count, bool all, bool well) {
   return fmt::format("{} {}{}{}", all ? "all" : "and", count, all ? "" : " more", well ? " are well" : "");
 }
@@ -60,22 +60,27 @@ void put_column(Canvas& c, int row, int end, std::string_view text, Style style 
   if (end <= c.size().columns) c.put_right(row, end, text, style);
 }
 
-void put_agent(Canvas& c, int row, const AgentView& a) {
+/// @param current  false: what was measured is over
+void put_agent(Canvas& c, int row, const AgentView& a, bool current) {
+  const bool posed = current && a.position_known;
   c.put(row, 1, a.name.substr(0, kName - 1));
   for (int k = 0; k < 3; ++k) {
     const auto axis = static_cast<std::size_t>(k);
-    put_column(c, row, kName + (k + 1) * kNumber, a.pose_known() ? fixed(1e3 * a.T_0E[axis], 1) : "-");
-    put_column(c, row, kRotation + (k + 1) * kAngle, a.pose_known() ? fixed(a.T_0E[axis + 3], 3) : "-");
+    put_column(c, row, kName + (k + 1) * kNumber, posed ? fixed(1e3 * a.T_0E[axis], 1) : "-");
+    put_column(c, row, kRotation + (k + 1) * kAngle, posed ? fixed(a.T_0E[axis + 3], 3) : "-");
   }
-  put_column(c, row, kForce, fixed(a.F_a[2], 2), Style::heading);
-  c.put(row, kSensor, cut(a.sensor, std::min(kRotation, c.size().columns) - kSensor));
+  put_column(c, row, kForce, current ? fixed(a.F_a[2], 2) : "-", Style::heading);
+  c.put(row, kSensor, cut(current ? a.sensor : "", std::min(kRotation, c.size().columns) - kSensor));
   for (int k = 0; k < 2; ++k)
-    put_column(c, row, kSideForce + (k + 1) * kNumber, fixed(a.F_a[static_cast<std::size_t>(k)], 2));
+    put_column(c, row, kSideForce + (k + 1) * kNumber,
+               current ? fixed(a.F_a[static_cast<std::size_t>(k)], 2) : "-");
 }
 
-void put_behaviour(Canvas& c, int row, const AgentView& a) {
-  const std::string now = a.m != 0 ? fmt::format("m {}  {}", a.m, a.behaviour) : a.behaviour;
-  const int column = c.put(row, kName, cut(now, c.size().columns - 1 - kName), Style::heading) + 3;
+void put_behaviour(Canvas& c, int row, const AgentView& a, bool current) {
+  std::string now = a.m != 0 ? fmt::format("m {}  {}", a.m, a.behaviour) : a.behaviour;
+  if (!current && !now.empty()) now = "ended in " + now;
+  const int column =
+      c.put(row, kName, cut(now, c.size().columns - 1 - kName), current ? Style::heading : Style::dim) + 3;
   if (a.ended_because.empty()) return;
   c.put(row, column, cut("after " + a.ended_because, c.size().columns - 1 - column), Style::dim);
 }
@@ -112,7 +117,7 @@ std::string fixed(double value, int decimals) {
 
 int process_rows(const Snapshot& s, int columns) { return rows_for(s.processes.size(), columns); }
 
-int troubled_rows(const Snapshot& s, int columns) {
+int faulty_process_rows(const Snapshot& s, int columns) {
   const auto troubled =
       static_cast<std::size_t>(std::ranges::count_if(s.processes, [](const auto& p) { return !usual(p); }));
   return rows_for(std::min(troubled + 1, s.processes.size()), columns);
@@ -131,8 +136,8 @@ void put_agents(Rows& rows, const View& view, int chart_height, bool behaviours)
   put_column(c, title, kSideForce + kNumber, "F_x [N]", Style::heading);
   put_column(c, title, kSideForce + 2 * kNumber, "F_y [N]", Style::heading);
   for (const AgentView& a : view.snapshot->agents) {
-    put_agent(c, rows.take(), a);
-    if (behaviours) put_behaviour(c, rows.take(), a);
+    put_agent(c, rows.take(), a, view.snapshot->is_current());
+    if (behaviours) put_behaviour(c, rows.take(), a, view.snapshot->is_current());
     put_chart(rows, view, a, chart_height, !behaviours);
   }
 }

@@ -35,8 +35,8 @@ std::string fixed(double value, int decimals);
 
 /// @return rows that put_processes wants below its heading
 int process_rows(const Snapshot& s, int columns);
-/// @return rows that it needs for those that are not well, and the count of the others
-int troubled_rows(const Snapshot& s, int columns);
+/// @return rows that it needs for the processes that are not well, and for the count of the others
+int faulty_process_rows(const Snapshot& s, int columns);
 
 /// Pose, force and sensor of every agent, and below each its behaviour and the chart of F_z.
 /// @param behaviours  whether there is a row for them: name, and why the one before ended

@@ -1,6 +1,7 @@
 #include <iostream>
 
 #include "base/link/session.hpp"
+#include "base/standard_files.hpp"
 #include "edp/stability_command.hpp"
 #include "ui_cli/commands.hpp"
 #include "ui_cli/doctor.hpp"
@@ -12,35 +13,39 @@
 
 int main(int argc, char** argv) {
   using namespace mrroc;
-  return ui::run(
-      argc, argv,
-      {std::cout,
-       std::cerr,
-       link::session_directory(),
-       link::open_lcm,
-       {},
-       {{"doctor",
-         "Look whether this host suits the framework, and what to type (no task needed)",
-         ui::run_doctor,
-         {"--json"}},
-        {"explain", "Say what an error means, what it mostly comes from, what to do (no task needed)",
-         ui::run_explain, ui::explain_words()},
-        {"new", "Write the files of a new robot, task or sensor (no task needed)", ui::run_new,
-         ui::new_words()},
-        {"log", "Show, plot, compare and recompute runs that have been (no task needed)", ui::run_log,
-         ui::log_words()},
-        {"replay",
-         "Publish a run once more, for terminals and virtual sensors (no task needed)",
-         [](const auto& arguments, std::ostream& out, std::ostream& err) {
-           return ui::run_replay(arguments, {link::session_directory(), link::open_lcm}, out, err);
-         },
-         {"--with", "--speed", "--from", "--without", "--session", "--json"}},
-        {"view",
-         "Show a running task, or a run folder, as a web page on this host",
-         view::run_view,
-         {"--port", "--session", "--url", "--with-task", "--json"}},
-        {"stability",
-         "Tell which contact the force law bears (no task needed)",
-         edp::run_stability,
-         {"--json", "--map"}}}});
+  keep_standard_files();
+  const link::SessionPlace sessions = link::session_place();
+  if (!sessions.note.empty()) std::cerr << sessions.note << "\n";
+  const int status =
+      ui::run(argc, argv,
+              {std::cout,
+               std::cerr,
+               sessions.directory,
+               link::open_session,
+               {},
+               {{"doctor",
+                 "Look whether this host suits the framework, and what to type (no task needed)",
+                 ui::run_doctor,
+                 {"--json"}},
+                {"explain", "Say what an error means, what it mostly comes from, what to do (no task needed)",
+                 ui::run_explain, ui::explain_words()},
+                {"new", "Write the files of a new robot, task or sensor (no task needed)", ui::run_new,
+                 ui::new_words()},
+                {"log", "Show, plot, compare and recompute runs that have been (no task needed)", ui::run_log,
+                 ui::log_words()},
+                {"replay",
+                 "Publish a run once more, for terminals and virtual sensors (no task needed)",
+                 [&sessions](const auto& arguments, std::ostream& out, std::ostream& err) {
+                   return ui::run_replay(arguments, {sessions.directory, link::open_session}, out, err);
+                 },
+                 {"--with", "--speed", "--from", "--without", "--session", "--json"}},
+                {"view",
+                 "Show a running task, or a run folder, as a web page on this host",
+                 view::run_view,
+                 {"--port", "--session", "--url", "--key-file", "--with-task", "--json"}},
+                {"stability",
+                 "Tell which contact the force law bears (no task needed)",
+                 edp::run_stability,
+                 {"--json", "--map"}}}});
+  return end_standard_output(status);
 }

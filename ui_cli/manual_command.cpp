@@ -10,10 +10,11 @@
 #include <sstream>
 #include <utility>
 
-#include "base/as_typed.hpp"
+#include "base/command_hint.hpp"
+#include "base/command_words.hpp"
 #include "base/fault.hpp"
+#include "base/instructions.hpp"
 #include "base/joined.hpp"
-#include "base/manual.hpp"
 #include "ui_cli/homing_progress.hpp"
 #include "ui_cli/manual_link.hpp"
 #include "ui_cli/manual_page.hpp"
@@ -40,7 +41,8 @@ constexpr const char* kHelp =
     "  load FILE                               the instructions of a file, one after the other\n"
     "  end                                     the session\n"
     "SPACE: motors [rad], joints [rad, m], euler, angle-axis [m, rad]. S: share of the largest, 0 to 1.\n"
-    "Options: --no-wait returns when the instruction is taken; --json, --session NAME, --url URL.\n"
+    "Options: --no-wait returns when the instruction is taken; --json, --session NAME, --url URL,\n"
+    "--key-file FILE.\n"
     "Exit status: 0 done; 1 refused or failed; 2 bad usage or no such session; 3 nobody answers.\n";
 
 using Json = nlohmann::ordered_json;
@@ -57,16 +59,16 @@ std::vector<std::string> names_of(const std::vector<ManualArm>& arms) {
 /// The task `manual` as one command speaks to it, with one link however many instructions there are: what a link has
 /// subscribed to stays with the bus.
 struct Task {
-  Task(link::Bus& b, const link::SessionInfo& s, const ManualWish& wish, const Patience& p)
+  Task(link::Bus& b, const link::SessionInfo& s, const ManualRequest& request, const Timeouts& p)
       : bus(b),
         session(s),
-        patience(p),
+        timeouts(p),
         arms(manual_arms(s.run_folder)),
-        link(b, s, arms.empty() ? std::vector{wish.show} : names_of(arms), p) {}
+        link(b, s, arms.empty() ? std::vector{request.show} : names_of(arms), p) {}
 
   link::Bus& bus;
   const link::SessionInfo& session;
-  const Patience& patience;
+  const Timeouts& timeouts;
   std::vector<ManualArm> arms;  ///< none: which there are is not known on this host
   ManualLink link;
 };
@@ -77,23 +79,23 @@ ManualAnswer ask(Task& task, const std::string& words, bool wait, std::ostream* 
   const std::vector<ManualArm> arms = arms_to_home(words, task.arms);
   HomingProgress homing(arms);
   const auto begun = Clock::now();
-  auto next = begun + task.patience.told;  // line of progress
+  auto next = begun + task.timeouts.told;  // line of progress
   bool taken = false, told = false;
   task.link.begin(words, begun);
   while (true) {
     const auto answer = task.link.poll(Clock::now());
-    taken = taken || (answer && answer->state == ManualState::taken);
+    taken = taken || (answer && answer->state == InstructionState::taken);
     for (const ManualArm& a : arms)
       if (const auto reading = task.link.reading(a.name)) homing.see(a.name, *reading);
     if (progress && wait && taken && !answer && Clock::now() > next) {
       const std::string line = std::exchange(told, true) ? homing.text() : kTaken;
       if (!line.empty()) {
         *progress << line << std::endl;
-        next += task.patience.progress;
+        next += task.timeouts.progress;
       }
     }
-    if (answer && (answer->state != ManualState::taken || !wait)) return *answer;
-    if (!answer) task.bus.wait(std::min(task.patience.repeat, std::chrono::milliseconds(20)));
+    if (answer && (answer->state != InstructionState::taken || !wait)) return *answer;
+    if (!answer) task.bus.wait(std::min(task.timeouts.repeat, std::chrono::milliseconds(20)));
   }
 }
 
@@ -107,11 +109,11 @@ EffectorReply look_at(Task& task, const std::string& arm) {
         "name one of them");
   const auto begun = Clock::now();
   while (!task.link.reading(arm)) {
-    if (Clock::now() - begun > task.patience.give_up)
+    if (Clock::now() - begun > task.timeouts.give_up)
       throw FaultError(FaultCode::peer_silent,
                        fmt::format("session {} says nothing: no reply of {}", task.session.name, arm),
                        "instructions are for the task `manual`: look with `ui_cli list`");
-    task.bus.wait(task.patience.repeat);
+    task.bus.wait(task.timeouts.repeat);
   }
   return *task.link.reading(arm);
 }
@@ -129,24 +131,26 @@ void show_all(Task& task, bool json, std::ostream& out) {
 }
 
 /// Adds where the arm is to the file.
-void save(Task& task, const ManualWish& wish, std::ostream& out) {
-  const EffectorReply r = look_at(task, wish.show);
-  const auto arm = std::ranges::find(task.arms, wish.show, &ManualArm::name);
+void save(Task& task, const ManualRequest& request, std::ostream& out) {
+  const EffectorReply r = look_at(task, request.show);
+  const auto arm = std::ranges::find(task.arms, request.show, &ManualArm::name);
   if (arm == task.arms.end())
     throw FaultError(
         FaultCode::bad_usage,
-        fmt::format("{} is no arm of the run in {}", wish.show, task.session.run_folder.string()),
+        fmt::format("{} is no arm of the run in {}", request.show, task.session.run_folder.string()),
         "save on the host of the task, where its run folder is");
-  if (!position_known(r))
+  if (!r.position_known)
     throw FaultError(FaultCode::illegal_in_state,
-                     fmt::format("{} does not know its position, it is {}", wish.show, to_string(r.state)),
-                     fmt::format("`ui_cli manual home {}` finds it; save when that is done", wish.show));
+                     fmt::format("{} does not know its position, it is {}", request.show, to_string(r.state)),
+                     fmt::format("`ui_cli manual home {}` finds it; save when that is done", request.show));
   const std::vector<double> joints(r.joints.begin(), r.joints.begin() + arm->axes);
-  const std::string line = fmt::format("move {} joints {:.6f}", wish.show, fmt::join(joints, " "));
-  std::ofstream file(wish.save, std::ios::app);
+  const std::string line = fmt::format("move {} joints {:.6f}", request.show, fmt::join(joints, " "));
+  std::ofstream file(request.save, std::ios::app);
   file << line << "\n";
-  if (!file.flush()) throw FaultError(FaultCode::cannot_write, "cannot write " + wish.save.string());
-  out << (wish.json ? Json{{"file", wish.save.string()}, {"line", line}}.dump() : line) << "\n";
+  if (!file.flush())
+    throw FaultError(FaultCode::cannot_write, "cannot write " + request.save.string(),
+                     "look at the rights, the space left, and whether the folder is there");
+  out << (request.json ? Json{{"file", request.save.string()}, {"line", line}}.dump() : line) << "\n";
 }
 
 /// A line of a file of instructions.
@@ -195,36 +199,37 @@ FaultCode code_in(const std::string& text) {
 
 /// @throws FaultError bad_usage: not understood; what the driver says, or illegal_in_state: refused or failed
 void must_be_good(const ManualAnswer& answer, const std::string& words) {
-  if (answer.state == ManualState::taken || answer.state == ManualState::done) return;
-  if (answer.state == ManualState::not_understood)
+  if (answer.state == InstructionState::taken || answer.state == InstructionState::done) return;
+  if (answer.state == InstructionState::not_understood)
     throw FaultError(FaultCode::bad_usage, fmt::format("{}: {}", words, answer.text),
-                     "`ui_cli manual --help` tells them all");
+                     fmt::format("{} are words of this terminal; `ui_cli manual --help` tells them all",
+                                 listed({kOfShell.begin(), kOfShell.end()})));
   throw FaultError(code_in(answer.text),
                    fmt::format("{} {}: {}", words,
-                               answer.state == ManualState::refused ? "refused" : "failed", answer.text),
+                               answer.state == InstructionState::refused ? "refused" : "failed", answer.text),
                    "look at the arm with `ui_cli manual show ARM`");
 }
 
 /// Gives the instructions of a file, each when the one before is done.
-void load(Task& task, const ManualWish& wish, std::ostream& out) {
-  const auto lines = instructions_in(wish.load);
+void load(Task& task, const ManualRequest& request, std::ostream& out) {
+  const auto lines = instructions_in(request.load);
   for (const auto& [place, words] : lines) {
-    const ManualAnswer answer = ask(task, words, true, wish.json ? nullptr : &out);
-    if (answer.state == ManualState::not_understood)
+    const ManualAnswer answer = ask(task, words, true, request.json ? nullptr : &out);
+    if (answer.state == InstructionState::not_understood)
       throw FaultError(FaultCode::bad_script, fmt::format("{}: {}: {}", place, words, answer.text),
                        "correct the line; those before it have been done");
     must_be_good(answer, fmt::format("{}: {}", place, words));
-    if (!wish.json) out << words << ": " << answer.text << std::endl;
+    if (!request.json) out << words << ": " << answer.text << std::endl;
   }
-  if (wish.json) out << Json{{"file", wish.load.string()}, {"done", lines.size()}}.dump() << "\n";
+  if (request.json) out << Json{{"file", request.load.string()}, {"done", lines.size()}}.dump() << "\n";
 }
 
 }  // namespace
 
-std::string manual_help() { return as_typed(kHelp); }
+std::string manual_help() { return command_hint(kHelp); }
 
-ManualWish read_manual_words(const std::vector<std::string>& arguments) {
-  ManualWish wish;
+ManualRequest read_manual_words(const std::vector<std::string>& arguments) {
+  ManualRequest request;
   std::vector<std::string> words;
   for (std::size_t k = 0; k < arguments.size(); ++k) {
     const std::string& a = arguments[k];
@@ -233,13 +238,15 @@ ManualWish read_manual_words(const std::vector<std::string>& arguments) {
       return arguments[++k];
     };
     if (a == "--json")
-      wish.json = true;
+      request.json = true;
     else if (a == "--no-wait")
-      wish.wait = false;
+      request.wait = false;
     else if (a == "--session")
-      wish.session = value();
+      request.session = value();
     else if (a == "--url")
-      wish.url = value();
+      request.url = value();
+    else if (a == "--key-file")
+      request.key_file = value();
     else if (a.starts_with("--"))
       throw FaultError(FaultCode::bad_usage, fmt::format("manual does not know '{}'", a));
     else
@@ -247,54 +254,55 @@ ManualWish read_manual_words(const std::vector<std::string>& arguments) {
   }
   if (words.empty())
     throw FaultError(FaultCode::bad_usage, "an instruction is missing", "look at `ui_cli manual --help`");
-  wish.words = joined(words, " ");
+  request.words = joined(words, " ");
   const auto form = [&](std::size_t count, const char* written) {
     if (words.size() != count)
       throw FaultError(FaultCode::bad_usage, fmt::format("it is written `{}`", written));
   };
   if (words[0] == "show") {
     form(2, "show ARM");
-    wish.show = words[1];
+    request.show = words[1];
   } else if (words[0] == "save") {
     form(3, "save ARM FILE");
-    wish.show = words[1];
-    wish.save = words[2];
+    request.show = words[1];
+    request.save = words[2];
   } else if (words[0] == "load") {
     form(2, "load FILE");
-    wish.load = words[1];
+    request.load = words[1];
   }
-  if (wish.words.size() > kLongestInstruction && wish.load.empty() && wish.save.empty())
-    throw FaultError(FaultCode::bad_usage, too_long(wish.words.size()), kShorter);
-  return wish;
+  if (request.words.size() > kLongestInstruction && request.load.empty() && request.save.empty())
+    throw FaultError(FaultCode::bad_usage, too_long(request.words.size()), kShorter);
+  return request;
 }
 
 std::vector<std::string> manual_words() {
-  std::vector<std::string> words(kManualVerbs.begin(), kManualVerbs.end());
+  const auto verbs = instruction_verbs("manual");
+  std::vector<std::string> words(verbs.begin(), verbs.end());
   words.insert(words.end(), kOfShell.begin(), kOfShell.end());
   for (const char* other : {"all", "arm1", "arm2", "motors", "joints", "euler", "angle-axis", "speed",
-                            "acceleration", "--no-wait", "--json", "--session", "--url"})
+                            "acceleration", "--no-wait", "--json", "--session", "--url", "--key-file"})
     words.emplace_back(other);
   return words;
 }
 
-void execute_manual(link::Bus& bus, const link::SessionInfo& session, const ManualWish& wish,
-                    const Patience& patience, std::ostream& out) {
-  Task task(bus, session, wish, patience);
-  if (!wish.save.empty()) return save(task, wish, out);
-  if (wish.show == "all") return show_all(task, wish.json, out);
-  if (!wish.show.empty()) return show_arm(look_at(task, wish.show), wish.show, wish.json, out);
-  if (!wish.load.empty()) return load(task, wish, out);
-  const ManualAnswer answer = ask(task, wish.words, wish.wait, wish.json ? nullptr : &out);
-  if (wish.json)
-    out << Json{{"words", wish.words},
-                {"accepted",
-                 answer.state != ManualState::refused && answer.state != ManualState::not_understood},
-                {"done", answer.state == ManualState::done},
+void execute_manual(link::Bus& bus, const link::SessionInfo& session, const ManualRequest& request,
+                    const Timeouts& timeouts, std::ostream& out) {
+  Task task(bus, session, request, timeouts);
+  if (!request.save.empty()) return save(task, request, out);
+  if (request.show == "all") return show_all(task, request.json, out);
+  if (!request.show.empty()) return show_arm(look_at(task, request.show), request.show, request.json, out);
+  if (!request.load.empty()) return load(task, request, out);
+  const ManualAnswer answer = ask(task, request.words, request.wait, request.json ? nullptr : &out);
+  if (request.json)
+    out << Json{{"words", request.words},
+                {"accepted", answer.state != InstructionState::refused &&
+                                 answer.state != InstructionState::not_understood},
+                {"done", answer.state == InstructionState::done},
                 {"text", answer.text}}
                .dump(-1, ' ', false, Json::error_handler_t::replace)
         << "\n";
-  must_be_good(answer, wish.words);
-  if (!wish.json) out << answer.text << "\n";
+  must_be_good(answer, request.words);
+  if (!request.json) out << answer.text << "\n";
 }
 
 }  // namespace mrroc::ui

@@ -1,4 +1,4 @@
-// The command `ui_cli manual`: instructions to the arms of the task `manual`, and what the arms are doing.
+// The command `ui_cli manual`: sends instructions to the arms of the task `manual`, and shows their states.
 #pragma once
 #include <chrono>
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace mrroc::ui {
 
-/// What the words behind `ui_cli manual` say.
-struct ManualWish {
+/// Meaning of the words behind `ui_cli manual`.
+struct ManualRequest {
   std::string words;  ///< the instruction; "show ARM", "save ARM FILE" and "load FILE" are answered here
   std::string show;   ///< arm whose state is wanted; empty: an instruction
   std::filesystem::path save;  ///< where the position of that arm is written down; empty: it is shown
@@ -22,11 +22,12 @@ struct ManualWish {
   bool wait{true};             ///< until it is done; false: until it is taken
   bool json{};                 ///< answers as JSON instead of words for people
   std::string session, url;    ///< --session and --url; may be empty
+  std::filesystem::path key_file;  ///< --key-file; may be empty
 };
 
 /// @param arguments  words and options in any order: numbers may be negative
 /// @throws FaultError bad_usage
-[[nodiscard]] ManualWish read_manual_words(const std::vector<std::string>& arguments);
+[[nodiscard]] ManualRequest read_manual_words(const std::vector<std::string>& arguments);
 
 /// Words behind `ui_cli manual`, for the shell's completion.
 [[nodiscard]] std::vector<std::string> manual_words();
@@ -35,8 +36,8 @@ struct ManualWish {
 /// state of an arm, or adds its position to a file as the instruction that leads there: `move ARM joints NUMBER...`.
 /// @throws FaultError illegal_in_state: refused; failed: as the driver says, with the reason, or a position is not
 ///                    known; peer_silent: nobody answers; bad_script, cannot_write: the file
-void execute_manual(link::Bus& bus, const link::SessionInfo& session, const ManualWish& wish,
-                    const Patience& patience, std::ostream& out);
+void execute_manual(link::Bus& bus, const link::SessionInfo& session, const ManualRequest& request,
+                    const Timeouts& timeouts, std::ostream& out);
 
 /// @return what the words are: for `ui_cli manual --help`
 [[nodiscard]] std::string manual_help();

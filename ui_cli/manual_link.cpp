@@ -25,7 +25,7 @@ struct ManualLink::Answers final : link::Sink {
   void receive(std::string_view, std::span<const std::uint8_t> bytes) noexcept override {
     const auto m = link::decode<manual_answer_t>(bytes);
     if (!m || !is_of(session, m->header) || m->id != id || m->state < 0 ||
-        m->state > static_cast<int>(ManualState::not_understood))
+        m->state > static_cast<int>(InstructionState::not_understood))
       return;
     ++count;
     if (!newest || m->state >= newest->state) newest = *m;
@@ -48,8 +48,8 @@ struct ManualLink::Readings final : link::Sink {
 };
 
 ManualLink::ManualLink(link::Bus& bus, const link::SessionInfo& session, const std::vector<std::string>& arms,
-                       Patience patience)
-    : bus_(bus), session_(session), patience_(patience), answers_(std::make_unique<Answers>(session_.id)) {
+                       Timeouts timeouts)
+    : bus_(bus), session_(session), timeouts_(timeouts), answers_(std::make_unique<Answers>(session_.id)) {
   bus_.subscribe({link::Group::agents, session_.name + ".manual.answer"}, *answers_);
   for (const std::string& arm : arms) {
     auto& readings = readings_[arm] = std::make_unique<Readings>(session_.id);
@@ -83,21 +83,21 @@ std::optional<ManualAnswer> ManualLink::poll(Clock::time_point now) {
   if (answers_->count != count_) {
     count_ = answers_->count;
     heard_ = now;
-    const auto state = static_cast<ManualState>(answers_->newest->state);
-    if (state != ManualState::taken) id_ = 0;
+    const auto state = static_cast<InstructionState>(answers_->newest->state);
+    if (state != InstructionState::taken) id_ = 0;
     if (told_ != state) {
       told_ = state;
       return ManualAnswer{words_, state, link::get_text(answers_->newest->text)};
     }
     if (id_ == 0) return std::nullopt;
   }
-  if (now - heard_ > patience_.give_up) {
+  if (now - heard_ > timeouts_.give_up) {
     id_ = 0;
     throw FaultError(FaultCode::peer_silent,
                      fmt::format("session {} says nothing: no answer to an instruction", session_.name),
                      "instructions are for the task `manual`: look with `ui_cli list`");
   }
-  if (sent_ == Clock::time_point{} || now - sent_ > patience_.repeat) {
+  if (sent_ == Clock::time_point{} || now - sent_ > timeouts_.repeat) {
     sent_ = now;
     manual_words_t m{};
     m.header = {session_.id, id_, 0};

@@ -10,8 +10,8 @@
 
 #include "base/config.hpp"
 #include "base/fault.hpp"
+#include "base/instructions.hpp"
 #include "base/joined.hpp"
-#include "base/manual.hpp"
 #include "base/representation.hpp"
 #include "ui_cli/keys.hpp"
 #include "ui_cli/manual_link.hpp"
@@ -64,7 +64,7 @@ ManualDeed typed(const std::string& asked, std::string text, const std::string& 
 /// @return whether the line begins with the name of an instruction
 bool names_instruction(const std::string& line) {
   const std::string name = line.substr(0, line.find(' '));
-  return std::ranges::count(kManualVerbs, name) + std::ranges::count(kOfShell, name) > 0;
+  return std::ranges::count(instruction_verbs("manual"), name) + std::ranges::count(kOfShell, name) > 0;
 }
 
 /// @return a number as short as it can be read back
@@ -88,15 +88,6 @@ std::vector<ManualArm> manual_arms(const std::filesystem::path& run_folder) {
     arms.clear();
   }
   return arms;
-}
-
-bool position_known(const EffectorReply& r) {
-  if (r.state == DriverState::not_synchronised || r.state == DriverState::homing ||
-      r.state == DriverState::jogging)
-    return false;
-  // A fault may come before the position is known: no arm is at zero in every joint and in its pose.
-  const auto zero = [](double x) { return x == 0; };
-  return !std::ranges::all_of(r.joints, zero) || !std::ranges::all_of(r.T_0E, zero);
 }
 
 void ManualPage::show(const std::string& arm, const EffectorReply& reading) {
@@ -241,7 +232,7 @@ ManualDeed ManualPage::go_to(const std::string& line) const {
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(target))
     return refusal(fmt::format("'{}' is not a number", text));
   if (!arms_[arm_].reading) return refusal(fmt::format("where {} is has not been told yet", whom()));
-  if (!position_known(*arms_[arm_].reading))
+  if (!arms_[arm_].reading->position_known)
     return refusal(fmt::format("{} does not know its position; h homes it", whom()));
   const auto now = values(arms_[arm_]);
   std::vector<std::string> numbers;

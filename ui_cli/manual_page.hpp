@@ -1,4 +1,5 @@
-// The page of manual operation in the full-screen view: keys become instructions, readings become a picture.
+// The page of manual operation in the full-screen view: makes instructions of keys, and a picture of
+// readings.
 #pragma once
 #include <array>
 #include <filesystem>
@@ -23,11 +24,7 @@ struct ManualArm {
 /// @return the arms of its config.toml; none when it cannot be read
 [[nodiscard]] std::vector<ManualArm> manual_arms(const std::filesystem::path& run_folder);
 
-/// @return whether the reading tells where the arm is. Before homing, and while it lasts, joints and pose are zeros that
-///         mean nothing
-[[nodiscard]] bool position_known(const EffectorReply& reading);
-
-/// What a key means. At most one of the texts is there.
+/// Meaning of a key. At most one of the texts is set.
 struct ManualDeed {
   bool known{true};       ///< false: the key is none of this page
   bool leave{};           ///< back to the task
@@ -46,7 +43,7 @@ class ManualPage {
   /// @param arms  the first of them is chosen
   explicit ManualPage(std::vector<ManualArm> arms) : arms_(std::move(arms)) {}
 
-  /// Where the arms are. @param arm  a name; unknown ones are ignored
+  /// Takes the reading of an arm. @param arm  a name; unknown ones are ignored
   void show(const std::string& arm, const EffectorReply& reading);
   /// @param key  as Terminal::key() gives it  @return what has to be done now
   ManualDeed key(int key);
@@ -57,7 +54,7 @@ class ManualPage {
 
   /// Draws into the rows first..limit-1. On a small screen the lower rows go first; the chosen axis stays.
   void draw(Canvas& c, int first, int limit) const;
-  /// What the keys of this page do.
+  /// Draws the help on the keys of this page.
   static void draw_help(class Rows& rows);
   /// Rows of draw_keys().
   static constexpr int kKeyRows = 3;
@@ -90,6 +87,11 @@ class ManualPage {
   [[nodiscard]] std::string whom() const;
   [[nodiscard]] std::string tail() const;
   [[nodiscard]] std::array<double, 8> values(const ManualArm& arm) const;
+  /// The arms and the kinds of coordinates, of which one is chosen. @param column  after what stands in the row
+  void draw_choices(Canvas& c, int row, int column) const;
+  void draw_coordinates(Rows& rows) const;
+  /// One of them, of all arms.
+  void draw_coordinate(Canvas& c, int row, int axis) const;
 
   std::vector<ManualArm> arms_;
   std::size_t arm_{};

@@ -1,17 +1,18 @@
 #include "ui_cli/manual_show.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <bit>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <span>
 #include <vector>
 
-#include "base/as_typed.hpp"
+#include "base/command_hint.hpp"
 #include "base/joined.hpp"
 #include "base/representation.hpp"
+#include "ui_cli/fixed_number.hpp"
 #include "ui_cli/manual_page.hpp"
 
 namespace mrroc::ui {
@@ -25,15 +26,21 @@ Numbers six(Representation as, const std::optional<Pose>& T) {
   return {numbers.begin(), numbers.begin() + 6};
 }
 
-/// What is shown, in the order in which it is.
+/// Shown quantities, in their order.
 struct Shown {
-  explicit Shown(const EffectorReply& r) : F_a(r.F_a.v.data(), r.F_a.v.data() + 6), known(position_known(r)) {
+  explicit Shown(const EffectorReply& r) : F_a(r.F_a.v.data(), r.F_a.v.data() + 6), known(r.position_known) {
     axes = static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(r.robot_model.set_servo_algorithm)));
     PoseNumbers pose{};
     std::ranges::copy(r.T_0E, pose.begin());
     euler = six(Representation::xyz_euler_zyz, pose_from_numbers(Representation::xyz_angle_axis, pose));
     tool = six(Representation::xyz_angle_axis,
                pose_from_numbers(r.robot_model.tool_representation, r.robot_model.tool));
+  }
+
+  /// @return those of the arm's axes; all, as long as nobody knows how many it has
+  [[nodiscard]] Numbers of_axes(std::span<const double, kMaxAxes> all) const {
+    return {all.begin(),
+            all.begin() + static_cast<std::ptrdiff_t>(axes > 0 ? std::min(axes, all.size()) : all.size())};
   }
 
   Numbers F_a, euler, tool;
@@ -64,8 +71,8 @@ Json json_of(const EffectorReply& r, const std::string& arm, const Shown& s) {
   return {{"arm", arm},
           {"state", to_string(r.state)},
           {"fault", json_of(r.fault)},
-          {"motors", r.motors},
-          {"joints", if_known(s.known, r.joints)},
+          {"motors", s.of_axes(r.motors)},
+          {"joints", if_known(s.known, s.of_axes(r.joints))},
           {"T_0E", if_known(s.known, r.T_0E)},
           {"euler", if_known(s.known, s.euler)},
           {"F_a", s.F_a},
@@ -100,15 +107,17 @@ void show_arm(const EffectorReply& r, const std::string& arm, bool json, std::os
     out << fmt::format("{:<11} {}\n", name, text);
   };
   const auto row = [&](const char* name, bool known, const auto& numbers, const char* unit) {
-    line(name, known ? fmt::format("{:9.4f}  {}", fmt::join(numbers, " "), unit)
-                     : fmt::format("{:>9}  {}", "-", unit));
+    std::string shown = known ? "" : fmt::format("{:>9}", "-");
+    if (known)
+      for (const double x : numbers) shown += fmt::format("{}{:>9}", shown.empty() ? "" : " ", fixed(x, 4));
+    line(name, fmt::format("{}  {}", shown, unit));
   };
   const RobotModel& model = r.robot_model;
   const bool told = s.axes > 0;
   line(arm.c_str(), std::string(to_string(r.state)));
-  line("fault", r.fault ? as_typed(describe(r.fault)) : "none");
-  row("motors", true, r.motors, "rad");
-  row("joints", s.known, r.joints, "rad, m");
+  line("fault", r.fault ? command_hint(describe(r.fault)) : "none");
+  row("motors", true, s.of_axes(r.motors), "rad");
+  row("joints", s.known, s.of_axes(r.joints), "rad, m");
   row("angle-axis", s.known, r.T_0E, "m, rad");
   row("euler", s.known, s.euler, "m, rad");
   row("force F_a", true, s.F_a, "N, N m in E");

@@ -1,4 +1,4 @@
-// What `ui_cli manual show` tells of an arm.
+// The text of `ui_cli manual show` about an arm.
 #pragma once
 #include <iosfwd>
 #include <string>

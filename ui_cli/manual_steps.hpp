@@ -1,4 +1,4 @@
-// Steps and speeds that the page of manual operation offers, and what it calls coordinates.
+// Steps, speeds and coordinates that the page of manual operation offers.
 #pragma once
 #include <array>
 #include <string>

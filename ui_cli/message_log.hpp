@@ -1,4 +1,4 @@
-// The last lines that the processes of a task said.
+// The last messages that the processes of a task wrote for people.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -18,9 +18,9 @@ namespace mrroc::ui {
 
 /// One line.
 struct Message {
-  std::string process;  ///< who said it; empty: not told
+  std::string process;  ///< that logged it; empty: not known
   FaultCode code{};     ///< none: information
-  std::string text;     ///< printable ASCII
+  std::string text;     ///< without control characters
   /// simulated time [s]: of the macrostep that the process had come to, or else of the status before; nothing for a line
   /// that is older than this log
   std::optional<double> time{};

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "base/as_typed.hpp"
+#include "base/command_hint.hpp"
 #include "ui_cli/keys.hpp"
 
 namespace mrroc::ui {
@@ -119,7 +119,8 @@ void Panel::update(Clock::time_point now) {
       if (answer->accepted)
         notice(answer->text.empty() ? order + " accepted" : answer->text, Style::good, now);
       else
-        notice(order + " refused: " + answer->text, Style::warning, now);
+        notice(answer->code == FaultCode::none ? order + " refused: " + answer->text : answer->text,
+               answer->code == FaultCode::none ? Style::warning : Style::bad, now);
     }
   } catch (const FaultError& e) {
     notice(std::string(e.what()).append("; ").append(e.remedy()), Style::bad, now);
@@ -134,7 +135,7 @@ void Panel::update(Clock::time_point now) {
 }
 
 void Panel::notice(std::string_view text, Style style, Clock::time_point now) {
-  view_.notice = {as_typed(text, session_), style};
+  view_.notice = {command_hint(text, session_), style};
   noticed_ = now;
 }
 
@@ -181,18 +182,18 @@ void Panel::update_manual(Clock::time_point now) {
     const auto answer = instructions_->poll(now);
     if (!answer) return;
     const bool refused =
-        answer->state == ManualState::refused || answer->state == ManualState::not_understood;
-    const bool bad = refused || answer->state == ManualState::failed;
-    const std::string_view what = refused                                ? " refused: "
-                                  : answer->state == ManualState::failed ? " failed: "
-                                                                         : ": ";
-    const std::string text = answer->state == ManualState::taken ? "is being done" : answer->text;
+        answer->state == InstructionState::refused || answer->state == InstructionState::not_understood;
+    const bool bad = refused || answer->state == InstructionState::failed;
+    const std::string_view what = refused                                     ? " refused: "
+                                  : answer->state == InstructionState::failed ? " failed: "
+                                                                              : ": ";
+    const std::string text = answer->state == InstructionState::taken ? "is being done" : answer->text;
     const std::size_t numbers = answer->words.find(' ', answer->words.find(' ') + 1);
     // A reason needs the room that the numbers would take.
     notice(fmt::format("{}{}{}", bad ? answer->words.substr(0, numbers) : answer->words, what, text),
-           bad                                  ? Style::warning
-           : answer->state == ManualState::done ? Style::good
-                                                : Style::plain,
+           bad                                       ? Style::warning
+           : answer->state == InstructionState::done ? Style::good
+                                                     : Style::plain,
            now);
   } catch (const FaultError& e) {
     notice(std::string(e.what()).append("; ").append(e.remedy()), Style::bad, now);
@@ -203,10 +204,11 @@ Canvas Panel::picture(Size size, Clock::time_point now) {
   if (!asks_ && now - noticed_ > kNoticeStays) view_.notice = {};
   view_.silence = std::chrono::duration<double>(now - heard_).count();
   view_.messages = log_.newest(kMessages);
-  for (Message& m : view_.messages) m.text = as_typed(m.text, session_);
+  for (Message& m : view_.messages) m.text = command_hint(m.text, session_);
   View shown = view_;
   if (shown.notice.text.empty() && shown.snapshot && shown.snapshot->state == TaskState::ended)
-    shown.notice = {"the task has ended; its files are in " + shown.snapshot->run_folder, Style::good};
+    shown.notice = {"the task has ended; its files are in " + shown.snapshot->run_folder,
+                    shown.snapshot->fault == FaultCode::none ? Style::good : Style::plain};
   if (view_.manual && page_->typing()) shown.notice = {page_->prompt(), Style::heading};
   return lay_out(shown, size);
 }

@@ -1,4 +1,4 @@
-// The full-screen view without a screen: keys and status go in, a picture comes out.
+// The full-screen view without a screen: makes a picture of keys and status.
 #pragma once
 #include <memory>
 #include <optional>
@@ -12,12 +12,12 @@
 
 namespace mrroc::ui {
 
-/// What the operator does at a full screen. Looks at no clock: every function is told the time, which must
-/// not decrease.
+/// The operator's actions in the full-screen view. Looks at no clock: every function is told the time, which
+/// must not decrease.
 class Panel {
  public:
   /// @param bus      that of the client; both must outlive the panel
-  /// @param session  that hints have to name, see as_typed(); empty: none
+  /// @param session  that hints have to name, see command_hint(); empty: none
   Panel(link::Bus& bus, Client& client, Glyphs glyphs, Clock::time_point now, std::string session = {});
 
   /// A key: s start, p pause, r resume, t trigger (asks for y when it comes early), x stop (asks for y), e emergency

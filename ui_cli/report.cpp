@@ -4,7 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/as_typed.hpp"
+#include "base/command_hint.hpp"
+#include "ui_cli/fixed_number.hpp"
 
 namespace mrroc::ui {
 namespace {
@@ -42,12 +43,14 @@ std::string status_text(const Snapshot& s, std::string_view session) {
   text += row("time", fmt::format("{:.2f} s simulated, {:.1f} x real time", s.sim_time, s.speed));
   for (const AgentView& a : s.agents) {
     const std::string pose =
-        a.pose_known()
-            ? fmt::format("x, y, z {:.1f} {:.1f} {:.1f} mm; rotation {:.3f} {:.3f} {:.3f} rad",
-                          1e3 * a.T_0E[0], 1e3 * a.T_0E[1], 1e3 * a.T_0E[2], a.T_0E[3], a.T_0E[4], a.T_0E[5])
+        a.position_known
+            ? fmt::format("x, y, z {} {} {} mm; rotation {} {} {} rad", fixed(1e3 * a.T_0E[0], 1),
+                          fixed(1e3 * a.T_0E[1], 1), fixed(1e3 * a.T_0E[2], 1), fixed(a.T_0E[3], 3),
+                          fixed(a.T_0E[4], 3), fixed(a.T_0E[5], 3))
             : "x, y, z - mm; rotation - rad";
-    text += row(a.name, fmt::format("{}; F_x, F_y, F_z {:.2f} {:.2f} {:.2f} N{}{}", pose, a.F_a[0], a.F_a[1],
-                                    a.F_a[2], a.sensor.empty() ? "" : "; ", a.sensor));
+    text += row(a.name,
+                fmt::format("{}; F_x, F_y, F_z {} {} {} N{}{}", pose, fixed(a.F_a[0], 2), fixed(a.F_a[1], 2),
+                            fixed(a.F_a[2], 2), a.sensor.empty() ? "" : "; ", a.sensor));
     text += row("", numbered(a.m, a.behaviour));
     text += row("", a.ended_because.empty() ? "" : "after " + a.ended_because);
   }
@@ -56,7 +59,7 @@ std::string status_text(const Snapshot& s, std::string_view session) {
     text += row(heading, fmt::format("{:<20} {:<9} heard {:.1f} s ago", p.name, to_string(p.state), p.age));
     heading.clear();
   }
-  const std::string message = as_typed(s.last_message, session);
+  const std::string message = command_hint(s.last_message, session);
   text +=
       row("message",
           s.last_code == FaultCode::none ? message : fmt::format("{}: {}", to_string(s.last_code), message));
@@ -88,7 +91,7 @@ std::string status_json(const Snapshot& s) {
                            {"m", a.m},
                            {"behaviour", a.behaviour},
                            {"ended_because", a.ended_because},
-                           {"T_0E", a.pose_known() ? Json(a.T_0E) : Json(nullptr)},
+                           {"T_0E", a.position_known ? Json(a.T_0E) : Json(nullptr)},
                            {"F_a", a.F_a},
                            {"sensor", a.sensor}});
   for (const ProcessView& p : s.processes)
@@ -112,8 +115,10 @@ std::string sessions_json(const std::vector<link::SessionInfo>& sessions) {
                  {"pid", s.pid},
                  {"id", s.id},
                  {"url", nullptr},
+                 {"key_file", nullptr},
                  {"run_folder", s.run_folder.string()}});
     if (s.address) j.back()["url"] = s.address->url();
+    if (!s.key_file.empty()) j.back()["key_file"] = s.key_file.string();
   }
   return dump(j);
 }

@@ -1,4 +1,5 @@
-// What one-shot commands print: text for people, JSON for scripts. docs of the JSON keys are the functions'.
+// Output of one-shot commands: text for people, JSON for scripts. The JSON keys are documented at the
+// functions.
 #pragma once
 #include <string>
 #include <string_view>

@@ -46,6 +46,7 @@ Snapshot snapshot(const task_status_t& m, const std::string& session) {
                 .m = m.agent_m[k],
                 .behaviour = get_text(m.agent_behaviour[k]),
                 .ended_because = get_text(m.agent_ended_because[k]),
+                .position_known = m.position_known[k] != 0,
                 .sensor = get_text(m.sensor_text[k])};
     std::ranges::copy(m.T_0E[k], a.T_0E.begin());
     std::ranges::copy(m.F_a[k], a.F_a.begin());
@@ -54,6 +55,7 @@ Snapshot snapshot(const task_status_t& m, const std::string& session) {
   for (int k = 0; k < count(m.n_processes, std::size(m.process)); ++k)
     s.processes.push_back(
         {get_text(m.process[k]), enumerator(m.process_state[k], link::ProcessState::dead), m.process_age[k]});
+  s.fault = fault_code(m.fault).value_or(FaultCode::internal_error);
   s.last_code = fault_code(m.last_code).value_or(FaultCode::internal_error);
   s.last_message = get_text(m.last_message);
   s.run_folder = get_text(m.run_folder);

@@ -1,6 +1,5 @@
-// What a task told about itself at one moment, as the terminal uses it.
+// The status of a task at one moment, as the terminal uses it.
 #pragma once
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -20,14 +19,10 @@ struct AgentView {
   int m{};                       ///< its behaviour, 0: it has none, or one without a number
   std::string behaviour;         ///< its name; empty: it has not told any
   std::string ended_because;     ///< the behaviour before it, and why it ended; may be empty
+  bool position_known{};         ///< its motors have been synchronised; without it T_0E and F_a are zeros
   std::array<double, 6> T_0E{};  ///< pose of E in the arm's base [m], angle-axis [rad]
   std::array<double, 6> F_a{};   ///< adjusted force in E [N], [N m]
   std::string sensor;            ///< reading of its virtual sensor, such as the pen's state; may be empty
-
-  /// @return whether T_0E is one: before homing it is zeros, which no arm can reach
-  [[nodiscard]] bool pose_known() const {
-    return std::ranges::any_of(T_0E, [](double x) { return x != 0; });
-  }
 };
 
 /// One process.
@@ -38,7 +33,7 @@ struct ProcessView {
 };
 
 /// A task_status_t whose counts, numbers of enumerators and texts have been checked. Values can be anything,
-/// also not finite. Texts are printable ASCII.
+/// also not finite. Texts have no control characters.
 struct Snapshot {
   std::string session;                 ///< its name
   std::int64_t session_id{};           ///< distinguishes runs with the same name
@@ -56,9 +51,16 @@ struct Snapshot {
   std::string progress_text;           ///< what is being done; may be empty
   std::vector<AgentView> agents;       ///< at most 4
   std::vector<ProcessView> processes;  ///< at most 16
+  FaultCode fault{};                   ///< that ends the task, also a stop; none: nothing has ended it
   FaultCode last_code{};               ///< of last_message; none: information
   std::string last_message;            ///< the last line that a process said
   std::string run_folder;              ///< on the task's host; may be empty
+
+  /// @return whether poses, forces and behaviours are of now: after an emergency stop, and when the task has ended, they
+  ///         are those of the last macrostep that was reported
+  [[nodiscard]] bool is_current() const {
+    return state != TaskState::ended && fault != FaultCode::emergency_stop;
+  }
 };
 
 /// @param m any bytes that have the size of a message

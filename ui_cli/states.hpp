@@ -1,4 +1,4 @@
-// Words that a person meets besides the codes of errors: states, outcomes, and what ./run says.
+// Words in messages besides the codes of errors, with their meanings: states, outcomes, and words of ./run.
 #pragma once
 #include <array>
 #include <string_view>
@@ -78,7 +78,7 @@ inline constexpr std::array kStates{
   StateEntry{"stopped", "a run",
              "the operator, a signal or the emergency stop has ended the task; exit status 1",
              "start it again when ready"},
-  // ManualState
+  // InstructionState
   StateEntry{"refused", "an instruction by hand",
              "nothing has been done, for the reason told",
              "do what the reason says, then give it again"},

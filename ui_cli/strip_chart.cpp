@@ -19,6 +19,50 @@ double round_up(double value) {
   return 10 * power;
 }
 
+/// Position of zero between two rows, and the value of a row.
+struct Grid {
+  int below{};    // rows under zero
+  double unit{};  // of a row
+};
+
+/// @return the finest grid that holds the range; low < 0, at least two rows
+Grid signed_grid(double low, double high, int height) {
+  Grid best;
+  for (int below = 1; below < height; ++below) {
+    const double unit = round_up(std::max(high / (height - below), -low / below));
+    if (best.below == 0 || unit < best.unit) best = {below, unit};
+  }
+  return best;
+}
+
+/// @param level  eighths of a character that are filled from below, > 0
+char32_t from_below(double level) {
+  return kBlocks[static_cast<std::size_t>(std::clamp(std::lround(level), 1L, 8L) - 1)];
+}
+
+/// @param level  eighths of a character that are filled from above, > 0: there are three such characters
+char32_t from_above(double level) { return level < 2.5 ? U'▔' : level < 6.5 ? U'▀' : U'█'; }
+
+/// Bars of a chart with negative samples.
+void draw_signed(StripChart& chart, std::span<const double> shown, std::size_t first, int height) {
+  constexpr double kEighths = 8;
+  const Grid grid =
+      height > 1 ? signed_grid(chart.low, chart.high, height) : Grid{0, std::max(chart.high, -chart.low)};
+  if (height > 1) {
+    chart.low = -grid.unit * grid.below;
+    chart.high = grid.unit * (height - grid.below);
+  }
+  for (std::size_t k = 0; k < shown.size(); ++k) {
+    if (!std::isfinite(shown[k])) continue;
+    const bool up = shown[k] >= 0;
+    double level = std::max(1.0, std::abs(shown[k]) / grid.unit * kEighths);  // zero has a mark as well
+    // The row above or below the line of zero, and then away from it.
+    const int zero = height > 1 ? height - grid.below - (up ? 1 : 0) : 0;
+    for (int row = zero; row >= 0 && row < height && level > 0; row += up ? -1 : 1, level -= kEighths)
+      chart.rows[static_cast<std::size_t>(row)][first + k] = up ? from_below(level) : from_above(level);
+  }
+}
+
 }  // namespace
 
 StripChart strip_chart(std::span<const double> samples, int width, int height, Glyphs glyphs,
@@ -33,6 +77,10 @@ StripChart strip_chart(std::span<const double> samples, int width, int height, G
     if (!std::isfinite(s)) continue;
     if (s > chart.high) chart.high = round_up(s);
     if (s < std::min(chart.low, -least_span / 10)) chart.low = -round_up(-s);
+  }
+  if (glyphs == Glyphs::unicode && chart.low < 0 && height > 0) {
+    draw_signed(chart, shown, columns - shown.size(), height);
+    return chart;
   }
   const auto per_row = static_cast<int>(levels.size());
   const int top = height * per_row;  // levels are counted 1..top from the lower edge

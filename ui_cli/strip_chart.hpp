@@ -1,4 +1,4 @@
-// A curve over time made of characters.
+// Draws a curve over time with characters.
 #pragma once
 #include <span>
 #include <string>
@@ -16,8 +16,10 @@ struct StripChart {
   double high{};                     ///< value of the upper edge, >= least_span
 };
 
-/// Draws the newest samples, one per column, the newest at the right. The range always holds zero and widens
-/// in steps 1, 2, 5, so that the scale does not move with every sample. A sample that is not finite leaves
+/// Draws the newest samples, one per column, the newest at the right: in unicode bars that begin at zero, in ASCII marks on
+/// the curve. The range always holds zero and widens in steps 1, 2, 5, so that the scale does not move with every sample.
+/// Bars of a chart with negative samples begin at the line between two rows, which its range is chosen for; in a single
+/// row those of positive samples stand on its lower edge, and those of negative ones hang from its upper edge. A sample that is not finite leaves
 /// its column empty; one that is less than least_span / 10 below zero, such as noise, is drawn at the edge.
 /// @param samples oldest first
 /// @param width,height [characters], >= 0

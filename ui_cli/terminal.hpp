@@ -1,4 +1,4 @@
-// The one place that talks to curses.
+// The only code that calls curses.
 #pragma once
 #include <memory>
 #include <optional>

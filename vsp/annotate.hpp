@@ -1,4 +1,4 @@
-// What a receptor found, drawn into the picture in which it found it; for people.
+// Draws a receptor's detection into the picture, for people.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 #include "base/camera.hpp"
 #include "base/image.hpp"
-#include "vsp/apriltag/tag.hpp"
-#include "vsp/chessboard/board.hpp"
+#include "base/target/board.hpp"
+#include "base/target/tag.hpp"
 
 namespace mrroc::vsp {
 
-/// What is drawn of an object, in G [m].
+/// Lines that are drawn for an object, in G [m].
 struct ObjectShape {
   std::vector<Vector3> marks;    ///< crosses
   std::vector<Vector3> outline;  ///< closed

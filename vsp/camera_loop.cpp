@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "base/link/frame_store.hpp"
+#include "base/link/real_time.hpp"
 #include "mrroc/camera_frame_t.hpp"
 #include "vsp/picture_file.hpp"
 
@@ -11,11 +12,14 @@ namespace {
 
 constexpr std::string_view kPrefix = "vsp-";
 constexpr std::chrono::seconds kStoreMade{60};  // as long as a system may take to assemble
+/// With the wall clock: after processes that must be in time, and before the one that draws the next picture.
+constexpr int kNice = 3;
 
-/// Waits for the world to make the store; it may have shaders to compile first.
+/// Waits for the simulator to make the store; it may have shaders to compile first.
 link::FrameReader open_store(link::Process& process, const std::string& key) {
-  const link::Membership& member = process.membership();
-  const link::FrameStoreName name{.session = member.session, .session_id = member.session_id, .camera = key};
+  const link::NodeContext& context = process.context();
+  const link::FrameStoreName name{
+      .session = context.session, .session_id = context.session_id, .camera = key};
   std::optional<link::FrameReader> store;
   process.await(
       [&] {
@@ -26,6 +30,15 @@ link::FrameReader open_store(link::Process& process, const std::string& key) {
   if (!store)
     throw FaultError(FaultCode::hardware_silent, fmt::format("camera {} has no store of frames", key));
   return std::move(*store);
+}
+
+/// @return the announcement that is looked at next, or null when it has not come: in lock-step that of picture i, with
+///         the wall clock the newest one, so that nobody works off a heap of old pictures
+const camera_frame_t* announced(const link::Process& process, const link::Inbox<camera_frame_t>& frames,
+                                std::int64_t i) {
+  if (process.lock_step()) return frames.at(i);
+  const camera_frame_t* const newest = frames.newest();
+  return newest && newest->header.stamp >= i ? newest : nullptr;
 }
 
 /// Takes the announced picture out of the store.
@@ -52,14 +65,14 @@ bool take(link::FrameReader& store, const camera_frame_t& announced, bool lock_s
 }  // namespace
 
 std::string camera_of(const link::Process& process) {
-  const std::string& name = process.membership().name;
+  const std::string& name = process.context().name;
   if (!name.starts_with(kPrefix) || name.size() == kPrefix.size())
     throw FaultError(FaultCode::bad_usage, "a camera's receptor is called vsp-CAMERA, not " + name);
   return name.substr(kPrefix.size());
 }
 
 void run_camera(link::Process& process, const std::string& key, const CameraModel& camera,
-                const PictureAnswer& answer, const std::function<void()>& at_end) {
+                const PictureAnswer& answer, const std::function<void()>& at_end, PictureSetting* setting) {
   const auto frames = process.inbox<camera_frame_t>(key + ".frame");
   const link::Sources sources{frames.get()};
   link::FrameReader store = open_store(process, key);
@@ -68,11 +81,13 @@ void run_camera(link::Process& process, const std::string& key, const CameraMode
                      fmt::format("the pictures of camera {} are {} x {}, its model says {} x {}", key,
                                  store.shape().width, store.shape().height, camera.width, camera.height));
   if (!process.assemble()) return;
+  if (!process.lock_step()) link::become_background(kNice);
   link::Frame frame;
   for (std::int64_t i = 0;; ++i) {
     const camera_frame_t* m{};
     process.await_from(sources, FaultCode::peer_silent, [&] {
-      m = process.lock_step() ? frames->at(i) : frames->next(i);
+      m = announced(process, *frames, i);
+      if (m && m->last == 0 && setting != nullptr && !setting->here(m->step)) m = nullptr;
       return m || process.phase() == link::Phase::finished;
     });
     if (!m) break;

@@ -1,5 +1,5 @@
-// What the shells of all receptors that look at pictures have in common: the pictures' way out of the frame store, and
-// the film for the run folder.
+// Shared part of the shells of all receptors that look at pictures: takes the pictures out of the frame
+// store, and writes the film of the run folder.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -8,6 +8,7 @@
 #include "base/config.hpp"
 #include "base/link/process.hpp"
 #include "vsp/annotate.hpp"
+#include "vsp/picture_settings.hpp"
 
 namespace mrroc::vsp {
 
@@ -24,12 +25,14 @@ using PictureAnswer =
 /// The life of a receptor's process: assembles, takes the camera's pictures until the last one or the end of the system,
 /// and stays until everybody has ended. To be called when all other links have been made.
 /// @param at_end  called when there are no more pictures, if it had assembled
+/// @param setting  in lock-step no picture is taken before the setting for it is there; null: nobody sets the receptor
 /// @throws FaultError bad_configuration: the pictures are of another size than the camera's; malformed_message: the frame
 ///         store does not hold what was announced
 void run_camera(link::Process& process, const std::string& key, const CameraModel& camera,
-                const PictureAnswer& answer, const std::function<void()>& at_end);
+                const PictureAnswer& answer, const std::function<void()>& at_end,
+                PictureSetting* setting = nullptr);
 
-/// What the camera saw, with what was found drawn in: with `film.directory` in the configuration KEY_OBJECT.png there.
+/// Pictures of the camera, with the found object drawn in: with `film.directory` in the configuration KEY_OBJECT.png there.
 class CameraFilm {
  public:
   /// @param key  of the camera  @param object  OBJECT of the file's name  @param shape  that is drawn

@@ -32,4 +32,10 @@ void run_receptor(const ImageReceptor& receptor, link::Process& process, const C
   run_camera(process, key, camera, answer, [&film] { film.write(); });
 }
 
+link::NodeMain body_of(const ImageReceptor& receptor) {
+  return [&receptor](link::Process& process, const Config& config, const link::NodeArguments&) {
+    run_receptor(receptor, process, config);
+  };
+}
+
 }  // namespace mrroc::vsp

@@ -1,4 +1,4 @@
-// The virtual receptors that look at pictures, as programs and tasks use them: one value says everything that
+// The virtual receptors that look at pictures, for programs and tasks: one value says everything that
 // distinguishes them.
 #pragma once
 #include <functional>
@@ -47,12 +47,12 @@ const ImageReceptor& apriltag_receptor();
 /// @throws FaultError bad_configuration: no such camera, or its pictures are of another size; malformed_message: the
 ///         frame store does not hold what was announced
 void run_receptor(const ImageReceptor& receptor, link::Process& process, const Config& config);
-/// run_receptor() of the chessboard and of the tag, as bodies of a part; `arguments` do not matter.
-void run_chessboard(link::Process& process, const Config& config, const link::PartArguments& arguments);
-void run_apriltag(link::Process& process, const Config& config, const link::PartArguments& arguments);
+/// @param receptor  must outlive the body
+/// @return run_receptor() as the main function of a node
+[[nodiscard]] link::NodeMain body_of(const ImageReceptor& receptor);
 
-/// The receptor's program: a part of a running system, or with --source a tool for recorded pictures.
+/// The receptor's program: a node of a running system, or with --source a tool for recorded pictures.
 /// @return exit status
-int receptor_main(int argc, char** argv, const ImageReceptor& receptor, const link::PartBody& body);
+int receptor_main(int argc, char** argv, const ImageReceptor& receptor);
 
 }  // namespace mrroc::vsp

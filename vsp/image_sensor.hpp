@@ -1,4 +1,4 @@
-// What the virtual receptors of objects have in common (VS 35-42): a picture in, a reading out.
+// The interface of all virtual receptors of objects (VS 35-42): a picture in, a reading out.
 #pragma once
 #include <concepts>
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace mrroc::vsp {
 
-/// What an image sensor's kernel provides. It may remember where the object was; what it returns is a function of its
-/// parameters and of the pictures that it has been given, with a bound on the work for any picture.
+/// Interface of an image sensor's kernel. It may remember where the object was; what it returns is a function
+/// of its parameters and of the pictures that it has been given, with a bound on the work for any picture.
 template <class S>
 concept ImageSensor = requires(S s, const ImageView& picture, std::int64_t frame, std::int64_t step) {
   { s.detect(picture, frame, step) } -> std::same_as<CameraReading>;

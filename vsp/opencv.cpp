@@ -17,7 +17,7 @@ cv::Mat matrix(const ImageView& picture) {
 }
 
 cv::Mat grey(const ImageView& picture) {
-  const cv::Mat all = matrix(picture);
+  cv::Mat all = matrix(picture);
   if (picture.channels == 1) return all;
   cv::Mat brightness;
   cv::cvtColor(all, brightness, cv::COLOR_BGR2GRAY);

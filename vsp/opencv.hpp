@@ -1,4 +1,4 @@
-// Between the framework's values and OpenCV's; only for the sources of this folder.
+// Converts between the framework's values and OpenCV's; only for the sources of this folder.
 #pragma once
 #include <opencv2/core.hpp>
 

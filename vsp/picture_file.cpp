@@ -172,7 +172,6 @@ bool PictureSource::next(SourcePicture& picture) {
     ++number_;
     return true;
   }
-  const double t = 1e-3 * film_->capture.get(cv::CAP_PROP_POS_MSEC);
   cv::Mat frame;
   if (!film_->capture.read(frame) || frame.empty()) {
     if (number_ == 0) refuse(source_, "there is no picture in the film");
@@ -187,7 +186,8 @@ bool PictureSource::next(SourcePicture& picture) {
   if (frame.type() != CV_8UC3) refuse(source_, "its pictures are not of 8 bits and three colours");
   picture.name = source_.string() + ":" + std::to_string(number_++);
   picture.image = to_image(frame);
-  picture.t = t;
+  // Of the picture that was read last. OpenCV takes the time of decoding for one shown at 0, which may lie before it.
+  picture.t = std::max(0.0, 1e-3 * film_->capture.get(cv::CAP_PROP_POS_MSEC));
   return true;
 }
 

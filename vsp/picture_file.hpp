@@ -1,4 +1,4 @@
-// Pictures and films in files, from real cameras or of a run.
+// Reads and writes pictures and films, from real cameras or of a run.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -27,7 +27,7 @@ std::vector<std::filesystem::path> pictures_in(const std::filesystem::path& fold
 struct SourcePicture {
   std::string name;  ///< of its file, or film:number
   Image image;       ///< 3 channels
-  double t{};        ///< of a film: from its beginning [s]
+  double t{};        ///< of a film: from its beginning, never negative [s]
 };
 
 /// A picture, a folder of pictures, or a film: one picture after the other.

@@ -5,6 +5,7 @@
 #include <opencv2/calib3d.hpp>
 #include <vector>
 
+#include "vsp/least_squares.hpp"
 #include "vsp/opencv.hpp"
 
 namespace mrroc::vsp {
@@ -45,6 +46,10 @@ struct Problem {
     return sum;
   }
 
+  [[nodiscard]] static Pose moved(const Pose& T, const Vector6& step) {
+    return {rotation_from_angle_axis(step.tail<3>()) * T.R, T.p + step.head<3>()};
+  }
+
   void linearise(const Pose& T, Matrix6& JtJ, Vector6& Jtr) const {
     JtJ.setZero();
     Jtr.setZero();
@@ -59,35 +64,9 @@ struct Problem {
   }
 };
 
-Pose moved(const Pose& T, const Vector6& step) {
-  return {rotation_from_angle_axis(step.tail<3>()) * T.R, T.p + step.head<3>()};
-}
-
-// Levenberg-Marquardt; a fixed number of steps at most.
-PlanarPose minimise(const Problem& problem, Pose T, double noise_px) {
+PlanarPose minimum_from(const Problem& problem, Pose T, double noise_px) {
   constexpr int kSteps = 30;
-  double cost = problem.cost(T);
-  double damping = 1e-3;
-  Matrix6 JtJ;
-  Vector6 Jtr;
-  for (int k = 0; k < kSteps && std::isfinite(cost); ++k) {
-    problem.linearise(T, JtJ, Jtr);
-    Matrix6 damped = JtJ;
-    damped.diagonal() *= 1 + damping;
-    const Vector6 step = -damped.ldlt().solve(Jtr);
-    const Pose next = moved(T, step);
-    const double next_cost = problem.cost(next);
-    if (next_cost < cost) {
-      const bool settled = cost - next_cost < 1e-10 * cost;
-      T = next;
-      cost = next_cost;
-      damping = std::max(1e-9, 0.1 * damping);
-      if (settled) break;
-    } else {
-      damping *= 10;
-      if (damping > 1e6 || !std::isfinite(next_cost)) break;
-    }
-  }
+  const double cost = minimise<6>(problem, T, kSteps, 1e6);
   PlanarPose found;
   found.T_CG = {orthonormal(T.R), T.p};
   const auto n = static_cast<double>(problem.points.size());
@@ -96,8 +75,10 @@ PlanarPose minimise(const Problem& problem, Pose T, double noise_px) {
   for (std::size_t k = 0; k < problem.points.size(); ++k)
     found.worst_px =
         std::max(found.worst_px, (project(problem.camera, T * problem.points[k]) - problem.pixels[k]).norm());
+  Matrix6 JtJ;
+  Vector6 Jtr;
   problem.linearise(T, JtJ, Jtr);
-  const double freedom = std::max(1.0, 2 * n - 6);
+  const double freedom = 2 * n - 6;
   found.covariance = std::max(cost / freedom, noise_px * noise_px) * JtJ.ldlt().solve(Matrix6::Identity());
   return found;
 }
@@ -135,7 +116,7 @@ std::optional<PlanarPoses> planar_pose(const CameraModel& camera, std::span<cons
   const Problem problem{camera, points, pixels};
   std::vector<PlanarPose> minima;
   for (const Pose& start : both_starts(problem)) {
-    const PlanarPose found = minimise(problem, start, parameters.noise_px);
+    const PlanarPose found = minimum_from(problem, start, parameters.noise_px);
     // The object's face looks at the camera, or it could not be seen.
     if (std::isfinite(found.rms_px) && found.covariance.allFinite() &&
         found.T_CG.R.col(2).dot(found.T_CG.p) < 0)
@@ -152,7 +133,7 @@ std::optional<PlanarPoses> planar_pose(const CameraModel& camera, std::span<cons
   const auto n = static_cast<double>(points.size());
   const auto squares = [n](const PlanarPose& p) { return n * p.rms_px * p.rms_px; };
   const double variance =
-      std::max(squares(result.best) / std::max(1.0, 2 * n - 6), parameters.noise_px * parameters.noise_px);
+      std::max(squares(result.best) / (2 * n - 6), parameters.noise_px * parameters.noise_px);
   result.ambiguous = squares(other) - squares(result.best) < parameters.significance * variance;
   return result;
 }

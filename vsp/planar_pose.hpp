@@ -1,5 +1,5 @@
-// Model-based pose of a flat object from points seen in a picture: the last stage of the receptors' chain
-// (VS 41, 42), with what the pictures of flat objects cannot tell: which of two poses it is.
+// Model-based pose of a flat object from points seen in a picture: the last stage of the receptors' chain (VS
+// 41, 42), with the choice between the two poses that a picture of a flat object leaves open.
 #pragma once
 #include <optional>
 #include <span>
@@ -23,7 +23,7 @@ struct PlanarPoses {
   bool ambiguous{};                 ///< the other one differs and explains the picture nearly as well
 };
 
-/// How pixels become poses.
+/// Parameters of the computation of poses from pixels.
 struct PlanarPoseParameters {
   double noise_px{
       0.02};  ///< least standard deviation of a coordinate of a seen point that is believed [pixel]

@@ -108,7 +108,7 @@ void run_recorded(const RecordedTool& tool, const RecordedRun& run, std::FILE* o
   if (!run.strip.empty()) write_picture(run.strip, strip.picture().view());
 }
 
-int recorded_main(int argc, char** argv, const RecordedTool& tool, const link::PartBody& body) {
+int recorded_main(int argc, char** argv, const RecordedTool& tool, const link::NodeMain& body) {
   const bool recorded = std::any_of(argv + 1, argv + argc, [](const char* word) {
     const std::string_view w = word;
     return w == "--source" || w.starts_with("--source=");
@@ -139,8 +139,8 @@ void run_recorded(const ImageReceptor& receptor, const RecordedRun& run, std::FI
   run_recorded(tool_of(receptor), run, out);
 }
 
-int receptor_main(int argc, char** argv, const ImageReceptor& receptor, const link::PartBody& body) {
-  return recorded_main(argc, argv, tool_of(receptor), body);
+int receptor_main(int argc, char** argv, const ImageReceptor& receptor) {
+  return recorded_main(argc, argv, tool_of(receptor), body_of(receptor));
 }
 
 }  // namespace mrroc::vsp

@@ -1,4 +1,4 @@
-// A receptor at work on recorded pictures of a real camera: prints one reading a line.
+// Runs a receptor on recorded pictures of a real camera: prints one reading a line.
 #pragma once
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -7,7 +7,7 @@
 
 namespace mrroc::vsp {
 
-/// What to do with which pictures.
+/// Pictures to process, and the outputs to make.
 struct RecordedRun {
   std::filesystem::path source;    ///< picture, folder of pictures, or film
   std::filesystem::path camera;    ///< TOML file with [cameras.KEY], as `calibrate` writes it
@@ -16,7 +16,7 @@ struct RecordedRun {
   std::filesystem::path strip;     ///< file for all of them side by side; empty: none
 };
 
-/// What a receptor says of a recorded picture.
+/// A receptor's reading of a recorded picture.
 struct RecordedAnswer {
   nlohmann::json line;    ///< that is printed
   CameraReading reading;  ///< that is drawn
@@ -41,9 +41,9 @@ void run_recorded(const RecordedTool& tool, const RecordedRun& run, std::FILE* o
 /// @return frame, source, seen, ambiguous, and when seen p, aa, sigma, reprojection_px
 nlohmann::json as_json(const CameraReading& reading, const std::string& source);
 
-/// main() of a receptor's program: with --source for recorded pictures, else as a part of a running system.
+/// main() of a receptor's program: with --source for recorded pictures, else as a node of a running system.
 /// @return exit status
-int recorded_main(int argc, char** argv, const RecordedTool& tool, const link::PartBody& body);
+int recorded_main(int argc, char** argv, const RecordedTool& tool, const link::NodeMain& body);
 
 /// Prints for every picture a line of JSON: frame, source, seen, ambiguous, p [m], aa (angle times axis) [rad], sigma of
 /// x y z [m] and ax ay az [rad], reprojection_px; p, aa and sigma only when seen.

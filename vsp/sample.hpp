@@ -1,4 +1,4 @@
-// What every virtual sensor asks of a reading of the driver before it believes it.
+// Checks a reading of the driver before a virtual sensor uses it.
 #pragma once
 #include <algorithm>
 #include <cmath>

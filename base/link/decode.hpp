@@ -1,9 +1,11 @@
-// Messages that are safe to decode from any bytes.
+// Decodes messages safely from any bytes.
 #pragma once
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <type_traits>
+
+#include "mrroc/header_t.hpp"
 
 namespace mrroc::link {
 
@@ -30,6 +32,18 @@ std::optional<M> decode(std::span<const std::uint8_t> bytes) noexcept {
   if (bytes.size() != static_cast<std::size_t>(exact) || m.decode(bytes.data(), 0, exact) != exact)
     return std::nullopt;
   return m;
+}
+
+/// Numbers that a channel may skip: more than any receiver sleeps over.
+inline constexpr std::int64_t kMostSkipped = 1'000'000;
+/// Largest stamp [steps]: 63 years.
+inline constexpr std::int64_t kLargestStamp = 1'000'000'000'000;
+
+/// @param newest  highest number of the channel so far, 0: none
+/// @return whether a sender that works can have written that: a number that jumps would make all later messages old ones
+[[nodiscard]] constexpr bool plausible(const header_t& header, std::int64_t newest) noexcept {
+  return header.number > 0 && header.number - newest <= kMostSkipped && header.stamp >= -1 &&
+         header.stamp <= kLargestStamp;
 }
 
 }  // namespace mrroc::link

@@ -1,5 +1,5 @@
-// Pictures of a camera on their way from the world to the virtual receptors: a ring of slots in shared memory, one
-// writer, any number of readers. The message camera_frame_t tells which slot to look at.
+// Pictures of a camera on their way from the simulator to the virtual receptors: a ring of slots in shared
+// memory, one writer, any number of readers. The message camera_frame_t tells which slot to look at.
 //
 // Reader and writer copy with read() and write() instead of mapping the memory: a store that is cut short, or changes
 // while it is read, is an error that is told, never a crash.
@@ -20,7 +20,7 @@ namespace mrroc::link {
 
 /// Names one store.
 struct FrameStoreName {
-  std::string session;                          ///< as in Membership
+  std::string session;                          ///< as in NodeContext
   std::int64_t session_id{};                    ///< likewise
   std::string camera;                           ///< key in the configuration
   std::filesystem::path directory{"/dev/shm"};  ///< of memory that processes of this host share
@@ -37,7 +37,7 @@ struct Frame {
   Image image;           ///< with the size and channels of the store
 };
 
-/// What became of a picture that was to be read.
+/// Result of reading a picture.
 enum class FrameFate : std::uint8_t {
   read,
   overwritten,  ///< the slot holds another picture by now, or is being written: the reader came too late
@@ -77,8 +77,8 @@ class FrameWriter {
   FrameWriter(const FrameWriter&) = delete;
   FrameWriter& operator=(const FrameWriter&) = delete;
 
-  /// Takes the name away: who has opened the store goes on reading, nobody else can open it any more. To be called
-  /// when the system has assembled.
+  /// Removes the name: readers that have opened the store go on reading, others can no longer open it. To be
+  /// called when the system has assembled.
   void hide();
 
   /// @param image  of the store's shape
@@ -100,8 +100,8 @@ class FrameReader {
   /// @throws FaultError malformed_message: it is no store of this version, belongs to another user, or its sizes do not
   ///         agree
   static std::optional<FrameReader> open(const FrameStoreName& name);
-  /// Opens a store that has been hidden, through a process that has it open: for somebody who comes late and only
-  /// looks. @param process  of the same user, e.g. the world's
+  /// Opens a store that has been hidden, through a process that has it open: for a process that comes late and only
+  /// looks. @param process  of the same user, e.g. the simulator's
   /// @throws FaultError malformed_message as open()
   static std::optional<FrameReader> open_hidden(const FrameStoreName& name, pid_t process);
 

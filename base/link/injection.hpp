@@ -7,7 +7,8 @@
 
 namespace mrroc::link {
 
-/// What a link does to its messages. Each probability is within 0..1; their sum must not exceed 1.
+/// Faults that a link injects into its messages. Each probability is within 0..1; their sum must not exceed
+/// 1.
 struct Injection {
   double loss{};                       ///< probability that a message never arrives
   double duplication{};                ///< probability that it arrives twice
@@ -16,7 +17,7 @@ struct Injection {
   std::uint64_t seed{};                ///< of the fates
   static constexpr int kMaxDelay = 4;  ///< [stamps]
 
-  /// What happens to one message.
+  /// Fate of one message.
   struct Fate {
     int copies{1};  ///< 0: it is lost
     int delay{};    ///< [stamps]

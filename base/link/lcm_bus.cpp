@@ -2,7 +2,6 @@
 
 #include <arpa/inet.h>
 #include <fmt/core.h>
-#include <lcm/lcm.h>
 #include <netinet/in.h>
 #include <poll.h>
 
@@ -11,18 +10,17 @@
 #include <charconv>
 #include <map>
 #include <memory>
+#include <optional>
+#include <random>
 #include <stdexcept>
 #include <vector>
 
+#include "base/link/authentication.hpp"
 #include "base/link/lcm_packet.hpp"
+#include "base/msg/message_type.hpp"
 
 namespace mrroc::link {
 namespace {
-
-struct LcmDeleter {
-  void operator()(lcm_t* lcm) const { lcm_destroy(lcm); }
-};
-using LcmHandle = std::unique_ptr<lcm_t, LcmDeleter>;
 
 bool is_multicast(const std::string& host) {
   in_addr address{};
@@ -35,89 +33,191 @@ bool read_number(std::string_view text, int& number) {
   return error == std::errc() && end == text.end() && text.front() != '-';
 }
 
-/// Sends as LCM does, so that its tools can listen; receives by itself, as LCM's reader trusts what a stranger says of the
-/// sizes of fragments.
+/// A process that sends in one group. It counts as another one in each group: only messages of one group keep their order.
+class Talking {
+ public:
+  explicit Talking(const LcmAddress& a) : sender_(a.host, a.port, a.ttl) {
+    std::random_device device;
+    origin_.sender = std::uniform_int_distribution<std::uint64_t>{}(device);
+  }
+  void publish(const std::string& channel, std::span<const std::uint8_t> bytes, const TagKey& key) {
+    ++origin_.counter;
+    write_packet(datagram_, static_cast<std::uint32_t>(origin_.counter), channel, bytes);
+    sign(datagram_, origin_, key);
+    sender_.send(datagram_);
+  }
+
+ private:
+  MulticastSender sender_;
+  Origin origin_;
+  std::vector<std::uint8_t> datagram_;
+};
+
+/// Listeners of one group.
+class Listening {
+ public:
+  Listening(const LcmAddress& a, std::size_t place) : file(place), socket_(a.host, a.port) {}
+
+  const std::size_t file;  ///< place among those that are waited for
+
+  [[nodiscard]] int descriptor() const { return socket_.file(); }
+  void add(const std::string& channel, Sink& sink) {
+    exact_[channel].push_back(&sink);
+    allow(sink);
+  }
+  void add_all(const std::string& prefix, Sink& sink) {
+    const bool first = all_.empty();
+    all_.emplace_back(prefix, &sink);
+    allow(sink);
+    if (first) not_told_ = socket_.dropped();
+  }
+
+  /// Hands on what has come. In a flood it ends all the same, so that the process gets to its other work.
+  /// @return whether a message of the session was among it
+  bool receive(const TagKey& key) {
+    constexpr std::size_t kMostAtOnce = 4096;
+    bool came = false;
+    for (std::size_t taken = 0, n = 1; n > 0 && taken < kMostAtOnce; taken += n) {
+      n = socket_.take();
+      for (std::size_t k = 0; k < n; ++k) came = take(socket_.datagram(k), key) || came;
+    }
+    return came;
+  }
+
+  /// The kernel tells one count, without reasons, and another channel is no reproach: the count says something only where
+  /// all channels are heard.
+  [[nodiscard]] Dropped dropped() const {
+    Dropped d = dropped_;
+    if (!all_.empty()) d.kernel = socket_.dropped() - not_told_;
+    return d;
+  }
+
+ private:
+  /// The cheapest check comes first.
+  bool take(std::span<const std::uint8_t> datagram, const TagKey& key) {
+    const auto packet = read_packet(datagram);
+    if (!packet || packet->bytes.size() < kTrailer) return ++dropped_.malformed, false;
+    if (!wanted(packet->channel)) return false;
+    const auto origin = authenticate(datagram, key);
+    if (!origin) return ++dropped_.forged, false;
+    switch (senders_.take(*origin)) {
+      case SenderTable::Verdict::fresh:
+        deliver(packet->channel, packet->bytes.first(packet->bytes.size() - kTrailer));
+        return true;
+      case SenderTable::Verdict::replayed:
+        ++dropped_.replayed;
+        break;
+      case SenderTable::Verdict::one_too_many:
+        ++dropped_.crowded;
+        break;
+    }
+    return false;
+  }
+  [[nodiscard]] bool wanted(std::string_view channel) const {
+    return exact_.contains(channel) ||
+           std::ranges::any_of(all_, [&](const auto& each) { return channel.starts_with(each.first); });
+  }
+  void deliver(std::string_view channel, std::span<const std::uint8_t> bytes) const {
+    if (const auto it = exact_.find(channel); it != exact_.end())
+      for (Sink* const s : it->second) s->receive(channel, bytes);
+    for (const auto& [prefix, sink] : all_)
+      if (channel.starts_with(prefix)) sink->receive(channel, bytes);
+  }
+  void allow(const Sink& sink) {
+    // Messages between other processes of the session are no error, so they must not be counted as dropped.
+    static const std::size_t known = std::ranges::max(message_types(), {}, &MessageType::size).size;
+    largest_ = std::max({largest_, std::min(sink.largest(), kLargestMessage), known});
+    std::vector<std::string> channels;
+    if (all_.empty())
+      for (const auto& [channel, sinks] : exact_) channels.push_back(channel);
+    socket_.take_only(kPacketHeader + kLongestChannel + 1 + largest_ + kTrailer, channels);
+  }
+
+  MulticastSocket socket_;
+  std::map<std::string, std::vector<Sink*>, std::less<>> exact_;
+  std::vector<std::pair<std::string, Sink*>> all_;
+  std::size_t largest_{};  // message that anybody may send or take [bytes]
+  SenderTable senders_;
+  Dropped dropped_;
+  std::int64_t not_told_{};  // dropped by the kernel before all channels were heard
+};
+
+/// Datagrams as LCM makes them, so that its tools can listen; received by itself, as LCM's reader trusts what a stranger says
+/// of the sizes of fragments.
 class LcmBus final : public Bus {
  public:
-  explicit LcmBus(const LcmAddress& address) : address_(address) {
-    for (int g = 0; g < kGroups; ++g) {
-      LcmAddress a = address;
-      a.port += g;
-      sending_[static_cast<std::size_t>(g)].reset(lcm_create(a.url().c_str()));
-      if (!sending_[static_cast<std::size_t>(g)])
-        throw NoMulticast(fmt::format("no multicast route for {}", a.url()));
-    }
+  LcmBus(const LcmAddress& address, const Key& key) : address_(address), key_(key) {
+    for (int g = 0; g < kGroups; ++g) talking_[static_cast<std::size_t>(g)].emplace(at(g));
   }
 
   void publish(const Route& route, std::span<const std::uint8_t> bytes) override {
     if (bytes.size() > kLargestMessage)
       throw std::length_error(fmt::format("{} has {} bytes", route.channel, bytes.size()));
-    lcm_publish(sending_[index(route.group)].get(), route.channel.c_str(), bytes.data(),
-                static_cast<unsigned>(bytes.size()));
+    if (route.channel.empty() || route.channel.size() > kLongestChannel) return;  // nobody could hear it
+    talking_[index(route.group)]->publish(route.channel, bytes, key_);
   }
 
-  void subscribe(const Route& route, Sink& sink) override {
-    listen(route.group).exact[route.channel].push_back(&sink);
-  }
+  void subscribe(const Route& route, Sink& sink) override { listen(route.group).add(route.channel, sink); }
 
   void subscribe_all(const std::string& prefix, Sink& sink) override {
-    listen(Group::agents).all.emplace_back(prefix, &sink);
+    listen(Group::agents).add_all(prefix, sink);
   }
 
   bool wait(std::chrono::milliseconds timeout) override {
-    if (::poll(files_.data(), files_.size(), static_cast<int>(timeout.count())) <= 0) return false;
-    bool came = false;
-    for (const auto& group : listening_)
-      if (group && (files_[group->file].revents & POLLIN)) {
-        came = true;
-        group->receive();
-      }
-    return came;
+    using Clock = std::chrono::steady_clock;
+    const auto deadline = Clock::now() + timeout;
+    for (auto left = timeout;; left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now())) {
+      if (left.count() < 0) return false;
+      const int ready = ::poll(files_.data(), files_.size(), static_cast<int>(left.count()));
+      if (ready <= 0) return false;
+      int heard = 0;
+      bool came = false;
+      for (const auto& group : listening_)
+        if (group && files_[group->file].revents != 0) {
+          ++heard;
+          came = group->receive(key_) || came;
+        }
+      if (came) return true;
+      if (heard < ready || left.count() == 0) return false;  // another file, or no time left
+    }
   }
 
   void wake_on(int file) override { files_.push_back({file, POLLIN, 0}); }
 
+  [[nodiscard]] Dropped dropped() const override {
+    Dropped sum;
+    for (const auto& group : listening_) {
+      if (!group) continue;
+      const Dropped d = group->dropped();
+      sum.malformed += d.malformed;
+      sum.forged += d.forged;
+      sum.replayed += d.replayed;
+      sum.crowded += d.crowded;
+      sum.kernel += d.kernel;
+    }
+    return sum;
+  }
+
  private:
   static std::size_t index(Group g) { return static_cast<std::size_t>(g); }
-
-  /// Who listens in one group.
-  struct Listening {
-    Listening(const std::string& host, int port) : socket(host, port) {}
-
-    /// Hands on what has come. In a flood it ends all the same, so that the process gets to its other work.
-    void receive() {
-      constexpr std::size_t kMostAtOnce = 4096;
-      for (std::size_t taken = 0, n = 1; n > 0 && taken < kMostAtOnce; taken += n) {
-        n = socket.take();
-        for (std::size_t k = 0; k < n; ++k)
-          if (const auto packet = read_packet(socket.datagram(k))) deliver(*packet);
-      }
-    }
-    void deliver(const LcmPacket& p) {
-      if (const auto it = exact.find(p.channel); it != exact.end())
-        for (Sink* const s : it->second) s->receive(p.channel, p.bytes);
-      for (const auto& [prefix, sink] : all)
-        if (p.channel.starts_with(prefix)) sink->receive(p.channel, p.bytes);
-    }
-
-    MulticastSocket socket;
-    std::size_t file{};  // in files_
-    std::map<std::string, std::vector<Sink*>, std::less<>> exact;
-    std::vector<std::pair<std::string, Sink*>> all;
-  };
+  [[nodiscard]] LcmAddress at(int group) const {
+    LcmAddress a = address_;
+    a.port += group;
+    return a;
+  }
 
   Listening& listen(Group g) {
     auto& group = listening_[index(g)];
     if (!group) {
-      group = std::make_unique<Listening>(address_.host, address_.port + static_cast<int>(g));
-      group->file = files_.size();
-      files_.push_back({group->socket.file(), POLLIN, 0});
+      group = std::make_unique<Listening>(at(static_cast<int>(g)), files_.size());
+      files_.push_back({group->descriptor(), POLLIN, 0});
     }
     return *group;
   }
 
   LcmAddress address_;
-  std::array<LcmHandle, kGroups> sending_;
+  TagKey key_;
+  std::array<std::optional<Talking>, kGroups> talking_;
   std::array<std::unique_ptr<Listening>, kGroups> listening_;
   std::vector<pollfd> files_;
 };
@@ -145,7 +245,9 @@ LcmAddress LcmAddress::parse(const std::string& url) {
 
 std::string LcmAddress::url() const { return fmt::format("udpm://{}:{}?ttl={}", host, port, ttl); }
 
-std::unique_ptr<Bus> open_lcm(const LcmAddress& address) { return std::make_unique<LcmBus>(address); }
+std::unique_ptr<Bus> open_lcm(const LcmAddress& address, const Key& key) {
+  return std::make_unique<LcmBus>(address, key);
+}
 
 bool multicast_works(const LcmAddress& address) {
   struct Flag : Sink {
@@ -153,7 +255,7 @@ bool multicast_works(const LcmAddress& address) {
     void receive(std::string_view, std::span<const std::uint8_t>) noexcept override { seen = true; }
   } flag;
   try {
-    LcmBus bus(address);
+    LcmBus bus(address, Key::random());
     const Route probe{Group::agents, fmt::format("probe.{}", address.port)};
     bus.subscribe(probe, flag);
     const std::array<std::uint8_t, 8> bytes{};

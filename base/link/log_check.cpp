@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What the process had sent in the run and has not sent now.
+/// Messages that the process sent in the run and has not sent now.
 void judge_not_sent(const ReplayBus& bus, const std::string& behaviour, LogVerdict& v) {
   const auto left = bus.not_sent();
   if (left.empty()) return;
@@ -43,7 +43,7 @@ LogVerdict check_process(const LogReader& log, const std::string& name, ClockKin
                         .name = name,
                         .roster = {"mp", name},
                         .clock = clock,
-                        .patience = std::chrono::milliseconds(0),
+                        .timeout = std::chrono::milliseconds(0),
                         .replayed = true});
   bus.set_judge({.compares = [&process](std::string_view channel) { return process.sends(channel); },
                  .behaviour = [&process] { return process.behaviour(); }});

@@ -11,7 +11,7 @@
 
 namespace mrroc::link {
 
-/// What the check of one process has found.
+/// Result of the check of one process.
 struct LogVerdict {
   std::string process{};                 ///< its name
   std::int64_t compared{};               ///< messages that were recomputed
@@ -22,10 +22,10 @@ struct LogVerdict {
 };
 
 /// Runs a process on the log of a run.
-/// @param name      of the process in that run; the rest of a membership is taken from the log
+/// @param name      of the process in that run; the rest of its context is taken from the log
 /// @param clock     of the run: with the wall clock it is not known what had arrived when a process decided, so
 ///                  there is nothing to check
-/// @param body      what the process does, as link::PartBody
+/// @param body      what the process does, as link::NodeMain
 /// @param left_out  channels without the session that it is not to hear
 [[nodiscard]] LogVerdict check_process(const LogReader& log, const std::string& name, ClockKind clock,
                                        const std::function<void(Process&)>& body,

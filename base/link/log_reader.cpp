@@ -1,13 +1,13 @@
 #include "base/link/log_reader.hpp"
 
 #include <fmt/core.h>
-#include <lcm/eventlog.h>
 
 #include <algorithm>
-#include <memory>
 #include <set>
 
+#include "base/big_endian.hpp"
 #include "base/fault.hpp"
+#include "base/link/event_reader.hpp"
 #include "base/link/senders.hpp"
 
 namespace mrroc::link {
@@ -15,33 +15,27 @@ namespace {
 
 constexpr std::size_t kHeaderAt = 8;  // behind LCM's fingerprint
 
-std::int64_t big_endian(std::span<const std::uint8_t> bytes) {
-  std::uint64_t number = 0;
-  for (const std::uint8_t b : bytes) number = number << 8U | b;
-  return static_cast<std::int64_t>(number);
-}
-
 }  // namespace
 
 RawHeader header_of(std::span<const std::uint8_t> bytes) noexcept {
   if (bytes.size() < kHeaderAt + 24) return {};
-  return {big_endian(bytes.subspan(kHeaderAt, 8)), big_endian(bytes.subspan(kHeaderAt + 8, 8)),
-          big_endian(bytes.subspan(kHeaderAt + 16, 8))};
+  const auto number = [&](std::size_t at) {
+    return static_cast<std::int64_t>(big_endian(bytes.subspan(kHeaderAt + at, 8)));
+  };
+  return {number(0), number(8), number(16)};
 }
 
 LogReader::LogReader(const std::filesystem::path& where) {
   const std::filesystem::path file = std::filesystem::is_directory(where) ? where / kEventLog : where;
-  const std::unique_ptr<lcm_eventlog_t, decltype(&lcm_eventlog_destroy)> log(
-      lcm_eventlog_create(file.c_str(), "r"), &lcm_eventlog_destroy);
-  if (!log) throw FaultError(FaultCode::bad_log, fmt::format("cannot read {}", file.string()));
-  while (lcm_eventlog_event_t* const event = lcm_eventlog_read_next_event(log.get())) {
-    const std::string channel(event->channel, static_cast<std::size_t>(event->channellen));
-    const auto* const data = static_cast<const std::uint8_t*>(event->data);
+  EventReader reader(file);
+  while (const auto event = reader.next()) {
+    const std::string_view channel = event->channel;
     const std::size_t point = channel.find('.');
-    if (session_.empty() && point != std::string::npos) session_ = channel.substr(0, point);
-    messages_.push_back({event->timestamp, channel.substr(point + 1), {data, data + event->datalen}});
-    lcm_eventlog_free_event(event);
+    if (session_.empty() && point != std::string_view::npos) session_ = channel.substr(0, point);
+    messages_.push_back(
+        {event->time_us, std::string(channel.substr(point + 1)), {event->bytes.begin(), event->bytes.end()}});
   }
+  damaged_ = reader.damaged();
   if (messages_.empty())
     throw FaultError(FaultCode::bad_log, fmt::format("{} holds no message", file.string()));
   put_late_ones_in_their_place();
@@ -56,7 +50,7 @@ void LogReader::put_late_ones_in_their_place() {
   std::map<std::string_view, std::vector<Place>> by_channel;
   for (std::size_t k = 0; k < messages_.size(); ++k) {
     const LoggedMessage& m = messages_[k];
-    const bool ordered = !has_several_senders(session_ + "." + m.channel);
+    const bool ordered = !has_several_senders("." + m.channel);
     by_channel[m.channel].push_back({k, ordered ? header_of(m.bytes).number : 0, k});
   }
   std::vector<Place> places;

@@ -31,12 +31,12 @@ struct RawHeader {
 /// @return the header of the bytes; zeros when they are too short for one
 [[nodiscard]] RawHeader header_of(std::span<const std::uint8_t> bytes) noexcept;
 
-/// The messages of an event log.
+/// The messages of an event log, but for those that are damaged (base/link/event_reader.hpp).
 class LogReader {
  public:
-  /// @param file  an event log, or a run folder
-  /// @throws FaultError bad_log when the file is missing or is no event log
-  explicit LogReader(const std::filesystem::path& file);
+  /// @param where  an event log, or a run folder
+  /// @throws FaultError bad_log when the file is missing, is no file, or holds no message
+  explicit LogReader(const std::filesystem::path& where);
 
   /// @param channel  without the session, e.g. "arm1.order"
   /// @return the messages of the channel by stamp; those that are not exactly an M are left out
@@ -58,12 +58,15 @@ class LogReader {
   [[nodiscard]] const std::string& session() const { return session_; }
   /// @return the number of the run, which its own messages carry
   [[nodiscard]] std::int64_t session_id() const;
+  /// @return how many stretches of the log are damaged and were left out
+  [[nodiscard]] std::int64_t damaged() const { return damaged_; }
 
  private:
   void put_late_ones_in_their_place();
 
   std::string session_;
   std::vector<LoggedMessage> messages_;
+  std::int64_t damaged_{};
 };
 
 }  // namespace mrroc::link

@@ -6,7 +6,7 @@
 
 namespace mrroc::link {
 
-/// What the ends of one system share.
+/// Data that the ends of one system share.
 class MemoryHub {
  public:
   MemoryHub();

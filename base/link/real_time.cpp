@@ -36,9 +36,24 @@ std::string become_real_time(int priority) {
   parameters.sched_priority = priority;
   const bool scheduled = ::sched_setscheduler(0, SCHED_FIFO, &parameters) == 0;
   const bool locked = keep_in_memory();
-  std::string got = scheduled ? fmt::format("scheduler SCHED_FIFO, priority {}", priority) : "";
-  if (locked) got += scheduled ? ", memory locked" : "memory locked";
-  return got;
+  return fmt::format(
+      "{}, {}",
+      scheduled ? fmt::format("scheduler SCHED_FIFO, priority {}", priority) : "SCHED_FIFO is not permitted",
+      locked ? "memory locked" : "locked memory is not permitted");
+}
+
+bool pin_to_core(int core) {
+  if (core < 0 || core >= CPU_SETSIZE) return false;
+  cpu_set_t cores;
+  CPU_ZERO(&cores);
+  CPU_SET(static_cast<std::size_t>(core), &cores);
+  return ::sched_setaffinity(0, sizeof cores, &cores) == 0;
+}
+
+void become_background(int nice) {
+  const sched_param parameters{};
+  ::sched_setscheduler(0, SCHED_OTHER, &parameters);  // of this thread, like the next one
+  ::setpriority(PRIO_PROCESS, 0, nice);
 }
 
 }  // namespace mrroc::link

@@ -1,4 +1,4 @@
-// What a process asks of the operating system when time counts (docs/timing.md).
+// Requests real-time scheduling and memory from the operating system (docs/timing.md).
 #pragma once
 #include <string>
 
@@ -15,8 +15,17 @@ bool keep_in_memory();
 
 /// Asks for the scheduler SCHED_FIFO for the calling thread and those that it will start, and keeps the process in
 /// memory. What is not permitted is left as it is.
-/// @param priority 1..99; the world above the drivers, the drivers above the rest
-/// @return what was permitted, in a few words; empty when nothing was
+/// @param priority 1..99; the simulator above the drivers, the drivers above the rest
+/// @return what was permitted and what was not, in a few words
 std::string become_real_time(int priority);
+
+/// Keeps the calling thread, and those that it will start, on one core.
+/// @param core  0, 1, ... @return whether the system has that core and permits it
+bool pin_to_core(int core);
+
+/// Leaves SCHED_FIFO, if the calling thread has it, and becomes nicer: for work that may take as long as it does, such as
+/// that on pictures, in a process in which others must be in time.
+/// @param nice  1..19; 0 is what other threads have
+void become_background(int nice);
 
 }  // namespace mrroc::link

@@ -18,11 +18,15 @@ struct Part {
   std::string_view function;
 };
 constexpr std::array kParts{Part{"command", "f_ce"}, Part{"report", "f_cT"}, Part{"order", "f_cT"},
-                            Part{"servo", "f_cc"}};
+                            Part{"servo", "f_cc"}, Part{"setting", "f_cV"}};
 
 std::string function_of(std::string_view channel, std::string_view field) {
   const std::string_view last = channel.substr(channel.rfind('.') + 1);
-  const auto part = std::ranges::find(kParts, last, &Part::channel);
+  // A task's own orders and reports are called cube_order and the like.
+  const auto part = std::ranges::find_if(kParts, [&](const Part& p) {
+    return last.ends_with(p.channel) &&
+           (last == p.channel || last[last.size() - p.channel.size() - 1] == '_');
+  });
   if (part == kParts.end() || channel == "hand.order") return {};
   // Another behaviour than in the log: the one before ended earlier or later.
   return field == "m" ? "f_tau" : std::string(part->function);

@@ -1,5 +1,5 @@
-// A transport that gives a process what it received in a logged run, and compares what it sends with what it
-// sent then.
+// A transport that gives a process the messages that it received in a logged run, and compares what it sends
+// with what it sent then.
 #pragma once
 #include <functional>
 #include <map>
@@ -17,7 +17,7 @@ namespace mrroc::link {
 /// of the library, so that nobody takes it for a fault.
 struct LogEnded {};
 
-/// What is wrong with a message that has been recomputed.
+/// Difference between a recomputed message and the logged one.
 struct LogDifference {
   std::string channel{};     ///< without the session
   std::int64_t number{};     ///< of the message

@@ -1,10 +1,10 @@
-// The folder of a run that has been, as all programs take it that read one.
+// Checks the folder of a finished run, for all programs that read one.
 #pragma once
 #include <filesystem>
 
 namespace mrroc::link {
 
-/// To be called with what a person gave as a run, before anything of it is read.
+/// Call this with the folder that the user gave as a run, before reading anything of it.
 /// @return the folder
 /// @throws FaultError bad_log: there is no such folder, or it has no log or no configuration; says where runs are
 std::filesystem::path checked_run_folder(const std::filesystem::path& folder);

@@ -1,23 +1,23 @@
 #include "base/link/session.hpp"
 
-#include <fcntl.h>
 #include <fmt/core.h>
-#include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
+#include <array>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <sstream>
+#include <stdexcept>
+#include <utility>
 
 #include "base/fault.hpp"
 #include "base/hash.hpp"
+#include "base/link/private_folder.hpp"
+#include "base/printable.hpp"
 
 namespace mrroc::link {
 namespace {
@@ -70,8 +70,10 @@ std::string to_json(const Entry& e) {
 
 std::optional<Entry> read(const fs::path& file) {
   try {
-    std::ifstream in(file);
-    const auto j = nlohmann::json::parse(in);
+    std::string ignored;
+    const auto text = read_own_file(file, OwnFile::trusted, ignored);
+    if (!text) return std::nullopt;
+    const auto j = nlohmann::json::parse(*text);
     Entry e;
     e.info.name = j.at("session").get<std::string>();
     e.info.id = j.at("id").get<std::int64_t>();
@@ -87,51 +89,54 @@ std::optional<Entry> read(const fs::path& file) {
   }
 }
 
-[[noreturn]] void cannot_write(const fs::path& path, const std::string& why) {
-  throw FaultError(FaultCode::cannot_write, fmt::format("cannot use {}: {}", path.string(), why));
-}
-
-/// Held while the directory is looked through or changed, by one process at a time.
-class DirectoryLock {
- public:
-  explicit DirectoryLock(const fs::path& directory)
-      : file_(::open((directory / ".lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC | O_NOFOLLOW, 0600)) {
-    if (file_ < 0) cannot_write(directory / ".lock", std::strerror(errno));
-    while (::flock(file_, LOCK_EX) != 0 && errno == EINTR) {
-    }
-  }
-  ~DirectoryLock() { ::close(file_); }
-  DirectoryLock(const DirectoryLock&) = delete;
-  DirectoryLock& operator=(const DirectoryLock&) = delete;
-
- private:
-  int file_;
-};
-
-/// Whoever could write there could send terminals to a task of his own, so nobody else may.
-void make_private_directory(const fs::path& directory) {
-  if (::mkdir(directory.c_str(), 0700) != 0 && errno != EEXIST) cannot_write(directory, std::strerror(errno));
-  struct stat s {};
-  if (::lstat(directory.c_str(), &s) != 0) cannot_write(directory, std::strerror(errno));
-  if (!S_ISDIR(s.st_mode)) cannot_write(directory, "it is not a directory");
-  if (s.st_uid != ::geteuid()) cannot_write(directory, "it belongs to another user");
-  if ((s.st_mode & 077) != 0 && ::chmod(directory.c_str(), 0700) != 0)
-    cannot_write(directory, "it is open to other users");
-}
-
 /// Others see no file or the whole file.
 void write_at_once(const fs::path& path, const std::string& text) {
   fs::path draft = path;
   draft.replace_extension(".draft");
-  std::ofstream out(draft, std::ios::trunc);
-  out << text;
-  out.close();
-  std::error_code error;
-  if (out) fs::rename(draft, path, error);
-  if (out && !error) return;
-  std::error_code ignored;
+  std::error_code error, ignored;
   fs::remove(draft, ignored);
-  cannot_write(path, error ? error.message() : "the disk may be full");
+  std::string why;
+  if (write_own_file(draft, text, why)) fs::rename(draft, path, error);
+  if (why.empty() && !error) return;
+  fs::remove(draft, ignored);
+  throw FaultError(FaultCode::cannot_write,
+                   fmt::format("cannot use {}: {}", path.string(), error ? error.message() : why));
+}
+
+fs::path key_of(fs::path file) { return file.replace_extension(".key"); }
+
+/// @return of a running session; nothing when it has none, or none that can be trusted
+std::optional<Key> key_beside(const fs::path& file) {
+  std::string ignored;
+  const auto text = read_own_file(key_of(file), OwnFile::secret, ignored);
+  return text ? Key::parse(std::string_view(*text).substr(0, text->find('\n'))) : std::nullopt;
+}
+
+/// A task that was killed leaves files.
+void remove_files_of(const fs::path& file) {
+  std::error_code ignored;
+  fs::remove(file, ignored);
+  fs::remove(key_of(file), ignored);
+}
+
+/// @return whether some task has entered itself there
+bool has_entries(const fs::path& directory) {
+  std::error_code error;
+  for (const auto& file : fs::directory_iterator(directory, error))
+    if (file.path().extension() == ".json") return true;
+  return false;
+}
+
+/// @return in the user's home, for this host alone; nothing when there is no home
+std::optional<fs::path> place_at_home() {
+  std::array<char, 256> host{};
+  ::gethostname(host.data(), host.size() - 1);
+  for (const auto& [variable, below] : {std::pair{"XDG_STATE_HOME", ""}, std::pair{"HOME", ".local/state"}}) {
+    const char* const home = std::getenv(variable);
+    if (home != nullptr && fs::path(home).is_absolute())
+      return fs::path(home) / below / "mrroc" / host.data();
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -142,9 +147,7 @@ bool valid_session_name(std::string_view name) noexcept {
 
 void check_session_name(std::string_view name) {
   if (valid_session_name(name)) return;
-  std::string shown(name.substr(0, 2 * kMaxSessionName));
-  std::ranges::replace_if(
-      shown, [](char c) { return c < ' ' || c > '~'; }, '?');
+  const std::string shown = without_controls(name.substr(0, 2 * kMaxSessionName));
   throw FaultError(FaultCode::bad_usage,
                    fmt::format("'{}' cannot name a session: give 1..{} letters, digits, '_' or '-'", shown,
                                kMaxSessionName));
@@ -164,14 +167,23 @@ LcmAddress address_for(std::string_view session) {
   return address;
 }
 
-fs::path session_directory() {
+SessionPlace session_place() {
   const std::string name = fmt::format("mrroc-{}", ::geteuid());
   const char* const runtime = std::getenv("XDG_RUNTIME_DIR");
   std::error_code error;
   if (runtime != nullptr && fs::path(runtime).is_absolute() && fs::is_directory(runtime, error))
-    return fs::path(runtime) / name;
-  return fs::path("/tmp") / name;
+    return {fs::path(runtime) / name, {}};
+  const fs::path usual = fs::path("/tmp") / name;
+  const bool taken = is_anothers(usual);
+  if (!taken && fs::exists(usual, error)) return {usual, {}};
+  const auto home = place_at_home();
+  // A process that has taken it can give it back while a task runs.
+  if (!home || (!taken && !has_entries(*home))) return {usual, {}};
+  return {*home, fmt::format("{} {}: sessions are in {}", usual.string(),
+                             taken ? "belongs to another user" : "is not there", home->string())};
 }
+
+fs::path session_directory() { return session_place().directory; }
 
 std::string unique_session_name(std::string_view task, const fs::path& directory) {
   constexpr std::size_t kSuffix = 5;
@@ -190,37 +202,60 @@ std::vector<SessionInfo> running_sessions(const fs::path& directory) {
   std::vector<SessionInfo> running;
   std::error_code error;
   if (!fs::is_directory(directory, error)) return running;
-  make_private_directory(directory);
-  const DirectoryLock lock(directory);
+  make_private_folder(directory);
+  const FolderLock lock(directory);
   for (const auto& file : fs::directory_iterator(directory)) {
     if (file.path().extension() != ".json") continue;
-    const auto entry = read(file.path());
+    auto entry = read(file.path());
     if (!entry) continue;
-    if (entry->alive())
-      running.push_back(entry->info);
-    else
-      fs::remove(file.path(), error);
+    if (entry->alive()) {
+      entry->info.key = key_beside(file.path());
+      if (entry->info.key) entry->info.key_file = fs::absolute(key_of(file.path()));
+      running.push_back(std::move(entry->info));
+    } else {
+      remove_files_of(file.path());
+    }
   }
   std::ranges::sort(running, {}, &SessionInfo::name);
   return running;
+}
+
+std::unique_ptr<Bus> open_session(const SessionInfo& session) {
+  if (!session.address) throw std::logic_error("the session has no address");
+  if (!session.key)
+    throw FaultError(FaultCode::no_such_session,
+                     fmt::format("the key of session {} is not known here", session.name),
+                     "copy the file that `ui_cli list --json` names on the task's host, and give --key-file");
+  return open_lcm(*session.address, *session.key);
 }
 
 SessionFile::SessionFile(SessionInfo info, const fs::path& directory) : info_(std::move(info)) {
   check_session_name(info_.name);
   info_.pid = ::getpid();
   path_ = directory / (info_.name + ".json");
-  make_private_directory(directory);
-  const DirectoryLock lock(directory);
+  std::error_code ignored;  // make_private_folder() says it
+  if (directory == session_directory()) fs::create_directories(directory.parent_path(), ignored);
+  make_private_folder(directory);
+  const FolderLock lock(directory);
   if (const auto other = read(path_); other && other->alive())
     throw FaultError(FaultCode::session_in_use, fmt::format("a task '{}' runs under the name {} (process {})",
                                                             other->info.task, info_.name, other->info.pid));
-  write_at_once(path_, to_json({info_, start_of(info_.pid).value_or(0)}));
+  remove_files_of(path_);
+  if (info_.address) {
+    info_.key = Key::random();
+    info_.key_file = fs::absolute(key_of(path_));
+    write_key_file(info_.key_file, *info_.key);
+  }
+  try {
+    write_at_once(path_, to_json({info_, start_of(info_.pid).value_or(0)}));
+  } catch (const FaultError&) {
+    remove_files_of(path_);
+    throw;
+  }
 }
 
 SessionFile::~SessionFile() {
-  if (::getpid() != info_.pid) return;
-  std::error_code ignored;
-  fs::remove(path_, ignored);
+  if (::getpid() == info_.pid) remove_files_of(path_);
 }
 
 }  // namespace mrroc::link

@@ -1,10 +1,11 @@
-// Sessions: how running tasks of one user find names that are free, and how terminals find running tasks.
+// Sessions: running tasks of one user find names that are free, and terminals find running tasks.
 // A task enters itself as a small file in a directory that only its user can open. Not for the servo step.
 #pragma once
 #include <sys/types.h>
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,7 +18,7 @@ namespace mrroc::link {
 /// Longest name of a session [characters].
 inline constexpr std::size_t kMaxSessionName = 24;
 
-/// What a running task tells about itself.
+/// Data that a running task publishes about itself.
 struct SessionInfo {
   std::string name;                   ///< 1..kMaxSessionName of A-Z a-z 0-9 _ -; prefix of every channel
   std::int64_t id{};                  ///< distinguishes runs with the same name, > 0
@@ -25,6 +26,8 @@ struct SessionInfo {
   std::string task;                   ///< e.g. "drawing"
   std::filesystem::path run_folder;   ///< absolute
   pid_t pid{};                        ///< the task's parent process; filled in by SessionFile
+  std::optional<Key> key{};  ///< of its messages, made by SessionFile; nothing: none, or not known here
+  std::filesystem::path key_file{};  ///< where that is kept, absolute; empty: none
 };
 
 /// @return whether the name is 1..kMaxSessionName characters of A-Z a-z 0-9 _ -
@@ -40,7 +43,16 @@ void check_session_name(std::string_view name);
 /// names share a port with probability 1/2500, and are then kept apart by channel names and session ids.
 [[nodiscard]] LcmAddress address_for(std::string_view session);
 
-/// @return ${XDG_RUNTIME_DIR}/mrroc-UID, or /tmp/mrroc-UID when there is no such variable or directory
+/// Directory in which this user's tasks enter themselves.
+struct SessionPlace {
+  std::filesystem::path directory;  ///< absolute
+  std::string note;                 ///< why it is not the usual one, for a person; empty: it is
+};
+/// @return ${XDG_RUNTIME_DIR}/mrroc-UID, or /tmp/mrroc-UID when there is no such variable or directory. When another user
+///         has taken that name: mrroc/HOST below ${XDG_STATE_HOME} or ~/.local/state; also afterwards, as long as a task is
+///         entered there
+[[nodiscard]] SessionPlace session_place();
+/// @return its directory
 [[nodiscard]] std::filesystem::path session_directory();
 
 /// @param task characters that a name cannot have become '-'; cut to leave room
@@ -53,19 +65,24 @@ void check_session_name(std::string_view name);
 [[nodiscard]] std::vector<SessionInfo> running_sessions(
     const std::filesystem::path& directory = session_directory());
 
+/// @return an end of the network on which a session talks
+/// @param session  with an address
+/// @throws FaultError no_such_session: its key is not known  @throws NoMulticast
+[[nodiscard]] std::unique_ptr<Bus> open_session(const SessionInfo& session);
+
 /// The entry of a running task, from construction to destruction. A task that dies without a destructor
-/// leaves a file that everybody recognises as dead, even when its process number has been given away again.
+/// leaves files that everybody recognises as dead, even when its process number has been given away again.
 class SessionFile {
  public:
-  /// Makes the directory (mode 0700) and enters the calling process. Of several that try the same name at
-  /// the same time, one succeeds.
-  /// @param info pid is ignored
+  /// Makes the directory (mode 0700) and enters the calling process; with an address also the key of the session, in a
+  /// file of its own (mode 0600). Of several that try the same name at the same time, one succeeds.
+  /// @param info pid, key and key_file are ignored
   /// @throws FaultError bad_usage: the name; session_in_use: a living process has it; cannot_write: the
-  ///         directory or file cannot be written, or the directory is open to others
+  ///         directory or file cannot be written, or another process holds the lock of the directory for 5 s
   explicit SessionFile(SessionInfo info, const std::filesystem::path& directory = session_directory());
   SessionFile(const SessionFile&) = delete;
   SessionFile& operator=(const SessionFile&) = delete;
-  /// Removes the file, if this is the process that made it: a forked child leaves it alone.
+  /// Removes the files, if this is the process that made it: a forked child leaves it alone.
   ~SessionFile();
 
   /// @return what the file says

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/printable.hpp"
+
 namespace mrroc::link {
 
 /// Copies the text into the field; what does not fit is cut off.
@@ -15,15 +17,11 @@ void put_text(std::int8_t (&field)[N], std::string_view text) {
   std::fill(field + n, field + N, std::int8_t{0});
 }
 
-/// @return the characters before the first zero; those that are not printable are shown as '?'
+/// @return the characters before the first zero, without control characters (base/printable.hpp)
 template <std::size_t N>
 std::string get_text(const std::int8_t (&field)[N]) {
-  std::string text;
-  for (const std::int8_t ch : field) {
-    if (ch == 0) break;
-    text += ch >= ' ' && ch < 127 ? static_cast<char>(ch) : '?';
-  }
-  return text;
+  const std::string_view whole(reinterpret_cast<const char*>(field), N);
+  return without_controls(whole.substr(0, whole.find('\0')));
 }
 
 }  // namespace mrroc::link

@@ -1,4 +1,5 @@
 #include "base/msg/convert.hpp"
+#include "base/msg/finite.hpp"
 #include "base/msg/pose_rows.hpp"
 
 #include <algorithm>
@@ -174,6 +175,8 @@ effector_reply_t to_message(const EffectorReply& r) {
   m.robot_model = to_message(r.robot_model);
   m.inputs = static_cast<std::int16_t>(r.inputs);
   copy(r.analog, m.analog);
+  m.position_known = r.position_known;
+  m.at_rest = r.at_rest;
   return m;
 }
 
@@ -203,6 +206,8 @@ EffectorReply from_message(const effector_reply_t& m) {
   r.robot_model = from_message(m.robot_model);
   r.inputs = static_cast<std::uint16_t>(m.inputs);
   copy(m.analog, r.analog);
+  r.position_known = m.position_known != 0;
+  r.at_rest = m.at_rest != 0;
   return r;
 }
 
@@ -249,6 +254,7 @@ agent_report_t to_message(const Report& r) {
   m.driver_state = static_cast<std::int8_t>(r.driver_state);
   m.verdict = static_cast<std::int8_t>(r.verdict);
   m.fault = to_message(r.fault);
+  m.position_known = r.position_known;
   copy(r.T_0E, m.T_0E);
   copy(r.F_a.v, m.F_a);
   m.gripper = r.gripper;
@@ -265,6 +271,7 @@ Report from_message(const agent_report_t& m) {
   r.driver_state = static_cast<DriverState>(m.driver_state);
   r.verdict = static_cast<Verdict>(m.verdict);
   r.fault = from_message(m.fault);
+  r.position_known = m.position_known != 0;
   copy(m.T_0E, r.T_0E);
   copy(m.F_a, r.F_a.v);
   r.gripper = m.gripper;
@@ -287,6 +294,22 @@ SensorReading from_message(const sensor_reading_t& m) {
   copy(m.value, r.value);
   return r;
 }
+
+sensor_setting_t to_message(const SensorSetting& s) {
+  sensor_setting_t m{};
+  m.mode = s.mode;
+  copy(s.value, m.value);
+  return m;
+}
+
+SensorSetting from_message(const sensor_setting_t& m) {
+  SensorSetting s;
+  s.mode = m.mode;
+  copy(m.value, s.value);
+  return s;
+}
+
+bool is_proper(const sensor_setting_t& m) noexcept { return finite(m.value); }
 
 camera_reading_t to_message(const CameraReading& r) {
   camera_reading_t m{};
@@ -313,29 +336,29 @@ CameraReading from_message(const camera_reading_t& m) {
   return r;
 }
 
-drive_command_t to_message(const HardwareCommand& c) {
-  drive_command_t m{};
+hardware_command_t to_message(const HardwareCommand& c) {
+  hardware_command_t m{};
   copy(c.pwm, m.pwm);
   m.enabled = c.enabled;
   m.jaws_enabled = c.jaws_enabled;
-  m.commanded_until = c.commanded_until;
+  m.macrostep = c.macrostep;
   m.outputs = static_cast<std::int16_t>(c.outputs);
   return m;
 }
 
-HardwareCommand from_message(const drive_command_t& m) {
+HardwareCommand from_message(const hardware_command_t& m) {
   HardwareCommand c;
   c.step = m.header.stamp;
   copy(m.pwm, c.pwm);
   c.enabled = m.enabled != 0;
   c.jaws_enabled = m.jaws_enabled != 0;
-  c.commanded_until = m.commanded_until;
+  c.macrostep = m.macrostep;
   c.outputs = static_cast<std::uint16_t>(m.outputs);
   return c;
 }
 
-drive_reading_t to_message(const HardwareReading& r) {
-  drive_reading_t m{};
+hardware_state_t to_message(const HardwareReading& r) {
+  hardware_state_t m{};
   copy(r.encoder, m.encoder);
   copy(r.current, m.current);
   copy(r.S_F_m.v, m.S_F_m);
@@ -346,9 +369,9 @@ drive_reading_t to_message(const HardwareReading& r) {
   return m;
 }
 
-HardwareReading from_message(const drive_reading_t& m, std::int64_t step) {
+HardwareReading from_message(const hardware_state_t& m) {
   HardwareReading r;
-  r.step = step;
+  r.step = m.header.stamp;
   copy(m.encoder, r.encoder);
   copy(m.current, r.current);
   copy(m.S_F_m, r.S_F_m.v);

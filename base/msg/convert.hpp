@@ -1,5 +1,5 @@
-// Between messages and the values that they carry. Numbers that stand for enumerators are passed on as they
-// are: who acts on a value checks it first.
+// Converts between messages and the values that they carry. Numbers that stand for enumerators are passed on
+// as they are: the code that acts on a value checks it first.
 #pragma once
 #include "base/camera.hpp"
 #include "base/effector_command.hpp"
@@ -8,12 +8,13 @@
 #include "mrroc/agent_order_t.hpp"
 #include "mrroc/agent_report_t.hpp"
 #include "mrroc/camera_reading_t.hpp"
-#include "mrroc/drive_command_t.hpp"
-#include "mrroc/drive_reading_t.hpp"
 #include "mrroc/effector_command_t.hpp"
 #include "mrroc/effector_reply_t.hpp"
+#include "mrroc/hardware_command_t.hpp"
+#include "mrroc/hardware_state_t.hpp"
 #include "mrroc/robot_model_t.hpp"
 #include "mrroc/sensor_reading_t.hpp"
+#include "mrroc/sensor_setting_t.hpp"
 #include "mrroc/step_sample_t.hpp"
 
 namespace mrroc {
@@ -47,16 +48,22 @@ Report from_message(const agent_report_t& m);
 sensor_reading_t to_message(const SensorReading& r);
 SensorReading from_message(const sensor_reading_t& m);
 
+sensor_setting_t to_message(const SensorSetting& s);
+SensorSetting from_message(const sensor_setting_t& m);
+/// @return whether all numbers are finite. Real-time safe
+bool is_proper(const sensor_setting_t& m) noexcept;
+
 /// The frame becomes the stamp of the header, which the channel writes.
 camera_reading_t to_message(const CameraReading& r);
 /// The stamp of the message's header becomes CameraReading::frame.
 CameraReading from_message(const camera_reading_t& m);
 
-drive_command_t to_message(const HardwareCommand& c);
-HardwareCommand from_message(const drive_command_t& m);
+hardware_command_t to_message(const HardwareCommand& c);
+HardwareCommand from_message(const hardware_command_t& m);
 
-drive_reading_t to_message(const HardwareReading& r);
-/// @param step of the world state that holds the reading
-HardwareReading from_message(const drive_reading_t& m, std::int64_t step);
+/// The step becomes the stamp of the header, which the channel writes.
+hardware_state_t to_message(const HardwareReading& r);
+/// The stamp of the message's header becomes HardwareReading::step.
+HardwareReading from_message(const hardware_state_t& m);
 
 }  // namespace mrroc

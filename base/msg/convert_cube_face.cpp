@@ -68,4 +68,17 @@ bool is_proper(const cube_face_reading_t& m) noexcept {
          within(m.flaw, kFlaws);
 }
 
+cube_face_setting_t to_message(const CubeFaceSetting& s) {
+  cube_face_setting_t m{};
+  m.face = s.face;
+  m.place = s.place;
+  return m;
+}
+
+CubeFaceSetting from_message(const cube_face_setting_t& m) { return {.face = m.face, .place = m.place}; }
+
+bool is_proper(const cube_face_setting_t& m) noexcept {
+  return m.face >= -1 && m.face < kStickerColours && m.place >= -1;
+}
+
 }  // namespace mrroc

@@ -1,7 +1,8 @@
-// Readings of the cube's faces as messages.
+// Converts readings of the cube's faces to and from messages.
 #pragma once
-#include "base/cube_face.hpp"
+#include "base/cube/cube_face.hpp"
 #include "mrroc/cube_face_reading_t.hpp"
+#include "mrroc/cube_face_setting_t.hpp"
 
 namespace mrroc {
 
@@ -11,5 +12,10 @@ cube_face_reading_t to_message(const CubeFaceReading& r);
 CubeFaceReading from_message(const cube_face_reading_t& m);
 /// @return whether all numbers are finite, and colours and flaws are ones that there are. Real-time safe
 bool is_proper(const cube_face_reading_t& m) noexcept;
+
+cube_face_setting_t to_message(const CubeFaceSetting& s);
+CubeFaceSetting from_message(const cube_face_setting_t& m);
+/// @return whether the face is one that there is, or none. Real-time safe
+bool is_proper(const cube_face_setting_t& m) noexcept;
 
 }  // namespace mrroc

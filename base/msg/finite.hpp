@@ -1,5 +1,5 @@
-// Whether every number of a message that somebody computes with is finite. Messages come from the network; one
-// NaN would spread to everything.
+// Checks that every number of a message that enters a computation is finite. Messages come from the network;
+// one NaN would spread to everything.
 #pragma once
 #include <algorithm>
 #include <cmath>

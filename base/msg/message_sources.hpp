@@ -1,4 +1,4 @@
-// The definitions of all messages, as the build found them.
+// The texts of all message definitions, collected by the build.
 #pragma once
 #include <cstdint>
 #include <string_view>

@@ -11,6 +11,7 @@
 #include <regex>
 #include <sstream>
 
+#include "base/big_endian.hpp"
 #include "base/fault.hpp"
 #include "base/msg/message_sources.hpp"
 
@@ -112,12 +113,6 @@ std::vector<MessageType> parse_all() {
   }
   std::ranges::sort(known, {}, &MessageType::name);
   return known;
-}
-
-std::uint64_t big_endian(std::span<const std::uint8_t> bytes) {
-  std::uint64_t number = 0;
-  for (const std::uint8_t b : bytes) number = number << 8U | b;
-  return number;
 }
 
 std::int64_t integer_in(std::span<const std::uint8_t> bytes, const Field& f) {

@@ -1,4 +1,4 @@
-// What a message is made of, known at run time: for logs, tables and comparisons. Made from the definitions of
+// The fields of a message, known at run time: for logs, tables and comparisons. Made from the definitions of
 // the messages, so that a new message is known without another line of code. Not for the servo step.
 #pragma once
 #include <cstdint>

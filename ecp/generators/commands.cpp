@@ -13,13 +13,6 @@ EffectorCommand change_force_tool(double w, const Vector3& P) {
   return command;
 }
 
-EffectorCommand standing(EffectorCommand command) {
-  const bool by_velocity = has(command.set, Part::arm) && command.arm.mu == Interpolation::tcim_velocity;
-  if (!by_velocity) return rest();
-  for (const Axis axis : kAxes) command.arm.frame[axis].velocity = 0;
-  return command;
-}
-
 EffectorCommand with_tool(EffectorCommand command, const Pose& T_WE) {
   if (command.instruction == Instruction::keep) command.instruction = Instruction::set;
   command.set |= static_cast<std::uint8_t>(Part::robot_model);

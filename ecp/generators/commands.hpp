@@ -1,4 +1,4 @@
-// y_ce: effector commands that rows of a Move table are made of.
+// Effector commands y_ce for the rows of a Move table.
 #pragma once
 #include "base/effector_command.hpp"
 #include "base/pose.hpp"
@@ -41,9 +41,6 @@ namespace mrroc::ecp {
 /// @return the command with SET ROBOT_MODEL TOOL added; the wrist stays where it is
 /// @param T_WE  task frame in the wrist
 [[nodiscard]] EffectorCommand with_tool(EffectorCommand command, const Pose& T_WE);
-
-/// @return the command of a pause: a motion by velocity stands and keeps its forces, any other comes to rest
-[[nodiscard]] EffectorCommand standing(EffectorCommand command);
 
 /// f_ce of the transparent behaviour (MS 36): the coordinator's order, as it is. A late one is kept back: the
 /// arm comes to rest and holds until an order comes.

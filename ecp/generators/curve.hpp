@@ -1,4 +1,4 @@
-// A motion as a function of time: what every trajectory generator makes.
+// A motion as a function of time, the result of every trajectory generator.
 #pragma once
 #include "base/axes.hpp"
 

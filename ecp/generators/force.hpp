@@ -14,8 +14,8 @@ inline constexpr double kMobility = 0.005;       ///< B along an axis [s/kg]
 inline constexpr double kTurningInertia = 0.5;   ///< I about an axis [kg m^2]
 inline constexpr double kTurningMobility = 0.1;  ///< B about an axis [s/(kg m^2)]
 
-/// Guided motion ("nose run"): whoever pushes the tool leads it, along and about the axes given; the others
-/// stay.
+/// Guided motion ("nose run"): a person who pushes the tool leads it, along and about the axes given; the
+/// others stay.
 [[nodiscard]] constexpr TaskFrameCommand guided(std::initializer_list<Axis> axes) {
   TaskFrameCommand frame;
   for (const Axis a : axes)
@@ -55,7 +55,7 @@ struct EdgeRule {
   double least_force{0.5};        ///< below this the direction of the force means nothing [N]
 };
 
-/// What edge following decides in one macrostep.
+/// Decision of edge following in one macrostep.
 struct EdgeStep {
   double angle{};          ///< of the task frame about z from now on [rad]
   TaskFrameCommand frame;  ///< rows

@@ -6,7 +6,7 @@
 
 namespace mrroc::ecp {
 
-/// What defines a NURBS curve.
+/// Definition of a NURBS curve.
 struct NurbsShape {
   int degree{3};                     ///< 1 to 5
   std::vector<Coordinates> control;  ///< control points, at least degree + 1

@@ -53,9 +53,10 @@ void Polyline::look_ahead() {
     line.first = speed;
     speed = line.last = std::min(line.corner, grown(speed, line.ramp, line.length));
   }
-  for (auto line = lines_.rbegin(); line != lines_.rend(); ++line) {
-    line->last = std::min(line->last, speed);
-    speed = line->first = std::min(line->first, grown(line->last, line->ramp, line->length));
+  for (std::size_t k = lines_.size(); k-- > 0;) {
+    Line& line = lines_[k];
+    line.last = std::min(line.last, speed);
+    speed = line.first = std::min(line.first, grown(line.last, line.ramp, line.length));
   }
   for (Line& line : lines_) {
     const double squares = line.first * line.first + line.last * line.last;

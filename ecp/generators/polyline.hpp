@@ -1,4 +1,4 @@
-// Straight lines from pose to pose, all axes in step, corners passed as quickly as the axes can change their speed.
+// Straight lines from pose to pose, all axes in step; corners as fast as the axes' accelerations permit.
 #pragma once
 #include <vector>
 

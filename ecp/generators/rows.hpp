@@ -1,13 +1,13 @@
-// What the rows of a Move table are made of, besides commands: reports, and f' and f_tau of common behaviours.
+// Parts of the rows of a Move table besides commands: reports, and f' and f_tau of common behaviours.
 #pragma once
+#include "base/agent_images.hpp"
+#include "base/latency.hpp"
 #include "base/motion.hpp"
 #include "ecp/generators/commands.hpp"
-#include "ecp/generators/images.hpp"
 
 namespace mrroc::ecp {
 
-/// The answer to a command is read so many macrosteps after the macrostep in which the command was made.
-inline constexpr std::int64_t kAnswerDelay = 2;
+using mrroc::None;  // a part of an image that an agent does not have
 
 // --- y_cT -----------------------------------------------------------------------------------------------
 
@@ -22,6 +22,7 @@ template <class X>
   // A driver may fail while it has nothing to execute.
   r.verdict = x.e.state == DriverState::faulted && x.e.fault ? Verdict::failed : x.e.verdict;
   r.fault = x.e.fault;
+  r.position_known = x.e.position_known;
   r.T_0E = x.e.T_0E;
   r.F_a = x.e.F_a;
   r.gripper = x.e.gripper;
@@ -42,7 +43,7 @@ template <class X>
 [[nodiscard]] EffectorCommand follow_path(const X& x) {
   return move_arm(x.c.path.command(age(x)));
 }
-/// f_tau: c.path has been commanded to its end. The reply to its last command comes kAnswerDelay later.
+/// f_tau: c.path has been commanded to its end. The reply to its last command comes latency::kCommandToReply later.
 template <class X>
 [[nodiscard]] bool path_ends(const X& x) {
   return age(x) >= x.c.path.macrosteps();
@@ -67,9 +68,9 @@ template <class A>
 decltype(A::X::c) retain(const typename A::X& x) {
   return x.c;
 }
-/// f_cV of an agent that does not configure its sensors.
+/// f_cV of rows that ask nothing of the sensors.
 template <class A>
-None no_sensor(const typename A::X&) {
+decltype(A::Y::V) no_sensor(const typename A::X&) {
   return {};
 }
 /// f_ce of resting.
@@ -84,11 +85,13 @@ Report tell(const typename A::X& x) {
 }
 
 /// A row of a behaviour that moves the effector and remembers nothing new.
-/// @param until  what f_tau waits for, in words for the operator; may be empty
+/// @param until   what f_tau waits for, in words for the operator; may be empty
+/// @param policy  what a refused or failed command leads to
 template <Images A>
 constexpr Motion<A> row(int m, std::string_view name, EffectorCommand (*f_ce)(const typename A::X&),
-                        bool (*f_tau)(const typename A::X&), std::string_view until = {}) {
-  return {m, name, retain<A>, retain<A>, f_ce, no_sensor<A>, tell<A>, f_tau, until};
+                        bool (*f_tau)(const typename A::X&), std::string_view until = {},
+                        const FaultPolicy& policy = {}) {
+  return {m, name, retain<A>, retain<A>, f_ce, no_sensor<A>, tell<A>, f_tau, until, policy};
 }
 
 }  // namespace mrroc::ecp

@@ -1,5 +1,4 @@
-// What is known of the spaces in which motions are planned: their limits, and which of several coordinates of
-// one pose to take.
+// Limits of the spaces in which motions are planned, and the choice among several coordinates of one pose.
 #pragma once
 #include <vector>
 

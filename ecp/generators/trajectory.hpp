@@ -1,4 +1,4 @@
-// From a curve to the commands of single macrosteps.
+// Makes the commands of single macrosteps from a curve.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -8,7 +8,8 @@
 
 namespace mrroc::ecp {
 
-/// How a motion is cut into macrosteps. n_s is the original's, and n_Q what the drivers of this house expect.
+/// How a motion is cut into macrosteps. n_s is the original's, and n_Q the one that the framework's drivers
+/// expect.
 struct Pacing {
   double dt{0.002};       ///< duration of a step [s]
   std::uint16_t n_s{10};  ///< number_of_steps of a macrostep
@@ -18,7 +19,7 @@ struct Pacing {
   [[nodiscard]] constexpr double macrostep_s() const { return dt * n_s; }
 };
 
-/// How the driver is to understand the coordinates.
+/// Meaning of the coordinates for the driver.
 struct Coding {
   Representation space{Representation::joints};  ///< of the coordinates
   Reference reference{Reference::absolute};      ///< relative: commands carry the increment of the macrostep

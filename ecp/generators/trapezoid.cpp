@@ -66,7 +66,7 @@ class Trapezoid::Planner {
   Planner(const Coordinates& from, const std::vector<ViaPoint>& list, const MotionLimits& limits, double step)
       : from_(from), list_(list), limits_(limits), step_(step), share_(list.size(), 1) {
     for (std::size_t k = 0; k < list_.size(); ++k) {
-      const Coordinates d = way_of(k);
+      const Coordinates d = displacement_of(k);
       double time = 0;
       for (int axis = 0; axis < d.size(); ++axis)
         time = std::max(time, task(k, axis, 0, 0).shortest_time().value_or(0));
@@ -103,7 +103,7 @@ class Trapezoid::Planner {
   };
 
   [[nodiscard]] const Coordinates& start(std::size_t k) const { return k == 0 ? from_ : list_[k - 1].pose; }
-  [[nodiscard]] Coordinates way_of(std::size_t k) const { return list_[k].pose - start(k); }
+  [[nodiscard]] Coordinates displacement_of(std::size_t k) const { return list_[k].pose - start(k); }
 
   /// Speed of an axis at the end of section k.
   [[nodiscard]] double speed_after(std::size_t k, int axis) const {
@@ -115,7 +115,7 @@ class Trapezoid::Planner {
   }
 
   [[nodiscard]] Task task(std::size_t k, int axis, double v0, double v1) const {
-    const double d = way_of(k)[axis];
+    const double d = displacement_of(k)[axis];
     const double sign = d < 0 ? -1 : 1;
     return {sign * d, sign * v0, sign * v1, list_[k].velocity * limits_.velocity[axis],
             list_[k].acceleration * limits_.acceleration[axis]};
@@ -138,7 +138,7 @@ class Trapezoid::Planner {
       const Task& t = tasks[static_cast<std::size_t>(axis)];
       const std::optional<double> vc = t.speed_for(T);
       if (!vc) return {};
-      const double sign = way_of(k)[axis] < 0 ? -1 : 1;
+      const double sign = displacement_of(k)[axis] < 0 ? -1 : 1;
       planned.section.axes.push_back({start(k)[axis], sign * t.v0, sign * *vc, sign * t.v1, t.a});
     }
     return planned;

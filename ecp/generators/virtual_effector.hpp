@@ -5,7 +5,7 @@
 // inverse kinematics, branch nearest to Theta_p                  the same, nearest to the set joints
 // (m_d - m_c) / (steps left) in every step                       the motors' straight line, n_s steps
 // ends at iota_s + 21 without, at iota_s + 19 with new data      macrosteps of n_s steps follow without a gap
-// e_B_1,0: servo on m_d                                           no SET ARM: comes to rest within 40 steps, holds
+// e_B_1,0: servo on m_d                                           no SET ARM: comes to rest at m_d, holds
 // output 0_E T_c in every step                                    samples of all steps, and the number of the last
 //
 // The motion is planned from the set motors where (26), (27) take the measured ones: the lag of the drives would be
@@ -34,7 +34,15 @@ inline constexpr Pacing kDisplacementPacing{.n_s = 21, .n_Q = 20};
   return move_arm(arm);
 }
 
-/// y_ce of e_B_1,0: nothing; the arm comes to rest and holds.
+/// @return E T_d,c of a command that displace() has made, or of a part of it; identity for any other command
+[[nodiscard]] inline Pose displacement_of(const EffectorCommand& command) {
+  const bool displaces = has(command.set, Part::arm) && command.arm.mu == Interpolation::mim &&
+                         command.arm.reference == Reference::relative;
+  if (!displaces) return {};
+  return pose_from_numbers(command.arm.representation, command.arm.pose).value_or(Pose{});
+}
+
+/// y_ce of e_B_1,0: nothing; the arm comes to rest where the last displacement leads to, and holds.
 [[nodiscard]] constexpr EffectorCommand idle() { return rest(); }
 
 }  // namespace mrroc::ecp

@@ -19,7 +19,7 @@ struct ForceTool {
 /// @return the tool; its centre is zero when there is no weight to speak of (below 0.05 N)
 [[nodiscard]] ForceTool identified_tool(const Wrench& F_b, const Wrench& F_c);
 
-/// What the weighing is told. Joints are data of the robot, not of the method: they belong into a
+/// Parameters of the weighing. Joints are data of the robot, not of the method: they belong into a
 /// configuration.
 struct WeighingPlan {
   Coordinates down, up, side;  ///< joints in which z_W points down (a) and up (b), and x_W up (c)
@@ -92,7 +92,7 @@ struct WeighingRows {
   /// The tool that was found, which biases again.
   static EffectorCommand set_found(const X& x) { return age(x) == 0 ? with_found(x.c.weighing) : rest(); }
   /// Ends both: the driver has answered.
-  static bool answered(const X& x) { return age(x) >= kAnswerDelay; }
+  static bool answered(const X& x) { return age(x) >= latency::kCommandToReply; }
 
   /// Sums F_a, from zero, until there are plan.readings of them.
   static C clear(const X& x) {

@@ -1,4 +1,4 @@
-// An IRb-6 as the effector driver sees it.
+// The parts of an IRb-6 that its effector driver uses.
 #pragma once
 #include <memory>
 #include <span>

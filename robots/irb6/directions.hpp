@@ -1,4 +1,4 @@
-// Where the links of an arm point.
+// The directions of an arm's links.
 #pragma once
 #include <cmath>
 

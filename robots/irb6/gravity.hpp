@@ -1,4 +1,4 @@
-// Weight of an IRb-6 as its motors feel it.
+// The torques of an IRb-6's weight at its motors.
 #pragma once
 #include "base/axes.hpp"
 #include "robots/irb6/parameters.hpp"

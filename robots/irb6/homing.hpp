@@ -1,4 +1,4 @@
-// How the IRb-6 arms find the positions of their motors.
+// The homing of the IRb-6 arms: finds the positions of their motors.
 #pragma once
 #include "edp/driver_parameters.hpp"
 #include "robots/irb6/parameters.hpp"

@@ -46,7 +46,7 @@ double nearest_legal_turn(double angle, double near, edp::Range legal) {
   return legal.contains(inside) ? inside : nearest;
 }
 
-// Whether the angle's opposite is nearer to the other angle than itself.
+// Tells whether the angle's opposite is nearer to the other angle than itself.
 bool half_turn_apart(double angle, double other) {
   return std::abs(angle - nearest_turn(other, angle)) > pi / 2;
 }
@@ -239,7 +239,7 @@ Kinematics::Branch Kinematics::solve(const Pose& T_0W, double track, const Angle
   elbow(best, c4, s4, plane.radius, height, near);
   if (!take_path_step(best.angles, near)) {
     take_legal_turns(best, near);
-    // What the other one costs at least. Half a turn of T is seldom within the limits.
+    // Lower bound of the other one's cost. Half a turn of T is seldom within the limits.
     const double other_theta4 = nearest_legal_turn(theta4 + pi, near.theta4, legal_.theta4);
     if (!wrist_singular && cost(other_theta4, near.theta4, legal_.theta4) < best.cost) {
       Branch other{.angles = {plane.theta1, 0, 0, theta4 + pi, -q5, q6 + pi}};

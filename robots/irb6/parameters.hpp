@@ -1,4 +1,4 @@
-// Everything that is a number about the two IRb-6 arms: one table per arm.
+// All numbers of the two IRb-6 arms: one table per arm.
 //
 // Source of the nominal and calibrated figures: the original framework (MRROC++, modified IRp-6 arms). The
 // world's z = 0 is the floor, hence the height of the shoulder among the lengths.
@@ -47,7 +47,7 @@ struct AxisTable {
   Drive drive;                     ///< between motor and axis
 };
 
-/// What decides where the track stands when a pose is given. The arm on the track has one axis more than a
+/// Rule for the position of the track when a pose is given. The arm on the track has one axis more than a
 /// pose has degrees of freedom, so something must.
 ///
 /// Whichever rule: joints that realise the pose already are its solution, so a path never jumps, and where
@@ -104,13 +104,16 @@ inline constexpr double kScrew = kTurn / 5;
 /// Screw of the track: 8 mm per turn behind a belt of 2 : 1 [rad/m].
 inline constexpr double kTrackScrew = 2 * kTurn * 1000 / 8;
 
+/// Of the current at which a drive's supervision trips: where the drive limits it.
+inline constexpr double kLimitShare = 0.9;
+
 /// The regulators of one motor. Set 0 of each algorithm is the usual one. Algorithm 0: the original's, set 1
 /// without its second integral, what the original called algorithm 1: it gives way under load. Algorithm 1:
 /// set 1 is softer. docs/plant.md tells where the drives' figures come from.
-constexpr edp::ServoCoefficients servo(const edp::RegulatorCoefficients& original,
-                                       const edp::DriveModel& drive) {
+constexpr edp::ServoCoefficients servo(const edp::RegulatorCoefficients& original, edp::DriveModel drive) {
   edp::RegulatorCoefficients proportional = original;
   proportional.epsilon = 0;
+  drive.current_limit = kLimitShare * drive.max_current;
   return {.standard = {1, 0},
           .incremental = {original, proportional},
           .compensating = {{{.bandwidth = 100, .observer = 150}, {.bandwidth = 60, .observer = 120}}},

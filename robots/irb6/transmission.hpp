@@ -1,4 +1,4 @@
-// Motors to joints and back: gears, ball screws with linkages, and the axes that move each other.
+// Converts motor positions to joints and back: gears, ball screws with linkages, and coupled axes.
 #pragma once
 #include "base/axes.hpp"
 #include "robots/irb6/directions.hpp"

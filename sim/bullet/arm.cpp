@@ -4,14 +4,15 @@
 #include <stdexcept>
 #include <string>
 
-#include "sim/bullet/arm_kind.hpp"
 #include "sim/bullet/convert.hpp"
+#include "sim/start_joints.hpp"
 
 namespace mrroc::sim {
 namespace {
 
 std::unique_ptr<edp::Robot> checked_robot(const ArmParameters& p) {
-  auto robot = kind_of(p).make(p);
+  if (!p.type) throw std::invalid_argument("world: an arm has no type");
+  auto robot = p.type->make(p.model);
   const auto refuse = [&](const std::string& what) {
     throw std::invalid_argument("world: " + std::string(robot->name()) + ": " + what);
   };
@@ -37,6 +38,15 @@ std::optional<ToolMass> tool_mass(const ArmParameters& p, const Scene& scene) {
   return ToolMass{p.tool->weight / scene.gravity().norm(), p.tool->mass_centre};
 }
 
+/// @param joints  at which the inertia of the rotors is taken [rad, track m]
+ArmBody build_arm(const ArmParameters& p, const edp::Robot& robot, const AxisVector& joints,
+                  const std::optional<ToolMass>& tool) {
+  const robots::RobotType& type = *p.type;
+  const auto inertia = type.rotor_inertia ? type.rotor_inertia : robots::reflected_inertia;
+  return build_arm(type.urdf, lengths_of(type, p.model), p.T_UB, inertia(robot, p.motors, joints), tool,
+                   p.gripper);
+}
+
 bool usable(const HardwareCommand& command) {
   for (const double pwm : command.pwm)
     if (!std::isfinite(pwm)) return false;
@@ -44,15 +54,6 @@ bool usable(const HardwareCommand& command) {
 }
 
 }  // namespace
-
-AxisVector start_joints(const edp::Robot& robot, const ArmParameters& p) {
-  if (!p.start.empty()) {
-    if (static_cast<int>(p.start.size()) != robot.axes())
-      throw std::invalid_argument("world: " + std::string(robot.name()) + " starts with one joint per axis");
-    return Eigen::Map<const Eigen::VectorXd>(p.start.data(), robot.axes());
-  }
-  return kind_of(p).start(robot, p);
-}
 
 SimulatedArm::SimulatedArm(const ArmParameters& p, Scene& scene, double h, int substeps, std::uint64_t seed)
     : p_(p),
@@ -65,7 +66,7 @@ SimulatedArm::SimulatedArm(const ArmParameters& p, Scene& scene, double h, int s
       paper_normal_(T_PU_.R.row(2).transpose()),
       start_joints_(sim::start_joints(*robot_, p)),
       start_motors_(robot_->motors_from_joints(start_joints_)),
-      arm_(kind_of(p).build(*robot_, p, start_joints_, tool_mass(p, scene))),
+      arm_(build_arm(p, *robot_, start_joints_, tool_mass(p, scene))),
       brakes_(std::make_unique<Brakes>(*arm_.body, brake_torques(p), h)),
       load_(arm_, scene.gravity(), h),
       jaw_encoder_(gripper::two_jaw().increments_per_rad, 0.5),
@@ -155,6 +156,7 @@ void SimulatedArm::begin_step(const HardwareCommand* command) {
     brakes_->close(motors_per_joints_);
   }
   reading_.current.fill(0);
+  limited_.fill(false);
   truth_.S_F = {};
   truth_.hand_force.setZero();
   truth_.paper_force = 0;
@@ -165,9 +167,12 @@ void SimulatedArm::push() {
   AxisVector torques(arm_.joints);
   for (int k = 0; k < arm_.joints; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    const double current = motor_current(p_.motors[i], command_.pwm[i], speeds[k]);
-    torques[k] = motor_torque(p_.motors[i], current) + friction_[i].step(p_.motors[i], speeds[k], h_);
-    reading_.current[i] += share_ * current;
+    const MotorParameters& m = p_.motors[i];
+    LimitedCurrent in{motor_current(m, command_.pwm[i], speeds[k])};
+    if (command_.enabled) in = limited_current(m, in.current);  // a braked motor is short-circuited
+    limited_[i] = limited_[i] || in.limited;
+    torques[k] = motor_torque(m, in.current) + friction_[i].step(m, speeds[k], h_);
+    reading_.current[i] += share_ * in.current;
   }
   const AxisVector joint_torques = motors_per_joints_.transpose() * torques;
   for (int k = 0; k < arm_.joints; ++k) arm_.body->addJointTorque(k, joint_torques[k]);
@@ -212,6 +217,7 @@ void SimulatedArm::measure(std::int64_t step) {
     reading_.encoder[i] = encoders_[i].count(motors[k] - start_motors_[k]);
     reading_.index[i] = encoders_[i].count(last_mark(motors[k], before) - start_motors_[k]);
     reading_.switches[i] = read_switches(p_.switches[i], motors[k], before, robot_->axis(k).motor);
+    if (limited_[i]) reading_.switches[i] |= static_cast<std::uint8_t>(AxisSwitch::current_limited);
   }
   motors_ = motors;
   if (jaws_) {

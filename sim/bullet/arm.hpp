@@ -1,4 +1,4 @@
-// One arm of the world: its body, drives, brakes, encoders, sensor and pen, and the hand that leads it.
+// One arm of the simulator: its body, drives, brakes, encoders, sensor and pen, and the hand that leads it.
 #pragma once
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 
@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "robots/irb6/arm.hpp"
+#include "edp/robot.hpp"
 #include "sim/bullet/brakes.hpp"
 #include "sim/bullet/gripper_body.hpp"
 #include "sim/bullet/multibody.hpp"
@@ -114,12 +114,8 @@ class SimulatedArm {
   AxisMatrix motors_per_joints_;
   Vector3 hand_force_{Vector3::Zero()};  // in the world
   HardwareReading reading_;
+  std::array<bool, kMaxAxes> limited_{};  // currents of the step, by their drives
   ArmTruth truth_;
 };
-
-/// @return joints at which the arm begins [rad, track m]: as the parameters say; if they do not, those at which the pen
-///         stands upright above the middle of the sheet
-/// @throws std::invalid_argument  the arm does not reach so far; not one joint per axis
-AxisVector start_joints(const edp::Robot& robot, const ArmParameters& parameters);
 
 }  // namespace mrroc::sim

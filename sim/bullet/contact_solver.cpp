@@ -11,7 +11,8 @@ constexpr int kBaseFreedoms = 6;
 /// Modes in which Bullet iterates otherwise than here.
 constexpr int kForeign = SOLVER_USE_ARTICULATED_WARMSTARTING | SOLVER_DISABLE_IMPLICIT_CONE_FRICTION;
 using Values = Eigen::Map<const Eigen::VectorXd>;
-/// What an iteration returns for Bullet to go on; the change of velocities matters only where a threshold is set.
+/// Return value of an iteration for Bullet to go on; the change of velocities matters only where a threshold
+/// is set.
 constexpr btScalar kGoOn = 1;
 
 /// @return direction of the row's impulse on the first body, in the world
@@ -167,14 +168,14 @@ btScalar ContactSolver::solveSingleIteration(int iteration, btCollisionObject** 
 btScalar ContactSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int bodies_n,
                                                       const btContactSolverInfo& info) {
   if (shear_stiffness_ > 0) memorise(info.m_timeStep);
-  const auto tell = [this](btMultiBody* body, int response, double impulse) {
+  const auto apply = [this](btMultiBody* body, int response, double impulse) {
     if (body) body->applyDeltaVeeMultiDof2(&m_data.m_deltaVelocitiesUnitImpulse[response], impulse);
   };
   for (Rows* rows : {&joints_, &normals_, &frictions_}) {
     for (const Row& row : *rows) {
       const btMultiBodySolverConstraint& c = *row.of;
-      tell(c.m_multiBodyA, c.m_jacAindex, c.m_appliedImpulse);
-      tell(c.m_multiBodyB, c.m_jacBindex, c.m_appliedImpulse);
+      apply(c.m_multiBodyA, c.m_jacAindex, c.m_appliedImpulse);
+      apply(c.m_multiBodyB, c.m_jacBindex, c.m_appliedImpulse);
     }
     rows->clear();
   }

@@ -1,4 +1,4 @@
-// Bullet's solver of contacts, in less time, and with a memory where one is wanted.
+// Bullet's solver of contacts, faster, and able to begin with the impulses of the integration before.
 #pragma once
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 

@@ -1,4 +1,4 @@
-// Between the project's types and Bullet's.
+// Converts between the project's types and Bullet's.
 #pragma once
 #include <LinearMath/btTransform.h>
 

@@ -4,20 +4,20 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/cube/move.hpp"
 #include "sim/bullet/convert.hpp"
-#include "tasks/rubik/cube/move.hpp"
 
 namespace mrroc::sim {
 namespace {
 
-using rubik::Face;
+using cube::Face;
 
 constexpr double kQuarter = std::numbers::pi / 2;
 constexpr double kGap = 1e-4;  // between layers [m]
 // Largest angle of a layer that is forgotten when layers are chosen anew [rad]: so far may a layer be off its seat
 // while another one begins to turn, which straightens it.
 constexpr double kStraightened = 0.05;
-constexpr int kPatience = 2;     // steps in which another axis must be wanted ...
+constexpr int kDebounce = 2;     // steps in which another axis must be wanted ...
 constexpr double kMore = 1.3;    // compared with the present axis
 constexpr double kWanted = 0.9;  // ... which is that a layer is turned by so much of its breakaway
 constexpr std::array kSides{1., -1.};
@@ -37,7 +37,7 @@ Face face(int axis, int side) {
   return kFaces[static_cast<std::size_t>(axis)][static_cast<std::size_t>(side)];
 }
 
-/// What presses on the cube, and how much: a pad may lie on several layers.
+/// Bodies that press on the cube, with their forces: a pad may lie on several layers.
 struct Pressing {
   const btCollisionObject* by;
   double force;  // [N]
@@ -123,7 +123,7 @@ void CubeBody::build(const Pose& T_UC, const Vector3& velocity, const Vector3& t
   drives_->finalizeMultiDof();
   for (int side = 0; side < 2; ++side)
     faces_[static_cast<std::size_t>(side)] =
-        FaceDrive(frictions_[static_cast<std::size_t>(rubik::number(face(axis_, side)))]);
+        FaceDrive(frictions_[static_cast<std::size_t>(cube::number(face(axis_, side)))]);
 }
 
 void CubeBody::destroy() {
@@ -133,7 +133,7 @@ void CubeBody::destroy() {
 }
 
 void CubeBody::set_friction(Face f, const FaceFriction& friction) {
-  frictions_[static_cast<std::size_t>(rubik::number(f))] = friction;
+  frictions_[static_cast<std::size_t>(cube::number(f))] = friction;
   for (int side = 0; side < 2; ++side)
     if (face(axis_, side) == f) faces_[static_cast<std::size_t>(side)].set_friction(friction);
 }
@@ -221,7 +221,7 @@ int CubeBody::wanted_axis() const {
   for (int axis = 0; axis < 3; ++axis)
     for (int side = 0; side < 2; ++side) {
       const double moment = moments_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(side)];
-      const auto number = static_cast<std::size_t>(rubik::number(face(axis, side)));
+      const auto number = static_cast<std::size_t>(cube::number(face(axis, side)));
       double& most = share[static_cast<std::size_t>(axis)];
       most = std::max(most, std::min(std::abs(moment), transmitted(axis)) / frictions_[number].breakaway);
     }
@@ -234,7 +234,7 @@ void CubeBody::end_step() {
   observe();
   const int wanted = wanted_axis();
   asked_ = wanted != axis_ ? asked_ + 1 : 0;
-  if (asked_ >= kPatience) lay(wanted);
+  if (asked_ >= kDebounce) lay(wanted);
 }
 
 void CubeBody::observe() {
@@ -247,7 +247,7 @@ void CubeBody::observe() {
     truth_.angle[static_cast<std::size_t>(side)] = angle - turns * kQuarter;
     // A face turned counterclockwise by one quarter is turned clockwise by three.
     const int clockwise = ((-turns) % 4 + 4) % 4;
-    if (clockwise) truth_.state = truth_.state * rubik::turn({face(axis_, side), clockwise});
+    if (clockwise) truth_.state = truth_.state * cube::turn({face(axis_, side), clockwise});
   }
 }
 

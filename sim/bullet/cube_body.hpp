@@ -14,7 +14,7 @@ namespace mrroc::sim {
 /// At any time the layers can turn about one of the three axes: a floating multibody of the middle layer, to which the
 /// core belongs, and the two outer layers. When all faces are in or near their seats and something turns a layer of
 /// another axis, with nearly its breakaway, the body is made anew with that axis; pose and speed stay. The 26 pieces are
-/// the numbers of rubik::Cube.
+/// the numbers of cube::Cube.
 class CubeBody {
  public:
   /// @param scene  outlives the cube  @param T_UC  where it is at the beginning, at rest  @param h integration step [s]
@@ -35,7 +35,7 @@ class CubeBody {
   /// @return as end_step() has observed it last
   [[nodiscard]] const CubeTruth& truth() const { return truth_; }
   /// From now on a face has this friction.
-  void set_friction(rubik::Face face, const FaceFriction& friction);
+  void set_friction(cube::Face face, const FaceFriction& friction);
   /// Makes the body anew with another axis, if no layer is more than 3 degrees off its seat: what they are off is
   /// forgotten, as a face of a real cube that turns straightens the others. @param axis 0..2 @return whether
   bool lay(int axis);
@@ -66,7 +66,7 @@ class CubeBody {
   Scene& scene_;
   double h_;
   std::array<FaceFriction, 6> frictions_;
-  rubik::Cube settled_;  // the stickers when the layers were chosen
+  cube::Cube settled_;  // the stickers when the layers were chosen
   int axis_{2};
   int asked_{};                                     // steps in succession in which another axis was wanted
   std::array<std::array<double, 2>, 3> moments_{};  // means over the step, by axis and side

@@ -1,4 +1,4 @@
-// The gripper of an arm as bodies of the scene: what moves its jaws, and what its wrist and pads press with.
+// The gripper of an arm as bodies of the scene: its drive, its wrist, and the contacts of its pads.
 #pragma once
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 

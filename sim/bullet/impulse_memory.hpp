@@ -1,4 +1,4 @@
-// What the solver of contacts begins with: the impulses of the integration before.
+// Remembers the impulses of the integration before, with which the solver of contacts begins.
 #pragma once
 #include <BulletCollision/NarrowPhaseCollision/btManifoldPoint.h>
 #include <BulletDynamics/Featherstone/btMultiBodySolverConstraint.h>
@@ -19,7 +19,7 @@ inline const btManifoldPoint& contact_point(const btMultiBodySolverConstraint& r
 /// before, which is read, and of the present one. Same calls, same answers: nothing depends on addresses but equality.
 class ImpulseMemory {
  public:
-  /// What a contact begins with.
+  /// Initial impulses of a contact.
   struct Contact {
     double pressed{};  ///< along the normal [N s]
     /// Along the surfaces, on the first body, in the world [N s]: of a spring what it bears without its damper.

@@ -1,4 +1,4 @@
-// Drives of single joints of a multibody: each holds its joint at a speed as far as its torque goes.
+// Drives of single joints of a multibody: each holds its joint at a speed within the limit of its torque.
 #pragma once
 #include <BulletDynamics/Featherstone/btMultiBodyConstraint.h>
 

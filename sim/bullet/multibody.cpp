@@ -44,12 +44,9 @@ Pose pose_of(const urdf::Pose& p) {
 }
 
 /// @return where a joint stands in the link before, as the arm's lengths have it
-Pose place_of(const urdf::Joint& joint, const irb6::Lengths* lengths) {
+Pose place_of(const urdf::Joint& joint, std::span<const robots::LinkLength> lengths) {
   Pose T = pose_of(joint.parent_to_joint_origin_transform);
-  if (!lengths) return T;
-  const std::array<std::pair<std::string_view, double>, 3> arm{
-      {{"upper_arm", lengths->a2}, {"T", lengths->a3}, {"V", lengths->d5}}};
-  for (const auto& [name, length] : arm)
+  for (const auto& [name, length] : lengths)
     if (joint.name == name) T.p *= length / T.p.norm();
   return T;
 }
@@ -78,14 +75,14 @@ void plan_shapes(Plan& plan, const urdf::Link& link, int body, const Pose& T) {
     const urdf::Geometry& g = *visual->geometry;
     if (g.type == urdf::Geometry::BOX) {
       const auto& box = static_cast<const urdf::Box&>(g);
-      s.shape = camera::Shape::box;
+      s.shape = Shape::box;
       s.size = {box.dim.x, box.dim.y, box.dim.z};
     } else if (g.type == urdf::Geometry::CYLINDER) {
       const auto& cylinder = static_cast<const urdf::Cylinder&>(g);
-      s.shape = camera::Shape::cylinder;
+      s.shape = Shape::cylinder;
       s.size = {2 * cylinder.radius, 2 * cylinder.radius, cylinder.length};
     } else if (g.type == urdf::Geometry::SPHERE) {
-      s.shape = camera::Shape::sphere;
+      s.shape = Shape::sphere;
       s.size.setConstant(2 * static_cast<const urdf::Sphere&>(g).radius);
     } else {
       refuse("the visual part of link " + link.name + " is no box, cylinder or sphere");
@@ -94,7 +91,7 @@ void plan_shapes(Plan& plan, const urdf::Link& link, int body, const Pose& T) {
   }
 }
 
-Plan plan_chain(const urdf::ModelInterface& model, const irb6::Lengths* lengths) {
+Plan plan_chain(const urdf::ModelInterface& model, std::span<const robots::LinkLength> lengths) {
   Plan plan;
   Pose T;  // of the present link in the last link that moves by itself
   bool at_tool = false;
@@ -176,7 +173,11 @@ void set_up_link(btMultiBody& body, const Plan& plan, std::size_t k, double roto
 
 }  // namespace
 
-ArmBody build_arm(std::string_view urdf, const irb6::Lengths* lengths, const Pose& T_UB,
+std::vector<robots::LinkLength> lengths_of(const robots::RobotType& type, int model) {
+  return type.lengths ? type.lengths(model) : std::vector<robots::LinkLength>();
+}
+
+ArmBody build_arm(std::string_view urdf, std::span<const robots::LinkLength> lengths, const Pose& T_UB,
                   const AxisVector& rotor_inertia, const std::optional<ToolMass>& tool,
                   const std::optional<GripperBodyParameters>& gripper) {
   const auto model = urdf::parseURDF(std::string(urdf));

@@ -4,14 +4,15 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/axes.hpp"
 #include "base/pose.hpp"
-#include "robots/irb6/parameters.hpp"
-#include "sim/camera/scene.hpp"
+#include "base/shape.hpp"
+#include "robots/catalogue.hpp"
 #include "sim/gripper_body.hpp"
 
 namespace mrroc::sim {
@@ -20,7 +21,7 @@ namespace mrroc::sim {
 struct BodyShape {
   std::string link;               ///< its name
   int body{-1};                   ///< index of the multibody's link that it moves with; -1: the base
-  camera::Shape shape{};          ///< its form
+  Shape shape{};                  ///< its form
   Vector3 size{Vector3::Zero()};  ///< [m]
   Pose T_GV;                      ///< its middle in the frame of that link, whose origin is the mass centre
 };
@@ -47,8 +48,7 @@ struct ToolMass {
 
 /// @param urdf           serial chain: moving joints, a fixed joint "sensor", a link "tool" with mass, a link
 /// "pen_tip"
-/// @param lengths        of an IRb-6: a2, a3 and d5 take the place of the description's, along the same directions: the
-/// origins of the joints upper_arm, T and V; masses and their centres stay; null: all are as described
+/// @param lengths        take the place of the description's, along the same directions; masses and their centres stay
 /// @param T_UB           base of the arm in the world
 /// @param rotor_inertia  of each motor as felt at its joint [kg m^2], track: [kg]; added to the link about
 /// (along)
@@ -56,9 +56,12 @@ struct ToolMass {
 /// @param tool  instead of the described mass of the tool; its inertia grows with its mass
 /// @param gripper  its jaws are part of the tool's mass; none: the tool has no jaws that touch anything
 /// @throws std::invalid_argument  the description is not such a chain
-ArmBody build_arm(std::string_view urdf, const irb6::Lengths* lengths, const Pose& T_UB,
+ArmBody build_arm(std::string_view urdf, std::span<const robots::LinkLength> lengths, const Pose& T_UB,
                   const AxisVector& rotor_inertia, const std::optional<ToolMass>& tool = {},
                   const std::optional<GripperBodyParameters>& gripper = {});
+
+/// @return the lengths of a kinematic model of a robot that its description has otherwise
+std::vector<robots::LinkLength> lengths_of(const robots::RobotType& type, int model);
 
 /// Moves the joints and everything that is computed from them; at rest.
 /// @param joints [rad, track m]

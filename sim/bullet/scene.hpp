@@ -1,4 +1,4 @@
-// The Bullet world with everything it needs, owned in the right order.
+// The Bullet world and all objects that it needs, owned in the right order.
 #pragma once
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 #include <btBulletDynamicsCommon.h>
@@ -13,7 +13,8 @@
 
 namespace mrroc::sim {
 
-/// Who may touch whom: pens touch paper, grippers and the floor touch a cube, nothing else touches anything.
+/// Pairs of bodies that may touch: pens touch paper, grippers and the floor touch a cube, nothing else
+/// touches anything.
 inline constexpr int kPenGroup = 64;
 inline constexpr int kPaperGroup = 128;
 inline constexpr int kGripperGroup = 256;
@@ -61,7 +62,7 @@ class ObservedDynamics final : public btMultiBodyDynamicsWorld {
   }
 };
 
-/// Gravity, contacts and the solver. Bodies of arms are added to dynamics() by their owners, who outlive no
+/// Gravity, contacts and the solver. Bodies of arms are added to dynamics() by their owners, which outlive no
 /// scene.
 class Scene {
  public:

@@ -1,4 +1,4 @@
-// What a force/torque sensor between flange and tool feels, from the momentum balance of the tool and its jaws.
+// Load of a force/torque sensor between flange and tool, from the momentum balance of the tool and its jaws.
 #pragma once
 #include <BulletDynamics/Featherstone/btMultiBody.h>
 
@@ -41,7 +41,7 @@ class ToolLoad {
   void reset();
 
   /// Call after each integration.
-  /// @param tip_force  of whoever else pushes the tip, in the world, as applied in that integration [N]
+  /// @param tip_force  of anything else that pushes the tip, in the world, as applied in that integration [N]
   /// @return S_F: load on the tool side of the sensor, gravity and inertial forces included, in S [N, N m]
   Wrench step(const Vector3& tip_force);
 

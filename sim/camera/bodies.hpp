@@ -1,4 +1,4 @@
-// What pictures of the cell are made of: bodies and the colours that several of them have.
+// Makes the bodies of the cell's pictures, and defines the colours that several of them share.
 #pragma once
 #include "base/pose.hpp"
 #include "sim/camera/scene.hpp"
@@ -11,7 +11,7 @@ inline constexpr camera::Colour kDark{0.17, 0.17, 0.19};
 
 /// @param size   along the body's axes [m] @param T_UB  of the body in the world
 /// @param shine  of its surface, 0..1
-[[nodiscard]] inline camera::Body body(camera::Shape shape, const Vector3& size, const Pose& T_UB,
+[[nodiscard]] inline camera::Body body(Shape shape, const Vector3& size, const Pose& T_UB,
                                        const camera::Colour& colour, double shine = 0.1) {
   camera::Body b;
   b.shape = shape;

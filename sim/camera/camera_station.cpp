@@ -1,4 +1,5 @@
 #include "sim/camera/camera_station.hpp"
+#include "base/counted.hpp"
 #include "base/msg/pose_rows.hpp"
 
 #include <fmt/core.h>
@@ -47,7 +48,7 @@ CameraStation::CameraStation(link::Process& process, const CameraWorld& paramete
     Eye eye;
     eye.k = k;
     eye.arm = index_of(k.setup.arm, arms);
-    eye.worker = std::make_unique<CameraWorker>(k, process.membership());
+    eye.worker = std::make_unique<CameraWorker>(k, process.context());
     eye.out = process.outbox<camera_frame_t>(k.setup.key + ".frame");
     eyes_.push_back(std::move(eye));
   }
@@ -68,7 +69,7 @@ void CameraStation::deliver(std::int64_t step) {
 
 void CameraStation::hand_over(Eye& eye, bool must) {
   if (!eye.worker->busy()) return;
-  if (!eye.worker->ready_within({})) {
+  if (!eye.worker->ready()) {
     if (!must) return;
     wait_for(eye);
   }
@@ -77,18 +78,19 @@ void CameraStation::hand_over(Eye& eye, bool must) {
   eye.out->publish(message, frame);
 }
 
-/// The other threads and processes hear meanwhile that the world lives, and wait no longer than for other messages.
+/// The other threads and processes hear meanwhile that the simulator lives, and wait no longer than for other
+/// messages.
 void CameraStation::wait_for(Eye& eye) {
   const auto begun = Clock::now();
   const auto waited = [&] { return Clock::now() - begun; };
-  const std::chrono::milliseconds patience = process_.membership().patience;
+  const std::chrono::milliseconds timeout = process_.context().timeout;
   while (!eye.worker->ready_within(kMoment)) {
     process_.poll();
-    if (patience.count() == 0 || waited() < patience) continue;
+    if (timeout.count() == 0 || waited() < timeout) continue;
     const std::string text =
         fmt::format("camera {}: the picture of step {} has not been drawn for {:.0f} s", eye.k.setup.key,
-                    eye.worker->step(), std::chrono::duration<double>(patience).count());
-    process_.say(text, FaultCode::no_renderer);  // the thread that draws may hold up the end of this one
+                    eye.worker->step(), std::chrono::duration<double>(timeout).count());
+    process_.log(text, FaultCode::no_renderer);  // the thread that draws may hold up the end of this one
     throw FaultError(FaultCode::no_renderer, text);
   }
   ++eye.waits;
@@ -156,9 +158,9 @@ void CameraStation::end() {
     last.slot = -1;
     last.last = 1;
     eye.out->publish(last, eye.told + 1);
-    process_.say(
-        fmt::format("camera {}: {} pictures, {} left out; the world waited for {} of them, {:.2f} s in all",
-                    eye.k.setup.key, eye.frames, eye.left_out, eye.waits, eye.waited));
+    process_.log(
+        fmt::format("camera {}: {}, {} left out; the simulator waited for {} of them, {:.2f} s in all",
+                    eye.k.setup.key, counted(eye.frames, "picture"), eye.left_out, eye.waits, eye.waited));
   }
 }
 

@@ -1,5 +1,5 @@
-// The world's cameras at work: takes snapshots when pictures are due, has them drawn beside the simulation, and hands
-// them to the receptors.
+// The simulator's cameras: takes snapshots when pictures are due, has them drawn beside the simulation, and
+// hands them to the receptors.
 #pragma once
 #include <chrono>
 #include <condition_variable>
@@ -26,12 +26,13 @@ struct CameraJob {
   std::vector<camera::Instant> exposure;  ///< snapshots so far, one or more when it is drawn
 };
 
-/// One camera: a thread that draws, and the store into which it draws. What a picture shows depends on its snapshots,
+/// One camera: a thread that draws, and the store into which it draws. With the wall clock the thread is in nobody's way:
+/// it draws when nobody else has something to do in time. What a picture shows depends on its snapshots,
 /// its number and the seed alone, whichever thread comes first.
 class CameraWorker {
  public:
   /// @throws FaultError no_renderer, cannot_write, session_in_use; std::invalid_argument  see camera::Renderer
-  CameraWorker(const SimulatedCamera& camera, const link::Membership& membership);
+  CameraWorker(const SimulatedCamera& camera, const link::NodeContext& context);
   /// Waits for the picture that is being drawn.
   ~CameraWorker();
   CameraWorker(const CameraWorker&) = delete;
@@ -45,7 +46,9 @@ class CameraWorker {
   [[nodiscard]] bool busy() const { return step_.has_value(); }
   /// @return step of that picture
   [[nodiscard]] std::int64_t step() const { return step_.value_or(0); }
-  /// @return whether that picture is ready, or gets ready in that time: finish() will not wait
+  /// @return whether that picture is ready: finish() will not wait. Does not wait itself
+  [[nodiscard]] bool ready();
+  /// @return whether that picture is ready, or gets ready in that time
   [[nodiscard]] bool ready_within(std::chrono::milliseconds time);
   /// Waits for the picture. @return what to tell about it @throws what drawing or storing it threw
   [[nodiscard]] std::pair<std::int64_t, camera_frame_t> finish();
@@ -55,7 +58,7 @@ class CameraWorker {
 
   camera::Renderer renderer_;
   link::FrameWriter store_;
-  std::optional<std::int64_t> step_;  // of the picture under way; only for the world's thread
+  std::optional<std::int64_t> step_;  // of the picture under way; only for the simulator's thread
 
   std::mutex mutex_;
   std::condition_variable_any changed_;
@@ -66,19 +69,20 @@ class CameraWorker {
   std::jthread thread_;  // the last one: it uses everything above
 };
 
-/// All cameras of the world, the object that they look for, and the truth about it. Used by the world's thread.
+/// All cameras of the world, the object that they look for, and the truth about it. Used by the simulator's
+/// thread.
 ///
 /// Simulated time never outruns the cameras: in lock-step a picture is waited for when its reading is about to become
 /// visible, at the latest when the next one is due. With the wall clock a picture that is due while the one before is
 /// still being drawn is left out.
 class CameraStation {
  public:
-  /// @param arms  keys of the world's arms, in their order
+  /// @param arms  keys of the simulator's arms, in their order
   /// @throws FaultError as CameraWorker
   CameraStation(link::Process& process, const CameraWorld& parameters, const WorldParameters& world,
                 const std::vector<std::string>& arms);
 
-  /// To be called when the system has assembled.
+  /// Call this when the system has assembled.
   void begin();
   /// Hands over pictures that are ready or have to be; before the state of that step is published.
   void deliver(std::int64_t step);
@@ -96,7 +100,7 @@ class CameraStation {
     CameraJob next;           // whose snapshots are being taken
     std::int64_t frames{};    // begun
     std::int64_t left_out{};  // because the one before was not ready
-    std::int64_t waits{};     // of the world, and how long
+    std::int64_t waits{};     // of the simulator, and how long
     double waited{};          // [s]
     std::int64_t told{-1};    // number of the last frame
   };

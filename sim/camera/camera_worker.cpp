@@ -1,14 +1,24 @@
 #include <utility>
 
+#include "base/link/real_time.hpp"
 #include "sim/camera/camera_station.hpp"
 
 namespace mrroc::sim {
+namespace {
 
-CameraWorker::CameraWorker(const SimulatedCamera& camera, const link::Membership& membership)
+/// With the wall clock, of the threads that draw: processes that must be in time come first.
+constexpr int kNice = 5;
+
+}  // namespace
+
+CameraWorker::CameraWorker(const SimulatedCamera& camera, const link::NodeContext& context)
     : renderer_(camera.setup.model, camera.profile),
-      store_({membership.session, membership.session_id, camera.setup.key},
+      store_({context.session, context.session_id, camera.setup.key},
              {camera.setup.model.width, camera.setup.model.height, camera.profile.channels}),
-      thread_([this](const std::stop_token& stop) { work(stop); }) {}
+      thread_([this, wall = context.clock == ClockKind::wall](const std::stop_token& stop) {
+        if (wall) link::become_background(kNice);
+        work(stop);
+      }) {}
 
 CameraWorker::~CameraWorker() = default;
 
@@ -19,6 +29,11 @@ void CameraWorker::begin(CameraJob job) {
     job_ = std::move(job);
   }
   changed_.notify_all();
+}
+
+bool CameraWorker::ready() {
+  const std::unique_lock lock(mutex_, std::try_to_lock);
+  return lock && step_.has_value() && !job_.has_value();
 }
 
 bool CameraWorker::ready_within(std::chrono::milliseconds time) {

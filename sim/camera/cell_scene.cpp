@@ -13,7 +13,6 @@ namespace {
 using camera::Body;
 using camera::Colour;
 using camera::Scene;
-using camera::Shape;
 
 constexpr Colour kFloor{0.45, 0.46, 0.48};
 constexpr Colour kWood{0.55, 0.47, 0.38};

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "base/cube_face.hpp"
+#include "base/cube/cube_face.hpp"
 #include "sim/camera/scene.hpp"
 #include "sim/world.hpp"
 

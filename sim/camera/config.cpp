@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "vsp/looked_for.hpp"
+#include "base/target/target_config.hpp"
 
 namespace mrroc::sim {
 namespace {
@@ -82,11 +82,11 @@ ObjectParameters read_object(const Config& config, const std::vector<std::string
   p.arm = t.text("arm", "arm1");
   const auto pose = t.numbers<6>("pose", {{0.9, 0, 0.93, 0, 0, 0}}, {-10, 10}, "m, angle times axis in rad");
   p.T_0G = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(pose.data()));
-  const vsp::Board board = vsp::read_board(config);
+  const Board board = read_board(config);
   p.board.columns = t.integer("columns", board.columns, {3, 20}, "inner corners");
   p.board.rows = t.integer("rows", board.rows, {3, 20}, "inner corners");
   p.board.square = t.number("square", board.square, {0.005, 0.1}, "m");
-  const vsp::Tag tag = vsp::read_tag(config);
+  const Tag tag = read_tag(config);
   p.tag = t.integer("tag", tag.id, {0, camera::kKnownTags - 1}, "tags that can be drawn");
   p.tag_edge = t.number("tag_edge", tag.edge, {0.01, 0.5}, "m");
   read_motion(t, p);

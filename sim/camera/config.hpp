@@ -1,4 +1,4 @@
-// The world's side of the cameras' configuration: how pictures are drawn, the light, and the object.
+// The simulator's part of the configuration of cameras: drawing, exposure, light and the object.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace mrroc::sim {
 
-/// One camera of the world.
+/// One camera of the simulator.
 struct SimulatedCamera {
   CameraSetup setup;              ///< as the configuration says: lens, size, place, times
   camera::RenderProfile profile;  ///< how it is drawn
@@ -20,7 +20,7 @@ struct SimulatedCamera {
   Pose error;       ///< of the calibration: the true place is setup.place * error
 };
 
-/// Everything that the world's cameras need to know.
+/// Settings of the simulator's cameras.
 struct CameraWorld {
   std::vector<SimulatedCamera> cameras;  ///< in the order of their keys
   camera::Light light;                   ///< the same for all
@@ -28,7 +28,7 @@ struct CameraWorld {
 };
 
 /// @return [cameras] and [object]; no cameras when `cameras.order` is not given
-/// @param arms  keys of the world's arms
+/// @param arms  keys of the simulator's arms
 /// @throws ConfigError
 CameraWorld read_camera_world(const Config& config, const std::vector<std::string>& arms);
 

@@ -3,23 +3,22 @@
 #include <string>
 #include <string_view>
 
+#include "base/cube/face_view.hpp"
+#include "base/cube/facelets.hpp"
 #include "sim/camera/bodies.hpp"
-#include "tasks/rubik/cube/facelets.hpp"
-#include "tasks/rubik/reading/face_view.hpp"
 
 namespace mrroc::sim {
 namespace {
 
 using camera::Body;
 using camera::Colour;
-using camera::Shape;
 
 constexpr double kSlit = 4e-4;       // between pieces [m]
 constexpr double kThickness = 1e-4;  // of a sticker [m]
 
 constexpr Colour kRubber{0.14, 0.14, 0.15};
 
-/// How far the layer in which a place is has been turned from its seat.
+/// Angle by which the layer of a place has been turned from its seat.
 /// @param place  in C [m]
 Pose turned(const CubeTruth& truth, const Vector3& place, double layer) {
   const double along = place[truth.axis];
@@ -46,9 +45,9 @@ void add_cube(std::vector<camera::Body>& bodies, const CubeTruth& truth, const C
               const StickerLook& look) {
   const double layer = shape.edge / 3;
   add_pieces(bodies, truth, layer, look);
-  const std::string facelets = rubik::to_facelets(truth.state);
-  for (int f = 0; f < rubik::kFaces; ++f) {
-    const Matrix3 R = rubik::facelet_frame(static_cast<rubik::Face>(f));
+  const std::string facelets = cube::to_facelets(truth.state);
+  for (int f = 0; f < cube::kFaces; ++f) {
+    const Matrix3 R = cube::facelet_frame(static_cast<cube::Face>(f));
     for (int k = 0; k < kStickers; ++k) {
       const Vector3 place = R * (shape.middle(k) + Vector3(0, 0, layer));  // of the piece
       const Vector3 out = R.col(2) * ((layer - kSlit) / 2 + kThickness);

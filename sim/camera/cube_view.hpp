@@ -2,14 +2,14 @@
 #pragma once
 #include <vector>
 
-#include "base/cube_face.hpp"
+#include "base/cube/cube_face.hpp"
 #include "sim/camera/scene.hpp"
 #include "sim/cube.hpp"
 #include "sim/gripper_body.hpp"
 
 namespace mrroc::sim {
 
-/// What stickers are made of: an even colour under a clear gloss, which a lamp makes glare in its mirror image.
+/// Material of stickers: an even colour under a clear gloss, which a lamp makes glare in its mirror image.
 struct StickerLook {
   /// Of the faces U R F D L B, in the order of StickerColour: share of the light that is reflected.
   std::array<camera::Colour, kStickerColours> colours{{{0.86, 0.86, 0.84},

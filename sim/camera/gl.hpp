@@ -1,5 +1,5 @@
-// OpenGL 3.3 without a window, display or graphics card: functions loaded at run time from Mesa's EGL, so that a
-// program that draws nothing runs without them.
+// OpenGL 3.3 without a window, display or graphics card: functions are loaded at run time from Mesa's EGL, so
+// that a program that draws nothing runs without them.
 #pragma once
 #include <GL/glcorearb.h>
 

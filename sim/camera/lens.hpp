@@ -1,4 +1,4 @@
-// The lens: where the light of each pixel comes from.
+// The lens: the direction from which the light of each pixel comes.
 #pragma once
 #include <cstdint>
 #include <span>

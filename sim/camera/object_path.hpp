@@ -1,4 +1,4 @@
-// The object that the cameras look for: what it is, where it is at any time, whether it can be seen.
+// The object that the cameras look for: its kind, its pose at any time, and its visibility.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace mrroc::sim {
 
-/// What it is.
+/// Kind of the object.
 enum class ObjectKind : std::uint8_t {
   none,
   chessboard,
@@ -18,7 +18,7 @@ enum class ObjectKind : std::uint8_t {
   wrong_board,  ///< a chessboard with other numbers of squares than the one that is looked for
 };
 
-/// How it moves.
+/// Motion of the object.
 enum class ObjectMotion : std::uint8_t {
   rest,
   line,    ///< speeds up, goes a length along a straight line, stops
@@ -57,7 +57,7 @@ struct ObjectState {
   bool hidden{};   ///< the plate is held over it
 };
 
-/// Where the object is: a function of time alone.
+/// Pose of the object, a function of time alone.
 class ObjectPath {
  public:
   /// @throws std::invalid_argument  a length, speed or time is negative or not finite

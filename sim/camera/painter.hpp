@@ -14,7 +14,7 @@
 
 namespace mrroc::camera {
 
-/// What a painter spends on a picture; as in RenderProfile.
+/// A painter's effort for a picture; as in RenderProfile.
 struct PaintQuality {
   /// As in RenderProfile.
   int samples{};

@@ -1,4 +1,5 @@
-// What a painter makes once: programs, shapes, canvas, the map of shadows; and the pictures on bodies.
+// Makes a painter's constant objects: programs, shapes, canvas, the map of shadows; and the pictures on
+// bodies.
 #include <algorithm>
 #include <array>
 #include <cstddef>

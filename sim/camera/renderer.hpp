@@ -1,5 +1,5 @@
-// Pictures of a scene as a camera with a real lens and a noisy sensor sees it. Drawn by OpenGL in memory, without
-// display and graphics card; docs/decisions.md tells why not by a library.
+// Renders a scene as a camera with a real lens and a noisy sensor sees it. Drawn by OpenGL in memory, without
+// display and graphics card; docs/decisions.md tells why no library is used.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace mrroc::camera {
 
-/// How much work a picture is worth.
+/// Effort for a picture.
 struct RenderProfile {
   int samples{4};             ///< per pixel, 1..4: smooth edges
   int shadow_size{1024};      ///< edge of the shadows' map [texel]; 0: neither shadows nor highlights

@@ -1,5 +1,5 @@
-// What a camera of the simulation can see: bodies of simple shapes with their poses, and the light. A value: it
-// can be taken from the world in one thread and be looked at in another.
+// The scene that a simulated camera sees: bodies of simple shapes with their poses, and the light. A value:
+// it can be made in the simulator's thread and be used in another.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -8,15 +8,12 @@
 
 #include "base/image.hpp"
 #include "base/pose.hpp"
+#include "base/shape.hpp"
 
 namespace mrroc::camera {
 
 /// Share of the light that is reflected, or its strength: red, green, blue; 1 is white.
 using Colour = std::array<double, 3>;
-
-/// Solids have their origin in the middle; a cylinder stands along z; a quad is the upper side (z > 0) of its xy
-/// plane and cannot be seen from below.
-enum class Shape : std::uint8_t { box, cylinder, sphere, quad };
 
 /// One rigid body.
 struct Body {

@@ -1,4 +1,4 @@
-// The sensor behind the lens: blur, noise and the bytes that come out.
+// The sensor behind the lens: adds blur and noise, and makes the bytes of the picture.
 #pragma once
 #include <array>
 #include <cstdint>

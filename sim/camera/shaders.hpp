@@ -1,4 +1,4 @@
-// The programs that draw a scene: one pass from the lamp for the shadows, one from the camera.
+// The shaders that draw a scene: one pass from the lamp for the shadows, one from the camera.
 #pragma once
 
 namespace mrroc::camera {

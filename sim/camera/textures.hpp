@@ -1,4 +1,4 @@
-// Pictures that are glued on bodies: calibration boards and tags.
+// Pictures on the surfaces of bodies: calibration boards and tags.
 #pragma once
 #include <memory>
 

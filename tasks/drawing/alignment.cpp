@@ -58,7 +58,7 @@ Rigid fit_by_length(const std::vector<Pair>& pairs) {
   return fit(from, to);
 }
 
-// How well a motion fits, and two better ones that may follow from it.
+// Error of a motion, and two better motions that may follow from it.
 struct Trial {
   Rigid motion;
   double square{};  // sum of squared distances [mm^2]

@@ -13,11 +13,10 @@ Parameters read_parameters(const Config& config) {
   k.teach_force = config.number("task.teach_force", k.teach_force, {0, 5}, "N");
   k.draw_force = config.number("task.draw_force", k.draw_force, {0.1, 5}, "N");
   k.settle = config.integer("task.settle", k.settle, {0, 500}, "macrosteps");
-  k.touch_patience =
-      config.integer("task.touch_patience", k.touch_patience, {10, 10000}, "macrosteps of m = 4");
+  k.touch_timeout = config.integer("task.touch_timeout", k.touch_timeout, {10, 10000}, "macrosteps of m = 4");
   k.lift_off = config.integer("task.lift_off", k.lift_off, {10, 250}, "macrosteps");
-  k.pace_change =
-      1.0 / config.integer("task.pause_macrosteps", 10, {1, 100}, "macrosteps from full pace to rest");
+  k.pause = static_cast<int>(
+      config.integer("task.pause_macrosteps", k.pause, {1, 100}, "macrosteps from full pace to rest"));
   return k;
 }
 

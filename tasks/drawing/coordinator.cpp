@@ -1,6 +1,7 @@
 // The coordinator's transition functions and terminal conditions (MS 8.2). Numbers in comments are the
 // paper's.
 #include <algorithm>
+#include <cmath>
 
 #include "tasks/drawing/playback.hpp"
 #include "tasks/drawing/tables.hpp"
@@ -15,24 +16,17 @@ using Orders = std::array<Order, kArms>;
 PenState pen(const X& x, std::size_t arm) { return static_cast<PenState>(x.T.agent[arm].sensor); }
 bool on_paper(const X& x, std::size_t arm) { return pen(x, arm) == PenState::paper_surface; }
 bool both_on_paper(const X& x) { return on_paper(x, 0) && on_paper(x, 1); }
-Pose pose_of_arm_1(const X& x) {
-  return pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(x.T.agent[0].T_0E.data()));
-}
+Pose pose_of_arm_1(const X& x) { return pose_of(x.T.agent[0]); }
 double macrostep_s(const Parameters& k) { return k.dt * k.n_s; }
 
 // --- task time
 // -----------------------------------------------------------------------------------------------------
 
-double next_pace(const X& x) {
-  const double step = x.T.h.paused ? -x.c.k.pace_change : x.c.k.pace_change;
-  return std::clamp(x.c.pace + step, 0.0, 1.0);
-}
-
 /// Memory one macrostep later, nothing else changed.
 Memory in_time(const X& x) {
   Memory c = x.c;
-  c.pace = next_pace(x);
-  c.time += c.pace;
+  std::shift_left(c.paces.begin(), c.paces.end(), 1);
+  c.paces.back() = x.t.pace;
   return c;
 }
 
@@ -51,7 +45,9 @@ Memory begin_recording(const X& x) {  // (37)
 
 Memory note_pose_and_trigger(const X& x) {  // the first node begins where the pen has touched
   Memory c = x.c;
-  c.T_previous = pose_of_arm_1(x);
+  c.T_previous = c.T_seen = pose_of_arm_1(x);
+  c.share = c.way = 0;
+  c.lifted = false;
   c.trigger = x.T.h.trigger;
   return c;
 }
@@ -65,13 +61,14 @@ Memory note_trigger(const X& x) {
 Memory not_touched(const X& x) {
   Memory c = x.c;
   c.touched = false;
-  c.begun = c.time;
+  c.held = {};
+  c.begun = x.t.time;
   return c;
 }
 
 Memory note_instant(const X& x) {  // (49), i = i_0
   Memory c = x.c;
-  c.instant = c.time;
+  c.instant = x.t.time;
   return c;
 }
 
@@ -84,41 +81,97 @@ Memory follow_pose(const X& x) {  // (37): c[5] while the pen is led to the pape
   return c;
 }
 
-Memory record(const X& x) {  // (39), (40)
+PenState pen_of_last_node(const Memory& c) {  // the first one begins on the paper
+  return c.recording.empty() ? PenState::paper_surface : c.recording[c.recording.size() - 1].pen;
+}
+
+/// Adds the node in which E of arm 1 comes to T_end. A lift-off that no node has told of comes before all else: without
+/// it the stroke would seem to go over into what follows.
+void append_node(Memory& c, const Pose& T_end, PenState pen) {
+  const AngleAxisPose v = angle_axis_from_pose(c.T_previous.inverse() * T_end) / macrostep_s(c.k);
+  const bool left = c.lifted && pen_of_last_node(c) == PenState::paper_surface;
+  c.recording =
+      c.recording.appended({Twist::from(v.head<3>(), v.tail<3>()), left ? PenState::lift_off : pen});
+  c.T_previous = T_end;
+}
+
+/// How many nodes one macrostep of teach-in is: one at full pace. At a lower pace it is as little as the pace, but not so
+/// little that the pen would have to go its way much faster than a hand that does not slow down with task time, nor
+/// that it jumps to where the hand has gone during a pause.
+/// @param way  of E of arm 1 since task time went on last [m]
+double nodes_of_macrostep(const Memory& c, double pace, double way) {
+  constexpr double kHaste = 1.1;     // a node may be so much faster than the hand was at full pace
+  constexpr double kJoining = 0.05;  // of the pen on a way that the hand went in a pause [m/s]
+  constexpr double kNoWay = 1e-9;    // [m]
+  if (pace == 1) return 1;
+  const double as_the_hand = way / std::max(kHaste * c.way, kNoWay);
+  const double joining = way / std::max(c.way, kJoining * macrostep_s(c.k));
+  return std::max({pace, std::min(1.0, as_the_hand), joining});
+}
+
+/// A node is recorded for every macrostep of task time, in shares where task time goes slowly, as it is executed
+/// (playback.hpp). In a pause task time stands still, and whatever the hand does leaves no node; what it has gone
+/// meanwhile is joined straight, without ink if the pen was off the paper.
+Memory record(const X& x) {           // (39), (40)
+  constexpr double kRounding = 1e-9;  // of sums of shares
   Memory c = in_time(x);
+  const double pace = c.paces.front();
+  const bool off = pen(x, 0) == PenState::lift_off || pen(x, 0) == PenState::above_paper;
+  if (pace == 0) {
+    c.lifted = c.lifted || off;
+    return c;
+  }
   const Pose T = pose_of_arm_1(x);
-  const AngleAxisPose r = angle_axis_from_pose(c.T_previous.inverse() * T);
-  // During a pause nodes in which nothing moves are left out: task time stands still.
-  constexpr double kStill = 2e-5;  // [m] in a macrostep
-  if (c.pace == 0 && r.norm() < kStill && pen(x, 0) != PenState::lift_off) return c;
-  const AngleAxisPose v = r / macrostep_s(c.k);
-  c.recording = c.recording.appended({Twist::from(v.head<3>(), v.tail<3>()), pen(x, 0)});
-  c.T_previous = T;
+  const AngleAxisPose way = angle_axis_from_pose(c.T_seen.inverse() * T);
+  const double nodes = nodes_of_macrostep(c, pace, way.head<3>().norm());
+  const double until = c.share + nodes + kRounding;  // of the node that this macrostep goes on with
+  // Several nodes are the way that the hand has gone in a pause; where the pen is now is told by the next one.
+  const bool joins = until >= 2;
+  const PenState joining = c.lifted ? PenState::lift_off : pen_of_last_node(c);
+  for (double n = 1; n <= until; ++n) {
+    const double part = (n - c.share) / nodes;
+    append_node(c, part > 1 - kRounding ? T : c.T_seen * pose_from_angle_axis(part * way),
+                joins ? joining : pen(x, 0));
+  }
+  if (until >= 1) c.lifted = false;
+  if (until < 1 || joins) c.lifted = c.lifted || off;
+  c.share = std::max(0.0, c.share + nodes - std::floor(until));
+  c.T_seen = T;
+  if (pace == 1) c.way = way.head<3>().norm();
   return c;
+}
+
+/// Force with which each pen presses, however slowly task time goes.
+std::array<ecp::HeldShares, kArms> held(const X& x) {
+  std::array<ecp::HeldShares, kArms> shares;
+  for (std::size_t arm = 0; arm < kArms; ++arm)
+    shares[arm] = ecp::held_shares(kLowering, x.T.agent[arm].F_a, x.c.held[arm], x.t.pace);
+  return shares;
 }
 
 Memory watch_contact(const X& x) {
   Memory c = in_time(x);
-  if (both_on_paper(x) && !c.touched) c.instant = c.time;
+  if (both_on_paper(x) && !c.touched) c.instant = x.t.time + x.t.pace;
   c.touched = both_on_paper(x);
+  c.held = held(x);
   return c;
 }
 
 template <bool paper>
 Memory reproduce(const X& x) {  // (47), (51)
   Memory c = in_time(x);
-  c.p = advance(x.c.recording, x.c.p, c.pace, paper).p;
+  c.p = advance(x.c.recording, x.c.p, x.t.pace, paper).p;
   return c;
 }
 
 // --- orders to the arms (33)
 // ---------------------------------------------------------------------------------------
 
-Order order(const X& x, int m, const TaskFrameCommand& frame) {
+Order order(const X& x, int m, const TaskFrameCommand& frame, const ecp::HeldShares& shares = {}) {
   Order o;
   o.m = m;
   o.arm.mu = Interpolation::tcim_velocity;
-  o.arm.frame = at_pace(frame, next_pace(x));
+  o.arm.frame = ecp::at_pace(frame, x.t.pace, shares);
   o.arm.n_s = static_cast<std::uint16_t>(x.c.k.n_s);
   o.arm.n_Q = static_cast<std::uint16_t>(x.c.k.n_s - 1);
   return o;
@@ -136,11 +189,16 @@ Orders both(const X& x) {
   return {order(x, m, frame), order(x, m, frame)};
 }
 
+Orders lower(const X& x) {  // tab. 3(a)
+  const auto shares = held(x);
+  return {order(x, 4, kLowering, shares[0]), order(x, 4, kLowering, shares[1])};
+}
+
 template <int m, bool paper>
 Orders replay(const X& x) {  // (46), tab. 4
   TaskFrameCommand frame = paper ? kOnPaper : kAbovePaper;
   if (paper) frame.z.force = x.c.k.draw_force;
-  const Advance a = advance(x.c.recording, x.c.p, next_pace(x), paper);
+  const Advance a = advance(x.c.recording, x.c.p, x.t.pace, paper);
   Order o = order(x, m, frame);
   o.arm.frame.x.velocity = a.vx;  // the pace is in it already
   o.arm.frame.y.velocity = a.vy;
@@ -154,23 +212,18 @@ bool may_start(const X& x) { return x.T.h.started && x.T.agent[0].ready && x.T.a
 bool touched_paper(const X& x) { return on_paper(x, 0); }           // (38)
 bool triggered(const X& x) { return x.T.h.trigger > x.c.trigger; }  // (41), (43)
 bool settled(const X& x) {                                          // (45)
-  return both_on_paper(x) && x.c.touched && x.c.time - x.c.instant >= x.c.k.settle;
+  return both_on_paper(x) && x.c.touched && x.t.time - x.c.instant >= x.c.k.settle;
 }
 bool lowered(const X& x) { return settled(x) || no_contact(x); }
 bool stroke_ends(const X& x) { return !next_node_is(x.c.recording, x.c.p, true); }   // (48)
-bool lifted(const X& x) { return x.c.time - x.c.instant >= x.c.k.lift_off; }         // (50)
+bool lifted(const X& x) { return x.t.time - x.c.instant >= x.c.k.lift_off; }         // (50)
 bool travel_ends(const X& x) { return !next_node_is(x.c.recording, x.c.p, false); }  // (52)
 
 None nothing(const X&) { return {}; }
 
 }  // namespace
 
-bool no_contact(const X& x) { return !x.c.touched && x.c.time - x.c.begun >= x.c.k.touch_patience; }
-
-TaskFrameCommand at_pace(TaskFrameCommand frame, double pace) {
-  for (const Axis a : kAxes) frame[a].velocity *= pace;
-  return frame;
-}
+bool no_contact(const X& x) { return !x.c.touched && x.t.time - x.c.begun >= x.c.k.touch_timeout; }
 
 const Motion<Coordinator> kWaitForStart{0,
                                         "wait for start",
@@ -188,7 +241,7 @@ const std::array<Motion<Coordinator>, 7> kCoordinator{{
   {  1, "lead to the paper",  begin_recording,       follow_pose,      nothing, nothing, teach<1>,              touched_paper, "the taught pen touched the paper"},
   {  2, "record",             note_pose_and_trigger, record,           nothing, nothing, teach<2>,              triggered, "the operator's trigger"},
   {  3, "lead to the start",  note_trigger,          in_time,          nothing, nothing, both<3, kCompliant>,   triggered, "the operator's trigger"},
-  {  4, "lowering",           not_touched,           watch_contact,    nothing, nothing, both<4, kLowering>,    lowered, "both pens settled on the paper"},
+  {  4, "lowering",           not_touched,           watch_contact,    nothing, nothing, lower,                 lowered, "both pens settled on the paper"},
   {  5, "draw on the paper",  retain,                reproduce<true>,  nothing, nothing, replay<5, true>,       stroke_ends, "the stroke ended"},
   {  6, "lift off",           note_instant,          in_time,          nothing, nothing, both<6, kLiftOff>,     lifted, "the time of the lift-off elapsed"},
   {  7, "travel above paper", retain,                reproduce<false>, nothing, nothing, replay<7, false>,      travel_ends, "the next stroke begins"},

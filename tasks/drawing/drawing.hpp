@@ -1,4 +1,4 @@
-// What is drawn: strokes on a sheet of paper.
+// A drawing: strokes on a sheet of paper.
 #pragma once
 #include <Eigen/Core>
 #include <string>
@@ -10,7 +10,7 @@ namespace mrroc::drawing {
 
 /// A point in sheet coordinates [mm]: origin at the sheet's centre, x right, y up, seen from above.
 using Point = Eigen::Vector2d;
-/// What the pen draws between a touch-down and the next lift-off: a polyline [mm]. One point alone is a dot.
+/// The line between a touch-down and the next lift-off of the pen: a polyline [mm]. One point alone is a dot.
 using Stroke = std::vector<Point>;
 /// Strokes in the order in which they are drawn.
 using Drawing = std::vector<Stroke>;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/counted.hpp"
+#include "tasks/drawing/doubtful.hpp"
 #include "tasks/drawing/playback.hpp"
 #include "tasks/drawing/program.hpp"
 
@@ -12,8 +14,6 @@ namespace mrroc::drawing {
 namespace {
 
 constexpr int kTeachIn = 2;  // m of its last behaviour
-/// From an order of the coordinator to the report about its execution (MG 11-15).
-constexpr std::size_t kLoopDelay = 3;
 
 /// Strokes among the first p nodes.
 int strokes_until(const Recording& recording, std::size_t p) {
@@ -46,14 +46,21 @@ Fault no_contact_fault(const Coordinator::X& x) {
 
 }  // namespace
 
+void note_nodes(RunRecord& record, const Recording& recording, double t) {
+  auto& times = record.node_t;
+  if (recording.size() < times.size())  // a touch that was none has been left out
+    times.erase(times.begin(), times.end() - static_cast<std::ptrdiff_t>(recording.size()));
+  times.resize(recording.size(), t);
+}
+
 DrawingRun::DrawingRun(mp::TaskRun& run, const std::vector<std::string>& arms, const Parameters& parameters,
-                       const HandPlan& plan, std::optional<Recording> taught,
-                       std::function<void(const std::string&)> announce)
+                       const HandPlan& plan, std::optional<Recording> taught)
     : run_(run),
       k_(parameters),
-      operator_(run.process(), run.desk(), plan),
-      links_(run.process(), arms, operator_),
-      announce_(std::move(announce)) {
+      operator_(run.process(), run.command_server(), plan),
+      links_(run.process(), arms, operator_, TaskClock::ramped(parameters.pause)),
+      recorder_(kArms, mp::TraceNumbers::coordinator, parameters.dt, parameters.n_s) {
+  taught_here_ = !taught;
   if (taught) record_.recording = *taught;
 }
 
@@ -85,41 +92,34 @@ Outcome DrawingRun::execute() {
   }
   first.finished = true;
   links_.send(std::vector<Order>(kArms, first));
-  run_.board().set_progress(1, fmt::format("all {} nodes drawn", record_.recording.size()));
+  run_.board().set_progress(1, fmt::format("all of {} drawn", counted(record_.recording.size(), "node")));
   return outcome;
 }
 
 void DrawingRun::observe(const Motion<Coordinator>& motion, const X& x) {
   const double now = seconds(x.i);
   record_.whole = record_.whole || motion.m > kTeachIn;
-  ordered_.push_front(motion.m);
-  if (ordered_.size() > kLoopDelay + 1) ordered_.pop_back();
+  recorder_.note(x.i, motion.m, x.T.agent);
+  if (taught_here_) note_nodes(record_, x.c.recording, recorder_.measured_at(x.i - 1));
   note_rows(x);
   show(motion, x);
   run_.each_macrostep(x.i, now);
   if (operator_.in_vain() && !run_.process().over())
-    run_.supervisor().stop({.code = FaultCode::no_contact,
-                            .process = "vsp-arm1",
-                            .text = "the hand has led the pen along the whole drawing, and the pen-state "
-                                    "sensor did not tell of the paper; on soft "
-                                    "paper raise pen_state.impact_time"},
-                           0);
+    run_.supervisor().stop(
+        {.code = FaultCode::no_contact,
+         .process = "vsp-arm1",
+         .text = "the hand has led the pen along the whole drawing, and the pen-state sensor did not "
+                 "tell of the paper; if it lands gently, lower pen_state.stop_force"},
+        0);
 }
 
 void DrawingRun::note_rows(const X& x) {
-  const int executed = ordered_.size() > kLoopDelay ? ordered_[kLoopDelay] : 0;
+  recorder_.add_rows(record_.traces);
   for (std::size_t arm = 0; arm < kArms; ++arm) {
     const Report& r = x.T.agent[arm];
-    mp::ArmRow row;
-    row.i = x.i;
-    row.t = seconds(x.i - 2) +
-            (k_.n_s - 1) * k_.dt;  // x_ce was measured in step n_Q of the macrostep before the last
-    row.m = executed;
-    row.pose = Eigen::Map<const Vector6>(r.T_0E.data());
-    row.F = r.F_a;
-    row.gap = r.gripper;
-    row.blocked = r.blocked;
-    if (r.ready) record_.traces[arm].push_back(row);
+    const int executed = recorder_.executed(arm);
+    const bool on_paper = static_cast<PenState>(r.sensor) == PenState::paper_surface;
+    record_.mismatches[arm] += (executed == 5 && !on_paper) || (executed == 7 && on_paper);
     // The verdict is on the order that the report before was about.
     if (reported_m_[arm] != 5) drawing_[arm] = false;
     if (reported_m_[arm] == 5 && r.verdict == Verdict::executed && !drawing_[arm]) {
@@ -138,23 +138,28 @@ void DrawingRun::show(const Motion<Coordinator>& motion, const X& x) {
                                                            strokes_until(c.recording, c.recording.size()))
                                              : "";
     const bool ask = operator_.waits_for_orders() && (motion.m == 2 || motion.m == 3);
-    announce_(fmt::format("{:8.2f} s  m = {}  {}{}{}", seconds(x.i), motion.m, motion.name, stroke,
-                          ask ? "  (until the operator's trigger)" : ""));
+    run_.announce()(seconds(x.i), fmt::format("m = {}  {}{}{}", motion.m, motion.name, stroke,
+                                              ask ? "  (until the operator's trigger)" : ""));
+    if (motion.m == 4 && m_ == 3)
+      if (const int doubtful = doubtful_strokes(c.recording); doubtful > 0)
+        run_.announce()(seconds(x.i),
+                        fmt::format("warning: the memory is doubtful in {}: pen states that do not fit the "
+                                    "height of the pen; look at the taught ink before you trust the copies",
+                                    counted(doubtful, "place")));
     m_ = motion.m;
     told_done_ = false;
   }
   const bool waits = motion.m == 2 || motion.m == 3;
-  run_.set_state(motion.m == 0  ? TaskState::waiting_for_start
-                 : x.T.h.paused ? TaskState::paused
-                                : TaskState::running,
+  run_.set_state(motion.m == 0             ? TaskState::waiting_for_start
+                 : links_.clock().paused() ? TaskState::paused
+                                           : TaskState::running,
                  waits);
-  run_.desk().set_trigger_due(waits && operator_.done() && operator_.waits_for_orders());
+  run_.command_server().set_trigger_due(waits && operator_.done() && operator_.waits_for_orders());
   auto& board = run_.board();
   board.set_early(operator_.done() || !waits ? "" : still_busy(motion.m, operator_.progress()));
   if (waits && !told_done_ && operator_.done() && operator_.waits_for_orders()) {
     told_done_ = true;
-    announce_(fmt::format("{:8.2f} s  the hand is done; a trigger goes on (key t, or `ui_cli trigger`)",
-                          seconds(x.i)));
+    run_.announce()(seconds(x.i), "the hand is done; a trigger goes on (key t, or `ui_cli trigger`)");
   }
   board.set_behaviour(motion.m, motion.name, motion.until);
   const double nodes = static_cast<double>(c.recording.size());
@@ -163,7 +168,7 @@ void DrawingRun::show(const Motion<Coordinator>& motion, const X& x) {
                        fmt::format("node {:.0f} of {:.0f}", c.p, nodes));
   } else {
     board.set_progress(motion.m <= 2 ? 0.5 * operator_.progress() : 0.5,
-                       fmt::format("{:.0f} nodes taught", nodes));
+                       counted(c.recording.size(), "node") + " taught");
   }
   for (std::size_t arm = 0; arm < kArms; ++arm)
     board.set_arm(arm, x.T.agent[arm], to_string(static_cast<PenState>(x.T.agent[arm].sensor)));

@@ -1,8 +1,7 @@
-// The coordinator's program, MS fig. 6: teach-in, then reproduction, while everything that happens is written
-// down.
+// The execution of the coordinator's program, MS fig. 6: teach-in, then reproduction, with a record of all
+// events.
 #pragma once
 #include <array>
-#include <deque>
 #include <functional>
 #include <optional>
 #include <string>
@@ -10,35 +9,39 @@
 
 #include "mp/arm_trace.hpp"
 #include "mp/task_run.hpp"
+#include "mp/trace_recorder.hpp"
 #include "tasks/drawing/hand_operator.hpp"
 #include "tasks/drawing/images.hpp"
 
 namespace mrroc::drawing {
 
-/// What a run of the coordinator has left.
+/// Results of a run of the coordinator.
 struct RunRecord {
-  Recording recording;  ///< taught, or as loaded
-  bool whole{};         ///< the teach-in has come to its end, whatever has become of the copies
+  Recording recording;         ///< taught, or as loaded
+  std::vector<double> node_t;  ///< when the pen was where each node ends [s]; empty: loaded
+  /// Macrosteps of m = 5 and 7 in which an arm's sensor did not say of the pen what the memory says.
+  std::array<int, kArms> mismatches{};
+  bool whole{};  ///< the teach-in has come to its end, whatever has become of the copies
   std::array<mp::ArmTrace, kArms> traces;  ///< a row per macrostep
   /// Macrosteps in which each arm began to draw a segment: its driver told that it had executed a command of
   /// m = 5, the first one of the segment.
   std::array<std::vector<std::int64_t>, kArms> segment_starts;
 };
 
+/// Writes down when nodes came into being. @param recording  as it is now @param t  when its last node ended [s]
+void note_nodes(RunRecord& record, const Recording& recording, double t);
+
 /// The agent a_0 in MP.
-class DrawingRun {
+class DrawingRun final : public mp::CoordinatorRun {
  public:
-  /// @param taught    a recording to reproduce without a teach-in
-  /// @param announce  gets a line for every behaviour that begins
+  /// @param run     is told of every behaviour that begins; must outlive this object
+  /// @param taught  a recording to reproduce without a teach-in
   DrawingRun(mp::TaskRun& run, const std::vector<std::string>& arms, const Parameters& parameters,
-             const HandPlan& plan, std::optional<Recording> taught,
-             std::function<void(const std::string&)> announce);
+             const HandPlan& plan, std::optional<Recording> taught);
 
-  /// Runs the task to its end. Call TaskRun::start() before.
-  Outcome execute();
-
-  /// @return why execute() gave faulted
-  [[nodiscard]] const Fault& fault() const { return fault_; }
+  Outcome execute() override;
+  [[nodiscard]] const Fault& fault() const override { return fault_; }
+  [[nodiscard]] std::span<const mp::ArmTrace> traces() const override { return record_.traces; }
   /// @return what there is so far
   [[nodiscard]] const RunRecord& record() const { return record_; }
 
@@ -53,10 +56,10 @@ class DrawingRun {
   Parameters k_;
   HandOperator operator_;
   mp::CoordinatorLinks links_;
-  std::function<void(const std::string&)> announce_;
+  mp::TraceRecorder recorder_;
   RunRecord record_;
+  bool taught_here_{};
   Fault fault_;
-  std::deque<int> ordered_;              // m of the last orders, newest first
   std::array<int, kArms> reported_m_{};  // by the agents, in the macrostep before
   std::array<bool, kArms> drawing_{};    // the driver has executed a command of the present m = 5
   int m_{-1};

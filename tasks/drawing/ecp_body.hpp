@@ -6,6 +6,6 @@
 namespace mrroc::drawing {
 
 /// Prepares the effector and copies the coordinator's orders until the task is over.
-void run_drawing_ecp(link::Process& process, const Config& config, const link::PartArguments& arguments);
+void run_drawing_ecp(link::Process& process, const Config& config, const link::NodeArguments& arguments);
 
 }  // namespace mrroc::drawing

@@ -1,5 +1,5 @@
-// The figures of the drawing task: what they mean and what is wanted. The end of a run, the benchmark and the
-// README's table say the same.
+// The figures of the drawing task: their meaning and their bounds, shared by the end of a run, the benchmark
+// and the README's table.
 #pragma once
 #include <array>
 
@@ -17,7 +17,8 @@ inline constexpr std::array kFigures{
     mp::FigureInfo{.key = "copy_max_mm", .words = "  farthest", .unit = "mm", .high = 1.5},
     mp::FigureInfo{
         .key = "stray_ink_mm", .words = "ink outside the strokes", .unit = "mm", .low = 0, .high = 0},
-    mp::FigureInfo{.key = "uncovered_mm", .words = "taught ink that the copy lacks", .unit = "mm"},
+    mp::FigureInfo{
+        .key = "uncovered_mm", .words = "taught ink that the copy lacks", .unit = "mm", .low = 0, .high = 0},
     mp::FigureInfo{.key = "paper_force_mean_N",
                    .words = "force on the paper while drawing",
                    .unit = "N",
@@ -37,12 +38,20 @@ inline constexpr std::array kFigures{
         .key = "strokes_missing", .words = "  that the copy lacks", .unit = "", .low = 0, .high = 0},
     mp::FigureInfo{
         .key = "strokes_extra", .words = "  that the copy has besides", .unit = "", .low = 0, .high = 0},
+    mp::FigureInfo{.key = "pen_state_wrong_strokes",
+                   .words = "strokes whose pen state was not the ink's",
+                   .unit = "",
+                   .low = 0,
+                   .high = 0},
+    mp::FigureInfo{.key = "pen_state_mismatches",
+                   .words = "pen state unlike the memory's",
+                   .unit = "macrosteps",
+                   .low = 0,
+                   .high = 0},
+    mp::FigureInfo{
+        .key = "doubtful_strokes", .words = "pen states against the height", .unit = "", .low = 0, .high = 0},
     mp::FigureInfo{.key = "nodes", .words = "nodes recorded", .unit = ""},
     mp::FigureInfo{.key = "macrostep_s", .words = "duration of one", .unit = "s"},
-    mp::FigureInfo{
-        .key = "stop_steps_max", .words = "steps until the arms were at rest", .unit = "", .high = 100},
-    mp::FigureInfo{
-        .key = "log_gaps", .words = "messages that the log missed", .unit = "", .low = 0, .high = 0},
 };
 
 /// Headings, in the order of the arms.

@@ -1,4 +1,4 @@
-// How well ink follows the drawing that it was meant to follow.
+// Measures how well ink follows the drawing.
 #pragma once
 #include "tasks/drawing/strokes.hpp"
 
@@ -19,7 +19,7 @@ struct Rigid {
   [[nodiscard]] Point operator()(const Point& p) const { return Eigen::Rotation2Dd(turn) * p + shift; }
 };
 
-/// How ink may be moved before it is judged.
+/// Alignment of ink before it is measured.
 enum class Align {
   none,  ///< not at all: teach-in, ink against the input drawing
   rigid  ///< by the rigid motion with the least sum of squared errors: copies, ink against the taught ink

@@ -15,15 +15,16 @@ HandAction action(int m, std::size_t arm) {
 
 }  // namespace
 
-HandOperator::HandOperator(link::Process& process, mp::OperatorDesk& desk, const HandPlan& plan)
+HandOperator::HandOperator(link::Process& process, mp::OperatorCommandServer& command_server,
+                           const HandPlan& plan)
     : process_(process),
-      desk_(desk),
+      command_server_(command_server),
       plan_(plan),
       order_out_(process.outbox<hand_order_t>("hand.order")),
       image_out_(process.outbox<operator_image_t>("operator.image")),
       report_in_(process.inbox<hand_report_t>("hand.report")) {}
 
-void HandOperator::inform(std::int64_t i, int m, bool finished) {
+void HandOperator::inform(std::int64_t i, int m) {
   hand_order_t order{};
   for (std::size_t arm = 0; arm < kArms; ++arm) {
     order.action[arm] = static_cast<int>(action(m, arm));
@@ -32,10 +33,8 @@ void HandOperator::inform(std::int64_t i, int m, bool finished) {
     order.height[arm] = plan_.height;
   }
   order.new_sheet[0] = m == 3 && m_ == 2;  // the taught sheet is put away
-  order.paused = paused_;
-  order.finished = finished;
   order_out_->publish(order, i);
-  desk_.set_behaviour(m);
+  command_server_.set_behaviour(m);
   if (m != m_) {
     m_ = m;
     steady_ = 0;
@@ -51,8 +50,7 @@ bool HandOperator::here(std::int64_t i) const {
 OperatorImage HandOperator::image(std::int64_t i) {
   const hand_report_t* const report = process_.lock_step() ? report_in_->at(i) : report_in_->newest();
   if (report) decide(*report);
-  const OperatorImage image = desk_.take(i);
-  paused_ = image.paused;
+  const OperatorImage image = command_server_.take(i);
   image_out_->publish(
       {.header = {}, .trigger = image.trigger, .started = image.started, .paused = image.paused}, i);
   return image;
@@ -64,9 +62,9 @@ void HandOperator::decide(const hand_report_t& report) {
   done_ = led && (m_ == 2 || m_ == 3);
   steady_ = led ? steady_ + 1 : 0;
   if (!plan_.gives_orders) return;
-  if (desk_.state() == TaskState::waiting_for_start) desk_.give(OperatorOrder::start);
-  if (!done_ || steady_ < plan_.steady || triggered_ || desk_.state() != TaskState::running) return;
-  triggered_ = desk_.give(OperatorOrder::trigger);
+  if (command_server_.state() == TaskState::waiting_for_start) command_server_.give(OperatorOrder::start);
+  if (!done_ || steady_ < plan_.steady || triggered_ || command_server_.state() != TaskState::running) return;
+  triggered_ = command_server_.give(OperatorOrder::trigger);
 }
 
 }  // namespace mrroc::drawing

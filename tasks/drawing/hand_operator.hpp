@@ -5,7 +5,7 @@
 
 #include "base/link/process.hpp"
 #include "mp/coordinator_links.hpp"
-#include "mp/operator_desk.hpp"
+#include "mp/operator_command_server.hpp"
 #include "mrroc/hand_order_t.hpp"
 #include "mrroc/hand_report_t.hpp"
 #include "mrroc/operator_image_t.hpp"
@@ -13,7 +13,7 @@
 
 namespace mrroc::drawing {
 
-/// What the operator is to do.
+/// Plan for the operator.
 struct HandPlan {
   Point start{0, 0};        ///< where both pens begin the reproduction [mm]
   double height{0.010};     ///< of the pens above the paper there [m]
@@ -21,13 +21,14 @@ struct HandPlan {
   bool gives_orders{true};  ///< start and triggers; false: a person or a script gives them
 };
 
-/// Speaks with the world's hands on the channels hand.order and hand.report.
+/// Speaks with the simulated hands on the channels hand.order and hand.report.
 class HandOperator final : public mp::OperatorAgent {
  public:
-  /// To be made before the process assembles. @param desk  must outlive this object
-  HandOperator(link::Process& process, mp::OperatorDesk& desk, const HandPlan& plan);
+  /// Make this before the process assembles. @param command_server  must outlive this object
+  HandOperator(link::Process& process, mp::OperatorCommandServer& command_server, const HandPlan& plan);
 
-  void inform(std::int64_t i, int m, bool finished) override;
+  void inform(std::int64_t i, int m) override;
+  [[nodiscard]] bool has_hands() const override { return true; }
   [[nodiscard]] bool here(std::int64_t i) const override;
   [[nodiscard]] const link::InboxBase* inbox() const override { return report_in_.get(); }
   OperatorImage image(std::int64_t i) override;
@@ -45,7 +46,7 @@ class HandOperator final : public mp::OperatorAgent {
   void decide(const hand_report_t& report);
 
   link::Process& process_;
-  mp::OperatorDesk& desk_;
+  mp::OperatorCommandServer& command_server_;
   HandPlan plan_;
   std::unique_ptr<link::Outbox<hand_order_t>> order_out_;
   std::unique_ptr<link::Outbox<operator_image_t>> image_out_;  // for the log
@@ -53,7 +54,6 @@ class HandOperator final : public mp::OperatorAgent {
   int m_{};           // behaviour of the last order
   int steady_{};      // macrosteps since the hands are done in this behaviour; m = 1 should have ended before
   bool triggered_{};  // in this behaviour
-  bool paused_{};
   double progress_{};
   bool done_{};  // what the present behaviour's trigger is for
 };

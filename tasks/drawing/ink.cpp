@@ -28,6 +28,16 @@ Drawing strokes_of(const Ink& ink) {
   return drawing;
 }
 
+Ink without_hops(Ink ink) {
+  int joined = 0;
+  for (std::size_t k = 0; k < ink.size(); ++k) {
+    InkPoint& p = ink[k];
+    if (k > 0 && p.stroke - joined != ink[k - 1].stroke && p.t - ink[k - 1].t < kHopTime) ++joined;
+    p.stroke -= joined;
+  }
+  return ink;
+}
+
 Ink ink_of(const Drawing& drawing) {
   Ink ink;
   for (std::size_t k = 0; k < drawing.size(); ++k)

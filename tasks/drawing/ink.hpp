@@ -1,4 +1,4 @@
-// Ink: what a pen left on the paper, with the time at which it did.
+// Ink: the points that a pen left on the paper, with their times.
 #pragma once
 #include <filesystem>
 #include <string_view>
@@ -26,6 +26,12 @@ inline constexpr std::size_t kMaxStrokes = kMaxPoints;
 
 /// @return the polylines of the ink. A stroke number that does not occur gives an empty stroke.
 [[nodiscard]] Drawing strokes_of(const Ink& ink);
+
+/// A pen that hops in a hand that trembles leaves a dashed stroke: one that begins within kHopTime after the end of the
+/// one before belongs to it. Nobody lifts a pen, moves it and lowers it again in that time.
+/// @return the same points, their strokes numbered anew
+[[nodiscard]] Ink without_hops(Ink ink);
+inline constexpr double kHopTime = 0.5;  ///< [s]
 
 /// @return a drawing as ink at time 0, as input.csv holds it
 [[nodiscard]] Ink ink_of(const Drawing& drawing);

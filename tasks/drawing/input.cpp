@@ -2,12 +2,20 @@
 
 #include <fmt/core.h>
 
+#include <system_error>
+
 #include "base/command_line.hpp"
+#include "base/counted.hpp"
 #include "base/fault.hpp"
 #include "tasks/drawing/strokes.hpp"
 #include "tasks/drawing/svg.hpp"
 
 namespace mrroc::drawing {
+namespace {
+
+constexpr const char* kLoaded = "loaded.recording";  // in a run folder
+
+}  // namespace
 
 void add_input_options(CommandLine& line, InputOptions& o) {
   const Option drawing =
@@ -27,10 +35,15 @@ void add_input_options(CommandLine& line, InputOptions& o) {
 
 Input read_input(const InputOptions& o) {
   Input input;
+  std::error_code error;
+  const auto status = std::filesystem::status(o.save, error);
+  if (error && error != std::errc::no_such_file_or_directory)
+    throw FaultError(FaultCode::bad_usage, fmt::format("--save cannot be this file: {}", error.message()),
+                     "choose another");
   if (!o.save.empty() && o.save.has_parent_path() && !std::filesystem::is_directory(o.save.parent_path()))
     throw FaultError(FaultCode::bad_usage, fmt::format("--save {}: there is no such folder", o.save.string()),
                      "make it, or choose another");
-  if (std::filesystem::is_directory(o.save))
+  if (std::filesystem::is_directory(status))
     throw FaultError(FaultCode::bad_usage, fmt::format("--save {}: this is a folder", o.save.string()),
                      "give the name of a file");
   if (!o.load.empty()) {
@@ -50,6 +63,23 @@ Input read_input(const InputOptions& o) {
   return input;
 }
 
+void write_input(const std::filesystem::path& folder, const Input& input) {
+  write_ink(folder / kInputFile, ink_of(input.drawing));
+  if (input.taught) save(folder / kLoaded, *input.taught);
+}
+
+InputOptions input_of_run(const std::filesystem::path& folder) {
+  InputOptions o;
+  if (std::filesystem::exists(folder / kLoaded)) o.load = folder / kLoaded;
+  return o;
+}
+
+std::optional<Recording> Input::recording() const {
+  return taught ? std::optional(taught->recording) : std::nullopt;
+}
+
+std::optional<Ink> Input::taught_ink() const { return taught ? std::optional(taught->ink) : std::nullopt; }
+
 std::string Input::about() const {
   double sum = 0;
   std::size_t points = 0;
@@ -57,8 +87,8 @@ std::string Input::about() const {
     sum += length(s);
     points += s.size();
   }
-  return fmt::format("{}: {} stroke{}, {} points, {:.0f} mm", name, drawing.size(),
-                     drawing.size() == 1 ? "" : "s", points, sum);
+  return fmt::format("{}: {}, {}, {:.0f} mm", name, counted(drawing.size(), "stroke"),
+                     counted(points, "point"), sum);
 }
 
 }  // namespace mrroc::drawing

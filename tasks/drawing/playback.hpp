@@ -5,7 +5,7 @@
 
 namespace mrroc::drawing {
 
-/// What one macrostep of reproduction executes.
+/// The part of a recording that one macrostep of reproduction executes.
 struct Advance {
   double p{};   ///< nodes executed after the macrostep
   double vx{};  ///< mean velocity along x of E in the macrostep [m/s]

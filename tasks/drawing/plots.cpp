@@ -1,11 +1,7 @@
 #include "tasks/drawing/plots.hpp"
 
-#include <fmt/core.h>
-
 #include <system_error>
 
-#include "base/text_file.hpp"
-#include "mp/gnuplot.hpp"
 #include "tasks/drawing/plots_scripts.hpp"
 
 namespace mrroc::drawing {
@@ -32,34 +28,14 @@ RunTables read_tables(const fs::path& folder) {
 
 }  // namespace
 
-Plots plot_run(const fs::path& run_folder, const PlotSetup& setup) {
+std::vector<std::pair<std::string, std::string>> plots(const fs::path& run_folder, const PlotSetup& setup) {
   const RunTables run = read_tables(run_folder);
-  std::error_code error;
-  fs::create_directories(run_folder / "plots", error);
-  Plots plots;
-  const auto draw = [&](const std::string& name, const std::string& script) {
-    if (script.empty()) return;
-    const fs::path picture = run_folder / "plots" / (name + ".png");
-    fs::remove(picture, error);
-    write_text_file(run_folder / "plots" / (name + ".gp"), script);
-    switch (mp::run_gnuplot(run_folder, fs::path("plots") / (name + ".gp"))) {
-      case mp::GnuplotResult::done:
-        plots.pictures.push_back(picture);
-        break;
-      case mp::GnuplotResult::absent:
-        plots.note = "gnuplot is not installed, so there are no pictures of the run";
-        break;
-      case mp::GnuplotResult::failed:
-        plots.note =
-            fmt::format("gnuplot could not draw {}; see plots/gnuplot.log", picture.filename().string());
-        break;
-    }
-  };
-  draw("fig8_trajectory", trajectory_script(run, setup));
-  draw("fig9_height", height_script(run, setup));
-  draw("fig10_force", force_script(run));
-  draw("drawing", drawing_script(run));
-  return plots;
+  std::vector<std::pair<std::string, std::string>> scripts{{"fig8_trajectory", trajectory_script(run, setup)},
+                                                           {"fig9_height", height_script(run, setup)},
+                                                           {"fig10_force", force_script(run)},
+                                                           {"drawing", drawing_script(run)}};
+  std::erase_if(scripts, [](const auto& script) { return script.second.empty(); });
+  return scripts;
 }
 
 }  // namespace mrroc::drawing

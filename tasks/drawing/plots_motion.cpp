@@ -1,4 +1,4 @@
-// MS fig. 8, 9 and 10: what the arms did over time.
+// MS fig. 8, 9 and 10: the arms' motions over time.
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -19,6 +19,7 @@ Outcome run_program(Coordinator::X& x, P& port) {
     for (const int m : {1, 2})
       if (o == Outcome::terminated) o = behaviour(m);
     x.c.p = 0;  // reproduction begins with the first node
+    x.c.recording = without_false_touches(x.c.recording);
   }
   if (o == Outcome::terminated) o = behaviour(3);
   while (o == Outcome::terminated) {

@@ -67,6 +67,28 @@ Recording Recording::appended(const Node& node) const {
   return next;
 }
 
+Recording without_false_touches(const Recording& recording) {
+  const auto paper = [&](std::size_t n) { return recording[n].pen == PenState::paper_surface; };
+  std::vector<Node> nodes;
+  bool drawn = false;
+  std::size_t taken_back = 0;
+  for (std::size_t n = 0; n < recording.size();) {
+    std::size_t end = n + 1;
+    while (end < recording.size() && paper(end) == paper(n)) ++end;
+    const bool none = paper(n) && end < recording.size() && recording[end].pen == PenState::lowering;
+    taken_back += none;
+    drawn = drawn || (paper(n) && !none);
+    for (; n < end; ++n)
+      if (drawn || taken_back == 0)
+        nodes.push_back({recording[n].velocity, none ? PenState::lowering : recording[n].pen});
+    if (!drawn && taken_back > 0) nodes.clear();
+  }
+  if (taken_back == 0) return recording;
+  Recording revised(recording.macrostep_s());
+  for (const Node& node : nodes) revised = revised.appended(node);
+  return revised;
+}
+
 bool operator==(const Recording& a, const Recording& b) {
   if (a.macrostep_s_ != b.macrostep_s_ || a.size_ != b.size_) return false;
   return a.nodes_ == b.nodes_ ||
@@ -74,10 +96,9 @@ bool operator==(const Recording& a, const Recording& b) {
                     b.nodes_->begin());
 }
 
-void save(const std::filesystem::path& file, const Taught& taught) {
+std::string recording_text(const Taught& taught, const std::string& name) {
   const auto finite_or_throw = [&](bool ok) {
-    if (!ok)
-      throw FileError(file.string(), 0, "a recording with a number that is not finite cannot be saved", "");
+    if (!ok) throw FileError(name, 0, "a recording with a number that is not finite cannot be saved", "");
   };
   const Recording& recording = taught.recording;
   std::string text = fmt::format("{} {}\nmacrostep_s {:.17g}\nnodes {}\n{}\n", kFormat, kRecordingVersion,
@@ -93,13 +114,11 @@ void save(const std::filesystem::path& file, const Taught& taught) {
     finite_or_throw(std::isfinite(p.t) && std::isfinite(p.x) && std::isfinite(p.y));
     text += fmt::format("{} {:.17g} {:.17g} {:.17g}\n", p.stroke, p.t, p.x, p.y);
   }
-  text += "end\n";
-  write_text_file(file, text);
+  return text + "end\n";
 }
 
-Taught load(const std::filesystem::path& file) {
-  const std::string text = read_text_file(file, kMaxFileBytes);
-  Lines lines(text, file.string());
+Taught parse_recording(std::string_view text, const std::string& name) {
+  Lines lines(text, name);
   const std::string_view head = lines.next();
   if (head.substr(0, kFormat.size()) != kFormat)
     lines.fail(fmt::format("the file does not begin with '{}'", kFormat), "give a file made with --save");
@@ -120,6 +139,14 @@ Taught load(const std::filesystem::path& file) {
     lines.fail("text behind the end");
   }
   return taught;
+}
+
+void save(const std::filesystem::path& file, const Taught& taught) {
+  write_text_file(file, recording_text(taught, file.string()));
+}
+
+Taught load(const std::filesystem::path& file) {
+  return parse_recording(read_text_file(file, kMaxFileBytes), file.string());
 }
 
 }  // namespace mrroc::drawing

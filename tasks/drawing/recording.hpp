@@ -1,7 +1,9 @@
-// What teach-in memorises and reproduction executes (MS (39)(40), a_0's memory [1][2][4]).
+// The recording that teach-in memorises and reproduction executes (MS (39)(40), a_0's memory [1][2][4]).
 #pragma once
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/pen_state.hpp"
@@ -51,6 +53,12 @@ class Recording {
   double macrostep_s_{};
 };
 
+/// A surface through which the pen fell was not the paper: a run of Paper surface that goes over into
+/// Lowering, without a Lift-off, becomes Lowering. When the first run is such a one, the drawing begins with the first
+/// real touch.
+/// @return the recording without such touches
+[[nodiscard]] Recording without_false_touches(const Recording& recording);
+
 /// A recording and the ink that was left while it was taught, which later copies are compared with.
 struct Taught {
   Recording recording;  ///< nodes
@@ -62,7 +70,7 @@ struct Taught {
 /// The version of the file format that save writes and load reads.
 inline constexpr int kRecordingVersion = 1;
 
-/// Writes a taught drawing as text. Lines, fields separated by one space:
+/// A taught drawing as text. Lines, fields separated by one space:
 ///
 ///     mrroc-drawing-recording 1         format and its version
 ///     macrostep_s 0.02                  duration of a macrostep [s]
@@ -74,12 +82,21 @@ inline constexpr int kRecordingVersion = 1;
 ///
 /// Numbers have 17 significant digits, so that load gives back every bit. The two column lines are part of
 /// the file.
-/// @throws FileError  if it cannot be written or a number is not finite
+/// @param name  the file's, for errors
+/// @throws FileError  a number is not finite
+[[nodiscard]] std::string recording_text(const Taught& taught, const std::string& name);
+
+/// Reads what recording_text makes.
+/// @param name  the file's, for errors
+/// @throws FileError  naming file and line: another format or version, a wrong count, a number that is not
+/// finite, an unknown pen state, no node on the paper, a truncated file or text behind its end
+[[nodiscard]] Taught parse_recording(std::string_view text, const std::string& name);
+
+/// @throws FileError  a number is not finite @throws FaultError cannot_write
 void save(const std::filesystem::path& file, const Taught& taught);
 
 /// Reads what save writes.
-/// @throws FileError  naming file and line: another format or version, a wrong count, a number that is not
-/// finite, an unknown pen state, no node on the paper, a truncated file or text behind its end
+/// @throws FileError  as parse_recording, and when the file cannot be read
 [[nodiscard]] Taught load(const std::filesystem::path& file);
 
 }  // namespace mrroc::drawing

@@ -9,6 +9,7 @@
 #include <pugixml.hpp>
 #include <unordered_map>
 
+#include "base/printable.hpp"
 #include "tasks/drawing/svg_shapes.hpp"
 #include "tasks/drawing/svg_style.hpp"
 
@@ -17,9 +18,11 @@ namespace {
 
 constexpr int kMaxDepth = 256;  // of nested elements; a `use` that contains itself gets there
 constexpr std::size_t kMaxElements = 1'000'000;  // visited, counting again what `use` repeats
-constexpr std::size_t kMaxCurves = 100'000;      // ten per point that a drawing may have
+constexpr std::size_t kOfANode = 10;             // steps of work
+constexpr std::size_t kMostIgnored = 16;         // kinds of elements that are told
+constexpr std::size_t kMostShown = 40;           // characters of a name in an error
 
-// What an element inherits.
+// Properties that an element inherits.
 struct Context {
   Affine T = Affine::Identity();
   Viewport viewport;
@@ -54,7 +57,7 @@ bool is_silent(std::string_view name) {
 
 class Reader {
  public:
-  Reader(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
+  Reader(std::string_view text, std::string name) : text_(text), name_(std::move(name)), work_(name_) {}
 
   Document read() {
     load();
@@ -64,7 +67,8 @@ class Reader {
     const std::string_view full = root.name();
     prefix_ = full.substr(0, full.find(':') == std::string_view::npos ? 0 : full.find(':') + 1);
     if (local_name(root) != "svg")
-      throw FileError(name_, line_of(root.offset_debug()), fmt::format("<{}> is not an SVG drawing", full),
+      throw FileError(name_, line_of(root.offset_debug()),
+                      fmt::format("<{}> is not an SVG drawing", full.substr(0, kMostShown)),
                       "give an SVG file");
     remember(root);
     Context context;
@@ -106,8 +110,9 @@ class Reader {
   [[noreturn]] void fail(const pugi::xml_node& node, const std::string& wrong,
                          const std::string& remedy) const {
     const std::string_view id = node.attribute("id").value();
-    const std::string element = id.empty() ? fmt::format("<{}>", node.name())
-                                           : fmt::format("<{} id=\"{}\">", node.name(), id.substr(0, 40));
+    const std::string_view name = std::string_view(node.name()).substr(0, kMostShown);
+    const std::string element = id.empty() ? fmt::format("<{}>", name)
+                                           : fmt::format("<{} id=\"{}\">", name, id.substr(0, kMostShown));
     throw FileError(name_, line_of(node.offset_debug()), fmt::format("{}: {}", element, wrong), remedy);
   }
 
@@ -148,11 +153,22 @@ class Reader {
   }
 
   void visit_children(const pugi::xml_node& node, const Context& context) {
-    for (const pugi::xml_node child : node.children())
+    for (const pugi::xml_node child : node.children()) {
+      work_.spend(kOfANode);
       if (child.type() == pugi::node_element) visit(child, context);
+    }
+  }
+
+  /// Cost of reading an element's attributes, each time that it is drawn.
+  void spend(const pugi::xml_node& node) {
+    constexpr std::size_t kOfAnAttribute = 20;  // some twenty of them are looked for, one after the other
+    constexpr std::size_t kOfACharacter = 4;    // most are of numbers
+    for (const pugi::xml_attribute attribute : node.attributes())
+      work_.spend(kOfAnAttribute + kOfACharacter * std::string_view(attribute.value()).size());
   }
 
   void visit(const pugi::xml_node& node, const Context& parent) {
+    spend(node);
     const std::string_view name = local_name(node);
     if (name.empty() || is_silent(name) || sheet_.property(node, name, "display") == "none") return;
     try {
@@ -173,7 +189,8 @@ class Reader {
   void draw(const pugi::xml_node& node, std::string_view name, const Context& context) {
     const std::optional<Outline> outline = shape(node, name, context.viewport);
     if (!outline) {
-      ++ignored_[std::string(name.substr(0, 40))];
+      const std::string kind(name.substr(0, kMostShown));
+      ++ignored_[ignored_.size() < kMostIgnored || ignored_.contains(kind) ? kind : "other elements"];
       return;
     }
     for (SubPath& path : outline->sub_paths(context.T)) {
@@ -191,9 +208,10 @@ class Reader {
     const std::string href = plain ? plain.value() : node.attribute("xlink:href").value();
     const auto found = ids_.find(href.empty() ? href : href.substr(1));
     if (href.substr(0, 1) != "#" || found == ids_.end())
-      fail(node, fmt::format("refers to '{}', which is not in this file", href),
+      fail(node, fmt::format("refers to '{}', which is not in this file", href.substr(0, kMostShown)),
            "add it or remove the <use>");
     const pugi::xml_node target = found->second;
+    spend(target);
     context.T.translate(Point(length_attribute(node, "x", context.viewport.width),
                               length_attribute(node, "y", context.viewport.height)));
     const std::string_view name = local_name(target);
@@ -246,16 +264,17 @@ class Reader {
     if (const int rules = sheet_.not_understood(); rules > 0) list = fmt::format("style rule ({})", rules);
     for (const auto& [name, count] : ignored_)
       list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", name, count);
-    return list;
+    return without_controls(list);
   }
 
   std::string_view text_;
   std::string name_;
+  Work work_;
   std::string_view prefix_;  // of SVG elements, with its colon
   bool utf8_{true};
   pugi::xml_document xml_;
   std::unordered_map<std::string, pugi::xml_node> ids_;
-  StyleSheet sheet_;
+  StyleSheet sheet_{work_};
   std::vector<SubPath> paths_;
   std::map<std::string, int> ignored_;
   std::size_t curves_{};

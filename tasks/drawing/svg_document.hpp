@@ -1,4 +1,4 @@
-// Walks an SVG document and collects what it draws. Internal to the SVG reader.
+// Walks an SVG document and collects its drawing. Internal to the SVG reader.
 #pragma once
 #include <string>
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace mrroc::drawing::svg {
 
-/// What a document draws, in the user units of its outermost element; y points down.
+/// The drawing of a document, in the user units of its outermost element; y points down.
 struct Document {
   std::vector<SubPath> paths;  ///< in document order
   std::string

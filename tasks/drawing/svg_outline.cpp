@@ -1,5 +1,7 @@
 #include "tasks/drawing/svg_outline.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -45,6 +47,7 @@ void Outline::move_to(const Point& p) {
 }
 
 void Outline::add(const Segment& segment, const Point& end) {
+  if (++curves_ > kMaxCurves) throw BadValue(fmt::format("over {} curves in one element", kMaxCurves));
   if (!open_) {  // after a close the next sub-path begins where the closed one did
     const Point start = current_;
     move_to(start);

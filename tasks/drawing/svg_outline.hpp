@@ -9,6 +9,9 @@
 
 namespace mrroc::drawing::svg {
 
+/// Curves of a drawing, at most: ten per point that it may have.
+inline constexpr std::size_t kMaxCurves = 10 * kMaxPoints;
+
 /// A cubic Bezier curve; straight lines and quadratic curves are written as one.
 struct Cubic {
   std::array<Point, 4> p;  ///< begin, two control points, end [user units]
@@ -32,6 +35,8 @@ struct SubPath {
 /// Collects sub-paths from pen movements, with SVG's rules for closing and for sub-paths without extent.
 class Outline {
  public:
+  // All movements that draw throw BadValue when there are more than kMaxCurves of them.
+
   /// Pen movements, from the current point to p: without drawing, straight, by one control point, by two.
   void move_to(const Point& p);
   void line_to(const Point& p);
@@ -56,6 +61,7 @@ class Outline {
   std::vector<SubPath> paths_;
   Point current_{0, 0};
   bool open_{false};
+  std::size_t curves_{};
 };
 
 /// @return whether every number of it is finite

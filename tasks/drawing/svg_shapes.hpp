@@ -9,7 +9,7 @@
 
 namespace mrroc::drawing::svg {
 
-/// What percentages refer to [user units]; NaN where the document does not say.
+/// Lengths to which percentages refer [user units]; NaN where the document does not say.
 struct Viewport {
   /// Of the element that holds the shapes [user units].
   double width{std::numeric_limits<double>::quiet_NaN()};

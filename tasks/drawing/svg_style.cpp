@@ -10,6 +10,9 @@ namespace mrroc::drawing::svg {
 namespace {
 
 constexpr std::string_view kBlank = " \t\r\n\f";
+constexpr std::size_t kWorkOfARule = 1000;   // its memory: so many bytes, at most, are worth no more
+constexpr std::size_t kLongestKeyword = 20;  // values of display and visibility are shorter
+constexpr int kMostParts = 32;               // of a selector
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(kBlank);
@@ -57,6 +60,7 @@ bool has_word(std::string_view list, std::string_view word) {
 }  // namespace
 
 void StyleSheet::add(std::string_view css) {
+  work_.spend(css.size());
   const std::string plain = without_comments(css);
   std::string_view rest = plain;
   while (!(rest = trimmed(rest)).empty()) {
@@ -73,27 +77,31 @@ void StyleSheet::add(std::string_view css) {
     std::string_view block = rest.substr(open + 1, length - 1);
     if (!block.empty() && block.back() == '}') block.remove_suffix(1);
     rest.remove_prefix(open + length);
-    if (style_property(block, "display").empty() && style_property(block, "visibility").empty()) continue;
+    const std::string_view display = style_property(block, "display");
+    const std::string_view visibility = style_property(block, "visibility");
+    if (display.empty() && visibility.empty()) continue;
     while (!selectors.empty()) {
       const std::size_t comma = std::min(selectors.find(','), selectors.size());
-      add_rule(trimmed(selectors.substr(0, comma)), block);
+      add_rule(trimmed(selectors.substr(0, comma)), display, visibility);
       selectors.remove_prefix(std::min(comma + 1, selectors.size()));
     }
   }
 }
 
-void StyleSheet::add_rule(std::string_view selector, std::string_view declarations) {
+void StyleSheet::add_rule(std::string_view selector, std::string_view display, std::string_view visibility) {
+  work_.spend(kWorkOfARule);
   Rule rule;
-  rule.declarations = declarations;
+  rule.display = display.substr(0, kLongestKeyword);
+  rule.visibility = visibility.substr(0, kLongestKeyword);
   if (selector.empty()) return;
-  while (!selector.empty()) {
+  for (int parts = 0; !selector.empty(); ++parts) {
     const char kind = selector[0] == '.' || selector[0] == '#' || selector[0] == '*' ? selector[0] : ' ';
     if (kind != ' ') selector.remove_prefix(1);
     std::size_t end = 0;
     while (end < selector.size() && is_name(selector[end])) ++end;
     const std::string name(selector.substr(0, end));
     selector.remove_prefix(end);
-    if ((kind == '*') != name.empty()) {
+    if ((kind == '*') != name.empty() || parts == kMostParts) {
       ++not_understood_;
       return;
     }
@@ -105,23 +113,27 @@ void StyleSheet::add_rule(std::string_view selector, std::string_view declaratio
   rules_.push_back(std::move(rule));
 }
 
-bool StyleSheet::applies(const Rule& rule, const pugi::xml_node& node, std::string_view element) {
-  if (!rule.element.empty() && rule.element != element) return false;
-  if (!rule.id.empty() && rule.id != node.attribute("id").value()) return false;
-  return std::ranges::all_of(
-      rule.classes, [&](const std::string& name) { return has_word(node.attribute("class").value(), name); });
+bool StyleSheet::applies(const Rule& rule, const Asked& asked) const {
+  if (!rule.element.empty() && rule.element != asked.element) return false;
+  if (!rule.id.empty() && rule.id != asked.id) return false;
+  return std::ranges::all_of(rule.classes, [&](const std::string& name) {
+    work_.spend(asked.classes.size());
+    return has_word(asked.classes, name);
+  });
 }
 
 std::string_view StyleSheet::property(const pugi::xml_node& node, std::string_view element,
                                       const char* name) const {
   const std::string_view own = style_property(node.attribute("style").value(), name);
   if (!own.empty()) return own;
+  work_.spend(rules_.size());
+  const Asked asked{element, node.attribute("id").value(), node.attribute("class").value()};
+  const bool display = std::string_view(name) == "display";
   std::string_view found;
   int specificity = -1;
   for (const Rule& rule : rules_) {
-    if (rule.specificity < specificity || !applies(rule, node, element)) continue;
-    const std::string_view value = style_property(rule.declarations, name);
-    if (value.empty()) continue;
+    const std::string_view value = display ? rule.display : rule.visibility;
+    if (value.empty() || rule.specificity < specificity || !applies(rule, asked)) continue;
     found = value;
     specificity = rule.specificity;
   }

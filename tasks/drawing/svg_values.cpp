@@ -43,10 +43,10 @@ Affine function(const Scanner& s, std::string_view name, const std::vector<doubl
     return matrix(1, 0, 0, 1, v[1], v[2]) * turn(v[0]) * matrix(1, 0, 0, 1, -v[1], -v[2]);
   if (name == "skewX" && n == 1) return matrix(1, 0, tangent(v[0]), 1, 0, 0);
   if (name == "skewY" && n == 1) return matrix(1, tangent(v[0]), 0, 1, 0, 0);
-  s.fail(fmt::format("'{}' with {} numbers is not a transform", name, n));
+  s.fail(fmt::format("'{:.40}' with {} numbers is not a transform", name, n));
 }
 
-// Where the box lies in a viewport that is larger or smaller by `room`.
+// Offset of the box in a viewport that is larger or smaller by `room`.
 double aligned(std::string_view preserve, std::string_view low, std::string_view high, double room) {
   if (preserve.find(low) != std::string_view::npos) return 0;
   return preserve.find(high) != std::string_view::npos ? room : room / 2;
@@ -138,7 +138,7 @@ double length_of(std::string_view text, double whole) {
   }
   const auto* const found =
       std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return u.name == unit; });
-  if (found == kUnits.end()) throw BadValue(fmt::format("the unit '{}' is not supported", unit));
+  if (found == kUnits.end()) throw BadValue(fmt::format("the unit '{:.40}' is not supported", unit));
   return value * found->px;
 }
 

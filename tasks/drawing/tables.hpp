@@ -36,7 +36,4 @@ extern const Motion<Arm> kTransparent;
 /// @return whether m = 4 has ended because the pens were not both on the paper in time
 bool no_contact(const Coordinator::X& x);
 
-/// @return the command with its desired velocities scaled by the pace of task time; forces stay (rule R8)
-TaskFrameCommand at_pace(TaskFrameCommand frame, double pace);
-
 }  // namespace mrroc::drawing

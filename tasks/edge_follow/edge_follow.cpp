@@ -16,10 +16,6 @@ constexpr double kFullRound = 2 * pi - 0.3;  // [rad] of turning, before the way
 constexpr double kLeft = 0.010;              // [m] the place of contact has been left
 constexpr double kBack = 0.002;              // [m] ... and is reached again
 
-Pose pose_of(const EffectorReply& e) {
-  return pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(e.T_0E.data()));
-}
-
 Pose turned(const Pose& T_WE, double angle) {
   return T_WE * Pose{rotation_from_angle_axis({0, 0, angle}), Vector3::Zero()};
 }
@@ -113,7 +109,7 @@ mp::TaskFigures figures(const std::vector<mp::ArmTrace>& arms, const Config& con
   std::vector<double> rms, mean, peak, time;
   const double desired = read_rule(config).force;
   for (const mp::ArmTrace& trace : arms) {
-    double square = 0, sum = 0, largest = 0, begin = 0, end = 0;
+    double square = 0, sum = 0, largest = 0, begin = 0, end = 0;  // NaN in the end where no row counts
     int rows = 0;
     for (const mp::ArmRow& row : trace) {
       if (row.m != 2) continue;
@@ -126,8 +122,8 @@ mp::TaskFigures figures(const std::vector<mp::ArmTrace>& arms, const Config& con
     }
     rms.push_back(std::sqrt(square / rows));
     mean.push_back(sum / rows);
-    peak.push_back(largest);
-    time.push_back(end - begin);
+    peak.push_back(rows > 0 ? largest : NAN);
+    time.push_back(rows > 0 ? end - begin : NAN);
   }
   return {{{.key = "edge_follow_rms_N",
             .words = "error of the force along the edge",

@@ -1,4 +1,4 @@
-// Two arms lead a finger around a plate each, pushing against its edge with 4 N: the edge following
+// Each of two arms leads a finger around a plate, pushing against its edge with 4 N: the edge following
 // benchmark.
 #pragma once
 #include <array>
@@ -24,7 +24,7 @@ struct Memory {
 };
 
 /// One of the arms; they know nothing of each other.
-struct Arm : ecp::ArmAgent<Memory> {};
+struct Arm : ArmAgent<Memory> {};
 
 /// Steps of a macrostep; n_Q is one less.
 inline constexpr ecp::Pacing kPacing{.n_s = 8, .n_Q = 7};
@@ -41,7 +41,7 @@ ecp::EdgeRule read_rule(const Config& config);
 Memory read_memory(const Config& config, const std::string& arm);
 
 /// Body of the ECP of each arm.
-void run_ecp(link::Process& process, const Config& config, const link::PartArguments& arguments);
+void run_ecp(link::Process& process, const Config& config, const link::NodeArguments& arguments);
 
 /// @return per arm, of the contact force along the edge: edge_follow_rms_N (error), edge_follow_mean_N,
 ///         edge_follow_peak_N; and edge_follow_s, the time for one round

@@ -14,31 +14,22 @@ namespace {
 using X = Arm::X;
 using ecp::age;
 
-constexpr std::int64_t kPatience = 9000;     // macrosteps that homing may take
-constexpr std::int64_t kSettling = 50;       // at rest before the force is biased
-constexpr std::int64_t kSetPatience = 50;    // for the answer to SET
-constexpr std::int64_t kGripPatience = 250;  // for the jaws
-constexpr double kGripTolerance = 5e-4;      // of their distance [m]
+constexpr std::int64_t kHomingTimeout = 9000;  // macrosteps that homing may take
+constexpr std::int64_t kSettling = 50;         // at rest before the force is biased
+constexpr std::int64_t kSetTimeout = 50;       // for the answer to SET
+constexpr std::int64_t kGripTimeout = 250;     // for the jaws
+constexpr double kGripTolerance = 5e-4;        // of their distance [m]
 
 /// The driver stands in the state of a fault and says which: to a command it says only that it waits for a reset.
 bool tripped(const X& x) {
   return x.e.state == DriverState::faulted && x.e.fault && x.e.fault.code != FaultCode::reset_required;
 }
 
-/// The driver has tripped, has refused the command of this behaviour, or could not execute it to its end.
-bool failed(const X& x) {
-  if (age(x) < ecp::kAnswerDelay) return false;
-  if (x.e.state == DriverState::faulted && x.T.manual.kind != Kind::reset) return tripped(x);
-  return (x.e.verdict == Verdict::refused || x.e.verdict == Verdict::failed) &&
-         x.e.fault.code != FaultCode::lost_command;
-}
-
-/// The operator wants something else.
-bool called_off(const X& x) { return x.T.manual.number != x.c.doing || x.T.finished; }
-
-bool moves(const X& x) {
-  return x.e.state == DriverState::executing || x.e.state == DriverState::decelerating ||
-         x.e.state == DriverState::jogging;
+/// The driver has tripped, or trips again when it is reset.
+bool broken(const X& x) {
+  if (age(x) < latency::kCommandToReply || mishap_of(x.e) != Mishap::tripped) return false;
+  return x.T.manual.kind == Kind::reset ? x.e.verdict != Verdict::none && x.e.verdict != Verdict::executed
+                                        : tripped(x);
 }
 
 // --- where to, and how ----------------------------------------------------------------------------------
@@ -48,10 +39,7 @@ ecp::Coordinates present(const X& x, Representation space) {
     const auto& source = space == Representation::motors ? x.e.motors : x.e.joints;
     return Eigen::Map<const Eigen::VectorXd>(source.data(), x.c.axes);
   }
-  PoseNumbers measured{};
-  std::ranges::copy(x.e.T_0E, measured.begin());
-  const Pose T_0E = pose_from_numbers(Representation::xyz_angle_axis, measured).value_or(Pose());
-  return axes_from_numbers(numbers_from_pose(space, T_0E), 6);
+  return axes_from_numbers(numbers_from_pose(space, pose_of(x.e)), 6);
 }
 
 ecp::Coordinates goal(const X& x, const ecp::Coordinates& from) {
@@ -76,7 +64,7 @@ ecp::Trajectory plan(const X& x) {
   const ecp::Coordinates from = present(x, o.space);
   const ecp::Coordinates there = goal(x, from);
   if (x.c.reach)
-    if (const auto wrong = x.c.reach->objection(o.space, there, x.e, x.c.kinematic_model))
+    if (const auto wrong = x.c.reach->validation_error(o.space, there, x.e, x.c.kinematic_model))
       throw FaultError(*wrong);
   const ecp::Coding coding{.space = o.space,
                            .reference = by_increments ? Reference::relative : Reference::absolute,
@@ -103,19 +91,29 @@ Memory over(const X& x) {
   Memory c = x.c;
   const bool same = x.T.manual.number == c.doing, news = c.done != c.doing;
   const bool stops = same && x.T.manual.kind == Kind::stop;
-  const bool bad = x.e.verdict == Verdict::refused || x.e.verdict == Verdict::failed || tripped(x);
-  if (news && !c.fault && !stops && bad && x.e.fault.code != FaultCode::lost_command) c.fault = x.e.fault;
+  const bool fails = mishap_of(x.e) == Mishap::tripped && x.e.verdict != Verdict::none;
+  if (news && !c.fault && !stops && (fails || tripped(x))) c.fault = x.e.fault;
   if (news && same && !c.fault && x.T.manual.kind == Kind::kinematic_model)
     c.kinematic_model = x.T.manual.model;
   c.done = c.doing;
   return c;
 }
 
-/// f_cc of a behaviour that waits for something: it may be in vain.
-template <std::int64_t patience, FaultCode code>
-Memory patient(const X& x) {
+/// f_cc of a behaviour that commands something: a mishap is why the order fails.
+Memory note(const X& x) {
   Memory c = x.c;
-  if (age(x) >= patience) c.fault = Fault{.code = code};
+  const Mishap mishap = mishap_of(x.e);
+  const bool own = age(x) >= latency::kCommandToReply;
+  if (own && !c.fault && (mishap == Mishap::refused || mishap == Mishap::failed)) c.fault = x.e.fault;
+  return c;
+}
+
+/// f_cc of one that waits for something as well: it may be in vain.
+template <std::int64_t timeout, FaultCode code>
+Memory timed(const X& x) {
+  Memory c = note(x);
+  if (c.fault) return c;
+  if (age(x) >= timeout) c.fault = Fault{.code = code};
   return c;
 }
 
@@ -186,8 +184,8 @@ EffectorCommand grip(const X& x) {
 
 ecp::None nothing(const X&) { return {}; }
 
-/// The verdict is the agent's business: a refused order is no fault of the system, and a driver that has tripped is
-/// told of as long as it waits for its reset.
+/// The fault is that of an order, and no verdict on a command. A driver that has tripped is told of as long as it waits
+/// for its reset.
 Report told(const X& x) {
   Report r = ecp::report_of(x, 0);
   r.verdict = Verdict::none;
@@ -202,41 +200,52 @@ Report told(const X& x) {
 bool ordered(const X& x) { return x.T.manual.number != x.c.done || x.T.finished; }
 
 bool homed(const X& x) {
-  const bool begun = age(x) > ecp::kAnswerDelay + 1;
-  return x.c.fault || failed(x) || called_off(x) || (begun && x.e.state == DriverState::ready);
+  const bool begun = age(x) > latency::kCommandToReply + 1;
+  return x.c.fault || broken(x) || called_off(x) || (begun && x.e.state == DriverState::ready);
 }
 
 bool settled(const X& x) { return age(x) >= kSettling || called_off(x); }
 
 bool answered(const X& x) {
-  return x.c.fault || failed(x) || called_off(x) ||
-         (age(x) >= ecp::kAnswerDelay && x.e.verdict == Verdict::executed);
+  return x.c.fault || broken(x) || called_off(x) ||
+         (age(x) >= latency::kCommandToReply && x.e.verdict == Verdict::executed);
 }
 
 bool arrived(const X& x) {
-  if (x.c.fault || failed(x) || called_off(x)) return true;
-  return age(x) > x.c.path.macrosteps() + ecp::kAnswerDelay && !moves(x);
+  if (x.c.fault || broken(x) || called_off(x)) return true;
+  return age(x) > x.c.path.macrosteps() + latency::kCommandToReply && !moves(x.e);
 }
 
 bool gripped(const X& x) {
-  if (x.c.fault || failed(x) || called_off(x)) return true;
-  if (age(x) <= ecp::kAnswerDelay + 10) return false;
+  if (x.c.fault || broken(x) || called_off(x)) return true;
+  if (age(x) <= latency::kCommandToReply + 10) return false;
   return std::abs(x.e.gripper - x.T.manual.value[0]) < kGripTolerance || x.e.blocked ||
-         age(x) >= kGripPatience;
+         age(x) >= kGripTimeout;
 }
+
+}  // namespace
+
+bool called_off(const X& x) { return x.T.manual.number != x.c.doing || x.T.finished; }
+
+namespace {
+
+/// A refused order is no fault of the system, and neither is a driver that has tripped: a person resets it.
+constexpr FaultPolicy kCarryOn{Response::go_on, Response::go_on, Response::go_on};
+/// It ends the order.
+constexpr FaultPolicy kOrderFails{Response::next_behaviour, Response::next_behaviour, Response::go_on};
 
 }  // namespace
 
 // clang-format off
 const std::array<Motion<Arm>, 7> kManual{{
   // m  name                  entry    memory                                         command        sensors  agents  ends
-  {  1, "wait for an order",  over,    retain,                                        at_rest,       nothing, told,   ordered,  "an order has come"},
-  {  2, "find the position",  retain,  patient<kPatience, FaultCode::not_ready>,      synchro,       nothing, told,   homed,    "the positions are known, or it was called off"},
-  {  3, "settle",             retain,  retain,                                        at_rest,       nothing, told,   settled,  "the arm rests"},
-  {  4, "set the tool",       retain,  patient<kSetPatience, FaultCode::peer_silent>, tool_of_task,  nothing, told,   answered, "the driver has answered"},
-  {  5, "move",               planned, retain,                                        follow,        nothing, told,   arrived,  "the arm is there, or it was called off"},
-  {  6, "set",                retain,  patient<kSetPatience, FaultCode::peer_silent>, set_once,      nothing, told,   answered, "the driver has answered"},
-  {  7, "grip",               retain,  retain,                                        grip,          nothing, told,   gripped,  "the jaws are there or hold something"},
+  {  1, "wait for an order",  over,    retain,                                        at_rest,       nothing, told,   ordered,  "an order has come", kCarryOn},
+  {  2, "find the position",  retain,  timed<kHomingTimeout, FaultCode::not_ready>,   synchro,       nothing, told,   homed,    "the positions are known, or it was called off", kOrderFails},
+  {  3, "settle",             retain,  retain,                                        at_rest,       nothing, told,   settled,  "the arm rests", kCarryOn},
+  {  4, "set the tool",       retain,  timed<kSetTimeout, FaultCode::peer_silent>,    tool_of_task,  nothing, told,   answered, "the driver has answered", kOrderFails},
+  {  5, "move",               planned, note,                                          follow,        nothing, told,   arrived,  "the arm is there, or it was called off", kOrderFails},
+  {  6, "set",                retain,  timed<kSetTimeout, FaultCode::peer_silent>,    set_once,      nothing, told,   answered, "the driver has answered", kOrderFails},
+  {  7, "grip",               retain,  note,                                          grip,          nothing, told,   gripped,  "the jaws are there or hold something", kOrderFails},
 }};
 // clang-format on
 

@@ -1,4 +1,4 @@
-// The agent a_j of manual operation: does one order after the other.
+// The agent a_j of manual operation: executes one order after the other.
 #pragma once
 #include <array>
 
@@ -53,6 +53,9 @@ enum class Row : std::uint8_t { idle, find_position, settle, set_tool, move, set
 extern const std::array<Motion<Arm>, 7> kManual;
 /// @return the row
 inline const Motion<Arm>& row(Row r) { return kManual[static_cast<std::size_t>(r)]; }
+
+/// @return whether the operator wants something else than what the agent does, or nothing any more
+[[nodiscard]] bool called_off(const Arm::X& x);
 
 /// Executes orders until the task is over.
 template <class Port>

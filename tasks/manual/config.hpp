@@ -5,7 +5,7 @@
 
 #include "base/link/child_main.hpp"
 #include "tasks/manual/arm.hpp"
-#include "tasks/manual/words.hpp"
+#include "tasks/manual/instruction_script.hpp"
 
 namespace mrroc::manual {
 
@@ -21,7 +21,7 @@ namespace mrroc::manual {
 
 /// Runs the control subsystem of one arm.
 /// @param reach  of that arm
-void run_ecp(link::Process& process, const Config& config, const link::PartArguments& arguments,
+void run_ecp(link::Process& process, const Config& config, const link::NodeArguments& arguments,
              const Reach& reach);
 
 }  // namespace mrroc::manual

@@ -62,7 +62,7 @@ Coordinator::Said farewell(const Coordinator::X& x) {
   return {std::vector<Order>(x.T.agent.size(), over), x.c.given};
 }
 
-/// Between Move and the links.
+/// Connects Move with the links.
 class ManualRun::Port {
  public:
   explicit Port(ManualRun& run) : run_(run) {}
@@ -82,18 +82,17 @@ class ManualRun::Port {
   std::vector<ManualOrder> given_;
 };
 
-ManualRun::ManualRun(mp::TaskRun& run, const ManualParameters& parameters,
-                     std::function<void(const std::string&)> announce)
+ManualRun::ManualRun(mp::TaskRun& run, const ManualParameters& parameters)
     : run_(run),
       k_(parameters),
-      operator_(run.process(), run.desk(), false),
+      operator_(run.process(), run.command_server(), false),
       links_(run.process(), keys_of(parameters.arms), operator_),
-      desk_(run.process(), parameters.arms, parameters.script, parameters.record),
-      announce_(std::move(announce)),
+      command_server_(run.process(), parameters.arms, parameters.script, parameters.record),
       m_(parameters.arms.size()),
       tripped_(parameters.arms.size()) {
   for (const ArmInfo& arm : k_.arms)
     manual_out_.push_back(run.process().outbox<manual_order_t>(arm.key + ".manual"));
+  if (k_.script.empty()) run_.set_attended();
 }
 
 Outcome ManualRun::execute() {
@@ -122,40 +121,43 @@ void ManualRun::read(X& x) {
   for (std::size_t arm = 0; arm < k_.arms.size(); ++arm) x.T.agent.push_back(links_.report(arm));
   std::vector<std::int64_t> numbers;
   for (const ManualOrder& o : x.c.given) numbers.push_back(o.number);
-  x.T.hands = desk_.take(x.i, numbers, x.T.agent, x.T.h.paused);
+  x.T.hands = command_server_.take(x.i, numbers, x.T.agent, x.T.h.paused);
   x.T.hands.end = x.T.hands.end || end;
   show(x);
+  run_.set_idle(!k_.script.empty() && command_server_.over() && !x.T.hands.end && idle(x));
   run_.each_macrostep(x.i, static_cast<double>(x.i) * k_.macrostep_s);
-  tell_trips(x);
+  report_trips(x);
 }
 
 void ManualRun::show(const X& x) {
-  run_.set_state(x.T.h.paused ? TaskState::paused : TaskState::running, false);
+  run_.set_state(links_.clock().paused() ? TaskState::paused : TaskState::running, false);
   run_.board().set_behaviour(kManualOperation.m, kManualOperation.name, kManualOperation.until);
   run_.board().set_progress(-1, fmt::format("instructions taken: {}", taken(x)));
   for (std::size_t arm = 0; arm < m_.size(); ++arm) {
     const Report& r = x.T.agent[arm];
     const auto m = static_cast<std::size_t>(std::clamp(r.m, 1, static_cast<int>(kManual.size())));
     if (r.m != m_[arm])
-      announce_(fmt::format("{:8.2f} s  {}  {}{}", static_cast<double>(x.i) * k_.macrostep_s,
-                            k_.arms[arm].key, kManual[m - 1].name, r.fault ? ": " + describe(r.fault) : ""));
+      run_.announce()(static_cast<double>(x.i) * k_.macrostep_s,
+                      fmt::format("{}  {}{}", k_.arms[arm].key, kManual[m - 1].name,
+                                  r.fault ? ": " + describe(r.fault) : ""));
     m_[arm] = r.m;
     run_.board().set_arm(arm, r, "");
   }
 }
 
-void ManualRun::tell_trips(const X& x) {
+void ManualRun::report_trips(const X& x) {
   for (std::size_t arm = 0; arm < tripped_.size(); ++arm) {
     const Report& r = x.T.agent[arm];
     const bool tripped = r.driver_state == DriverState::faulted;
     // Which fault it is comes later, or is not told again, where a command on its way was refused.
     if (tripped && r.fault && !tripped_[arm] && r.fault.code != FaultCode::emergency_stop) {
       const std::string& key = k_.arms[arm].key;
-      announce_(fmt::format("{:8.2f} s  {}  fault: {}", static_cast<double>(x.i) * k_.macrostep_s, key,
-                            describe(r.fault)));
+      run_.announce()(static_cast<double>(x.i) * k_.macrostep_s,
+                      fmt::format("{}  fault: {}", key, describe(r.fault)));
       Fault fault = r.fault;
       fault.process = "edp-" + key;
-      run_.survive(fault, fmt::format("remove the cause, then `ui_cli manual reset {}`", key));
+      run_.report_recoverable_fault(fault,
+                                    fmt::format("remove the cause, then `ui_cli manual reset {}`", key));
     }
     tripped_[arm] = tripped && (tripped_[arm] || r.fault);
   }

@@ -1,15 +1,14 @@
 // The agent a_0 of manual operation, and its program in MP: passes the operator's orders on.
 #pragma once
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "mp/auto_start_operator.hpp"
 #include "mp/coordinator_links.hpp"
-#include "mp/dormant_operator.hpp"
 #include "mp/task_run.hpp"
 #include "mrroc/manual_order_t.hpp"
-#include "tasks/manual/desk.hpp"
+#include "tasks/manual/command_server.hpp"
 
 namespace mrroc::manual {
 
@@ -54,41 +53,37 @@ extern const Motion<Coordinator> kManualOperation;
 /// @return the order that ends the task. It also ends a pause: an arm that stands for one hears of nothing else
 [[nodiscard]] Coordinator::Said farewell(const Coordinator::X& x);
 
-/// What the run is told.
+/// Settings of the run.
 struct ManualParameters {
-  std::vector<ArmInfo> arms;          ///< in the order of the run's arms
-  std::vector<ScriptedWords> script;  ///< instructions that need no terminal
-  std::filesystem::path record;       ///< where instructions go that were taken; empty: nowhere
-  double macrostep_s{0.02};           ///< [s]
+  std::vector<ArmInfo> arms;     ///< in the order of the run's arms
+  InstructionScript script;      ///< instructions that need no terminal
+  std::filesystem::path record;  ///< where instructions go that were taken; empty: nowhere
+  double macrostep_s{0.02};      ///< [s]
 };
 
 /// MP of the task.
-class ManualRun {
+class ManualRun final : public mp::CoordinatorRun {
  public:
-  /// @param announce  gets a line for every behaviour that an arm begins
-  ManualRun(mp::TaskRun& run, const ManualParameters& parameters,
-            std::function<void(const std::string&)> announce);
+  /// @param run  is told of every behaviour that an arm begins; must outlive this object
+  ManualRun(mp::TaskRun& run, const ManualParameters& parameters);
 
-  /// Runs the task to its end. Call TaskRun::start() before.
-  Outcome execute();
-  /// @return why execute() gave faulted
-  [[nodiscard]] const Fault& fault() const { return links_.fault(); }
+  Outcome execute() override;
+  [[nodiscard]] const Fault& fault() const override { return links_.fault(); }
 
  private:
   class Port;
   void send(const Coordinator::Said& said);
   void read(Coordinator::X& x);
   void show(const Coordinator::X& x);
-  /// Tells of the drivers that have tripped since the macrostep before.
-  void tell_trips(const Coordinator::X& x);
+  /// Reports the drivers that have tripped since the macrostep before.
+  void report_trips(const Coordinator::X& x);
 
   mp::TaskRun& run_;
   ManualParameters k_;
-  mp::DormantOperator operator_;
+  mp::AutoStartOperator operator_;
   mp::CoordinatorLinks links_;
-  Desk desk_;
+  CommandServer command_server_;
   std::vector<std::unique_ptr<link::Outbox<manual_order_t>>> manual_out_;
-  std::function<void(const std::string&)> announce_;
   std::vector<int> m_;         // of the last reports
   std::vector<bool> tripped_;  // drivers whose fault has been told
 };

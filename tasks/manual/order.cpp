@@ -1,6 +1,9 @@
 #include "tasks/manual/order.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "base/msg/finite.hpp"
 
 namespace mrroc::manual {
 
@@ -19,11 +22,14 @@ manual_order_t to_message(const ManualOrder& o) {
   return m;
 }
 
-ManualOrder from_message(const manual_order_t& m) {
-  ManualOrder o;
+}  // namespace mrroc::manual
+
+namespace mrroc {
+
+manual::ManualOrder from_message(const manual_order_t& m) {
+  manual::ManualOrder o;
   o.number = m.number;
-  const bool known = m.kind >= 0 && m.kind <= static_cast<int>(Kind::stop);
-  o.kind = known ? static_cast<Kind>(m.kind) : Kind::nothing;
+  o.kind = static_cast<manual::Kind>(m.kind);
   o.space = static_cast<Representation>(m.space);
   o.reference = static_cast<Reference>(m.reference);
   std::ranges::copy(m.value, o.value.begin());
@@ -35,4 +41,9 @@ ManualOrder from_message(const manual_order_t& m) {
   return o;
 }
 
-}  // namespace mrroc::manual
+bool is_proper(const manual_order_t& m) noexcept {
+  return m.kind >= 0 && m.kind <= static_cast<int>(manual::Kind::stop) && finite(m.value) &&
+         std::isfinite(m.velocity) && std::isfinite(m.acceleration);
+}
+
+}  // namespace mrroc

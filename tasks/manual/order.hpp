@@ -1,4 +1,4 @@
-// What the operator asks of one arm by hand.
+// The operator's orders to one arm.
 #pragma once
 #include <cstdint>
 
@@ -38,8 +38,16 @@ struct ManualOrder {
   std::uint8_t parameter_set{};  ///< servo_algorithm
 };
 
-/// The order as a message and back; meaning and units stay. The header is left to the channel.
+/// The order as a message; meaning and units stay. The header is left to the channel.
 [[nodiscard]] manual_order_t to_message(const ManualOrder& order);
-[[nodiscard]] ManualOrder from_message(const manual_order_t& m);
 
 }  // namespace mrroc::manual
+
+namespace mrroc {
+
+/// The message as an order. @param m  a proper one
+[[nodiscard]] manual::ManualOrder from_message(const manual_order_t& m);
+/// @return whether the kind is one that there is, and all numbers are finite. Real-time safe
+[[nodiscard]] bool is_proper(const manual_order_t& m) noexcept;
+
+}  // namespace mrroc

@@ -1,4 +1,4 @@
-// What the program of an arm is told of where the arm can be: the robot knows, the task asks.
+// The reach of an arm, as an interface: the robot knows it, the task asks.
 #pragma once
 #include <optional>
 
@@ -16,9 +16,10 @@ class Reach {
   /// @param model  kinematic model in force; nothing: that of the configuration
   /// @return why the arm cannot be there: axis, value and limit of the first one beyond. Nothing: it can, or it is not
   ///         known where it is
-  [[nodiscard]] virtual std::optional<Fault> objection(Representation space, const ecp::Coordinates& goal,
-                                                       const EffectorReply& now,
-                                                       std::optional<int> model) const = 0;
+  [[nodiscard]] virtual std::optional<Fault> validation_error(Representation space,
+                                                              const ecp::Coordinates& goal,
+                                                              const EffectorReply& now,
+                                                              std::optional<int> model) const = 0;
 };
 
 }  // namespace mrroc::manual

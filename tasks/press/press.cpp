@@ -2,26 +2,24 @@
 
 namespace mrroc::press {
 namespace {
-
-constexpr TaskFrameCommand kApproach{.z = g(0.01, 5, 0.0025)};  // the force settles at v/B = 4 N
-constexpr TaskFrameCommand kHold{.z = c(4, 20, 0.005)};
-constexpr TaskFrameCommand kDrawBack{.z = u(-0.02)};
-
-bool pushing(const Arm::X& x) { return x.e.F_a[Axis::z] > 0.9 * 4; }  // MG (66)
-
+EffectorCommand approach(const Arm::X& x) { return ecp::move_arm({.z = g(0.0025 * x.c.value, 5, 0.0025)}); }
+EffectorCommand hold(const Arm::X& x) { return ecp::move_arm({.z = c(x.c.value, 20, 0.005)}); }
+EffectorCommand draw_back(const Arm::X&) { return ecp::move_arm({.z = u(-0.02)}); }
+bool pushing(const Arm::X& x) { return x.e.F_a[Axis::z] > 0.9 * x.c.value; }  // MG (66)
 }  // namespace
 
 const std::array<Motion<Arm>, 4> kPress{{
-    ecp::row<Arm>(1, "approach", ecp::command<Arm, kApproach>, pushing, "F_z above 3.6 N"),
-    ecp::row<Arm>(2, "settle", ecp::command<Arm, kApproach>, ecp::after<Arm, 150>, "3 s have passed"),
-    ecp::row<Arm>(3, "hold", ecp::command<Arm, kHold>, ecp::after<Arm, 100>, "2 s have passed"),
-    ecp::row<Arm>(4, "draw back", ecp::command<Arm, kDrawBack>, ecp::after<Arm, 50>, "1 s has passed"),
+    ecp::row<Arm>(1, "approach", approach, pushing, "F_z above 0.9 of the force"),
+    ecp::row<Arm>(2, "settle", approach, ecp::after<Arm, 150>, "3 s have passed"),
+    ecp::row<Arm>(3, "hold", hold, ecp::after<Arm, 100>, "2 s have passed"),
+    ecp::row<Arm>(4, "draw back", draw_back, ecp::after<Arm, 50>, "1 s has passed"),
 }};
 
-mp::TaskFigures figures(const std::vector<mp::ArmTrace>& arms, const Config&) {
+mp::TaskFigures figures(const std::vector<mp::ArmTrace>& arms, const Config& k) {
+  const double low = 0.975 * read_force(k), high = 1.025 * read_force(k);
   return {{{"approach_peak_N", "peak of the approach", "N"}, mp::largest_force(arms[0], Axis::z, {1, 2})},
-          {{"approach_settled_N", "  settled", "N", 3.9, 4.1}, mp::mean_force(arms[0], Axis::z, 2, 1.0)},
-          {{"hold_N", "force held", "N", 3.9, 4.1}, mp::mean_force(arms[0], Axis::z, 3, 1.0)}};
+          {{"approach_settled_N", "  settled", "N", low, high}, mp::mean_force(arms[0], Axis::z, 2, 1.0)},
+          {{"hold_N", "force held", "N", low, high}, mp::mean_force(arms[0], Axis::z, 3, 1.0)}};
 }
 
 }  // namespace mrroc::press

@@ -30,7 +30,7 @@ Parameters read_parameters(const Config& config) {
   k.torque = config.number("task.torque", k.torque, {0.5, 5}, "N m about the face's axis");
   k.mobility = config.number("task.mobility", k.mobility, {0.001, 0.5}, "s/(kg m^2): B about it");
   k.attempts = config.integer("task.attempts", k.attempts, {1, 10}, "at a turn or a grip");
-  k.patience = config.integer("task.patience", k.patience, {50, 10'000}, "macrosteps of a behaviour");
+  k.timeout = config.integer("task.timeout", k.timeout, {50, 10'000}, "macrosteps of a behaviour");
   k.progress = config.number("task.progress", k.progress, {0.001, 1}, "rad of a turn");
   k.stall = config.integer("task.stall", k.stall, {25, 10'000}, "macrosteps without progress of a turn");
   k.held = config.number("task.held", k.held, {0.053, 0.09}, "m: jaws nearer than that hold nothing");

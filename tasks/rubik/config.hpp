@@ -12,6 +12,8 @@ namespace mrroc::rubik {
 
 /// Keys of the arms, by index(Hand).
 inline const std::array<std::string, kArms> kArmKeys{"arm1", "arm2"};
+/// Their models, as in [robots.ARM] model.
+inline constexpr std::array<std::string_view, kArms> kArmModels{"irb6_postument", "irb6_track"};
 
 /// The task's configuration, as built in.
 std::string_view config();
@@ -26,6 +28,6 @@ Parameters read_parameters(const Config& config);
 ecp::MotionLimits read_motion_limits(const Config& config, const std::string& arm, int axes);
 
 /// The ECP process of an arm.
-void run_ecp(link::Process& process, const Config& config, const link::PartArguments& arguments);
+void run_ecp(link::Process& process, const Config& config, const link::NodeArguments& arguments);
 
 }  // namespace mrroc::rubik

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/latency.hpp"
 #include "base/representation.hpp"
 #include "tasks/rubik/plan/plan.hpp"
 #include "tasks/rubik/turn/tables.hpp"
@@ -12,15 +13,13 @@ namespace {
 
 using X = Coordinator::X;
 using Memory0 = Coordinator::Memory;
-using Orders = std::array<Order, kArms>;
+using Orders = std::array<ArmOrder, kArms>;
 
-/// Macrosteps until an order shows in a report (MG 11-15), and none of an earlier behaviour is left.
-constexpr std::int64_t kLoop = 4;
+/// Until an order shows in a report, and none of an earlier behaviour is left.
+using latency::kLoop;
 
 constexpr std::int64_t kStillBeforeLook = 25;  // macrosteps until the arms have come to rest
 constexpr std::int64_t kLongestLook = 100;     // macrosteps after which what there is must do
-
-Pose pose_of(const Report& r) { return pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(r.T_0E.data())); }
 
 /// @return the hand that acts in behaviour m of the cycle
 Hand actor(const Cycle& cycle, int m) {
@@ -28,7 +27,7 @@ Hand actor(const Cycle& cycle, int m) {
   return m == 5 ? Hand::track : cycle.leaves;
 }
 
-const Report& report(const X& x, Hand hand) { return x.T.agent[index(hand)]; }
+const ArmReport& report(const X& x, Hand hand) { return x.T.agent[index(hand)]; }
 
 bool empty(const X& x, Hand hand) { return report(x, hand).ready && report(x, hand).gripper < x.c.k.held; }
 
@@ -52,15 +51,15 @@ bool lost(const X& x, const Cycle& cycle, int m) {
 }
 
 template <int m>
-Trouble watch(const X& x, const Memory0& c) {
+FailureReason watch(const X& x, const Memory0& c) {
   const Parameters& k = x.c.k;
-  const bool late = ecp::age(x) >= k.patience;
-  if (lost(x, c.cycle, m)) return Trouble::dropped;
-  if (m == 1 && (late || c.travelled > kApproachDistance + k.slip)) return Trouble::no_contact;
-  if ((m == 3 || m == 4) && (late || empty(x, c.cycle.comes))) return Trouble::missed;
-  if (m == 5 && x.i - c.last_progress >= k.stall) return Trouble::jammed;
-  if (m == 6 && late) return Trouble::not_released;
-  return Trouble::none;
+  const bool late = ecp::age(x) >= k.timeout;
+  if (lost(x, c.cycle, m)) return FailureReason::dropped;
+  if (m == 1 && (late || c.travelled > kApproachDistance + k.slip)) return FailureReason::no_contact;
+  if ((m == 3 || m == 4) && (late || empty(x, c.cycle.comes))) return FailureReason::missed;
+  if (m == 5 && x.i - c.last_progress >= k.stall) return FailureReason::jammed;
+  if (m == 6 && late) return FailureReason::not_released;
+  return FailureReason::none;
 }
 
 /// (63), and whether all is well.
@@ -77,9 +76,9 @@ Memory0 coordinate_arms(const X& x) {
       c.last_progress = x.i;
     }
   }
-  c.trouble = watch<m>(x, c);
+  c.failure = watch<m>(x, c);
   if (m == 1 && c.coordination.m > 1 && std::abs(c.travelled - kApproachDistance) > c.k.slip)
-    c.trouble = Trouble::elsewhere;
+    c.failure = FailureReason::elsewhere;
   return c;
 }
 
@@ -93,9 +92,9 @@ Memory0 first_point(const X& x) {
 Memory0 next_point(const X& x) {
   Memory0 c = x.c;
   for (const Hand hand : kHands) {
-    const Way& way = c.ways[index(hand)];
+    const JointPath& path = c.joint_paths[index(hand)];
     int& next = c.next[index(hand)];
-    if (++next >= way.count) next = std::clamp(report(x, hand).sensor, 0, std::max(0, way.count - 1));
+    if (++next >= path.count) next = std::clamp(report(x, hand).cube.points, 0, std::max(0, path.count - 1));
   }
   return c;
 }
@@ -103,7 +102,7 @@ Memory0 next_point(const X& x) {
 Memory0 watch_cube(const X& x) {
   Memory0 c = x.c;
   for (const Hand hand : kHands)
-    if (c.loaded[index(hand)] && empty(x, hand)) c.trouble = Trouble::dropped;
+    if (c.loaded[index(hand)] && empty(x, hand)) c.failure = FailureReason::dropped;
   return c;
 }
 
@@ -111,18 +110,20 @@ Memory0 watch_cube(const X& x) {
 
 template <int m>
 Orders both(const X&) {
-  return {Order{.m = m}, Order{.m = m}};
+  Orders orders;
+  for (ArmOrder& o : orders) o.m = m;
+  return orders;
 }
 
 template <int m>
 Orders cycle(const X& x) {
   Orders orders;
   for (const Hand hand : kHands) {
-    Order& o = orders[index(hand)];
+    ArmOrder& o = orders[index(hand)];
     o = order(x.c.coordination);
     o.variant = actor(x.c.cycle, m) == hand ? kActs : kStands;
-    put_turn(x.c.cycle.turn, o);
-    o.arm.gripper = m == 6 ? x.c.k.opening_step : m == 4 ? x.c.k.grip_step : x.c.k.jaw_step;
+    o.cube.turn = x.c.cycle.turn;
+    o.cube.jaw_step = m == 6 ? x.c.k.opening_step : m == 4 ? x.c.k.grip_step : x.c.k.jaw_step;
   }
   return orders;
 }
@@ -130,16 +131,14 @@ Orders cycle(const X& x) {
 Orders send_points(const X& x) {
   Orders orders = both<kWait>(x);
   for (const Hand hand : kHands) {
-    const Way& way = x.c.ways[index(hand)];
-    if (way.empty()) continue;
+    const JointPath& path = x.c.joint_paths[index(hand)];
+    if (path.empty()) continue;
     const int next = x.c.next[index(hand)];
-    Order& o = orders[index(hand)];
-    o.m = kTakeWay;
-    o.variant = way.count > 0 ? next : -1;  // no point: the jaws alone
-    o.arm.mu = Interpolation::mim;
-    o.arm.representation = Representation::motors;
-    if (way.count > 0) o.arm.pose = way.points[static_cast<std::size_t>(next)];
-    o.arm.gripper = way.jaws;
+    ArmOrder& o = orders[index(hand)];
+    o.m = kTakePath;
+    o.variant = path.count > 0 ? next : -1;  // no point: the jaws alone
+    if (path.count > 0) o.cube.point = path.points[static_cast<std::size_t>(next)];
+    o.cube.jaws = path.jaws;
   }
   return orders;
 }
@@ -157,12 +156,11 @@ Orders go(const X& x) {
 Orders weigh(const X& x) {
   Orders orders;
   for (const Hand hand : kHands) {
-    Order& o = orders[index(hand)];
+    ArmOrder& o = orders[index(hand)];
     const Load& load = x.c.k.load[index(hand)][x.c.loaded[index(hand)] ? 1 : 0];
     o.m = kWeigh;
-    o.arm.pose[0] = load.weight;
-    for (int axis = 0; axis < 3; ++axis)
-      o.arm.pose[static_cast<std::size_t>(axis) + 1] = load.mass_centre[axis];
+    o.cube.weight = load.weight;
+    std::ranges::copy(load.mass_centre, o.cube.mass_centre.begin());
   }
   return orders;
 }
@@ -177,17 +175,17 @@ bool has_seen(const X& x) {
   return r.valid || ecp::age(x) >= kLongestLook;
 }
 bool has_thought(const X& x) { return ecp::age(x) >= kThinking; }
-bool goes_on(const X& x) { return !x.T.h.paused; }
+bool goes_on(const X& x) { return !x.t.paused; }
 
 template <int m>
 bool ended(const X& x) {
-  return x.c.coordination.m != m || x.c.trouble != Trouble::none;
+  return x.c.coordination.m != m || x.c.failure != FailureReason::none;
 }
 
-bool ways_known(const X& x) {
+bool paths_known(const X& x) {
   const auto knows = [&x](Hand hand) {
-    const Way& way = x.c.ways[index(hand)];
-    return way.empty() || report(x, hand).sensor >= way.count;
+    const JointPath& path = x.c.joint_paths[index(hand)];
+    return path.empty() || report(x, hand).cube.points >= path.count;
   };
   return ecp::age(x) >= kLoop && knows(Hand::postument) && knows(Hand::track);
 }
@@ -196,7 +194,7 @@ bool arrived(const X& x) {
     const int at = x.c.goes_at[index(hand)];
     return at < 0 || (ecp::age(x) >= at + kLoop && report(x, hand).event == kGo);
   };
-  return x.c.trouble != Trouble::none || (there(Hand::postument) && there(Hand::track));
+  return x.c.failure != FailureReason::none || (there(Hand::postument) && there(Hand::track));
 }
 bool weighed(const X& x) {
   return ecp::age(x) >= kLoop && x.T.agent[0].event == kWeigh && x.T.agent[1].event == kWeigh;
@@ -208,50 +206,52 @@ bool resting(const X& x) {
   return ecp::age(x) >= kLoop && rests(x.T.agent[0]) && rests(x.T.agent[1]);
 }
 
-ecp::None nothing(const X&) { return {}; }
+None nothing(const X&) { return {}; }
+CubeFaceSetting anything(const X&) { return {}; }
+CubeFaceSetting shown(const X& x) { return x.c.shown; }
 
 template <int m>
 constexpr Motion<Coordinator> row(const char* name, const char* until) {
-  return {m, name, begin<m>, coordinate_arms<m>, nothing, nothing, cycle<m>, ended<m>, until};
+  return {m, name, begin<m>, coordinate_arms<m>, nothing, anything, cycle<m>, ended<m>, until};
 }
 
 }  // namespace
 
 const std::array<Motion<Coordinator>, 6> kCycle{
-    row<1>("approach", "the worker presses, or there is trouble"),
-    row<2>("settle", "the force has settled, or there is trouble"),
-    row<3>("close y", "the worker's jaws are about to touch, or there is trouble"),
-    row<4>("close xy", "the worker's jaws are blocked, or there is trouble"),
-    row<5>("turn", "the angle is reached, or there is trouble"),
-    row<6>("open", "the jaws have opened, or there is trouble")};
+    row<1>("approach", "the worker presses, or it has failed"),
+    row<2>("settle", "the force has settled, or it has failed"),
+    row<3>("close y", "the worker's jaws are about to touch, or it has failed"),
+    row<4>("close xy", "the worker's jaws are blocked, or it has failed"),
+    row<5>("turn", "the angle is reached, or it has failed"),
+    row<6>("open", "the jaws have opened, or it has failed")};
 
 // clang-format off
 // m                                      name               entry        memory      effector sensors orders           terminal condition, in words
-const Motion<Coordinator> kWaitForStart{ 0, "wait for start", retain,      retain,     nothing, nothing, both<kWait>,     may_start, "both arms are ready and start was given"};
-const Motion<Coordinator> kSendWay     { kTakeWay, "tell the way", first_point, next_point, nothing, nothing, send_points, ways_known, "the arms know their ways"};
-const Motion<Coordinator> kMoveAlong   { kGo, "go",           retain,      watch_cube, nothing, nothing, go,              arrived, "the arms have arrived"};
-const Motion<Coordinator> kWeighBoth   { kWeigh, "weigh",     retain,      retain,     nothing, nothing, weigh,           weighed, "both hands are weighed"};
-const Motion<Coordinator> kStopBoth    { kWait, "break off",     retain,      retain,     nothing, nothing, both<kWait>, resting, "both arms are at rest"};
-const Motion<Coordinator> kThink       { 12, "think",         retain,      retain,     nothing, nothing, both<kWait>,     has_thought, "the time to think is over"};
-const Motion<Coordinator> kLook        { 13, "look",          retain,      retain,     nothing, nothing, both<kWait>,     has_seen, "there is a picture of the face"};
-const Motion<Coordinator> kResume      { 11, "pause",         retain,      retain,     nothing, nothing, both<kWait>,     goes_on, "the operator lets it go on"};
+const Motion<Coordinator> kWaitForStart{ 0, "wait for start", retain,      retain,     nothing, anything, both<kWait>,     may_start, "both arms are ready and start was given"};
+const Motion<Coordinator> kSendPath    { kTakePath, "tell the way", first_point, next_point, nothing, anything, send_points, paths_known, "the arms know their ways"};
+const Motion<Coordinator> kMoveAlong   { kGo, "go",           retain,      watch_cube, nothing, anything, go,              arrived, "the arms have arrived"};
+const Motion<Coordinator> kWeighBoth   { kWeigh, "weigh",     retain,      retain,     nothing, anything, weigh,           weighed, "both hands are weighed"};
+const Motion<Coordinator> kStopBoth    { kWait, "break off",     retain,      retain,     nothing, anything, both<kWait>, resting, "both arms are at rest"};
+const Motion<Coordinator> kThink       { 12, "think",         retain,      retain,     nothing, anything, both<kWait>,     has_thought, "the time to think is over"};
+const Motion<Coordinator> kLook        { 13, "look",          retain,      retain,     nothing, shown,    both<kWait>,     has_seen, "there is a picture of the face"};
+const Motion<Coordinator> kResume      { 11, "pause",         retain,      retain,     nothing, anything, both<kWait>,     goes_on, "the operator lets it go on"};
 // clang-format on
 
-const char* to_string(Trouble trouble) {
-  switch (trouble) {
-    case Trouble::none:
+const char* to_string(FailureReason failure) {
+  switch (failure) {
+    case FailureReason::none:
       return "none";
-    case Trouble::no_contact:
+    case FailureReason::no_contact:
       return "the worker does not meet the cube";
-    case Trouble::elsewhere:
+    case FailureReason::elsewhere:
       return "the cube is not where the worker comes to it";
-    case Trouble::missed:
+    case FailureReason::missed:
       return "the jaws close on nothing";
-    case Trouble::jammed:
+    case FailureReason::jammed:
       return "the face does not turn";
-    case Trouble::not_released:
+    case FailureReason::not_released:
       return "the jaws do not open";
-    case Trouble::dropped:
+    case FailureReason::dropped:
       return "the cube has been dropped";
   }
   return "?";

@@ -1,12 +1,15 @@
-// The coordinator a_0 of the cube's task: its images and behaviours. It moves the arms between cycles, hands them through
-// the behaviours of a cycle by (60)-(63), and watches whether each one comes to its end.
+// The coordinator a_0 of the cube's task: its images and behaviours. It moves the arms between cycles, leads
+// them through the behaviours of a cycle by (60)-(63), and checks that each one comes to its end.
 #pragma once
 #include <array>
 #include <cstdint>
 
-#include "base/cube_face.hpp"
+#include "base/agent_images.hpp"
+#include "base/cube/cube_face.hpp"
+#include "base/cube/grasp.hpp"
 #include "base/operator.hpp"
-#include "tasks/rubik/plan/grasp.hpp"
+#include "base/task_clock.hpp"
+#include "tasks/rubik/cube/names.hpp"
 #include "tasks/rubik/turn/arm.hpp"
 #include "tasks/rubik/turn/coordination.hpp"
 
@@ -17,7 +20,7 @@ inline constexpr std::size_t kArms = 2;  ///< arms of the cell, by index(Hand)
 /// Simulated time that thinking takes [macrosteps].
 inline constexpr int kThinking = 100;
 
-/// What hangs on a force sensor.
+/// Load on a force sensor.
 struct Load {
   double weight{};                       ///< w [N]
   Vector3 mass_centre{Vector3::Zero()};  ///< W_G P [m]
@@ -28,7 +31,7 @@ struct Parameters {
   double torque{4.0};         ///< F_d about the face's axis [N m]
   double mobility{0.1};       ///< B about it [s/(kg m^2)]
   int attempts{3};            ///< at a turn or at a grip, until it is a fault
-  int patience{400};          ///< macrosteps until a behaviour that has not ended is in trouble
+  int timeout{400};           ///< macrosteps until a behaviour that has not ended has failed
   int stall{125};             ///< the same of m = 5 without progress
   double progress{0.015};     ///< angle that is progress of a turn [rad]
   double held{0.0555};        ///< jaws nearer to each other than that hold nothing [m]
@@ -40,8 +43,8 @@ struct Parameters {
   std::array<std::array<Load, 2>, kArms> load;  ///< of each arm, empty and with the cube
 };
 
-/// What is wrong with a behaviour of a cycle.
-enum class Trouble : std::uint8_t {
+/// Failure of a behaviour of a cycle.
+enum class FailureReason : std::uint8_t {
   none,
   no_contact,    ///< m = 1: the worker does not meet the cube, in time or where it should be
   elsewhere,     ///< m = 1: it meets it where it should not be, or passes by one that is there
@@ -51,7 +54,7 @@ enum class Trouble : std::uint8_t {
   dropped        ///< the hand that holds the cube has nothing in its jaws any more
 };
 
-/// Who does what in a cycle.
+/// Roles of the arms in a cycle.
 struct Cycle {
   Hand holds{Hand::track};      ///< at the beginning
   Hand comes{Hand::postument};  ///< W: m = 1..4
@@ -59,68 +62,51 @@ struct Cycle {
   TurnOrder turn;               ///< m = 5, of the track arm
 };
 
-/// a_0: has no effector.
-struct Coordinator {
-  /// x_cV0: the camera's newest reading that is visible.
-  struct Seen {
-    bool there{};             ///< false: there has been none yet
-    CubeFaceReading reading;  ///< when there
-  };
-  /// c_c0
-  struct Memory {
-    Parameters k;                      ///< constant during a run
-    Coordination coordination;         ///< of the present cycle
-    Cycle cycle;                       ///< who does what in the present one
-    std::array<Way, kArms> ways;       ///< of the next free motions; an arm with an empty one is told nothing
-    std::array<int, kArms> next{};     ///< point to be sent
-    std::array<int, kArms> goes_at{};  ///< along its way: macrostep of the behaviour; negative: it stays
-    bool jaws_too{};                   ///< it has arrived when also its jaws have
-    std::array<bool, kArms> loaded{};  ///< the cube is in the hand that is weighed
-    Trouble trouble{};                 ///< of the present cycle
-    Pose begun;                        ///< E of the arm that acts, at the begin of the behaviour
-    double angle{};                    ///< m = 5: turned so far [rad]
-    double last_angle{};               ///< at the last progress [rad]
-    std::int64_t last_progress{};      ///< macrostep of it
-    double travelled{};                ///< m = 1: by the worker until contact [m]
-  };
-  /// x_cT0: what the agents and the operator say.
-  struct Transmission {
-    std::array<Report, kArms> agent;  ///< x_cT_0j
-    OperatorImage h;                  ///< x_cT_0h
-  };
-  /// x: memory c, what the camera has seen V, what is told T, macrostep i, and i_0 in which the behaviour began; no e.
-  struct X {
-    Memory c;
-    ecp::None e;
-    Seen V;
-    Transmission T;
-    std::int64_t i{};
-    std::int64_t i_0{};
-  };
-  /// y: the new memory c and the orders T.
-  struct Y {
-    Memory c;
-    ecp::None e;
-    ecp::None V;
-    std::array<Order, kArms> T;  ///< y_cT_0j
-  };
+/// x_cV0: the camera's newest reading that is visible.
+struct SeenFace {
+  bool there{};             ///< false: there has been none yet
+  CubeFaceReading reading;  ///< when there
 };
 
-/// m = 1..6, index m - 1: both arms are in that behaviour. Ends with its event, or with c.trouble.
+/// c_c0
+struct CoordinatorMemory {
+  Parameters k;               ///< constant during a run
+  Coordination coordination;  ///< of the present cycle
+  Cycle cycle;                ///< who does what in the present one
+  std::array<JointPath, kArms>
+      joint_paths;                   ///< of the next free motions; an arm with an empty one is told nothing
+  std::array<int, kArms> next{};     ///< point to be sent
+  std::array<int, kArms> goes_at{};  ///< along its path: macrostep of the behaviour; negative: it stays
+  bool jaws_too{};                   ///< it has arrived when also its jaws have
+  std::array<bool, kArms> loaded{};  ///< the cube is in the hand that is weighed
+  FailureReason failure{};           ///< of the present cycle
+  CubeFaceSetting shown;             ///< which face the camera is to see next, and in which light
+  Pose begun;                        ///< E of the arm that acts, at the begin of the behaviour
+  double angle{};                    ///< m = 5: turned so far [rad]
+  double last_angle{};               ///< at the last progress [rad]
+  std::int64_t last_progress{};      ///< macrostep of it
+  double travelled{};                ///< m = 1: by the worker until contact [m]
+};
+
+/// a_0: has no effector; y_cV0 is what the camera's receptor is to look at.
+struct Coordinator
+    : CoordinatorAgent<CoordinatorMemory, kArms, SeenFace, CubeFaceSetting, ArmReport, ArmOrder> {};
+
+/// m = 1..6, index m - 1: both arms are in that behaviour. Ends with its event, or with c.failure.
 extern const std::array<Motion<Coordinator>, 6> kCycle;
 
 extern const Motion<Coordinator>
-    kWaitForStart;                          ///< until both agents are ready and the operator has given start
-extern const Motion<Coordinator> kSendWay;  ///< the arms are told c.ways
+    kWaitForStart;                           ///< until both agents are ready and the operator has given start
+extern const Motion<Coordinator> kSendPath;  ///< the arms are told c.joint_paths
 extern const Motion<Coordinator>
-    kMoveAlong;  ///< arms go along them, by c.goes_at; c.trouble watches the cube
+    kMoveAlong;  ///< arms go along them, by c.goes_at; c.failure watches the cube
 extern const Motion<Coordinator> kWeighBoth;  ///< both arms at rest, without contact; c.loaded
 extern const Motion<Coordinator> kStopBoth;   ///< a cycle is broken off; both come to rest
 extern const Motion<Coordinator> kThink;      ///< the arms wait for kThinking macrosteps
 extern const Motion<Coordinator> kLook;       ///< at rest until there is a picture of that
 extern const Motion<Coordinator> kResume;     ///< nothing happens while the operator has a pause
 
-/// @return name of the trouble for people
-[[nodiscard]] const char* to_string(Trouble trouble);
+/// @return name of the failure for people
+[[nodiscard]] const char* to_string(FailureReason failure);
 
 }  // namespace mrroc::rubik

@@ -1,4 +1,4 @@
-// What is true of the cube during a run, for tables and figures.
+// The true state of the cube during a run, for tables and figures.
 #pragma once
 #include <array>
 #include <memory>
@@ -23,10 +23,10 @@ struct CubeRow {
   bool on_floor{};                                  ///< it touched the floor then
 };
 
-/// Collects the world's messages. Used by MP's thread.
+/// Collects the simulator's messages. Used by MP's thread.
 class CubeRecord {
  public:
-  /// To be made before the process assembles.
+  /// Make this before the process assembles.
   explicit CubeRecord(link::Process& process) : in_(process.inbox<cube_truth_t>("cube.truth")) {}
   /// Takes what has come; to be called in every macrostep.
   void collect();

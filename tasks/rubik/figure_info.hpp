@@ -1,4 +1,4 @@
-// The figures of the cube's task: what they mean and what is wanted.
+// The figures of the cube's task: their meaning and their bounds.
 #pragma once
 #include <array>
 
@@ -41,10 +41,6 @@ inline constexpr std::array kFigures{
                    .words = "of a pad or palm on the cube, largest",
                    .unit = "N",
                    .high = kMostSqueeze},
-    mp::FigureInfo{
-        .key = "stop_steps_max", .words = "steps until the arms were at rest", .unit = "", .high = 100},
-    mp::FigureInfo{
-        .key = "log_gaps", .words = "messages that the log missed", .unit = "", .low = 0, .high = 0},
 };
 
 }  // namespace mrroc::rubik

@@ -4,8 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "base/latency.hpp"
+#include "base/time_chart.hpp"
+#include "mp/behaviour_bands.hpp"
 #include "tasks/rubik/config.hpp"
+#include "tasks/rubik/coordinator.hpp"
 
 namespace mrroc::rubik {
 namespace {
@@ -22,24 +27,75 @@ Rows of(const Rows& trace, int m) {
   return rows;
 }
 
-Rows during(const Rows& trace, const CycleNote& note) {
+Rows during(const Rows& trace, const CycleRecord& entry) {
   Rows rows;
-  std::ranges::copy_if(trace, std::back_inserter(rows),
-                       [&](const auto& r) { return r.i >= note.begun && r.i <= note.ended + 4; });
+  std::ranges::copy_if(trace, std::back_inserter(rows), [&](const auto& r) {
+    return r.i >= entry.begun && r.i <= entry.ended + latency::kLoop;
+  });
   return rows;
 }
 
-std::string script(const std::string& table, Axis axis, const Rows& shown, const std::vector<Mark>& marks,
-                   const char* what) {
-  std::string text =
-      fmt::format("set xlabel 'step of 2 ms'\nset ylabel '{}'\nset key off\nset xrange [{:.0f}:{:.0f}]\n",
-                  what, shown.front().t / kPacing.dt, (shown.back().t + kAfter) / kPacing.dt);
-  for (const Mark& m : marks)
+std::string name_of(int m) {
+  const auto row = std::ranges::find(kCycle, m, &Motion<Coordinator>::m);
+  return row == kCycle.end() ? "" : std::string(row->name);
+}
+
+/// Meaning of the letters of a figure.
+const std::map<char, std::string> kApproachWords{{'A', "free motion ends, impact"},
+                                                 {'B', "the force has settled"}};
+const std::map<char, std::string> kTurnWords{{'A', "the grasp begins"},
+                                             {'B', "the jaws hold"},
+                                             {'C', "the turn begins"},
+                                             {'D', "the face breaks away"},
+                                             {'E', "friction at its largest behind it"},
+                                             {'F', "friction at its least"},
+                                             {'G', "the turn ends"},
+                                             {'H', "the jaws have opened"}};
+
+/// A force of one arm over time with its marked points.
+struct Figure {
+  std::string name, title;
+  std::string panel, y_label;
+  std::string arm;  // its key
+  Axis axis{};
+};
+
+std::string script(const Figure& f, const Rows& shown, const std::vector<Mark>& marks,
+                   const std::map<char, std::string>& words) {
+  ChartPanel panel{.title = f.panel, .y_label = f.y_label, .height = 380};
+  panel.bands = mp::behaviour_bands(shown, name_of);
+  panel.curves = {
+      {.source = fmt::format("'{}.csv' skip 1 using 2:{}", f.arm, kForce + static_cast<int>(f.axis)),
+       .colour = std::string(curve_colour(0))}};
+  for (const mp::ArmRow& r : shown) panel.y.add(r.F[f.axis]);
+  panel.y = panel.y.with_room(0.06, 0.12);
+  for (const Mark& m : marks) panel.marks.push_back({std::string(1, m.letter), m.t, m.y, words.at(m.letter)});
+  return time_chart_script({.output = "plots/" + f.name + ".png",
+                            .title = f.title,
+                            .from = shown.front().t,
+                            .to = shown.back().t + kAfter,
+                            .panels = {panel}});
+}
+
+/// Largest force and torque of every turn, from moves.csv, a bar each.
+std::string turns_script(std::size_t turns) {
+  std::string text = gnuplot_head("plots/turns.png", 1200, 640);
+  text += fmt::format(
+      "set datafile columnheaders\nset style fill solid 0.85 noborder\nset boxwidth 0.6\nunset key\n"
+      "set xrange [0.4:{}]\nset yrange [0:*]\nset xtics scale 0\n"
+      "set multiplot layout 2,1 title 'rubik: what the turns took' font 'sans:Bold,15' textcolor rgb "
+      "'#1b2a41'\n",
+      static_cast<double>(turns) + 0.6);
+  const auto panel = [&](const char* title, const char* y_label, const char* column, std::size_t colour) {
     text += fmt::format(
-        "set label '{}' at {:.0f},{:.4f} point pt 7 ps 0.9 lc rgb '#b3541e' offset character 0.6,0.6 front\n",
-        m.letter, m.t / kPacing.dt, m.y);
-  return text + fmt::format("plot '{}' skip 1 using ($2/{}):{} with lines lw 1.6 lc rgb '#1f5fa8'\n", table,
-                            kPacing.dt, kForce + static_cast<int>(axis));
+        "set title '{}' font 'sans:Bold,11'\nset ylabel '{}'\n"
+        "plot 'moves.csv' using 1:'{}':xtic(2) with boxes lc rgb '{}'\n",
+        title, y_label, column, curve_colour(colour));
+  };
+  panel("largest force along x, y or z", "force [N]", "force_peak_N", 0);
+  text += "set xlabel 'turn'\n";
+  panel("largest torque about the axis of the face", "torque [N m]", "torque_peak_Nm", 1);
+  return text + "unset multiplot\n";
 }
 
 }  // namespace
@@ -84,34 +140,42 @@ std::vector<Mark> marks_of_turn(const Rows& turning, int quarters) {
 
 std::vector<std::pair<std::string, std::string>> plots(const RunRecord& record) {
   std::vector<std::pair<std::string, std::string>> all;
-  const auto done = [](const CycleNote& n) { return n.turn && n.done && n.ended > 0; };
-  auto note = std::ranges::find_if(
-      record.journal, [&](const CycleNote& n) { return done(n) && n.turn->quarters() != kHalfTurn; });
-  if (note == record.journal.end()) note = std::ranges::find_if(record.journal, done);
-  if (note == record.journal.end()) return all;
-  const Rows worker = during(record.traces[index(note->comes)], *note);
-  const Rows turning = during(record.traces[index(Hand::track)], *note);
+  const auto done = [](const CycleRecord& n) { return n.turn && n.done && n.ended > 0; };
+  auto entry = std::ranges::find_if(
+      record.execution_log, [&](const CycleRecord& n) { return done(n) && n.turn->quarters() != kHalfTurn; });
+  if (entry == record.execution_log.end()) entry = std::ranges::find_if(record.execution_log, done);
+  if (entry == record.execution_log.end()) return all;
+  const Rows worker = during(record.traces[index(entry->comes)], *entry);
+  const Rows turning = during(record.traces[index(Hand::track)], *entry);
   Rows approach = of(worker, 1);
   const Rows settling = of(worker, 2);
   approach.insert(approach.end(), settling.begin(), settling.end());
+  const std::string turned = to_string(*entry->turn);
   if (!approach.empty())
-    all.emplace_back("fig16_approach", script(kArmKeys[index(note->comes)] + ".csv", Axis::z, approach,
-                                              marks_of_approach(worker), "F_z of the worker [N]"));
+    all.emplace_back("fig16_approach",
+                     script({.name = "fig16_approach",
+                             .title = "MG fig. 16: the worker comes to the cube",
+                             .panel = fmt::format("{}, before turn {}", kArmKeys[index(entry->comes)],
+                                                  gnuplot_literal(turned)),
+                             .y_label = "F_z of the worker [N]",
+                             .arm = kArmKeys[index(entry->comes)],
+                             .axis = Axis::z},
+                            approach, marks_of_approach(worker), kApproachWords));
   Rows cycle;
   std::ranges::copy_if(turning, std::back_inserter(cycle),
                        [](const auto& r) { return r.m >= 3 && r.m <= 6; });
   if (!cycle.empty())
-    all.emplace_back("fig17_turn", script(kArmKeys[index(Hand::track)] + ".csv", Axis::az, cycle,
-                                          marks_of_turn(turning, note->turn->quarters() == kHalfTurn ? 2 : 1),
-                                          "torque about the axis of the face [N m]"));
-  all.emplace_back(
-      "turns",
-      "set xlabel 'turn'\nset ylabel '[N], [N m]'\nset key outside top right\nset yrange [0:*]\nset xrange "
-      "[0.5:*]\n"
-      "set style data linespoints\n"
-      "set datafile columnheaders\nplot 'moves.csv' using 1:'force_peak_N':xtic(2) pt 7 lc rgb '#1f5fa8' "
-      "title 'largest force x, y, z', "
-      "'moves.csv' using 1:'torque_peak_Nm' pt 7 lc rgb '#b3541e' title 'largest torque about z'\n");
+    all.emplace_back(
+        "fig17_turn",
+        script({.name = "fig17_turn",
+                .title = "MG fig. 17: the turn of a face",
+                .panel = fmt::format("{}, turn {}", kArmKeys[index(Hand::track)], gnuplot_literal(turned)),
+                .y_label = "torque about the axis of the face [N m]",
+                .arm = kArmKeys[index(Hand::track)],
+                .axis = Axis::az},
+               cycle, marks_of_turn(turning, entry->turn->quarters() == kHalfTurn ? 2 : 1), kTurnWords));
+  all.emplace_back("turns",
+                   turns_script(static_cast<std::size_t>(std::ranges::count_if(record.execution_log, done))));
   return all;
 }
 

@@ -1,4 +1,4 @@
-// Pictures of a run: MG fig. 16 and 17, and what all turns took.
+// Pictures of a run: MG fig. 16 and 17, and the times of all turns.
 #pragma once
 #include <array>
 #include <optional>

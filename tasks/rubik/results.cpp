@@ -6,10 +6,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/cube/facelets.hpp"
 #include "base/representation.hpp"
 #include "base/statistics.hpp"
 #include "tasks/rubik/config.hpp"
-#include "tasks/rubik/cube/facelets.hpp"
+#include "tasks/rubik/cube/names.hpp"
 #include "tasks/rubik/turn/tables.hpp"
 
 namespace mrroc::rubik {
@@ -19,7 +20,8 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kQuarter = std::numbers::pi / 2;
 constexpr double kHalfWay =
     0.57;  // of a quarter turn: also a face that is behind the tool is nearest to the seat to which it goes
-// From its seat, by which the face is drawn in [rad]: as the world has it (sim::kDetent), which tasks do not know.
+// From its seat, by which the face is drawn in [rad]: as the simulator has it (sim::kDetent), which tasks do
+// not know.
 constexpr double kDrawnIn = 0.061;
 
 double seconds(std::int64_t macrosteps) { return static_cast<double>(macrosteps) * kPacing.macrostep_s(); }
@@ -27,10 +29,10 @@ double seconds(std::int64_t macrosteps) { return static_cast<double>(macrosteps)
 Pose pose_of(const mp::ArmRow& row) { return pose_from_angle_axis(row.pose); }
 
 /// @return rows of an arm in the macrosteps of one cycle, of behaviour m
-mp::ArmTrace part(const mp::ArmTrace& trace, const CycleNote& note, std::initializer_list<int> m) {
+mp::ArmTrace part(const mp::ArmTrace& trace, const CycleRecord& entry, std::initializer_list<int> m) {
   mp::ArmTrace rows;
   for (const mp::ArmRow& row : trace)
-    if (row.i >= note.begun && row.i <= note.ended + 4 && std::ranges::find(m, row.m) != m.end())
+    if (row.i >= entry.begun && row.i <= entry.ended + 4 && std::ranges::find(m, row.m) != m.end())
       rows.push_back(row);
   return rows;
 }
@@ -87,21 +89,21 @@ double largest_deviation(const mp::ArmTrace& rows, std::initializer_list<Axis> a
 
 }  // namespace
 
-TurnRow turn_of(const CycleNote& note, int k, const RunRecord& record, const CubeRecord& cube) {
-  const mp::ArmTrace turning = part(record.traces[index(Hand::track)], note, {5});
+TurnRow turn_of(const CycleRecord& entry, int k, const RunRecord& record, const CubeRecord& cube) {
+  const mp::ArmTrace turning = part(record.traces[index(Hand::track)], entry, {5});
   TurnRow r;
   r.k = k;
-  r.turn = *note.turn;
-  r.t_start = seconds(note.begun);
-  r.t_end = seconds(note.ended);
-  r.attempts = note.attempts;
-  r.tool_deg = kDegrees * note.tool;
-  const CubeRow* const before = cube.at(note.turn_begun);
-  if (const CubeRow* const c = cube.at(note.turn_ended)) {
+  r.turn = *entry.turn;
+  r.t_start = seconds(entry.begun);
+  r.t_end = seconds(entry.ended);
+  r.attempts = entry.attempts;
+  r.tool_deg = kDegrees * entry.tool;
+  const CubeRow* const before = cube.at(entry.turn_begun);
+  if (const CubeRow* const c = cube.at(entry.turn_ended)) {
     // A face that the pads only slipped over is where it was.
     const bool turned = before && c->facelets != before->facelets;
-    const double seat = turned ? kQuarter * std::round(std::abs(note.tool) / kQuarter) : 0;
-    r.face_deg = std::copysign(kDegrees * (seat - std::abs(c->angle)), note.tool);
+    const double seat = turned ? kQuarter * std::round(std::abs(entry.tool) / kQuarter) : 0;
+    r.face_deg = std::copysign(kDegrees * (seat - std::abs(c->angle)), entry.tool);
   }
   r.behind_deg = kDegrees * behind(turning, cube);
   r.slip_mm = 1e3 * slip(turning, cube);
@@ -113,8 +115,8 @@ TurnRow turn_of(const CycleNote& note, int k, const RunRecord& record, const Cub
 
 std::vector<TurnRow> turns_of(const RunRecord& record, const CubeRecord& cube) {
   std::vector<TurnRow> rows;
-  for (const CycleNote& note : record.journal)
-    if (note.turn) rows.push_back(turn_of(note, static_cast<int>(rows.size()) + 1, record, cube));
+  for (const CycleRecord& entry : record.execution_log)
+    if (entry.turn) rows.push_back(turn_of(entry, static_cast<int>(rows.size()) + 1, record, cube));
   return rows;
 }
 
@@ -134,19 +136,19 @@ mp::Figures figures_of(const RunRecord& record, const CubeRecord& cube, const st
   double regrasps = 0, retries = 0, given_up = 0;
   double settled = 0, peak = 0;
   int approaches = 0;
-  for (const CycleNote& note : record.journal) {
-    if (note.grips == 0) continue;
-    regrasps += !note.turn;
-    given_up += note.given_up;
-    retries += note.grips - 1 + std::max(0, note.attempts - 1) + note.given_up;
-    const mp::ArmTrace& worker = record.traces[index(note.comes)];
-    peak = std::max(peak, largest(part(worker, note, {1, 2}), {Axis::z}));
-    const mp::ArmTrace settling = part(worker, note, {2});
+  for (const CycleRecord& entry : record.execution_log) {
+    if (entry.grips == 0) continue;
+    regrasps += !entry.turn;
+    given_up += entry.given_up;
+    retries += entry.grips - 1 + std::max(0, entry.attempts - 1) + entry.given_up;
+    const mp::ArmTrace& worker = record.traces[index(entry.comes)];
+    peak = std::max(peak, largest(part(worker, entry, {1, 2}), {Axis::z}));
+    const mp::ArmTrace settling = part(worker, entry, {2});
     if (settling.empty()) continue;
     settled += mp::mean_force(settling, Axis::z, 2, 0.25);
     ++approaches;
   }
-  const double moves = static_cast<double>(std::ranges::count_if(record.journal, &CycleNote::done));
+  const double moves = static_cast<double>(std::ranges::count_if(record.execution_log, &CycleRecord::done));
   f["moves"] = moves;
   f["regrasps"] = regrasps;
   f["retries"] = retries;
@@ -174,8 +176,6 @@ mp::Figures figures_of(const RunRecord& record, const CubeRecord& cube, const st
 
 mp::Figures write_results(const std::filesystem::path& folder, const RunRecord& record,
                           const CubeRecord& cube) {
-  for (std::size_t arm = 0; arm < kArms; ++arm)
-    mp::write_arm_trace(folder / (kArmKeys[arm] + ".csv"), record.traces[arm]);
   const auto turns = turns_of(record, cube);
   write_turns(folder / "moves.csv", turns);
   if (!cube.rows().empty()) {

@@ -1,4 +1,4 @@
-// From what a run has left to its tables and figures.
+// Makes the tables and figures of a run.
 #pragma once
 #include <filesystem>
 #include <vector>
@@ -24,9 +24,10 @@ struct TurnRow {
   double force_std_N{};     ///< largest of the standard deviations of x, y and z
 };
 
-/// @param note  of a cycle with a turn
+/// @param entry  of a cycle with a turn
 /// @return its row, with number k
-[[nodiscard]] TurnRow turn_of(const CycleNote& note, int k, const RunRecord& record, const CubeRecord& cube);
+[[nodiscard]] TurnRow turn_of(const CycleRecord& entry, int k, const RunRecord& record,
+                              const CubeRecord& cube);
 
 /// @return a row for every turn that was begun
 [[nodiscard]] std::vector<TurnRow> turns_of(const RunRecord& record, const CubeRecord& cube);
@@ -40,7 +41,7 @@ void write_turns(const std::filesystem::path& file, const std::vector<TurnRow>& 
 [[nodiscard]] mp::Figures figures_of(const RunRecord& record, const CubeRecord& cube,
                                      const std::vector<TurnRow>& turns);
 
-/// Writes tables, cube_start.txt and cube_end.txt, and cube_read.txt when the cube was read.
+/// Writes moves.csv, cube_start.txt and cube_end.txt, and cube_read.txt when the cube was read.
 /// @throws FaultError cannot_write
 mp::Figures write_results(const std::filesystem::path& folder, const RunRecord& record,
                           const CubeRecord& cube);

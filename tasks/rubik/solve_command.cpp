@@ -13,10 +13,11 @@
 #include <vector>
 
 #include "base/command_line.hpp"
+#include "base/cube/character.hpp"
+#include "base/cube/cube_text.hpp"
 #include "base/fault.hpp"
 #include "base/text_file.hpp"
-#include "tasks/rubik/cube/character.hpp"
-#include "tasks/rubik/cube/cube_text.hpp"
+#include "tasks/rubik/cube/names.hpp"
 #include "tasks/rubik/solver/solver.hpp"
 #include "tasks/rubik/solver/table_progress.hpp"
 

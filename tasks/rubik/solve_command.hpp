@@ -6,7 +6,7 @@
 
 namespace mrroc::rubik {
 
-/// What the command reads and writes.
+/// Input and output of the command.
 struct SolveStreams {
   std::istream& in;   ///< cubes, with --file -
   std::ostream& out;  ///< a line for each cube that is solved: the number of turns, then the turns

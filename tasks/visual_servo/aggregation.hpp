@@ -1,18 +1,18 @@
-// One error from the errors that two cameras see (VS 3.5.5).
+// Aggregates the errors that two cameras see into one (VS 3.5.5).
 #pragma once
 #include "base/camera.hpp"
 #include "base/pose.hpp"
 
 namespace mrroc::visual_servo {
 
-/// How the errors are aggregated.
+/// Method of aggregating the errors.
 enum class Aggregation : std::uint8_t {
   mean,       ///< with equal weights: the paper's choice
   switching,  ///< the smaller one
   weights,    ///< each as far as its camera is sure of it: inverse covariance
 };
 
-/// What one camera says.
+/// Error seen by one camera.
 struct CameraError {
   Pose e;  ///< desired displacement of E, in E
   Matrix6

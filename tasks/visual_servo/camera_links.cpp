@@ -34,22 +34,33 @@ Pose EffectorPath::at(std::int64_t step) const {
 CameraLinks::CameraLinks(link::Process& process, const CameraLinkNames& names, const Parameters& parameters)
     : process_(process),
       k_(parameters),
-      samples_in_(process.inbox<step_samples_t>(names.robot + ".samples")),
+      samples_in_(process.inbox<step_samples_t, kSampleMessages>(names.robot + ".samples")),
       report_out_(process.outbox<servo_report_t>(names.robot + ".servo")) {
   for (std::size_t n = 0; n < kCameras; ++n)
     if (k_.camera[n].used) reading_in_[n] = process.inbox<camera_reading_t>(names.reading[n]);
 }
 
-ecp::OtherLinks CameraLinks::others() {
-  ecp::OtherLinks others{{samples_in_.get()},
-                         [this](std::int64_t i, std::int64_t step) { return here(i, step); }};
+link::OtherLinks CameraLinks::others() {
+  link::OtherLinks others{{samples_in_.get()},
+                          [this](std::int64_t i, std::int64_t step) { return here(i, step); }};
   for (const auto& in : reading_in_)
     if (in) others.sources.push_back(in.get());
   return others;
 }
 
-bool CameraLinks::here(std::int64_t i, std::int64_t step) const {
-  if (!samples_in_->at(i)) return false;
+void CameraLinks::take_samples() {
+  while (const step_samples_t* const m =
+             process_.lock_step() ? samples_in_->at(taken_ + 1) : samples_in_->next(taken_ + 1)) {
+    const auto n = std::clamp<std::int32_t>(m->n, 0, static_cast<std::int32_t>(std::size(m->sample)));
+    path_.add(m->step, {m->sample, static_cast<std::size_t>(n)});
+    taken_ = m->header.stamp;
+    if (!m->more) sampled_ = m->macrostep;
+  }
+}
+
+bool CameraLinks::here(std::int64_t i, std::int64_t step) {
+  take_samples();
+  if (sampled_ < i) return false;
   for (std::size_t n = 0; n < kCameras; ++n) {
     const std::int64_t frame = newest_frame(k_.camera[n], step);
     if (reading_in_[n] && frame >= 0 && !reading_in_[n]->at(frame)) return false;
@@ -57,11 +68,8 @@ bool CameraLinks::here(std::int64_t i, std::int64_t step) const {
   return true;
 }
 
-void CameraLinks::read(Arm::X& x, std::int64_t stamp) {
-  if (const step_samples_t* const m = samples_in_->at(stamp)) {
-    const auto n = std::clamp<std::int32_t>(m->n, 0, static_cast<std::int32_t>(std::size(m->sample)));
-    path_.add(x.e.step, {m->sample, static_cast<std::size_t>(n)});
-  }
+void CameraLinks::read(Arm::X& x) {
+  take_samples();
   for (std::size_t n = 0; n < kCameras; ++n) {
     if (!reading_in_[n]) continue;
     const camera_reading_t* const m = process_.lock_step()
@@ -78,11 +86,11 @@ void CameraLinks::take(CameraImage& image, const camera_reading_t& m) const {
   image.T_0E = path_.at(image.reading.step);
 }
 
-void CameraLinks::tell(const Motion<Arm>& motion, const Arm::X& x, const Arm::Y& y, std::int64_t stamp) {
+void CameraLinks::report(const Motion<Arm>& motion, const Arm::X& x, const Arm::Y& y, std::int64_t stamp) {
   servo_report_t r{};
   r.step = x.e.step;
   r.m = motion.m;
-  r.refused = asked_too_much(x);
+  r.refused = not_made(x);
   for (std::size_t n = 0; n < kCameras; ++n) {
     r.seen[n] = sees(x, static_cast<Camera>(n));
     r.frame[n] = x.V.camera[n].there ? x.V.camera[n].reading.frame : -1;
@@ -96,15 +104,24 @@ void CameraLinks::tell(const Motion<Arm>& motion, const Arm::X& x, const Arm::Y&
   report_out_->publish(r, stamp);
 }
 
+ServoPort::ServoPort(ecp::SoloPort<Arm>& arm, CameraLinks& cameras) : arm_(arm), cameras_(cameras) {
+  // The arm reads after the end of the program, and of this port, too.
+  arm.also({.read = [&arm, &cameras](Arm::X& x) {
+    x.waiting = static_cast<int>(arm.links().client().backlog());
+    x.parts.reset();
+    if (const auto sent = arm.sent_parts())
+      x.parts = {ecp::displacement_of((*sent)[0]), ecp::displacement_of((*sent)[1])};
+    cameras.read(x);
+  }});
+}
+
 void ServoPort::dispatch(const Motion<Arm>& motion, const Arm::Y& y) {
-  cameras_.tell(motion, seen_, y, arm_.links().i() + 1);
+  cameras_.report(motion, seen_, y, arm_.links().i() + 1);
   arm_.dispatch(motion, y);
 }
 
 void ServoPort::read(Arm::X& x) {
   arm_.read(x);
-  x.waiting = static_cast<int>(arm_.links().client().backlog());
-  cameras_.read(x, arm_.links().i());
   seen_ = x;
 }
 

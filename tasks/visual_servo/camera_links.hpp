@@ -1,4 +1,5 @@
-// The receptors' and the effector's side of x_c: readings of pictures, joined with where the effector was then.
+// The receptors' and the effector's part of x_c: joins each reading of a picture with the effector's pose at
+// its time.
 #pragma once
 #include <array>
 #include <memory>
@@ -38,6 +39,9 @@ class EffectorPath {
   std::int64_t end_{};
 };
 
+/// Messages with samples that are kept: of three of the longest macrosteps.
+inline constexpr std::int64_t kSampleMessages = 3 * 32;
+
 /// Names of what the agent reads.
 struct CameraLinkNames {
   std::string robot;                          ///< channel ROBOT.samples
@@ -48,28 +52,30 @@ struct CameraLinkNames {
 /// the newest one, however old it is.
 class CameraLinks {
  public:
-  /// To be made before the process assembles.
+  /// Make this before the process assembles.
   CameraLinks(link::Process& process, const CameraLinkNames& names, const Parameters& parameters);
 
   /// @return what the agent has to wait for; must not outlive this
-  [[nodiscard]] ecp::OtherLinks others();
+  [[nodiscard]] link::OtherLinks others();
 
   /// Fills in x_cV of the control step whose x_ce is there.
-  /// @param stamp  of that x_ce
   /// @throws FaultError  malformed_message: a number is not finite
-  void read(Arm::X& x, std::int64_t stamp);
+  void read(Arm::X& x);
 
-  /// Tells what was decided in a control step, for the record.
+  /// Reports what was decided in a control step, for the record.
   /// @param stamp  of the command
-  void tell(const Motion<Arm>& motion, const Arm::X& x, const Arm::Y& y, std::int64_t stamp);
+  void report(const Motion<Arm>& motion, const Arm::X& x, const Arm::Y& y, std::int64_t stamp);
 
  private:
-  [[nodiscard]] bool here(std::int64_t i, std::int64_t step) const;
+  [[nodiscard]] bool here(std::int64_t i, std::int64_t step);
+  void take_samples();
   void take(CameraImage& image, const camera_reading_t& m) const;
 
   link::Process& process_;
   Parameters k_;
-  std::unique_ptr<link::Inbox<step_samples_t>> samples_in_;
+  std::unique_ptr<link::Inbox<step_samples_t, kSampleMessages>> samples_in_;
+  std::int64_t taken_{};    // number of the last message with samples that path_ has
+  std::int64_t sampled_{};  // newest macrostep of which path_ has all samples
   std::array<std::unique_ptr<link::Inbox<camera_reading_t>>, kCameras> reading_in_;
   std::unique_ptr<link::Outbox<servo_report_t>> report_out_;
   EffectorPath path_;
@@ -78,10 +84,10 @@ class CameraLinks {
 /// Port of the agent: that of an arm which works on its own, and the cameras.
 class ServoPort {
  public:
-  /// @param arm, cameras  must outlive the port
-  ServoPort(ecp::SoloPort<Arm>& arm, CameraLinks& cameras) : arm_(arm), cameras_(cameras) {}
+  /// @param arm      reads with the cameras from now on, also after the end of the port  @param cameras  must outlive the arm
+  ServoPort(ecp::SoloPort<Arm>& arm, CameraLinks& cameras);
 
-  /// The operations of a Port: those of `arm`; dispatch() also tells the record, read() also fills in V and waiting.
+  /// The operations of a Port: those of `arm`, which fills in V and waiting, too; dispatch() also tells the record.
   void dispatch(const Motion<Arm>& motion, const Arm::Y& y);
   Outcome wait() { return arm_.wait(); }
   void read(Arm::X& x);

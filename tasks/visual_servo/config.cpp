@@ -4,9 +4,12 @@
 #include <cmath>
 
 #include "base/camera_config.hpp"
+#include "tasks/visual_servo/servo.hpp"
 
 namespace mrroc::visual_servo {
 namespace {
+
+constexpr int kMostFrames = 100;  // that task.max_age can be
 
 Pose read_pose(const Config& table, std::string_view key) {
   const auto r = table.numbers<6>(key, std::nullopt, {-10, 10}, "m, rad");
@@ -75,6 +78,12 @@ Object read_object(const Config& config) {
                        {{"chessboard", Object::chessboard}, {"apriltag", Object::apriltag}});
 }
 
+void believe_late_pictures(Config& config) {
+  if (config.has("task.max_age")) return;
+  const int frames = longest_age(read_parameters(config.copy()));
+  config.set("task.max_age=" + std::to_string(std::min(frames, kMostFrames)));
+}
+
 Parameters read_parameters(const Config& config) {
   Parameters k;
   const Config t = config.section("task");
@@ -101,19 +110,20 @@ Parameters read_parameters(const Config& config) {
   k.feed_forward = t.flag("feed_forward", k.feed_forward);
   k.position_floor = t.number("position_floor", k.position_floor, {1e-6, 0.1}, "m");
   k.angle_floor = t.number("angle_floor", k.angle_floor, {1e-6, 0.1}, "rad");
-  k.max_age = t.integer("max_age", k.max_age, {0, 100}, "frames");
+  k.max_age = t.integer("max_age", k.max_age, {0, kMostFrames},
+                        "frames; with --clock wall, unless it is given, as many as can be made use of");
   k.pacing.dt = config.number("time.dt", k.pacing.dt, {0.002, 0.002}, "s");
   const int n_s = config.integer("time.n_s", k.pacing.n_s, {2, 32}, "steps");
   k.pacing.n_s = static_cast<std::uint16_t>(n_s);
   k.pacing.n_Q = static_cast<std::uint16_t>(n_s - 1);
   for (const CameraParameters& camera : k.camera)
-    if (k.max_age * camera.period + camera.latency > kPosesKept - n_s)
+    if (camera.used && k.max_age * camera.period + camera.latency > kPosesKept - n_s)
       throw ConfigError(
           {"task", 0, 0}, "task.max_age",
           "where the arm was so long ago is not known any more: max_age * period + latency must be at most " +
               std::to_string(kPosesKept - n_s) + " steps");
   k.duration = control_steps(t.number("duration", 8, {0.1, 3600}, "s"), k.pacing);
-  k.patience = control_steps(t.number("patience", 6, {0, 3600}, "s, 0: for ever"), k.pacing);
+  k.timeout = control_steps(t.number("timeout", 6, {0, 3600}, "s, 0: for ever"), k.pacing);
   return k;
 }
 

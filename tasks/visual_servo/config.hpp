@@ -1,4 +1,4 @@
-// The task's configuration: [task], and of [cameras] what c_1 knows of them.
+// The task's configuration: [task], and c_1's knowledge of [cameras].
 #pragma once
 #include <array>
 #include <string>
@@ -15,7 +15,7 @@ inline constexpr std::string_view kArm{"arm1"};
 /// Names of the cameras, in the order of Camera.
 inline constexpr std::array<std::string_view, kCameras> kCameraNames{"sac", "eih"};
 
-/// What is looked at: decides receptors and channels.
+/// Kind of the object in view; it decides receptors and channels.
 enum class Object : std::uint8_t { chessboard, apriltag };
 
 /// @return the last part of the names of readings: "board" or "tag"
@@ -30,8 +30,13 @@ enum class Object : std::uint8_t { chessboard, apriltag };
 /// @throws ConfigError
 [[nodiscard]] Parameters read_parameters(const Config& config);
 
+/// For the wall clock: pictures that cannot be drawn in time are left out, and the last one stands for as long as use
+/// can be made of it. Sets the default of task.max_age so; what the configuration says remains.
+/// @throws ConfigError
+void believe_late_pictures(Config& config);
+
 /// Body of the arm's ECP.
-void run_ecp(link::Process& process, const Config& config, const link::PartArguments& arguments);
+void run_ecp(link::Process& process, const Config& config, const link::NodeArguments& arguments);
 
 /// @return the task's TOML file
 std::string_view config();

@@ -5,8 +5,9 @@
 
 namespace mrroc::visual_servo {
 
-void run_ecp(link::Process& process, const Config& config, const link::PartArguments& arguments) {
-  const Parameters k = read_parameters(config);
+void run_ecp(link::Process& process, const Config& config, const link::NodeArguments& arguments) {
+  Parameters k = read_parameters(config);
+  k.by_wall_clock = !process.lock_step();
   CameraLinks cameras(process, {arguments.arm, reading_channels(read_object(config))}, k);
   const auto program = [&](Arm::X& x, auto& arm) {
     ServoPort port(arm, cameras);

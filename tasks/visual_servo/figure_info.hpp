@@ -1,4 +1,4 @@
-// The figures of visual servoing: what they mean and what is wanted.
+// The figures of visual servoing: their meaning and their bounds.
 #pragma once
 #include <array>
 
@@ -19,10 +19,6 @@ inline constexpr std::array kFigures{
     mp::FigureInfo{
         .key = "refused_steps", .words = "asked more than the arm can do", .unit = "control steps"},
     mp::FigureInfo{.key = "arm_moved_mm", .words = "farthest that E went", .unit = "mm"},
-    mp::FigureInfo{
-        .key = "stop_steps_max", .words = "steps until the arm was at rest", .unit = "", .high = 100},
-    mp::FigureInfo{
-        .key = "log_gaps", .words = "messages that the log missed", .unit = "", .low = 0, .high = 0},
 };
 
 }  // namespace mrroc::visual_servo

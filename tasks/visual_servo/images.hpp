@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "base/camera.hpp"
 #include "base/effector_command.hpp"
@@ -45,9 +46,10 @@ struct Parameters {
   double position_floor{3e-4};  ///< least standard deviation of what any camera says [m]: calibration
   double angle_floor{1e-3};     ///< the same [rad]
   int max_age{2};               ///< a reading of more frames ago is not believed
+  bool by_wall_clock{};  ///< pictures that cannot be drawn in time are left out: that is the host's fault
   ecp::Pacing pacing{ecp::kDisplacementPacing};  ///< of the control steps, which are macrosteps
   std::int64_t duration{200};                    ///< of the task [control steps]
-  std::int64_t patience{150};  ///< control steps without seeing anything until the task is given up; 0: none
+  std::int64_t timeout{150};  ///< control steps without seeing anything until the task is given up; 0: none
 };
 
 /// c_c: what c_1 remembers.
@@ -64,6 +66,8 @@ struct Memory {
   std::int64_t begun{};  ///< control step in which the task began
   std::int64_t
       seen_in{};  ///< last control step in which a camera saw the object, or the first one of the task
+  std::int64_t
+      in_time_in{};  ///< the same for a camera whose newest picture was not too old, whatever it shows
 };
 
 /// x_r of one camera: the newest reading that is visible, joined by its step with what the effector told.
@@ -90,6 +94,9 @@ struct Arm {
     /// Displacements that wait because the driver has missed one: none in lock-step. What is seen now does not know of
     /// them yet, so none is added.
     int waiting{};
+    /// Displacements of the present control step and of the one before, where task time has gone slowly and they were
+    /// parts of what had been decided.
+    std::optional<std::array<Pose, 2>> parts{};
     std::int64_t i{};
     std::int64_t i_0{};
   };

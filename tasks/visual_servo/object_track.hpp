@@ -1,4 +1,4 @@
-// What is known of the object's motion: the estimate for the velocity feed-forward.
+// Estimates the object's motion, for the velocity feed-forward.
 #pragma once
 #include <cstdint>
 
@@ -14,7 +14,7 @@ struct Sighting {
   Matrix6 covariance;   ///< of x y z [m], ax ay az [rad] about the origin of G, along the base
 };
 
-/// How the object may move.
+/// Parameters of the object's assumed motion.
 struct TrackParameters {
   double acceleration{0.1};          ///< standard deviation, along each axis [m/s^2]
   double angular_acceleration{0.3};  ///< about each axis [rad/s^2]

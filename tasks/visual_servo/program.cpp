@@ -1,6 +1,7 @@
 #include "tasks/visual_servo/program.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "tasks/visual_servo/servo.hpp"
 
@@ -24,9 +25,24 @@ bool both(const X& x) { return sees(x, Camera::sac) && sees(x, Camera::eih); }
 /// (46): a behaviour ends when its initial condition does not hold any more, or with the task.
 template <bool (*f_sigma)(const X&)>
 bool no_more(const X& x) {
-  return !f_sigma(x) || done(x);
+  return !f_sigma(x) || done(x) || in_vain(x);
 }
 bool one_step(const X& x) { return ecp::age(x) >= 1; }  // (48)
+
+/// @return the reason why nothing can be seen, if it is not the object but the host: every camera's newest picture is too old
+std::optional<Fault> late_pictures(const X& x) {
+  std::optional<Fault> fault;
+  for (const Camera camera : {Camera::sac, Camera::eih}) {
+    if (!x.c.k.camera[index(camera)].used) continue;
+    const std::int64_t age = age_of_picture(x, camera), limit = oldest_believed(x.c.k, camera);
+    if (age <= limit) return {};
+    fault = Fault{.code = FaultCode::host_too_slow,
+                  .value = static_cast<double>(age) * x.c.k.pacing.dt,
+                  .limit = static_cast<double>(limit) * x.c.k.pacing.dt,
+                  .text = "seconds that a camera's newest picture is old"};
+  }
+  return fault;
+}
 
 // --- f_cc ----------------------------------------------------------------------------------------------------
 
@@ -43,6 +59,7 @@ Memory remember(const X& x) {
   c.ease = concluded.ease;
   c.refused = concluded.refused;
   if (!neither(x)) c.seen_in = x.i;
+  if (!late_pictures(x)) c.in_time_in = x.i;
   return c;
 }
 
@@ -56,23 +73,31 @@ EffectorCommand hold(const X&) { return ecp::idle(); }  // (55)
 
 // --- f_cT ----------------------------------------------------------------------------------------------------
 
-/// The sensor's state is the cameras that see: 1 sac, 2 eih, 3 both. What the driver could not do is told when it goes on.
+/// The sensor's state is the cameras that see: 1 sac, 2 eih, 3 both.
 Report tell(const X& x) {
   Report r = ecp::report_of(x, 0);
   r.sensor = (sees(x, Camera::sac) ? 1 : 0) + (sees(x, Camera::eih) ? 2 : 0);
-  if (asked_too_much(x) && x.c.refused < kMostRefusals) {
-    r.verdict = Verdict::none;
-    r.fault = {};
-  }
   return r;
 }
 
-Report not_seen(const X& x) {
+/// Why the task is given up.
+Report reason(const X& x) {
   Report r = tell(x);
   r.verdict = Verdict::failed;
+  if (x.c.refused >= kMostRefusals) {
+    if (!r.fault) r.fault.code = FaultCode::command_repeated_refused;
+    return r;
+  }
+  const std::optional<Fault> late = late_pictures(x);
+  // In the beginning there is no picture yet that could be late.
+  const bool mostly = 2 * (x.i - x.c.in_time_in) >= x.c.k.timeout;
+  if (x.c.k.by_wall_clock && late && mostly) {
+    r.fault = *late;
+    return r;
+  }
   r.fault.code = FaultCode::object_not_seen;
   r.fault.value = static_cast<double>(x.i - x.c.seen_in) * x.c.k.pacing.macrostep_s();
-  r.fault.limit = static_cast<double>(x.c.k.patience) * x.c.k.pacing.macrostep_s();
+  r.fault.limit = static_cast<double>(x.c.k.timeout) * x.c.k.pacing.macrostep_s();
   r.fault.text = "seconds";
   return r;
 }
@@ -80,19 +105,20 @@ bool never(const X&) { return false; }
 
 constexpr auto kRetain = ecp::retain<Arm>;
 constexpr auto kNoSensor = ecp::no_sensor<Arm>;
+constexpr FaultPolicy kSlower = respond(Response::go_on);
 constexpr std::string_view kSelected = "the initial condition of another behaviour holds";
 
 }  // namespace
 
 // clang-format off
 const std::array<Selectable, 4> kBehaviours{{
-  // f_sigma    m      name              entry   memory           command       receptors  coordinator  f_tau
-  { neither,  { kIdle, "idle",           kRetain, remember<kNone>, hold,         kNoSensor, tell,        one_step, kSelected } },
-  { only_sac, { 1,     "PB-SAC",         kRetain, remember<kSac>,  servo<kSac>,  kNoSensor, tell,        no_more<only_sac>, kSelected } },
-  { only_eih, { 2,     "PB-EIH",         kRetain, remember<kEih>,  servo<kEih>,  kNoSensor, tell,        no_more<only_eih>, kSelected } },
-  { both,     { 3,     "PB-SAC and EIH", kRetain, remember<kBoth>, servo<kBoth>, kNoSensor, tell,        no_more<both>, kSelected } },
+  // f_sigma    m      name              entry   memory           command       receptors  coordinator  f_tau                        what a command that is not executed leads to
+  { neither,  { kIdle, "idle",           kRetain, remember<kNone>, hold,         kNoSensor, tell,        one_step, kSelected, kSlower } },
+  { only_sac, { 1,     "PB-SAC",         kRetain, remember<kSac>,  servo<kSac>,  kNoSensor, tell,        no_more<only_sac>, kSelected, kSlower } },
+  { only_eih, { 2,     "PB-EIH",         kRetain, remember<kEih>,  servo<kEih>,  kNoSensor, tell,        no_more<only_eih>, kSelected, kSlower } },
+  { both,     { 3,     "PB-SAC and EIH", kRetain, remember<kBoth>, servo<kBoth>, kNoSensor, tell,        no_more<both>, kSelected, kSlower } },
 }};
-const Motion<Arm> kGiveUp{ 5, "give up", kRetain, kRetain, hold, kNoSensor, not_seen, never };
+const Motion<Arm> kGiveUp{ 5, "give up", kRetain, kRetain, hold, kNoSensor, reason, never };
 // clang-format on
 
 const Motion<Arm>& select(const X& x) {
@@ -101,12 +127,15 @@ const Motion<Arm>& select(const X& x) {
 
 bool done(const X& x) { return x.i - x.c.begun >= x.c.k.duration; }
 
-bool in_vain(const X& x) { return x.c.k.patience > 0 && neither(x) && x.i - x.c.seen_in >= x.c.k.patience; }
+bool in_vain(const X& x) {
+  if (not_made(x) && x.c.refused >= kMostRefusals) return true;
+  return x.c.k.timeout > 0 && neither(x) && x.i - x.c.seen_in >= x.c.k.timeout;
+}
 
 Memory begin(const Parameters& k, std::int64_t i) {
   Memory c;
   c.k = k;
-  c.begun = c.seen_in = c.made_in = i;
+  c.begun = c.seen_in = c.in_time_in = c.made_in = i;
   return c;
 }
 

@@ -25,7 +25,7 @@ extern const std::array<Selectable, 4> kBehaviours;
 
 /// The task is over: its time has passed.
 [[nodiscard]] bool done(const Arm::X& x);
-/// The task is given up: nothing has been seen for too long.
+/// The task is given up: nothing has been seen for too long, or the driver has made no displacement for too long.
 [[nodiscard]] bool in_vain(const Arm::X& x);
 
 /// Tells the coordinator that the task is given up, until the system stops.

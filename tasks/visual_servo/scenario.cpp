@@ -1,6 +1,10 @@
 #include "tasks/visual_servo/scenario.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+
+#include "base/command_line.hpp"
 
 namespace mrroc::visual_servo {
 
@@ -22,9 +26,27 @@ const std::vector<Scenario>& scenarios() {
       {"absent", "it is not there at first", {"object.absent_until=5", "task.duration=11"}},
       {"wrong_board",
        "another board lies there: the arm never moves, and the task is given up",
-       {"task.patience=3"}},
+       {"task.timeout=3"}},
   };
   return all;
+}
+
+void add_scenario_options(CommandLine& line, ScenarioOptions& o) {
+  std::vector<std::string> names;
+  std::string about = "What the object does:";
+  for (const auto& s : scenarios()) {
+    names.emplace_back(s.name);
+    about += fmt::format("\n{}: {}", s.name, s.about);
+  }
+  line.option("--scenario", o.scenario, about).one_of(names).show_default();
+  line.option("--object", o.object, "What is looked for").one_of({"chessboard", "apriltag"}).show_default();
+  line.option("--aggregation", o.aggregation, "How the errors of two cameras become one (default: mean)")
+      .one_of({"mean", "switching", "weights"});
+  line.option("--cameras", o.cameras,
+              "Which cameras there are (default: both). Alone, sac stops when the arm hides the object "
+              "from it, and eih must "
+              "have the object in view from the beginning (object.pose)")
+      .one_of({"both", "sac", "eih"});
 }
 
 std::vector<std::string> settings_of(const ScenarioOptions& o) {

@@ -1,12 +1,21 @@
-// What the object does in a run, as settings of the world and the task.
+// Scenarios of a run: the object's motion, as settings of the simulator and the task.
 #pragma once
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/config.hpp"
 
+namespace mrroc {
+class CommandLine;
+}  // namespace mrroc
+
 namespace mrroc::visual_servo {
+
+/// Options that say what the configuration of a run says.
+inline constexpr std::array<const char*, 4> kScenarioOptions{"--scenario", "--object", "--aggregation",
+                                                             "--cameras"};
 
 /// The choices of the command line.
 struct ScenarioOptions {
@@ -24,6 +33,9 @@ struct Scenario {
 };
 /// @return all that there are
 [[nodiscard]] const std::vector<Scenario>& scenarios();
+
+/// Adds the options to a program's command line.
+void add_scenario_options(CommandLine& line, ScenarioOptions& options);
 
 /// @return settings that stand for the options, to be put over the built-in TOML file and below what --set says
 /// @throws FaultError bad_usage  there is no such scenario

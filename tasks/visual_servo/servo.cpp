@@ -20,7 +20,7 @@ Matrix6 turned(const Matrix3& R, const Matrix6& covariance) {
   return J * covariance * J.transpose();
 }
 
-/// What the reading says, made worse by what no camera knows: how well it is calibrated.
+/// Covariance of a reading, enlarged by that of the camera's calibration.
 Matrix6 covariance_of(const Parameters& k, const CameraReading& reading) {
   Vector6 least;
   least << Vector3::Constant(k.position_floor), Vector3::Constant(k.angle_floor);
@@ -57,6 +57,7 @@ struct Commanded {
   Pose now, before;
 };
 Commanded commanded_already(const X& x) {
+  if (x.parts) return {(*x.parts)[0], (*x.parts)[1]};
   const std::int64_t passed_over = x.i - x.c.made_in - 1;
   if (passed_over <= 0) return {x.c.under_way, x.c.before};
   return {{}, passed_over == 1 ? x.c.under_way : Pose{}};
@@ -73,19 +74,32 @@ Pose following(const Start& start, const Pose& T_0G, const ObjectMotion& motion,
 
 }  // namespace
 
-bool sees(const X& x, Camera camera) {
-  const CameraParameters& k = x.c.k.camera[index(camera)];
-  const CameraImage& image = x.V.camera[index(camera)];
-  const CameraReading& r = image.reading;
-  return k.used && image.there && r.seen && x.e.step - r.step <= x.c.k.max_age * k.period + k.latency;
+int longest_age(const Parameters& k) {
+  std::int64_t frames = kPosesKept;
+  for (const CameraParameters& camera : k.camera)
+    if (camera.used) frames = std::min(frames, (kPosesKept - k.pacing.n_s - camera.latency) / camera.period);
+  return static_cast<int>(std::max<std::int64_t>(0, frames));
 }
 
-bool asked_too_much(const X& x) {
-  if (x.e.verdict != Verdict::refused && x.e.verdict != Verdict::failed) return false;
-  constexpr std::array kTooMuch{FaultCode::too_fast, FaultCode::excessive_acceleration,
-                                FaultCode::outside_workspace, FaultCode::unreachable_pose,
-                                FaultCode::joint_limit};
-  return std::ranges::find(kTooMuch, x.e.fault.code) != kTooMuch.end();
+std::int64_t age_of_picture(const X& x, Camera camera) {
+  const CameraImage& image = x.V.camera[index(camera)];
+  return image.there ? x.e.step - image.reading.step : (x.i - x.c.begun) * x.c.k.pacing.n_s;
+}
+
+std::int64_t oldest_believed(const Parameters& k, Camera camera) {
+  const CameraParameters& c = k.camera[index(camera)];
+  return k.max_age * c.period + c.latency;
+}
+
+bool sees(const X& x, Camera camera) {
+  const CameraImage& image = x.V.camera[index(camera)];
+  return x.c.k.camera[index(camera)].used && image.there && image.reading.seen &&
+         age_of_picture(x, camera) <= oldest_believed(x.c.k, camera);
+}
+
+bool not_made(const X& x) {
+  const Mishap mishap = mishap_of(x.e);
+  return mishap == Mishap::refused || mishap == Mishap::failed;
 }
 
 Sighting sighting(const X& x, Camera camera) {
@@ -100,8 +114,8 @@ Start start_of_command(const X& x) {
   // x_ce was measured before the motion of its step, n_Q; the rest of that control step and the whole of the next one
   // are still to come.
   const int rest = x.c.k.pacing.n_s - x.c.k.pacing.n_Q + 1;
-  const Pose T_0E = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(x.e.T_0E.data()));
-  const double share = asked_too_much(x) ? 0 : static_cast<double>(rest) / x.c.k.pacing.n_s;
+  const Pose T_0E = pose_of(x.e);
+  const double share = not_made(x) ? 0 : static_cast<double>(rest) / x.c.k.pacing.n_s;
   return {x.e.step + rest + x.c.k.pacing.n_s, T_0E * part_of(commanded.before, share) * commanded.now};
 }
 
@@ -117,7 +131,7 @@ Conclusion conclude(const X& x, const std::array<bool, kCameras>& uses) {
   const Parameters& k = x.c.k;
   Conclusion c{x.c.track, x.c.taken, {sees(x, Camera::sac), sees(x, Camera::eih)}, {}, {}, {}, {}};
   look(x, c);
-  const bool refused = asked_too_much(x);
+  const bool refused = not_made(x);
   c.refused = refused ? x.c.refused + 1 : has(x.e.parts, Part::arm) ? 0 : x.c.refused;
   c.ease = refused ? std::max(kLeastEase, kEaseFall * x.c.ease) : std::min(1., x.c.ease + kEaseRise);
   const bool sac = uses[index(Camera::sac)], eih = uses[index(Camera::eih)];

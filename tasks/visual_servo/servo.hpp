@@ -1,4 +1,4 @@
-// What the behaviours of c_1 compute (VS 3.5): errors, their aggregation and the effector's displacement.
+// Computations of c_1's behaviours (VS 3.5): errors, their aggregation and the effector's displacement.
 #pragma once
 #include "tasks/visual_servo/images.hpp"
 
@@ -8,10 +8,18 @@ namespace mrroc::visual_servo {
 /// latency, at the step of x_ce.
 [[nodiscard]] bool sees(const Arm::X& x, Camera camera);
 
-/// The driver could not do what it was told - too fast for its motors, or beyond its reach - and the arm comes to rest
-/// instead. It is told again in the next control step, more slowly.
-[[nodiscard]] bool asked_too_much(const Arm::X& x);
-/// Refusals in a row after which that is a fault.
+/// @return frames that max_age can be: for every camera that is used it is known where E was so long ago
+[[nodiscard]] int longest_age(const Parameters& k);
+/// @return how long ago a camera's newest picture was taken, at the step of x_ce; without one, since the task began
+///         [steps]
+[[nodiscard]] std::int64_t age_of_picture(const Arm::X& x, Camera camera);
+/// @return age up to which a camera's picture is believed [steps]
+[[nodiscard]] std::int64_t oldest_believed(const Parameters& k, Camera camera);
+
+/// The driver has refused the displacement that it was told, or could not make all of it, and the arm comes to rest. The task
+/// goes on: the next ones are slower.
+[[nodiscard]] bool not_made(const Arm::X& x);
+/// Displacements in a row that are not made, after which the task is given up.
 inline constexpr int kMostRefusals = 50;
 
 /// The pose of the object that a camera saw, in the base, and with what uncertainty.
@@ -30,7 +38,7 @@ struct Start {
 [[nodiscard]] CameraError error_of(const Arm::X& x, Camera camera, const Start& start,
                                    const ObjectMotion& motion);
 
-/// What c_1 concludes from x_c.
+/// Conclusions of c_1 from x_c.
 struct Conclusion {
   ObjectTrack track;                         ///< with the pictures that are new
   std::array<std::int64_t, kCameras> taken;  ///< as Memory

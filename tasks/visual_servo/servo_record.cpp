@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/agent_images.hpp"
 #include "base/msg/pose_rows.hpp"
 #include "base/screw.hpp"
 #include "tasks/visual_servo/config.hpp"
@@ -14,14 +15,14 @@ namespace {
 constexpr double kRest = 1e-4;
 
 /// Messages that may be missing before the next one is taken all the same: a lost one is sent again.
-constexpr std::int64_t kPatience = 8;
+constexpr std::int64_t kMaxMissing = 8;
 
 template <class M>
 void take_all(const link::Inbox<M>& in, std::vector<M>& kept) {
   const auto expected = [&] { return kept.empty() ? 0 : kept.back().header.stamp + 1; };
   while (const M* const m = in.next(expected())) {
     const bool gap = !kept.empty() && m->header.stamp > expected();
-    if (gap && in.newest() && in.newest()->header.stamp < expected() + kPatience) return;
+    if (gap && in.newest() && in.newest()->header.stamp < expected() + kMaxMissing) return;
     kept.push_back(*m);
   }
 }
@@ -63,7 +64,7 @@ ServoTable join(const std::vector<servo_report_t>& reports, const std::vector<ob
     row.eih_seen = r.seen[1] != 0;
     row.refused = r.refused != 0;
     row.e = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(r.e));
-    row.T_0E = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(r.T_0E));
+    row.T_0E = pose_of(r);
     add_truth(truths, r.step, T_EGd, dt, row);
   }
   return table;

@@ -1,4 +1,4 @@
-// Writes down what happens while the arm servoes, and joins it with the truth.
+// Records the servoing of the arm, and joins it with the truth.
 #pragma once
 #include <memory>
 #include <vector>
@@ -20,14 +20,14 @@ namespace mrroc::visual_servo {
 /// Collects the messages of a run. Used by MP's thread.
 class ServoRecord {
  public:
-  /// To be made before the process assembles. @param arm  key
+  /// Make this before the process assembles. @param arm  key
   ServoRecord(link::Process& process, const std::string& arm);
 
   /// Takes what has come; to be called at least every ten macrosteps.
   void collect();
   /// @return one per control step, in order
   [[nodiscard]] const std::vector<servo_report_t>& reports() const { return reports_; }
-  /// @return what the world has told of the object, in order
+  /// @return what the simulator has told of the object, in order
   [[nodiscard]] const std::vector<object_truth_t>& truths() const { return truths_; }
 
  private:

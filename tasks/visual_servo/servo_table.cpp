@@ -18,7 +18,7 @@ bool blind(const ServoRow& row) { return !row.sac_seen && !row.eih_seen; }
 
 double angle_of(const Pose& e) { return angle_axis_from_rotation(e.R).norm(); }
 
-/// What is still to go, along the base.
+/// Remaining displacement, along the axes of the base.
 Vector3 to_go(const ServoRow& row) { return row.T_0E.R * row.true_e.p; }
 
 /// Mean over rows that count; nan without any.

@@ -1,4 +1,4 @@
-// servo.csv: what happened in every control step of a run, and the figures that are made of it.
+// servo.csv: a row for every control step of a run, and the figures computed from it.
 #pragma once
 #include <cstdint>
 #include <filesystem>

@@ -9,17 +9,11 @@
 #include "ecp/solo.hpp"
 
 namespace mrroc::weigh {
-namespace {
-
-constexpr int kWithToolUp = 6, kWithToolSideways = 9;  // rows that read the force
-
-Wrench mean_force(const mp::ArmTrace& trace, int m) {
+Wrench mean_reading(const mp::ArmTrace& trace, int m) {
   Wrench mean;
   for (const Axis a : kAxes) mean[a] = mp::mean_force(trace, a, m, HUGE_VAL);
   return mean;
 }
-
-}  // namespace
 
 const std::array<Motion<Arm>, 10> kWeigh = ecp::WeighingRows<Arm>::rows(1);
 
@@ -41,7 +35,7 @@ Memory read_memory(const Config& config, const std::string& arm) {
   return c;
 }
 
-void run_ecp(link::Process& process, const Config& config, const link::PartArguments& arguments) {
+void run_ecp(link::Process& process, const Config& config, const link::NodeArguments& arguments) {
   ecp::run_solo_ecp<Arm>(process, config, arguments, [&](Arm::X& x, auto& port) {
     x.c = read_memory(config, arguments.arm);
     return ecp::execute_rows<Arm>(std::span<const Motion<Arm>>(kWeigh), x, port);
@@ -49,7 +43,7 @@ void run_ecp(link::Process& process, const Config& config, const link::PartArgum
 }
 
 ecp::ForceTool found_tool(const mp::ArmTrace& trace) {
-  return ecp::identified_tool(mean_force(trace, kWithToolUp), mean_force(trace, kWithToolSideways));
+  return ecp::identified_tool(mean_reading(trace, kWithToolUp), mean_reading(trace, kWithToolSideways));
 }
 
 mp::TaskFigures figures(const std::vector<mp::ArmTrace>& arms, const Config&) {

@@ -12,7 +12,7 @@ struct Memory {
   ecp::Weighing weighing;  ///< all that the rows need
 };
 /// The only one of the task.
-struct Arm : ecp::ArmAgent<Memory> {};
+struct Arm : ArmAgent<Memory> {};
 
 /// The behaviours: ecp::WeighingRows, m = 1..10.
 extern const std::array<Motion<Arm>, 10> kWeigh;
@@ -22,7 +22,12 @@ extern const std::array<Motion<Arm>, 10> kWeigh;
 Memory read_memory(const Config& config, const std::string& arm);
 
 /// Body of the ECP.
-void run_ecp(link::Process& process, const Config& config, const link::PartArguments& arguments);
+void run_ecp(link::Process& process, const Config& config, const link::NodeArguments& arguments);
+
+inline constexpr int kWithToolUp = 6, kWithToolSideways = 9;  ///< behaviours that read the force
+
+/// @param m  kWithToolUp or kWithToolSideways @return F_a, mean over that behaviour [N], [N m]; NaN without a row
+[[nodiscard]] Wrench mean_reading(const mp::ArmTrace& trace, int m);
 
 /// @return what the readings say; a tool without weight when there are none
 ecp::ForceTool found_tool(const mp::ArmTrace& trace);

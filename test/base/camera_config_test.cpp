@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+#include <string>
+#include <tuple>
+
 namespace mrroc {
 namespace {
 
@@ -43,6 +47,64 @@ TEST(CameraConfig, RefusesWhatIsNoCamera) {
   for (const char* bad : {"width = 0", "fx = -1", "fy = inf", "latency = -1", "period = 0",
                           "distortion = [1]", "period = 9", "latency = 101"})
     EXPECT_THROW(read_camera(with("[cameras.sac]\n" + kPose + bad), "sac"), ConfigError) << bad;
+}
+
+TEST(CameraConfig, TakesEveryNumberUpToItsLimitsAndNoneBeyond) {
+  struct Limits {
+    const char* key;
+    double low, high, beyond;  // the last one: how far outside is refused
+  };
+  for (const Limits& l :
+       {Limits{"width", 16, 4096, 1}, Limits{"height", 16, 4096, 1}, Limits{"fx", 10, 1e5, 0.5},
+        Limits{"fy", 10, 1e5, 0.5}, Limits{"cx", -1e4, 1e4, 1}, Limits{"cy", -1e4, 1e4, 1},
+        Limits{"period", 10, 250, 1}, Limits{"latency", 0, 100, 1}}) {
+    const auto read = [&](double value) {
+      std::ostringstream text;
+      text.precision(12);
+      text << "[cameras.sac]\n" << kPose << l.key << " = " << value;
+      return read_camera(with(text.str()), "sac");
+    };
+    EXPECT_NO_THROW(read(l.low)) << l.key;
+    EXPECT_NO_THROW(read(l.high)) << l.key;
+    EXPECT_THROW(read(l.low - l.beyond), ConfigError) << l.key;
+    EXPECT_THROW(read(l.high + l.beyond), ConfigError) << l.key;
+  }
+  const auto numbers = [](const std::string& line) {
+    return read_camera(with("[cameras.sac]\n" + line), "sac");
+  };
+  EXPECT_NO_THROW(numbers("pose = [10, -10, 0, 0, 0, 0]"));
+  EXPECT_THROW(numbers("pose = [10.1, 0, 0, 0, 0, 0]"), ConfigError);
+  EXPECT_NO_THROW(numbers(kPose + "distortion = [10, -10, 0, 0, 0]"));
+  EXPECT_THROW(numbers(kPose + "distortion = [0, 0, 0, 0, -10.1]"), ConfigError);
+  const CameraSetup all = numbers(kPose +
+                                  "width = 100\nheight = 50\nfx = 70\nfy = 80\ncx = 1\ncy = 2\nperiod = 40\n"
+                                  "latency = 30");
+  EXPECT_EQ(all.model, (CameraModel{100, 50, 70, 80, 1, 2, {}}));
+  EXPECT_EQ(all.period, 40);
+  EXPECT_EQ(all.latency, 30);
+  EXPECT_EQ(all.key, "sac");
+  EXPECT_EQ(read_camera_model(with("[cameras.eih]\nwidth = 101\n"), "eih").cx, 50);
+}
+
+TEST(CameraConfig, SaysWhatIsWrongWithAName) {
+  const auto said = [](const std::string& text) -> std::string {
+    try {
+      const Config config = with(text);
+      std::ignore = camera_keys(config);
+      std::ignore = read_camera(config, "sac");
+    } catch (const ConfigError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_NE(said("[cameras]\norder = ['sac', 'eih', 'sac']").find("the camera 'sac' is named twice"),
+            std::string::npos);
+  EXPECT_NE(said("[cameras]\norder = ['a b']").find("'a b' is no name of a camera"), std::string::npos);
+  EXPECT_NE(said("[cameras.sac]\n" + kPose + "mount = 'a.b'").find("'a.b' is not \"world\", an arm"),
+            std::string::npos);
+  EXPECT_NE(said("[cameras.sac]\n" + kPose + "latency = 101").find("an eighth of the latency and 60 steps"),
+            std::string::npos);
+  EXPECT_EQ(said("[cameras]\norder = ['sixteen-letters_', 'B2']\n[cameras.sac]\n" + kPose), "");
 }
 
 TEST(CameraConfig, LooksAtAPoint) {

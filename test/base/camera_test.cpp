@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <tuple>
+
 namespace mrroc {
 namespace {
 
@@ -37,8 +40,38 @@ TEST(Camera, TangentialDistortionIsThatOfAnObliqueLens) {
   EXPECT_NEAR(pixel.y(), 239.5 + 600 * (y + 0.01 * (r2 + 2 * y * y) + 2 * 0.02 * x * y), 1e-12);
 }
 
+TEST(Camera, RadialDistortionHasThreeTerms) {
+  CameraModel camera{.fx = 500, .fy = 700};
+  camera.distortion = {-0.3, 0.2, 0, 0, -0.1};
+  for (const auto& [x, y, z] :
+       {std::tuple(0.3, -0.2, 1.), std::tuple(-0.7, 0.5, 2.), std::tuple(1., 1., 1.5)}) {
+    const double r2 = (x * x + y * y) / (z * z);
+    const double radial = 1 - 0.3 * r2 + 0.2 * r2 * r2 - 0.1 * r2 * r2 * r2;
+    const Vector2 pixel = project(camera, {x, y, z});
+    EXPECT_NEAR(pixel.x(), camera.cx + 500 * radial * x / z, 1e-9);
+    EXPECT_NEAR(pixel.y(), camera.cy + 700 * radial * y / z, 1e-9);
+  }
+}
+
 TEST(Camera, IsImproperWithoutSizeOrWithNumbersThatAreNone) {
   EXPECT_TRUE(is_proper(CameraModel{}));
+  EXPECT_TRUE(is_proper({.width = 1, .height = 1, .fx = 1e-3, .fy = 1e-3, .cx = -5, .cy = -5}));
+  for (const double bad : {0., -1., std::nan(""), double{INFINITY}}) {
+    EXPECT_FALSE(is_proper({.fx = bad}));
+    EXPECT_FALSE(is_proper({.fy = bad}));
+    if (bad == 0 || bad == -1) {
+      EXPECT_FALSE(is_proper({.width = static_cast<int>(bad)}));
+      EXPECT_FALSE(is_proper({.height = static_cast<int>(bad)}));
+      continue;
+    }
+    EXPECT_FALSE(is_proper({.cx = bad}));
+    EXPECT_FALSE(is_proper({.cy = bad}));
+    for (std::size_t k = 0; k < 5; ++k) {
+      CameraModel camera;
+      camera.distortion[k] = bad;
+      EXPECT_FALSE(is_proper(camera)) << k;
+    }
+  }
   EXPECT_FALSE(is_proper({.width = 0}));
   EXPECT_FALSE(is_proper({.fy = -1}));
   EXPECT_FALSE(is_proper({.cx = std::nan("")}));

@@ -1,4 +1,4 @@
-// What is taken from a command line, and what is said of one that lacks something or has too much.
+// Accepted words of a command line, and the messages about one that lacks something or has too much.
 #include "base/command_line.hpp"
 
 #include <gtest/gtest.h>
@@ -69,6 +69,21 @@ TEST(CommandLine, AWordThatDoesNotExistIsToldBeforeOneThatIsMissing) {
   EXPECT_EQ(Bakery().said_of({"braed"}).find(
                 "error: bad_usage: there is no command 'braed'; did you mean 'bread'?"),
             0U);
+}
+
+TEST(CommandLine, ASettingThatStandsByItselfIsToldWithItsOption) {
+  CommandLine line("", "task");
+  std::vector<std::string> settings;
+  line.option("--set", settings);
+  try {
+    line.parse({"task.force=3"});
+    ADD_FAILURE();
+  } catch (const FaultError& e) {
+    EXPECT_EQ(e.fault().code, FaultCode::bad_usage);
+    EXPECT_NE(e.error_line().find("give --set task.force=3"), std::string::npos) << e.error_line();
+  }
+  CommandLine without("", "other");
+  EXPECT_THROW(without.parse({"task.force=3"}), FaultError);
 }
 
 TEST(CommandLine, WithoutExamplesItSaysWhereToLook) {
@@ -178,14 +193,16 @@ TEST(CommandLine, AValueThatIsNoneOfSeveralIsToldWithThem) {
 }
 
 TEST(CommandLine, AValueOutOfItsRangeIsToldWithTheLimits) {
-  EXPECT_EQ(refusal({"--stones", "5"}), "--stones: Value 5 not in range 1 to 4; look at `mill --help`");
-  EXPECT_EQ(refusal({"--hours", "3"}),
-            "--hours: Value 3 not in range 0.500000 to 2.500000; look at `mill --help`");
+  EXPECT_EQ(refusal({"--stones", "5"}), "--stones: 5 is outside 1..4; look at `mill --help`");
+  EXPECT_EQ(refusal({"--stones", "-3"}), "--stones: -3 is outside 1..4; look at `mill --help`");
+  EXPECT_EQ(refusal({"--stones", "1.5"}), "--stones: '1.5' is no whole number; look at `mill --help`");
+  EXPECT_EQ(refusal({"--hours", "max"}), "--hours: 'max' is no number; look at `mill --help`");
+  EXPECT_EQ(refusal({"--hours", "nan"}), "--hours: nan is outside 0.5..2.5; look at `mill --help`");
+  EXPECT_EQ(refusal({"--hours", "3"}), "--hours: 3 is outside 0.5..2.5; look at `mill --help`");
 }
 
 TEST(CommandLine, AValueThatIsNoNumberIsTold) {
-  EXPECT_EQ(refusal({"--wind", "--speed", "fast"}),
-            "Could not convert: --speed = fast; look at `mill --help`");
+  EXPECT_EQ(refusal({"--wind", "--speed", "fast"}), "--speed: 'fast' is no number; look at `mill --help`");
 }
 
 TEST(CommandLine, OptionsThatExcludeEachOtherAreNamed) {
@@ -265,6 +282,80 @@ TEST(CommandLine, ACommandMayTakeItsWordsUnread) {
   EXPECT_EQ(line.subcommands()[0]->about(), "of another");
   EXPECT_EQ(line.subcommands()[0]->long_options(), std::vector<std::string>{});
   EXPECT_EQ(line.long_options(), std::vector<std::string>{"--help"});
+}
+
+TEST(CommandLine, HelpIsAskedForByAnyWordBeforeTheOneThatEndsOptions) {
+  EXPECT_TRUE(asks_for_help({"a", "-h"}));
+  EXPECT_TRUE(asks_for_help({"--help", "--", "x"}));
+  EXPECT_FALSE(asks_for_help({"a", "--", "-h"}));
+  EXPECT_FALSE(asks_for_help({"--helps"}));
+  EXPECT_FALSE(asks_for_help({}));
+}
+
+TEST(CommandLine, HelpOfACommandIsItsOwnAndNamesTheWholeLine) {
+  const std::string sort = Bakery().line.help_asked(std::vector<std::string>{"sort", "--help"}).value();
+  EXPECT_NE(sort.find("into boxes"), std::string::npos) << sort;
+  EXPECT_EQ(sort.find("bakes one"), std::string::npos);
+  EXPECT_NE(sort.find("bake sort"), std::string::npos) << sort;
+  const std::string whole = Bakery().line.help_asked(std::vector<std::string>{"--help"}).value();
+  EXPECT_NE(whole.find("bread"), std::string::npos);
+  EXPECT_NE(whole.find("--oven NAME"), std::string::npos) << whole;
+  EXPECT_FALSE(Bakery().line.help_asked(std::vector<std::string>{"sort"}));
+}
+
+TEST(CommandLine, ALineWithoutANameOfItsOwnIsCalledAsTheProgramIs) {
+  CommandLine line("does things");
+  const char* words[]{"anything", "--help"};
+  const auto help = line.help_asked(2, words);
+  ASSERT_TRUE(help);
+  EXPECT_NE(help->find("base_test"), std::string::npos) << *help;
+  EXPECT_EQ(line.name(), "base_test");
+  const char* none[]{"anything"};
+  EXPECT_FALSE(line.help_asked(1, none));
+  EXPECT_FALSE(line.help_asked(0, none));
+}
+
+TEST(CommandLine, ASubcommandThatNeedNotBeGivenMayBeLeftOut) {
+  for (const bool required : {false, true}) {
+    CommandLine line("bakes", "bake");
+    line.take_one_subcommand(required);
+    line.subcommand("bread", "one");
+    line.subcommand("cake", "one");
+    if (required) {
+      EXPECT_THROW(line.parse(std::vector<std::string>{}), FaultError);
+    } else {
+      EXPECT_NO_THROW(line.parse(std::vector<std::string>{}));
+    }
+    EXPECT_NO_THROW(line.parse(std::vector<std::string>{"cake"}));
+    EXPECT_THROW(line.parse(std::vector<std::string>{"cake", "bread"}), FaultError) << "one at a time";
+  }
+}
+
+TEST(CommandLine, AnExampleOfTheCommandIsGivenBeforeAnyOtherThatHasTheWord) {
+  const Examples examples{"bake cake --degrees 180", "bake bread rye --degrees 230"};
+  EXPECT_NE(Bakery().said_of({"bread", "rye", "--degrees"}, examples).find("`bake bread rye --degrees 230`"),
+            std::string::npos);
+  EXPECT_NE(Bakery()
+                .said_of({"bread", "rye", "--degrees"}, {"bake cake --degrees 180"})
+                .find("`bake cake --degrees 180`"),
+            std::string::npos);
+}
+
+TEST(CommandLine, LinesOfHelpStandInTwoColumns) {
+  EXPECT_EQ(explained({{"./run a", "does"}, {"./run longer", "does more"}, {"./run bare", ""}}),
+            "  ./run a        does\n  ./run longer   does more\n  ./run bare\n");
+  EXPECT_EQ(explained({}), "");
+}
+
+TEST(CommandLine, WordsThatAreTakenUnreadMayLookLikeOptionsOfTheProgram) {
+  Bakery bakery;
+  CommandLine& tool = bakery.line.subcommand("tool", "of another");
+  tool.take_words_unread();
+  std::vector<std::string> words;
+  tool.when_given([&] { words = tool.remaining(); });
+  bakery.line.parse({"tool", "--oven", "old"});
+  EXPECT_EQ(words, (std::vector<std::string>{"--oven", "old"}));
+  EXPECT_EQ(bakery.oven, "");
 }
 
 }  // namespace

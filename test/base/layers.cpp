@@ -18,19 +18,23 @@ constexpr std::array kFolders{
     Folder{"base/link", 2}, Folder{"base/msg", 1}, Folder{"mrroc", 1}, Folder{"base", 0},
     Folder{"edp", 3},       Folder{"ecp", 3},      Folder{"mp", 3},    Folder{"vsp", 3},
     Folder{"ui_cli", 3},    Folder{"robots", 4},   Folder{"tasks", 4}, Folder{"sim", 5},
-    Folder{"test", 7},      Folder{"bench", 7},
+    Folder{"launch", 7},    Folder{"test", 9},     Folder{"bench", 9},
 };
-constexpr int kMainLevel = 6;
+constexpr int kCellLevel = 6;  // of tasks/NAME/cell
+constexpr int kMainLevel = 8;
 
 struct Forbidden {
   std::string_view from;
   std::string_view to;
 };
 
-// Beyond the levels: tasks are hardware independent, robots are task independent (MG 5).
-constexpr std::array kForbidden{Forbidden{"tasks", "edp"}, Forbidden{"tasks", "robots"},
-                                Forbidden{"robots", "tasks"}, Forbidden{"robots", "ecp"},
-                                Forbidden{"robots", "mp"}};
+// Beyond the levels: tasks are hardware independent, robots are task independent (MG 5), the plant knows nothing of either's
+// users.
+constexpr std::array kForbidden{
+    Forbidden{"tasks", "edp"},  Forbidden{"tasks", "robots"}, Forbidden{"robots", "tasks"},
+    Forbidden{"robots", "ecp"}, Forbidden{"robots", "mp"},    Forbidden{"robots", "vsp"},
+    Forbidden{"sim", "tasks"},  Forbidden{"sim", "mp"},       Forbidden{"sim", "ecp"},
+    Forbidden{"sim", "vsp"},    Forbidden{"sim", "ui_cli"}};
 
 struct Library {
   std::string_view header;  ///< beginning of what is included
@@ -56,7 +60,16 @@ bool is_in(std::string_view path, std::string_view folder) {
   return path.starts_with(folder) && path.size() > folder.size() && path[folder.size()] == '/';
 }
 
+/// @return the folder tasks/NAME/cell that the file is in
+std::optional<Folder> cell_of(std::string_view path) {
+  if (!is_in(path, "tasks")) return std::nullopt;
+  const std::size_t end = path.find('/', std::string_view("tasks/").size());
+  if (end == std::string_view::npos || !path.substr(end).starts_with("/cell/")) return std::nullopt;
+  return Folder{path.substr(0, end + std::string_view("/cell").size()), kCellLevel};
+}
+
 std::optional<Folder> folder_of(std::string_view path) {
+  if (const auto cell = cell_of(path)) return cell;
   for (const Folder& folder : kFolders)
     if (is_in(path, folder.name)) return folder;
   return std::nullopt;
@@ -86,6 +99,8 @@ std::string level_violation(std::string_view path, std::string_view include) {
   const std::optional<Folder> from = folder_of(path);
   const std::optional<Folder> to = folder_of(include);
   if (!from) return "the file is in none of the project's folders";
+  if (from->name == "tasks" && to->name == "sim") return "a task must not see the plant, but in its cell";
+  if (from->name == "launch" && to->name.starts_with("tasks")) return "launch must not know tasks";
   const int level = is_main(path) && from->level < kMainLevel ? kMainLevel : from->level;
   if (to->level > level) return std::string(from->name) + " is below " + std::string(to->name);
   if (level == kMainLevel || from->level > kMainLevel) return {};
@@ -105,6 +120,33 @@ std::string layer_violation(std::string_view path, std::string_view include, boo
   if (reason.empty() && quoted && !folder_of(include))
     reason = "paths in quotation marks begin with a folder of the project";
   return reason.empty() ? "" : sentence(path, include, reason);
+}
+
+std::vector<std::string> on_circles(const Arrows& arrows) {
+  // What is reached from each folder.
+  Arrows reached = arrows;
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (auto& [from, targets] : reached) {
+      std::set<std::string> more = targets;
+      for (const std::string& to : targets)
+        if (const auto next = reached.find(to); next != reached.end())
+          more.insert(next->second.begin(), next->second.end());
+      grown = grown || more.size() > targets.size();
+      targets = std::move(more);
+    }
+  }
+  std::vector<std::string> folders;
+  for (const auto& [from, targets] : reached)
+    if (targets.count(from) > 0) folders.push_back(from);
+  return folders;
+}
+
+void add_arrow(Arrows& arrows, const std::string& path, const std::string& include) {
+  if (is_main(path) || !folder_of(include) || include.starts_with("mrroc/")) return;
+  const std::string from = path.substr(0, path.rfind('/'));
+  const std::string to = include.substr(0, include.rfind('/'));
+  if (from != to) arrows[from].insert(to);
 }
 
 std::string included_by(const std::string& line, bool& quoted) {

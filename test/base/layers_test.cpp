@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <regex>
 #include <set>
 
 namespace mrroc::test {
@@ -25,7 +27,12 @@ TEST(Layers, RefuseWhatStandsAbove) {
                                       {"vsp/pen_state/automaton.cpp", "tasks/drawing/images.hpp"},
                                       {"robots/irb6/kinematics.cpp", "sim/world.hpp"},
                                       {"tasks/drawing/tables.hpp", "sim/paper.hpp"},
+                                      {"tasks/drawing/tables.hpp", "tasks/drawing/cell/paper.hpp"},
+                                      {"sim/world.hpp", "tasks/drawing/cell/paper.hpp"},
+                                      {"tasks/drawing/cell/paper.hpp", "launch/arm_task.hpp"},
                                       {"tasks/drawing/main.cpp", "test/base/layers.hpp"},
+                                      {"sim/world.cpp", "launch/arm_task.hpp"},
+                                      {"tasks/drawing/results.cpp", "launch/arm_task.hpp"},
                                       {"sim/world.cpp", "bench/report.hpp"}})
     EXPECT_NE(layer_violation(path, include), "") << path << ' ' << include;
 }
@@ -38,6 +45,14 @@ TEST(Layers, RefuseWhatStandsBeside) {
           << one << ' ' << other;
   EXPECT_NE(layer_violation("robots/irb6/model.cpp", "tasks/drawing/tables.hpp"), "");
   EXPECT_NE(layer_violation("tasks/drawing/tables.hpp", "robots/irb6/model.hpp"), "");
+}
+
+TEST(Layers, LetATasksCellKnowItsTaskRobotsAndSimButNoOtherCell) {
+  for (const char* include :
+       {"tasks/rubik/plan/cell.hpp", "robots/irb6/arm.hpp", "sim/world.hpp", "edp/robot.hpp"})
+    EXPECT_EQ(layer_violation("tasks/rubik/cell/plan_cell.cpp", include), "") << include;
+  EXPECT_NE(layer_violation("tasks/rubik/cell/plan_cell.cpp", "tasks/manual/cell/arm_reach.hpp"), "");
+  EXPECT_NE(layer_violation("tasks/rubik/cellar/plan_cell.cpp", "robots/irb6/arm.hpp"), "");
 }
 
 TEST(Layers, KeepTasksFromHardwareAndRobotsFromTasks) {
@@ -57,6 +72,7 @@ TEST(Layers, AllowWhatStandsBelow) {
                                       {"tasks/drawing/tables.hpp", "mp/shell.hpp"},
                                       {"tasks/drawing/tables.hpp", "vsp/pen_state/automaton.hpp"},
                                       {"sim/world.cpp", "robots/irb6/model.hpp"},
+                                      {"launch/arm_task.cpp", "sim/world.hpp"},
                                       {"sim/world.cpp", "vector"},
                                       {"test/system/drawing_test.cpp", "tasks/drawing/tables.hpp"},
                                       {"bench/edp.cpp", "edp/law.hpp"}})
@@ -67,6 +83,7 @@ TEST(Layers, LetOnlyMainsJoinWhatTheyKeepApart) {
   EXPECT_EQ(layer_violation("robots/irb6/main.cpp", "sim/world.hpp"), "");
   EXPECT_EQ(layer_violation("tasks/drawing/main_arm.cpp", "robots/irb6/model.hpp"), "");
   EXPECT_EQ(layer_violation("edp/main.cpp", "ecp/shell.hpp"), "");
+  EXPECT_NE(layer_violation("tasks/drawing/main.cpp", "sim/config.hpp"), "") << "no task sees the plant";
   EXPECT_NE(layer_violation("tasks/drawing/main_arm.hpp", "robots/irb6/model.hpp"), "");
   EXPECT_NE(layer_violation("tasks/drawing/domain.cpp", "robots/irb6/model.hpp"), "");
 }
@@ -114,6 +131,52 @@ TEST(Layers, AreReadFromIncludeLinesOnly) {
   EXPECT_EQ(included_by("#define include <vector>", quoted), "");
 }
 
+TEST(Layers, KeepTheSimulatorFromTasksAndTheirFramework) {
+  for (const char* include : {"tasks/rubik/plan/cell.hpp", "mp/supervisor.hpp", "ecp/shell.hpp",
+                              "vsp/shell.hpp", "launch/cell_nodes.hpp", "tasks/rubik/cell/layout.hpp"})
+    EXPECT_NE(layer_violation("sim/world.hpp", include), "") << include;
+  for (const char* include :
+       {"robots/catalogue.hpp", "edp/robot.hpp", "base/cube/cube.hpp", "base/link/process.hpp"})
+    EXPECT_EQ(layer_violation("sim/world.hpp", include), "") << include;
+}
+
+TEST(Layers, KeepLaunchFromTheTasksThatItRuns) {
+  for (const char* include : {"tasks/drawing/tables.hpp", "tasks/rubik/cell/layout.hpp"})
+    EXPECT_NE(layer_violation("launch/run_task.cpp", include), "") << include;
+  for (const char* include :
+       {"mp/options.hpp", "ecp/solo.hpp", "vsp/shell.hpp", "sim/config.hpp", "robots/catalogue.hpp"})
+    EXPECT_EQ(layer_violation("launch/run_task.cpp", include), "") << include;
+}
+
+TEST(Layers, CirclesAreFoundAlsoOnDetours) {
+  Arrows arrows;
+  add_arrow(arrows, "sim/world.cpp", "sim/bullet/scene.hpp");
+  add_arrow(arrows, "sim/bullet/scene.cpp", "base/pose.hpp");
+  add_arrow(arrows, "sim/world.cpp", "sim/cube.hpp");
+  EXPECT_EQ(on_circles(arrows), std::vector<std::string>());
+  add_arrow(arrows, "sim/main_simulator.cpp", "launch/task.hpp");
+  add_arrow(arrows, "launch/task.cpp", "sim/world.hpp");
+  EXPECT_EQ(on_circles(arrows), std::vector<std::string>()) << "a main may join them";
+  add_arrow(arrows, "sim/bullet/scene.cpp", "sim/camera/scene.hpp");
+  add_arrow(arrows, "sim/camera/scene.hpp", "sim/world.hpp");
+  EXPECT_EQ(on_circles(arrows), (std::vector<std::string>{"sim", "sim/bullet", "sim/camera"}));
+}
+
+TEST(Tree, HasNoCirclesBetweenFolders) {
+  Arrows arrows;
+  for (const auto& path : project_files(kRoot)) {
+    if (path.extension() != ".hpp" && path.extension() != ".cpp") continue;
+    if (path.string().starts_with("test/") || path.string().starts_with("bench/")) continue;
+    for (const std::string& line : lines_of(kRoot / path)) {
+      bool quoted{};
+      const std::string include = included_by(line, quoted);
+      if (quoted) add_arrow(arrows, path.string(), include);
+    }
+  }
+  EXPECT_GT(arrows.size(), 20U) << "the folders were not found";
+  EXPECT_EQ(on_circles(arrows), std::vector<std::string>());
+}
+
 TEST(Tree, KeepsItsLevels) {
   std::size_t lines = 0;
   for (const auto& path : project_files(kRoot)) {
@@ -130,12 +193,42 @@ TEST(Tree, KeepsItsLevels) {
   EXPECT_GT(lines, 30U) << "the tree was not found";
 }
 
-TEST(Tree, HasNoLongSourceFiles) {
-  const std::set<std::string> kinds{"", ".hpp", ".cpp", ".h", ".in", ".lcm", ".cmake", ".txt"};
-  for (const auto& path : project_files(kRoot)) {
-    if (kinds.count(path.extension().string()) == 0) continue;
-    EXPECT_LE(lines_of(kRoot / path).size(), 400U) << path;
+/// @return the lengths of the functions that begin at the left margin, by their first lines
+std::map<std::string, std::size_t> lengths_of_functions(const std::vector<std::string>& lines) {
+  static const std::regex first_line(
+      "^(?!namespace|struct|class|enum|union|using|template|const|inline "
+      "const|static_assert|extern|typedef)[A-Za-z].*");
+  std::map<std::string, std::size_t> lengths;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (!std::regex_match(lines[k], first_line)) continue;
+    std::size_t open = k;
+    while (open < lines.size() && lines[open].find_first_of("{;") == std::string::npos) ++open;
+    if (open == lines.size() || !lines[open].ends_with("{")) continue;
+    std::size_t end = open;
+    while (end < lines.size() && !lines[end].starts_with("}")) ++end;
+    lengths[lines[k]] = end - k + 1;
+    k = end;
   }
+  return lengths;
+}
+
+TEST(Tree, MeasuresFunctions) {
+  const auto lengths = lengths_of_functions({"namespace a {", "int f() {", "  return 1;", "}", "struct B {",
+                                             "};", "void g(int x,", "       int y) {", "}", "int h();"});
+  EXPECT_EQ(lengths, (std::map<std::string, std::size_t>{{"int f() {", 3}, {"void g(int x,", 3}}));
+}
+
+/// A file is as long as its class; a function is to be read at one look.
+TEST(Tree, HasNoLongFunctions) {
+  std::size_t functions = 0;
+  for (const auto& path : project_files(kRoot)) {
+    if (path.extension() != ".cpp" && path.extension() != ".hpp") continue;
+    for (const auto& [first, length] : lengths_of_functions(lines_of(kRoot / path))) {
+      ++functions;
+      EXPECT_LE(length, 60U) << path << ": " << first;
+    }
+  }
+  EXPECT_GT(functions, 2000U) << "the functions were not found";
 }
 
 TEST(Tree, HasNoUnfinishedWorkAndNoPathsOfOneMachine) {

@@ -123,6 +123,42 @@ TEST(Move, OneTriggerNeverEndsTwoBehaviours) {
   EXPECT_EQ(move(until(3, triggered), x, port), Outcome::aborted);
 }
 
+Memory one_more(const X& x) {
+  return {.entries = x.c.entries + 1, .iterations = 0, .trigger = 0, .began = 0};
+}
+
+TEST(Move, EveryPartOfADecisionGoesToItsOwnBuffer) {
+  std::vector<X> images(3);
+  for (std::size_t k = 0; k < images.size(); ++k) {
+    images[k].e = 10 + static_cast<int>(k);
+    images[k].V = 20 + static_cast<int>(k);
+    images[k].T = 30 + static_cast<std::int64_t>(k);
+  }
+  ScriptPort<Counter> port(images);
+  X x{};
+  x.e = 9;
+  x.V = 19;
+  x.T = 29;
+  const Motion<Counter> row{4,
+                            "copy",
+                            [](const X& y) { return y.c; },
+                            one_more,
+                            [](const X& y) { return y.e; },
+                            [](const X& y) { return y.V; },
+                            [](const X& y) { return static_cast<int>(y.T); },
+                            never};
+  EXPECT_EQ(move(row, x, port), Outcome::aborted);
+  ASSERT_EQ(port.decisions().size(), 4U);
+  for (int k = 0; k < 4; ++k) {
+    const auto& y = port.decisions()[static_cast<std::size_t>(k)].y;
+    EXPECT_EQ(y.e, 9 + k);
+    EXPECT_EQ(y.V, 19 + k);
+    EXPECT_EQ(y.T, 29 + k);
+    EXPECT_EQ(y.c.entries, k + 1);
+  }
+  EXPECT_EQ(x.c.entries, 3) << "the decision that found no image is not remembered";
+}
+
 TEST(Move, SaysWhyThePortGaveUpAndKeepsWhatWasReadLast) {
   ScriptPort<Counter> port(script(4));
   X x{};

@@ -53,12 +53,31 @@ TEST(Pose, SeriesAndClosedFormMeetWithoutAStep) {
 }
 
 TEST(Pose, AtHalfATurnTheAxisWithPositiveFirstComponentIsChosen) {
-  for (const Vector3& axis : {Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3(0.6, -0.8, 0)}) {
+  std::vector<Vector3> axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.6, -0.8, 0}, {0, 0.6, -0.8}, {0.6, 0, -0.8}};
+  std::mt19937_64 random(8);
+  for (int k = 0; k < 1000; ++k) {
+    Vector3 axis = test::random_direction(random);
+    if (axis.x() < 0) axis = -axis;
+    if (axis.x() > 1e-6) axes.push_back(axis);
+  }
+  for (const Vector3& axis : axes)
     for (const double sign : {1.0, -1.0}) {
-      const Matrix3 R = 2 * axis * axis.transpose() - Matrix3::Identity();
-      const Vector3 aa = angle_axis_from_rotation(R);
-      EXPECT_LT((aa - std::numbers::pi * axis).norm(), 1e-12) << sign * axis.transpose();
+      const double angle = std::numbers::pi;
+      // Half a turn about an axis and about its opposite are the same; rounding decides which one the sines tell.
+      EXPECT_LT(
+          (angle_axis_from_rotation(rotation_from_angle_axis(sign * angle * axis)) - angle * axis).norm(),
+          1e-7)
+          << sign * axis.transpose();
+      const Matrix3 exact = 2 * axis * axis.transpose() - Matrix3::Identity();
+      EXPECT_LT((angle_axis_from_rotation(exact) - angle * axis).norm(), 1e-7) << axis.transpose();
     }
+}
+
+TEST(Pose, JustBelowHalfATurnTheAxisKeepsItsSign) {
+  std::mt19937_64 random(9);
+  for (int k = 0; k < 1000; ++k) {
+    const Vector3 aa = (std::numbers::pi - 1e-9) * test::random_direction(random);
+    EXPECT_LT((angle_axis_from_rotation(rotation_from_angle_axis(aa)) - aa).norm(), 1e-7);
   }
 }
 

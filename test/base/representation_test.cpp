@@ -84,6 +84,23 @@ TEST(Representation, FrameThatIsNoHomogeneousMatrixIsRefused) {
   }
 }
 
+// is_proper() lets this much through, and many multiplications would make it more.
+TEST(Representation, AFrameThatIsNearlyARotationBecomesOne) {
+  std::mt19937_64 random(5);
+  for (int k = 0; k < 1000; ++k) {
+    const Pose T = test::random_pose(random);
+    PoseNumbers n = numbers_from_pose(Representation::frame, T);
+    for (const std::size_t row : {0U, 4U, 8U})
+      for (std::size_t column = 0; column < 3; ++column)
+        n[row + column] += test::uniform(random, -1e-7, 1e-7);
+    const auto taken = pose_from_numbers(Representation::frame, n);
+    ASSERT_TRUE(taken);
+    EXPECT_LT((taken->R.transpose() * taken->R - Matrix3::Identity()).cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_LT((taken->R - T.R).cwiseAbs().maxCoeff(), 5e-7);
+    EXPECT_EQ(taken->p, T.p);
+  }
+}
+
 TEST(Representation, AnglesWithoutMeaningAreRefusedNotUsed) {
   PoseNumbers n{};
   n[3] = 1e200;

@@ -1,4 +1,5 @@
 #include "base/spatial.hpp"
+#include "base/axis_command.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,6 +35,23 @@ TEST(Spatial, SumsAndMultiplesAreByComponent) {
   static_assert(a - b == Wrench{{-5, -3, -1, 1, 3, 5}});
   static_assert(-a == a * -1 && 2 * a == a + a);
   EXPECT_EQ((a - b).vector(), a.vector() - b.vector());
+}
+
+TEST(AxisCommand, HasWhatThePapersTablesHaveAndNothingElse) {
+  EXPECT_EQ(u(0.3), (AxisCommand{Behaviour::unguarded, 0, 0.3, 0, 0}));
+  EXPECT_EQ(u(), AxisCommand{});
+  EXPECT_EQ(g(0.3, 5, 0.01), (AxisCommand{Behaviour::guarded, 0, 0.3, 5, 0.01}));
+  EXPECT_EQ(c(4, 20, 0.005), (AxisCommand{Behaviour::contact, 4, 0, 20, 0.005}));
+  EXPECT_FALSE(u(1) == u(2));
+}
+
+TEST(TaskFrameCommand, RowsAreFoundByTheirAxes) {
+  TaskFrameCommand frame;
+  for (const Axis a : kAxes) frame[a] = u(1 + static_cast<double>(a));
+  EXPECT_EQ(frame, (TaskFrameCommand{u(1), u(2), u(3), u(4), u(5), u(6)}));
+  EXPECT_EQ(frame.ax.velocity, 4);
+  const TaskFrameCommand& same = frame;
+  for (const Axis a : kAxes) EXPECT_EQ(same[a].velocity, 1 + static_cast<double>(a));
 }
 
 TEST(Spatial, OneComponentThatIsNotFiniteIsEnough) {

@@ -1,4 +1,4 @@
-// How long a key takes, as the benchmark reads it from a driver's record.
+// The latency of a key, computed from a driver's record.
 #include "bench/latency_samples.hpp"
 
 #include <gtest/gtest.h>

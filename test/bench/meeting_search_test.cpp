@@ -3,15 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/cube_cell.hpp"
-#include "sim/plan_cell.hpp"
+#include "tasks/rubik/cell/layout.hpp"
+#include "tasks/rubik/cell/plan_cell.hpp"
 
 namespace mrroc::bench {
 namespace {
 
 class MeetingSearch : public testing::Test {
  protected:
-  sim::CubePlanCell cell{sim::cube_cell({})};
+  rubik::CubePlanCell cell{rubik::usual_cell()};
 };
 
 TEST_F(MeetingSearch, ThePlaceOfTheCellIsReachedWithMarginAndFree) {
@@ -27,7 +27,7 @@ TEST_F(MeetingSearch, APlaceThatOneArmDoesNotComeToHasNoReach) {
 
 TEST_F(MeetingSearch, AnArmWhoseCubeIsInTheOtherOnesWristIsNotFree) {
   rubik::Meeting meeting = cell.meeting();
-  meeting.joints[rubik::index(rubik::Hand::track)][0] += 0.1;  // the whole arm, along the track
+  meeting.joints[cube::index(cube::Hand::track)][0] += 0.1;  // the whole arm, along the track
   EXPECT_FALSE(meeting_is_free(cell, meeting));
 }
 

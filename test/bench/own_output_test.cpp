@@ -1,4 +1,4 @@
-// Who asks for figures as JSON on the standard output gets nothing else there.
+// With figures as JSON on standard output, nothing else is written there.
 #include "bench/own_output.hpp"
 
 #include <gtest/gtest.h>

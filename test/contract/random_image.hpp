@@ -21,7 +21,7 @@ inline void wander(double& x, double scale, std::mt19937& random) {
   x = 0.98 * x + 0.2 * scale * std::normal_distribution<>()(random);
 }
 
-// What one macrostep may change. Discrete values last for some dozens of macrosteps, or nothing that needs them to last
+// Changes an image by as much as one macrostep may. Discrete values last for some dozens of macrosteps, or nothing that needs them to last
 // would ever happen.
 inline void vary(SensorReading& r, std::mt19937& random) {
   r.valid = happens(0.95, random);

@@ -104,6 +104,8 @@ TEST_P(RobotContract, NamesItselfAndItsAxesWithSaneRanges) {
     EXPECT_LT(a.increments_per_rad * (a.motor.upper - a.motor.lower),
               std::numeric_limits<std::int32_t>::max());
     EXPECT_GT(a.max_motor_speed, 0);
+    EXPECT_GT(a.servo.drive.current_limit, 0);
+    EXPECT_LE(a.servo.drive.current_limit, a.servo.drive.max_current);
   }
 }
 

@@ -1,5 +1,5 @@
-// What every robot promises to the effector driver (edp/robot.hpp), as a test suite. A new robot takes it in three
-// lines, in a test that links with mrroc_robot_contract:
+// Contract of every robot with the effector driver (edp/robot.hpp), as a test suite. A new robot uses it in
+// three lines, in a test that links with mrroc_robot_contract:
 //
 //   #include "test/contract/robot_contract.hpp"
 //   std::unique_ptr<edp::Robot> make() { return std::make_unique<MyRobot>(); }

@@ -1,4 +1,4 @@
-// What the table of every task promises, as a test suite. An agent of a new task takes it by saying what it is made of:
+// Contract of every task's table, as a test suite. An agent of a new task uses it by naming its parts:
 //
 //   #include "test/contract/task_contract.hpp"
 //   struct MyAgent {
@@ -30,6 +30,7 @@
 
 #include "base/config.hpp"
 #include "base/motion.hpp"
+#include "base/task_clock.hpp"
 #include "test/contract/random_image.hpp"
 
 namespace mrroc::contract {
@@ -54,6 +55,10 @@ class AnythingPort {
   void read(X& x) {
     ++x.i;
     vary_seen(x, random_);
+    if constexpr (requires { x.t; }) {
+      clock_.advance(x.T.h.paused, m_.value_or(0));
+      x.t = clock_.now();
+    }
     X kept = x;
     kept.c = memory_;
     if (seen.size() < kKept || x.i % 50 == 0) seen.push_back(kept);
@@ -82,6 +87,7 @@ class AnythingPort {
   std::mt19937 random_;
   std::int64_t left_;
   std::optional<int> m_;
+  TaskClock clock_ = TaskClock::ramped();
   decltype(Y::c) memory_{};
 };
 

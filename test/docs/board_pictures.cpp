@@ -5,6 +5,7 @@
 #include <fstream>
 #include <random>
 #include <string>
+#include <string_view>
 
 #include "base/representation.hpp"
 #include "test/vsp/plane_camera.hpp"
@@ -26,9 +27,12 @@ void add_line(std::ofstream& file, const std::string& picture, const Pose& pose)
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2 || argv[1][0] == '-') {
-    std::fputs("Usage: board_pictures FOLDER\n", stderr);
-    return 2;
+  const std::string_view word = argc == 2 ? argv[1] : "";
+  const bool help = word == "--help" || word == "-h";
+  if (help || word.empty() || word.starts_with('-')) {
+    std::fputs("Usage: board_pictures FOLDER\nWrites pictures of a chessboard and their poses there.\n",
+               help ? stdout : stderr);
+    return help ? 0 : 2;
   }
   const std::filesystem::path folder = argv[1];
   std::filesystem::create_directories(folder / "pictures");

@@ -1,4 +1,4 @@
-// What counts as a command of a document, and whether the list of trials fits the documents.
+// Recognition of a document's commands, and agreement of the list of trials with the documents.
 #include "test/docs/commands.hpp"
 
 #include <gtest/gtest.h>

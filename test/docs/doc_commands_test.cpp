@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Longest time for one command.
-constexpr const char* kPatience = "120";
+constexpr const char* kTimeout = "120";
 
 std::set<std::string> documents() {
   std::set<std::string> found;
@@ -47,7 +47,7 @@ class TypedCommands : public ::testing::TestWithParam<std::string> {
   /// @return exit status of the shell that has run the script after test/docs/prelude.sh; 124 after its time
   int type(const std::string& script) const {
     std::ofstream(place_ / "typed") << script;
-    const std::string line = "timeout --kill-after=5 " + std::string(kPatience) +
+    const std::string line = "timeout --kill-after=5 " + std::string(kTimeout) +
                              " bash " MRROC_SOURCE_DIR "/test/docs/prelude.sh " MRROC_SOURCE_DIR
                              " " MRROC_BUILD " " +
                              place_.string() + " >" + (place_ / "said").string() + " 2>&1 </dev/null";

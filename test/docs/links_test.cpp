@@ -1,4 +1,4 @@
-// What README and docs name must be there: files in code marks, and targets of links.
+// Names in README and docs must exist: files in code marks, and targets of links.
 #include <gtest/gtest.h>
 
 #include <filesystem>

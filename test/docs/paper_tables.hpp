@@ -15,7 +15,7 @@ namespace mrroc::test {
 /// Rows x, y, z, ax, ay, az as printed: b, F_d, v_d, I, B with blanks between them; "-" is irrelevant.
 using PrintedRows = std::array<std::string, 6>;
 
-/// What an arm is commanded in one behaviour.
+/// The command of an arm in one behaviour.
 struct Commanded {
   TaskFrameCommand frame;
   std::optional<double> jaws;  ///< dg per macrostep [m]; nothing: the task has no jaws

@@ -70,7 +70,7 @@ std::string table(const PaperTable& t) {
 /// B about the face's axis as an arm commands it when m = 5 begins.
 double mobility_at_first(double ordered) {
   rubik::Arm::X x;
-  rubik::put_turn({.mobility = ordered}, x.T);
+  x.T.cube.turn = {.mobility = ordered};
   return rubik::begin_turn(x).mobility;
 }
 

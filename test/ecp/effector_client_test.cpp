@@ -4,9 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <map>
-#include <optional>
-#include <random>
 #include <vector>
 
 #include "base/link/injection.hpp"
@@ -20,10 +19,10 @@ constexpr std::int64_t kSession = 5;
 /// A control subsystem that commands 1, 2, 3... and a driver that executes them, macrostep by macrostep.
 class Line {
  public:
-  explicit Line(const link::Injection& injection) : injection_(injection) {}
+  explicit Line(const link::Injection& injected) : injection(injected) {}
 
   EffectorClient client{kSession};
-  link::Injection injection_;
+  link::Injection injection;
   std::vector<int> executed;             ///< by the driver, in its order
   std::map<std::int64_t, int> attempts;  ///< sendings by number of the command
   int commanded{};
@@ -61,7 +60,7 @@ class Line {
     replies_[now + 1].macrostep = now + 1;
     bool taken = false;
     for (std::int64_t s = now - link::Injection::kMaxDelay; s <= now; ++s) {
-      const auto fate = injection_.fate(s);
+      const auto fate = injection.fate(s);
       if (s < 1 || s + fate.delay != now) continue;
       for (int copy = 0; copy < fate.copies; ++copy) taken = answer(sent_.at(s), now, taken) || taken;
     }
@@ -122,9 +121,9 @@ TEST(EffectorClient, SilenceUsesUpNoNumber) {
 TEST(EffectorClient, GoesBackToTheLostCommandAndKeepsTheOrder) {
   Line line({});
   for (int k = 0; k < 10; ++k) line.macrostep();
-  line.injection_ = {.loss = 1};
+  line.injection = {.loss = 1};
   line.macrostep();
-  line.injection_ = {};
+  line.injection = {};
   for (int k = 0; k < 10; ++k) line.macrostep();
   EXPECT_TRUE(line.in_order());
   EXPECT_EQ(line.client.backlog(), 2U);  // the lost one and the one sent before that was known
@@ -152,7 +151,7 @@ TEST(EffectorClient, LossDuplicationAndDelayNeverChangeWhatIsExecuted) {
       ++faults;
       continue;
     }
-    line.injection_ = {};
+    line.injection = {};
     for (int k = 0; k < 2000 && !line.client.settled(); ++k) line.macrostep(false);
     EXPECT_EQ(line.executed.size(), static_cast<std::size_t>(line.commanded)) << "seed " << seed;
     EXPECT_TRUE(line.in_order());
@@ -167,7 +166,7 @@ TEST(EffectorClient, LossDuplicationAndDelayNeverChangeWhatIsExecuted) {
 TEST(EffectorClient, ThreeFailuresInARowAreASystemError) {
   Line line({});
   for (int k = 0; k < 5; ++k) line.macrostep();
-  line.injection_ = {.loss = 1};
+  line.injection = {.loss = 1};
   int macrosteps = 0;
   while (!line.client.fault() && macrosteps < 20) {
     line.macrostep();
@@ -177,6 +176,8 @@ TEST(EffectorClient, ThreeFailuresInARowAreASystemError) {
   EXPECT_EQ(line.client.fault()->code, FaultCode::command_repeated_refused);
   EXPECT_EQ(class_of(line.client.fault()->code), FaultClass::system);
   EXPECT_EQ(line.client.fault()->limit, EffectorClient::kAttempts);
+  EXPECT_EQ(line.client.fault()->value, 6) << "which command";
+  EXPECT_EQ(line.client.fault()->text.view(), "the driver did not see it");
   EXPECT_EQ(line.attempts.at(6), 3);
   EXPECT_TRUE(line.in_order());
 }
@@ -187,10 +188,10 @@ TEST(EffectorClient, TwoFailuresInARowAreForgottenAfterASuccess) {
     for (int k = 0; k < 5; ++k) line.macrostep();
     // The attempts at one command are two macrosteps apart.
     for (const double loss : {1.0, 0.0, 1.0}) {
-      line.injection_ = {.loss = loss};
+      line.injection = {.loss = loss};
       line.macrostep();
     }
-    line.injection_ = {};
+    line.injection = {};
     for (int k = 0; k < 5; ++k) line.macrostep();
     ASSERT_FALSE(line.client.fault()) << round;
     ASSERT_TRUE(line.in_order());
@@ -232,137 +233,6 @@ TEST(EffectorClient, GoesOnAfterAReset) {
     EXPECT_TRUE(line.in_order()) << before;
     EXPECT_EQ(line.client.backlog(), 0U);
   }
-}
-
-TEST(EffectorClient, ALateCommandIsSentAgainForALaterMacrostepAndIsNoFailure) {
-  constexpr int kPatience = 20;
-  EffectorClient client(kSession, kPatience);
-  EffectorCommand sent = client.next({.instruction = Instruction::set}, 1);
-  EffectorReply nothing;
-  nothing.session = kSession;
-  nothing.expected = 1;
-  for (std::int64_t i = 2; i < 2 * kPatience; i += 2) {
-    nothing.macrostep = i;
-    client.see(nothing);
-    EXPECT_FALSE(client.fault()) << i;
-    sent = client.next({}, i + 1);
-    EXPECT_EQ(sent.number, 1);
-    EXPECT_EQ(sent.macrostep, i + 1);
-    nothing.macrostep = i + 1;
-    client.see(nothing);
-    client.next({}, i + 2);
-  }
-  nothing.macrostep = 2 * kPatience;
-  client.see(nothing);
-  ASSERT_TRUE(client.fault()) << "a link that carries nothing at all";
-  EXPECT_EQ(client.fault()->code, FaultCode::command_repeated_refused);
-}
-
-TEST(EffectorClient, AReplyAfterSkippedMacrostepsSaysWhatHasBeenExecuted) {
-  EffectorClient client(kSession, 50);
-  for (std::int64_t i = 1; i <= 3; ++i) client.next({.instruction = Instruction::set}, i);
-  EffectorReply reply;
-  reply.session = kSession;
-  reply.macrostep = 40;
-  reply.expected = 3;
-  client.see(reply);
-  EXPECT_FALSE(client.settled());
-  reply.macrostep = 80;
-  reply.expected = 4;
-  client.see(reply);
-  EXPECT_TRUE(client.settled());
-  EXPECT_EQ(client.next({.instruction = Instruction::set}, 81).number, 4);
-}
-
-TEST(EffectorClient, ACommandWhoseAnswerWasSkippedIsSentAgain) {
-  EffectorClient client(kSession, 50);
-  client.next({.instruction = Instruction::synchro}, 2);
-  client.next({}, 3);
-  EffectorReply reply;  // of macrostep 4; what came in 3 was passed over
-  reply.macrostep = 4;
-  reply.expected = 1;
-  client.see(reply);
-  const EffectorCommand again = client.next({}, 5);
-  EXPECT_EQ(again.instruction, Instruction::synchro);
-  EXPECT_EQ(again.number, 1);
-  EXPECT_FALSE(client.fault());
-}
-
-TEST(EffectorClient, WithTheWallClockEveryCommandIsExecutedOnceAndInOrderWhateverIsLateOrSkipped) {
-  for (unsigned seed = 1; seed <= 300; ++seed) {
-    std::mt19937_64 random(seed);
-    const auto chance = [&](double p) { return std::bernoulli_distribution(p)(random); };
-    std::uniform_real_distribution<> share(0, 0.5);
-    double late = share(random), passed_over = share(random), missed = share(random);
-    EffectorClient client(kSession, 1000);
-    edp::Protocol protocol;
-    std::vector<int> executed;
-    std::map<std::int64_t, EffectorReply> replies{{1, {}}};
-    int commanded = 0;
-    for (std::int64_t i = 1; i <= 700; ++i) {
-      const bool ends = i > 360;
-      if (ends) late = passed_over = missed = 0;
-      std::optional<EffectorCommand> sent;
-      if (replies.contains(i) && !chance(passed_over)) {
-        client.see(replies.at(i));
-        EffectorCommand wanted;
-        if (!ends && chance(0.4)) {
-          wanted.instruction = Instruction::set_get;
-          wanted.outputs = static_cast<std::uint16_t>(++commanded);
-        }
-        sent = client.next(wanted, i + 1);
-      }
-      if (chance(missed)) continue;  // by the driver, the macrostep i + 1
-      EffectorReply& reply = replies[i + 2];
-      reply.macrostep = i + 2;
-      if (sent && !chance(late)) {
-        const auto decision = protocol.admit(*sent, false);
-        using Admission = edp::Protocol::Admission;
-        if (decision.admission == Admission::execute) {
-          protocol.conclude(*sent, true);
-          executed.push_back(sent->outputs);
-        }
-        if (decision.admission != Admission::nothing) {
-          reply.number = sent->number;
-          reply.verdict = decision.admission == Admission::refuse ? Verdict::refused : Verdict::executed;
-          reply.fault = decision.fault;
-        }
-      }
-      reply.session = executed.empty() ? 0 : kSession;
-      reply.expected = protocol.expected();
-    }
-    EXPECT_FALSE(client.fault()) << "seed " << seed;
-    EXPECT_TRUE(client.settled()) << "seed " << seed;
-    ASSERT_EQ(executed.size(), static_cast<std::size_t>(commanded)) << "seed " << seed;
-    for (int k = 0; k < commanded; ++k)
-      ASSERT_EQ(executed[static_cast<std::size_t>(k)], k + 1) << "seed " << seed;
-  }
-}
-
-TEST(EffectorClient, AnswersOfAnotherMacrostepSayNothing) {
-  EffectorClient client(kSession);
-  client.next({.instruction = Instruction::set}, 1);
-  EffectorReply reply;
-  reply.verdict = Verdict::executed;
-  reply.number = 1;
-  for (const std::int64_t macrostep : {-1000, 0, 1, 18, 1000}) {
-    reply.macrostep = macrostep;
-    client.see(reply);
-    EXPECT_FALSE(client.settled()) << macrostep;
-  }
-  reply.macrostep = 2;
-  client.see(reply);
-  EXPECT_TRUE(client.settled());
-}
-
-TEST(EffectorClient, ReleaseIsSentAtOnceWhateverElseWaits) {
-  EffectorClient client(kSession);
-  client.next({.instruction = Instruction::set}, 1);
-  EffectorReply nothing;
-  nothing.macrostep = 2;
-  client.see(nothing);
-  EXPECT_EQ(client.backlog(), 1U);
-  EXPECT_EQ(client.next({.instruction = Instruction::release}, 3).instruction, Instruction::release);
 }
 
 }  // namespace

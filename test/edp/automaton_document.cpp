@@ -20,7 +20,7 @@ answered in every state.
 
 - **not synchronised**: motor positions count from where the driver started. Only relative motor motions are possible, and SYNCHRO.
   The brakes are closed.
-- **homing**: axis after axis looks for its switch and its zero mark.
+- **homing**: axis after axis looks for its switch and its zero mark, and with `homing_returns` goes back to where it stood.
 - **ready**: synchronised, at rest, the regulators hold the set point; no motion was commanded yet, or a fault was reset.
 - **executing**: a macrostep of a SET ARM.
 - **decelerating**: no command came in time, or a macrostep failed; the set point comes to rest.

@@ -167,7 +167,7 @@ ContactLoop random_loop(Random& random, CompensatedDrive drive) {
   ContactLoop l = random_loop(random);
   drive.inertia *= std::uniform_real_distribution<>(0.7, 1.4)(random);
   drive.model.friction = 0;
-  drive.model.max_current = std::numeric_limits<double>::infinity();
+  drive.model.current_limit = drive.model.max_current = std::numeric_limits<double>::infinity();
   l.servo = drive;
   return l;
 }

@@ -48,20 +48,43 @@ Row random_row(std::mt19937_64& random) {
   return {100 * std::pow(10, exponent(random)), std::pow(10, exponent(random) - 1)};
 }
 
-TEST(ControlLaw, IsTheDiscretisedTransmittanceOneSampleLate) {
-  // G(z) = B dt / (B I (1 - 1/z) + dt) of the force error, eq. (34), as a difference equation of its own.
+// A mass I with a damper 1/B under the error of the force, and v_d of the damper's other end: I dv/dt = F_d - F_a +
+// (v_d - v) / B, the force of a sample and the velocity of the next one.
+TEST(ControlLaw, IsTheMotionOfADampedMass) {
   std::mt19937_64 random(1);
   std::normal_distribution<double> noise;
   for (int run = 0; run < 200; ++run) {
     const auto [I, B] = random_row(random);
-    const double F_d = 5 * noise(random);
-    double y = 0;  // output of G
-    double v = 0;
-    for (int k = 0; k < 500; ++k) {
+    const double F_d = 5 * noise(random), v_d = 0.1 * noise(random);
+    double v = 0, guarded = 0;
+    for (int k = 0; k < 100; ++k) {
       const double F_a = 5 * noise(random);
-      y = (B * kDt * (F_d - F_a) + B * I * y) / (B * I + kDt);
+      const double before = v, guarded_before = guarded;
       v = axis_velocity(c(F_d, I, B), F_a, v, kDt);
-      ASSERT_NEAR(v, y, 1e-12 * (1 + std::abs(y)));
+      guarded = axis_velocity(g(v_d, I, B), F_a, guarded, kDt);
+      ASSERT_NEAR(I * (v - before) / kDt, F_d - F_a - v / B, 1e-9);
+      ASSERT_NEAR(I * (guarded - guarded_before) / kDt, -F_a + (v_d - guarded) / B, 1e-9);
+    }
+  }
+}
+
+// G(z) = B dt / (B I (1 - 1/z) + dt) of the force error, eq. (34), by its impulse response.
+TEST(ControlLaw, IsTheDiscretisedTransmittanceOneSampleLate) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> noise;
+  for (int run = 0; run < 20; ++run) {
+    const auto [I, B] = random_row(random);
+    const double pole = 1 / (1 + kDt / (B * I));
+    std::vector<double> error;
+    double v = 0;
+    for (int k = 0; k < 200; ++k) {
+      const double F_d = 5 * noise(random), F_a = 5 * noise(random);
+      error.push_back(F_d - F_a);
+      v = axis_velocity(c(F_d, I, B), F_a, v, kDt);
+      double sum = 0;
+      for (int n = 0; n <= k; ++n)
+        sum += B * (1 - pole) * std::pow(pole, k - n) * error[static_cast<std::size_t>(n)];
+      ASSERT_NEAR(v, sum, 1e-12 * (1 + std::abs(sum)));
     }
   }
 }

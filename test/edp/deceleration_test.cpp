@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "edp/approach.hpp"
 
 namespace mrroc::edp {
 namespace {
@@ -41,6 +44,12 @@ TEST(Deceleration, StoppingWayIsTheSumOfAllSteps) {
     for (int k = 1; k <= n; ++k) way += remaining_speed(k, n);
     EXPECT_NEAR(stopping_way(n), way, 1e-12);
   }
+}
+
+TEST(Deceleration, AMotionThatBrakesBeforeItsGoalReachesItHalfAStopAfterItsMacrostepRoundedDown) {
+  for (int n_s = 1; n_s <= 500; ++n_s)
+    for (int n = 1; n <= std::min(2 * n_s, kMaxStopSteps); ++n)
+      EXPECT_EQ(Approach(n_s, n).steps(), n_s + n / 2) << n_s << ' ' << n;
 }
 
 }  // namespace

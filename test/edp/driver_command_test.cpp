@@ -1,7 +1,5 @@
-// What a driver accepts, and that a refusal changes nothing.
+// Commands that a driver accepts; a refusal changes nothing.
 #include <gtest/gtest.h>
-
-#include <string>
 
 #include "test/edp/random_command.hpp"
 
@@ -185,27 +183,68 @@ TEST(DriverCommand, ReplyOfEveryMacrostepCarriesTheMeasurements) {
   EXPECT_EQ(reply.expected, 2);
 }
 
-TEST(DriverCommand, SenselessParametersAreRefusedByName) {
-  const FakeArm arm;
-  const auto error = [&](auto change) -> std::string {
-    DriverParameters p = Rig::parameters();
-    change(p);
-    try {
-      Driver driver(arm, p);
-    } catch (const FaultError& e) {
-      EXPECT_EQ(e.fault().code, FaultCode::bad_configuration);
-      return e.what();
+TEST(DriverCommand, OneThatComesInTheMiddleOfAMacrostepIsIgnored) {
+  Rig rig;
+  rig.synchronise();
+  rig.step();
+  rig.driver.take(rig.velocity({u(0.01), u(), u(), u(), u(), u()}));
+  const EffectorReply reply = rig.macrostep();
+  EXPECT_EQ(reply.verdict, Verdict::none);
+  EXPECT_EQ(reply.number, 0);
+  EXPECT_EQ(reply.expected, rig.number) << "it may be sent again";
+  EXPECT_EQ(rig.driver.state(), DriverState::ready);
+}
+
+TEST(DriverCommand, RepliesAndSetValuesOfTheDrivesNameTheStepOfTheirReading) {
+  Rig rig;
+  rig.synchronise();
+  std::int64_t step = rig.world.reading().step;
+  rig.after_each_step = [&] {
+    EXPECT_EQ(rig.last.step, step);
+    if (rig.driver.reply_due()) {
+      EXPECT_EQ(rig.driver.reply().step, step);
     }
-    return "accepted";
+    step = rig.world.reading().step;
   };
-  EXPECT_EQ(error([](DriverParameters&) {}), "accepted");
-  EXPECT_NE(error([](DriverParameters& p) { p.dt = 0; }).find("dt"), std::string::npos);
-  EXPECT_NE(error([](DriverParameters& p) { p.n_s = 0; }).find("n_s"), std::string::npos);
-  EXPECT_NE(error([](DriverParameters& p) { p.stop_steps = 41; }).find("stop_steps"), std::string::npos);
-  EXPECT_NE(error([](DriverParameters& p) { p.synchro_joints.resize(3); }).find("synchro"),
-            std::string::npos);
-  EXPECT_NE(error([](DriverParameters& p) { p.T_WE.R *= 2; }).find("tool"), std::string::npos);
-  EXPECT_NE(error([](DriverParameters& p) { p.force.average = 5; }).find("average"), std::string::npos);
+  rig.macrostep(rig.velocity({u(0.01), u(), u(), u(), u(), u()}));
+  rig.silence(2);
+}
+
+TEST(DriverCommand, ReplyCarriesTheCurrentsOfAllStepsSinceTheReplyBefore) {
+  Rig rig;
+  rig.synchronise();
+  rig.silence(1);
+  // The reply comes in the last step but one: the last one before belongs to the next reply.
+  for (int macrostep = 0; macrostep < 2; ++macrostep)
+    for (int k = 0; k < 10; ++k) {
+      HardwareReading reading = rig.world.reading();
+      reading.current[2] = macrostep == 0 && k == 9 ? -3 : macrostep == 1 && k < 9 ? 1 : 0;
+      rig.world.apply(rig.driver.step(reading));
+    }
+  const CurrentStatistics& current = rig.driver.reply().current;
+  EXPECT_DOUBLE_EQ(current.mean[2], (9 - 3) / 10.);
+  EXPECT_EQ(current.least[2], -3);
+  EXPECT_EQ(current.greatest[2], 1);
+  EXPECT_EQ(current.greatest[1], 0);
+}
+
+TEST(DriverCommand, ReplySaysWhetherTheRobotIsAtRest) {
+  Rig rig;
+  rig.synchronise();
+  EXPECT_FALSE(rig.macrostep(rig.velocity({u(0.05), u(), u(), u(), u(), u()})).at_rest);
+  EXPECT_FALSE(rig.silence(1).at_rest);
+  EXPECT_TRUE(rig.silence(100).at_rest);
+}
+
+TEST(DriverCommand, ReplyOfSilenceNamesTheOwnerAsLongAsThereIsOne) {
+  Rig rig;
+  rig.synchronise();
+  EXPECT_EQ(rig.silence(1).session, 7);
+  EXPECT_TRUE(rig.driver.owned_by_another(8));
+  EXPECT_FALSE(rig.driver.owned_by_another(7));
+  rig.driver.drop_owner();
+  EXPECT_EQ(rig.silence(1).session, 0);
+  EXPECT_FALSE(rig.driver.owned_by_another(8));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 
+#include "edp/control_law.hpp"
 #include "test/edp/rig.hpp"
 
 namespace mrroc::edp::test {
@@ -198,6 +199,44 @@ TEST(DriverFault, EmergencyStopFromOutsideBrakesInTheNextStep) {
   rig.step();
   EXPECT_FALSE(rig.last.enabled);
   EXPECT_EQ(rig.driver.fault().code, FaultCode::emergency_stop);
+}
+
+TEST(DriverFault, WhatIsRefusedUntilAResetNamesTheCauseAndItsAxis) {
+  Rig rig;
+  rig.synchronise();
+  rig.world.switches[3] = static_cast<std::uint8_t>(AxisSwitch::over_current);
+  rig.macrostep();
+  const EffectorReply reply = rig.macrostep(rig.velocity({}));
+  EXPECT_EQ(reply.fault.code, FaultCode::reset_required);
+  EXPECT_EQ(reply.fault.axis, 3);
+  EXPECT_EQ(reply.fault.text.view(), to_string(FaultCode::over_current));
+}
+
+TEST(DriverFault, ARefusalForAnotherReasonDoesNotCountAsTellingTheFault) {
+  Rig rig;
+  rig.synchronise();
+  EXPECT_EQ(rig.macrostep(rig.motion_into_a_limit()).verdict, Verdict::executed);
+  ASSERT_EQ(rig.driver.fault().code, FaultCode::joint_limit);
+  EffectorCommand lost = rig.velocity({});
+  lost.number += 5;
+  EXPECT_EQ(rig.macrostep(lost).fault.code, FaultCode::lost_command);
+  EXPECT_EQ(rig.macrostep().fault.code, FaultCode::joint_limit);
+  EXPECT_EQ(rig.macrostep().fault.code, FaultCode::none);
+}
+
+TEST(DriverFault, OneReadingThatWasMissedDoublesTheTimeOfTheNextOne) {
+  // In two steps this way is within the speed that is a fault, in one step it is not.
+  for (const bool missed : {true, false}) {
+    Rig rig;
+    rig.synchronise();
+    const AxisProperties& axis = rig.arm.axis(1);
+    const double most = 1.25 * axis.max_motor_speed * axis.increments_per_rad * 0.002;
+    HardwareReading reading = rig.world.reading();
+    reading.encoder[1] += static_cast<std::int32_t>(1.6 * most);
+    reading.step += missed ? 1 : 0;
+    rig.driver.step(reading);
+    EXPECT_EQ(rig.driver.fault().code, missed ? FaultCode::none : FaultCode::over_speed);
+  }
 }
 
 TEST(DriverFault, MissedStepsAreNoOverSpeed) {

@@ -13,8 +13,9 @@ namespace mrroc::edp::test {
 class FakeArm final : public Robot {
  public:
   static constexpr int kAxes = 6;
-  static constexpr double kMaxCurrent = 10;  ///< [A]
-  static constexpr double kReach = 0.9;      ///< distance of the wrist from the origin [m]
+  static constexpr double kMaxCurrent = 10;   ///< [A]
+  static constexpr double kCurrentLimit = 8;  ///< [A]
+  static constexpr double kReach = 0.9;       ///< distance of the wrist from the origin [m]
   static constexpr std::array<double, kAxes> kGear{-400, 400, 400, 60, 60, 60};
 
   FakeArm() {
@@ -29,6 +30,7 @@ class FakeArm final : public Robot {
       // With the gain of FakeDrives each increment set is made in the next step.
       axes_[k].servo.incremental.fill({.epsilon = 0, .a = 0, .b0 = 0.5, .b1 = 0});
       axes_[k].servo.drive.max_current = kMaxCurrent;
+      axes_[k].servo.drive.current_limit = kCurrentLimit;
     }
   }
   [[nodiscard]] std::string_view name() const noexcept override { return "fake"; }

@@ -149,14 +149,14 @@ TEST(ForceSensor, AveragesAsManyReadingsAsItIsTold) {
   }
 }
 
-TEST(ForceSensor, BadReadingsAreLeftOutUntilThePatienceIsOver) {
+TEST(ForceSensor, BadReadingsAreLeftOutUntilTheyAreAFault) {
   using Health = ForceSensor::Health;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double inf = std::numeric_limits<double>::infinity();
   for (const Axis a : kAxes)
     for (const double bad : {nan, inf, -inf, 1e6, -65.0 * 4}) {
       ForceSensorParameters p;
-      p.patience = 3;
+      p.fault_after = 3;
       ForceSensor sensor(p);
       EXPECT_EQ(sensor.take({{1, 1, 1, 1, 1, 1}}, false), Health::good);
       Wrench reading;
@@ -170,7 +170,7 @@ TEST(ForceSensor, BadReadingsAreLeftOutUntilThePatienceIsOver) {
         }
       }
       EXPECT_EQ(sensor.take(reading, false), std::isfinite(bad) ? Health::saturated : Health::not_finite);
-      EXPECT_EQ(sensor.complaint().component, static_cast<int>(a));
+      EXPECT_EQ(sensor.diagnostic().component, static_cast<int>(a));
       EXPECT_TRUE(finite(sensor.adjusted(Matrix3::Identity())));
     }
 }
@@ -184,7 +184,7 @@ TEST(ForceSensor, NoComponentBeingANumberIsASilentSensor) {
   EXPECT_EQ(sensor.take(nothing, false), Health::skipped);
   EXPECT_EQ(sensor.take(nothing, false), Health::skipped);
   EXPECT_EQ(sensor.take(nothing, false), Health::silent);
-  EXPECT_EQ(sensor.complaint().component, -1);
+  EXPECT_EQ(sensor.diagnostic().component, -1);
   EXPECT_EQ(sensor.adjusted(Matrix3::Identity())[Axis::z], -1) << "the last good reading stands";
 }
 
@@ -203,7 +203,7 @@ TEST(ForceSensor, AComponentThatNeverChangesIsStuck) {
     for (int k = 0; k < 1000; ++k) ASSERT_EQ(sensor.take(reading(k % 25 != 0), false), Health::good);
     for (int k = 0; k < 25; ++k) sensor.take(reading(true), false);
     EXPECT_EQ(sensor.take(reading(true), false), Health::stuck);
-    EXPECT_EQ(sensor.complaint().component, static_cast<int>(dead));
+    EXPECT_EQ(sensor.diagnostic().component, static_cast<int>(dead));
     EXPECT_EQ(sensor.take(reading(true), false), Health::stuck) << "and stays so";
     EXPECT_EQ(sensor.take(reading(false), false), Health::good) << "until it changes again";
   }

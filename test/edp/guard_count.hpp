@@ -1,4 +1,5 @@
-// What gets past the guards of a driver in a very long time: for tests, and in larger numbers for benchmarks.
+// Counts what passes the guards of a driver in a very long time: for tests, and in larger numbers for
+// benchmarks.
 #pragma once
 #include <cstdint>
 #include <string>

@@ -14,18 +14,25 @@ namespace {
 
 const Limits kLimits;
 
-Objection check_frame(const TaskFrameCommand& frame) {
+ValidationError check_frame(const TaskFrameCommand& frame) {
   ArmCommand a;
   a.frame = frame;
   return check_arm(a, FakeArm::kAxes, kLimits);
 }
 
-void expect_fault(const Objection& fault, FaultCode code, int axis, double value, double limit) {
+void expect_fault(const ValidationError& fault, FaultCode code, int axis, double value, double limit) {
   ASSERT_TRUE(fault);
   EXPECT_EQ(fault->code, code) << fault->text.view();
   EXPECT_EQ(fault->axis, axis);
   EXPECT_DOUBLE_EQ(fault->value, value);
   EXPECT_DOUBLE_EQ(fault->limit, limit);
+}
+
+TEST(Guard, AnUnknownBehaviourIsNoErrorOfAnAxisThatCouldBeNamed) {
+  TaskFrameCommand frame;
+  frame[Axis::y].b = static_cast<Behaviour>(9);
+  const ValidationError fault = check_frame(frame);
+  expect_fault(fault, FaultCode::unknown_enum, -1, 9, 0);
 }
 
 TEST(Guard, EveryLimitOfARowIsLegalAndTheNextNumberIsNot) {
@@ -49,8 +56,14 @@ TEST(Guard, EveryLimitOfARowIsLegalAndTheNextNumberIsNot) {
                  beyond(kLimits.inertia), kLimits.inertia);
     expect_fault(with(g(0.01, -1e-9, 0.01)), FaultCode::out_of_limits, k, -1e-9, kLimits.inertia);
     EXPECT_FALSE(with(g(0.01, 1, kLimits.mobility)));
-    expect_fault(with(g(0.01, 1, beyond(kLimits.mobility))), FaultCode::out_of_limits, k,
-                 beyond(kLimits.mobility), kLimits.mobility);
+    EXPECT_TRUE(with(g(0.01, 1, beyond(kLimits.mobility))));
+    // Far beyond, value and limit are not taken for one another.
+    expect_fault(with(g(0.01, 1, 2 * kLimits.mobility)), FaultCode::out_of_limits, k, 2 * kLimits.mobility,
+                 kLimits.mobility);
+    expect_fault(with(g(0.01, 2 * kLimits.inertia, 0.01)), FaultCode::out_of_limits, k, 2 * kLimits.inertia,
+                 kLimits.inertia);
+    expect_fault(with(c(2 * force, 20, 1e-3)), FaultCode::out_of_limits, k, 2 * force, force);
+    expect_fault(with(g(0.01, 1, -1e-9)), FaultCode::out_of_limits, k, -1e-9, kLimits.mobility);
     const double speed = axis < Axis::ax ? kLimits.linear_velocity : kLimits.angular_velocity;
     EXPECT_FALSE(with(u(-speed)));
     expect_fault(with(u(-speed * 1.001)), FaultCode::too_fast, k, speed * 1.001, speed);
@@ -87,6 +100,13 @@ TEST(Guard, StepsOfAMacrostep) {
   };
   EXPECT_TRUE(legal(1, 1) && legal(1, 2) && legal(10, 1) && legal(10, 11) && legal(1000, 1001));
   EXPECT_FALSE(legal(0, 1) || legal(1001, 1) || legal(10, 0) || legal(10, 12) || legal(65535, 65535));
+  const auto told = [&](std::uint16_t n_s, std::uint16_t n_Q) {
+    a.n_s = n_s;
+    a.n_Q = n_Q;
+    return check_arm(a, FakeArm::kAxes, kLimits);
+  };
+  expect_fault(told(1234, 1), FaultCode::out_of_limits, -1, 1234, kMaxSteps);
+  expect_fault(told(10, 15), FaultCode::out_of_limits, -1, 15, 11);
 }
 
 TEST(Guard, MotionBeyondAMotorOrJointLimitIsRefusedWithTheAxis) {
@@ -153,7 +173,7 @@ class Plan : public testing::Test {
     a.representation = r;
     a.pose = pose;
     a.n_s = static_cast<std::uint16_t>(n_s);
-    return plan_macrostep(a, now, Pose{}, {&arm, kLimits, 0.002, 40}, result);
+    return plan_macrostep(a, {now, now.T_0E, now.axes, false}, Pose{}, {&arm, kLimits, 0.002, 40}, result);
   }
   FakeArm arm;
   SetPoint now;
@@ -185,8 +205,9 @@ TEST_F(Plan, VelocityThatLeadsOutOfALimitInItsMacrostepIsRefused) {
   ArmCommand a;
   a.frame.z = u(0.4);
   a.n_s = 1000;
-  expect_fault(plan_macrostep(a, now, Pose{}, {&arm, kLimits, 0.002, 40}, result), FaultCode::joint_limit, 2,
-               320, 245);
+  expect_fault(plan_macrostep(a, Beginning{now, now.T_0E, now.axes, false}, Pose{},
+                              {&arm, kLimits, 0.002, 40}, result),
+               FaultCode::joint_limit, 2, 320, 245);
 }
 
 TEST_F(Plan, RefusalLeavesThePlanAsItWas) {

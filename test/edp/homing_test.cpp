@@ -126,6 +126,76 @@ TEST(Homing, GlitchOfOneReadingIsNoSwitch) {
   EXPECT_LT((rig.driver.set_point().axes.motors - rig.world.motors()).cwiseAbs().maxCoeff(), 0.02);
 }
 
+TEST(Homing, TheSwitchMustLetGoWithinTwoTurnsAndTheZeroMarkComeWithinOneAndAQuarter) {
+  const double turn = 2 * std::numbers::pi;
+  const DriverParameters p = parameters();
+  for (const bool sticks : {true, false}) {
+    Rig rig(p);
+    bool pressed = false;
+    rig.after_each_step = [&] {  // it works until it has been reached
+      pressed |= rig.world.motors()[2] < rig.world.synchro[2].place;
+      rig.world.synchro[2].stuck = sticks && pressed;
+    };
+    if (!sticks) rig.world.synchro[2].index = false;
+    const EffectorReply reply = home(rig);
+    ASSERT_EQ(reply.fault.code, sticks ? FaultCode::synchro_switch_stuck : FaultCode::encoder_index_missing);
+    const double limit = (sticks ? 2 : 1.25) * turn;
+    EXPECT_DOUBLE_EQ(reply.fault.limit, limit);
+    EXPECT_GT(reply.fault.value, limit);
+    EXPECT_LT(reply.fault.value, limit + 2 * p.homing.axis[2].fine * p.dt) << "where it was noticed";
+  }
+}
+
+TEST(Homing, BeginsAtRestAlsoWhenItWasBrokenOffAtFullSpeed) {
+  const FakeArm arm;
+  const DriverParameters p = parameters();
+  Homing homing(arm, p.homing, p.dt);
+  homing.start();
+  const HardwareReading reading{};
+  for (int k = 0; k < 100; ++k) ASSERT_FALSE(homing.step(reading));
+  ASSERT_NEAR(homing.increment()[2], -p.homing.axis[2].coarse * p.dt, 1e-12);
+  homing.start();
+  const double most = p.homing.axis[2].coarse / p.homing.ramp_steps * p.dt;
+  double before = 0;
+  for (int k = 0; k < 100; ++k) {
+    ASSERT_FALSE(homing.step(reading));
+    ASSERT_LE(std::abs(homing.increment()[2] - before), most * (1 + 1e-9)) << k;
+    before = homing.increment()[2];
+  }
+  EXPECT_LT(before, 0) << "it looks for the switch again";
+}
+
+TEST(Homing, GoesBackToWhereItStoodWhenItIsTo) {
+  std::mt19937_64 random(6);
+  DriverParameters p = parameters();
+  p.homing.returns = true;
+  for (int run = 0; run < 20; ++run) {
+    Rig rig(p, random_joints(random));
+    rig.world.limit_switches = true;
+    const AxisVector start = rig.world.motors();
+    std::vector<int> order;
+    AxisVector before = AxisVector::Zero(FakeArm::kAxes);
+    rig.after_each_step = [&] {
+      const AxisVector& now = rig.driver.set_point().motor_increment;
+      if (rig.driver.state() != DriverState::homing) return;
+      for (int k = 0; k < FakeArm::kAxes; ++k) {
+        const AxisHoming& axis = p.homing.axis[static_cast<std::size_t>(k)];
+        ASSERT_LE(std::abs(now[k]), axis.coarse * p.dt * (1 + 1e-9));
+        ASSERT_LE(std::abs(now[k] - before[k]), 1.13 * axis.coarse / p.homing.ramp_steps * p.dt);
+        if (now[k] != 0 && (order.empty() || order.back() != k)) order.push_back(k);
+      }
+      before = now;
+    };
+    ASSERT_EQ(home(rig).state, DriverState::ready) << describe(rig.driver.fault());
+    const EffectorReply reply = rig.silence(2);  // the shafts are a step behind
+    const double increment = 2 * std::numbers::pi / 4000;
+    ASSERT_LT((rig.world.motors() - start).cwiseAbs().maxCoeff(), 3 * increment) << run;
+    for (int k = 0; k < FakeArm::kAxes; ++k)
+      ASSERT_NEAR(reply.motors[static_cast<std::size_t>(k)], start[k], 3 * increment) << k;
+    EXPECT_EQ(order, (std::vector<int>{2, 3, 4, 5, 0, 1, 0, 5, 4, 3, 2})) << "the way it has come";
+  }
+}
+
 TEST(Homing, AfterAMendedSwitchResetAndSynchroSucceed) {
   Rig rig(parameters());
   rig.world.synchro[5].missing = true;
@@ -190,6 +260,15 @@ TEST(Homing, JogIsBoundBySpeedAndLimitSwitches) {
     reply = rig.macrostep(rig.jog({30}, 100));
   EXPECT_EQ(reply.fault.code, FaultCode::limit_switch);
   EXPECT_EQ(reply.fault.axis, 0);
+}
+
+TEST(Homing, AnArmThatWasPushedWithItsBrakesClosedIsHomedFromWhereItIs) {
+  Rig rig(parameters());
+  rig.silence(2);
+  for (const std::size_t k : {0, 3, 5})
+    rig.world.slip[k] = 2000;  // 3 rad, twice the following error that is a fault
+  rig.silence(1);
+  EXPECT_EQ(home(rig).state, DriverState::ready) << describe(rig.driver.fault());
 }
 
 TEST(Homing, JogThenSynchroFindsTheSamePositions) {

@@ -5,6 +5,8 @@
 
 #include <fstream>
 
+#include "test/edp/rig.hpp"
+
 namespace mrroc::edp::test {
 namespace {
 
@@ -46,6 +48,70 @@ TEST_F(Records, RingKeepsTheNewestInTheirOrder) {
   for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(ring[k].step, 7 + static_cast<std::int64_t>(k));
 }
 
+TEST_F(Records, RingThatIsNotFullAndOneForNothingHoldWhatThereIs) {
+  Recorder ring(4);
+  EXPECT_EQ(ring.size(), 0U);
+  for (std::int64_t step = 0; step < 3; ++step) ring.add({.step = step});
+  ASSERT_EQ(ring.size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(ring[k].step, static_cast<std::int64_t>(k));
+  Recorder least(0);
+  least.add({.step = 5});
+  least.add({.step = 6});
+  ASSERT_EQ(least.size(), 1U);
+  EXPECT_EQ(least[0].step, 6);
+}
+
+TEST_F(Records, ARecordIsWhatTheDriverReadAndCommandedInTheStep) {
+  Rig rig;
+  rig.world.stiffness[0] = 2000;
+  rig.synchronise();
+  rig.macrostep(rig.velocity({u(0.05), u(-0.02), u(), u(), u(), u()}));
+  HardwareReading reading = rig.world.reading();
+  for (std::size_t k = 0; k < reading.current.size(); ++k)
+    reading.current[k] = 0.01 * static_cast<double>(k + 1);
+  const HardwareCommand command = rig.driver.step(reading);
+  const StepRecord r = record_of(rig.driver, reading, command);
+  EXPECT_EQ(r.step, reading.step);
+  EXPECT_EQ(r.state, rig.driver.state());
+  EXPECT_EQ(r.fault, FaultCode::none);
+  EXPECT_EQ(r.encoder, reading.encoder);
+  EXPECT_EQ(r.current, reading.current);
+  EXPECT_EQ(r.pwm, command.pwm);
+  EXPECT_EQ(r.S_F_m, reading.S_F_m);
+  const SetPoint& set = rig.driver.set_point();
+  for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(r.set_motor[k], set.axes.motors[static_cast<int>(k)]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(r.set_position[k], set.T_0E.p[static_cast<int>(k)]);
+    EXPECT_NEAR(r.position[k], rig.world.T_0E().p[static_cast<int>(k)], 2e-3);
+  }
+  EXPECT_EQ(r.F_a, rig.driver.samples().back().F_a);
+  EXPECT_NE(r.F_a[Axis::x], 0);
+}
+
+TEST_F(Records, ALineHasTheFieldsThatTheHeaderNames) {
+  Recorder ring(2);
+  StepRecord r{.step = 500, .state = DriverState::executing, .fault = FaultCode::over_speed};
+  for (std::size_t k = 0; k < 3; ++k) {
+    r.set_motor[k] = 10 + static_cast<double>(k);
+    r.encoder[k] = 20 + static_cast<std::int32_t>(k);
+    r.current[k] = 30 + static_cast<double>(k);
+    r.pwm[k] = 40 + static_cast<double>(k);
+    r.set_position[k] = 50 + static_cast<double>(k);
+    r.position[k] = 60 + static_cast<double>(k);
+  }
+  for (std::size_t k = 0; k < 6; ++k) {
+    r.F_a.v[k] = 70 + static_cast<double>(k);
+    r.S_F_m.v[k] = 80 + static_cast<double>(k);
+  }
+  ring.add(r);
+  EXPECT_EQ(record_header(2),
+            "step,t,state,fault,set_m1,set_m2,enc1,enc2,current1,current2,pwm1,pwm2,set_x,set_y,set_z,x,y,z,"
+            "Fx,Fy,Fz,Nx,Ny,Nz,raw_Fx,raw_Fy,raw_Fz,raw_Nx,raw_Ny,raw_Nz\n");
+  EXPECT_EQ(record_lines(ring, 2, 0.002),
+            "500,1.0000,executing,over_speed,10,11,20,21,30,31,40,41,50,51,52,60,61,62,70,71,72,73,74,75,"
+            "80,81,82,83,84,85\n");
+}
+
 TEST_F(Records, FaultBringsTheStepsBeforeItAndAfterIt) {
   {
     RecordFiles files(Recording::on_fault, folder_, "arm1", 6, 0.002);
@@ -78,18 +144,18 @@ TEST_F(Records, AFaultElsewhereBringsOneFileToo) {
     pass(files, 0, 4999);
     files.trigger();
     pass(files, 5000, 5099);
-    files.throw_down();
+    files.dump_on_abort();
   }
   EXPECT_EQ(step_of(lines("arm1-fault-5000.csv").back()), 5059) << "and the steps after it";
   EXPECT_EQ(files(), 1U) << "these steps are written already";
   {
     RecordFiles files(Recording::on_fault, folder_, "arm2", 6, 0.002);
     pass(files, 0, 7000, FaultCode::none);
-    files.throw_down();
+    files.dump_on_abort();
   }
   EXPECT_EQ(step_of(lines("arm2-fault-7000.csv").back()), 7000) << "no more steps came";
   RecordFiles empty(Recording::on_fault, folder_, "arm3", 6, 0.002);
-  empty.throw_down();
+  empty.dump_on_abort();
   EXPECT_EQ(files(), 2U) << "there is nothing to write";
 }
 

@@ -5,13 +5,14 @@
 #include <numbers>
 #include <optional>
 
+#include "base/axis_command.hpp"
 #include "base/representation.hpp"
 #include "edp/driver.hpp"
 #include "test/edp/fake_arm.hpp"
 
 namespace mrroc::edp::test {
 
-/// What is around the arm, and what its sensors say.
+/// The surroundings of the arm, and the readings of its sensors.
 class FakeWorld {
  public:
   explicit FakeWorld(const FakeArm& arm, const AxisVector& joints) : arm_(&arm) {
@@ -29,6 +30,8 @@ class FakeWorld {
   Vector3 mass_centre = Vector3::Zero();
   Wrench sensor_offset;                           ///< in every reading
   std::array<std::uint8_t, kMaxAxes> switches{};  ///< of the next readings
+  std::uint16_t inputs{};                         ///< in every reading, as the next
+  std::array<double, kAnalogInputs> analog{};
   struct SynchroSwitch {
     double place{-3};  ///< pressed below this motor position [rad]
     bool missing{};    ///< never pressed
@@ -68,6 +71,8 @@ class FakeWorld {
     const Wrench W_F = Wrench::from(f, mass_centre.cross(f)) + xi_F(T_WE, load());
     r.S_F_m = xi_F(T_WS.inverse(), W_F) + sensor_offset;
     r.switches = switches;
+    r.inputs = inputs;
+    r.analog = analog;
     for (std::size_t k = 0; k < FakeArm::kAxes; ++k) read_switches(k, r);
     return r;
   }
@@ -197,6 +202,14 @@ class Rig {
     a.reference = Reference::relative;
     a.pose = motors;
     a.n_s = a.n_Q = n_s;
+    return set_arm(a);
+  }
+  /// @return a motion at 0.5 m/s in the air, which meets the limit of slide z after its reply
+  EffectorCommand motion_into_a_limit() {
+    ArmCommand a;
+    a.frame.z = c(5, 0, 0.1);
+    a.n_s = 1000;
+    a.n_Q = 1;
     return set_arm(a);
   }
   EffectorReply synchronise() { return macrostep(command(Instruction::synchro)); }

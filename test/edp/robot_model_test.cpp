@@ -63,7 +63,7 @@ TEST(RobotModel, ServoAlgorithmOfEveryMotorIsChosenByItself) {
   rig.synchronise();
   RobotModel m;
   m.set_servo_algorithm = 0b010110;
-  m.servo_algorithm = {1, 1, 1, 1, 1, 1};
+  m.servo_algorithm = {200, 1, 1, 200, 1, 200};  // of motors that are not chosen it means nothing
   m.servo_parameter_set = {0, 1, 0, 0, 1, 0};
   const RobotModel before = get_model(rig).robot_model;
   EXPECT_EQ(rig.macrostep(set_model(rig, m)).verdict, Verdict::executed);
@@ -78,22 +78,31 @@ TEST(RobotModel, ServoAlgorithmOfEveryMotorIsChosenByItself) {
 }
 
 TEST(RobotModel, UnknownNumbersAreRefusedAndNothingOfTheCommandIsDone) {
-  for (const int wrong : {0, 1, 2}) {
+  const auto refused = [](RobotModel m) {
     Rig rig;
     rig.synchronise();
-    RobotModel m;
     m.set_force_tool = true;
     m.weight = 5;
-    if (wrong == 0) m.set_kinematic_model = true, m.kinematic_model = 9;
-    if (wrong == 1) m.set_servo_algorithm = 4, m.servo_algorithm[2] = 200;
-    if (wrong == 2) m.set_servo_algorithm = 4, m.servo_parameter_set[2] = 200;
     const EffectorReply reply = rig.macrostep(set_model(rig, m));
     EXPECT_EQ(reply.verdict, Verdict::refused);
     EXPECT_EQ(reply.fault.code, FaultCode::unknown_model);
-    rig.number = 0;  // a refused command begins no session
-    rig.number = rig.driver.protocol().expected() - 1;
+    rig.number = rig.driver.protocol().expected() - 1;  // a refused command begins no session
     EXPECT_EQ(get_model(rig).robot_model.weight, 0);
-  }
+    return reply.fault;
+  };
+  RobotModel kinematic;
+  kinematic.set_kinematic_model = true;
+  kinematic.kinematic_model = 9;
+  const Fault model = refused(kinematic);
+  EXPECT_EQ(model.value, 9);
+  EXPECT_EQ(model.limit, 0) << "the last of one";
+  for (int motor = 0; motor < FakeArm::kAxes; ++motor)
+    for (const bool algorithm : {true, false}) {
+      RobotModel servo;
+      servo.set_servo_algorithm = static_cast<std::uint8_t>(1U << motor);
+      (algorithm ? servo.servo_algorithm : servo.servo_parameter_set)[static_cast<std::size_t>(motor)] = 200;
+      EXPECT_EQ(refused(servo).axis, motor) << algorithm;
+    }
 }
 
 TEST(RobotModel, GetOfSeveralPartsTellsThemAll) {
@@ -110,6 +119,30 @@ TEST(RobotModel, GetOfSeveralPartsTellsThemAll) {
   EXPECT_EQ(rig.last.outputs, 0x8001);
   rig.silence(20);
   EXPECT_EQ(rig.last.outputs, 0x8001) << "lines stay until they are set again";
+}
+
+TEST(RobotModel, InputsAreToldWhenTheyAreAskedForAndNotOtherwise) {
+  Rig rig;
+  rig.synchronise();
+  rig.world.inputs = 0x4002;
+  rig.world.analog[0] = 1.5;
+  rig.world.analog.back() = -2.5;
+  EffectorCommand c = rig.command(Instruction::set_get);
+  c.set = static_cast<std::uint8_t>(Part::io);
+  c.get = static_cast<std::uint8_t>(Part::io);
+  const EffectorReply asked = rig.macrostep(c);
+  EXPECT_EQ(asked.inputs, 0x4002);
+  EXPECT_EQ(asked.analog, rig.world.analog);
+  rig.world.inputs = 0x0001;
+  EffectorCommand silent = rig.command(Instruction::set);
+  silent.set = static_cast<std::uint8_t>(Part::io);
+  silent.get = static_cast<std::uint8_t>(Part::arm);
+  EXPECT_EQ(rig.macrostep(silent).parts, 0) << "SET asks for nothing, whatever it names";
+  c = rig.command(Instruction::get);
+  c.get = static_cast<std::uint8_t>(Part::arm);
+  const EffectorReply pose = rig.macrostep(c);
+  EXPECT_EQ(pose.parts, c.get);
+  EXPECT_EQ(pose.analog, decltype(pose.analog){}) << "nobody asked";
 }
 
 TEST(RobotModel, CurrentsOfTheStepsSinceTheReplyBefore) {

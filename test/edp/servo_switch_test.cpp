@@ -72,7 +72,7 @@ class Drives {
   std::array<std::int32_t, kMaxAxes> count_{};
 
  public:
-  Servo servo{arm_};
+  Servo servo{arm_, 0.002};
   AxisVector pwm = AxisVector::Zero(6);
   double set{};   // [rad]
   double jump{};  // of the duty cycle in the last step

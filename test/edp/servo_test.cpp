@@ -1,12 +1,15 @@
+// The servo of a motor, its regulators and encoders, and the supervision of the drives.
 #include "edp/servo.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "edp/encoders.hpp"
 #include "edp/supervision.hpp"
 #include "test/edp/fake_arm.hpp"
+#include "test/edp/one_motor.hpp"
 
 namespace mrroc::edp::test {
 namespace {
@@ -29,7 +32,7 @@ TEST(Regulator, OutputIsClippedAndResetForgets) {
 TEST(Servo, FractionsOfAnIncrementAreNotLost) {
   // A hundredth of an increment per step: after 1000 steps the shaft has turned by ten.
   const FakeArm arm;
-  Servo servo(arm);
+  Servo servo(arm, 0.002);
   const double increment = 0.01 / arm.axis(2).increments_per_rad;
   AxisVector set = AxisVector::Zero(FakeArm::kAxes);
   set[2] = increment;
@@ -43,6 +46,61 @@ TEST(Servo, FractionsOfAnIncrementAreNotLost) {
     measured[2] = std::floor(shaft) - before;
   }
   EXPECT_NEAR(shaft, 10, 1);
+}
+
+/// Both sets of algorithm 0 are the same, and their output depends on nothing that an exchange forgets.
+AxisProperties equal_sets() {
+  AxisProperties axis;
+  axis.increments_per_rad = 1;
+  axis.servo.incremental.fill({.epsilon = 0.1, .a = 0, .b0 = 2, .b1 = 1.5});
+  axis.servo.compensating.fill({.bandwidth = 100, .observer = 150});
+  axis.servo.drive = {.resistance = 2, .inertia = 3e-4};
+  return axis;
+}
+
+/// A servo of OneMotor, in numbers.
+struct OneServo {
+  double step(double set, double measured, double gravity_feed_forward = 0) {
+    return servo.step(AxisVector::Constant(1, set), AxisVector::Constant(1, measured),
+                      AxisVector::Constant(1, gravity_feed_forward))[0];
+  }
+  void braked(double measured) { servo.braked(AxisVector::Constant(1, measured)); }
+
+  OneMotor robot{equal_sets()};
+  Servo servo{robot, 0.002};
+};
+
+TEST(Servo, BrakesThatOpenLeaveTheKnownWeightToTheMotorInTheFirstStep) {
+  for (const double torque : {0.05, -0.2}) {
+    OneServo one;
+    ASSERT_TRUE(one.servo.select(0, 1, 0));
+    one.braked(0);
+    EXPECT_NEAR(one.step(0, 0, torque), torque * one.robot.axis(0).servo.drive.pwm_per_torque(), 1e-9)
+        << "else the arm sags until the observer has seen it";
+  }
+}
+
+TEST(Servo, ARegulatorThatIsExchangedForItsLikeGoesOnAsIfNothingHadHappened) {
+  std::mt19937_64 random(4);
+  OneServo plain, exchanged;
+  plain.servo.select(0, 0, 0);
+  exchanged.servo.select(0, 0, 0);
+  for (int k = 0; k < 500; ++k) {
+    const double set = 1 + static_cast<double>(random() % 5), measured = static_cast<double>(random() % 7);
+    if (k > 0 && random() % 3 == 0)
+      exchanged.servo.select(0, 0, 1 - exchanged.servo.selected(0).parameter_set_no);
+    ASSERT_NEAR(exchanged.step(set, measured), plain.step(set, measured), 1e-9) << k;
+  }
+}
+
+TEST(Servo, ARegulatorThatIsChosenWhileTheBrakesHoldKnowsThatTheMotorStands) {
+  OneServo one;
+  one.servo.select(0, 1, 0);
+  one.step(0, 5);
+  const double pwm = one.step(5, 0);  // the shaft is where it is set to be, and both were moving
+  one.braked(0);
+  ASSERT_TRUE(one.servo.select(0, 0, 0));
+  for (int k = 0; k < 5; ++k) EXPECT_NEAR(one.step(0, 0), pwm, 1e-9) << "nothing moves: nothing to answer";
 }
 
 TEST(Encoders, MotorIsWhereItWasPlusWhatItTurned) {

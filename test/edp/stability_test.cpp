@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 
 #include "base/fault.hpp"
@@ -32,6 +34,21 @@ TEST(Stability, IdealServoHasTheLimitOfTheClosedFormula) {
         const double limit = 2 * (1 + a) / (b * dt);
         EXPECT_NEAR(stiffness_limit(l) / limit, 1, 1e-4);
       }
+}
+
+// With damping D K of the surroundings and the mean force of a step, F(k) = K (x(k) - v(k) dt/2 + D v(k)). The map of x
+// and v has the determinant alpha = a - b K (D - dt/2) and the trace 1 - b K dt + alpha; where D is more than half a
+// step it is stable for K < (1 + a) / (b D).
+TEST(Stability, DampedSurroundingsHaveTheLimitOfTheClosedFormula) {
+  for (const double I : {0.5, 5.})
+    for (const double D : {0.004, 0.01}) {
+      ContactLoop l = loop_of(I, 0.005, IdealServo{});
+      l.mean_of_step = true;
+      l.contact_damping = D;
+      const double BI = l.mobility * I;
+      const double a = BI / (l.dt + BI), b = l.mobility * l.dt / (l.dt + BI);
+      EXPECT_NEAR(stiffness_limit(l) / ((1 + a) / (b * D)), 1, 1e-3) << I << ' ' << D;
+    }
 }
 
 TEST(Stability, WithAShortStepTheDampingRatioIsThatOfThePaper) {
@@ -137,6 +154,32 @@ TEST(Stability, MobilityForADampingRatioGivesIt) {
   }
 }
 
+TEST(Stability, MobilityForADampingRatioIsTheGreatestThatGivesIt) {
+  ContactLoop l = loop_of(5, 0.01);
+  l.mobility = mobility_for(l, 1e4, 0.5);
+  EXPECT_GE(contact_mode(l, 1e4).damping, 0.5);
+  l.mobility *= 1.0003;
+  EXPECT_LT(contact_mode(l, 1e4).damping, 0.5);
+  EXPECT_EQ(mobility_for(l, 1e4, 1.01), 0) << "no loop is damped more than one that does not swing";
+}
+
+TEST(Stability, FrequencyIsThatOfTheMassOnItsSpring) {
+  ContactLoop l = loop_of(20, 0.005, IdealServo{});
+  l.dt = 1e-6;
+  for (const double K : {1e4, 1e5}) {
+    const double zeta = 1 / (2 * 0.005 * std::sqrt(K * 20));
+    EXPECT_NEAR(contact_mode(l, K).frequency, std::sqrt(K / 20 * (1 - zeta * zeta)) / (2 * std::numbers::pi),
+                1e-3);
+  }
+}
+
+TEST(Stability, StiffnessLiesBetweenNoneAndTheStiffest) {
+  const ContactLoop l = loop_of(5, 0.005);
+  for (const double good : {0., 1e9}) EXPECT_NO_THROW(static_cast<void>(contact_mode(l, good))) << good;
+  for (const double wrong : {-1e-9, 1.001e9})
+    EXPECT_THROW(static_cast<void>(contact_mode(l, wrong)), FaultError) << wrong;
+}
+
 TEST(Stability, ParametersThatMakeNoSenseAreRefusedByName) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto refused = [](const ContactLoop& l, const std::string& name) {
@@ -151,6 +194,22 @@ TEST(Stability, ParametersThatMakeNoSenseAreRefusedByName) {
   EXPECT_TRUE(refused(loop_of(nan, 0.005), "I "));
   EXPECT_TRUE(refused(loop_of(-1, 0.005), "I "));
   EXPECT_TRUE(refused(loop_of(5, 0), "B "));
+  const auto changed = [](auto change) {
+    ContactLoop l = loop_of(5, 0.005);
+    change(l);
+    return l;
+  };
+  for (const double D : {-1e-9, 1 + 1e-9, nan})
+    EXPECT_TRUE(refused(changed([&](ContactLoop& l) { l.contact_damping = D; }), "contact damping")) << D;
+  for (const int delay : {-1, 21})
+    EXPECT_TRUE(refused(changed([&](ContactLoop& l) { l.delay = delay; }), "delay")) << delay;
+  for (const int average : {0, 21})
+    EXPECT_TRUE(refused(changed([&](ContactLoop& l) { l.average = average; }), "average")) << average;
+  for (const double dt : {0.0, 0.1001, nan})
+    EXPECT_TRUE(refused(changed([&](ContactLoop& l) { l.dt = dt; }), "dt")) << dt;
+  EXPECT_TRUE(refused(changed([](ContactLoop& l) { l.low_pass = -1e-9; }), "low pass"));
+  EXPECT_TRUE(refused(loop_of(5, 1001), "B "));
+  EXPECT_TRUE(refused(loop_of(1.1e6, 0.005), "I "));
   EXPECT_TRUE(refused(loop_of(5, 0.005, LagServo{nan}), "bandwidth"));
   EXPECT_TRUE(refused(loop_of(5, 0.005, LagServo{20, 3}), "order"));
   EXPECT_TRUE(refused(loop_of(5, 0.005, RegulatedDrive{}), "drive"));

@@ -50,9 +50,9 @@ cd "$place"
 "$bin/press" --processes one --run-dir "$place/alone" >/dev/null
 {
   printf 'time.n_s = 10\n[robots]\norder = ["arm1"]\n[robots.arm1]\nmodel = "irb6_postument"\nsynchro = "known_pose"\n'
-  printf '[link]\nloss = 0.01\n[hosts.robot]\nprocesses = ["world", "edp-arm1"]\nstart = ["%s", "robot"]\n' "$place/ssh"
+  printf '[link]\nloss = 0.01\n[hosts.robot]\nprocesses = ["simulator", "edp-arm1"]\n'
 } >"$place/press.toml"
-ip netns exec "$desk" "$bin/press" --config "$place/press.toml" --run-dir "one run" --session "two-hosts-$$" &
+ip netns exec "$desk" "$bin/press" --config "$place/press.toml" --host "robot=$place/ssh robot" --run-dir "one run" --session "two-hosts-$$" &
 task=$!
 seen=false
 for _ in $(seq 200); do

@@ -1,4 +1,4 @@
-// The whole chain MP - ECP - EDP - world with the real shells and links and an ideal arm, in one process.
+// The whole chain MP - ECP - EDP - simulator with the real shells and links and an ideal arm, in one process.
 #pragma once
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -14,9 +14,9 @@
 #include "base/msg/convert.hpp"
 #include "ecp/shell.hpp"
 #include "edp/shell.hpp"
+#include "edp/simulated_hardware.hpp"
 #include "mp/coordinator_links.hpp"
 #include "mp/supervisor.hpp"
-#include "mrroc/world_state_t.hpp"
 #include "tasks/drawing/tables.hpp"
 #include "test/edp/rig.hpp"
 
@@ -30,7 +30,7 @@ inline constexpr int kSteps = 10;  // n_s
 
 /// An operator who says nothing.
 struct Nobody final : OperatorAgent {
-  void inform(std::int64_t, int, bool) override {}
+  void inform(std::int64_t, int) override {}
   [[nodiscard]] bool here(std::int64_t) const override { return true; }
   OperatorImage image(std::int64_t) override { return {}; }
 };
@@ -44,11 +44,11 @@ class Chain {
         messages_(
             (std::filesystem::temp_directory_path() / ("delay_test." + std::to_string(::getpid()))).string()),
         bus_(hub_.open()),
-        mp(*bus_, member(clock)),
+        mp(*bus_, context_of(clock)),
         links(mp, {"arm1"}, nobody_),
         commands(*bus_, mp.route("arm1.command"), 1),
         replies(*bus_, mp.route("arm1.reply"), 1),
-        supervisor(mp, parts(), messages_) {}
+        supervisor(mp, node_specs(), messages_) {}
   ~Chain() { std::filesystem::remove(messages_); }
   Chain(const Chain&) = delete;
   Chain& operator=(const Chain&) = delete;
@@ -56,8 +56,8 @@ class Chain {
   /// A member that is interrupted, and for how long; set them before run().
   std::string rests;
   std::chrono::milliseconds rest_for{};
-  bool fails{};             ///< it ends with a fault instead
-  int state_patience{250};  ///< of the driver [steps]
+  bool fails{};            ///< it ends with a fault instead
+  int state_timeout{250};  ///< of the driver [steps]
 
   /// The interruption begins; there is only one.
   void interrupt() {
@@ -87,7 +87,7 @@ class Chain {
     }
     if (o == Outcome::terminated) {
       order.finished = true;
-      // As the simulated world does: the driver ends in the second macrostep after the release.
+      // As the simulator does: the driver ends in the second macrostep after the release.
       end_ = (links.i() + 1 + 3) * kSteps;
       links.send(std::span(&order, 1));
     } else {
@@ -102,16 +102,16 @@ class Chain {
   }
 
  private:
-  static link::Membership member(ClockKind clock) {
-    link::Membership m;
+  static link::NodeContext context_of(ClockKind clock) {
+    link::NodeContext m;
     m.session = "chain";
     m.name = "mp";
-    m.roster = {"mp", "world", "edp-arm1", "ecp-arm1"};
+    m.roster = {"mp", "simulator", "edp-arm1", "ecp-arm1"};
     m.clock = clock;
     return m;
   }
-  std::vector<Part> parts() {
-    return {{"world", {}, {}, [this](Process& p) { run_world(p); }},
+  std::vector<NodeSpec> node_specs() {
+    return {{"simulator", {}, {}, [this](Process& p) { run_simulator(p); }},
             {"edp-arm1",
              {},
              {},
@@ -120,8 +120,8 @@ class Chain {
                edp::ShellParameters k{.robot = "arm1", .ecp = "ecp-arm1"};
                k.injection = injection_;
                k.start_guard = std::chrono::milliseconds(0);
-               k.state_patience = state_patience;
-               edp::run_edp(p, rig_.driver, k);
+               k.state_timeout = state_timeout;
+               edp::run_edp(p, rig_.driver, edp::SimulatedHardware(p, "arm1", "simulator", 0.002), k);
              }},
             {"ecp-arm1", {}, {}, [this](Process& p) {
                p.on_service = [this] { rest("ecp-arm1"); };
@@ -129,10 +129,10 @@ class Chain {
                                  [](Arm::X& x, auto& port) { return move(drawing::kTransparent, x, port); });
              }}};
   }
-  void run_world(Process& p) {
-    p.on_service = [this] { rest("world"); };
-    const auto out = p.outbox<world_state_t>("world.state", Group::servo_state);
-    const auto in = p.inbox<drive_command_t>("arm1.drive", Group::servo_command);
+  void run_simulator(Process& p) {
+    p.on_service = [this] { rest("simulator"); };
+    const auto out = p.outbox<hardware_state_t>("arm1.hardware_state", Group::servo_state);
+    const auto in = p.inbox<hardware_command_t>("arm1.hardware_command", Group::servo_command);
     if (!p.assemble()) return;
     const double x_0 = rig_.world.T_0E().p.x();
     const bool wall = clock_ == ClockKind::wall;
@@ -142,16 +142,14 @@ class Chain {
     for (std::int64_t step = 0; step < end_ || (wall && missed < kLeft); ++step) {
       if (p.phase() == link::Phase::finished) break;
       const auto due = wall ? pacer.next(1, Process::Clock::now()) : Process::Clock::time_point::max();
-      world_state_t state{};
-      state.robot[0] = to_message(rig_.world.reading());
-      out->publish(state, step);
+      out->publish(to_message(rig_.world.reading()), step);
       p.await([&] { return in->at(step) || p.phase() == link::Phase::finished; }, due);
       if (!in->at(step) && !wall) break;
       missed = in->at(step) ? 0 : missed + 1;
       HardwareCommand command = in->at(step) ? from_message(*in->at(step)) : HardwareCommand{};
       rig_.world.apply(command);
       if (first_motion < 0 && std::abs(rig_.world.T_0E().p.x() - x_0) > 1e-6) first_motion = step;
-      if (p.over() && ++steps_over_ == kOver) p.report_rest(true, {100, -1, -1, -1});
+      if (p.over()) ++steps_over_;
       if (wall) p.await([] { return false; }, due);
     }
     p.report_done();
@@ -159,14 +157,14 @@ class Chain {
   }
 
   /// Says nothing and hears nothing for a while, once, when it is told to.
-  void rest(const std::string& part) {
-    if (part != rests || !resting_.exchange(false)) return;
+  void rest(const std::string& node) {
+    if (node != rests || !resting_.exchange(false)) return;
     if (fails) throw FaultError(FaultCode::internal_error, "told to fail");
     std::this_thread::sleep_for(rest_for);
   }
 
   static constexpr int kLeft = 100;  // steps
-  static constexpr int kOver = 100;  // steps from the stop until the arm is said to be at rest
+  static constexpr int kOver = 100;  // steps after the stop that the test waits for
   link::Injection injection_;
   ClockKind clock_;
   std::atomic<bool> interrupted_{false};
@@ -174,7 +172,7 @@ class Chain {
   std::atomic<int> steps_over_{};
   std::filesystem::path messages_;
   edp::test::Rig rig_;
-  std::atomic<std::int64_t> end_{1'000'000'000};  // step in which the world ends
+  std::atomic<std::int64_t> end_{1'000'000'000};  // step in which the simulator ends
   link::MemoryHub hub_;
   std::unique_ptr<link::Bus> bus_;
   Nobody nobody_;
@@ -184,7 +182,7 @@ class Chain {
   CoordinatorLinks links;
   link::Queue<effector_command_t> commands;
   link::Queue<effector_reply_t> replies;
-  std::atomic<std::int64_t> first_motion{-1};  ///< step of the world
+  std::atomic<std::int64_t> first_motion{-1};  ///< step of the simulator
   Supervisor supervisor;
 };
 

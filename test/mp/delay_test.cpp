@@ -1,7 +1,8 @@
-// The whole chain MP - ECP - EDP - world with the real shells and links and an ideal arm: delay accounting of
-// MG (11)-(15), the end of a run, and injected faults.
+// The whole chain MP - ECP - EDP - simulator with the real shells and links and an ideal arm: delay accounting
+// of MG (11)-(15), the end of a run, and injected faults.
 #include <gtest/gtest.h>
 
+#include "base/latency.hpp"
 #include "test/mp/chain.hpp"
 
 namespace mrroc::mp {
@@ -31,11 +32,11 @@ TEST(DelayAccounting, OrderCommandExecutionAndStateAreOneTwoTwoAndFourMacrosteps
       executed_in = c->header.stamp;
     }
   const std::int64_t commanded_in = executed_in - 1;
-  EXPECT_EQ(commanded_in - kOrdered, 1);                // MG (11): MP's output -> ECP's command
-  EXPECT_EQ(executed_in - kOrdered, 2);                 // (12): -> motion
-  EXPECT_EQ(chain.first_motion / kSteps, executed_in);  // and that is what the arm does
-  EXPECT_EQ(ordered_by_state - executed_in, 2);         // effector's state -> MP's output
-  EXPECT_EQ(ordered_by_state - kOrdered, 4);            // (15): the whole loop
+  EXPECT_EQ(commanded_in - kOrdered, latency::kOrderToCommand);  // MG (11)
+  EXPECT_EQ(executed_in - kOrdered, latency::kOrderToMotion);    // (12)
+  EXPECT_EQ(chain.first_motion / kSteps, executed_in) << "and that is what the arm does";
+  EXPECT_EQ(ordered_by_state - executed_in, latency::kMotionToReport);  // (14)
+  EXPECT_EQ(ordered_by_state - kOrdered, latency::kLoop);               // (15)
 }
 
 TEST(Chain, RunsAreBitIdentical) {

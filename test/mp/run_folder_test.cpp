@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <fstream>
+#include <functional>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 namespace mrroc::mp {
@@ -59,6 +61,29 @@ TEST_F(RunFolder, OneThatHoldsARunIsRefusedAndLeftAlone) {
   std::string line;
   std::getline(in, line);
   EXPECT_EQ(line, "seed = 1");
+}
+
+TEST_F(RunFolder, ANameThatCannotBeOneIsAWrongWordAndNoMistakeOfTheProgram) {
+  fs::create_directories("runs");
+  for (const std::string& name : {std::string(300, 'a'), std::string(5000, 'a')})
+    for (const fs::path& folder : {fs::path(name), fs::path("runs") / name}) try {
+        name_run_folder(folder, "drawing");
+        FAIL() << name.size();
+      } catch (const FaultError& e) {
+        EXPECT_EQ(e.fault().code, FaultCode::bad_usage);
+        EXPECT_LT(std::string(e.what()).size(), 200U) << "the reason can be read";
+      }
+}
+
+TEST_F(RunFolder, ASummaryThatIsThereStaysWholeWhenAnotherCannotBeWritten) {
+  Summary s;
+  s.task = "first";
+  write_summary(folder_, s);
+  fs::create_directories(folder_ / "summary.json.new" / "in the way");
+  s.task = "second";
+  EXPECT_EQ(code_of([&] { write_summary(folder_, s); }), FaultCode::cannot_write);
+  std::ifstream in(folder_ / "summary.json");
+  EXPECT_EQ(nlohmann::json::parse(in).at("task"), "first");
 }
 
 TEST_F(RunFolder, WithoutAWishItGetsANameThatIsFree) {
@@ -134,6 +159,98 @@ TEST_F(RunFolder, TheSummaryTellsFaultsAfterWhichTheTaskWentOn) {
   EXPECT_EQ(json.at("survived").at(0).at("code"), "over_current");
   EXPECT_EQ(json.at("survived").at(0).at("process"), "edp-arm1");
   EXPECT_EQ(json.at("survived").at(0).at("sim_s"), 12.5);
+}
+
+TEST_F(RunFolder, WhyOneCannotBeUsedIsSaidWithWhatToDo) {
+  const auto said = [&](const fs::path& wanted) -> std::string {
+    try {
+      name_run_folder(wanted, "drawing");
+    } catch (const FaultError& e) {
+      return e.error_line();
+    }
+    return "";
+  };
+  fs::create_directories("full");
+  EXPECT_EQ(said("full"), "") << "an empty folder can be used";
+  write_text("full/notes", "x");
+  EXPECT_NE(said("full").find("full is not empty; choose another --run-dir or delete it"), std::string::npos)
+      << said("full");
+  write_text("full/config.toml", "x");
+  EXPECT_NE(said("full").find("full holds a run already; choose another --run-dir or delete it"),
+            std::string::npos)
+      << said("full");
+  const std::string name(300, 'a');
+  EXPECT_NE(said(name).find(" " + std::string(60, 'a') + "... cannot be a run folder: "), std::string::npos)
+      << said(name);
+  EXPECT_NE(said(name).find("; choose another --run-dir"), std::string::npos) << said(name);
+  EXPECT_TRUE(said(name).starts_with("error: bad_usage: ")) << said(name);
+  fs::create_directories("x");
+  const std::string long_and_short = std::string("x/") + std::string(300, 'b');
+  EXPECT_NE(said(long_and_short).find("x/" + std::string(58, 'b') + "... cannot"), std::string::npos);
+}
+
+TEST_F(RunFolder, ASecondOneOfTheSameSecondHasANumber) {
+  const auto once = [&] {
+    const fs::path first = name_run_folder({}, "press");
+    make_run_folder(first);
+    const fs::path second = name_run_folder({}, "press");
+    make_run_folder(second);
+    const fs::path third = name_run_folder({}, "press");
+    const bool same = second == first.string() + "-2" && third == first.string() + "-3";
+    fs::remove_all("runs");
+    return same;
+  };
+  EXPECT_TRUE(once() || once() || once()) << "unless a second ends just then";
+}
+
+TEST_F(RunFolder, OneThatDidNotBeginIsRemovedAndNothingElse) {
+  make_run_folder("run");
+  discard_run_folder("run");
+  EXPECT_TRUE(fs::exists("run")) << "it has no configuration: it is no run";
+  write_text("run/config.toml", "x");
+  discard_run_folder("run");
+  EXPECT_FALSE(fs::exists("run"));
+  discard_run_folder("nowhere");
+}
+
+TEST_F(RunFolder, WhatCannotBeMadeOrWrittenIsNamed) {
+  const auto said = [](const std::function<void()>& f) -> std::string {
+    try {
+      f();
+    } catch (const FaultError& e) {
+      return std::string(e.fault().text.view());
+    }
+    return "";
+  };
+  write_text("file", "x");
+  EXPECT_TRUE(said([] { make_run_folder("file/run"); }).starts_with("cannot make file/run: "));
+  EXPECT_EQ(said([] { write_text("no/file", "x"); }), "cannot write no/file");
+  fs::create_directories("there/summary.json/in the way");
+  EXPECT_EQ(said([] { write_summary("there", {}); }), "cannot write there/summary.json");
+  EXPECT_EQ(said([] { write_summary("nowhere", {}); }), "cannot write nowhere/summary.json.new");
+}
+
+TEST_F(RunFolder, TheSummaryHasEveryFieldAndNoFileButItself) {
+  Summary s;
+  s.task = "press";
+  s.wall_s = 4;
+  s.sim_s = 2;
+  s.fault = Fault{.code = FaultCode::joint_limit, .process = "edp-arm1"};
+  s.black_box = {"black_box/mp.txt", "arm1.csv"};
+  const auto json = summary(s);
+  EXPECT_EQ(json.at("wall_s"), 4.0);
+  EXPECT_EQ(json.at("real_time_factor"), 0.5);
+  EXPECT_EQ(json.at("log_hash"), "0000000000000000");
+  EXPECT_EQ(json.at("black_box"), (nlohmann::json{"black_box/mp.txt", "arm1.csv"}));
+  EXPECT_EQ(json.at("fault").at("text"), what_happened(*s.fault));
+  EXPECT_TRUE(json.at("figures").is_object());
+  EXPECT_FALSE(fs::exists(folder_ / "summary.json.new"));
+  std::ifstream in(folder_ / "summary.json");
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_TRUE(text.starts_with("{\n  \"task\": \"press\",\n")) << text;
+  EXPECT_TRUE(text.ends_with("}\n"));
+  s.black_box.clear();
+  EXPECT_FALSE(summary(s).contains("black_box"));
 }
 
 }  // namespace

@@ -1,7 +1,11 @@
-// What terminals are told of the agents: each says its behaviour itself, at any moment, and the board passes it on.
+// The agents' status for terminals: each agent reports its behaviour itself, at any moment, and the board
+// passes it on.
 #include "mp/status_board.hpp"
 
 #include <gtest/gtest.h>
+
+#include <thread>
+#include <tuple>
 
 #include "base/link/memory_bus.hpp"
 #include "base/link/text.hpp"
@@ -11,7 +15,7 @@ namespace {
 
 /// MP and the ECP of arm1, in one thread.
 struct System {
-  static link::Membership member(const std::string& name) {
+  static link::NodeContext context_of(const std::string& name) {
     return {.session = "test", .session_id = 1, .name = name, .roster = {"mp", "ecp-arm1"}};
   }
   task_status_t told() {
@@ -26,8 +30,8 @@ struct System {
 
   link::MemoryHub hub;
   std::unique_ptr<link::Bus> mp_bus{hub.open()}, ecp_bus{hub.open()}, terminal{hub.open()};
-  link::Process mp{*mp_bus, member("mp")}, ecp{*ecp_bus, member("ecp-arm1")};
-  Supervisor supervisor{mp, {Part{"ecp-arm1", {}, {}, {}, {}}}, "/dev/null"};
+  link::Process mp{*mp_bus, context_of("mp")}, ecp{*ecp_bus, context_of("ecp-arm1")};
+  Supervisor supervisor{mp, {NodeSpec{"ecp-arm1", {}, {}, {}, {}}}, "/dev/null"};
   StatusBoard board{mp, supervisor, "press", {"arm1", "arm2"}, "/runs/press"};
   link::Inbox<task_status_t> statuses{*terminal, {link::Group::agents, "test.task_status"}, 1};
 };
@@ -63,6 +67,220 @@ TEST(StatusBoard, SaysWhyTheCoordinatorsBehaviourEndedOrHowLongItLasted) {
   s.board.set_behaviour(1, "approach", "");
   s.board.set_behaviour(2, "settle", "");
   EXPECT_EQ(link::get_text(s.told().ended_because), "approach, ended after 1.50 s");
+}
+
+TEST(StatusBoard, ARunIsSeenToGoOnWhileADriverHomesAndWhenADriverChanges) {
+  System s;
+  Report r;
+  const auto watched_in = [&](std::int64_t i, DriverState state) {
+    s.board.set_time(i, 0.02 * static_cast<double>(i));
+    r.driver_state = state;
+    s.board.set_arm(1, r, "");
+    return s.board.watched();
+  };
+  EXPECT_NE(watched_in(1, DriverState::homing), watched_in(2, DriverState::homing));
+  EXPECT_EQ(watched_in(1, DriverState::ready), watched_in(2, DriverState::ready))
+      << "time alone is no change";
+  EXPECT_NE(watched_in(2, DriverState::ready), watched_in(2, DriverState::executing));
+}
+
+TEST(StatusBoard, TellsTheTaskItsArmsAndItsProcesses) {
+  System s;
+  s.board.set_time(50, 1);
+  s.board.set_state(TaskState::running, true);
+  s.board.set_early("the pen is in the air");
+  s.board.set_progress(0.25, "stroke 1 of 4");
+  Report r;
+  r.position_known = true;
+  r.T_0E = {1, 2, 3, 4, 5, 6};
+  for (std::size_t k = 0; k < 6; ++k) r.F_a.v[k] = 10 + static_cast<double>(k);
+  r.sensor = 2;
+  s.board.set_arm(1, r, "on paper");
+  s.board.set_behaviour(3, "draw", "");
+  s.supervisor.stop({.code = FaultCode::operator_stop}, 0);
+  s.board.publish();
+  const task_status_t m = s.told();
+  EXPECT_EQ(m.header.stamp, 50);
+  EXPECT_EQ(link::get_text(m.task), "press");
+  EXPECT_EQ(link::get_text(m.run_folder), "/runs/press");
+  EXPECT_EQ(m.n_agents, 2);
+  EXPECT_EQ(link::get_text(m.agent[0]), "arm1");
+  EXPECT_EQ(link::get_text(m.agent[1]), "arm2");
+  EXPECT_EQ(m.state, static_cast<int>(TaskState::running));
+  EXPECT_EQ(m.waits_for_trigger, 1);
+  EXPECT_EQ(link::get_text(m.early), "the pen is in the air");
+  EXPECT_EQ(m.progress, 0.25);
+  EXPECT_EQ(link::get_text(m.progress_text), "stroke 1 of 4");
+  EXPECT_EQ(m.m, 3);
+  EXPECT_EQ(m.sim_time, 1);
+  for (std::size_t k = 0; k < 6; ++k) {
+    EXPECT_EQ(m.T_0E[1][k], r.T_0E[k]);
+    EXPECT_EQ(m.F_a[1][k], r.F_a.v[k]);
+    EXPECT_EQ(m.F_a[0][k], 0);
+  }
+  EXPECT_EQ(m.position_known[1], 1);
+  EXPECT_EQ(m.position_known[0], 0);
+  EXPECT_EQ(m.sensor[1], 2);
+  EXPECT_EQ(link::get_text(m.sensor_text[1]), "on paper");
+  ASSERT_EQ(m.n_processes, 2);
+  EXPECT_EQ(link::get_text(m.process[1]), "ecp-arm1");
+  EXPECT_GE(m.process_age[1], 0);
+  EXPECT_LT(m.process_age[1], 60);
+  EXPECT_EQ(m.last_code, static_cast<int>(FaultCode::operator_stop));
+  EXPECT_NE(link::get_text(m.last_message), "");
+}
+
+TEST(StatusBoard, SpeedIsThatOfTheSimulatedTime) {
+  System s;
+  s.board.set_time(0, 0);
+  s.board.publish();
+  double sim = 0;
+  for (int k = 0; k < 40; ++k) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(25));
+    sim += 0.25;
+    s.board.set_time(k, sim);
+    s.board.publish();
+  }
+  const double speed = s.told().speed;
+  EXPECT_GT(speed, 1) << "ten times as fast as the clock, as far as this host keeps to it";
+  EXPECT_LT(speed, 11);
+}
+
+TEST(StatusBoard, WhatWasSetCanBeAsked) {
+  System s;
+  EXPECT_EQ(s.board.m(), 0);
+  EXPECT_EQ(s.board.behaviour(), "");
+  s.board.set_behaviour(3, "draw", "the stroke has ended");
+  s.board.set_progress(0.5, "half");
+  EXPECT_EQ(s.board.m(), 3);
+  EXPECT_EQ(s.board.behaviour(), "draw");
+  EXPECT_EQ(s.board.until(), "the stroke has ended");
+  EXPECT_EQ(s.board.progress(), 0.5);
+  const std::string before = s.board.watched();
+  s.board.set_time(99, 9);
+  EXPECT_EQ(s.board.watched(), before);
+  s.board.set_progress(0.6, "half");
+  EXPECT_NE(s.board.watched(), before);
+  s.board.set_progress(0.5, "half");
+  s.board.set_behaviour(4, "draw", "");
+  EXPECT_NE(s.board.watched(), before);
+}
+
+TEST(StatusBoard, ABehaviourIsAnotherOneByItsNumberOrByItsName) {
+  System s;
+  s.board.set_behaviour(1, "approach", "contact");
+  s.board.set_behaviour(2, "approach", "force");
+  EXPECT_EQ(link::get_text(s.told().ended_because), "approach: contact");
+  s.board.set_behaviour(2, "hold", "time");
+  const task_status_t m = s.told();
+  EXPECT_EQ(link::get_text(m.ended_because), "approach: force");
+  EXPECT_EQ(link::get_text(m.behaviour), "hold");
+  EXPECT_EQ(m.m, 2);
+}
+
+TEST(StatusBoard, NewsAreToldAtOnceAndWhatIsNotNewTenTimesASecond) {
+  System s;
+  link::Queue<task_status_t> all(*s.terminal, {link::Group::agents, "test.task_status"}, 1);
+  const auto told = [&] {
+    while (s.mp_bus->wait(std::chrono::milliseconds(0))) {
+    }
+    s.supervisor.poll();
+    s.board.poll();
+    while (s.terminal->wait(std::chrono::milliseconds(0))) {
+    }
+    int n = 0;
+    while (all.take()) ++n;
+    return n;
+  };
+  std::ignore = told();
+  const auto then = link::Process::Clock::now();
+  int times = 0;
+  while (link::Process::Clock::now() - then < std::chrono::milliseconds(320)) times += told();
+  EXPECT_LE(times, (link::Process::Clock::now() - then) / std::chrono::milliseconds(100) + 1);
+  EXPECT_GE(times, 1);
+  s.board.publish();
+  std::ignore = told();
+  for (int k = 1; k <= 20; ++k) {  // in much less than twenty periods
+    s.board.set_behaviour(k, "next", "");
+    EXPECT_EQ(told(), 1);
+    s.ecp.in_behaviour(k, "its own");
+    EXPECT_EQ(told(), 1);
+  }
+  const auto since = link::Process::Clock::now();
+  int repeated = 0;
+  for (int k = 0; k < 20; ++k) repeated += told();
+  EXPECT_LE(repeated, (link::Process::Clock::now() - since) / std::chrono::milliseconds(100) + 1)
+      << "old news";
+}
+
+TEST(StatusBoard, AStatusHasTheStampOfItsMacrostep) {
+  System s;
+  for (const std::int64_t macrostep : {5, 7}) {
+    s.board.set_time(macrostep, 0.02 * static_cast<double>(macrostep));
+    s.board.publish();
+    EXPECT_EQ(s.told().header.stamp, macrostep);
+  }
+}
+
+TEST(StatusBoard, AProcessIsShownWithItsStateAndAFaultWithItsCode) {
+  System s;
+  task_status_t m = s.told();
+  EXPECT_EQ(link::get_text(m.process[0]), "mp");
+  EXPECT_EQ(m.process_state[1], static_cast<int>(link::ProcessState::starting));
+  EXPECT_EQ(m.fault, 0);
+  EXPECT_EQ(m.last_code, 0);
+  s.ecp.report_fault({.code = FaultCode::over_current});
+  std::ignore = s.told();
+  s.board.publish();
+  m = s.told();
+  EXPECT_EQ(m.process_state[1], static_cast<int>(link::ProcessState::faulted));
+  EXPECT_EQ(m.fault, static_cast<int>(FaultCode::over_current));
+  EXPECT_EQ(m.last_code, static_cast<int>(FaultCode::over_current));
+  EXPECT_TRUE(link::get_text(m.last_message).starts_with("ecp-arm1: ")) << link::get_text(m.last_message);
+}
+
+TEST(StatusBoard, MoreArmsAndProcessesThanThereIsRoomForAreLeftOut) {
+  link::MemoryHub hub;
+  const auto bus = hub.open(), terminal = hub.open();
+  link::NodeContext me{.session = "test", .session_id = 1, .name = "mp", .roster = {"mp"}};
+  std::vector<NodeSpec> nodes;
+  std::vector<std::string> arms;
+  for (int k = 0; k < 30; ++k) {
+    nodes.push_back({"part" + std::to_string(k), {}, {}, {}, {}});
+    arms.push_back("arm" + std::to_string(k));
+    me.roster.push_back(nodes.back().name);
+  }
+  link::Process mp(*bus, me);
+  const Supervisor supervisor(mp, nodes, "/dev/null");
+  StatusBoard board(mp, supervisor, "press", arms, "");
+  link::Inbox<task_status_t> statuses(*terminal, {link::Group::agents, "test.task_status"}, 1);
+  board.publish();
+  while (terminal->wait(std::chrono::milliseconds(0))) {
+  }
+  const task_status_t m = *statuses.newest();
+  ASSERT_EQ(m.n_agents, 4);
+  EXPECT_EQ(link::get_text(m.agent[3]), "arm3");
+  ASSERT_EQ(m.n_processes, 16);
+  EXPECT_EQ(link::get_text(m.process[15]), "part14");
+}
+
+TEST(StatusBoard, AfterASecondTheSpeedIsThatOfTheSecond) {
+  using Clock = link::Process::Clock;
+  System s;
+  s.board.set_time(0, 5);
+  const auto before = Clock::now();
+  s.board.publish();
+  const auto first = Clock::now();
+  std::this_thread::sleep_for(std::chrono::milliseconds(1010));
+  s.board.set_time(50, 15);
+  const auto second = Clock::now();
+  s.board.publish();
+  const auto after = Clock::now();
+  while (s.terminal->wait(std::chrono::milliseconds(0))) {
+  }
+  const double speed = s.statuses.newest()->speed;
+  EXPECT_GE(speed, 10 / std::chrono::duration<double>(after - before).count() - 1e-9);
+  EXPECT_LE(speed, 10 / std::chrono::duration<double>(second - first).count() + 1e-9);
 }
 
 }  // namespace

@@ -1,106 +1,13 @@
 // The supervisor: leads a system from assembling to its end, and tells who died and why.
-#include "mp/supervisor.hpp"
-
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <fstream>
-#include <future>
 #include <random>
+#include <tuple>
 
-#include "mrroc/operator_order_t.hpp"
+#include "test/mp/supervised_system.hpp"
 
 namespace mrroc::mp {
 namespace {
-
-namespace fs = std::filesystem;
-using link::Process;
-using link::ProcessState;
-
-/// A part that counts to n in step with MP and says what it has counted.
-std::function<void(Process&)> counts(int n) {
-  return [n](Process& p) {
-    const auto in = p.inbox<operator_order_t>("beat");
-    const auto out = p.outbox<operator_order_t>(p.membership().name + ".out");
-    if (!p.assemble()) return;
-    for (std::int64_t i = 1; i <= n; ++i) {
-      p.await([&] { return in->at(i) || p.over(); });
-      if (p.over()) break;
-      operator_order_t m{};
-      m.id = in->at(i)->id;
-      out->publish(m, i);
-      p.report_progress(i, i);
-    }
-    p.report_done();
-    p.stay();
-  };
-}
-
-class SupervisorTest : public ::testing::Test {
- protected:
-  SupervisorTest() {
-    std::string pattern = (fs::temp_directory_path() / "supervisor_test.XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  ~SupervisorTest() override { fs::remove_all(folder_); }
-
-  /// A system with MP in this thread.
-  struct System {
-    System(const std::vector<Part>& parts, const fs::path& messages, std::int64_t session_id = 1,
-           std::chrono::milliseconds leave = std::chrono::seconds(5))
-        : bus(hub.open()),
-          mp(*bus, member(parts, session_id)),
-          beat(mp.outbox<operator_order_t>("beat")),
-          supervisor(mp, parts, messages, leave) {}
-    static link::Membership member(const std::vector<Part>& parts, std::int64_t session_id) {
-      link::Membership m;
-      m.session = "test";
-      m.session_id = session_id;
-      m.name = "mp";
-      m.roster = {"mp"};
-      for (const Part& p : parts) m.roster.push_back(p.name);
-      return m;
-    }
-    /// Gives n beats that follow from the seed.
-    void run(int n, int seed = 0) {
-      for (std::int64_t i = 1; i <= n && !mp.over(); ++i) {
-        operator_order_t m{};
-        m.id = 100 * seed + i;
-        beat->publish(m, i);
-      }
-    }
-    template <class Ready>
-    bool await(Ready ready) {
-      return mp.await(ready, Process::Clock::now() + std::chrono::seconds(20));
-    }
-
-    link::MemoryHub hub;
-    std::unique_ptr<link::Bus> bus;
-    Process mp;
-    std::unique_ptr<link::Outbox<operator_order_t>> beat;
-    Supervisor supervisor;
-  };
-
-  [[nodiscard]] fs::path messages() const { return folder_ / "messages.log"; }
-  [[nodiscard]] std::string logged() const {
-    std::ifstream in(messages());
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  /// Runs two counters to their end. @return the fingerprint
-  std::uint64_t hash_of_run(int beats, int seed, std::int64_t session_id = 1) {
-    System s({{"one", {}, {}, counts(beats)}, {"two", {}, {}, counts(beats)}}, messages(), session_id);
-    s.supervisor.start_threads(s.hub);
-    EXPECT_TRUE(s.mp.assemble());
-    s.run(beats, seed);
-    EXPECT_EQ(s.supervisor.log_hash(), 0U);  // not known before everybody is done
-    s.mp.report_done();
-    s.supervisor.end();
-    EXPECT_FALSE(s.supervisor.fault());
-    for (const PartStatus& p : s.supervisor.parts()) EXPECT_EQ(p.state, ProcessState::done) << p.name;
-    return s.supervisor.log_hash();
-  }
-  fs::path folder_;
-};
 
 TEST_F(SupervisorTest, LeadsASystemToItsEnd) { EXPECT_NE(hash_of_run(10, 1), 0U); }
 
@@ -111,28 +18,11 @@ TEST_F(SupervisorTest, FingerprintIsThatOfTheTrafficAndNotOfTheSession) {
   EXPECT_NE(hash_of_run(9, 1), first);
 }
 
-TEST_F(SupervisorTest, AFaultOfAPartStopsTheSystemAndIsTold) {
-  const auto fails = [](Process& p) {
-    if (p.assemble()) throw FaultError({.code = FaultCode::over_current, .axis = 2});
-  };
-  System s({{"good", {}, {}, counts(10)}, {"bad", {}, {}, fails}}, messages());
-  s.supervisor.start_threads(s.hub);
-  EXPECT_TRUE(s.mp.assemble());
-  EXPECT_TRUE(s.await([&] { return s.mp.over(); }));
-  s.mp.report_done();
-  s.supervisor.end();
-  ASSERT_TRUE(s.supervisor.fault());
-  EXPECT_EQ(s.supervisor.fault()->code, FaultCode::over_current);
-  EXPECT_EQ(s.supervisor.fault()->axis, 2);
-  EXPECT_EQ(s.supervisor.fault()->process.view(), "bad");
-  EXPECT_NE(logged().find("over_current"), std::string::npos);
-}
-
-TEST_F(SupervisorTest, AnUnexpectedExceptionOfAPartIsAnInternalError) {
+TEST_F(SupervisorTest, AnUnexpectedExceptionOfANodeIsAnInternalError) {
   const auto fails = [](Process& p) {
     if (p.assemble()) throw std::runtime_error("unforeseen");
   };
-  System s({{"bad", {}, {}, fails}}, messages());
+  System s({{"bad", {}, {}, fails}, driver("edp")}, messages());
   s.supervisor.start_threads(s.hub);
   s.mp.assemble();
   EXPECT_TRUE(s.await([&] { return s.mp.over(); }));
@@ -156,9 +46,28 @@ TEST_F(SupervisorTest, ADeadChildIsNoticedNamedAndDeclaredDead) {
     EXPECT_NE(s.supervisor.fault()->text.view().find(how), std::string_view::npos);
     EXPECT_TRUE(s.await([&] { return s.mp.dead("bad"); }));
     EXPECT_FALSE(s.mp.dead("good"));
-    EXPECT_EQ(s.supervisor.parts()[2].state, ProcessState::dead);
+    EXPECT_EQ(s.supervisor.node_statuses()[2].state, ProcessState::dead);
     EXPECT_EQ(s.supervisor.log_hash(), 0U);
   }  // the other child ends with its supervisor
+}
+
+TEST_F(SupervisorTest, AStatusThatWasOnItsWayDoesNotReviveTheDead) {
+  System s({{"bad", "/bin/sh", {"-c", "exit 3"}, {}}}, messages());
+  s.supervisor.start_processes({});
+  ASSERT_TRUE(s.await([&] { return s.mp.dead("bad"); }));
+  link::Outbox<process_status_t> late(s.mp.bus(), s.mp.route("bad.status"), 1);
+  for (const ProcessState state : {ProcessState::ready, ProcessState::running, ProcessState::done}) {
+    process_status_t m{};
+    m.state = static_cast<int>(state);
+    late.publish(m, 0);
+    for (int k = 0; k < 3; ++k) s.mp.poll();
+    EXPECT_EQ(s.supervisor.node_statuses()[1].state, ProcessState::dead);
+    EXPECT_TRUE(s.mp.dead("bad"));
+  }
+  s.mp.report_done();
+  s.supervisor.end();
+  EXPECT_EQ(s.supervisor.log_hash(), 0U);
+  EXPECT_EQ(s.supervisor.fault()->code, FaultCode::process_died);
 }
 
 TEST_F(SupervisorTest, AProgramThatIsMissingIsSaidAtOnce) {
@@ -182,8 +91,8 @@ TEST_F(SupervisorTest, TheFirstReasonIsKeptAndADeathDoesNotWaitForTheAgreedMacro
 
 TEST_F(SupervisorTest, LinesOfAllProcessesAreWrittenDown) {
   const auto talks = [](Process& p) {
-    p.say("hello there");
-    p.say("that hurt", FaultCode::not_at_rest);
+    p.log("hello there");
+    p.log("that hurt", FaultCode::not_at_rest);
     if (p.assemble()) p.report_done();
   };
   System s({{"talker", {}, {}, talks}}, messages());
@@ -203,21 +112,51 @@ TEST_F(SupervisorTest, DestructionEndsThreadsThatStillWait) {
   EXPECT_TRUE(s.mp.assemble());
 }
 
-TEST_F(SupervisorTest, AThreadThatDoesNotEndIsNamedAndDoesNotHoldUpTheEnd) {
-  const auto hangs = [](Process& p) {
-    p.assemble();
-    std::promise<void>().get_future().wait();
+TEST_F(SupervisorTest, ANodeThatIsDoneBeforeTheTasksProgramIsEndsTheRunWithAFaultThatNamesIt) {
+  System s({{"early", {}, {}, counts(3)}, {"two", {}, {}, counts(10)}}, messages());
+  s.supervisor.start_threads(s.hub);
+  ASSERT_TRUE(s.mp.assemble());
+  s.run(3);
+  EXPECT_TRUE(s.await([&] { return s.mp.over(); }));
+  ASSERT_TRUE(s.supervisor.fault());
+  EXPECT_EQ(s.supervisor.fault()->code, FaultCode::ended_early);
+  EXPECT_EQ(s.supervisor.fault()->process.view(), "early");
+  s.mp.report_done();
+  s.supervisor.end();
+}
+
+TEST_F(SupervisorTest, AChildThatLeavesWithStatusZeroWhileTheSystemRunsHasEndedEarly) {
+  System s({{"leaves", "/bin/true", {}, {}}, {"good", "/bin/sh", {"-c", "exec sleep 600"}, {}}}, messages());
+  s.supervisor.start_processes({});
+  EXPECT_FALSE(s.mp.assemble());
+  ASSERT_TRUE(s.supervisor.fault());
+  EXPECT_EQ(s.supervisor.fault()->code, FaultCode::ended_early);
+  EXPECT_EQ(s.supervisor.fault()->process.view(), "leaves");
+}
+
+TEST_F(SupervisorTest, ANodeThatHasNotToldWhatItSentIsNamed) {
+  const auto says_nothing = [](Process& p) {
+    if (p.assemble()) p.report_done();  // without links
+    p.stay();
   };
-  const auto run = [&] {
-    System s({{"stuck", {}, {}, hangs}}, messages(), 1, std::chrono::milliseconds(50));
-    s.supervisor.start_threads(s.hub);
-    s.mp.assemble();
-    s.supervisor.stop({.code = FaultCode::operator_stop}, 0);
-    s.mp.report_done();
-    s.supervisor.end();
-  };
-  EXPECT_EXIT(run(), testing::ExitedWithCode(exit_status(FaultCode::process_hung)), "");
-  EXPECT_NE(logged().find("the thread stuck does not end"), std::string::npos) << logged();
+  System s({{"one", {}, {}, counts(2)}, {"mute", {}, {}, says_nothing}}, messages());
+  s.supervisor.start_threads(s.hub);
+  ASSERT_TRUE(s.mp.assemble());
+  EXPECT_EQ(s.supervisor.without_fingerprint(), "mp");
+  s.run(2);
+  s.mp.report_done();
+  s.supervisor.end();
+  EXPECT_FALSE(s.supervisor.fault());
+  EXPECT_EQ(s.supervisor.without_fingerprint(), "mute");
+}
+
+TEST_F(SupervisorTest, AStatusThatComesLateRevivesNobody) {
+  System s({{"one", {}, {}, counts(3)}}, messages());
+  link::Outbox<process_status_t> late(s.mp.bus(), s.mp.route("one.status"), 1);
+  late.publish(status(ProcessState::done, link::Phase::running), 0);
+  late.publish(status(ProcessState::running, link::Phase::running), 0);
+  s.mp.poll();
+  EXPECT_EQ(s.supervisor.node_statuses()[1].state, ProcessState::done);
 }
 
 TEST_F(SupervisorTest, RandomStatusesOfAStrangerDoNoHarm) {
@@ -237,7 +176,7 @@ TEST_F(SupervisorTest, RandomStatusesOfAStrangerDoNoHarm) {
     if (m.state == static_cast<int>(ProcessState::faulted)) continue;
     stranger.publish(m, 0);
     s.mp.poll();
-    for (const PartStatus& p : s.supervisor.parts()) EXPECT_LE(p.state, ProcessState::dead);
+    for (const NodeStatus& p : s.supervisor.node_statuses()) EXPECT_LE(p.state, ProcessState::dead);
     std::ignore = s.supervisor.log_hash();
   }
   EXPECT_FALSE(s.supervisor.fault());

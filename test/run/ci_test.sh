@@ -59,21 +59,21 @@ ci() {
 
 all_parts_run_and_their_tests_are_counted() {
   ci 0
-  [[ $(wc -l <calls) == 7 ]] || fail "$(cat calls)"
+  [[ $(wc -l <calls) == 8 ]] || fail "$(cat calls)"
   says 'bare_machine_ok 1'
   says 'fresh_clone_s 99'
   says 'skipped: Page.Shows: there is no Chromium'
-  [[ $(tail -n 1 <<<"$said") == '25 passed, 0 failed, 6 skipped' ]] || fail 'the last line'
+  [[ $(tail -n 1 <<<"$said") == '27 passed, 0 failed, 7 skipped' ]] || fail 'the last line'
   [[ $(cat memory/landed) == "$(git rev-parse HEAD)" ]] || fail 'the commit is not kept'
 }
 
 a_part_that_fails_decides_and_the_others_run() {
   local part
-  for part in asan tsan format tidy page; do
+  for part in asan tsan fuzz format tidy page; do
     echo 'made-up tests: 1 passed, 2 failed, 0 skipped' >"fail-$part"
     ci 1
     says 'FAILED'
-    [[ $(wc -l <calls) == 7 ]] || fail "$(cat calls)"
+    [[ $(wc -l <calls) == 8 ]] || fail "$(cat calls)"
     [[ ! -e memory/landed ]] || fail 'it has not landed'
     rm "fail-$part"
   done
@@ -103,7 +103,7 @@ what_has_not_begun_in_time_is_told_and_fails_nothing() {
   [[ ! -e calls ]] || fail "$(cat calls)"
   says 'NOT RUN'
   says 'it had not begun after'
-  [[ $(wc -l <memory/left_out) == 7 ]] || fail 'they are not kept'
+  [[ $(wc -l <memory/left_out) == 8 ]] || fail 'they are not kept'
   [[ ! -e memory/landed ]] || fail 'what nobody looked at has landed'
 }
 

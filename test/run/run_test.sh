@@ -7,7 +7,8 @@ trap 'rm -rf "$clone"' EXIT
 cp "$1/run" "$clone/run"
 mkdir "$clone/cmake"
 cp "$1"/cmake/*.awk "$clone/cmake/"
-mkdir -p "$clone/tasks/sketch" "$clone/stubs" "$clone/test"
+mkdir -p "$clone/tasks/sketch" "$clone/stubs" "$clone/test" "$clone/bench"
+cp "$1/bench/main.cpp" "$clone/bench/"
 cp "$1/test/test_command.sh" "$clone/test/"
 touch "$clone/tasks/sketch/CMakeLists.txt" "$clone/CMakePresets.json"
 cd "$clone"
@@ -61,6 +62,33 @@ an_option_that_the_bench_does_not_have_is_refused_before_the_build() {
   [[ ! -e build ]] || fail 'it made a build folder'
 }
 
+a_group_that_the_bench_does_not_have_is_refused_before_the_build() {
+  local words status
+  for words in 'cubes' 'edp cubes --json' '--resume cubes' '--json=figures.json cubes' '--plots plots cubes'; do
+    status=0
+    # shellcheck disable=SC2086  # a list
+    said=$(./run bench $words 2>&1) || status=$?
+    ((status == 2)) || fail "$words: status $status"
+    says 'known: edp servo stability '
+    says "error: bad_usage: there is no group named 'cubes'; did you mean cube?"
+    [[ ! -e build ]] || fail "$words made a build folder"
+  done
+}
+
+all_groups_of_the_bench_and_names_of_its_files_are_taken() {
+  touch built
+  mkdir -p build/release/bin
+  printf '#!/bin/sh\necho "measures $*"\n' >build/release/bin/bench
+  chmod +x build/release/bin/bench
+  # The words that the program's own help tells.
+  local groups
+  groups=$(sed -n '/line.option("group"/,/(default/p' bench/main.cpp | grep -v default | sed 's/^.*groups,//' | tr -d '",')
+  # shellcheck disable=SC2086  # a list
+  said=$(./run bench $groups --json cubes --plots cubes 2>&1)
+  says 'measures edp servo stability vision drawing '
+  says ' mutation --json cubes --plots cubes'
+}
+
 programs_are_told_how_they_were_called() {
   touch built tasks/sketch/main.cpp
   mkdir -p build/release/bin
@@ -71,6 +99,28 @@ programs_are_told_how_they_were_called() {
   mkdir elsewhere
   said=$(cd elsewhere && ../run sketch 2>&1)
   says 'type ../run ui_cli'
+}
+
+a_signal_while_a_build_ends_well_starts_nothing() {
+  touch built tasks/sketch/main.cpp
+  mkdir -p build/release/bin
+  printf '#!/bin/sh\ntouch begun\n' >build/release/bin/sketch
+  chmod +x build/release/bin/sketch
+  local signal when status expected
+  for signal in INT TERM; do
+    expected=130
+    [[ $signal == INT ]] || expected=143
+    # It comes to the whole group, as from a terminal, while CMake looks, configures or builds.
+    for when in '--build' '-S'; do
+      [[ $when == --build ]] || rm -f build/release/build.ninja
+      sed "2i trap : $signal\n[[ \$1 != $when ]] || kill -$signal 0" "$clone/stubs/cmake" >"$clone/stubs/ending"
+      mkdir -p ends && mv stubs/ending ends/cmake && chmod +x ends/cmake
+      status=0
+      said=$(PATH=$clone/ends:$PATH env --default-signal="$signal" setsid --wait ./run sketch 2>&1) || status=$?
+      ((status == expected)) || fail "$signal at $when: status $status"
+      [[ ! -e begun ]] || fail "$signal at $when: the program was started"
+    done
+  done
 }
 
 first_build_tells_how_long_and_counts() {
@@ -222,7 +272,7 @@ what_a_check_is_given_is_judged_before_anything_is_done() {
   if command -v git >/dev/null; then
     git init -q . && git -c user.name=a -c user.email=a@b commit -q --allow-empty -m made-up
   fi
-  for words in '--tidy --share 3' '--tidy --share 3/3' '--since HEAD' '--tidy --since nowhere' '--tidy --minutes x' '--since' '--usan' '--format -R X' '-R X --tidy' '--all -R X'; do
+  for words in '--tidy --share 3' '--tidy --share 3/3' '--since HEAD' '--tidy --since nowhere' '--tidy --minutes x' '--since' '--usan' '--format -R X' '-R X --tidy' '--all -R X' '--fuzz -R X' '--minutes 2' '--asan --minutes 2' '--fuzz --minutes 0'; do
     status=0
     # shellcheck disable=SC2086  # a list
     said=$(./run test $words 2>&1) || status=$?

@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <tuple>
+
+#include "base/cube/facelets.hpp"
+#include "base/cube/move.hpp"
 #include "sim/config.hpp"
-#include "tasks/rubik/cube/facelets.hpp"
-#include "tasks/rubik/cube/move.hpp"
 
 namespace mrroc::sim {
 namespace {
@@ -30,11 +33,11 @@ TEST(CubeConfig, WithoutAHolderThereIsNoCube) {
 }
 
 TEST(CubeConfig, TakesAScrambleOrFaceletsOrRandomTurns) {
-  const rubik::Cube scrambled = rubik::after({}, rubik::parse_moves("R U' F2"));
+  const cube::Cube scrambled = cube::after({}, cube::parse_moves("R U' F2"));
   EXPECT_EQ(read("scramble = \"R U' F2\"").cube->state, scrambled);
-  EXPECT_EQ(read("state = \"" + rubik::to_facelets(scrambled) + "\"").cube->state, scrambled);
-  const rubik::Cube random = read("random_turns = 20\nseed = 3").cube->state;
-  EXPECT_NE(random, rubik::Cube{});
+  EXPECT_EQ(read("state = \"" + cube::to_facelets(scrambled) + "\"").cube->state, scrambled);
+  const cube::Cube random = read("random_turns = 20\nseed = 3").cube->state;
+  EXPECT_NE(random, cube::Cube{});
   EXPECT_EQ(read("random_turns = 20\nseed = 3").cube->state, random);
   EXPECT_NE(read("random_turns = 20\nseed = 4").cube->state, random);
 }
@@ -61,8 +64,8 @@ TEST(CubeConfig, TakesWhatIsWrongWithTheCubeAndWithItsPlace) {
   EXPECT_EQ(wrong.cube->faces.mean.jam_loosening, 0.5);
   EXPECT_EQ(wrong.cube->friction, 0.01);
   EXPECT_LT((wrong.cube->T_EC.p - right.cube->T_EC.p - Vector3(0.03, 0, -0.002)).norm(), 1e-12);
-  EXPECT_FALSE(rubik::is_reachable(read("scramble = \"R U\"\ntwist = 1").cube->state));
-  EXPECT_TRUE(rubik::is_reachable(read("scramble = \"R U\"").cube->state));
+  EXPECT_FALSE(cube::is_reachable(read("scramble = \"R U\"\ntwist = 1").cube->state));
+  EXPECT_TRUE(cube::is_reachable(read("scramble = \"R U\"").cube->state));
   EXPECT_THROW(read("jam_direction = \"up\""), FaultError);
 }
 
@@ -72,6 +75,31 @@ TEST(CubeConfig, RefusesWhatContradictsItselfOrCannotBe) {
   EXPECT_THROW(read("state = \"UUU\""), FaultError);
   EXPECT_THROW(read("facing = \"X\""), FaultError);
   EXPECT_THROW(read_world(Config::parse("[cube]\nheld_by = \"arm3\"\n", "test.toml")), FaultError);
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    std::ignore = read_world(Config::parse("[robots]\norder = [\"arm1\"]\n" + text, "test.toml"));
+  } catch (const FaultError& e) {
+    EXPECT_EQ(e.fault().code, FaultCode::bad_configuration);
+    return e.error_line();
+  }
+  return "";
+}
+
+TEST(CubeConfig, FingersAreRefusedWithoutAGripperByTheKeyThatGaveThem) {
+  const std::string fingers = "fingers = \"two_layers\"\n";
+  const std::string given = refusal("[robots.arm1]\n" + fingers);
+  EXPECT_NE(given.find(" robots.arm1.fingers: "), std::string::npos) << given;
+  EXPECT_NE(given.find("robots.arm1.gripper"), std::string::npos) << "what to give: " << given;
+  const std::string own = refusal("[sim.robots.arm1]\n" + fingers);
+  EXPECT_NE(own.find(" sim.robots.arm1.fingers: "), std::string::npos) << own;
+  EXPECT_EQ(refusal("[robots.arm1]\ngripper = \"two_jaw\"\n" + fingers), "");
+}
+
+TEST(CubeConfig, AHandWithoutFingersHoldsNoCube) {
+  const std::string error = refusal("[cube]\nheld_by = \"arm1\"\n[robots.arm1]\ngripper = \"two_jaw\"\n");
+  EXPECT_NE(error.find("cube.held_by: arm1 has no fingers"), std::string::npos) << error;
 }
 
 }  // namespace

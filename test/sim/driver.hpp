@@ -1,4 +1,4 @@
-// The smallest effector driver that moves an arm of the world: law (28), inverse kinematics, servo.
+// The smallest effector driver that moves an arm of the simulator: law (28), inverse kinematics, servo.
 #pragma once
 #include <array>
 #include <memory>
@@ -10,6 +10,7 @@
 #include "edp/servo.hpp"
 #include "robots/irb6/arm.hpp"
 #include "sim/world.hpp"
+#include "test/rig/irb6_cell.hpp"
 
 namespace mrroc::sim {
 
@@ -22,7 +23,7 @@ class Driver {
       : world_(world),
         arm_(arm),
         robot_(irb6::make_arm(arm == 0 ? "irb6_postument" : "irb6_track", irb6::model_number(set))),
-        servo_(*robot_),
+        servo_(*robot_, kStep),
         joints_(world.start_joints(arm)),
         motors_(robot_->motors_from_joints(joints_)),
         T_0E_(robot_->forward(joints_) * robot_->tool_in_wrist()),
@@ -86,7 +87,8 @@ class Driver {
 /// All arms of a world with their drivers.
 class Cell {
  public:
-  explicit Cell(const WorldParameters& parameters = {}, std::uint64_t seed = 1) : world(parameters, seed) {
+  explicit Cell(const WorldParameters& parameters = rig::irb6_cell(), std::uint64_t seed = 1)
+      : world(parameters, seed) {
     for (int k = 0; k < world.arms(); ++k) drivers.emplace_back(world, k);
     commands.resize(drivers.size());
   }

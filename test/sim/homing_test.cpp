@@ -8,6 +8,7 @@
 #include "robots/irb6/arm.hpp"
 #include "robots/irb6/homing.hpp"
 #include "sim/world.hpp"
+#include "test/rig/irb6_cell.hpp"
 
 namespace mrroc::sim {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 const std::vector<double> kFront{0, -1.57, 0, 1.56, 1.57, -1.57};
 const std::vector<double> kTrackFront{0.1, 0.2, -1.45, 0.05, 1.4, 1.3, -1.8};
 
-/// One arm of the world with its driver.
+/// One arm of the simulator with its driver.
 struct HomedArm {
   HomedArm(const World& w, int k, const char* name)
       : world(w), index(k), robot(irb6::make_arm(name)), driver(*robot, parameters()) {}
@@ -70,7 +71,7 @@ class Homing : public testing::Test {
   }
   DriverState state(std::size_t arm) const { return arms_[arm]->driver.state(); }
 
-  WorldParameters parameters_;
+  WorldParameters parameters_{rig::irb6_cell()};
   std::unique_ptr<World> world_;
   std::vector<std::unique_ptr<HomedArm>> arms_;
 };

@@ -1,4 +1,4 @@
-// What the solver of contacts knows of the integration before.
+// Memory of the solver of contacts about the integration before.
 #include "sim/bullet/impulse_memory.hpp"
 
 #include <BulletCollision/NarrowPhaseCollision/btManifoldPoint.h>

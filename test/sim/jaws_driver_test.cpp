@@ -1,4 +1,4 @@
-// Jaws and lines through the driver and the world: g_gd, g_gm, g_b, INPUTS, OUTPUTS.
+// Jaws and lines through the driver and the simulator: g_gd, g_gm, g_b, INPUTS, OUTPUTS.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -7,6 +7,7 @@
 #include "robots/gripper/jaws.hpp"
 #include "robots/irb6/arm.hpp"
 #include "sim/world.hpp"
+#include "test/rig/irb6_cell.hpp"
 
 namespace mrroc::sim {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 class JawsOfAnArm : public testing::Test {
  protected:
   JawsOfAnArm() : robot(irb6::make_arm("irb6_postument")) {
-    WorldParameters w;
+    WorldParameters w = rig::irb6_cell();
     w.arms.resize(1);
     w.arms[0].jaws = JawParameters{};
     world = std::make_unique<World>(w);

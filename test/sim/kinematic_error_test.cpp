@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "test/rig/irb6_cell.hpp"
 #include "test/sim/driver.hpp"
 
 namespace mrroc::sim {
@@ -24,8 +25,8 @@ struct Errors {
 
 // A way of some decimetres with all axes turning.
 Errors errors_on_a_way(int arm, ParameterSet truth, ParameterSet believed) {
-  WorldParameters parameters;
-  for (ArmParameters& p : parameters.arms) p.kinematics = truth;
+  WorldParameters parameters = rig::irb6_cell();
+  for (ArmParameters& p : parameters.arms) p.model = irb6::model_number(truth);
   World world(parameters);
   Driver driver(world, arm, believed);
   const char* const name = arm == 0 ? "irb6_postument" : "irb6_track";
@@ -56,8 +57,8 @@ Errors errors_on_a_way(int arm, ParameterSet truth, ParameterSet believed) {
 }
 
 TEST(KinematicError, BodiesHaveTheLengthsOfTheirSet) {
-  WorldParameters parameters;
-  for (ArmParameters& p : parameters.arms) p.kinematics = ParameterSet::calibrated;
+  WorldParameters parameters = rig::irb6_cell();
+  for (ArmParameters& p : parameters.arms) p.model = irb6::model_number(ParameterSet::calibrated);
   const World world(parameters);
   for (int arm = 0; arm < 2; ++arm) {
     const auto robot = irb6::make_arm(arm == 0 ? "irb6_postument" : "irb6_track",

@@ -4,12 +4,13 @@
 
 #include <cmath>
 
+#include "robots/irb6/robot_type.hpp"
 #include "sim/world.hpp"
 
 namespace mrroc::sim {
 namespace {
 
-MotorParameters a_motor() { return arm_parameters(ArmModel::irb6_postument).motors[2]; }
+MotorParameters a_motor() { return arm_parameters(irb6::postument()).motors[2]; }
 
 TEST(Motor, FullVoltageDrivesTheFreeShaftAtSupplyOverK) {
   const MotorParameters m = a_motor();
@@ -25,6 +26,21 @@ TEST(Motor, SpeedFollowsVoltageWithTheMechanicalTimeConstant) {
   double speed = 0;
   for (double t = 0; t < tau; t += h) speed += h / inertia * motor_torque(m, motor_current(m, 100, speed));
   EXPECT_NEAR(speed / (48 * 100 / 255.0 / 0.105), 1 - std::exp(-1), 1e-3);
+}
+
+TEST(Motor, ItsTorqueGrowsNoFurtherThanTheDriveLimitsTheCurrentTo) {
+  MotorParameters m = a_motor();
+  m.current_limit = 3;
+  double before = -1;
+  for (const double pwm : {-200.0, -30.0, -10.0, 0.0, 10.0, 30.0, 200.0}) {
+    const double free = motor_current(m, pwm, 2);
+    const LimitedCurrent in = limited_current(m, free);
+    EXPECT_EQ(in.limited, std::abs(free) > 3) << pwm;
+    EXPECT_EQ(in.current, in.limited ? std::copysign(3, free) : free);
+    EXPECT_GE(motor_torque(m, in.current), before);
+    before = motor_torque(m, in.current);
+  }
+  EXPECT_FALSE(limited_current(MotorParameters{}, 1e9).limited) << "without a limit";
 }
 
 TEST(ShaftFriction, IsCoulombsInMotionAndAgainstIt) {

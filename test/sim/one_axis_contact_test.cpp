@@ -7,6 +7,7 @@
 
 #include "base/statistics.hpp"
 #include "robots/irb6/parameters.hpp"
+#include "robots/irb6/robot_type.hpp"
 #include "test/sim/one_axis.hpp"
 
 namespace mrroc::sim {
@@ -29,7 +30,7 @@ std::string name_of(const testing::TestParamInfo<Case>& info) {
 // The axis with the inertia for which its regulator was designed.
 OneAxis one_axis(const Case& c) {
   const auto k = static_cast<std::size_t>(c.axis);
-  OneAxis a{irb6::kPostument.axes[k].properties, arm_parameters(ArmModel::irb6_postument).motors[k], 0,
+  OneAxis a{irb6::kPostument.axes[k].properties, arm_parameters(irb6::postument()).motors[k], 0,
             c.lever / c.gear, 0.05};
   const double time_constant =
       kStep / std::log(a.axis.servo.incremental[0].b0 / a.axis.servo.incremental[0].b1);

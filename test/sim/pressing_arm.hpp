@@ -1,4 +1,4 @@
-// The real effector driver on an arm of the world, one of a kind: what a task's contact is made of.
+// The real effector driver on one arm of the simulator, for contacts like those of tasks.
 #pragma once
 #include <array>
 #include <functional>
@@ -7,6 +7,7 @@
 #include "edp/driver.hpp"
 #include "robots/irb6/arm.hpp"
 #include "sim/world.hpp"
+#include "test/rig/irb6_cell.hpp"
 
 namespace mrroc::sim {
 
@@ -15,7 +16,7 @@ class PressingArm {
  public:
   /// @return the world of one arm with default parameters
   static WorldParameters world_of_one() {
-    WorldParameters w;
+    WorldParameters w = rig::irb6_cell();
     w.arms.resize(1);
     return w;
   }

@@ -1,4 +1,5 @@
-// Contact that law (28) does not bear, with the real driver in the world: the arm comes to a hold by itself.
+// Contact that is unstable under law (28), with the real driver in the simulator: the arm comes to a hold by
+// itself.
 #include <gtest/gtest.h>
 
 #include <algorithm>

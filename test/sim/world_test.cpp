@@ -8,22 +8,23 @@
 #include <stdexcept>
 
 #include "base/statistics.hpp"
-#include "sim/rest_watch.hpp"
+#include "test/rig/irb6_cell.hpp"
 #include "test/sim/driver.hpp"
 
 namespace mrroc::sim {
 namespace {
 
-constexpr double kRest = RestWatch::kRestSpeed;
+constexpr double kRest = 0.0005;           // slower is at rest [m/s]
+constexpr double kRestTurn = kRest / 0.2;  // the same 0.2 m from the axis [rad/s]
 
 WorldParameters one_arm() {
-  WorldParameters p;
+  WorldParameters p = rig::irb6_cell();
   p.arms.resize(1);
   return p;
 }
 
 TEST(World, BeginsWithPensUprightAboveTheMiddleOfTheirSheets) {
-  const World world;
+  const World world(rig::irb6_cell());
   ASSERT_EQ(world.arms(), 2);
   for (int arm = 0; arm < 2; ++arm) {
     const ArmTruth& truth = world.truth(arm);
@@ -51,7 +52,7 @@ TEST(World, BodiesAgreeWithTheKinematicsOfTheRobots) {
 }
 
 TEST(World, BrakesHoldTheArmsWithoutDrift) {
-  World world;
+  World world(rig::irb6_cell());
   const auto joints = world.truth(0).joints;
   for (int k = 0; k < 2000; ++k) world.step({});
   for (int arm = 0; arm < 2; ++arm) {
@@ -90,7 +91,7 @@ TEST(World, ATurnAboutTheTipIsSeenInTheTurnOfTheToolAndBrakedToRestToo) {
   for (int k = 0; k < 300; ++k) {
     cell.world.step({});
     for (int arm = 0; arm < 2; ++arm)
-      if (cell.world.truth(arm).tool_turn.norm() > RestWatch::kRestTurn) moved = k + 1;
+      if (cell.world.truth(arm).tool_turn.norm() > kRestTurn) moved = k + 1;
   }
   EXPECT_GT(moved, 0);
   EXPECT_LT(moved, 50);
@@ -216,7 +217,7 @@ TEST(World, InkAppearsOnlyWhileThePenPressesThePaper) {
 
 TEST(World, RunsAreIdenticalToTheBitAndSeedsMatter) {
   const auto run = [](std::uint64_t seed) {
-    Cell cell({}, seed);
+    Cell cell(rig::irb6_cell(), seed);
     cell.prepare();
     for (Driver& driver : cell.drivers)
       driver.command = {c(0, 20, 0.005), c(0, 20, 0.005), c(1, 20, 0.005), u(), u(), u()};
@@ -230,7 +231,7 @@ TEST(World, RunsAreIdenticalToTheBitAndSeedsMatter) {
 }
 
 TEST(World, ResetBeginsAnew) {
-  World fresh({}, 4), used({}, 9);
+  World fresh(rig::irb6_cell(), 4), used(rig::irb6_cell(), 9);
   for (int k = 0; k < 50; ++k) used.step({});
   used.reset(4);
   EXPECT_EQ(used.steps(), 0);
@@ -243,15 +244,16 @@ TEST(World, ResetBeginsAnew) {
 }
 
 TEST(World, RefusesParametersThatMakeNoSense) {
-  WorldParameters p;
+  WorldParameters p = rig::irb6_cell();
   p.substeps = 0;
   EXPECT_THROW(World{p}, std::invalid_argument);
-  p = {};
+  p = rig::irb6_cell();
   p.arms[0].motors.pop_back();
   EXPECT_THROW(World{p}, std::invalid_argument);
-  p = {};
+  p = rig::irb6_cell();
   p.arms[1].paper.T_0P.p.x() = 3;
   EXPECT_THROW(World{p}, std::invalid_argument);
+  EXPECT_THROW(World{WorldParameters{}}, std::invalid_argument) << "no arm";
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ TEST(Press, StopsAsByAnOrderWhenItsTerminalIsClosedUnlessTheCallerWantsItToGoOn)
 
 TEST(Press, IsRepeatedFromTheConfigurationOfItsRunInAFolderOfItsOwn) {
   const Folder folder;
-  const auto press = [&](const std::string& name, std::vector<std::string> more) {
+  const auto press = [&](const std::string& name, const std::vector<std::string>& more) {
     const Ended ended =
         run(folder, "press", words({{"--processes", "one", "--run-dir", (folder / name).string()}, more}));
     EXPECT_EQ(ended.status, 0) << ended.all();
@@ -187,11 +187,12 @@ TEST(Press, AnEmergencyStopBrakesAtOnceAndLeavesItsBlackBox) {
     EXPECT_EQ(s.at("fault").at("code"), "emergency_stop");
     EXPECT_LT(s.at("sim_s").get<double>(), 4) << "120 macrosteps of 20 ms";
     const auto files = s.at("black_box").get<std::vector<std::string>>();
-    for (const char* process : {"mp", "world", "edp-arm1", "ecp-arm1"})
+    for (const char* process : {"mp", "simulator", "edp-arm1", "ecp-arm1"})
       EXPECT_TRUE(std::ranges::count(files, std::string("black_box/") + process + ".txt")) << process;
     EXPECT_TRUE(std::ranges::any_of(files, [](const auto& f) { return f.starts_with("arm1-fault-"); }))
         << "the steps of the driver";
-    EXPECT_TRUE(std::ranges::any_of(files, [](const auto& f) { return f.starts_with("world-arm1-fault-"); }));
+    EXPECT_TRUE(
+        std::ranges::any_of(files, [](const auto& f) { return f.starts_with("simulator-arm1-fault-"); }));
     for (const std::string& file : files) EXPECT_TRUE(std::filesystem::exists(run_folder / file)) << file;
     const Ended checked = run(folder, "ui_cli", {"log", "check", run_folder.string()});
     EXPECT_EQ(checked.status, 0) << checked.all();
@@ -208,8 +209,9 @@ TEST(Press, TheBlackBoxTellsOfADriverThatIsKilled) {
   EXPECT_EQ(ended.status, 3) << ended.all();
   const auto files = summary(folder / "run")["black_box"].get<std::vector<std::string>>();
   EXPECT_TRUE(std::ranges::count(files, "black_box/edp-arm1.txt"));
-  EXPECT_TRUE(std::ranges::any_of(files, [](const auto& f) { return f.starts_with("world-arm1-fault-"); }))
-      << "what its drives saw";
+  EXPECT_TRUE(std::ranges::any_of(files, [](const auto& f) {
+    return f.starts_with("simulator-arm1-fault-");
+  })) << "what its drives saw";
 }
 
 TEST(Press, RefusesAMacrostepThatItsRowsDoNotCommand) {

@@ -15,7 +15,7 @@ namespace mrroc::test {
 inline const std::vector<std::string> kOneTurn{"--scramble", "U'",    "--eyes",
                                                "none",       "--set", "task.tables=small"};
 
-/// What a folder of a run tells.
+/// The figures in the folder of a run.
 struct CubeFigures {
   explicit CubeFigures(std::filesystem::path run_folder) : run(std::move(run_folder)) {
     if (std::filesystem::exists(run / "summary.json")) told = summary(run);

@@ -48,6 +48,8 @@ void expect_good(const nlohmann::json& summary) {
   expect_at_most(f, "stray_ink_mm", 0);
   expect_at_most(f, "strokes_missing", 0);
   expect_at_most(f, "uncovered_mm", 0);
+  for (const std::string key : {"pen_state_wrong_strokes", "pen_state_mismatches", "doubtful_strokes"})
+    expect_at_most(f, key, 0);
 }
 
 void expect_good_tables(const std::filesystem::path& run, int strokes_wanted) {
@@ -99,6 +101,14 @@ TEST(DrawingTask, CopiesTheArrowWithinAllItsBars) {
 TEST(DrawingTask, CopiesTwoShortStrokes) {
   const Folder folder;
   run_and_expect({"--drawing", folder.write("lines.svg", lines_svg(2)), "--size", "12"}, 2);
+}
+
+TEST(DrawingTask, CopiesWhatAStronglyTremblingHandTeaches) {
+  const Folder folder;
+  for (const std::string tremor : {"3e-4", "1e-3"})
+    run_and_expect({"--drawing", folder.write("lines.svg", lines_svg(2)), "--size", "12", "--set",
+                    "sim.hand.tremor=" + tremor, "--set", "sim.hand.tremor_frequency=5"},
+                   2);
 }
 
 TEST(DrawingTask, LossDuplicationAndDelayOfCommandsDoNotSpoilTheDrawing) {

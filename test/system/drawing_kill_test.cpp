@@ -1,6 +1,6 @@
-// Whatever dies, everything ends, both arms come to rest, and the user reads why.
+// Any process may die: everything ends, both arms come to rest, and the user reads why.
 #include <gtest/gtest.h>
-#include <signal.h>
+#include <csignal>
 
 #include <thread>
 
@@ -73,16 +73,16 @@ TEST_P(KilledProcess, EndsTheSystemWithBothArmsAtRest) {
   EXPECT_EQ(summary.at("fault").at("class"), "system");
   EXPECT_EQ(summary.at("fault").at("code"), "process_died");
   EXPECT_EQ(summary.at("fault").at("process"), part);
-  if (part == "world") return;  // arms that are gone come to no rest
+  if (part == "simulator") return;  // arms that are gone come to no rest
   ASSERT_TRUE(summary.at("figures").contains("stop_steps_max")) << summary;
   EXPECT_LE(summary.at("figures").at("stop_steps_max").get<double>(), 100);
 }
 
 constexpr Death kDeaths[]{
-    {"world", Moment::teaching},       {"edp-arm1", Moment::teaching},    {"edp-arm2", Moment::teaching},
-    {"ecp-arm1", Moment::teaching},    {"ecp-arm2", Moment::teaching},    {"vsp-arm1", Moment::teaching},
-    {"vsp-arm2", Moment::teaching},    {"world", Moment::reproducing},    {"edp-arm1", Moment::reproducing},
-    {"edp-arm2", Moment::reproducing}, {"ecp-arm1", Moment::reproducing}, {"ecp-arm2", Moment::reproducing},
+    {"simulator", Moment::teaching},   {"edp-arm1", Moment::teaching},     {"edp-arm2", Moment::teaching},
+    {"ecp-arm1", Moment::teaching},    {"ecp-arm2", Moment::teaching},     {"vsp-arm1", Moment::teaching},
+    {"vsp-arm2", Moment::teaching},    {"simulator", Moment::reproducing}, {"edp-arm1", Moment::reproducing},
+    {"edp-arm2", Moment::reproducing}, {"ecp-arm1", Moment::reproducing},  {"ecp-arm2", Moment::reproducing},
     {"vsp-arm1", Moment::reproducing}, {"vsp-arm2", Moment::reproducing},
 };
 std::string name_of(const ::testing::TestParamInfo<Death>& death) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <random>
+#include <sstream>
 #include <thread>
 
 #include "test/system/started_task.hpp"
@@ -122,6 +124,79 @@ TEST_F(Operated, PauseRestsOnThePaperAndResumeGoesOnWithoutAMark) {
            (folder_ / "run" / "operator.script").string(), "--run-dir", (folder_ / "again").string()});
   ASSERT_EQ(again.status, 0) << again.all();
   EXPECT_EQ(summary(folder_ / "again")["log_hash"], summary(folder_ / "run")["log_hash"]);
+}
+
+/// @return what the operator of a run ordered: macrostep and order
+std::vector<std::pair<int, std::string>> orders_of(const std::filesystem::path& script) {
+  std::ifstream in(script);
+  std::vector<std::pair<int, std::string>> orders;
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    std::pair<int, std::string> order;
+    if (words >> order.first >> order.second) orders.push_back(order);
+  }
+  return orders;
+}
+
+/// @return where the pen of a saved recording goes, after each node [mm]
+std::vector<Row> path_of(const std::filesystem::path& recording) {
+  std::ifstream in(recording);
+  std::vector<Row> path;
+  std::string line;
+  while (std::getline(in, line) && line != "x y z ax ay az pen") {
+  }
+  for (double x = 0, y = 0; std::getline(in, line) && !line.starts_with("ink");) {
+    std::istringstream words(line);
+    double vx{}, vy{};
+    words >> vx >> vy;
+    x += 20 * vx;
+    y += 20 * vy;
+    path.push_back({0, 0, x, y});
+  }
+  return path;
+}
+
+TEST_F(Operated, PausesInTheTeachInLeaveNoNodesHoweverTheHandTrembles) {
+  const std::vector<std::string> line{"--drawing",   folder_.write("line.svg", lines_svg(1)),
+                                      "--size",      "40",
+                                      "--processes", "one",
+                                      "--set",       "sim.hand.tremor=2e-4"};
+  const auto taught = [&](const std::string& name, const std::vector<std::string>& more) {
+    const Ended end =
+        run(folder_, "drawing",
+            words({line, {"--run-dir", folder_ / name, "--save", folder_ / (name + ".rec")}, more}));
+    EXPECT_EQ(end.status, 0) << end.all();
+    return summary(folder_ / name)["figures"];
+  };
+  const double nodes = taught("unpaused", {}).at("nodes").get<double>();
+  const auto orders = orders_of(folder_ / "unpaused" / "operator.script");
+  ASSERT_EQ(orders.size(), 3U);
+  const auto unpaused = path_of(folder_ / "unpaused.rec");
+  ASSERT_EQ(static_cast<double>(unpaused.size()), nodes);
+  const int begin = orders[1].first - static_cast<int>(nodes);  // of the recording
+  std::mt19937 random(1);
+  for (int k = 0; k < 3; ++k) {
+    std::string script = std::to_string(orders[0].first) + " start\n";
+    int later = 0, pauses = 0;
+    for (int at = begin + 5; at < orders[1].first - 40; at += 40 + static_cast<int>(random() % 40)) {
+      const int lasts = 20 + static_cast<int>(random() % 50);
+      ++pauses;
+      script += std::to_string(at + later) + " pause\n";
+      later += lasts;
+      script += std::to_string(at + later) + " resume\n";
+    }
+    SCOPED_TRACE(script);
+    for (std::size_t n = 1; n < orders.size(); ++n)
+      script += std::to_string(orders[n].first + later) + " trigger\n";
+    const std::string name = "paused" + std::to_string(k);
+    const auto figures = taught(name, {"--script", folder_.write(name + ".script", script)});
+    // A hand stops in its own time: while the pace goes down and up, in four macrosteps each, nodes are not farther apart
+    // than the hand is fast. A pause has twenty macrosteps at least.
+    EXPECT_GE(pauses, 2);
+    EXPECT_NEAR(figures.at("nodes").get<double>(), nodes, 8 * pauses);
+    for (std::size_t arm = 0; arm < 2; ++arm) EXPECT_LE(figures.at("copy_rms_mm").at(arm).get<double>(), 0.5);
+    EXPECT_LE(distances(path_of(folder_ / (name + ".rec")), unpaused).second, 0.7);
+  }
 }
 
 TEST_F(Operated, AttendedTaskWaitsForStartAndTriggers) {

@@ -1,6 +1,6 @@
 // The wall clock: whoever is not scheduled for a while goes on, and the task comes to its end.
 #include <gtest/gtest.h>
-#include <signal.h>
+#include <csignal>
 
 #include <fstream>
 #include <iterator>
@@ -42,12 +42,12 @@ class WallClock : public ::testing::Test {
 TEST_F(WallClock, ATaskComesToItsEndThoughItsProcessesAreStoppedForAWhile) {
   Started drawing(folder_, "drawing", task());
   ASSERT_TRUE(drawing.await_line("m = 2  record")) << drawing.end().all();
-  for (const char* const part : {"edp-arm1", "ecp-arm1", "vsp-arm1", "world"}) {
+  for (const char* const part : {"edp-arm1", "ecp-arm1", "vsp-arm1", "simulator"}) {
     stop_for(drawing.child(part), 100ms);
     std::this_thread::sleep_for(200ms);
   }
   ASSERT_TRUE(drawing.await_line("m = 5  draw on the paper")) << drawing.end().all();
-  for (const char* const part : {"edp-arm2", "ecp-arm2", "vsp-arm2", "world"}) {
+  for (const char* const part : {"edp-arm2", "ecp-arm2", "vsp-arm2", "simulator"}) {
     stop_for(drawing.child(part), 100ms);
     std::this_thread::sleep_for(200ms);
   }
@@ -66,10 +66,10 @@ TEST_F(WallClock, AnAgentThatIsAwayForLongerMakesTheArmsHoldAndGoesOn) {
   EXPECT_NE(text_of(folder_ / "run" / "messages.log").find("the arm comes to rest"), std::string::npos);
 }
 
-TEST_F(WallClock, AWorldThatStaysAwayIsANamedFault) {
+TEST_F(WallClock, ASimulatorThatStaysAwayIsANamedFault) {
   Started drawing(folder_, "drawing", task());
   ASSERT_TRUE(drawing.await_line("m = 2  record")) << drawing.end().all();
-  stop_for(drawing.child("world"), 2000ms);
+  stop_for(drawing.child("simulator"), 2000ms);
   const Ended end = drawing.end();
   EXPECT_EQ(end.status, 3) << end.all();
   EXPECT_TRUE(end.last_err().starts_with("error: hardware_silent: ")) << end.last_err();

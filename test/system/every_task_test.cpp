@@ -2,6 +2,9 @@
 // the log.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "test/system/started_task.hpp"
 
 namespace mrroc::test {
@@ -15,6 +18,7 @@ struct ShortRun {
   std::string file;                     ///< its content; empty: there is none
   std::vector<std::string> recomputed;  ///< processes
   bool lasts{};                         ///< too long for the thread sanitizer, which sees it stopped
+  bool draws{true};                     ///< leaves pictures
 };
 
 void PrintTo(const ShortRun& k, std::ostream* out) { *out << k.task; }  // NOLINT: the name that gtest wants
@@ -40,7 +44,9 @@ const std::vector<ShortRun> kRuns{
      "100 move arm1 joints 0.1 -1.5 0 1.5 1.57 -1.57 speed 0.5 acceleration 0.2\n"
      "300 jog arm2 angle-axis 0 0 -0.02 0 0 0 speed 0.5 acceleration 0.2\n"
      "400 end\n",
-     {"mp", "ecp-arm1", "ecp-arm2"}},
+     {"mp", "ecp-arm1", "ecp-arm2"},
+     false,
+     false},
     {"visual_servo",
      {"--object", "apriltag", "--cameras", "sac", "--set", "cameras.profile=fast", "--set",
       "task.duration=2"},
@@ -52,6 +58,22 @@ const std::vector<ShortRun> kRuns{
      {"mp", "ecp-arm1", "ecp-arm2"},
      true},
 };
+
+/// A run names every picture that it leaves, and leaves some.
+void expect_pictures_named(const fs::path& run_folder, const Ended& ended, bool draws) {
+  int pictures = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(run_folder)) {
+    if (entry.path().extension() != ".png") continue;
+    ++pictures;
+    EXPECT_NE(std::ranges::find(ended.out, "picture: " + entry.path().string()), ended.out.end())
+        << entry.path() << "\n"
+        << ended.all();
+  }
+  if (std::system("gnuplot --version >/dev/null 2>&1") == 0) {
+    EXPECT_EQ(pictures > 0, draws);
+  }
+  EXPECT_FALSE(fs::exists(run_folder / "plots" / "gnuplot.log")) << "gnuplot complained";
+}
 
 class EveryTask : public ::testing::TestWithParam<ShortRun> {};
 
@@ -67,6 +89,7 @@ TEST_P(EveryTask, ComesToItsEndAndIsRecomputedFromItsLog) {
       run(folder, k.task, words({{"--processes", "one", "--run-dir", run_folder}, arguments}));
   ASSERT_EQ(ended.status, stopped ? 1 : 0) << ended.all();
   EXPECT_EQ(summary(run_folder).at("outcome"), stopped ? "stopped" : "done");
+  if (!stopped) expect_pictures_named(run_folder, ended, k.draws);
 
   const Ended checked = run(folder, "ui_cli", {"log", "check", run_folder, "--json"});
   EXPECT_EQ(checked.status, 0) << checked.all();

@@ -19,7 +19,7 @@ class Checked : public ::testing::Test {
 
   /// Runs a task, which must end well unless a status is named. @return its run folder
   fs::path ran(const std::string& task, const std::vector<std::string>& more = {}, int status = 0) {
-    const fs::path run_folder = folder_ / (task + std::to_string(++runs_));
+    fs::path run_folder = folder_ / (task + std::to_string(++runs_));
     const Ended ended =
         run(folder_, task, words({{"--processes", "one", "--run-dir", run_folder.string()}, more}));
     EXPECT_EQ(ended.status, status) << task << ": " << ended.all();
@@ -58,7 +58,7 @@ class Checked : public ::testing::Test {
 TEST_F(Checked, PressIsRecomputedFromItsLog) {
   const auto checked = check(ran("press"));
   expect_same(checked, {"mp", "ecp-arm1"});
-  EXPECT_NE(process(checked, "world").at("not_checked"), "") << "its links are not in the log";
+  EXPECT_NE(process(checked, "simulator").at("not_checked"), "") << "its links are not in the log";
   EXPECT_NE(process(checked, "edp-arm1").at("not_checked"), "");
 }
 
@@ -146,7 +146,7 @@ TEST_F(Checked, ProgramsAreFoundBesideTheProgramOrBesideItsLinkAndMissedByName) 
   fs::create_directory(
       project);  // as one outside of the tree: its own programs, and a link to the installed ui_cli
   fs::create_symlink(lonely / "ui_cli", project / "ui_cli");
-  for (const char* program : {"press", "ecp_press", "edp_irb6", "world"})
+  for (const char* program : {"press", "ecp_press", "edp_irb6", "simulator"})
     fs::create_symlink(started_program(program), project / program);
   const Ended linked = run(folder_, (project / "ui_cli").string(), {"log", "check", recorded.string()});
   EXPECT_EQ(linked.status, 0) << linked.all();

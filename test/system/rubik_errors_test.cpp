@@ -1,7 +1,7 @@
-// What goes wrong on the way of the cube's task, by contact in the simulation: each ends in recovery or in its own fault,
+// Failures of the cube's task, by contact in the simulation: each ends in recovery or in its own fault,
 // with both arms at rest and a cube that is not crushed.
 #include <gtest/gtest.h>
-#include <signal.h>
+#include <csignal>
 
 #include <thread>
 
@@ -57,6 +57,20 @@ TEST_F(RubikErrors, AFaceThatGivesWayAtALaterAttemptIsTurned) {
   EXPECT_LT(r.figure("squeeze_N"), rubik::kMostSqueeze);
 }
 
+TEST_F(RubikErrors, ABaseThatIsElsewhereThanBelievedIsToldAndNotAdaptedTo) {
+  constexpr const char* kTruth = "sim.robots.arm2.place=[0.045, 0, 0, 0, 0, 0]";
+  const CubeRun wrong(set({kTruth}));
+  EXPECT_EQ(wrong.ended.status, 1) << wrong.ended.all();
+  EXPECT_EQ(wrong.left.fault(), "force_limit")
+      << "a hand presses where it expects nothing: " << wrong.ended.all();
+  EXPECT_EQ(wrong.figure("solved"), 0);
+  // The tables end with the fault; the supervisor has waited for rest.
+  EXPECT_GT(wrong.figure("stop_steps_max"), 0) << "the arms came to rest";
+  const CubeRun corrected(set({kTruth, "cell.robots.arm2.place=[0.045, 0, 0, 0, 0, 0]"}));
+  EXPECT_EQ(corrected.ended.status, 0) << corrected.ended.all();
+  EXPECT_EQ(corrected.figure("solved"), 1);
+}
+
 TEST_F(RubikErrors, AFaceThatJamsInBothDirectionsIsAFault) {
   const CubeRun r(set({"cube.jam=20", "cube.seed=7", "task.attempts=1"}));
   expect_fault(r, "face_jammed");
@@ -94,6 +108,8 @@ TEST_F(RubikErrors, FacesThatMirrorALampAreShownAgainTiltedAndTheCubeIsSolved) {
                   {"--scramble", "U'", "--set", "task.tables=small"});
   ASSERT_EQ(r.ended.status, 0) << r.ended.all();
   EXPECT_TRUE(r.said("are not certain")) << "the lamp stands behind the camera: " << r.ended.all();
+  EXPECT_TRUE(r.said("all faces are shown once more")) << r.ended.all();
+  EXPECT_FALSE(r.said("not seen well")) << r.ended.all();
   EXPECT_EQ(r.figure("solved"), 1);
   EXPECT_EQ(r.figure("verified"), 1);
 }

@@ -2,9 +2,9 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <csignal>
 
 #include <algorithm>
 #include <cmath>
@@ -61,8 +61,8 @@ std::string command_of(pid_t pid) {
   return text;
 }
 
-bool waited_for(auto done, Clock::duration patience) {
-  for (const auto end = Clock::now() + patience; Clock::now() < end; std::this_thread::sleep_for(kLook))
+bool waited_for(auto done, Clock::duration timeout) {
+  for (const auto end = Clock::now() + timeout; Clock::now() < end; std::this_thread::sleep_for(kLook))
     if (done()) return true;
   return done();
 }

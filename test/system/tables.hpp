@@ -17,7 +17,8 @@ inline const std::string kArmHeading = "i,t,m,x,y,z,ax,ay,az,Fx,Fy,Fz,Nx,Ny,Nz,g
 inline const std::string kInkHeading = "stroke,t,x,y";
 
 /// Columns of arm1.csv and arm2.csv.
-enum ArmColumn { kI, kT, kM, kX, kY, kZ, kAx, kAy, kAz, kFx, kFy, kFz };
+inline constexpr int kI = 0, kT = 1, kM = 2, kX = 3, kY = 4, kZ = 5, kAx = 6, kAy = 7, kAz = 8, kFx = 9,
+                     kFy = 10, kFz = 11;
 
 /// First and last row, inclusive, of every stretch of rows with that m.
 std::vector<std::pair<std::size_t, std::size_t>> stretches(const std::vector<Row>& arm, double m);

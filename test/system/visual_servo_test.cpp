@@ -12,20 +12,8 @@ namespace {
 
 const std::string kServoHeading =
     "k,t,behaviour,sac_seen,eih_seen,err_x,err_y,err_z,err_angle,true_err_mm,true_err_deg";
-/// Columns of servo.csv.
-enum ServoColumn {
-  kStep,
-  kTime,
-  kBehaviour,
-  kSacSeen,
-  kEihSeen,
-  kErrX,
-  kErrY,
-  kErrZ,
-  kErrAngle,
-  kTrueMm,
-  kTrueDeg
-};
+/// Column of servo.csv.
+constexpr int kBehaviour = 2;
 
 /// Without smooth edges and shadows: fast enough for tests of what is done with pictures, not of how good they are.
 const std::vector<std::string> kFast{"--processes", "one", "--set", "cameras.profile=fast"};

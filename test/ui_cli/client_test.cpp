@@ -5,6 +5,8 @@
 #include <limits>
 #include <random>
 
+#include "base/effector_command.hpp"
+#include "base/link/channel.hpp"
 #include "base/link/memory_bus.hpp"
 #include "base/link/text.hpp"
 #include "test/ui_cli/fake_task.hpp"
@@ -56,7 +58,7 @@ TEST_F(OperatorProtocol, AnswersAnOrderWithWhatWasDone) {
 }
 
 TEST_F(OperatorProtocol, TellsTheReasonOfARefusal) {
-  task.objection = [](OperatorOrder) { return "the task is paused already"; };
+  task.refusal_reason = [](OperatorOrder) { return "the task is paused already"; };
   client.begin(OperatorOrder::pause, now);
   const auto answer = exchange();
   ASSERT_TRUE(answer);
@@ -128,6 +130,88 @@ TEST_F(OperatorProtocol, GivesUpAfterFiveSecondsAndSaysWhatToLookAt) {
   }
   EXPECT_FALSE(client.pending());
   EXPECT_FALSE(exchange()) << "it gives up once";
+}
+
+/// What a driver says of itself.
+void driver_says(link::Bus& bus, const std::string& name, DriverState state, std::int64_t step) {
+  link::Outbox<process_status_t> out(bus, {link::Group::agents, "s." + name + ".status"}, kId);
+  process_status_t m{};
+  m.effector = 1 + static_cast<int>(state);
+  m.step = step;
+  out.publish(m, 0);
+}
+
+TEST_F(OperatorProtocol, AStopThatIsTakenIsWaitedForUntilItIsConfirmed) {
+  link::Queue<operator_order_t> orders(*task_bus, {link::Group::agents, "s.operator"}, kId);
+  std::int64_t id = 0;
+  const auto answers = [&](int pending, int accepted, FaultCode code) {
+    while (const auto order = orders.take()) id = order->id;
+    operator_answer_t m{};
+    m.id = id;
+    m.pending = pending;
+    m.accepted = accepted;
+    m.code = static_cast<int>(code);
+    link::put_text(m.text, "what there is to say");
+    link::Outbox<operator_answer_t>(*task_bus, {link::Group::agents, "s.answer"}, kId).publish(m, 0);
+    client.receive(0ms);
+  };
+  for (const FaultCode code : {FaultCode::none, FaultCode::stop_not_confirmed}) {
+    task.deaf = 1000;
+    client.begin(OperatorOrder::stop, now);
+    for (int k = 0; k < 20; ++k) {  // longer than it would wait for a task that says nothing
+      now += 400ms;
+      client.poll(now);
+      task.poll();
+      answers(1, 1, FaultCode::none);
+      EXPECT_FALSE(client.poll(now));
+    }
+    answers(0, code == FaultCode::none, code);
+    const auto answer = client.poll(now);
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->accepted, code == FaultCode::none);
+    EXPECT_EQ(answer->code, code);
+  }
+}
+
+TEST_F(OperatorProtocol, OfATaskThatSaysNothingItTellsWhatTheDriversConfirm) {
+  task.deaf = 1000;
+  client.begin(OperatorOrder::stop, now);
+  EXPECT_FALSE(exchange_for(1000ms));
+  driver_says(*task_bus, "edp-arm2", DriverState::faulted, 40);
+  driver_says(*task_bus, "edp-arm1", DriverState::holding, 40);
+  try {
+    exchange_for(600ms);
+    FAIL() << "the drivers have spoken";
+  } catch (const FaultError& e) {
+    EXPECT_EQ(e.fault().code, FaultCode::peer_silent);
+    EXPECT_EQ(
+        e.error_line(),
+        "error: peer_silent: stopped: arm1, arm2 at rest; mp does not answer; look whether its process 4711 "
+        "hangs (`ps -p 4711`) or is suspended (`kill -CONT 4711` lets it go on), and at messages.log in "
+        "/runs/1");
+  }
+}
+
+TEST_F(OperatorProtocol, AnArmThatMovesIsNoStoppedOne) {
+  task.deaf = 1000;
+  client.begin(OperatorOrder::stop, now);
+  EXPECT_FALSE(exchange_for(1000ms));
+  driver_says(*task_bus, "edp-arm1", DriverState::holding, 40);
+  driver_says(*task_bus, "edp-arm2", DriverState::executing, 40);
+  driver_says(*task_bus, "edp-arm3", DriverState::executing, 40);
+  driver_says(*task_bus, "edp-arm3", DriverState::executing, 40);
+  driver_says(*task_bus, "edp-arm2", DriverState::executing, 41);
+  try {
+    exchange_for(5000ms);
+    FAIL() << "must give up";
+  } catch (const FaultError& e) {
+    EXPECT_EQ(now.time_since_epoch(), 5000ms) << "it is waited for";
+    EXPECT_NE(
+        std::string(e.what()).find("has not answered stop in 5 s; arm1 at rest; arm2 moves (executing); arm3 "
+                                   "stands still, because simulated time does"),
+        std::string::npos)
+        << e.what();
+  }
 }
 
 TEST_F(OperatorProtocol, IgnoresAnswersAndStatusOfAnotherSessionId) {
@@ -225,7 +309,7 @@ TEST(Snapshot, SurvivesAnyBytes) {
     EXPECT_FALSE(to_string(s.state).empty());
     for (const ui::ProcessView& p : s.processes) {
       EXPECT_FALSE(link::to_string(p.state).empty());
-      for (const char c : p.name) EXPECT_TRUE(c >= ' ' && c <= '~');
+      for (const char c : p.name) EXPECT_FALSE(static_cast<unsigned char>(c) < ' ' || c == 0x7f);
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
@@ -14,6 +15,7 @@
 #include "test/docs/json_table.hpp"
 #include "test/ui_cli/fake_task.hpp"
 #include "ui_cli/attach.hpp"
+#include "ui_cli/fixed_number.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -65,12 +67,14 @@ class Commands : public ::testing::Test {
                    {out_,
                     err_,
                     home_ / "mrroc",
-                    [this](const link::LcmAddress& address) {
-                      if (!multicast_) throw link::NoMulticast("no multicast route for " + address.url());
-                      opened_ = address.port;
+                    [this](const link::SessionInfo& session) {
+                      if (!multicast_)
+                        throw link::NoMulticast("no multicast route for " + session.address->url());
+                      opened_ = session.address->port;
+                      key_ = session.key;
                       return hub_.open();
                     },
-                    {.repeat = 5ms, .give_up = patience_},
+                    {.repeat = 5ms, .give_up = give_up_},
                     {{"weigh",
                       "Weigh something",
                       [this](const auto& given, std::ostream& out, std::ostream&) {
@@ -93,7 +97,8 @@ class Commands : public ::testing::Test {
   std::vector<std::string> weighed_;
   bool multicast_{true};
   int opened_{};
-  std::chrono::milliseconds patience_{10s};
+  std::optional<link::Key> key_;
+  std::chrono::milliseconds give_up_{10s};
 };
 
 TEST_F(Commands, OrdersReachTheOnlyTaskThatRuns) {
@@ -109,7 +114,7 @@ TEST_F(Commands, OrdersReachTheOnlyTaskThatRuns) {
 
 TEST_F(Commands, HintsNameTheSessionThatTheOperatorHasNamed) {
   RunningTask task(*this, "one");
-  task.task.objection = [](OperatorOrder) { return "not now"; };
+  task.task.refusal_reason = [](OperatorOrder) { return "not now"; };
   task.start();
   EXPECT_EQ(run({"resume", "--session", "one"}), 1);
   EXPECT_TRUE(error().ends_with("look at the state with `ui_cli status --session one`")) << error();
@@ -117,7 +122,9 @@ TEST_F(Commands, HintsNameTheSessionThatTheOperatorHasNamed) {
 
 TEST_F(Commands, ARefusedOrderEndsWithOneAndTheReason) {
   RunningTask task(*this, "one");
-  task.task.objection = [](OperatorOrder) { return "the task is running, only a paused one can be resumed"; };
+  task.task.refusal_reason = [](OperatorOrder) {
+    return "the task is running, only a paused one can be resumed";
+  };
   task.start();
   EXPECT_EQ(run({"resume"}), 1);
   EXPECT_EQ(error(),
@@ -183,7 +190,7 @@ TEST_F(Commands, StatusInJsonHasTheDocumentedKeys) {
 
 TEST_F(Commands, StatusTellsNoPoseBeforeHoming) {
   RunningTask task(*this, "one");
-  std::ranges::fill(task.status.T_0E[0], 0.0);
+  task.status.position_known[0] = 0;
   task.start();
   EXPECT_EQ(run({"status"}), 0) << error();
   EXPECT_NE(out_.str().find("x, y, z - mm; rotation - rad; F_x, F_y, F_z 0.00 0.00 1.02 N"),
@@ -231,6 +238,18 @@ TEST_F(Commands, ReachATaskOfAnotherHostByItsUrl) {
   });
   EXPECT_EQ(run({"pause", "--session", "far", "--url", "udpm://239.255.76.67:7800?ttl=1"}), 0) << error();
   EXPECT_EQ(opened_, 7800);
+  link::write_key_file(home_ / "far.key", link::Key::random());
+  const std::string key = home_ / "far.key";
+  EXPECT_EQ(run({"pause", "--session", "far", "--url", "udpm://239.255.76.67:7800?ttl=1", "--key-file",
+                 key.c_str()}),
+            0)
+      << error();
+  EXPECT_EQ(key_, link::read_key_file(key));
+  fs::permissions(key, fs::perms::group_read, fs::perm_options::add);
+  EXPECT_EQ(run({"pause", "--session", "far", "--url", "udpm://239.255.76.67:7800?ttl=1", "--key-file",
+                 key.c_str()}),
+            2);
+  EXPECT_NE(error().find("open to other users"), std::string::npos) << error();
   EXPECT_EQ(run({"pause", "--session", "far", "--url", "http://nowhere"}), 2);
   EXPECT_EQ(run({"pause", "--session", "far", "--url", "udpm://1.2.3.4:99999999999"}), 2);
   EXPECT_EQ(run({"pause", "--url", "udpm://239.255.76.67:7800"}), 2) << "a url alone names no task";
@@ -238,7 +257,7 @@ TEST_F(Commands, ReachATaskOfAnotherHostByItsUrl) {
 
 TEST_F(Commands, AreThreeWhenTheTaskIsSilent) {
   RunningTask task(*this, "hung");
-  patience_ = 30ms;
+  give_up_ = 30ms;
   EXPECT_EQ(run({"pause"}), 3);
   EXPECT_EQ(error().find("error: peer_silent: the task of session hung has not answered pause"), 0U)
       << error();
@@ -292,10 +311,19 @@ TEST_F(Commands, ThatLackAWordAreToldWhatToType) {
 }
 
 TEST_F(Commands, ThatDoNotExistGetTheNearestThatDoes) {
-  EXPECT_EQ(run({"paws"}), 2);
+  EXPECT_EQ(run({"pasue"}), 2);
   EXPECT_NE(error().find("did you mean 'pause'?"), std::string::npos) << error();
   EXPECT_EQ(run({"somersault"}), 2);
   EXPECT_NE(error().find("there is no command 'somersault'"), std::string::npos) << error();
+}
+
+TEST_F(Commands, WhoAsksIsNotToldToGiveAnOrder) {
+  for (const char* word : {"stat", "state", "sta"}) {
+    EXPECT_EQ(run({word}), 2);
+    EXPECT_NE(error().find("did you mean 'status'?"), std::string::npos) << error();
+  }
+  EXPECT_EQ(run({"show"}), 2);
+  EXPECT_EQ(error().find("did you mean"), std::string::npos) << error();
 }
 
 TEST_F(Commands, HelpNamesEveryCommandAndExitStatus) {
@@ -349,6 +377,17 @@ TEST_F(Commands, HelpIsGivenWhereverItIsAskedForWhateverElseIsWrong) {
   EXPECT_NE(out_.str().find("gripper ARM METRES"), std::string::npos);
   EXPECT_EQ(run({"--help", "weigh", "stone"}), 1) << "a tool has its own help";
   EXPECT_EQ(weighed_, (std::vector<std::string>{"stone", "--help"}));
+}
+
+using ui::fixed;
+
+TEST(FixedNumber, ThatRoundsToZeroHasNoSign) {
+  EXPECT_EQ(fixed(-0.04, 1), "0.0");
+  EXPECT_EQ(fixed(-0.0, 3), "0.000");
+  EXPECT_EQ(fixed(-0.06, 1), "-0.1");
+  EXPECT_EQ(fixed(-10, 0), "-10");
+  EXPECT_EQ(fixed(-std::numeric_limits<double>::infinity(), 1), "-inf");
+  EXPECT_EQ(fixed(12.345, 2), "12.35");
 }
 
 }  // namespace

@@ -8,7 +8,11 @@
 #include <unistd.h>
 
 #include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 
 #include "test/docs/json_table.hpp"
@@ -62,6 +66,11 @@ TEST(Doctor, SaysWhatToTypeForEverythingThatIsNotWell) {
              "apt-get install gnuplot-nox "},
         Case{"packages", [](Host& h) { h.missing = {"libEGL.so.1"}; }, Verdict::limited,
              "apt-get install libegl1"},
+        Case{"sessions",
+             [](Host& h) { h.sessions_refused = "cannot use /tmp/mrroc-1: it is not a directory"; },
+             Verdict::bad, "XDG_RUNTIME_DIR"},
+        Case{"sessions", [](Host& h) { h.sessions_note = "/tmp/mrroc-1 belongs to another user"; },
+             Verdict::limited, "XDG_RUNTIME_DIR"},
         Case{"disk", [](Host& h) { h.free_bytes = 1000; }, Verdict::bad, "--run-dir"}}) {
     Host host = healthy();
     c.harm(host);
@@ -75,12 +84,41 @@ TEST(Doctor, SaysWhatToTypeForEverythingThatIsNotWell) {
   }
 }
 
+TEST(Doctor, SaysWhatSignaturesDoNotProtectFrom) {
+  const std::string found = finding(healthy(), "sessions").found;
+  for (const char* const what : {"signed", "your own programs", "root", "listeners", "filled up"})
+    EXPECT_NE(found.find(what), std::string::npos) << what;
+}
+
 TEST(Doctor, LooksAtThisHost) {
   const Host host = look_at_host();
   EXPECT_GE(host.cores, 1);
   EXPECT_GT(host.receive_buffer, 0);
   EXPECT_GT(host.clock_resolution_ns, 0);
   EXPECT_GT(host.free_bytes, 0);
+  EXPECT_FALSE(host.sessions.empty());
+  EXPECT_GT(host.tag_us, 0);
+}
+
+TEST(Doctor, LooksAtTheFolderOfSessionsAndChangesNothing) {
+  const char* const variable = std::getenv("XDG_RUNTIME_DIR");
+  const std::optional<std::string> before = variable ? std::optional<std::string>(variable) : std::nullopt;
+  const std::filesystem::path runtime = ::testing::TempDir() + "doctor_test." + std::to_string(::getpid());
+  std::filesystem::create_directory(runtime);
+  ::setenv("XDG_RUNTIME_DIR", runtime.c_str(), 1);
+  Host host = look_at_host();
+  EXPECT_EQ(host.sessions.parent_path(), runtime);
+  EXPECT_EQ(host.sessions_refused, "");
+  EXPECT_TRUE(std::filesystem::is_empty(runtime)) << "no folder is made";
+  std::filesystem::create_directory(host.sessions);
+  std::filesystem::permissions(host.sessions, std::filesystem::perms(0755));
+  EXPECT_EQ(look_at_host().sessions_refused, "") << "a task closes it";
+  EXPECT_EQ(std::filesystem::status(host.sessions).permissions(), std::filesystem::perms(0755));
+  std::filesystem::remove(host.sessions);
+  std::ofstream(host.sessions) << "x";
+  EXPECT_NE(look_at_host().sessions_refused.find("is not a directory"), std::string::npos);
+  before ? ::setenv("XDG_RUNTIME_DIR", before->c_str(), 1) : ::unsetenv("XDG_RUNTIME_DIR");
+  std::filesystem::remove_all(runtime);
 }
 
 TEST(Doctor, BelievesWhatTheSystemGrantsAndNotWhoAsks) {

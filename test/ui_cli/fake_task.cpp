@@ -37,14 +37,15 @@ task_status_t drawing_status() {
   link::put_text(s.agent[1], "arm2");
   const double pose[2][6]{{0.8123, 0.0124, 0.0456, 0, 3.14159, 0}, {0.9, -0.25, 0.0451, 0.01, 3.14, -0.02}};
   for (int k = 0; k < 2; ++k) {
+    s.position_known[k] = 1;
     std::copy_n(pose[k], 6, s.T_0E[k]);
     s.F_a[k][2] = 1.02 - 0.1 * k;
     s.sensor[k] = 2;
     link::put_text(s.sensor_text[k], "paper_surface");
     link::put_text(s.agent_behaviour[k], "copy the coordinator's orders");
   }
-  const char* const names[]{"mp",       "world",    "edp arm1", "edp arm2",
-                            "ecp arm1", "ecp arm2", "vsp arm1", "vsp arm2"};
+  const char* const names[]{"mp",       "simulator", "edp arm1", "edp arm2",
+                            "ecp arm1", "ecp arm2",  "vsp arm1", "vsp arm2"};
   for (const char* name : names) {
     link::put_text(s.process[s.n_processes], name);
     s.process_state[s.n_processes] = static_cast<std::int32_t>(link::ProcessState::running);
@@ -77,7 +78,7 @@ void FakeTask::poll(std::chrono::milliseconds timeout) {
 void FakeTask::answer(const operator_order_t& message) {
   heard.push_back(message);
   const auto order = static_cast<OperatorOrder>(message.order);
-  const auto reason = objection ? objection(order) : std::nullopt;
+  const auto reason = refusal_reason ? refusal_reason(order) : std::nullopt;
   if (!reason && std::ranges::find(known_, message.id) == known_.end()) {
     known_.push_back(message.id);
     obeyed.push_back(order);

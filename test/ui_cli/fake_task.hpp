@@ -33,7 +33,7 @@ class FakeTask final : public link::Sink {
   void say(const std::string& process, const std::string& text, std::int32_t code = 0,
            std::int64_t macrostep = 0);
 
-  std::function<std::optional<std::string>(OperatorOrder)> objection;  ///< none: everything is allowed
+  std::function<std::optional<std::string>(OperatorOrder)> refusal_reason;  ///< none: everything is allowed
   int deaf{};                           ///< so many sendings are lost from now on
   std::int64_t wrong_id{};              ///< added to the number in answers
   std::int64_t wrong_session{};         ///< added to the session in answers

@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 using mrroc::OperatorOrder;
 using mrroc::TaskState;
 
-std::optional<std::string> objection(OperatorOrder order, TaskState state) {
+std::optional<std::string> refusal_reason(OperatorOrder order, TaskState state) {
   const bool allowed = order == OperatorOrder::start    ? state == TaskState::waiting_for_start
                        : order == OperatorOrder::resume ? state == TaskState::paused
                        : order >= OperatorOrder::stop   ? true
@@ -49,10 +49,10 @@ void run(const std::string& session) {
   const auto address = mrroc::link::address_for(session);
   const mrroc::link::SessionFile file(
       {session, mrroc::link::random_id(), address, "drawing", "/runs/" + session, 0});
-  const auto bus = mrroc::link::open_lcm(address);
+  const auto bus = mrroc::link::open_session(file.info());
   mrroc::test::FakeTask task(*bus, session, file.info().id);
   TaskState state = TaskState::waiting_for_start;
-  task.objection = [&](OperatorOrder order) { return objection(order, state); };
+  task.refusal_reason = [&](OperatorOrder order) { return refusal_reason(order, state); };
   auto status = mrroc::test::drawing_status();
   for (int tick = 0; tick < 600 && state != TaskState::ended; ++tick) {
     for (const auto end = std::chrono::steady_clock::now() + 100ms; std::chrono::steady_clock::now() < end;) {

@@ -1,61 +1,14 @@
-#include "ui_cli/layout.hpp"
-
+// The room on the screen: what is shown on terminals of any size.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
-#include "base/link/text.hpp"
-#include "test/ui_cli/fake_task.hpp"
+#include "test/ui_cli/laid_out.hpp"
 
 namespace mrroc::test {
 namespace {
-
-using ui::Canvas;
-using ui::lay_out;
-using ui::Size;
-using ui::Style;
-using ui::View;
-
-constexpr Size kSmallTerminal{24, 80};
-
-View drawing() {
-  View v;
-  v.session = "drawing-1a2b";
-  v.snapshot = ui::snapshot(drawing_status(), v.session);
-  for (int k = 0; k < 100; ++k) v.history.add(*v.snapshot);
-  v.messages = {{"mp", FaultCode::none, "all processes are ready"},
-                {"edp arm1", FaultCode::lost_command, "number 7 expected"}};
-  return v;
-}
-
-View largest() {
-  task_status_t m = drawing_status();
-  m.n_agents = 4;
-  m.n_processes = 16;
-  for (int k = 0; k < 16; ++k) link::put_text(m.process[k], "process " + std::to_string(k));
-  View v = drawing();
-  v.snapshot = ui::snapshot(m, v.session);
-  return v;
-}
-
-int row_of(const Canvas& c, const std::string& text) {
-  for (int row = 0; row < c.size().rows; ++row)
-    if (c.text(row).find(text) != std::string::npos) return row;
-  return -1;
-}
-
-/// @return the style of the first character of the text, wherever it stands
-Style style_of(const Canvas& c, const std::string& text) {
-  const int row = row_of(c, text);
-  EXPECT_GE(row, 0) << text << " is not to be seen in\n" << c.text();
-  return row < 0 ? Style::plain : c.cell(row, static_cast<int>(c.text(row).find(text))).style;
-}
-
-void expect_seen(const Canvas& c, const std::vector<std::string>& texts) {
-  for (const std::string& t : texts) EXPECT_GE(row_of(c, t), 0) << t << " is not to be seen in\n" << c.text();
-}
 
 std::string bars(const std::string& bar, int count) {
   std::string text;
@@ -82,7 +35,7 @@ TEST(Layout, ShowsTheWholeTaskOnASmallTerminal) {
                   "paper_surface",
                   "copy the coordinator's orders",
                   "0..2 N",
-                  "world",
+                  "simulator",
                   "edp arm1",
                   "vsp arm2",
                   "all processes are ready",
@@ -191,14 +144,6 @@ TEST(Layout, TextsOfOneRowDoNotTouchOnANarrowTerminal) {
   }
 }
 
-TEST(Layout, TellsWhatTheKeysDoWhenAsked) {
-  View v = drawing();
-  v.help = true;
-  const Canvas c = lay_out(v, {15, 60});
-  expect_seen(c, {"t  trigger  ends a behaviour", "Any key goes back", "running", "e E-STOP ? q"});
-  EXPECT_EQ(row_of(c, "AGENT"), -1);
-}
-
 TEST(Layout, CutsNoWordOnASmallTerminal) {
   View v = drawing();
   v.notice = {
@@ -232,76 +177,6 @@ TEST(Layout, CutsNoWordOnASmallTerminal) {
   }
 }
 
-TEST(Layout, SaysWhatAPauseIs) {
-  View v = drawing();
-  v.snapshot->state = TaskState::paused;
-  EXPECT_EQ(style_of(lay_out(v, kSmallTerminal), "arms rest, forces stay: press r to go on"), Style::warning);
-}
-
-TEST(Layout, AfterTheEndTheKeysSayThatItIsOver) {
-  View v = drawing();
-  v.snapshot->state = TaskState::ended;
-  const Canvas c = lay_out(v, kSmallTerminal);
-  EXPECT_EQ(row_of(c, "the task is over   q leave"), 23);
-  EXPECT_EQ(row_of(c, "x stop"), -1);
-}
-
-TEST(Layout, MarksAProcessThatHasNotBeenHeard) {
-  View v = drawing();
-  v.snapshot->processes[2].age = 7.5;
-  v.snapshot->processes[2].state = link::ProcessState::running;
-  const Canvas c = lay_out(v, kSmallTerminal);
-  const int row = row_of(c, "edp arm1 ");
-  EXPECT_NE(c.text(row).find("7.5 s"), std::string::npos);
-  EXPECT_EQ(c.cell(row, 1 + 22).style, Style::bad);
-  EXPECT_EQ(c.cell(row, static_cast<int>(c.text(row).find("7.5 s"))).style, Style::bad);
-}
-
-TEST(Layout, ShowsWhatCanBeDoneNow) {
-  View v = drawing();
-  v.snapshot->waits_for_trigger = true;
-  Canvas c = lay_out(v, kSmallTerminal);
-  EXPECT_EQ(style_of(c, "p pause"), Style::heading);
-  EXPECT_EQ(style_of(c, "t trigger"), Style::heading);
-  EXPECT_EQ(style_of(c, "r resume"), Style::dim);
-  EXPECT_EQ(style_of(c, "waits for your trigger"), Style::warning);
-  v.snapshot->state = TaskState::paused;
-  c = lay_out(v, kSmallTerminal);
-  EXPECT_EQ(style_of(c, "p pause"), Style::dim);
-  EXPECT_EQ(style_of(c, "t trigger"), Style::dim);
-  EXPECT_EQ(style_of(c, "r resume"), Style::heading);
-  v.snapshot->state = TaskState::ending;
-  EXPECT_EQ(style_of(lay_out(v, kSmallTerminal), "x stop"), Style::dim);
-}
-
-TEST(Layout, SaysThatTheTaskIsSilentInsteadOfItsLastState) {
-  View v = drawing();
-  v.silence = 3.4;
-  const Canvas c = lay_out(v, kSmallTerminal);
-  EXPECT_EQ(style_of(c, "NO NEWS FOR 3 s"), Style::bad);
-  v.snapshot->state = TaskState::ended;
-  EXPECT_EQ(row_of(lay_out(v, kSmallTerminal), "NO NEWS"), -1) << "a task that has ended may be silent";
-}
-
-TEST(Layout, SaysThatNoStatusHasComeYet) {
-  View v;
-  v.session = "s";
-  expect_seen(lay_out(v, kSmallTerminal), {"session s", "NO STATUS YET", "q leave"});
-}
-
-TEST(Layout, ColoursMessagesByTheirClass) {
-  View v = drawing();
-  v.messages = {{"mp", FaultCode::none, "information"},
-                {"edp arm1", FaultCode::lost_command, ""},
-                {"edp arm2", FaultCode::over_current, ""},
-                {"mp", FaultCode::process_died, ""}};
-  const Canvas c = lay_out(v, {32, 80});
-  EXPECT_EQ(style_of(c, "mp: information"), Style::plain);
-  EXPECT_EQ(style_of(c, "edp arm1: lost"), Style::warning);
-  EXPECT_EQ(style_of(c, "edp arm2: over"), Style::bad);
-  EXPECT_EQ(style_of(c, "mp: process_died"), Style::bad);
-}
-
 TEST(Layout, KeepsItsColumnsWhateverTheNumbersAre) {
   View v = drawing();
   const Canvas before = lay_out(v, kSmallTerminal);
@@ -326,26 +201,6 @@ TEST(Layout, CannotBeMadeToSpeakToTheTerminal) {
   EXPECT_EQ(text.find('\x07'), std::string::npos);
 }
 
-TEST(Layout, TellsTheBehaviourOfEveryAgentAndWhyTheOneBeforeEnded) {
-  View v = drawing();
-  ui::AgentView& arm = v.snapshot->agents[1];
-  arm.m = 3;
-  arm.behaviour = "hold";
-  arm.ended_because = "settle: 3 s have passed";
-  const Canvas c = lay_out(v, kSmallTerminal);
-  EXPECT_EQ(c.text(row_of(c, "arm2") + 1), "          m 3  hold   after settle: 3 s have passed");
-  EXPECT_EQ(c.text(row_of(c, "arm1") + 1), "          copy the coordinator's orders");
-  arm.ended_because =
-      "a behaviour with a long name: its reason is longer than there is room for on the screen";
-  const Canvas long_one = lay_out(v, kSmallTerminal);
-  const std::string cut = long_one.text(row_of(long_one, "arm2") + 1);
-  EXPECT_LE(cut.size(), 80U);
-  EXPECT_TRUE(cut.ends_with("its reason is..")) << cut << " is cut within a word";
-  for (ui::AgentView& a : v.snapshot->agents) a.behaviour.clear();
-  const Canvas without = lay_out(v, kSmallTerminal);
-  EXPECT_EQ(without.text(row_of(without, "arm2") + 1).substr(0, 8), " F_z m 3") << without.text();
-}
-
 TEST(Layout, DrawsTheForceOfEveryAgent) {
   View v = drawing();
   for (ui::AgentView& a : v.snapshot->agents) a.behaviour.clear();  // more room for the charts
@@ -357,21 +212,6 @@ TEST(Layout, DrawsTheForceOfEveryAgent) {
   EXPECT_EQ(c.text(first + 2), "          " + bars("█", 59) + " 0 N");
   EXPECT_EQ(c.text(second + 1), " F_z" + std::string(66, ' ') + "2");
   EXPECT_EQ(c.text(second + 2), "          " + bars("█", 59) + " 0 N");
-}
-
-TEST(Canvas, CutsOffWhatIsOutside) {
-  Canvas c({2, 5});
-  EXPECT_EQ(c.put(0, 3, "abc"), 6);
-  c.put(1, -2, "abc");
-  c.put(7, 0, "abc");
-  c.put_right(1, 5, "de");
-  EXPECT_EQ(c.text(), "   ab\nc  de\n");
-}
-
-TEST(Canvas, WritesUtf8) {
-  Canvas c({1, 4});
-  c.put(0, 0, U"aé█😀");
-  EXPECT_EQ(c.text(0), "aé█😀");
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // The commands for run folders, on a small folder made here.
+#include "base/file_content.hpp"
 #include "test/docs/json_table.hpp"
 #include "test/ui_cli/run_folder.hpp"
 #include "ui_cli/log/log_check.hpp"
@@ -54,6 +55,25 @@ TEST_F(RunFolder, ShowNamesTheBehavioursOfAnArmAsItsAgentDoes) {
   EXPECT_EQ(out_.str().find("manual operation"), std::string::npos) << "that is the coordinator's";
 }
 
+TEST_F(RunFolder, ShowReadsADamagedLogAndTellsTheDamage) {
+  ASSERT_EQ(run({"show", a_.string(), "--m"}), 0) << err_.str();
+  const std::vector<std::string> before = lines();
+  const fs::path file = a_ / link::kEventLog;
+  const std::string whole = file_content(file);
+  std::ofstream(file, std::ios::binary) << "what a stranger wrote" << whole << whole.substr(0, 40);
+  ASSERT_EQ(run({"show", a_.string(), "--m"}), 0) << err_.str();
+  std::vector<std::string> after = lines();
+  EXPECT_EQ(after.back(), "outcome: done; the log is damaged in 2 places, what stood there is left out");
+  after.back() = before.back();
+  EXPECT_EQ(after, before);
+  ASSERT_EQ(run({"show", a_.string(), "--m", "--json"}), 0);
+  EXPECT_EQ(Json::parse(lines().back())["damaged"], 2);
+  fs::remove(a_ / "summary.json");
+  ASSERT_EQ(run({"show", a_.string(), "--m", "--json"}), 0);
+  EXPECT_TRUE(documented("log show RUN, its last line", Json::parse(lines().back())))
+      << "without a summary, of a damaged log: everything that it can tell";
+}
+
 TEST_F(RunFolder, ShowClosesWithTheOutcomeOfTheRun) {
   const auto last = [&](const std::vector<std::string>& more = {}) {
     std::vector<std::string> words{"show", a_.string(), "--m"};
@@ -72,7 +92,7 @@ TEST_F(RunFolder, ShowClosesWithTheOutcomeOfTheRun) {
   std::ofstream(a_ / "messages.log") << "start\n12.3 s ecp-arm1: too_fast\n";
   EXPECT_NE(last().find("no summary"), std::string::npos);
   EXPECT_NE(last().find("its last message: 12.3 s ecp-arm1: too_fast"), std::string::npos);
-  EXPECT_TRUE(documented("log show RUN, its last line", Json::parse(last({"--json"}))));
+  EXPECT_EQ(Json::parse(last({"--json"}))["last_message"], "12.3 s ecp-arm1: too_fast");
 }
 
 TEST_F(RunFolder, ShowTellsTheMessagesOfAChannel) {
@@ -81,6 +101,19 @@ TEST_F(RunFolder, ShowTellsTheMessagesOfAChannel) {
   EXPECT_NE(lines()[1].find("F_a[2]=0.2"), std::string::npos) << out_.str();
   EXPECT_EQ(run({"show", a_.string(), "--channel", "arm1.raport"}), 2);
   EXPECT_NE(err_.str().find("did you mean 'arm1.report'"), std::string::npos);
+}
+
+TEST_F(RunFolder, AMessageThatEndsALinkHasNoTime) {
+  const ui::RunRecord record(a_);
+  const auto time_of = [&](std::int64_t stamp) {
+    operator_image_t m{};
+    m.header = {1, 1, stamp};
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(link::encoded_size<operator_image_t>()));
+    m.encode(bytes.data(), 0, link::encoded_size<operator_image_t>());
+    return record.time_of({.channel = "hand.order", .bytes = bytes});
+  };
+  EXPECT_DOUBLE_EQ(time_of(30).value_or(-1), 0.6);
+  EXPECT_FALSE(time_of(link::kEndOfLink));
 }
 
 TEST_F(RunFolder, CsvHasARowPerMessageThatCanBeReadBack) {
@@ -129,6 +162,28 @@ TEST_F(RunFolder, CompareNamesTheFirstMessageThatDiffersAndTheFigures) {
   EXPECT_EQ(j.at("figures").at("hold_N"), (Json{"4", "4.5"}));
 }
 
+TEST_F(RunFolder, CompareCountsNoMessageTwiceWhateverTheRunsAre) {
+  const fs::path b = make("b", 3, 0);
+  {
+    link::EventLog to(b / link::kEventLog,
+                      3);  // another task: other channels, and a message that was sent again
+    for (std::int64_t i = 1; i <= 70; ++i) log(to, "arm9.report", to_message(Report{}), 3, i, i);
+    log(to, "arm9.report", to_message(Report{}), 3, 70, 70);
+  }
+  std::ofstream(b / "processes.json") << R"({"task": "weigh", "clock": "step", "processes": []})";
+  EXPECT_EQ(run({"compare", a_.string(), b.string(), "--json"}), 1);
+  const Json j = Json::parse(out_.str());
+  EXPECT_EQ(j.at("compared"), j.at("differences"));
+  EXPECT_EQ(j.at("compared"), j.at("only_in_a").get<int>() + j.at("only_in_b").get<int>());
+  EXPECT_EQ(j.at("only_in_b"), 70);
+  EXPECT_EQ(j.at("only_in_a"), 2 * kMacrosteps);
+  EXPECT_EQ(run({"compare", a_.string(), b.string()}), 1);
+  EXPECT_NE(out_.str().find("two tasks: A is a run of press, B of weigh"), std::string::npos) << out_.str();
+  EXPECT_NE(out_.str().find("170 messages compared, 170 differ: 100 only in A, 70 only in B"),
+            std::string::npos)
+      << out_.str();
+}
+
 TEST_F(RunFolder, PlotTakesAnyNameOfAPictureButItsScripts) {
   for (const char* wrong : {"x.gp", "x.jpg", "x", "nowhere/x.png"}) {
     EXPECT_EQ(run({"plot", a_.string(), "force", "--output", (home_ / wrong).string()}), 2);
@@ -144,7 +199,7 @@ TEST_F(RunFolder, PlotTakesAnyNameOfAPictureButItsScripts) {
 }
 
 TEST_F(RunFolder, PlotDrawsArmsWhoseNamesMeanSomethingElseToGnuplot) {
-  const std::string odd = "arm-1's $x_2 << EOD";
+  const std::string odd = "arm-1's_$x_2<<EOD";  // channels have no blanks
   {
     const link::LogReader before(a_);
     link::EventLog to(a_ / link::kEventLog, before.session_id());
@@ -156,7 +211,7 @@ TEST_F(RunFolder, PlotDrawsArmsWhoseNamesMeanSomethingElseToGnuplot) {
   std::ifstream in(home_ / "odd.gp");
   const std::string script{std::istreambuf_iterator<char>(in), {}};
   EXPECT_NE(script.find("\n$table1 << EOD\n"), std::string::npos) << script.substr(0, 600);
-  EXPECT_NE(script.find("set title 'arm-1''s $x_2 << EOD' noenhanced\n"), std::string::npos);
+  EXPECT_NE(script.find("set label 'arm-1''s\\_$x\\_2<<EOD: "), std::string::npos) << script;
   if (std::system("gnuplot --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
   EXPECT_EQ(status, 0) << err_.str();
   EXPECT_TRUE(fs::exists(picture));
@@ -194,7 +249,7 @@ TEST_F(RunFolder, CheckAsksEveryProgramAndJoinsTheVerdicts) {
 TEST_F(RunFolder, ARunOfWhichNothingCanBeCheckedIsNotTakenForOneWithoutADifference) {
   std::vector<link::LogVerdict> verdicts{
       {.process = "mp", .not_checked = "the run went by the wall clock"},
-      {.process = "world", .not_checked = "the run went by the wall clock"}};
+      {.process = "simulator", .not_checked = "the run went by the wall clock"}};
   EXPECT_EQ(ui::report_check(a_, verdicts, "", true, out_), 1);
   const Json none = Json::parse(out_.str());
   EXPECT_EQ(none.at("checked"), false);

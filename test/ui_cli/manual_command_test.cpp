@@ -52,6 +52,7 @@ class Answering {
             }
             EffectorReply r;
             r.state = driver;
+            r.position_known = driver != DriverState::not_synchronised && driver != DriverState::homing;
             r.joints[1] = -1.57;
             r.joints[5] = 0.25;
             reply_.publish(to_message(r), 1);
@@ -107,7 +108,7 @@ TEST(ManualCommand, WaitsUntilItIsDoneAndKeepsNegativeNumbers) {
 
 TEST(ManualCommand, SaysWhileItWaitsThatItWaits) {
   const std::vector<int> states(50, 1);  // taken, for as many sendings
-  const auto when = [&](std::vector<std::string> arguments) {
+  const auto when = [&](const std::vector<std::string>& arguments) {
     auto all = states;
     all.push_back(2);
     return execute(all, arguments, nullptr, {}, nullptr, DriverState::holding, 0ms);
@@ -164,7 +165,9 @@ TEST(ManualCommand, ARefusalAndAFailureAreErrorsWithTheirReason) {
                 .find("error: joint_limit: bias arm1 failed: arm1: non-fatal joint_limit: beyond"),
             0U)
       << "with the driver's own code";
-  EXPECT_EQ(execute({4}, {"fly", "arm1"}).find("error: bad_usage: fly arm1: "), 0U);
+  const std::string unknown = execute({4}, {"fly", "arm1"});
+  EXPECT_EQ(unknown.find("error: bad_usage: fly arm1: "), 0U);
+  EXPECT_NE(unknown.find("show, save and load are words of this terminal"), std::string::npos) << unknown;
   EXPECT_EQ(execute({0}, {"bias", "arm1"}).find("error: illegal_in_state"), 0U);
 }
 
@@ -226,6 +229,20 @@ TEST(ManualCommand, AFileThatCannotBeLoadedIsToldWithWhatItShouldHold) {
       << load("long.txt");
 }
 
+TEST(ManualCommand, ShowsTheAxesThatTheArmHas) {
+  EffectorReply reply;
+  reply.motors = {1, 2, 3, 4, 5, 6, 0, 0};
+  reply.joints = reply.motors;
+  for (const auto& [told, axes] : {std::pair{63, 6U}, {255, 8U}, {0, 8U}}) {  // 0: the driver has not told
+    reply.robot_model.set_servo_algorithm = static_cast<std::uint8_t>(told);
+    std::ostringstream out;
+    ui::show_arm(reply, "arm1", true, out);
+    const auto json = nlohmann::json::parse(out.str());
+    EXPECT_EQ(json.at("motors").size(), axes) << told;
+    EXPECT_TRUE(json.at("joints").is_null() || json.at("joints").size() == axes) << told;
+  }
+}
+
 TEST(ManualCommand, ShowsNoPositionBeforeHoming) {
   const auto show = [](const std::vector<std::string>& words) {
     return execute({2}, words, nullptr, {}, nullptr, DriverState::not_synchronised);
@@ -255,7 +272,7 @@ TEST(ManualLink, HearsItsOwnSessionOnlyAndLearnsItsNumberWhereItIsNotKnown) {
     link::Outbox<effector_reply_t> reply(*task_bus, {link::Group::agents, "m.arm1.reply"}, session);
     manual_answer_t a{};
     a.id = sent->id;
-    a.state = static_cast<int>(ManualState::done);
+    a.state = static_cast<int>(InstructionState::done);
     out.publish(a, 0);
     EffectorReply r;
     r.joints[0] = joint;
@@ -308,27 +325,13 @@ TEST(ManualCommand, SavesPositionsAndGoesToThemAgain) {
       documented("manual save ARM FILE",
                  nlohmann::json::parse(execute({2}, {"save", "arm1", file, "--json"}, nullptr, folder))));
   EXPECT_EQ(execute({2}, {"save", "arm1", file}).find("error: bad_usage"), 0U) << "its axes are not known";
-  EXPECT_EQ(execute({2}, {"save", "arm1", "/no/such/file"}, nullptr, folder).find("error: cannot_write"), 0U);
+  const std::string nowhere = execute({2}, {"save", "arm1", "/no/such/file"}, nullptr, folder);
+  EXPECT_EQ(nowhere.find("error: cannot_write"), 0U);
+  EXPECT_EQ(nowhere.find("--run-dir"), std::string::npos) << nowhere;
   EXPECT_EQ(execute({2}, {"load", "/no/such/file"}).find("error: bad_script"), 0U);
   std::ofstream(file) << std::string(300, 'x');
   EXPECT_EQ(execute({2}, {"load", file}).find("error: bad_script"), 0U);
   std::filesystem::remove_all(folder);
-}
-
-TEST(ManualCommand, APositionIsKnownOnlyBehindHoming) {
-  EffectorReply r;
-  r.joints[1] = -1.57;
-  for (const auto& [state, known] : {std::pair{DriverState::not_synchronised, false},
-                                     {DriverState::homing, false},
-                                     {DriverState::jogging, false},
-                                     {DriverState::ready, true},
-                                     {DriverState::executing, true},
-                                     {DriverState::faulted, true}}) {
-    r.state = state;
-    EXPECT_EQ(ui::position_known(r), known) << to_string(state);
-  }
-  r.joints[1] = 0;
-  EXPECT_FALSE(ui::position_known(r)) << "a fault during homing: zeros";
 }
 
 TEST(ManualCommand, SavesNothingDuringHoming) {
@@ -353,10 +356,10 @@ TEST(ManualCommand, BadWordsAreRefusedBeforeAnythingIsSent) {
                                                 {"home", "--session"},
                                                 {std::string(300, 'x')}})
     EXPECT_THROW(static_cast<void>(ui::read_manual_words(words)), FaultError);
-  const auto wish =
+  const auto request =
       ui::read_manual_words({"home", "arm1", "--session", "x", "--url", "udpm://239.1.1.1:7?ttl=0"});
-  EXPECT_EQ(wish.session, "x");
-  EXPECT_EQ(wish.words, "home arm1");
+  EXPECT_EQ(request.session, "x");
+  EXPECT_EQ(request.words, "home arm1");
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ ui::ManualPage page() {
 EffectorReply reading() {
   EffectorReply r;
   r.state = DriverState::holding;
+  r.position_known = true;
   for (std::size_t k = 0; k < 8; ++k) r.joints[k] = 0.1 * static_cast<double>(k);
   r.T_0E = {0.5, 0.25, 1, 0, 0, 1.5};
   r.F_a.v[2] = -3.25;
@@ -156,6 +157,7 @@ TEST(ManualPage, BeforeHomingThereAreNoJointsToShowOrToGoFrom) {
   auto p = page();
   EffectorReply r = reading();
   r.state = DriverState::not_synchronised;
+  r.position_known = false;
   p.show("arm1", r);
   ui::Canvas c({24, 80});
   p.draw(c, 1, 20);

@@ -60,7 +60,7 @@ TEST_F(Panel, GivesTheOrderOfEachKeyAndShowsTheAnswer) {
 
 TEST_F(Panel, HintsNameTheSessionThatTheOperatorHasNamed) {
   ui::Panel named(*bus, client, ui::Glyphs::ascii, now, "s");
-  task.objection = [](OperatorOrder) { return "give `ui_cli start` first"; };
+  task.refusal_reason = [](OperatorOrder) { return "give `ui_cli start` first"; };
   named.key('r', now);
   for (int k = 0; k < 5; ++k) {
     task.poll();
@@ -167,7 +167,7 @@ TEST_F(Panel, HelpStandsUntilTheNextKeyWhichDoesNothingElseButForTheEmergencySto
 }
 
 TEST_F(Panel, ShowsTheReasonOfARefusal) {
-  task.objection = [](OperatorOrder) { return "the task is paused already"; };
+  task.refusal_reason = [](OperatorOrder) { return "the task is paused already"; };
   press('p');
   EXPECT_EQ(notice(), " pause refused: the task is paused already");
 }

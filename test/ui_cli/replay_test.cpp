@@ -53,8 +53,8 @@ TEST_F(RunFolder, ReplayPublishesEverythingAtItsPaceAndTakesNoOrderButStop) {
 
 TEST_F(RunFolder, ReplayTellsScriptsWhatItHasPublished) {
   link::MemoryHub hub;
-  const ui::ReplaySurroundings around{home_, [&](const link::LcmAddress&) { return hub.open(); }};
-  EXPECT_EQ(ui::run_replay({a_.string(), "--speed", "0", "--json"}, around, out_, err_), 0);
+  const ui::ReplayEnvironment environment{home_, [&](const link::SessionInfo&) { return hub.open(); }};
+  EXPECT_EQ(ui::run_replay({a_.string(), "--speed", "0", "--json"}, environment, out_, err_), 0);
   const Json told = Json::parse(out_.str());
   EXPECT_TRUE(documented("replay RUN", told));
   EXPECT_DOUBLE_EQ(told.at("sim_s"), 1.0);
@@ -178,39 +178,40 @@ TEST_F(RunFolder, ReplayDoesNotWaitForAProcessThatHasEndedAndTellsHow) {
 }
 
 TEST_F(RunFolder, ReplayRefusesProcessesThatNeedMoreThanMessagesWithTheReasonOfLogCheck) {
-  tell_channels(a_, "world", "operator.image");
+  tell_channels(a_, "simulator", "operator.image");
   link::MemoryHub hub;
   std::vector<std::string> asked;
-  const ui::ReplaySurroundings around{
-      home_, [&](const link::LcmAddress&) { return hub.open(); },
+  const ui::ReplayEnvironment environment{
+      home_, [&](const link::SessionInfo&) { return hub.open(); },
       [&](const std::string& program, const std::vector<std::string>&) {
         asked.push_back(program);
-        return link::to_json({.process = "world", .not_checked = "the servo links are not in the log"});
+        return link::to_json({.process = "simulator", .not_checked = "the servo links are not in the log"});
       }};
   const auto error = [&](const std::string& with) {
     try {
-      ui::run_replay({a_.string(), "--with", with}, around, out_, err_);
+      ui::run_replay({a_.string(), "--with", with}, environment, out_, err_);
     } catch (const FaultError& e) {
       return std::string(e.what());
     }
     return std::string();
   };
-  EXPECT_NE(error("world,world").find("world cannot listen to a replay: the servo links are not in the log"),
+  EXPECT_NE(error("simulator,simulator")
+                .find("simulator cannot listen to a replay: the servo links are not in the log"),
             std::string::npos)
-      << error("world,world");
+      << error("simulator,simulator");
   EXPECT_EQ(asked.front(), "vsp");
   tell_channels(a_, "mp", "operator.image");
   EXPECT_NE(error("mp").find("mp cannot listen to a replay"), std::string::npos) << error("mp");
 }
 
 TEST_F(RunFolder, ReplayNamesTheProcessesThatThereAreAndWantsTheWholeRunOfThem) {
-  const ui::ReplaySurroundings around{home_, [](const link::LcmAddress&) -> std::unique_ptr<link::Bus> {
-                                        throw FaultError(FaultCode::internal_error,
-                                                         "nothing is to be opened");
-                                      }};
+  const ui::ReplayEnvironment environment{home_, [](const link::SessionInfo&) -> std::unique_ptr<link::Bus> {
+                                            throw FaultError(FaultCode::internal_error,
+                                                             "nothing is to be opened");
+                                          }};
   const auto error = [&](const std::vector<std::string>& arguments) {
     try {
-      ui::run_replay(arguments, around, out_, err_);
+      ui::run_replay(arguments, environment, out_, err_);
     } catch (const FaultError& e) {
       return std::string(e.what());
     }
@@ -240,10 +241,10 @@ TEST_F(RunFolder, ReplayEndsWellWhenItIsInterruptedOrTerminated) {
     const pid_t child = ::fork();
     if (child == 0) {
       link::MemoryHub hub;
-      const ui::ReplaySurroundings around{sessions, [&](const link::LcmAddress&) { return hub.open(); }};
+      const ui::ReplayEnvironment environment{sessions, [&](const link::SessionInfo&) { return hub.open(); }};
       std::ostringstream out, err;
-      const int status = ui::run_replay({a_.string(), "--speed", "0.001"}, around, out, err);
-      ::_exit(out.str().find("messages, until") == std::string::npos ? 9 : status);
+      const int status = ui::run_replay({a_.string(), "--speed", "0.001"}, environment, out, err);
+      ::_exit(out.str().find(", until ") == std::string::npos ? 9 : status);
     }
     const auto runs = [&] {
       return std::ranges::any_of(fs::directory_iterator(sessions),

@@ -51,7 +51,7 @@ class RunFolder : public ::testing::Test {
 
   /// An arm that approaches until macrostep 20, refuses a command in 30, and a process that says something.
   fs::path make(const std::string& name, std::int64_t session, double more_force) const {
-    const fs::path folder = home_ / name;
+    fs::path folder = home_ / name;
     fs::create_directories(folder);
     std::ofstream(folder / "config.toml") << "[time]\nn_s = 10\n";
     std::ofstream(folder / "summary.json")
@@ -63,7 +63,7 @@ class RunFolder : public ::testing::Test {
     supervisor_t s{};
     log(to, "supervisor", s, session, 1, 0);
     for (std::int64_t i = 1; i <= kMacrosteps; ++i) {
-      Report r{.m = i < 20 ? 1 : 2};
+      Report r{.m = i < 20 ? 1 : 2, .position_known = true};
       r.driver_state = DriverState::executing;
       r.F_a[Axis::z] = 0.1 * static_cast<double>(i) + (i > 40 ? more_force : 0);
       if (i == 30) {

@@ -143,7 +143,7 @@ see '> axis 2'
 see '^e E-STOP'
 tmux resize-window -x 80 -y 24
 press e
-see 'session hand +ended'
+see 'session hand +EMERGENCY STOP, ended'
 press m; press q
 see 'left with 0'
 wait "$task"

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
-#include "vsp/apriltag/tag.hpp"
-#include "vsp/chessboard/board.hpp"
+#include "base/target/board.hpp"
+#include "base/target/tag.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -30,8 +30,8 @@ Pose AdversePictures::place(double nearest, double farthest) {
 }
 
 AdversePictures::Texture AdversePictures::object() {
-  const vsp::Board& b = vsp::kBoard;
-  const vsp::Tag& t = vsp::kTag;
+  const Board& b = kBoard;
+  const Tag& t = kTag;
   const auto table = static_cast<float>(uniform(20, 220));
   return object_ == Object::chessboard ? chessboard_texture(b.columns, b.rows, b.square, b.margin, table)
                                        : tag_texture(t.id, t.edge, t.margin, table);
@@ -76,7 +76,7 @@ AdversePictures::Texture AdversePictures::covered(const Texture& texture) {
 // The object with some squares or cells of the wrong colour.
 AdversePictures::Texture AdversePictures::scrambled() {
   const Texture whole = object();
-  const double cell = object_ == Object::chessboard ? vsp::kBoard.square : vsp::kTag.edge / 8;
+  const double cell = object_ == Object::chessboard ? kBoard.square : kTag.edge / 8;
   const double shift =
       object_ == Object::chessboard ? 0.5 * cell : 0;  // rows of squares are odd, of cells even
   std::vector<char> wrong(400);
@@ -137,78 +137,93 @@ AdversePictures::Texture AdversePictures::clutter() {
   };
 }
 
-AdversePicture AdversePictures::next() {
-  const std::string kind = kKinds[static_cast<std::size_t>(number_++ % kinds())];
-  AdversePicture result;
-  result.kind = kind;
-  Exposure exposure;
-  exposure.seed = static_cast<unsigned>(random_());
-  exposure.noise = uniform(0, 6);
-  exposure.blur = uniform(0, 1);
-  Pose T = place(0.3, 1.6);
-  Texture texture = [](double x, double y) { return static_cast<float>(130 + 200 * x + 100 * y); };
-  if (kind == "noise") {
-    exposure.noise = uniform(20, 120);
-    exposure.blur = uniform(0, 3);
-    if (pick(2) == 0) texture = clutter();
-  } else if (kind == "stripes") {
-    texture = stripes();
-  } else if (kind == "cloth") {
-    texture = cloth();
-  } else if (kind == "likeness") {
-    texture = likeness();
-  } else if (kind == "covered") {
-    texture = covered(object());
-    result.T_CG = T;
+// Two objects beside each other. Nothing may be said to be seen: which of them would it be?
+AdversePictures::Texture AdversePictures::two() {
+  return [one = object()](double x, double y) { return one(x < 0 ? x + 0.17 : x - 0.17, y); };
+}
+
+AdversePictures::Texture AdversePictures::glare() {
+  const double u = uniform(-0.1, 0.1);
+  const double v = uniform(-0.07, 0.07);
+  const double r = uniform(0.02, 0.1);
+  return [one = object(), u, v, r](double x, double y) {
+    const double q = std::hypot(x - u, y - v) / r;
+    return one(x, y) + static_cast<float>(300 * std::exp(-q * q));
+  };
+}
+
+// A long exposure while the object moves: two ghosts.
+AdversePictures::Texture AdversePictures::moved() {
+  const double dx = uniform(-0.02, 0.02);
+  const double dy = uniform(-0.02, 0.02);
+  return [one = object(), dx, dy](double x, double y) { return 0.5F * (one(x, y) + one(x + dx, y + dy)); };
+}
+
+bool AdversePictures::show_object(const std::string& kind, Shot& shot) {
+  if (kind == "covered") {
+    shot.texture = covered(object());
   } else if (kind == "cut off") {
-    T.p.x() = (pick(2) == 0 ? -1 : 1) * uniform(0.3, 0.6) * T.p.z();
-    texture = object();
-    result.T_CG = T;
-  } else if (kind == "two") {
-    const Texture one = object();
-    T = facing(uniform(0.8, 1.6), uniform(0, 0.4), uniform(0, 2 * kPi), 0);
-    // Nothing may be said to be seen: which of them would it be?
-    texture = [one](double x, double y) { return one(x < 0 ? x + 0.17 : x - 0.17, y); };
+    shot.T.p.x() = (pick(2) == 0 ? -1 : 1) * uniform(0.3, 0.6) * shot.T.p.z();
+    shot.texture = object();
   } else if (kind == "glare") {
-    const double u = uniform(-0.1, 0.1);
-    const double v = uniform(-0.07, 0.07);
-    const double r = uniform(0.02, 0.1);
-    texture = [one = object(), u, v, r](double x, double y) {
-      const double q = std::hypot(x - u, y - v) / r;
-      return one(x, y) + static_cast<float>(300 * std::exp(-q * q));
-    };
-    result.T_CG = T;
+    shot.texture = glare();
   } else if (kind == "blurred") {
-    exposure.blur = uniform(2, 10);
-    texture = object();
-    result.T_CG = T;
+    shot.exposure.blur = uniform(2, 10);
+    shot.texture = object();
   } else if (kind == "scrambled") {
-    texture = scrambled();
-    result.T_CG = T;
+    shot.texture = scrambled();
+  } else if (kind == "moved") {
+    shot.texture = moved();
+  } else if (kind == "faint") {
+    shot.exposure.gain = uniform(0.02, 0.3);
+    shot.exposure.offset = uniform(0, 150);
+    shot.texture = object();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void AdversePictures::show_something_else(const std::string& kind, Shot& shot) {
+  shot.texture = [](double x, double y) { return static_cast<float>(130 + 200 * x + 100 * y); };
+  if (kind == "noise") {
+    shot.exposure.noise = uniform(20, 120);
+    shot.exposure.blur = uniform(0, 3);
+    if (pick(2) == 0) shot.texture = clutter();
+  } else if (kind == "stripes") {
+    shot.texture = stripes();
+  } else if (kind == "cloth") {
+    shot.texture = cloth();
+  } else if (kind == "likeness") {
+    shot.texture = likeness();
+  } else if (kind == "two") {
+    shot.texture = two();
+    shot.T = facing(uniform(0.8, 1.6), uniform(0, 0.4), uniform(0, 2 * kPi), 0);
   } else if (kind == "clutter") {
-    texture = clutter();
+    shot.texture = clutter();
   } else if (kind == "uniform") {
     const auto brightness = static_cast<float>(std::array{0, 128, 255}[static_cast<std::size_t>(pick(3))]);
-    texture = [brightness](double, double) { return brightness; };
-    exposure.noise = pick(2) == 0 ? 0 : exposure.noise;
-  } else if (kind == "moved") {
-    // A long exposure while the object moves: two ghosts.
-    const double dx = uniform(-0.02, 0.02);
-    const double dy = uniform(-0.02, 0.02);
-    texture = [one = object(), dx, dy](double x, double y) {
-      return 0.5F * (one(x, y) + one(x + dx, y + dy));
-    };
-    result.T_CG = T;
-  } else if (kind == "faint") {
-    exposure.gain = uniform(0.02, 0.3);
-    exposure.offset = uniform(0, 150);
-    texture = object();
-    result.T_CG = T;
+    shot.texture = [brightness](double, double) { return brightness; };
+    shot.exposure.noise = pick(2) == 0 ? 0 : shot.exposure.noise;
   } else if (kind == "inverted") {
-    texture = [one = object()](double x, double y) { return 255 - one(x, y); };
+    shot.texture = [one = object()](double x, double y) { return 255 - one(x, y); };
   }
-  result.image = camera_.render(T, texture, exposure);
-  last_ = T;
+}
+
+AdversePicture AdversePictures::next() {
+  AdversePicture result;
+  result.kind = kKinds[static_cast<std::size_t>(number_++ % kinds())];
+  Shot shot;
+  shot.exposure.seed = static_cast<unsigned>(random_());
+  shot.exposure.noise = uniform(0, 6);
+  shot.exposure.blur = uniform(0, 1);
+  shot.T = place(0.3, 1.6);
+  if (show_object(result.kind, shot))
+    result.T_CG = shot.T;
+  else
+    show_something_else(result.kind, shot);
+  result.image = camera_.render(shot.T, shot.texture, shot.exposure);
+  last_ = shot.T;
   return result;
 }
 

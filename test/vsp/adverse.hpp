@@ -42,6 +42,19 @@ class AdversePictures {
   Texture cloth();
   Texture stripes();
   Texture clutter();
+  Texture two();
+  Texture glare();
+  Texture moved();
+
+  /// What the camera is shown, and how.
+  struct Shot {
+    Pose T;  ///< of the plane in the camera
+    Texture texture;
+    Exposure exposure;
+  };
+  /// @return whether this is one of the kinds in which the object is to be seen; otherwise nothing is done
+  bool show_object(const std::string& kind, Shot& shot);
+  void show_something_else(const std::string& kind, Shot& shot);
 
   PlaneCamera camera_;
   Object object_;

@@ -3,69 +3,40 @@
 #include <unistd.h>
 
 #include <atomic>
-#include <thread>
+#include <memory>
+#include <string>
 
 #include "base/link/frame_store.hpp"
-#include "base/link/memory_bus.hpp"
 #include "base/msg/convert.hpp"
 #include "mrroc/camera_frame_t.hpp"
+#include "test/base/link/led.hpp"
 #include "test/vsp/plane_camera.hpp"
 #include "vsp/image_receptor.hpp"
 
 namespace mrroc::vsp {
 namespace {
 
-link::Membership member(const std::string& name) {
-  link::Membership m;
-  m.session = "shell" + std::to_string(getpid());
-  m.name = name;
-  m.roster = {"mp", "vsp-sac"};
-  return m;
-}
-
-class CameraShell : public testing::Test {
+class CameraShell : public testing::Test, protected link::test::Led {
  protected:
-  explicit CameraShell(int width = 640)
-      : store_({.session = member("mp").session, .session_id = member("mp").session_id, .camera = "sac"},
+  explicit CameraShell(int width = 640, ClockKind clock = ClockKind::step)
+      : Led("vsp-sac", clock, "shell" + std::to_string(getpid())),
+        store_({.session = mp.context().session, .session_id = mp.context().session_id, .camera = "sac"},
                {.width = width, .height = 480, .channels = 1, .slots = 8}),
-        bus_(hub_.open()),
-        mp_(*bus_, member("mp")),
-        supervisor_(*bus_, mp_.route("supervisor"), 1),
-        frames_(mp_.outbox<camera_frame_t>("sac.frame")),
-        readings_(mp_.inbox<camera_reading_t>("sac.board")),
-        status_(*bus_, mp_.route("vsp-sac.status"), 1),
-        thread_([this] {
-          const auto bus = hub_.open();
-          link::Process process(*bus, member("vsp-sac"));
-          const Config config = Config::parse(
-              "[cameras.sac]\nfx = 600\ndistortion = [-0.28, 0.09, 0.0006, -0.0004, 0]\n", "test");
-          try {
-            run_chessboard(process, config, {});
-          } catch (const FaultError& e) {
-            fault_ = e.fault().code;
-            process.report_fault(e.fault());
-          }
-          ended_ = true;
-        }) {
-    mp_.on_service = [this] {
-      while (const auto s = status_.take()) state_ = static_cast<link::ProcessState>(s->state);
-    };
+        frames_(mp.outbox<camera_frame_t>("sac.frame")),
+        readings_(mp.inbox<camera_reading_t>("sac.board")) {
+    begin([this](link::Process& process) {
+      const Config config =
+          Config::parse("[cameras.sac]\nfx = 600\ndistortion = [-0.28, 0.09, 0.0006, -0.0004, 0]\n", "test");
+      try {
+        run_receptor(chessboard_receptor(), process, config);
+      } catch (const FaultError& e) {
+        fault_ = e.fault().code;
+        process.report_fault(e.fault());
+      }
+    });
   }
-  ~CameraShell() override { say(link::Phase::finished); }
+  ~CameraShell() override { end(); }
 
-  void start() {
-    ASSERT_TRUE(await([this] { return state_ == link::ProcessState::ready; }));
-    say(link::Phase::running);
-  }
-  template <class Ready>
-  bool await(Ready ready) {
-    return mp_.await(ready, link::Process::Clock::now() + std::chrono::seconds(20));
-  }
-  void say(link::Phase phase) {
-    supervisor_t m{};
-    m.phase = static_cast<int>(phase);
-    supervisor_.publish(m, 0);
-  }
   void take_picture(std::int64_t k, const Image& image, bool last = false) {
     camera_frame_t m{};
     m.step = 20 * k;
@@ -75,21 +46,13 @@ class CameraShell : public testing::Test {
   }
 
   link::FrameWriter store_;
-  link::MemoryHub hub_;
-  std::unique_ptr<link::Bus> bus_;
-  link::Process mp_;
-  link::Outbox<supervisor_t> supervisor_;
   std::unique_ptr<link::Outbox<camera_frame_t>> frames_;
   std::unique_ptr<link::Inbox<camera_reading_t>> readings_;
-  link::Queue<process_status_t> status_;
-  link::ProcessState state_{};
-  std::atomic<bool> ended_{false};
   std::atomic<FaultCode> fault_{FaultCode::none};
-  std::jthread thread_;
 };
 
 TEST_F(CameraShell, GivesOneReadingPerPictureUntilTheLastOne) {
-  start();
+  ASSERT_TRUE(run());
   const test::PlaneCamera camera(test::web_camera(), 1);
   constexpr std::int64_t kPictures = 12;
   for (std::int64_t k = 0; k < kPictures; ++k) {
@@ -107,21 +70,38 @@ TEST_F(CameraShell, GivesOneReadingPerPictureUntilTheLastOne) {
     EXPECT_EQ(m.last != 0, k + 1 == kPictures);
     EXPECT_TRUE(!there || (r.T_CG.p - T.p).norm() < 0.003) << k;
   }
-  EXPECT_TRUE(await([this] { return state_ == link::ProcessState::done; }));
+  EXPECT_TRUE(await([this] { return state() == link::ProcessState::done; }));
+}
+
+class HurriedCameraShell : public CameraShell {
+ protected:
+  HurriedCameraShell() : CameraShell(640, ClockKind::wall) {}
+};
+
+TEST_F(HurriedCameraShell, ByTheWallClockTheNewestPictureIsLookedAtAndOlderOnesArePassedOver) {
+  ASSERT_TRUE(await([this] { return state() == link::ProcessState::ready; }));
+  const Image nothing(640, 480, 1);
+  for (const std::int64_t k : {0, 1, 2, 5}) take_picture(k, nothing);  // 3 and 4 were left out
+  say(link::Phase::running);
+  ASSERT_TRUE(await([this] { return readings_->at(5) != nullptr; }));
+  EXPECT_EQ(readings_->at(5)->step, 100);
+  for (const std::int64_t k : {0, 1, 2, 3, 4}) EXPECT_EQ(readings_->at(k), nullptr) << k;
+  take_picture(9, nothing);
+  ASSERT_TRUE(await([this] { return readings_->at(9) != nullptr; })) << "it goes on with what comes next";
 }
 
 TEST_F(CameraShell, EndsWithTheSystem) {
-  start();
+  ASSERT_TRUE(run());
   say(link::Phase::finished);
-  EXPECT_TRUE(await([this] { return ended_.load(); }));
+  EXPECT_TRUE(await([this] { return ended(); }));
 }
 
 TEST_F(CameraShell, AnAnnouncedPictureThatIsNotThereIsAnError) {
-  start();
+  ASSERT_TRUE(run());
   camera_frame_t m{};
   m.slot = 3;
   frames_->publish(m, 0);
-  EXPECT_TRUE(await([this] { return ended_.load(); }));
+  EXPECT_TRUE(await([this] { return ended(); }));
   EXPECT_EQ(fault_, FaultCode::malformed_message);
 }
 
@@ -131,7 +111,7 @@ class NarrowCameraShell : public CameraShell {
 };
 
 TEST_F(NarrowCameraShell, PicturesOfAnotherSizeThanTheModelAreRefused) {
-  EXPECT_TRUE(await([this] { return ended_.load(); }));
+  EXPECT_TRUE(await([this] { return ended(); }));
   EXPECT_EQ(fault_, FaultCode::bad_configuration);
 }
 

@@ -24,8 +24,8 @@ pose = [0.1, 0.2, 1, 0, 0, 0]
 pose = [0.1, 0.2, 1.1, 0, 0, 0]
 )";
 
-link::Membership member(const std::string& name) {
-  link::Membership m;
+link::NodeContext context_of(const std::string& name) {
+  link::NodeContext m;
   m.session = "cube" + std::to_string(getpid());
   m.name = name;
   m.roster = {"mp", "vsp-cube"};
@@ -57,16 +57,57 @@ TEST(CubeFaceShell, PlacesAreGivenInTheFrameOfTheCamerasOwnPose) {
   EXPECT_NEAR(reading.T_CG.p.z(), 0.5, 0.005);
 }
 
-TEST(CubeFaceShell, GivesOneReadingPerPictureUntilTheLastOne) {
+CubeFaceReading read_with(const std::string& line) {
+  const Config config = Config::parse("[cube_face]\n" + line + "\n" + kConfig, "test");
+  static const Image picture = white_face();
+  return make_cube_face_sensor(config, "cube").detect(picture.view(), 0, 0);
+}
+
+TEST(CubeFaceShell, ThresholdsOfTheConfigurationHaveBounds) {
+  struct Key {
+    const char* name;
+    double low, high;
+  };
+  for (const Key& key :
+       {Key{"place_error", 1e-4, 0.008}, Key{"angle_error", 1e-3, 0.2}, Key{"contrast", 1, 100},
+        Key{"rms", 0.01, 10}, Key{"edge_share", 0.1, 1}, Key{"glare_share", 0, 0.67}, Key{"dark", 1, 200},
+        Key{"veil", 0, 1}, Key{"confidence", 0.5, 1}}) {
+    const auto make = [&key](double value) {
+      (void)make_cube_face_sensor(Config::parse("[cube_face]\n" + std::string(key.name) + " = " +
+                                                    std::to_string(value) + "\n" + kConfig,
+                                                "test"),
+                                  "cube");
+    };
+    EXPECT_NO_THROW(make(key.low)) << key.name;
+    EXPECT_NO_THROW(make(key.high)) << key.name;
+    EXPECT_THROW(make(key.low - 0.02 * std::max(key.low, 0.005)), ConfigError) << key.name;
+    EXPECT_THROW(make(1.01 * key.high), ConfigError) << key.name;
+  }
+}
+
+TEST(CubeFaceShell, EveryThresholdOfTheConfigurationDoesItsWork) {
+  EXPECT_TRUE(read_with("").valid);
+  const auto flaw = [](const std::string& line) { return read_with(line).stickers[4].flaw; };
+  EXPECT_EQ(flaw("dark = 179"), StickerFlaw::none);
+  EXPECT_EQ(flaw("dark = 181"), StickerFlaw::dark);
+  EXPECT_FALSE(read_with("rms = 0.01").seen) << "pixels are not that small";
+  EXPECT_FALSE(read_with("confidence = 1.0").valid);
+  EXPECT_TRUE(read_with("confidence = 0.5").valid);
+  // The lower place of the two is 0.1 m away from the other one: with little error allowed the face is there or nowhere.
+  EXPECT_EQ(read_with("place_error = 0.002\nangle_error = 0.02").place, 1);
+}
+
+TEST(CubeFaceShell, GivesOneReadingPerPictureUntilTheLastOneOfThePlaceThatIsAskedFor) {
   link::FrameWriter store(
-      {.session = member("mp").session, .session_id = member("mp").session_id, .camera = "cube"},
+      {.session = context_of("mp").session, .session_id = context_of("mp").session_id, .camera = "cube"},
       {.width = 640, .height = 480, .channels = 3, .slots = 8});
   link::MemoryHub hub;
   const auto bus = hub.open();
-  link::Process mp(*bus, member("mp"));
+  link::Process mp(*bus, context_of("mp"));
   link::Outbox<supervisor_t> supervisor(*bus, mp.route("supervisor"), 1);
   const auto frames = mp.outbox<camera_frame_t>("cube.frame");
   const auto readings = mp.inbox<cube_face_reading_t>("cube.cube_face");
+  const auto settings = mp.outbox<cube_face_setting_t>("cube.cube_face.setting");
   link::Queue<process_status_t> status(*bus, mp.route("vsp-cube.status"), 1);
   link::ProcessState state{};
   mp.on_service = [&] {
@@ -82,7 +123,7 @@ TEST(CubeFaceShell, GivesOneReadingPerPictureUntilTheLastOne) {
   };
   const std::jthread receptor([&hub] {
     const auto own = hub.open();
-    link::Process process(*own, member("vsp-cube"));
+    link::Process process(*own, context_of("vsp-cube"));
     run_cube_face(process, Config::parse(kConfig, "test"), {});
   });
 
@@ -90,13 +131,17 @@ TEST(CubeFaceShell, GivesOneReadingPerPictureUntilTheLastOne) {
   say(link::Phase::running);
   constexpr std::int64_t kPictures = 6;
   for (std::int64_t k = 0; k < kPictures; ++k) {
-    const bool there = k % 2 == 0;
+    const bool shown = k % 2 == 0;
+    const bool there = shown && 2 * k < 8;  // from macrostep 8 on another place is looked at
     camera_frame_t m{};
     m.step = 20 * k;
     m.last = k + 1 == kPictures ? 1 : 0;
-    const Image picture = there ? white_face() : Image(640, 480, 3);
+    const Image picture = shown ? white_face() : Image(640, 480, 3);
     m.slot = store.write(k, m.step, 0, picture.view());
     frames->publish(m, k);
+    // The settings of the macrosteps until then come later than the picture.
+    for (std::int64_t i = std::max<std::int64_t>(1, 2 * k - 1); i <= 2 * k; ++i)
+      settings->publish(to_message(CubeFaceSetting{.face = 0, .place = i < 8 ? -1 : 0}), i);
     EXPECT_TRUE(await([&] { return readings->at(k) != nullptr; })) << k;
     if (readings->at(k) == nullptr) break;
     const CubeFaceReading r = from_message(*readings->at(k));

@@ -83,8 +83,8 @@ class Faces {
 
  private:
   static const PlaneCamera& camera() {
-    static const PlaneCamera kCamera(small_camera(), 2);
-    return kCamera;
+    static const PlaneCamera shared(small_camera(), 2);
+    return shared;
   }
   static float reflected(const Colours& colours, double x, double y, std::size_t c) {
     const double half = kCubeFace.edge / 2;
@@ -101,8 +101,8 @@ class Faces {
 };
 
 CubeFaceReading read(const Image& picture) {
-  static const CubeFaceSensor kSensor(small_camera(), {Faces::place()});
-  return kSensor.detect(picture.view(), 3, 60);
+  static const CubeFaceSensor sensor(small_camera(), {Faces::place()});
+  return sensor.detect(picture.view(), 3, 60);
 }
 
 void expect_colours(const CubeFaceReading& reading, const Colours& colours) {
@@ -227,6 +227,90 @@ TEST(CubeFace, RefusesPlacesThatCannotBeSeen) {
   EXPECT_THROW(CubeFaceSensor(small_camera(), {facing(0.45, 1.2, 0, 0)}), FaultError);
   EXPECT_THROW(CubeFaceSensor(small_camera(), {facing(0.45, 0, 0, 0, 0.2)}), FaultError);
   EXPECT_THROW(CubeFaceSensor(small_camera(), {Pose{}}), FaultError);
+}
+
+TEST(CubeFace, RefusesWithTheReason) {
+  const auto why = [](const CameraModel& camera, const std::vector<Pose>& places) -> std::string {
+    try {
+      const CubeFaceSensor sensor(camera, places);
+    } catch (const FaultError& e) {
+      EXPECT_EQ(e.fault().code, FaultCode::bad_configuration);
+      return e.what();
+    }
+    return "";
+  };
+  CameraModel broken = small_camera();
+  broken.fx = 0;
+  EXPECT_NE(why(broken, {Faces::place()}).find("the camera's model is not proper"), std::string::npos);
+  EXPECT_NE(why(small_camera(), {}).find("there is no place where a face of the cube is shown"),
+            std::string::npos);
+  EXPECT_NE(why(small_camera(), {Faces::place(), Pose{}})
+                .find("a face of the cube at one of its places is not in the picture, or seen at more than "
+                      "60 degrees"),
+            std::string::npos);
+  EXPECT_EQ(why(small_camera(), {Faces::place()}), "");
+}
+
+// All of a face must be in the picture, seen at less than 60 degrees, and not nearer than its own edge.
+TEST(CubeFace, APlaceMustBeInThePictureAndNotTooSlanted) {
+  CameraModel camera = small_camera();
+  camera.distortion = {};
+  const auto can = [&camera](const Pose& place) {
+    try {
+      const CubeFaceSensor sensor(camera, {place});
+    } catch (const FaultError&) {
+      return false;
+    }
+    return true;
+  };
+  EXPECT_TRUE(can(facing(0.6, 1.03, 0, 0)));
+  EXPECT_FALSE(can(facing(0.6, 1.06, 0, 0)));
+  EXPECT_FALSE(can({Matrix3::Identity(), {0, 0, 0.6}})) << "from behind";
+  // 900 / 0.6 = 1500 pixels for a metre: half of the face takes 42.75 of the 119.5 or 99.5 to the picture's border.
+  for (const double sign : {1., -1.}) {
+    EXPECT_TRUE(can(facing(0.6, 0, 0, 0, sign * 76.6 / 1500)));
+    EXPECT_FALSE(can(facing(0.6, 0, 0, 0, sign * 76.9 / 1500)));
+    EXPECT_TRUE(can(facing(0.6, 0, 0, 0, 0, sign * 56.6 / 1500)));
+    EXPECT_FALSE(can(facing(0.6, 0, 0, 0, 0, sign * 56.9 / 1500)));
+  }
+  camera.fx = camera.fy = 90;
+  EXPECT_TRUE(can(facing(0.058, 0, 0, 0)));
+  EXPECT_FALSE(can(facing(0.056, 0, 0, 0)));
+  Pose crooked = Faces::place();
+  crooked.R *= 1.1;
+  EXPECT_FALSE(can(crooked));
+}
+
+// The edges of the stickers tell where the face is, and how exactly they do.
+TEST(CubeFace, CovarianceIsThatOfManyPictures) {
+  Faces faces(8);
+  const Colours white{};
+  Vector3 squares = Vector3::Zero(), told = Vector3::Zero();
+  constexpr int kPictures = 8;
+  for (int n = 0; n < kPictures; ++n) {
+    const Pose T = faces.near(0.003, 0.02);
+    const CubeFaceReading r = read(faces.picture(T, white));
+    ASSERT_TRUE(r.seen);
+    squares += (r.T_CG.p - T.p).cwiseAbs2() / kPictures;
+    told += r.covariance.diagonal().head<3>() / kPictures;
+  }
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_LT(std::sqrt(squares[k]), 4 * std::sqrt(told[k])) << k;
+    EXPECT_GT(std::sqrt(squares[k]), 0.05 * std::sqrt(told[k])) << k;
+  }
+}
+
+TEST(CubeFace, ThresholdsAreTheDocumentedOnesUnlessTheConfigurationSaysOtherwise) {
+  const CubeFaceParameters k;
+  EXPECT_EQ(k.place_error, 0.006);
+  EXPECT_EQ(k.angle_error, 0.06);
+  EXPECT_EQ(k.contrast, 6);
+  EXPECT_EQ(k.rms_px, 0.6);
+  EXPECT_EQ(k.edge_share, 0.6);
+  EXPECT_EQ(k.glare_share, 0.67);
+  EXPECT_EQ(k.dark, 8);
+  EXPECT_EQ(k.veil, 0.1);
+  EXPECT_EQ(k.confidence, 0.95);
 }
 
 }  // namespace

@@ -1,52 +1,31 @@
-// What both receptors of objects promise: poses as exact as their goals, none where there is none, the same for the
-// same pictures.
+// Contract of both receptors of objects: poses as exact as their goals, none where there is none, the same
+// for the same pictures.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <random>
+#include <vector>
 
 #include "base/fault.hpp"
 #include "test/vsp/adverse.hpp"
 #include "test/vsp/plane_camera.hpp"
-#include "vsp/apriltag/apriltag_sensor.hpp"
-#include "vsp/chessboard/chessboard_sensor.hpp"
+#include "test/vsp/sensor_objects.hpp"
 
 namespace mrroc::vsp {
 namespace {
 
 using test::AdversePictures;
+using test::AprilTag;
+using test::Chessboard;
 using test::facing;
+using test::web_plane_camera;
 
-const test::PlaneCamera& web_camera() {
-  static const test::PlaneCamera camera(test::web_camera(), 2);
-  return camera;
-}
 const test::PlaneCamera& smooth_camera() {
   static const test::PlaneCamera camera(test::web_camera(), 3);
   return camera;
 }
-
-struct Chessboard {
-  using Sensor = ChessboardSensor;
-  static constexpr auto kObject = AdversePictures::Object::chessboard;
-  static constexpr double kMillimetres = 0.5, kDegrees = 0.2;  // 95 %, 0.3 to 1 m, tilt up to 45 degrees
-  static constexpr int kMisses = 0;                            // of 30
-  static constexpr double kHalfWidth = 0.15, kHalfHeight = 0.1125;
-  static test::PlaneCamera::Texture texture(float table = 120) {
-    return test::chessboard_texture(kBoard.columns, kBoard.rows, kBoard.square, kBoard.margin, table);
-  }
-};
-struct AprilTag {
-  using Sensor = AprilTagSensor;
-  static constexpr auto kObject = AdversePictures::Object::apriltag;
-  static constexpr double kMillimetres = 1.5, kDegrees = 0.6;
-  static constexpr int kMisses = 2;
-  static constexpr double kHalfWidth = 0.075, kHalfHeight = 0.075;
-  static test::PlaneCamera::Texture texture(float table = 120) {
-    return test::tag_texture(kTag.id, kTag.edge, kTag.margin, table);
-  }
-};
 
 template <class Object>
 class ImageSensorTest : public testing::Test {
@@ -55,12 +34,12 @@ class ImageSensorTest : public testing::Test {
   Pose in_view() {
     for (;;) {
       const double d = uniform(0.3, 1);
-      const Pose T = facing(d, uniform(0, std::numbers::pi / 4), uniform(0, 6.3), uniform(0, 6.3),
-                            uniform(-0.5, 0.5) * d, uniform(-0.4, 0.4) * d);
+      Pose T = facing(d, uniform(0, std::numbers::pi / 4), uniform(0, 6.3), uniform(0, 6.3),
+                      uniform(-0.5, 0.5) * d, uniform(-0.4, 0.4) * d);
       const auto visible = [&](double x, double y) {
         const Vector3 q = T * Vector3(x, y, 0);
         if (q.z() < 0.1) return false;
-        const Vector2 p = project(web_camera().model(), q);
+        const Vector2 p = project(web_plane_camera().model(), q);
         return p.x() > 0 && p.y() > 0 && p.x() < 639 && p.y() < 479;
       };
       const double w = Object::kHalfWidth;
@@ -69,7 +48,7 @@ class ImageSensorTest : public testing::Test {
     }
   }
   double uniform(double a, double b) { return std::uniform_real_distribution<>(a, b)(random_); }
-  Image picture(const Pose& T, const test::PlaneCamera& camera = web_camera()) {
+  Image picture(const Pose& T, const test::PlaneCamera& camera = web_plane_camera()) {
     test::Exposure exposure;
     exposure.seed = static_cast<unsigned>(random_());
     return camera.render(T, Object::texture(), exposure);
@@ -127,7 +106,7 @@ TYPED_TEST(ImageSensorTest, FollowsAMovingObjectAndFindsItAgainAfterItWasHidden)
   for (int k = 0; k < 20; ++k) {
     const Pose T = facing(0.6 + 0.01 * k, 0.2, 0.5, 0.3, 0.2 * std::sin(0.8 * k), 0.1 * std::cos(0.8 * k));
     const bool hidden = k == 7 || k == 8;
-    const Image image = hidden ? web_camera().render(T, nothing) : this->picture(T);
+    const Image image = hidden ? web_plane_camera().render(T, nothing) : this->picture(T);
     const CameraReading r = this->sensor_.detect(image.view(), k, k);
     EXPECT_EQ(r.seen, !hidden) << k;
     EXPECT_TRUE(hidden || (r.T_CG.p - T.p).norm() < 0.002) << k;
@@ -162,7 +141,7 @@ TYPED_TEST(ImageSensorTest, IsNotFooledByAdversePictures) {
 
 TYPED_TEST(ImageSensorTest, TwoObjectsAreAmbiguous) {
   const auto one = TypeParam::texture();
-  const Image image = web_camera().render(
+  const Image image = web_plane_camera().render(
       facing(0.9, 0.2, 1, 0), [&](double x, double y) { return one(x < 0 ? x + 0.17 : x - 0.17, y); });
   const CameraReading r = this->sensor_.detect(image.view(), 0, 0);
   EXPECT_FALSE(r.seen);
@@ -211,79 +190,32 @@ TYPED_TEST(ImageSensorTest, SmallCamerasDoNotBreakIt) {
   EXPECT_THROW(typename TypeParam::Sensor{wrong}, FaultError);
 }
 
-TEST(ChessboardSensorTest, BoardsOfOtherCountsAreNotTheObject) {
-  for (const auto& [columns, rows] :
-       {std::pair{8, 6}, {10, 6}, {9, 5}, {9, 7}, {10, 7}, {8, 5}, {6, 6}, {9, 9}, {5, 8}, {11, 8}}) {
-    ChessboardSensor sensor(test::web_camera());
-    const Image image =
-        web_camera().render(facing(0.7, 0.3, 0.4, 1), test::chessboard_texture(columns, rows, 0.025, 0.025));
-    EXPECT_FALSE(sensor.detect(image.view(), 0, 0).seen) << columns << " x " << rows;
-  }
-}
-
-TEST(ChessboardSensorTest, ARightBoardBesideAWrongOneIsSeen) {
-  const auto right = Chessboard::texture();
-  const auto wrong = test::chessboard_texture(7, 6, 0.025, 0.025);
-  ChessboardSensor sensor(test::web_camera());
-  const Pose T = facing(0.9, 0.2, 1, 0);
-  const Image image = web_camera().render(
-      T, [&](double x, double y) { return x < 0 ? right(x + 0.17, y) : wrong(x - 0.17, y); });
-  const CameraReading r = sensor.detect(image.view(), 0, 0);
-  ASSERT_TRUE(r.seen);
-  EXPECT_LT((r.T_CG.p - T * Vector3(-0.17, 0, 0)).norm(), 0.001);
-}
-
-TEST(ChessboardSensorTest, ABoardOfWhichTheMarginLeavesThePictureMayBeALargerOne) {
-  ChessboardSensor sensor(test::web_camera());
-  // The lowest row of squares ends at the picture's edge.
-  const Image image = web_camera().render(facing(0.5, 0, 0, 0, 0, 0.1175), Chessboard::texture());
-  EXPECT_FALSE(sensor.detect(image.view(), 0, 0).seen);
-}
-
-TEST(ChessboardSensorTest, FarBoardsAreSeen) {
-  int seen = 0;
-  constexpr int kPictures = 30;
-  std::mt19937 random(5);
-  const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<>(a, b)(random); };
-  for (int k = 0; k < kPictures; ++k) {
-    ChessboardSensor sensor(test::web_camera());
-    test::Exposure exposure;
-    exposure.seed = static_cast<unsigned>(random());
-    const Pose T = facing(uniform(1.5, 2), uniform(0, 0.78), uniform(0, 6.3), uniform(0, 6.3),
-                          uniform(-0.4, 0.4), uniform(-0.3, 0.3));
-    const CameraReading r =
-        sensor.detect(web_camera().render(T, Chessboard::texture(), exposure).view(), 0, 0);
-    if (!r.seen) continue;
-    ++seen;
-    EXPECT_LT((r.T_CG.p - T.p).norm(), 0.02);
-  }
-  EXPECT_GE(seen, kPictures * 93 / 100);
-}
-
-TEST(AprilTagSensorTest, OtherTagsAreNotTheObject) {
-  for (const int id : {1, 2, 17, 586}) {
-    AprilTagSensor sensor(test::web_camera());
-    const Image image = web_camera().render(facing(0.5, 0.3, 0.4, 1), test::tag_texture(id, 0.1, 0.025));
-    EXPECT_FALSE(sensor.detect(image.view(), 0, 0).seen) << id;
-    AprilTagSensor own(test::web_camera(), {.id = id});
-    EXPECT_TRUE(own.detect(image.view(), 0, 0).seen) << id;
-  }
-  EXPECT_THROW(AprilTagSensor(test::web_camera(), {.id = 587}), FaultError);
-}
-
-// A hard shadow over the margin takes away the light around the border.
-TEST(AprilTagSensorTest, AShadowOverTheMarginHidesTheTagOrDoesNotMatter) {
-  const auto tag = AprilTag::texture();
-  const Pose T = facing(0.6, 0.3, 0.4, 0.2);
-  for (const double edge : {-0.07, -0.06, -0.05, -0.045, -0.03, 0.0}) {
-    AprilTagSensor sensor(test::web_camera());
-    const Image image =
-        web_camera().render(T, [&](double x, double y) { return x < edge ? 0.25F * tag(x, y) : tag(x, y); });
-    const CameraReading r = sensor.detect(image.view(), 0, 0);
-    if (r.seen) {
-      EXPECT_LT((r.T_CG.p - T.p).norm(), 0.003) << edge;
-    }
-  }
+// What a receptor does when its configuration says nothing.
+TEST(Thresholds, AreTheDocumentedOnesUnlessTheConfigurationSaysOtherwise) {
+  const AprilTagParameters tag;
+  EXPECT_EQ(tag.search_blur, 0.8);
+  EXPECT_EQ(tag.margin, 20);
+  EXPECT_EQ(tag.contrast, 15);
+  EXPECT_EQ(tag.worst_blur, 1.4);
+  EXPECT_EQ(tag.rms_px, 0.2);
+  EXPECT_EQ(tag.worst_angle, 0.012);
+  EXPECT_EQ(tag.pose.noise_px, 0.03);
+  EXPECT_EQ(tag.pose.significance, 49);
+  EXPECT_EQ(tag.pose.same_angle, 0.03);
+  const ChessboardParameters board;
+  EXPECT_EQ(board.offset, 6);
+  EXPECT_EQ(board.rms_px, 0.5);
+  EXPECT_EQ(board.worst_px, 2);
+  EXPECT_EQ(board.pose.noise_px, 0.02);
+  EXPECT_EQ(board.pose.significance, 16);
+  EXPECT_EQ(board.pose.same_angle, 0.03);
+  EXPECT_EQ(kTag.id, 0);
+  EXPECT_EQ(kTag.edge, 0.1);
+  EXPECT_EQ(kTag.margin, 0.025);
+  EXPECT_EQ(kBoard.columns, 9);
+  EXPECT_EQ(kBoard.rows, 6);
+  EXPECT_EQ(kBoard.square, 0.025);
+  EXPECT_EQ(kBoard.margin, 0.025);
 }
 
 }  // namespace

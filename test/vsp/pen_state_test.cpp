@@ -7,69 +7,14 @@
 #include <numbers>
 
 #include "base/pose.hpp"
+#include "test/vsp/pen.hpp"
 
 namespace mrroc::vsp {
 namespace {
 
-constexpr double kDt = 0.002;
-constexpr int kSteps = 10;  // of a macrostep
-
-/// A pen that moves along its axis, somewhere in the base, and everything that its sensor said.
-class Pen {
- public:
-  explicit Pen(const Vector3& turn = {std::numbers::pi, 0, 0})
-      : T_{rotation_from_angle_axis(turn), {0.3, -0.2, 0.9}} {
-    rest(0, 0.6);
-  }
-
-  /// @param v  speed into the paper [m/s]
-  /// @param F  force along the pen [N]
-  void move(double v, double F, double seconds) {
-    go([v](double) { return v; }, [F](double) { return F; }, seconds);
-  }
-  void rest(double F, double seconds) { move(0, F, seconds); }
-  template <class V, class F>
-  void go(V speed, F force, double seconds) {
-    const int steps = static_cast<int>(std::lround(seconds / kDt));
-    for (int k = 0; k < steps; ++k) {
-      const double t = k * kDt;
-      depth += speed(t) * kDt;
-      step(force(t));
-    }
-  }
-  void step(double F) {
-    StepSample s;
-    Pose T = T_;
-    T.p += T_.R.col(2) * depth + T_.R.col(0) * aside;
-    Eigen::Map<AngleAxisPose>(s.T_0E.data()) = angle_axis_from_pose(T);
-    s.F_a[Axis::z] = F;
-    sensor.step(s);
-    if (states.empty() || states.back() != sensor.state()) states.push_back(sensor.state());
-    if (++steps_ % kSteps != 0) return;
-    const auto read = static_cast<PenState>(sensor.reading().state);
-    lift_offs_read += read == PenState::lift_off;
-    last_read = read;
-  }
-  /// Lowers as in m = 4, hits the paper and presses with the force that stands afterwards.
-  void touch(double F = 1) {
-    move(0.01, 0, 0.5);
-    go([](double t) { return 0.01 * std::exp(-t / 0.01); },
-       [](double t) { return 3 * (1 - std::exp(-t / 0.004)); }, 0.05);
-    go([](double) { return 0; }, [F](double t) { return F + (3 - F) * std::exp(-t / 0.05); }, 0.6);
-  }
-
-  PenStateSensor sensor;
-  double depth{};
-  double aside{};
-  std::vector<PenState> states;  ///< each one that was entered
-  int lift_offs_read{};
-  PenState last_read{};
-
- private:
-  Pose T_;
-  int steps_{};
-};
-
+using test::kDt;
+using test::kSteps;
+using test::Pen;
 using enum PenState;
 using States = std::vector<PenState>;
 
@@ -142,10 +87,11 @@ TEST(PenState, AJerkInTheAirThatLooksLikeATouchIsForgottenWhenThePenIsLowered) {
 TEST(PenState, APenThatPressesAtRestIsOnThePaperWhateverWasBefore) {
   Pen pen;
   pen.touch();
-  pen.rest(6, 0.1);  // taken for a pull
+  pen.move(-0.01, 0, 0.5);  // to another sheet, 5 mm higher
+  ASSERT_EQ(pen.sensor.state(), PenState::above_paper);
+  pen.rest(1, 0.6);  // nothing but what F_d = 1 N would leave in the air
   EXPECT_EQ(pen.sensor.state(), PenState::above_paper);
-  pen.move(-0.002, 0, 1.0);  // slowly, to a place elsewhere
-  pen.rest(2, 0.4);
+  pen.rest(2, 1);
   EXPECT_EQ(pen.sensor.state(), PenState::paper_surface);
 }
 
@@ -165,13 +111,121 @@ TEST(PenState, APauseInLoweringLosesNothing) {
   EXPECT_EQ(pen.lift_offs_read, 0);
 }
 
-TEST(PenState, APullLiftsOffAtOnce) {
+TEST(PenState, AForceAloneLiftsNothingOff) {  // a hand that trembles pulls with more than any threshold
+  Pen pen;
+  pen.touch();
+  pen.go([](double) { return 0; }, [](double t) { return 1 + 9 * std::sin(50 * t); }, 2);
+  EXPECT_EQ(pen.states, (States{above_paper, lowering, paper_surface}));
+}
+
+TEST(PenState, ASlowSteadyLiftIsALiftOff) {  // the paper does not follow a rising pen
+  for (const double speed : {0.0005, 0.001, 0.003}) {
+    Pen pen;
+    pen.touch();
+    pen.rest(1, 3);
+    pen.move(-speed, 1, 0.004 / speed);
+    EXPECT_EQ(pen.lift_offs_read, 1) << speed;
+    EXPECT_EQ(pen.sensor.state(), above_paper) << speed;
+  }
+}
+
+TEST(PenState, AJumpWithAnotherForceIsNoImpact) {  // its history of force is that of the frame before
+  Pen pen;
+  pen.move(0.01, 0, 0.4);
+  ASSERT_EQ(pen.sensor.state(), lowering);
+  pen.depth += 0.3;
+  pen.move(0.01, 5, 0.4);
+  EXPECT_EQ(pen.states, (States{above_paper, lowering, above_paper}));
+}
+
+TEST(PenState, ATremorTouchesNothingAndLiftsNothing) {
+  for (const double frequency : {4., 6.3, 8., 12.}) {
+    const double omega = 2 * std::numbers::pi * frequency;
+    // Law (28): a force of the hand moves the pen by v = F / (1/B + I s).
+    const double force = 5, mass = 20, damper = 200;
+    const double speed = force / std::hypot(damper, mass * omega), lag = std::atan2(mass * omega, damper);
+    const auto v = [&](double t) { return speed * std::sin(omega * t - lag); };
+    const auto F = [&](double t) { return -force * std::sin(omega * t); };
+    Pen pen;
+    pen.go(v, F, 3);  // above the paper
+    pen.go([&](double t) { return 0.012 + v(t); }, F, 0.5);
+    EXPECT_EQ(std::ranges::count(pen.states, paper_surface), 0) << frequency;
+    Pen drawn;
+    drawn.touch();
+    drawn.go(
+        v, [&](double t) { return 1 + F(t); }, 5);
+    EXPECT_EQ(drawn.lift_offs_read, 0) << frequency;
+    EXPECT_EQ(drawn.sensor.state(), paper_surface) << frequency;
+  }
+}
+
+TEST(PenState, OnPaperThatIsKnownATouchNeedsNoImpact) {
   Pen pen;
   pen.touch();
   pen.rest(1, 1);
-  pen.rest(6, 0.05);
-  EXPECT_EQ(pen.lift_offs_read, 1);
-  EXPECT_NE(std::ranges::find(pen.states, lift_off), pen.states.end());
+  pen.move(-0.01, 0, 1);
+  ASSERT_EQ(pen.sensor.state(), above_paper);
+  pen.move(0.01, 0, 0.95);
+  pen.rest(0, 0.1);
+  EXPECT_EQ(pen.sensor.state(), paper_surface);
+}
+
+TEST(PenState, FarAboveKnownPaperNothingIsATouch) {
+  Pen pen;
+  pen.touch();
+  pen.rest(1, 1);
+  pen.move(-0.015, 0, 1);
+  pen.move(0.01, 0, 0.3);
+  pen.go([](double) { return 0; }, [](double t) { return 5 * (1 - std::exp(-t / 0.004)); }, 0.1);  // a blow
+  pen.rest(0, 1);
+  EXPECT_EQ(pen.sensor.state(), above_paper);
+  EXPECT_EQ(std::ranges::count(pen.states, paper_surface), 1);
+}
+
+TEST(PenState, ASheetThatIsNotLevelIsFollowed) {
+  Pen pen;
+  pen.touch();
+  const double slope = 0.03, speed = 0.02;
+  pen.go([&](double) { return slope * speed; },
+         [&](double t) {
+           pen.aside = speed * t;
+           return 1;
+         },
+         5);
+  EXPECT_EQ(pen.states, (States{above_paper, lowering, paper_surface}));
+  EXPECT_NEAR(pen.sensor.reading().value[0], 0, 2e-4);
+}
+
+TEST(Trend, PassesASlopeWithADelayAndNoTremor) {
+  for (const double frequency : {4., 5., 7.3, 12.}) {
+    Trend trend(125);
+    trend.begin(0);
+    double swing = 0;
+    for (int k = 0; k < 2000; ++k) {
+      const double t = k * kDt;
+      trend.add(3 * t + std::sin(2 * std::numbers::pi * frequency * t));
+      if (k > 500) swing = std::max(swing, std::abs(trend.value() - 3 * (t - 0.25)));
+    }
+    EXPECT_LT(swing, 0.06) << frequency;  // 0.05, and half a sample of the slope
+    EXPECT_NEAR(trend.rate() / kDt, 3, 0.05 * 2 * std::numbers::pi * frequency) << frequency;
+  }
+}
+
+TEST(TouchedPlane, KnowsWhereItHasBeenTouchedAndLessElsewhere) {
+  TouchedPlane plane({});
+  EXPECT_FALSE(plane.known());
+  EXPECT_TRUE(std::isinf(plane.deviation({0, 0, 0})));
+  const auto z = [](double x, double y) { return 0.5 + 0.02 * x - 0.01 * y; };
+  for (int k = 0; k < 1000; ++k) plane.add({1e-4 * k, 0, z(1e-4 * k, 0)}, kDt);
+  const double on_line = plane.deviation({0.05, 0, 0}), aside = plane.deviation({0.05, 0.05, 0});
+  EXPECT_LT(on_line, 5e-4);
+  EXPECT_NEAR(aside, 0.05 * 0.02, 3e-4);  // the slope that nobody has touched yet
+  EXPECT_NEAR(plane.depth({0.05, 0, 0}), z(0.05, 0), 2e-4);
+  for (int k = 0; k < 1000; ++k) plane.add({1e-4 * k, 0.06, z(1e-4 * k, 0.06)}, kDt);
+  EXPECT_LT(plane.deviation({0.05, 0.05, 0}), aside / 2);
+  EXPECT_NEAR(plane.depth({0.05, 0.05, 0}), z(0.05, 0.05), 2e-4);
+  plane.forget();
+  EXPECT_FALSE(plane.known());
 }
 
 TEST(PenState, ALiftOffIsReadOnceThoughItLastsOneStep) {
@@ -226,6 +280,22 @@ TEST(PenState, ANewFrameIsNoMotion) {
   pen.depth += 0.3;  // synchronised, or another tool
   pen.rest(0, 1);
   EXPECT_EQ(pen.states, (States{above_paper}));
+}
+
+TEST(PenState, ANewFrameOnThePaperBeginsAboveItAndJudgesNothingUntilThePenIsAtRest) {
+  Pen pen;
+  pen.touch();
+  pen.rest(1.5, 1);
+  ASSERT_EQ(pen.sensor.state(), paper_surface);
+  pen.depth += 0.3;
+  pen.step(1.5);
+  EXPECT_EQ(pen.sensor.state(), above_paper);
+  pen.move(0.02, 0, 0.5);  // moves on without having been at rest
+  EXPECT_EQ(pen.sensor.state(), above_paper);
+  EXPECT_EQ(pen.sensor.reading().value[0], 0) << "no plane is known in the new frame";
+  pen.rest(0, 1);
+  pen.touch();
+  EXPECT_EQ(pen.states, (States{above_paper, lowering, paper_surface, above_paper, lowering, paper_surface}));
 }
 
 TEST(PenState, ReadingCarriesHeightSpeedAndForce) {

@@ -2,68 +2,27 @@
 #include "vsp/picture_file.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <algorithm>
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iterator>
-#include <nlohmann/json.hpp>
-#include <opencv2/videoio.hpp>
+#include <opencv2/core/utils/logger.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <string>
+#include <vector>
 
 #include "base/fault.hpp"
-#include "test/vsp/plane_camera.hpp"
-#include "vsp/annotate.hpp"
+#include "test/vsp/picture_file_fixture.hpp"
 #include "vsp/opencv.hpp"
-#include "vsp/recorded.hpp"
 
 namespace mrroc::vsp {
 namespace {
+
 namespace fs = std::filesystem;
-
-class PictureFileTest : public testing::Test {
- protected:
-  PictureFileTest() : folder_(fs::temp_directory_path() / ("mrroc_pictures_" + std::to_string(getpid()))) {
-    fs::create_directories(folder_);
-  }
-  ~PictureFileTest() override { fs::remove_all(folder_); }
-
-  static Image board_picture(double roll) {
-    static const test::PlaneCamera camera(test::web_camera(), 2);
-    return camera.render(test::facing(0.6, 0.3, 0.4, roll), test::chessboard_texture(9, 6, 0.025, 0.025));
-  }
-  static std::string refusal(const std::function<void()>& action, FaultCode code = FaultCode::bad_picture) {
-    try {
-      action();
-    } catch (const FaultError& e) {
-      EXPECT_EQ(e.fault().code, code);
-      EXPECT_EQ(exit_status(e.fault().code), 2);
-      return e.what();
-    }
-    return "";
-  }
-  fs::path camera_file() {
-    const fs::path file = folder_ / "camera.toml";
-    std::ofstream(file) << "[cameras.web]\nfx = 600\ndistortion = [-0.28, 0.09, 0.0006, -0.0004, 0]\n";
-    return file;
-  }
-  std::vector<nlohmann::json> run(const RecordedRun& order) {
-    const fs::path out = folder_ / "out.txt";
-    std::FILE* const file = std::fopen(out.c_str(), "w");
-    try {
-      run_recorded(chessboard_receptor(), order, file);
-    } catch (...) {
-      std::fclose(file);
-      throw;
-    }
-    std::fclose(file);
-    std::vector<nlohmann::json> lines;
-    std::ifstream stream(out);
-    for (std::string line; std::getline(stream, line);) lines.push_back(nlohmann::json::parse(line));
-    return lines;
-  }
-  fs::path folder_;
-};
+using test::PictureFileTest;
+using test::read_bytes;
+using test::write_bytes;
 
 TEST_F(PictureFileTest, ReadsBackWhatItWrote) {
   const Image image = board_picture(0.2);
@@ -113,19 +72,174 @@ TEST_F(PictureFileTest, PrintsAReadingForEveryPicture) {
   EXPECT_EQ(read_picture(folder_ / "strip.png").width, 2 * 244 + 4);
 }
 
-TEST_F(PictureFileTest, ReadsFilms) {
-  const fs::path film = folder_ / "film.avi";
-  cv::VideoWriter writer(film.string(), cv::CAP_OPENCV_MJPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 25,
-                         {640, 480});
-  ASSERT_TRUE(writer.isOpened());
-  for (int k = 0; k < 3; ++k) {
-    const Image image = in_colour(board_picture(0.1 * k).view());
-    writer.write(matrix(image.view()));
+TEST_F(PictureFileTest, ARefusalNamesTheFileAndThenTheReason) {
+  const fs::path file = folder_ / "a.png";
+  const auto said = [&](const std::string& why) {
+    const std::string text = refusal([&] { (void)read_picture(file); });
+    EXPECT_NE(text.find(file.string() + ": " + why), std::string::npos) << text;
+  };
+  said("there is no such file");
+  fs::create_directories(file);
+  said("it is not a file");
+  fs::remove(file);
+  write_bytes(file, "");
+  said("it is empty");
+  write_bytes(file, "GIF89");
+  said("it is not a picture, or damaged");
+  write_bytes(file, std::string("\x89PNG") + std::string(100, 'x'));
+  said("it is cut short");
+  write_bytes(file, std::string(1000, '\0'));
+  said("it is not a picture, or damaged");
+}
+
+TEST_F(PictureFileTest, BehindAPictureThereMayBeALittleOfSomethingElse) {
+  const auto with = [this](const char* name, std::size_t more) {
+    const fs::path file = folder_ / name;
+    cv::imwrite(file.string(), cv::Mat(20, 30, CV_8UC3, cv::Scalar(10, 120, 200)));
+    write_bytes(file, read_bytes(file) + std::string(more, 'x'));
+    return refusal([&] { EXPECT_EQ(read_picture(file).width, 30); });
+  };
+  // The end of a PNG is told by its last chunk of 8 bytes in the last 64, that of a JPEG by a mark of 2 in the last 4096.
+  EXPECT_EQ(with("a.png", 0), "");
+  EXPECT_EQ(with("a.png", 56), "");
+  EXPECT_NE(with("a.png", 57).find("cut short"), std::string::npos);
+  EXPECT_EQ(with("a.jpg", 0), "");
+  EXPECT_EQ(with("a.jpg", 4094), "");
+  EXPECT_NE(with("a.jpg", 4095).find("cut short"), std::string::npos);
+}
+
+TEST_F(PictureFileTest, APictureMayBe8192PixelsLongAndNoMore) {
+  const auto of = [this](int width, int height) {
+    const fs::path file = folder_ / "long.png";
+    write_picture(file, Image(width, height, 1).view());
+    return refusal([&] {
+      const Image picture = read_picture(file, 1);
+      EXPECT_EQ(picture.width, width);
+      EXPECT_EQ(picture.height, height);
+    });
+  };
+  EXPECT_EQ(of(8192, 1), "");
+  EXPECT_EQ(of(1, 8192), "");
+  EXPECT_NE(of(8193, 1).find("long.png: it is larger than 8192 pixels"), std::string::npos);
+  EXPECT_NE(of(2, 8193).find("long.png: it is larger than 8192 pixels"), std::string::npos);
+}
+
+TEST_F(PictureFileTest, ReadsPicturesOfEveryKind) {
+  Image picture(17, 9, 3);
+  for (std::size_t k = 0; k < picture.data.size(); ++k)
+    picture.data[k] = static_cast<std::uint8_t>(7 * k % 256);
+  for (const char* const name : {"a.png", "a.bmp", "a.tif", "a.tiff", "a.ppm"}) {
+    cv::imwrite((folder_ / name).string(), matrix(picture.view()));
+    EXPECT_EQ(read_picture(folder_ / name), picture) << name;
   }
-  writer.release();
-  const auto lines = run({film, camera_file(), "web", {}, {}});
-  ASSERT_EQ(lines.size(), 3U);
-  for (const auto& line : lines) EXPECT_TRUE(line.at("seen").get<bool>());
+  for (const char* const name : {"a.jpg", "a.jpeg", "a.pgm"}) {
+    cv::imwrite((folder_ / name).string(), cv::Mat(9, 17, CV_8U, cv::Scalar(77)));
+    const Image grey = read_picture(folder_ / name, 1);
+    EXPECT_EQ(grey.channels, 1) << name;
+    EXPECT_NEAR(grey.data[40], 77, 1) << name;
+    EXPECT_EQ(read_picture(folder_ / name).channels, 3) << name;
+  }
+  EXPECT_EQ(pictures_in(folder_).size(), 8U) << "all of them are found in a folder";
+  for (const fs::path& file : pictures_in(folder_)) {
+    PictureSource source(file);
+    SourcePicture one;
+    EXPECT_TRUE(source.next(one)) << file;
+    EXPECT_EQ(one.name, file.string());
+    EXPECT_EQ(one.image.channels, 3);
+    EXPECT_EQ(one.t, 0);
+    EXPECT_FALSE(source.next(one)) << file;
+    EXPECT_FALSE(source.next(one)) << file;
+  }
+}
+
+TEST_F(PictureFileTest, NamesAreInTheOrderOfTheirNumbersAndLetters) {
+  const std::vector<std::string> in_order{"P1.png",
+                                          "p1.bmp",
+                                          "p1.png",
+                                          "p1.png.png",
+                                          "p1a1.png",
+                                          "p1a02.png",
+                                          "p01a3.png",
+                                          "p01b.png",
+                                          "p2.png",
+                                          "p02a.png",
+                                          "p9b1.png",
+                                          "p10.png",
+                                          "p010b.png",
+                                          "p19.png",
+                                          "p21.png",
+                                          "p100.png",
+                                          "p99999999999999999999.png",
+                                          "p100000000000000000000.png",
+                                          "pa.png",
+                                          "q0.png"};
+  for (const std::string& name : in_order) std::ofstream(folder_ / name) << "x";
+  std::vector<std::string> names;
+  for (const auto& file : pictures_in(folder_)) names.push_back(file.filename().string());
+  EXPECT_EQ(names, in_order);
+}
+
+TEST_F(PictureFileTest, AFolderWithoutPicturesIsRefused) {
+  std::ofstream(folder_ / "notes.txt") << "x";
+  EXPECT_NE(refusal([&] {
+              (void)pictures_in(folder_);
+            }).find(folder_.string() + ": there is no picture in it (.png .jpg .bmp .tif .pgm .ppm)"),
+            std::string::npos);
+  EXPECT_NE(refusal([&] {
+              (void)pictures_in(folder_ / "none");
+            }).find((folder_ / "none").string() + ": there is no such folder"),
+            std::string::npos);
+  EXPECT_NE(refusal([&] { PictureSource source(folder_); }).find("there is no picture in it"),
+            std::string::npos);
+  EXPECT_NE(refusal([&] {
+              PictureSource source(folder_ / "none");
+            }).find((folder_ / "none").string() + ": there is no such file or folder"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal([&] {
+        PictureSource source(folder_ / "notes.txt");
+      }).find((folder_ / "notes.txt").string() + ": it is neither a picture nor a film that can be read"),
+      std::string::npos);
+}
+
+TEST_F(PictureFileTest, AFileIsThereAsAWholeOrNotAtAll) {
+  const Image picture = board_picture(0);
+  write_picture(folder_ / "a.png", picture.view());
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator{}), 1)
+      << "nothing else is left";
+  const auto text = [&](const fs::path& file, const ImageView& view) {
+    return refusal([&] { write_picture(file, view); }, FaultCode::cannot_write);
+  };
+  EXPECT_NE(
+      text(folder_ / "none/a.png", picture.view()).find("cannot write " + (folder_ / "none/a.png").string()),
+      std::string::npos);
+  EXPECT_NE(text(folder_ / "b.png", {}), "") << "nothing to be written";
+  EXPECT_FALSE(fs::exists(folder_ / "b.png"));
+  fs::create_directories(folder_ / "c.png/full");
+  EXPECT_NE(text(folder_ / "c.png", picture.view()), "") << "a folder has the name";
+}
+
+// OpenCV would write lines of its own to the standard error.
+TEST_F(PictureFileTest, WhatIsNoFilmIsRefusedByOneVoiceOnly) {
+  namespace logging = cv::utils::logging;
+  std::ofstream(folder_ / "a.avi") << "no film";
+  logging::setLogLevel(logging::LOG_LEVEL_WARNING);
+  EXPECT_NE(refusal([&] { PictureSource source(folder_ / "a.avi"); }), "");
+  EXPECT_EQ(logging::getLogLevel(), logging::LOG_LEVEL_SILENT);
+}
+
+// A small one is written when its file is closed.
+TEST_F(PictureFileTest, AFileForWhichThereIsNoRoomIsNotThere) {
+  for (const int size : {4, 400}) {
+    Image picture(size, size, 1);
+    for (std::size_t k = 0; k < picture.data.size(); ++k)
+      picture.data[k] = static_cast<std::uint8_t>(k * k / 7);
+    fs::create_symlink("/dev/full", folder_ / "a.png.part");
+    EXPECT_NE(refusal([&] { write_picture(folder_ / "a.png", picture.view()); }, FaultCode::cannot_write),
+              "");
+    EXPECT_FALSE(fs::exists(folder_ / "a.png")) << size;
+    fs::remove(folder_ / "a.png.part");
+  }
 }
 
 TEST_F(PictureFileTest, SaysWhatIsWrongWithTheOrder) {
@@ -146,66 +260,6 @@ TEST_F(PictureFileTest, SaysWhatIsWrongWithTheOrder) {
                 FaultCode::bad_configuration)
                 .find("web"),
             std::string::npos);
-}
-
-TEST_F(PictureFileTest, DrawsWhatWasFoundAndKeepsALongRunShort) {
-  Image picture(640, 480, 3);
-  CameraReading reading;
-  annotate(picture, reading, test::web_camera(), shape_of(kBoard), "lost");
-  EXPECT_GT(picture.view().at(0, 0, 2), 200);  // a red frame
-  Image seen(640, 480, 3);
-  reading.seen = true;
-  reading.T_CG = test::facing(0.5, 0, 0, 0);
-  annotate(seen, reading, test::web_camera(), shape_of(kBoard), "seen");
-  EXPECT_GT(seen.view().at(335, 240, 2), 150);  // x of G, red, to the right of the middle
-  FilmStrip strip(4, 80, 8);
-  for (std::int64_t k = 0; k < 1000; ++k)
-    if (strip.wants(k, true)) strip.add(k, true, seen.view());
-  EXPECT_EQ(strip.picture().width, 4 * 84 + 4);
-  EXPECT_LE(strip.picture().height, 2 * 64 + 4);
-  EXPECT_TRUE(FilmStrip().picture().empty());
-}
-
-/// @return grey levels of the pictures of a strip, one after the other
-std::vector<int> shown_on(const Image& strip, int columns, int width, int height) {
-  std::vector<int> grey;
-  for (int y = 4; y < strip.height; y += height + 4)
-    for (int k = 0; k < columns; ++k)
-      grey.push_back(strip.view().at(4 + k * (width + 4) + width / 2, y + height / 2, 0));
-  return grey;
-}
-
-Image plain(int grey) {
-  Image picture(64, 48, 3);
-  std::ranges::fill(picture.data, static_cast<std::uint8_t>(grey));
-  return picture;
-}
-
-TEST(FilmStrip, ShowsEveryLookAtWhichSomethingWasReadAndSomeOfWhatWasBetween) {
-  FilmStrip strip(4, 64, 16);
-  for (std::int64_t k = 0; k < 2000; ++k) {
-    const bool seen = k % 250 >= 246;  // eight looks of four pictures
-    const int grey = seen ? 100 + static_cast<int>(k / 250) : 50;
-    if (strip.wants(k, seen)) strip.add(k, seen, plain(grey).view());
-  }
-  const std::vector<int> grey = shown_on(strip.picture(), 4, 64, 48);
-  ASSERT_EQ(grey.size(), 16U);
-  EXPECT_EQ(std::ranges::count(grey, 50), 4);
-  for (int look = 0; look < 8; ++look) EXPECT_GE(std::ranges::count(grey, 100 + look), 1) << look;
-  std::vector<int> looks;
-  std::ranges::copy_if(grey, std::back_inserter(looks), [](int g) { return g >= 100; });
-  EXPECT_TRUE(std::ranges::is_sorted(looks)) << "in the order of the run";
-}
-
-TEST(FilmStrip, CoversARunInWhichNothingIsSeenEvenly) {
-  FilmStrip strip(4, 64, 8);
-  for (std::int64_t k = 0; k < 250; ++k)
-    if (strip.wants(k, false)) strip.add(k, false, plain(static_cast<int>(k)).view());
-  const std::vector<int> grey = shown_on(strip.picture(), 4, 64, 48);
-  ASSERT_EQ(grey.size(), 8U);
-  EXPECT_EQ(grey.front(), 0);
-  for (std::size_t k = 1; k < grey.size(); ++k) EXPECT_LE(grey[k] - grey[k - 1], 64) << k;
-  EXPECT_GT(grey.back(), 180);
 }
 
 }  // namespace

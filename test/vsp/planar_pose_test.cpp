@@ -6,8 +6,8 @@
 #include <numbers>
 #include <random>
 
+#include "base/target/board.hpp"
 #include "test/vsp/plane_camera.hpp"
-#include "vsp/chessboard/board.hpp"
 
 namespace mrroc::vsp {
 namespace {
@@ -83,6 +83,62 @@ TEST_F(PlanarPoseTest, SmallFarObjectsAreAmbiguousAndNeverFlipUnnoticed) {
   EXPECT_GT(ambiguous, 50);
 }
 
+// With a Jacobian that is not the projection's, the covariance would be of another camera.
+TEST_F(PlanarPoseTest, CovarianceIsThatOfTheLensAlsoWhereItIsTangential) {
+  camera_.distortion = {-0.2, 0.05, 0.02, -0.03, 0.01};
+  for (int k = 0; k < 30; ++k) {
+    const Pose T = any_pose(0.3, 0.6);
+    const auto found = planar_pose(camera_, points_, seen(T, 0), {.noise_px = 1});
+    ASSERT_TRUE(found);
+    constexpr double kDelta = 1e-6;
+    Matrix6 JtJ = Matrix6::Zero();
+    for (const Vector3& p : points_) {
+      Eigen::Matrix<double, 2, 6> J;
+      for (int n = 0; n < 6; ++n) {
+        const auto moved = [&](double by) {
+          const Vector6 d = by * Vector6::Unit(n);
+          return project(camera_, rotation_from_angle_axis(d.tail<3>()) * (T.R * p) + T.p + d.head<3>());
+        };
+        J.col(n) = (moved(kDelta) - moved(-kDelta)) / (2 * kDelta);
+      }
+      JtJ += J.transpose() * J;
+    }
+    EXPECT_LT((found->best.covariance * JtJ - Matrix6::Identity()).cwiseAbs().maxCoeff(), 1e-3);
+  }
+}
+
+TEST_F(PlanarPoseTest, AFaceThatLooksAwayIsNotSeen) {
+  for (int k = 0; k < 50; ++k) {
+    std::vector<Vector2> pixels = seen(any_pose(0.3, 1), 0);
+    // Where the corners would be seen in a mirror: the board from behind.
+    for (Vector2& p : pixels) p.x() = 2 * camera_.cx - p.x();
+    const auto found = planar_pose(camera_, points_, pixels);
+    if (found) {
+      EXPECT_LT(found->best.T_CG.R.col(2).dot(found->best.T_CG.p), 0) << k;
+      EXPECT_GT(found->best.rms_px, 1) << "no board is seen so";
+    }
+  }
+}
+
+TEST_F(PlanarPoseTest, TellsTheErrorOfThePixelsThatDoNotFit) {
+  const Pose T = test::facing(0.5, 0.4, 1, 0.3);
+  std::vector<Vector2> pixels = seen(T, 0);
+  pixels[10] += Vector2(3, 4);
+  const auto found = planar_pose(camera_, points_, pixels);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->best.worst_px, 5, 0.5);
+  const double n = static_cast<double>(points_.size());
+  EXPECT_NEAR(found->best.rms_px, 5 / std::sqrt(n), 0.1);
+}
+
+TEST_F(PlanarPoseTest, FourPointsAreEnough) {
+  points_ = {{-0.05, -0.05, 0}, {0.05, -0.05, 0}, {0.05, 0.05, 0}, {-0.05, 0.05, 0}};
+  const Pose T = test::facing(0.3, 0.6, 1, 0.3);
+  const auto found = planar_pose(camera_, points_, seen(T, 0));
+  ASSERT_TRUE(found);
+  EXPECT_LT((found->best.T_CG.p - T.p).norm(), 1e-6);
+}
+
 TEST_F(PlanarPoseTest, RefusesWhatIsNoPlane) {
   const Pose T = any_pose(0.5, 1);
   const std::vector<Vector3> line{{0, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}, {0.3, 0, 0}};
@@ -93,6 +149,22 @@ TEST_F(PlanarPoseTest, RefusesWhatIsNoPlane) {
   const std::vector<Vector2> board = seen(T, 0);
   EXPECT_FALSE(planar_pose(camera_, std::span(points_).first(3), std::span(board).first(3)));
   EXPECT_FALSE(planar_pose(camera_, points_, std::span(board).first(10)));
+}
+
+TEST_F(PlanarPoseTest, NothingIsSeenThatIsNearerThanAMillimetre) {
+  camera_ = CameraModel{};
+  const auto at = [this](double z) {
+    points_.clear();
+    for (const auto& [x, y] : {std::pair(-1., -1.), {1., -1.}, {1., 1.}, {-1., 1.}})
+      points_.emplace_back(0.2 * z * x, 0.2 * z * y, 0);
+    return planar_pose(camera_, points_, seen(test::facing(z, 0.6, 1, 0.3), 0));
+  };
+  for (const double z : {0.5, 0.05, 0.002}) {
+    const auto found = at(z);
+    ASSERT_TRUE(found) << z;
+    EXPECT_NEAR(found->best.T_CG.p.z(), z, 1e-4 * z);
+  }
+  EXPECT_FALSE(at(0.0009));
 }
 
 }  // namespace

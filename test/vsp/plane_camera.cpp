@@ -17,14 +17,14 @@ constexpr float kDark = 18;
 // A part of one field of noise, chosen by the seed: making a new one takes longer than a detection.
 cv::Mat unit_noise(cv::Size size, unsigned seed) {
   constexpr int kRoom = 512;
-  static const cv::Mat kField = [] {
-    cv::Mat field(1024 + kRoom, 1280 + kRoom, CV_32F);
-    cv::RNG(7).fill(field, cv::RNG::NORMAL, 0, 1);
-    return field;
+  static const cv::Mat field = [] {
+    cv::Mat all(1024 + kRoom, 1280 + kRoom, CV_32F);
+    cv::RNG(7).fill(all, cv::RNG::NORMAL, 0, 1);
+    return all;
   }();
   const unsigned mixed = seed * 2654435761U;
   const cv::Point at(static_cast<int>((mixed >> 8U) % kRoom), static_cast<int>((mixed >> 20U) % kRoom));
-  return kField({at, size});
+  return field({at, size});
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ class Mat;
 
 namespace mrroc::test {
 
-/// What the pictures of a plane go through after the lens.
+/// Effects behind the lens on the pictures of a plane.
 struct Exposure {
   double blur{0.5};  ///< standard deviation [pixel]
   double noise{2};   ///< standard deviation [grey levels]
@@ -61,6 +61,12 @@ PlaneCamera::Texture tag_texture(int id, double edge, double margin, float table
 inline CameraModel web_camera() {
   CameraModel camera;
   camera.distortion = {-0.28, 0.09, 0.0006, -0.0004, 0};
+  return camera;
+}
+
+/// @return a camera with the lens of web_camera() that casts four rays a pixel
+inline const PlaneCamera& web_plane_camera() {
+  static const PlaneCamera camera(web_camera(), 2);
   return camera;
 }
 

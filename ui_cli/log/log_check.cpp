@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "base/counted.hpp"
 #include "base/fault.hpp"
 #include "base/program.hpp"
 #include "ui_cli/log/subprocess.hpp"
@@ -26,9 +27,9 @@ std::string sentence(const link::LogVerdict& v) {
 
 std::string result(const link::LogVerdict& v) {
   if (!v.not_checked.empty()) return "not checked: " + v.not_checked;
-  if (v.differences > 0) return fmt::format("{} messages, {} DIFFER", v.compared, v.differences);
-  if (!v.incomplete.empty()) return fmt::format("{} messages, then {}", v.compared, v.incomplete);
-  return fmt::format("{} messages, all the same", v.compared);
+  if (v.differences > 0) return fmt::format("{}, {} DIFFER", counted(v.compared, "message"), v.differences);
+  if (!v.incomplete.empty()) return fmt::format("{}, then {}", counted(v.compared, "message"), v.incomplete);
+  return fmt::format("{}, all the same", counted(v.compared, "message"));
 }
 
 }  // namespace
@@ -90,7 +91,8 @@ int report_check(const std::filesystem::path& folder, const std::vector<link::Lo
     for (const link::LogVerdict& v : verdicts) out << fmt::format("  {:<14} {}\n", v.process, result(v));
     for (const link::LogVerdict& v : verdicts)
       if (v.first) out << "  first difference of " << sentence(v) << "\n";
-    out << (checked ? fmt::format("  {} messages recomputed, {} differ\n", compared, differences)
+    out << (checked ? fmt::format("  {} recomputed, {} {}\n", counted(compared, "message"), differences,
+                                  differences == 1 ? "differs" : "differ")
                     : "  NOT CHECKED: no process of this run can be recomputed\n");
     if (!damage.empty()) out << fmt::format("  the log is not whole: {}\n", damage);
   }

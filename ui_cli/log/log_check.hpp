@@ -1,4 +1,5 @@
-// `ui_cli log check`: every process of a run that can be recomputed from its log, by the programs that ran.
+// `ui_cli log check`: recomputes every process of a run that can be recomputed from its log, with the same
+// programs.
 #pragma once
 #include <filesystem>
 #include <functional>

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <fstream>
 #include <functional>
 #include <limits>
@@ -12,6 +13,7 @@
 
 #include "base/command_line.hpp"
 #include "base/fault.hpp"
+#include "base/joined.hpp"
 #include "ui_cli/log/log_check.hpp"
 #include "ui_cli/log/log_compare.hpp"
 #include "ui_cli/log/log_csv.hpp"
@@ -24,11 +26,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the words say.
+/// Meaning of the command's words.
 struct Words {
   std::vector<fs::path> runs;
   std::string run, other, what;
   std::vector<std::string> fields;
+  std::vector<std::string> plotted;  ///< run folders, then what of them
+  PlotOptions plot;
   std::string output;
   ShowOptions show;
   bool json{};
@@ -52,10 +56,34 @@ int write_table(const Words& w, std::ostream& out, std::ostream& err) {
   return 0;
 }
 
+/// The last word says what is drawn; without it --fields does.
+/// @throws FaultError bad_usage
+std::vector<std::string> runs_to_plot(const Words& w, PlotOptions& plot) {
+  std::vector<std::string> runs = w.plotted;
+  const auto& subjects = plot_subjects();
+  const bool says_what = !runs.empty() && std::ranges::find(subjects, runs.back()) != subjects.end();
+  if (says_what) {
+    plot.what = runs.back();
+    runs.pop_back();
+  }
+  const std::string whole = "type for example `ui_cli log plot runs/press-20260314-101500 force`";
+  if (runs.empty()) throw FaultError(FaultCode::bad_usage, "RUN (the run folder) is missing", whole);
+  if (says_what || !plot.fields.empty()) return runs;
+  if (runs.size() > 1 && !fs::exists(runs.back()))
+    throw FaultError(FaultCode::bad_usage,
+                     fmt::format("'{}' cannot be drawn, and is no run folder", runs.back()),
+                     "plots: " + joined(subjects, ", "));
+  throw FaultError(FaultCode::bad_usage, "WHAT (force, pose, motors or behaviours) is missing", whole);
+}
+
 int draw(const Words& w, std::ostream& out, std::ostream& err) {
-  const RunRecord run(w.run);
-  warn_of_damage(run, err);
-  const fs::path picture = plot_run(run, w.what, w.output);
+  PlotOptions plot = w.plot;
+  std::vector<RunRecord> runs;
+  for (const std::string& folder : runs_to_plot(w, plot)) {
+    runs.emplace_back(folder);
+    warn_of_damage(runs.back(), err);
+  }
+  const fs::path picture = plot_runs(runs, plot, w.output);
   out << (w.json ? nlohmann::json{{"picture", picture.string()}}.dump() + "\n"
                  : fmt::format("picture: {}\n", picture.string()));
   return 0;
@@ -82,6 +110,7 @@ const Examples kExamples{
     "ui_cli log show runs/press-20260314-101500 --channel arm1.reply",
     "ui_cli log csv runs/press-20260314-101500 arm1.reply --fields F_a,T_0E --output reply.csv",
     "ui_cli log plot runs/press-20260314-101500 force --output force.png",
+    "ui_cli log plot runs/press-20260314-101500 runs/press-20260314-102000 force --fields F_z --to 5",
     "ui_cli log compare runs/press-20260314-101500 runs/press-20260314-102000",
     "ui_cli log check runs/press-20260314-101500"};
 
@@ -119,9 +148,21 @@ void add_commands(CommandLine& line, Words& w) {
   csv.option("--fields", w.fields, "only these, such as F_a,T_0E").delimiter(',').type_name("F,F...");
   csv.option("--output", w.output, "file instead of the standard output").type_name("FILE");
   runs(csv, [&w](std::ostream& out, std::ostream& err) { return write_table(w, out, err); });
-  CommandLine& plot = line.subcommand("plot", "Draw a picture: force, pose, motors or behaviours");
-  add_run(plot, w);
-  plot.option("what", w.what, "force, pose, motors or behaviours").required().one_of(plot_subjects());
+  CommandLine& plot = line.subcommand(
+      "plot", "Draw force, pose, motors or behaviours over time; of several runs over one another");
+  plot.option("run", w.plotted,
+              "run folders, then force, pose, motors or behaviours; that may be left out with --fields")
+      .type_name("RUN... WHAT");
+  plot.option("--fields", w.plot.fields,
+              "only these: F_x..F_z [N], N_x..N_z [N m]; since the first reading shown x y z [mm], rx ry rz "
+              "[deg] and "
+              "turned[k] [rad]; T_0E[k] [m, rad], gripper [mm], motors[k], joints[k] [rad, m], "
+              "current_mean[k] [A], m")
+      .delimiter(',')
+      .type_name("F,F...");
+  plot.option("--arm", w.plot.arms, "only this arm, or these").delimiter(',').type_name("ARM,ARM...");
+  plot.option("--from", w.plot.from, "simulated time").type_name("S");
+  plot.option("--to", w.plot.to, "simulated time").type_name("S");
   plot.option("--output", w.output, "PNG file (default RUN/plots/log-WHAT.png)").type_name("FILE");
   runs(plot, [&w](std::ostream& out, std::ostream& err) { return draw(w, out, err); });
   CommandLine& compare = line.subcommand("compare", "Find the first message in which two runs differ");
@@ -139,8 +180,8 @@ void add_commands(CommandLine& line, Words& w) {
 }  // namespace
 
 std::vector<std::string> log_words() {
-  return {"show",       "csv",       "plot",   "compare", "check", "force",    "pose",     "motors",
-          "behaviours", "--channel", "--from", "--to",    "--m",   "--fields", "--output", "--json"};
+  return {"show",      "csv",    "plot", "compare", "check",    "force", "pose",     "motors", "behaviours",
+          "--channel", "--from", "--to", "--m",     "--fields", "--arm", "--output", "--json"};
 }
 
 int run_log(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {

@@ -1,4 +1,4 @@
-// The command `ui_cli log`: what a run folder holds, whether it can be recomputed, where two runs part.
+// The command `ui_cli log`: shows, checks, compares and plots run folders.
 #pragma once
 #include <iosfwd>
 #include <string>

@@ -3,9 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <set>
+
+#include "base/counted.hpp"
+
+#include "ui_cli/json_file.hpp"
 
 namespace mrroc::ui {
 namespace {
@@ -19,10 +23,7 @@ std::vector<std::uint8_t> without_session(std::vector<std::uint8_t> bytes) {
   return bytes;
 }
 
-Json summary_of(const RunRecord& run) {
-  std::ifstream in(run.folder() / "summary.json");
-  return in ? Json::parse(in, nullptr, false) : Json();
-}
+Json summary_of(const RunRecord& run) { return json_file<Json>(run.folder() / "summary.json"); }
 
 void put_figures(const Json& summary, bool first,
                  std::map<std::string, std::pair<std::string, std::string>>& figures) {
@@ -40,10 +41,14 @@ void put_figures(const Json& summary, bool first,
 }  // namespace
 
 Comparison compare_runs(const RunRecord& a, const RunRecord& b) {
-  std::map<std::pair<std::string, std::int64_t>, const link::LoggedMessage*> of_b;
+  using Key = std::pair<std::string, std::int64_t>;
+  const auto key_of = [](const link::LoggedMessage& m) {
+    return Key{m.channel, link::header_of(m.bytes).number};
+  };
+  std::map<Key, const link::LoggedMessage*> of_b;
   for (const link::LoggedMessage& m : b.log().messages())
-    if (!by_wall_clock(m.channel)) of_b[{m.channel, link::header_of(m.bytes).number}] = &m;
-  Comparison c;
+    if (!by_wall_clock(m.channel)) of_b[key_of(m)] = &m;
+  Comparison c{.task_a = a.task(), .task_b = b.task()};
   const auto note = [&](link::LogDifference d) {
     ++c.differences;
     if (!c.first) c.first = std::move(d);
@@ -58,11 +63,13 @@ Comparison compare_runs(const RunRecord& a, const RunRecord& b) {
     d.recomputed = in_b;
     return d;
   };
+  std::set<Key> seen;  // a message that was sent again stands in the log twice
   for (const link::LoggedMessage& m : a.log().messages()) {
-    if (by_wall_clock(m.channel)) continue;
+    if (by_wall_clock(m.channel) || !seen.insert(key_of(m)).second) continue;
     ++c.compared;
-    const auto found = of_b.find({m.channel, link::header_of(m.bytes).number});
+    const auto found = of_b.find(key_of(m));
     if (found == of_b.end()) {
+      ++c.only_a;
       note(lacking(m, "a message", "nothing"));
       continue;
     }
@@ -71,6 +78,8 @@ Comparison compare_runs(const RunRecord& a, const RunRecord& b) {
     of_b.erase(found);
   }
   for (const auto& [key, message] : of_b) note(lacking(*message, "nothing", "a message"));
+  c.only_b = static_cast<std::int64_t>(of_b.size());
+  c.compared += c.only_b;
   put_figures(summary_of(a), true, c.figures);
   put_figures(summary_of(b), false, c.figures);
   return c;
@@ -78,7 +87,11 @@ Comparison compare_runs(const RunRecord& a, const RunRecord& b) {
 
 int report_comparison(const Comparison& c, bool json, std::ostream& out) {
   if (json) {
-    Json j{{"compared", c.compared}, {"differences", c.differences}, {"first", nullptr}};
+    Json j{{"compared", c.compared},
+           {"differences", c.differences},
+           {"only_in_a", c.only_a},
+           {"only_in_b", c.only_b},
+           {"first", nullptr}};
     if (c.first)
       j["first"] = {{"channel", c.first->channel}, {"number", c.first->number}, {"stamp", c.first->stamp},
                     {"field", c.first->field},     {"a", c.first->logged},      {"b", c.first->recomputed}};
@@ -86,7 +99,11 @@ int report_comparison(const Comparison& c, bool json, std::ostream& out) {
     out << j.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
     return c.differences > 0 ? 1 : 0;
   }
-  out << fmt::format("{} messages compared, {} differ\n", c.compared, c.differences);
+  if (c.task_a != c.task_b) out << fmt::format("two tasks: A is a run of {}, B of {}\n", c.task_a, c.task_b);
+  out << fmt::format("{} compared, {} {}", counted(c.compared, "message"), c.differences,
+                     c.differences == 1 ? "differs" : "differ");
+  if (c.only_a + c.only_b > 0) out << fmt::format(": {} only in A, {} only in B", c.only_a, c.only_b);
+  out << "\n";
   if (c.first)
     out << fmt::format("first: {}, message {}, for step {}{}\n  A: {}\n  B: {}\n", c.first->channel,
                        c.first->number, c.first->stamp,

@@ -1,4 +1,4 @@
-// `ui_cli log compare`: where two runs part.
+// `ui_cli log compare`: finds the first difference between two runs.
 #pragma once
 #include <iosfwd>
 #include <map>
@@ -10,14 +10,17 @@
 
 namespace mrroc::ui {
 
-/// What two runs have in common.
+/// Result of the comparison of two runs.
 struct Comparison {
-  std::int64_t compared{};     ///< messages of A that were looked for in B
-  std::int64_t differences{};  ///< of these, those that differ or are not there
+  std::string task_a, task_b;  ///< names of the tasks
+  std::int64_t compared{};     ///< messages of either run; one that both have counts once
+  std::int64_t differences{};  ///< of these, those that differ or that one run lacks
+  std::int64_t only_a{};       ///< of the differences, those that B lacks
+  std::int64_t only_b{};       ///< those that A lacks
   /// The first of them in the order of A's log: `logged` is A's value, `recomputed` B's.
-  std::optional<link::LogDifference> first;
+  std::optional<link::LogDifference> first{};
   /// By key: A's and B's value, as in summary.json; null where a run has none.
-  std::map<std::string, std::pair<std::string, std::string>> figures;
+  std::map<std::string, std::pair<std::string, std::string>> figures{};
 };
 
 /// Compares the messages of the control system, sessions apart; signs of life and what terminals said are left

@@ -28,7 +28,7 @@ std::vector<Field> columns_of(const MessageType& type, const std::vector<std::st
   return columns;
 }
 
-/// What a table holds for a field: texts with doubled quotation marks, as CSV has them.
+/// A field as it stands in the table: texts with doubled quotation marks, as CSV has them.
 std::string cell(std::span<const std::uint8_t> bytes, const Field& f) {
   std::string value = value_in(bytes, f);
   if (f.kind != FieldKind::text) return value;

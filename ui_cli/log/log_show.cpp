@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "base/counted.hpp"
 #include "base/fault.hpp"
 #include "base/link/text.hpp"
 #include "base/msg/convert.hpp"
@@ -16,6 +16,8 @@
 #include "mrroc/operator_image_t.hpp"
 #include "mrroc/process_status_t.hpp"
 #include "mrroc/task_status_t.hpp"
+#include "ui_cli/json_file.hpp"
+#include "ui_cli/log/behaviour_names.hpp"
 
 namespace mrroc::ui {
 namespace {
@@ -32,46 +34,26 @@ struct Line {
 
 class Story {
  public:
-  explicit Story(const RunRecord& run) : run_(run) {
-    for (const link::LoggedMessage& m : run.log().messages()) {
-      if (m.channel == "task_status") {
-        if (const auto s = link::decode<task_status_t>(m.bytes)) learn(*s);
-      } else if (m.channel.starts_with(kAgent) && m.channel.ends_with(kStatus)) {
-        if (const auto s = link::decode<process_status_t>(m.bytes))
-          learn(m.channel.substr(kAgent.size(), m.channel.size() - kAgent.size() - kStatus.size()), s->m,
-                link::get_text(s->behaviour));
-      }
-    }
-  }
+  explicit Story(const RunRecord& run) : run_(run), names_(run) {}
 
   std::vector<Line> lines() {
-    for (const std::string& arm : run_.arms()) tell_arm(arm);
-    tell_operator();
+    for (const std::string& arm : run_.arms()) add_arm(arm);
+    add_operator();
     for (const link::LoggedMessage& m : run_.log().messages())
       if (m.channel.ends_with(".console"))
-        if (const auto c = link::decode<console_t>(m.bytes)) tell_console(*c);
+        if (const auto c = link::decode<console_t>(m.bytes)) add_console(*c);
     std::ranges::stable_sort(lines_, {}, &Line::i);
     return std::move(lines_);
   }
 
  private:
-  static constexpr std::string_view kAgent = "ecp-", kStatus = ".status";
-
-  void learn(const task_status_t& s) {
-    for (int k = 0; k < std::clamp(s.n_agents, 0, static_cast<int>(std::size(s.agent))); ++k)
-      learn(link::get_text(s.agent[k]), s.agent_m[k], link::get_text(s.agent_behaviour[k]));
-  }
-  void learn(const std::string& arm, int m, const std::string& behaviour) {
-    if (m != 0 && !behaviour.empty()) names_.try_emplace({arm, m}, behaviour);
-  }
-
   /// @return the behaviour as the agent calls it: its numbers are its own, the coordinator's mean something else
   [[nodiscard]] std::string name(const std::string& arm, int m) const {
-    const auto it = names_.find({arm, m});
-    return it == names_.end() ? fmt::format("m = {}", m) : fmt::format("m = {}, {}", m, it->second);
+    const std::string known = names_.name(arm, m);
+    return fmt::format("m = {}{}{}", m, known.empty() ? "" : ", ", known);
   }
 
-  void tell_arm(const std::string& arm) {
+  void add_arm(const std::string& arm) {
     std::optional<Report> before;
     for (const auto& [stamp, message] : run_.log().messages<agent_report_t>(arm + ".report")) {
       const Report r = from_message(message);
@@ -93,7 +75,7 @@ class Story {
     }
   }
 
-  void tell_operator() {
+  void add_operator() {
     operator_image_t before{};
     for (const auto& [stamp, h] : run_.log().messages<operator_image_t>("operator.image")) {
       if (h.started != before.started) add(stamp, "operator", "start");
@@ -103,7 +85,7 @@ class Story {
     }
   }
 
-  void tell_console(const console_t& c) {
+  void add_console(const console_t& c) {
     const FaultCode code = fault_code(c.code).value_or(FaultCode::none);
     const std::string text = link::get_text(c.text);
     add(c.header.stamp, link::get_text(c.process),
@@ -115,7 +97,7 @@ class Story {
   }
 
   const RunRecord& run_;
-  std::map<std::pair<std::string, int>, std::string> names_;  // of arm and m
+  BehaviourNames names_;
   std::vector<Line> lines_;
 };
 
@@ -142,10 +124,9 @@ std::string last_line(const std::filesystem::path& file) {
   return last;
 }
 
-/// How the run ended, from its summary; where it has none, the last message that an operator has seen.
+/// The end of the run, from its summary; where it has none, the last message that an operator has seen.
 void show_outcome(const RunRecord& run, bool json, std::ostream& out) {
-  std::ifstream in(run.folder() / "summary.json");
-  const Json summary = Json::parse(in, nullptr, false);
+  const auto summary = json_file<Json>(run.folder() / "summary.json");
   const bool told = summary.is_object() && summary.contains("outcome") && summary["outcome"].is_string();
   Json outcome{{"outcome", told ? summary["outcome"] : Json(nullptr)}, {"fault", nullptr}};
   std::string text = told ? summary["outcome"].get<std::string>()
@@ -153,12 +134,18 @@ void show_outcome(const RunRecord& run, bool json, std::ostream& out) {
   if (told && summary.contains("fault") && summary["fault"].is_object()) {
     outcome["fault"] = summary["fault"];
     for (const auto& [key, between] : {std::pair{"code", ", "}, {"process", ", "}, {"text", ": "}})
-      if (const Json part = summary["fault"].value(key, Json()); part.is_string() && part != "")
+      if (const Json part = summary["fault"].value(key, Json());
+          part.is_string() && !part.get_ref<const std::string&>().empty())
         text += between + part.get<std::string>();
   } else if (!told) {
     const std::string last = last_line(run.folder() / "messages.log");
     outcome["last_message"] = last;
     if (!last.empty()) text += "; its last message: " + last;
+  }
+  if (const std::int64_t damaged = run.log().damaged(); damaged > 0) {
+    outcome["damaged"] = damaged;
+    text +=
+        fmt::format("; the log is damaged in {}, what stood there is left out", counted(damaged, "place"));
   }
   out << (json ? outcome.dump(-1, ' ', false, Json::error_handler_t::replace) : "outcome: " + text) << "\n";
 }

@@ -1,4 +1,4 @@
-// `ui_cli log show`: a run in words.
+// `ui_cli log show`: describes a run in words.
 #pragma once
 #include <iosfwd>
 #include <limits>
@@ -8,7 +8,7 @@
 
 namespace mrroc::ui {
 
-/// What is to be seen of a run.
+/// Choice of what is shown of a run.
 struct ShowOptions {
   std::string channel;  ///< every message of this channel instead of the story of the run; empty: the story
   double from{0};       ///< simulated time [s]

@@ -8,7 +8,9 @@
 #include <span>
 #include <utility>
 
+#include "base/counted.hpp"
 #include "base/hash.hpp"
+#include "base/link/event_log.hpp"
 #include "base/link/process.hpp"
 #include "base/link/text.hpp"
 #include "mrroc/process_status_t.hpp"
@@ -49,14 +51,18 @@ std::string damage_of(const RunRecord& run) {
         if (found == sent.end()) continue;
         const auto count = static_cast<std::int64_t>(found->second.messages.size());
         if (count != status.hash[k].count)
-          return fmt::format("{} has {} messages, {} sent {}", channel, count, process.name,
+          return fmt::format("{} has {}, {} sent {}", channel, counted(count, "message"), process.name,
                              status.hash[k].count);
         if (found->second.hash() != status.hash[k].hash)
           return fmt::format("{} has not the bytes that {} sent", channel, process.name);
       }
     }
   }
-  return ended ? "" : "no process has told in it that it ended: the log is cut off, or the run was";
+  if (ended) return "";
+  std::error_code none;
+  if (std::filesystem::exists(run.folder() / link::kEventTail, none))
+    return fmt::format("it ends where log.limit_mb let it; what came last is in {}", link::kEventTail);
+  return "no process has told in it that it ended: the log is cut off, or the run was";
 }
 
 void warn_of_damage(const RunRecord& run, std::ostream& err) {

@@ -1,4 +1,4 @@
-// Whether a log has everything that the processes of its run say they have sent.
+// Checks that a log has every message that the processes of its run report as sent.
 #pragma once
 #include <iosfwd>
 #include <string>

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "base/command_line.hpp"
+#include "base/counted.hpp"
 #include "base/fault.hpp"
 #include "base/joined.hpp"
 #include "base/link/channel.hpp"
@@ -36,7 +37,7 @@ constexpr auto kSilent = 10s;    // of waiting for it in vain
 volatile std::sig_atomic_t interrupted = 0;
 void interrupt(int) { interrupted = 1; }
 
-/// Ctrl-C, and who ends this process otherwise, end the replay: nothing of it stays behind.
+/// Ctrl-C, and any other end of this process, end the replay: nothing of it stays behind.
 class Interruptible {
  public:
   Interruptible() { interrupted = 0; }
@@ -55,9 +56,9 @@ class Interruptible {
 }  // namespace
 
 /// Answers terminals: what has happened cannot be changed.
-class Replay::Desk {
+class Replay::CommandServer {
  public:
-  Desk(link::Bus& bus, const std::string& session, std::int64_t id)
+  CommandServer(link::Bus& bus, const std::string& session, std::int64_t id)
       : order_in_(bus, {link::Group::agents, session + ".operator"}, id),
         answer_out_(bus, {link::Group::agents, session + ".answer"}, id) {}
 
@@ -85,14 +86,14 @@ Replay::Replay(link::Bus& bus, const RunRecord& run, const std::string& session,
       run_(run),
       session_(session),
       options_(options),
-      desk_(std::make_shared<Desk>(bus, session, run.log().session_id())) {
-  // What the desk says itself is not said twice.
+      command_server_(std::make_shared<CommandServer>(bus, session, run.log().session_id())) {
+  // The command server's own messages are not sent twice.
   options_.without.insert({"operator", "answer"});
   if (options_.check)
     options_.without.insert(options_.check->channels().begin(), options_.check->channels().end());
 }
 
-bool Replay::stopped() const { return desk_->stopped(); }
+bool Replay::stopped() const { return command_server_->stopped(); }
 
 void Replay::publish(const link::LoggedMessage& m) {
   if (options_.without.contains(m.channel)) return;
@@ -111,7 +112,7 @@ void Replay::give_up() { options_.check->give_up(run_.log().messages()[next_]); 
 bool Replay::go_on_to(double time) {
   while (bus_.wait(0ms)) {
   }
-  desk_->poll();
+  command_server_->poll();
   waits_ = false;
   const auto& all = run_.log().messages();
   while (next_ < all.size()) {
@@ -177,21 +178,23 @@ bool play(Replay& replay, const ReplayOptions& o, std::vector<Listener>& listene
 }
 
 /// Starts processes of the run beside the replay and waits until they wait for its beginning.
-std::vector<Listener> start(const RunRecord& run, const Words& w, const std::string& session,
-                            const link::LcmAddress& address, const ReplayCheck& check, link::Bus& bus) {
+std::vector<Listener> start(const RunRecord& run, const Words& w, const link::SessionInfo& session,
+                            const ReplayCheck& check, link::Bus& bus) {
   std::vector<Listener> listeners;
   for (const std::string& name : w.with) {
     const LoggedProcess& p = *std::ranges::find(run.processes(), name, &LoggedProcess::name);
     std::vector<std::string> arguments{
-        "--session",    session,
+        "--session",    session.name,
         "--session-id", std::to_string(run.log().session_id()),
-        "--url",        address.url(),
+        "--url",        session.address->url(),
+        "--key-fd",     "0",
         "--roster",     "mp," + name,
         "--clock",      "step",
-        "--patience",   "0",
+        "--timeout",    "0",
         "--config",     std::filesystem::absolute(run.folder() / "config.toml").string()};
     arguments.insert(arguments.end(), p.arguments.begin(), p.arguments.end());
-    listeners.push_back({name, link::Child(program_beside(p.program), arguments)});
+    listeners.push_back(
+        {name, link::Child(program_beside(p.program), arguments, {}, session.key->hex() + "\n")});
   }
   const auto begun = Clock::now();
   while (!check.ready() && interrupted == 0) {
@@ -223,13 +226,13 @@ void check_can_listen(const RunRecord& run, const std::vector<std::string>& name
   }
 }
 
-int replay_run(const Words& w, const ReplaySurroundings& around, std::ostream& out, std::ostream& err) {
+int replay_run(const Words& w, const ReplayEnvironment& environment, std::ostream& out, std::ostream& err) {
   const RunRecord run(w.run);
   warn_of_damage(run, err);
   ReplayOptions options = w.options;
   options.without.insert(w.without.begin(), w.without.end());
   const std::string session =
-      w.session.empty() ? link::unique_session_name("replay", around.sessions) : w.session;
+      w.session.empty() ? link::unique_session_name("replay", environment.sessions) : w.session;
   const link::LcmAddress address = link::address_for(session);
   const Interruptible while_replaying;
   const link::SessionFile file({.name = session,
@@ -238,16 +241,16 @@ int replay_run(const Words& w, const ReplaySurroundings& around, std::ostream& o
                                 .task = "replay of " + (run.task().empty() ? "a run" : run.task()),
                                 .run_folder = std::filesystem::absolute(run.folder()),
                                 .pid = 0},
-                               around.sessions);
-  const auto bus = around.open(address);
+                               environment.sessions);
+  const auto bus = environment.open(file.info());
   std::optional<ReplayCheck> check;
   if (!w.with.empty()) {
     options.check = &check.emplace(*bus, run, session, w.with);
-    check_can_listen(run, w.with, around.prove);
+    check_can_listen(run, w.with, environment.prove);
   }
   Replay replay(*bus, run, session, options);
   std::vector<Listener> listeners;
-  if (check) listeners = start(run, w, session, address, *check, *bus);
+  if (check) listeners = start(run, w, file.info(), *check, *bus);
   if (!w.json) out << fmt::format("replay of {}, session {}\n", run.folder().string(), session) << std::flush;
   const bool to_its_end = play(replay, options, listeners, *bus);
   if (check && !to_its_end) check->cut_short();
@@ -256,8 +259,9 @@ int replay_run(const Words& w, const ReplaySurroundings& around, std::ostream& o
   const auto verdicts = check ? check->verdicts() : std::vector<link::LogVerdict>{};
   for (const link::LogVerdict& v : verdicts)
     told["processes"].push_back(nlohmann::ordered_json::parse(link::to_json(v)));
-  out << (w.json ? told.dump() + "\n"
-                 : fmt::format("{} messages, until {:.2f} s\n", replay.published(), replay.time()));
+  out << (w.json
+              ? told.dump() + "\n"
+              : fmt::format("{}, until {:.2f} s\n", counted(replay.published(), "message"), replay.time()));
   if (!check) return 0;
   std::ostringstream unread;
   return report_check(run.folder(), verdicts, "", false, w.json ? unread : out);
@@ -265,8 +269,8 @@ int replay_run(const Words& w, const ReplaySurroundings& around, std::ostream& o
 
 }  // namespace
 
-int run_replay(const std::vector<std::string>& arguments, const ReplaySurroundings& around, std::ostream& out,
-               std::ostream& err) {
+int run_replay(const std::vector<std::string>& arguments, const ReplayEnvironment& environment,
+               std::ostream& out, std::ostream& err) {
   Words w;
   CommandLine line(
       "Publishes the messages of a run once more, at their pace, on a session of its own: look at it with "
@@ -304,7 +308,7 @@ int run_replay(const std::vector<std::string>& arguments, const ReplaySurroundin
                      "--with begins with the run: what a process says depends on all that it has "
                      "seen",
                      "leave --from out");
-  return replay_run(w, around, out, err);
+  return replay_run(w, environment, out, err);
 }
 
 }  // namespace mrroc::ui

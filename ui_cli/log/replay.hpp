@@ -1,5 +1,5 @@
-// The command `ui_cli replay RUN`: the messages of a run once more, at their pace, on a session of their own, for
-// terminals, viewers, and virtual sensors, whose output is compared with the log.
+// The command `ui_cli replay RUN`: sends the messages of a run again, at their pace, on a session of their
+// own, for terminals, viewers, and virtual sensors, whose output is compared with the log.
 #pragma once
 #include <chrono>
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace mrroc::ui {
 
-/// What is to be replayed.
+/// Order for a replay.
 struct ReplayOptions {
   double speed{1};                ///< simulated seconds per second; 0: as fast as possible
   double from{0};                 ///< simulated time at which to begin [s]
@@ -49,31 +49,31 @@ class Replay {
   [[nodiscard]] bool stopped() const;
 
  private:
-  class Desk;
+  class CommandServer;
   void publish(const link::LoggedMessage& m);
 
   link::Bus& bus_;
   const RunRecord& run_;
   std::string session_;
   ReplayOptions options_;
-  std::shared_ptr<Desk> desk_;
+  std::shared_ptr<CommandServer> command_server_;
   std::size_t next_{};
   bool waits_{};
   double time_{};
   std::int64_t published_{};
 };
 
-/// What the command finds around it.
-struct ReplaySurroundings {
+/// Sessions, transport and programs that the command uses.
+struct ReplayEnvironment {
   std::filesystem::path sessions;  ///< directory of the running sessions
   /// Makes the end of the transport on which is published.
-  std::function<std::unique_ptr<link::Bus>(const link::LcmAddress&)> open;
+  std::function<std::unique_ptr<link::Bus>(const link::SessionInfo&)> open;
   Prover prove{programs_beside()};  ///< tells which processes messages alone can drive
 };
 
 /// Runs the command. @param arguments behind the word replay
 /// @return exit status
-int run_replay(const std::vector<std::string>& arguments, const ReplaySurroundings& around, std::ostream& out,
-               std::ostream& err);
+int run_replay(const std::vector<std::string>& arguments, const ReplayEnvironment& environment,
+               std::ostream& out, std::ostream& err);
 
 }  // namespace mrroc::ui

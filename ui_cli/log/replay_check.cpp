@@ -39,8 +39,8 @@ std::set<std::string> channels_of(const RunRecord& run, const std::string& proce
 
 }  // namespace
 
-struct ReplayCheck::Watched final : link::Sink {
-  Watched(link::Bus& bus, const std::string& session, const std::string& name, std::int64_t session_id)
+struct ReplayCheck::ReplayedNode final : link::Sink {
+  ReplayedNode(link::Bus& bus, const std::string& session, const std::string& name, std::int64_t session_id)
       : status(bus, {link::Group::agents, session + "." + name + ".status"}, session_id), of(session_id) {
     verdict.process = name;
   }
@@ -79,7 +79,7 @@ ReplayCheck::ReplayCheck(link::Bus& bus, const RunRecord& run, const std::string
       throw FaultError(FaultCode::bad_usage,
                        fmt::format("the run has no process '{}'; it has {}", name,
                                    joined(run.processes(), ", ", &LoggedProcess::name)));
-    auto& w = *watched_.emplace_back(std::make_unique<Watched>(bus, session, name, id));
+    auto& w = *nodes_.emplace_back(std::make_unique<ReplayedNode>(bus, session, name, id));
     for (const std::string& channel : channels_of(run, name)) {
       const auto first = std::ranges::find(run.log().messages(), channel, &LoggedMessage::channel);
       w.heard[channel].size = first == run.log().messages().end() ? 0 : first->bytes.size();
@@ -93,7 +93,7 @@ ReplayCheck::ReplayCheck(link::Bus& bus, const RunRecord& run, const std::string
 ReplayCheck::~ReplayCheck() = default;
 
 bool ReplayCheck::ready() const {
-  return std::ranges::all_of(watched_, [](const auto& w) {
+  return std::ranges::all_of(nodes_, [](const auto& w) {
     const process_status_t* const s = w->status.newest();
     if (s && s->state == static_cast<int>(link::ProcessState::faulted))
       throw FaultError(from_message(s->fault));
@@ -101,16 +101,15 @@ bool ReplayCheck::ready() const {
   });
 }
 
-ReplayCheck::Watched* ReplayCheck::sender(const std::string& channel) {
-  const auto found =
-      std::ranges::find_if(watched_, [&](const auto& w) { return w->heard.contains(channel); });
-  return found == watched_.end() ? nullptr : found->get();
+ReplayCheck::ReplayedNode* ReplayCheck::sender(const std::string& channel) {
+  const auto found = std::ranges::find_if(nodes_, [&](const auto& w) { return w->heard.contains(channel); });
+  return found == nodes_.end() ? nullptr : found->get();
 }
 
 bool ReplayCheck::passed(const LoggedMessage& m) {
-  Watched* const w = sender(m.channel);
+  ReplayedNode* const w = sender(m.channel);
   if (!w || w->silent) return true;
-  Watched::Said& said = w->heard[m.channel];
+  ReplayedNode::Said& said = w->heard[m.channel];
   const std::int64_t number = link::header_of(m.bytes).number;
   const auto now = said.messages.find(number);
   if (now == said.messages.end()) {
@@ -129,12 +128,12 @@ bool ReplayCheck::passed(const LoggedMessage& m) {
 }
 
 void ReplayCheck::ended(const std::string& process, const std::string& how) {
-  for (const auto& w : watched_)
+  for (const auto& w : nodes_)
     if (w->verdict.process == process) w->ended = how;
 }
 
 void ReplayCheck::give_up(const LoggedMessage& m) {
-  Watched* const w = sender(m.channel);
+  ReplayedNode* const w = sender(m.channel);
   if (!w) return;
   const link::RawHeader header = link::header_of(m.bytes);
   w->silent = true;
@@ -151,13 +150,13 @@ void ReplayCheck::give_up(const LoggedMessage& m) {
 }
 
 void ReplayCheck::cut_short() {
-  for (const auto& w : watched_)
+  for (const auto& w : nodes_)
     if (w->verdict.incomplete.empty()) w->verdict.incomplete = "the replay was stopped";
 }
 
 std::vector<link::LogVerdict> ReplayCheck::verdicts() const {
   std::vector<link::LogVerdict> all;
-  for (const auto& w : watched_) all.push_back(w->verdict);
+  for (const auto& w : nodes_) all.push_back(w->verdict);
   return all;
 }
 

@@ -1,4 +1,4 @@
-// Processes that listen to the replay of their own run: what they say now is compared with what they said then.
+// Checks processes that listen to the replay of their own run: compares their messages with the logged ones.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -44,11 +44,11 @@ class ReplayCheck {
   [[nodiscard]] std::vector<link::LogVerdict> verdicts() const;
 
  private:
-  struct Watched;
-  [[nodiscard]] Watched* sender(const std::string& channel);
+  struct ReplayedNode;
+  [[nodiscard]] ReplayedNode* sender(const std::string& channel);
 
   std::set<std::string> channels_;
-  std::vector<std::unique_ptr<Watched>> watched_;
+  std::vector<std::unique_ptr<ReplayedNode>> nodes_;
 };
 
 }  // namespace mrroc::ui

@@ -9,10 +9,11 @@
 #include <set>
 #include <span>
 
+#include "base/closest_match.hpp"
 #include "base/config.hpp"
 #include "base/fault.hpp"
+#include "base/link/channel.hpp"
 #include "base/link/run_folder.hpp"
-#include "base/nearest.hpp"
 
 namespace mrroc::ui {
 namespace {
@@ -36,7 +37,7 @@ bool ends_with_any(std::string_view channel, std::span<const char* const> ends) 
 
 }  // namespace
 
-RunRecord::RunRecord(fs::path folder) : folder_(link::checked_run_folder(folder)), log_(folder_) {
+RunRecord::RunRecord(const fs::path& folder) : folder_(link::checked_run_folder(folder)), log_(folder_) {
   const Config config = Config::load((folder_ / "config.toml").string());
   step_s_ = config.number("time.dt", 0.002, {1e-4, 1}, "s");
   macrostep_s_ = step_s_ * config.integer("time.n_s", 10, {1, 1000}, "steps");
@@ -77,13 +78,15 @@ std::optional<double> RunRecord::time_of(const link::LoggedMessage& m) const {
     if (!step) return std::nullopt;
     return number_in(m.bytes, *step) * step_s_;
   }
-  return static_cast<double>(link::header_of(m.bytes).stamp) * macrostep_s_;
+  const std::int64_t stamp = link::header_of(m.bytes).stamp;
+  if (stamp == link::kEndOfLink) return std::nullopt;
+  return static_cast<double>(stamp) * macrostep_s_;
 }
 
 void check_channel(const RunRecord& run, const std::string& channel) {
   const auto channels = run.log().channels();
   if (std::ranges::find(channels, channel) != channels.end()) return;
-  const std::string near = nearest(channel, WordSet(channels.begin(), channels.end()));
+  const std::string near = closest_match(channel, WordSet(channels.begin(), channels.end()));
   throw FaultError(FaultCode::bad_usage,
                    fmt::format("the log has no channel '{}'{}", channel,
                                near.empty() ? "" : fmt::format("; did you mean '{}'?", near)),

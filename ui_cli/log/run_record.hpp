@@ -1,4 +1,4 @@
-// The folder of a run, as the log commands read it.
+// The folder of a run, for the log commands.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -15,14 +15,14 @@ namespace mrroc::ui {
 struct LoggedProcess {
   std::string name;                    ///< in the roster
   std::string program;                 ///< beside ui_cli
-  std::vector<std::string> arguments;  ///< beyond those that every part gets
+  std::vector<std::string> arguments;  ///< beyond those that every node gets
 };
 
 /// A run folder.
 class RunRecord {
  public:
   /// @throws FaultError bad_log: it is no run folder
-  explicit RunRecord(std::filesystem::path folder);
+  explicit RunRecord(const std::filesystem::path& folder);
 
   /// @return as given to the constructor
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }

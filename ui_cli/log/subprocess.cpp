@@ -11,7 +11,7 @@
 namespace mrroc::ui {
 namespace {
 
-/// Where the child's standard streams go and where it runs.
+/// Sets the child's standard streams and its folder.
 class FileActions {
  public:
   FileActions(const std::string& folder, int out) {

@@ -1,4 +1,4 @@
-// Other programs that a command starts.
+// Starts other programs for a command.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace mrroc::ui {
 
-/// How a program ended.
+/// End of a program.
 struct Finished {
   int status{};     ///< exit status; 128 + signal; -1: it could not be started
   std::string out;  ///< what it wrote on standard output

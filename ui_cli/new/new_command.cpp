@@ -2,13 +2,14 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "base/closest_match.hpp"
 #include "base/command_line.hpp"
 #include "base/fault.hpp"
-#include "base/nearest.hpp"
 #include "ui_cli/new/tree.hpp"
 
 namespace mrroc::ui {
@@ -24,11 +25,15 @@ constexpr const char* kWritten =
     "\nWhat is written:\n"
     "  robot NAME   robots/NAME (kinematics, transmission, motors, URDF, driver), a task of that name that "
     "moves it\n"
-    "  task NAME    tasks/NAME (behaviours, program, ECP, mains, configuration)\n"
+    "  task NAME    tasks/NAME (behaviours, program, ECP, mains, configuration), with --coordinated the same "
+    "of a\n"
+    "               coordinator\n"
     "  sensor NAME  vsp/NAME (kernel, parameters, process)\n"
-    "and the tests of each below test/. NAME: lower-case letters, digits, underscores.\n"
+    "and below test/ the tests of each, but of a coordinator's task none. NAME: lower-case letters, digits, "
+    "underscores.\n"
     "\nExamples:\n";
 const ExplainedLines kLines{{"ui_cli new task circle", ""},
+                            {"ui_cli new task pair --coordinated", ""},
                             {"ui_cli new robot gantry --dry-run", ""},
                             {"ui_cli new sensor feeler", "and then"},
                             {"ui_cli new task feel --sensor feeler", ""}};
@@ -41,7 +46,7 @@ struct Options {
   std::string part, name;
   fs::path into, outside;
   std::string robot, sensor;
-  bool dry_run{}, json{};
+  bool hardware{}, coordinated{}, dry_run{}, json{};
 };
 
 NewPart part_named(const std::string& word) {
@@ -50,46 +55,60 @@ NewPart part_named(const std::string& word) {
     if (word == to_string(part)) return part;
     known.emplace(to_string(part));
   }
-  const std::string near = nearest(word, known);
+  const std::string near = closest_match(word, known);
   throw FaultError(FaultCode::bad_usage,
                    fmt::format("there is no new '{}'{}", word,
                                near.empty() ? "" : fmt::format("; did you mean '{}'?", near)),
                    "give robot, task or sensor, and a name");
 }
 
-/// @param file  that `ui_cli new` has written if it has written the part
-void need_part(const fs::path& tree, const std::string& file, NewPart part, const std::string& name) {
-  if (fs::is_regular_file(tree / file)) return;
+/// @return whether the folder of some robot has its description
+bool has_robot(const fs::path& tree, const std::string& name) {
+  return std::ranges::any_of(fs::directory_iterator(tree / "robots"), [&](const fs::directory_entry& folder) {
+    return fs::is_regular_file(folder.path() / (name + ".urdf"));
+  });
+}
+
+[[noreturn]] void refuse_missing(NewPart part, const std::string& name) {
   throw FaultError(FaultCode::bad_usage, fmt::format("there is no {} '{}'", to_string(part), name),
                    fmt::format("write it first: `ui_cli new {} {}`", to_string(part), name));
 }
 
-Scaffold wish_of(const Options& o) {
-  Scaffold wish{
-      .part = part_named(o.part), .name = o.name, .sensor = o.sensor, .outside = !o.outside.empty()};
-  check_new_name(wish.name);
-  if (!o.robot.empty()) wish.robot = o.robot;
-  if (wish.part != NewPart::task && (!o.robot.empty() || !o.sensor.empty() || wish.outside))
-    throw FaultError(FaultCode::bad_usage, "--robot, --sensor and --outside belong to a task");
-  if (wish.outside && (!o.into.empty() || !o.robot.empty() || !o.sensor.empty()))
+Scaffold scaffold_of(const Options& o) {
+  Scaffold scaffold{.part = part_named(o.part),
+                    .name = o.name,
+                    .sensor = o.sensor,
+                    .hardware = o.hardware,
+                    .coordinated = o.coordinated,
+                    .outside = !o.outside.empty()};
+  check_new_name(scaffold.name);
+  if (!o.robot.empty()) scaffold.robot = o.robot;
+  if (scaffold.part != NewPart::task &&
+      (!o.robot.empty() || !o.sensor.empty() || scaffold.coordinated || scaffold.outside))
+    throw FaultError(FaultCode::bad_usage, "--robot, --sensor, --coordinated and --outside belong to a task");
+  if (scaffold.coordinated && (!o.robot.empty() || !o.sensor.empty()))
+    throw FaultError(FaultCode::bad_usage, "--coordinated goes with neither --robot nor --sensor",
+                     "its arms and sensors are lines of main.cpp");
+  if (scaffold.hardware && scaffold.part != NewPart::robot)
+    throw FaultError(FaultCode::bad_usage, "--hardware belongs to a robot");
+  if (scaffold.outside && (!o.into.empty() || !o.robot.empty() || !o.sensor.empty()))
     throw FaultError(FaultCode::bad_usage, "--outside goes with none of --into, --robot, --sensor");
-  return wish;
+  return scaffold;
 }
 
-fs::path place_of(const Options& o, const Scaffold& wish) {
-  if (wish.outside) return o.outside;
-  const fs::path tree = find_tree(o.into);
-  check_free(tree, wish.name);
-  if (!o.robot.empty() && o.robot != "irb6_postument" && o.robot != "irb6_track")
-    need_part(tree, fmt::format("robots/{0}/{0}.urdf", o.robot), NewPart::robot, o.robot);
-  if (!o.sensor.empty())
-    need_part(tree, fmt::format("vsp/{0}/{0}.toml", o.sensor), NewPart::sensor, o.sensor);
+fs::path place_of(const Options& o, const Scaffold& scaffold) {
+  if (scaffold.outside) return o.outside;
+  fs::path tree = find_tree(o.into);
+  check_free(tree, scaffold.name);
+  if (!o.robot.empty() && !has_robot(tree, o.robot)) refuse_missing(NewPart::robot, o.robot);
+  if (!o.sensor.empty() && !fs::is_regular_file(tree / fmt::format("vsp/{0}/{0}.toml", o.sensor)))
+    refuse_missing(NewPart::sensor, o.sensor);
   return tree;
 }
 
-std::string json_of(const Scaffold& wish, const fs::path& place, const ScaffoldPlan& plan, bool written) {
-  nlohmann::ordered_json j{{"part", to_string(wish.part)},
-                           {"name", wish.name},
+std::string json_of(const Scaffold& scaffold, const fs::path& place, const ScaffoldPlan& plan, bool written) {
+  nlohmann::ordered_json j{{"part", to_string(scaffold.part)},
+                           {"name", scaffold.name},
                            {"folder", place.string()},
                            {"written", written},
                            {"files", nlohmann::ordered_json::array()},
@@ -112,18 +131,19 @@ std::string text_of(const fs::path& place, const ScaffoldPlan& plan, bool writte
 }
 
 void execute(const Options& o, std::ostream& out) {
-  const Scaffold wish = wish_of(o);
-  const fs::path place = place_of(o, wish);
-  const ScaffoldPlan plan = plan_scaffold(wish);
+  const Scaffold scaffold = scaffold_of(o);
+  const fs::path place = place_of(o, scaffold);
+  const ScaffoldPlan plan = plan_scaffold(scaffold);
   check_plan(place, plan);
   if (!o.dry_run) write_plan(place, plan);
-  out << (o.json ? json_of(wish, place, plan, !o.dry_run) : text_of(place, plan, !o.dry_run));
+  out << (o.json ? json_of(scaffold, place, plan, !o.dry_run) : text_of(place, plan, !o.dry_run));
 }
 
 }  // namespace
 
 std::vector<std::string> new_words() {
-  return {"robot", "task", "sensor", "--into", "--outside", "--robot", "--sensor", "--dry-run", "--json"};
+  return {"robot",    "task",       "sensor",        "--into",    "--outside", "--robot",
+          "--sensor", "--hardware", "--coordinated", "--dry-run", "--json"};
 }
 
 int run_new(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
@@ -135,6 +155,10 @@ int run_new(const std::vector<std::string>& arguments, std::ostream& out, std::o
   line.option("--robot", o.robot, "of a task: its arm; usual: irb6_postument").type_name("NAME");
   line.option("--sensor", o.sensor, "of a task: its virtual sensor, as made by `ui_cli new sensor`")
       .type_name("NAME");
+  line.flag("--hardware", o.hardware,
+            "of a robot: a seam to its drives, with a loop-back and a test by the wall clock");
+  line.flag("--coordinated", o.coordinated,
+            "of a task: two arms, and a coordinator with behaviours of its own; 6 files");
   line.option("--outside", o.outside,
               "of a task: a project of its own in DIR, against the installed framework")
       .type_name("DIR");
@@ -145,7 +169,7 @@ int run_new(const std::vector<std::string>& arguments, std::ostream& out, std::o
           arguments, out, err,
           {"ui_cli new task spiral", "ui_cli new task spiral --sensor whisker",
            "ui_cli new task spiral --robot gantry", "ui_cli new task spiral --outside ../spiral",
-           "ui_cli new robot gantry --into ../mrroc"}))
+           "ui_cli new robot gantry --into ../mrroc", "ui_cli new robot gantry --hardware"}))
     return *status;
   execute(o, out);
   return 0;

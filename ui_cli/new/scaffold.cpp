@@ -24,8 +24,8 @@ else enum explicit export extern false float for friend goto if inline int long 
 not_eq nullptr operator or or_eq private protected public register reinterpret_cast requires return short signed
 sizeof static static_assert static_cast struct switch template this thread_local throw true try typedef typeid
 typename union unsigned using virtual void volatile wchar_t while xor xor_eq
-std main mrroc base edp ecp vsp ui_cli robots tasks sim test tests bench docs link view contract camera gripper irb6
-irb6_postument irb6_track world programs all clean build help package install sensor robot task shell)";
+std main mrroc base edp ecp vsp ui_cli robots tasks sim launch test tests bench docs link view contract camera gripper irb6
+irb6_postument irb6_track simulator programs all clean build help package install sensor robot task shell)";
 
 bool is_taken(const std::string& name) {
   std::istringstream words(kTaken);
@@ -51,8 +51,8 @@ std::string replaced(std::string_view text, const Words& words) {
   return result;
 }
 
-/// Lines that begin with "//@sensor " or "#@sensor " are for a task with a sensor, "@no_sensor" for one without.
-std::string chosen_lines(std::string_view text, bool sensor) {
+/// Lines that begin with "//@WORD " or "#@WORD " are for a part with what the word names, "@no_WORD" for one without.
+std::string chosen_lines(std::string_view text, std::string_view word, bool chosen) {
   std::string result;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
@@ -61,63 +61,65 @@ std::string chosen_lines(std::string_view text, bool sensor) {
     bool keep = true;
     for (const std::string_view leader : {"//", "#"})
       for (const bool with : {true, false}) {
-        const std::string mark = fmt::format("{}@{} ", leader, with ? "sensor" : "no_sensor");
+        const std::string mark = fmt::format("{}@{}{} ", leader, with ? "" : "no_", word);
         if (!line.starts_with(mark)) continue;
         line.remove_prefix(mark.size());
-        keep = with == sensor;
+        keep = with == chosen;
       }
     if (keep) result += line;
   }
   return result;
 }
 
-std::string driver_program(const std::string& robot) {
-  return robot.starts_with("irb6_") ? "edp_irb6" : "edp_" + robot;
-}
-
 void add_files(ScaffoldPlan& plan, std::string_view folder, const Words& words, bool sensor) {
   for (const TemplateFile& file : template_files()) {
     if (!file.path.starts_with(folder)) continue;
     const std::string path = replaced(file.path.substr(folder.size()), words);
-    plan.files.push_back({path, replaced(chosen_lines(file.text, sensor), words)});
+    plan.files.push_back({path, replaced(chosen_lines(file.text, "sensor", sensor), words)});
   }
 }
 
-void add_task(ScaffoldPlan& plan, const Scaffold& wish) {
-  const Words words{{"my_task", wish.name},
-                    {"MyTask", type_name(wish.name)},
-                    {"my_sensor", wish.sensor},
-                    {"irb6_postument", wish.robot},
-                    {"PARTS edp_irb6", "PARTS " + driver_program(wish.robot) +
-                                           (wish.sensor.empty() ? "" : " vsp_" + wish.sensor)}};
-  add_files(plan, "task/", words, !wish.sensor.empty());
-  if (wish.outside) {
+void add_task(ScaffoldPlan& plan, const Scaffold& scaffold) {
+  const Words words{{"my_task", scaffold.name},
+                    {"MyTask", type_name(scaffold.name)},
+                    {"my_sensor", scaffold.sensor},
+                    {"irb6_postument", scaffold.robot},
+                    {" PARTS my_parts", scaffold.sensor.empty() ? "" : " PARTS vsp_" + scaffold.sensor}};
+  if (scaffold.coordinated)
+    add_files(plan, "coordinated/", {{"my_task", scaffold.name}}, false);
+  else
+    add_files(plan, "task/", words, !scaffold.sensor.empty());
+  if (scaffold.outside) {
     std::erase_if(plan.files, [](const NewFile& f) { return *f.path.begin() == "test"; });
     add_files(plan, "outside/", words, false);
-    return;
   }
-  plan.entries.push_back({"tasks/CMakeLists.txt", wish.name});
-  plan.entries.push_back({"test/tasks/CMakeLists.txt", wish.name});
 }
 
-std::vector<std::string> next_steps(const Scaffold& wish) {
+/// @return a run of a robot's task on hardware of its own, which finds out by homing where it stands
+std::string hardware_line(const std::string& name) {
+  return fmt::format("./run {0} --clock wall --set robots.arm1.hardware={0} --set robots.arm1.synchro=homing",
+                     name);
+}
+
+std::vector<std::string> next_steps(const Scaffold& scaffold) {
   const auto step = [](const std::string& command, const char* what) {
     return fmt::format("{:<44}  # {}", command, what);
   };
-  const std::string& name = wish.name;
+  const std::string& name = scaffold.name;
   const std::string test = "./run test -R " + type_name(name);
-  if (wish.outside)
+  if (scaffold.outside)
     return {step("cmake -B build -G Ninja", "-DCMAKE_PREFIX_PATH=DIR if mrroc is not below /usr"),
             step("cmake --build build", "builds it"), step("build/bin/" + name, "runs it")};
-  if (wish.part == NewPart::sensor)
+  if (scaffold.part == NewPart::sensor)
     return {step(test, "builds it and runs its tests"),
             step("./run ui_cli new task NAME --sensor " + name, "writes a task that uses it")};
   std::vector<std::string> steps{
       step("./run " + name, "builds it and runs it"),
-      step("./run " + name + " --view --speed 1", "shows it in a browser, at a real arm's pace"),
-      step(test, "builds the tests and runs its own")};
-  if (wish.part == NewPart::robot)
+      step("./run " + name + " --view --speed 1", "shows it in a browser, at a real arm's pace")};
+  if (!scaffold.coordinated) steps.push_back(step(test, "builds the tests and runs its own"));
+  if (scaffold.part == NewPart::robot)
     steps.push_back(step("./run press --set robots.arm1.model=" + name, "another task on this robot"));
+  if (scaffold.hardware) steps.push_back(step(hardware_line(name), "with its own hardware.cpp"));
   return steps;
 }
 
@@ -162,23 +164,26 @@ void check_new_name(const std::string& name) {
   if (is_taken(name)) refuse("has a meaning already");
 }
 
-ScaffoldPlan plan_scaffold(const Scaffold& wish) {
+ScaffoldPlan plan_scaffold(const Scaffold& scaffold) {
   ScaffoldPlan plan;
-  if (wish.part == NewPart::task) {
-    add_task(plan, wish);
-  } else if (wish.part == NewPart::sensor) {
-    add_files(plan, "sensor/", {{"my_sensor", wish.name}, {"MySensor", type_name(wish.name)}}, false);
-    plan.entries.push_back({"vsp/CMakeLists.txt", wish.name});
-    plan.entries.push_back({"test/vsp/CMakeLists.txt", wish.name});
+  if (scaffold.part == NewPart::task) {
+    add_task(plan, scaffold);
+  } else if (scaffold.part == NewPart::sensor) {
+    add_files(plan, "sensor/", {{"my_sensor", scaffold.name}, {"MySensor", type_name(scaffold.name)}}, false);
+    plan.entries.push_back({"vsp/CMakeLists.txt", scaffold.name});
+    plan.entries.push_back({"test/vsp/CMakeLists.txt", scaffold.name});
   } else {
-    add_files(plan, "robot/", {{"my_robot", wish.name}, {"MyRobot", type_name(wish.name)}}, false);
-    plan.entries.push_back({"robots/CMakeLists.txt", wish.name});
-    plan.entries.push_back({"test/robots/CMakeLists.txt", wish.name});
-    Scaffold task = wish;
-    task.robot = wish.name;
+    const Words words{{"my_robot", scaffold.name}, {"MyRobot", type_name(scaffold.name)}};
+    add_files(plan, "robot/", words, false);
+    for (NewFile& file : plan.files) file.text = chosen_lines(file.text, "hardware", scaffold.hardware);
+    if (scaffold.hardware) add_files(plan, "hardware/", words, false);
+    plan.entries.push_back({"robots/CMakeLists.txt", scaffold.name});
+    plan.entries.push_back({"test/robots/CMakeLists.txt", scaffold.name});
+    Scaffold task = scaffold;
+    task.robot = scaffold.name;
     add_task(plan, task);
   }
-  plan.next = next_steps(wish);
+  plan.next = next_steps(scaffold);
   return plan;
 }
 

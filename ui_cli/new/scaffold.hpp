@@ -1,5 +1,5 @@
-// What a new robot, task or sensor consists of: files made from templates, and the lines that make them known to the
-// build. Nothing here reads or writes a file.
+// The parts of a new robot, task or sensor: files made from templates, and the lines that make them known to
+// the build. Nothing here reads or writes a file.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -8,18 +8,20 @@
 
 namespace mrroc::ui {
 
-/// What can be new.
+/// Kinds of things that `ui_cli new` makes.
 enum class NewPart : std::uint8_t { robot, task, sensor };
 
 /// @return "robot", "task" or "sensor"
 [[nodiscard]] std::string_view to_string(NewPart part);
 
-/// What the user wants.
+/// The user's order.
 struct Scaffold {
   NewPart part{};                       ///< what is made
   std::string name;                     ///< see check_new_name()
   std::string robot{"irb6_postument"};  ///< of a task: its arm, as in [robots.ARM] model
   std::string sensor{};                 ///< of a task: its virtual sensor; empty: none
+  bool hardware{};                      ///< of a robot: a seam to drives of its own, hardware.cpp
+  bool coordinated{};                   ///< of a task: two arms, and a coordinator with behaviours of its own
   bool outside{};                       ///< of a task: a project of its own, against the installed framework
 };
 
@@ -46,7 +48,7 @@ struct ScaffoldPlan {
 void check_new_name(const std::string& name);
 
 /// @return what has to be written for it. A robot comes with a task of the same name that moves it
-[[nodiscard]] ScaffoldPlan plan_scaffold(const Scaffold& wish);
+[[nodiscard]] ScaffoldPlan plan_scaffold(const Scaffold& scaffold);
 
 /// @return name in the way of types: probe_arm gives ProbeArm
 [[nodiscard]] std::string type_name(std::string_view name);

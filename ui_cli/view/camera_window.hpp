@@ -1,4 +1,4 @@
-// The pictures of a running task's cameras, for whoever asks.
+// Gives the pictures of a running task's cameras to any number of readers.
 #pragma once
 #include <sys/types.h>
 
@@ -17,7 +17,8 @@
 namespace mrroc::view {
 
 /// Opens the frame stores of a session and copies a picture out when somebody asks. Used by any number of threads.
-/// A store has a name only while its system assembles: who comes later opens it through the process that draws.
+/// A store has a name only while its system assembles: a later reader opens it through the process that
+/// draws.
 class CameraWindow {
  public:
   /// Forgets the stores of the session before, and from now on looks for those of this one.

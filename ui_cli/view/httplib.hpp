@@ -1,5 +1,5 @@
-// The HTTP library without the name _res, which <resolv.h> takes from all that comes after it: Eigen has parameters of
-// that name.
+// The HTTP library without the name _res, which <resolv.h> defines as a macro: Eigen has parameters of that
+// name.
 #pragma once
 #include <httplib.h>
 #undef _res

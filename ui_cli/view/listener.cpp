@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/link/decode.hpp"
+#include "base/link/log_reader.hpp"
 #include "base/link/senders.hpp"
 #include "base/link/text.hpp"
 #include "base/msg/convert.hpp"
@@ -19,15 +20,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 using link::get_text;
 
+constexpr std::size_t kMostChannels = 512;  // a system has a few dozen
+constexpr std::size_t kMostAgents = 64;     // whose behaviours are told
+constexpr std::size_t kMostBehaviours = 1000;
 constexpr double kStep = 0.002;  // of the effector drivers [s]
 
 std::string compact(const Json& j) { return j.dump(-1, ' ', true, Json::error_handler_t::replace); }
-
-std::int64_t big_endian(const std::uint8_t* bytes) {
-  std::uint64_t value = 0;
-  for (int k = 0; k < 8; ++k) value = value << 8 | bytes[k];
-  return static_cast<std::int64_t>(value);
-}
 
 /// @return the name of the channel without the ending, or nothing when it ends otherwise
 std::optional<std::string> before(std::string_view name, std::string_view ending) {
@@ -62,11 +60,16 @@ void Listener::lose(std::int64_t messages) {
 bool Listener::is_new(std::string_view channel, std::span<const std::uint8_t> bytes) {
   constexpr std::size_t kHeader = 32;  // LCM's fingerprint and header_t
   if (bytes.size() < kHeader) return false;
-  if (session_id_ != 0 && big_endian(bytes.data() + 8) != session_id_) return false;
+  const link::RawHeader header = link::header_of(bytes);
+  if (session_id_ != 0 && header.session != session_id_) return false;
   if (!link::has_several_senders(channel)) {
-    const std::int64_t number = big_endian(bytes.data() + 16);
+    const std::int64_t number = header.number;
     if (number < 1) return false;  // senders count from 1
     auto it = last_.find(channel);
+    if (it == last_.end() && last_.size() >= kMostChannels) {
+      lose(1);
+      return false;
+    }
     if (it == last_.end()) it = last_.emplace(std::string(channel), number - 1).first;
     if (number <= it->second) return false;
     lose(number - it->second - 1);
@@ -82,7 +85,7 @@ void Listener::take(std::string_view name, std::span<const std::uint8_t> bytes) 
   } else if (const auto of = before(name, ".report")) {
     decoded<agent_report_t>(bytes, [&](const auto& m) { arms_[*of].m = m.m; });
   } else if (const auto process = before(name, ".console")) {
-    decoded<console_t>(bytes, [&](const auto& m) { say(*process, m.code, get_text(m.text)); });
+    decoded<console_t>(bytes, [&](const auto& m) { log(*process, m.code, get_text(m.text)); });
   } else if (const auto camera = before(name, ".frame")) {
     decoded<camera_frame_t>(bytes, [&](const auto& m) { take_frame(*camera, m); });
   } else if (name == "task_status") {
@@ -100,9 +103,7 @@ void Listener::take_reply(const std::string& name, const effector_reply_t& m) {
   Arm& arm = arms_[name];
   t_ = static_cast<double>(m.step) * kStep;
   take_refusal(name, arm, m.fault);
-  const auto state = static_cast<DriverState>(m.state);
-  if (state == DriverState::not_synchronised || state == DriverState::homing || state == DriverState::jogging)
-    return;
+  if (m.position_known == 0) return;
   std::array<float, kArmColumns.size()> row{static_cast<float>(t_), static_cast<float>(arm.m)};
   auto next = row.begin() + 2;
   const auto put = [&](const auto& numbers) {
@@ -122,7 +123,7 @@ void Listener::take_reply(const std::string& name, const effector_reply_t& m) {
 void Listener::take_refusal(const std::string& name, Arm& arm, const fault_t& fault) {
   if (fault.code == arm.fault) return;
   arm.fault = fault.code;
-  if (fault.code != 0) say("edp-" + name, fault.code, what_happened(from_message(fault)));
+  if (fault.code != 0) log("edp-" + name, fault.code, what_happened(from_message(fault)));
 }
 
 void Listener::take_status(const task_status_t& m) {
@@ -136,7 +137,10 @@ void Listener::take_status(const task_status_t& m) {
 
 void Listener::name_behaviour(const std::string& agent, int m, const std::string& name) {
   if (m == 0 || name.empty()) return;
-  std::string& known = behaviours_[agent][std::to_string(m)];
+  if (behaviours_.size() >= kMostAgents && !behaviours_.contains(agent)) return lose(1);
+  auto& names = behaviours_[agent];
+  if (names.size() >= kMostBehaviours && !names.contains(std::to_string(m))) return lose(1);
+  std::string& known = names[std::to_string(m)];
   if (known == name) return;
   known = name;
   record_.set("behaviours", compact(behaviours_));
@@ -179,9 +183,9 @@ void Listener::take_frame(const std::string& camera, const camera_frame_t& m) {
   record_.set("frames", compact(frames_));
 }
 
-void Listener::say(const std::string& process, std::int32_t code, const std::string& text) {
+void Listener::log(const std::string& process, std::int32_t code, const std::string& text) {
   const FaultCode known = fault_code(code).value_or(FaultCode::internal_error);
-  record_.say(compact({{"t", t_},
+  record_.log(compact({{"t", t_},
                        {"process", process},
                        {"code", known == FaultCode::none ? "" : std::string(to_string(known))},
                        {"text", text},

@@ -1,4 +1,4 @@
-// Turns the messages of a session, as they come or as they were recorded, into what a page is told.
+// Makes the contents of a page from the messages of a session, live or recorded.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -28,7 +28,8 @@ namespace mrroc::view {
 ///   lines   {t [s], process, code, text, fault: 0 or 1} from *.console, and what a driver refused
 ///   values  "status" (ui::status_json), "behaviours" {agent: {m: name}} with "" for the coordinator, "frames" {camera:
 ///           number}, "count" {messages, lost, refused: what the record had no room for}
-/// A message that comes again is ignored; numbers that are missing are counted as lost. A reading of a driver that
+/// A message that comes again is ignored; numbers that are missing are counted as lost, and so is what comes on more
+/// channels than a system has. A reading of a driver that
 /// does not know its position yet is no row: there is nothing to draw.
 class Listener final : public link::Sink {
  public:
@@ -61,7 +62,7 @@ class Listener final : public link::Sink {
   void lose(std::int64_t messages);
   [[nodiscard]] bool is_new(std::string_view channel, std::span<const std::uint8_t> bytes);
   void take(std::string_view name, std::span<const std::uint8_t> bytes);
-  void take_reply(const std::string& arm, const effector_reply_t& m);
+  void take_reply(const std::string& name, const effector_reply_t& m);
   void take_refusal(const std::string& name, Arm& arm, const fault_t& fault);
   void take_status(const task_status_t& m);
   void name_behaviour(const std::string& agent, int m, const std::string& name);
@@ -69,7 +70,7 @@ class Listener final : public link::Sink {
   void take_object(const object_truth_t& m);
   void take_cube(const cube_truth_t& m);
   void take_frame(const std::string& camera, const camera_frame_t& m);
-  void say(const std::string& process, std::int32_t code, const std::string& text);
+  void log(const std::string& process, std::int32_t code, const std::string& text);
 
   Record& record_;
   Scene scene_;

@@ -9,6 +9,15 @@ namespace mrroc::view {
 
 static_assert(std::endian::native == std::endian::little, "rows are sent as they lie in memory");
 
+namespace {
+
+/// @return whether the name can stand in a page's news as it is
+bool is_plain(std::string_view name) {
+  return std::ranges::all_of(name, [](char c) { return c > ' ' && c <= '~' && c != '"' && c != '\\'; });
+}
+
+}  // namespace
+
 std::string base64(std::span<const std::uint8_t> bytes) {
   static constexpr char kLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text((bytes.size() + 2) / 3 * 4, '=');
@@ -39,17 +48,20 @@ void Record::begin(std::string scene) {
 
 void Record::add(const std::string& track, std::span<const float> row) {
   const std::lock_guard lock(mutex_);
-  Track& t = tracks_[track];
-  t.width = row.size();
-  if (t.data.size() >= kMostKept * row.size()) {
+  auto it = tracks_.find(track);
+  if (it == tracks_.end() && tracks_.size() < kMostTracks && !row.empty() && is_plain(track))
+    it = tracks_.emplace(track, Track{row.size(), {}}).first;
+  if (it == tracks_.end() || it->second.width != row.size() ||
+      it->second.data.size() >= kMostKept * row.size()) {
     ++refused_;
     return;
   }
+  Track& t = it->second;
   t.data.insert(t.data.end(), row.begin(), row.end());
   ++change_;
 }
 
-void Record::say(std::string line) {
+void Record::log(std::string line) {
   const std::lock_guard lock(mutex_);
   if (lines_.size() >= kMostLines) {
     ++refused_;
@@ -61,6 +73,10 @@ void Record::say(std::string line) {
 
 void Record::set(const std::string& key, std::string value) {
   const std::lock_guard lock(mutex_);
+  if (values_.size() >= kMostValues && !values_.contains(key)) {
+    ++refused_;
+    return;
+  }
   Value& v = values_[key];
   if (v.text == value) return;
   v = {std::move(value), ++change_};

@@ -1,4 +1,4 @@
-// What a page is told: everything that was said so far, in memory, for any number of pages that read at their own pace.
+// Everything that a page is sent, kept in memory for any number of pages that read at their own pace.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -17,7 +17,7 @@ namespace mrroc::view {
 /// page that reads seldom gets more at a time.
 class Record {
  public:
-  /// How far a page has read. A new one begins at the beginning.
+  /// Position up to which a page has read. A new one begins at the beginning.
   struct Cursor {
     std::int64_t generation{};                      ///< of the scene that the page shows
     std::map<std::string, std::size_t> rows;        ///< per track
@@ -30,15 +30,19 @@ class Record {
   static constexpr std::size_t kMostRows = 2000;
   /// Rows of one track that are kept at most: eleven hours at 50 a second. Later ones are left out and counted.
   static constexpr std::size_t kMostKept = 2'000'000;
+  /// Tracks and values at most; rows of further tracks, and further values, are left out and counted.
+  static constexpr std::size_t kMostTracks = 64;
+  static constexpr std::size_t kMostValues = 64;
   /// Lines that are kept at most; later ones are left out and counted, too.
   static constexpr std::size_t kMostLines = 20'000;
 
   /// Forgets everything and begins anew. @param scene  JSON that the page gets first
   void begin(std::string scene);
-  /// @param row  the same number of numbers for all rows of a track
+  /// @param row  the same number of numbers for all rows of a track; one with another number is left out and counted,
+  ///             and so is a track whose name is no plain word
   void add(const std::string& track, std::span<const float> row);
   /// @param line  JSON
-  void say(std::string line);
+  void log(std::string line);
   /// @param value  JSON
   void set(const std::string& key, std::string value);
 
@@ -46,12 +50,12 @@ class Record {
   [[nodiscard]] std::int64_t changes() const;
   /// @return rows of a track so far
   [[nodiscard]] std::size_t rows(const std::string& track) const;
-  /// @return rows and lines that did not find room since begin()
+  /// @return rows, lines and values that did not find room, or did not fit, since begin()
   [[nodiscard]] std::size_t refused() const;
   /// @return JSON of the scene
   [[nodiscard]] std::string scene() const;
 
-  /// What is new for a page: an object with the number `generation` and, where there is something, `scene` (once per
+  /// News for a page: an object with the number `generation` and, where there is something, `scene` (once per
   /// generation), `tracks` {name: base64 of little-endian 32-bit floats, row by row}, `lines` [...], `values`
   /// {key: ...}.
   /// @param cursor  moved forward  @return empty when nothing is new

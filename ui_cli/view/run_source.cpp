@@ -3,12 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "base/fault.hpp"
 #include "base/link/log_reader.hpp"
 #include "base/link/run_folder.hpp"
+#include "ui_cli/json_file.hpp"
 #include "ui_cli/view/listener.hpp"
 
 namespace mrroc::view {
@@ -17,8 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 nlohmann::json summary_of(const fs::path& folder) {
-  std::ifstream file(folder / "summary.json");
-  return file ? nlohmann::json::parse(file, nullptr, false) : nlohmann::json();
+  return ui::json_file<nlohmann::json>(folder / "summary.json");
 }
 
 std::string text_of(const nlohmann::json& j) {
@@ -71,7 +70,7 @@ void load_summary(const fs::path& folder, Record& record) {
   record.set("summary", text_of(summary));
   const nlohmann::json fault = summary.value("fault", nlohmann::json());
   if (!fault.is_object()) return;
-  record.say(text_of({{"t", number(summary, "sim_s")},
+  record.log(text_of({{"t", number(summary, "sim_s")},
                       {"process", words(fault, "process")},
                       {"code", words(fault, "code")},
                       {"text", "the run ended: " + words(fault, "text")},

@@ -1,4 +1,4 @@
-// A run folder as a page shows it.
+// Loads a run folder into the record that a page shows.
 #pragma once
 #include <filesystem>
 #include <string>

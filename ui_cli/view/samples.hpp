@@ -1,4 +1,4 @@
-// The rows of the tracks that a page gets.
+// The rows of the tracks that a page receives.
 #pragma once
 #include <array>
 #include <string_view>
@@ -19,10 +19,11 @@ inline constexpr std::size_t kObjectColumns = 15;
 /// Name of the object's track.
 inline constexpr std::string_view kObjectTrack = "object";
 
-/// The row of the track "cube", one per macrostep of the world: t [s]; the axis about which layers can turn, 0 x, 1 y,
-/// 2 z of C; the angles of the layers in positive and negative direction of it, counterclockwise seen from outside
-/// [rad]; the rows of [R P] of T_UC [m]; the stickers of the faces U R F D L B as six numbers, each of nine digits to
-/// the base 6, the first sticker foremost, a digit for the face on whose centre the colour is.
+/// The row of the track "cube", one per macrostep of the simulator: t [s]; the axis about which layers can
+/// turn, 0 x, 1 y, 2 z of C; the angles of the layers in positive and negative direction of it,
+/// counterclockwise seen from outside [rad]; the rows of [R P] of T_UC [m]; the stickers of the faces U R F D
+/// L B as six numbers, each of nine digits to the base 6, the first sticker foremost, a digit for the face on
+/// whose centre the colour is.
 inline constexpr std::size_t kCubeColumns = 22;
 
 /// Name of the cube's track.

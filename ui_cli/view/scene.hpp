@@ -1,4 +1,4 @@
-// What stands in the cell, as the configuration of a run tells it.
+// The objects in the cell, as the configuration of a run describes them.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -53,7 +53,7 @@ inline constexpr double kSheet = 0.3;
 ///         the pen is lifted and not above it at all when it writes; the sheet gives way by less than 5 mm
 [[nodiscard]] bool on_paper(const ArmScene& arm, const Vector3& E);
 
-/// How a page gets to know it.
+/// The scene as a page receives it.
 struct SceneFrame {
   std::string source{};                 ///< "none", "live" or "run"
   std::string task{};                   ///< may be empty

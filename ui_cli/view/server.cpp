@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/fault.hpp"
-#include "ui_cli/view/httplib.hpp"
+#include "ui_cli/view/connections.hpp"
 #include "ui_cli/view/run_source.hpp"
 #include "ui_cli/view/static_files.hpp"
 
@@ -23,7 +23,6 @@ using httplib::Response;
 
 constexpr auto kPeriod = 40ms;    // between two pieces of news for a page
 constexpr auto kHeartbeat = 10s;  // without news
-constexpr std::size_t kThreads = 24;
 constexpr int kPortsTried = 20;
 
 // A page gets its files from here alone.
@@ -73,13 +72,13 @@ void serve_static(const StaticFile& file, httplib::Server& http) {
 
 }  // namespace
 
-Server::Server(Shown shown, int port) : shown_(std::move(shown)), http_(std::make_unique<httplib::Server>()) {
-  http_->new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+Server::Server(Shown shown, int port) : shown_(std::move(shown)), http_(std::make_unique<TimedServer>()) {
   http_->set_socket_options([](int socket) {  // a port that another viewer has is taken
     const int yes = 1;
     ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   });
   http_->set_tcp_nodelay(true);
+  http_->set_payload_max_length(0);  // requests that show something have none
   http_->set_default_headers({{"Content-Security-Policy", kPolicy},
                               {"X-Content-Type-Options", "nosniff"},
                               {"Referrer-Policy", "no-referrer"},
@@ -97,6 +96,7 @@ Server::Server(Shown shown, int port) : shown_(std::move(shown)), http_(std::mak
   if (port_ > last)
     throw FaultError(FaultCode::bad_usage, fmt::format("port {} of 127.0.0.1 is taken", first),
                      "give another one with --port N, or none");
+  http_->widen_door();
   thread_ = std::thread([this] { http_->listen_after_bind(); });
   while (!http_->is_running()) std::this_thread::sleep_for(1ms);
 }

@@ -1,4 +1,4 @@
-// The viewer's web server: on 127.0.0.1 only, for reading only.
+// The viewer's web server: on 127.0.0.1 only, read-only.
 #pragma once
 #include <atomic>
 #include <filesystem>
@@ -12,23 +12,24 @@
 #include "ui_cli/view/record.hpp"
 
 namespace httplib {
-class Server;
 struct Request;
 struct Response;
 }  // namespace httplib
 
 namespace mrroc::view {
 
-/// What the server shows.
+class TimedServer;
+
+/// Content that the server shows.
 struct Shown {
   Record& record;  ///< that pages are told
-  /// Where the newest pictures are.
+  /// Source of the newest pictures.
   CameraWindow& cameras;
   /// @return run folder whose pictures may be asked for; empty: none. Called by any thread
   std::function<std::filesystem::path()> folder;
 };
 
-/// Serves GET and HEAD, refuses everything else (405), and whoever calls it by another name than 127.0.0.1 or localhost
+/// Serves GET and HEAD, refuses everything else (405), and a client that calls it by another name than 127.0.0.1 or localhost
 /// (403), so that no page of another place can read it through a browser. What there is:
 ///   /                        the page and its files
 ///   /api/stream              server-sent events, each Record::news(), at most 25 a second; a comment every 10 s
@@ -36,7 +37,8 @@ struct Shown {
 ///   /api/robot/MODEL.urdf    description of a robot
 ///   /api/camera/NAME.bmp     newest picture of a running camera
 ///   /api/picture/PATH        picture of the run folder, of those that pictures_of() lists
-/// Anything else is 404 with {"error": why}. Works in threads of its own from construction to destruction.
+/// Anything else is 404 with {"error": why}. A slow client keeps nobody waiting and loses its connection
+/// (connections.hpp): a page that does not read its stream, too, and asks anew. Works in threads of its own from construction to destruction.
 class Server {
  public:
   /// Port that is tried first when the user names none.
@@ -65,7 +67,7 @@ class Server {
   void picture(const httplib::Request& request, httplib::Response& response) const;
 
   Shown shown_;
-  std::unique_ptr<httplib::Server> http_;
+  std::unique_ptr<TimedServer> http_;
   int port_{};
   std::atomic<bool> stop_{};
   std::atomic<int> pages_{};

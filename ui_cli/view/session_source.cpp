@@ -38,8 +38,8 @@ std::vector<std::string> names_of(const std::vector<CameraScene>& cameras) {
 
 }  // namespace
 
-SessionSource::SessionSource(SessionSurroundings around, Record& record, CameraWindow& cameras)
-    : around_(std::move(around)), record_(record), cameras_(cameras) {
+SessionSource::SessionSource(SessionEnvironment environment, Record& record, CameraWindow& cameras)
+    : environment_(std::move(environment)), record_(record), cameras_(cameras) {
   record_.begin(scene_json({}, {.source = "none"}));
   set_state("waiting", "");
   thread_ = std::thread([this] { work(); });
@@ -67,7 +67,7 @@ bool SessionSource::pause(std::chrono::milliseconds time) {
 
 std::optional<link::SessionInfo> SessionSource::find() {
   try {
-    return ui::choose_session(around_.wish, link::running_sessions(around_.sessions));
+    return ui::choose_session(environment_.selector, link::running_sessions(environment_.sessions));
   } catch (const FaultError& e) {
     if (!shown_) set_state("waiting", e.what());
     return {};
@@ -99,9 +99,9 @@ void SessionSource::work() {
 
 void SessionSource::follow(const link::SessionInfo& session) {
   // Of another host: no entry tells when the next run begins, and the one before is to stay on the page until then.
-  if (shown_ && session.pid == 0 && !talks(*around_.open(*session.address), session)) return;
+  if (shown_ && session.pid == 0 && !talks(*environment_.open(session), session)) return;
   following_ = true;
-  const auto bus = around_.open(*session.address);
+  const auto bus = environment_.open(session);
   const auto [scene, note] = cell_of(session);
   Listener listener(record_, scene, session.name, session.id);
   cameras_.begin(session.name, session.id, names_of(scene.cameras), session.pid);
@@ -141,7 +141,7 @@ void SessionSource::pump(link::Bus& bus, const link::SessionInfo& session, Liste
       looked = now;
       if (seeking) cameras_.look_hidden();
       listener.publish_count();
-      const auto running = link::running_sessions(around_.sessions);
+      const auto running = link::running_sessions(environment_.sessions);
       // A replay has the number of its run, and may have its name.
       const bool here = std::ranges::any_of(running, [&](const link::SessionInfo& s) {
         return s.name == session.name && s.id == session.id && s.pid == session.pid;

@@ -1,4 +1,4 @@
-// What runs at present, as a page shows it.
+// Feeds the record that a page shows from the running session.
 #pragma once
 #include <atomic>
 #include <chrono>
@@ -18,12 +18,12 @@
 
 namespace mrroc::view {
 
-/// What the source finds around it; tests give it something else.
-struct SessionSurroundings {
-  ui::Wish wish;                   ///< as on the command line
+/// Sessions and transport of the source; tests give it something else.
+struct SessionEnvironment {
+  ui::SessionSelector selector;    ///< as on the command line
   std::filesystem::path sessions;  ///< directory of the running sessions
   /// Makes the end of the transport that listens.
-  std::function<std::unique_ptr<link::Bus>(const link::LcmAddress&)> open{link::open_lcm};
+  std::function<std::unique_ptr<link::Bus>(const link::SessionInfo&)> open{link::open_session};
 };
 
 /// Waits for a session, follows it to its end, waits for the next, also for a replay of one that has been: a viewer can
@@ -32,7 +32,7 @@ struct SessionSurroundings {
 class SessionSource {
  public:
   /// @param record @param cameras  outlive this
-  SessionSource(SessionSurroundings around, Record& record, CameraWindow& cameras);
+  SessionSource(SessionEnvironment environment, Record& record, CameraWindow& cameras);
   ~SessionSource();
   SessionSource(const SessionSource&) = delete;
   SessionSource& operator=(const SessionSource&) = delete;
@@ -53,7 +53,7 @@ class SessionSource {
   /// @return false when the source is to end
   bool pause(std::chrono::milliseconds time);
 
-  SessionSurroundings around_;
+  SessionEnvironment environment_;
   Record& record_;
   CameraWindow& cameras_;
   std::atomic<bool> stop_{};

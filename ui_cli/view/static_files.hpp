@@ -1,4 +1,4 @@
-// The files of the page, inside the program: it does not depend on where the sources are.
+// The files of the page, compiled into the program, so that it does not depend on the sources' folder.
 #pragma once
 #include <span>
 #include <string_view>

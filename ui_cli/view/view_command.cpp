@@ -14,6 +14,7 @@
 
 #include "base/command_line.hpp"
 #include "base/fault.hpp"
+#include "base/signals.hpp"
 #include "ui_cli/view/run_source.hpp"
 #include "ui_cli/view/server.hpp"
 #include "ui_cli/view/session_source.hpp"
@@ -42,17 +43,17 @@ void interrupt(int) { interrupted = true; }
 struct Options {
   std::string run;
   int port{};
-  ui::Wish wish;
+  ui::SessionSelector selector;
   bool with_task{};
   bool json{};
 };
 
 /// A name or an address that cannot be one is told at once, not on the page.
-void check(const ui::Wish& wish) {
-  if (wish.session.empty()) return;
-  link::check_session_name(wish.session);
+void check(const ui::SessionSelector& selector) {
+  if (selector.session.empty()) return;
+  link::check_session_name(selector.session);
   try {
-    if (!wish.url.empty()) std::ignore = link::LcmAddress::parse(wish.url);
+    if (!selector.url.empty()) std::ignore = link::LcmAddress::parse(selector.url);
   } catch (const std::logic_error& e) {
     throw FaultError(FaultCode::bad_usage, fmt::format("--url: {}", e.what()));
   }
@@ -71,13 +72,13 @@ void stay(const Options& o, const Server& server, const SessionSource* source) {
 }
 
 int serve(const Options& o, std::ostream& out) {
-  check(o.wish);
+  check(o.selector);
   Record record;
   CameraWindow cameras;
   std::unique_ptr<SessionSource> source;
   if (o.run.empty())
     source = std::make_unique<SessionSource>(
-        SessionSurroundings{.wish = o.wish, .sessions = link::session_directory()}, record, cameras);
+        SessionEnvironment{.selector = o.selector, .sessions = link::session_directory()}, record, cameras);
   else
     load_run(o.run, record);
   const Server server(
@@ -100,18 +101,21 @@ int run_view(const std::vector<std::string>& arguments, std::ostream& out, std::
       .range(1024, 65535)
       .type_name("N");
   const Option session =
-      line.option("--session", o.wish.session, "name of the session, when several tasks run")
+      line.option("--session", o.selector.session, "name of the session, when several tasks run")
           .type_name("NAME");
-  line.option("--url", o.wish.url, "where a task of another host talks: udpm://HOST:PORT?ttl=N")
+  line.option("--url", o.selector.url, "where a task of another host talks: udpm://HOST:PORT?ttl=N")
       .needs(session)
       .type_name("URL");
+  line.option("--key-file", o.selector.key_file, "key of that session: a copy of its .key file")
+      .needs(session)
+      .type_name("FILE");
   line.flag("--with-task", o.with_task, "end when no task runs and no page is open for 5 s");
   line.flag("--json", o.json, "the address as JSON: {\"url\": ...}");
   line.footer("\nExamples:\n" + explained(kLines) + kExitStatus);
   interrupted = false;
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
-  std::signal(SIGPIPE, SIG_IGN);  // a page that goes away is no error
+  report_failed_writes();  // a page that goes away is no error
   if (const auto status =
           line.parse_words(arguments, out, err,
                            {"ui_cli view --port 8470", "ui_cli view --session press",
@@ -120,7 +124,7 @@ int run_view(const std::vector<std::string>& arguments, std::ostream& out, std::
   try {
     return serve(o, out);
   } catch (const FaultError& e) {
-    err << e.error_line(o.wish.session) << std::endl;
+    err << e.error_line(o.selector.session) << std::endl;
     return exit_status(e.fault().code);
   }
 }

@@ -4,25 +4,19 @@
 #include <apriltag/tag36h11.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <opencv2/imgproc.hpp>
+#include <memory>
+#include <opencv2/core.hpp>
 #include <optional>
 #include <vector>
 
 #include "base/fault.hpp"
 #include "vsp/apriltag/border.hpp"
+#include "vsp/apriltag/tag_search.hpp"
 #include "vsp/opencv.hpp"
-#include "vsp/straight_picture.hpp"
+#include "vsp/rectified_image.hpp"
 
 namespace mrroc::vsp {
 namespace {
-
-constexpr double kRegionMargin = 0.5;  // around the tag, in its own sizes
-constexpr int kLeastMargin = 24;       // [pixel]
-// Share of pixels on an edge beyond which a picture shows noise or a texture. It is searched at half the resolution,
-// since the work grows with the edges.
-constexpr double kClutter = 0.1;
 
 struct DeleteDetector {
   void operator()(apriltag_detector_t* d) const { apriltag_detector_destroy(d); }
@@ -34,27 +28,6 @@ struct DeleteDetections {
   void operator()(zarray_t* z) const { apriltag_detections_destroy(z); }
 };
 
-cv::Rect around(const Corners& corners, const cv::Rect& whole) {
-  Vector2 low = corners[0];
-  Vector2 high = corners[0];
-  for (const Vector2& c : corners) {
-    low = low.cwiseMin(c);
-    high = high.cwiseMax(c);
-  }
-  const double reach = std::max<double>(kLeastMargin, kRegionMargin * (high - low).maxCoeff());
-  const cv::Point2d first(low.x() - reach, low.y() - reach);
-  const cv::Point2d last(high.x() + reach, high.y() + reach);
-  return cv::Rect(cv::Rect2d(first, last)) & whole;
-}
-
-double share_of_edges(const cv::Mat& grey, double blur, int contrast) {
-  cv::Mat smooth;
-  cv::GaussianBlur(grey, smooth, {0, 0}, blur);
-  cv::Mat step;
-  cv::absdiff(smooth.colRange(2, smooth.cols), smooth.colRange(0, smooth.cols - 2), step);
-  return static_cast<double>(cv::countNonZero(step > contrast)) / static_cast<double>(step.total());
-}
-
 }  // namespace
 
 class AprilTagSensor::Search {
@@ -63,14 +36,14 @@ class AprilTagSensor::Search {
 
   Search(const CameraModel& camera, const Tag& tag, const AprilTagParameters& parameters)
       : camera_(camera),
-        straight_(camera),
+        rectified_(camera),
         tag_(tag),
         k_(parameters),
         family_(tag36h11_create()),
         detector_(apriltag_detector_create()) {
     if (tag.id < 0 || tag.id >= static_cast<int>(family_->ncodes) || !(tag.edge > 0))
       throw FaultError(FaultCode::bad_configuration, "there is no such tag in the family 36h11");
-    apriltag_detector_add_family_bits(detector_.get(), family_.get(), 0);
+    apriltag_detector_add_family_bits(detector_.get(), family_.get(), 0);  // wrong ones that are allowed
     detector_->nthreads = 1;
     detector_->qtp.min_white_black_diff = parameters.contrast;
   }
@@ -82,11 +55,11 @@ class AprilTagSensor::Search {
     if (!fits(picture, camera_)) return reading;
     const cv::Mat brightness = grey(picture);
     std::vector<Border> tags;
-    if (last_) tags = find(brightness, around(*last_, straight_.whole()), 0);
+    if (last_) tags = find(brightness, part_around(*last_, rectified_.whole()), 0);
     if (tags.empty()) {
-      tags = find(brightness, straight_.whole(), k_.search_blur);
+      tags = find(brightness, rectified_.whole(), k_.search_blur);
       if (tags.size() == 1) {
-        const auto located = find(brightness, around(tags.front().corners, straight_.whole()), 0);
+        const auto located = find(brightness, part_around(tags.front().corners, rectified_.whole()), 0);
         if (located.size() == 1) tags = located;
       }
     }
@@ -101,7 +74,7 @@ class AprilTagSensor::Search {
   void fill_in(const std::vector<Border>& tags, CameraReading& reading) const {
     PlanarPoseParameters k = k_.pose;
     k.noise_px = std::max(k.noise_px, tags.front().sigma);
-    const auto pose = planar_pose(straight_.camera(), tag_.corners(), tags.front().corners, k);
+    const auto pose = planar_pose(rectified_.camera(), tag_.corners(), tags.front().corners, k);
     if (!pose || pose->best.rms_px > k_.rms_px) return;
     reading.reprojection_px = pose->best.rms_px;
     reading.ambiguous = tags.size() > 1 || pose->ambiguous;
@@ -116,16 +89,15 @@ class AprilTagSensor::Search {
   std::vector<Border> find(const cv::Mat& brightness, const cv::Rect& part, double blur) const {
     std::vector<Border> found;
     if (part.width < 16 || part.height < 16) return found;
-    cv::Mat pixels = straight_.part(brightness, part);
+    cv::Mat pixels = rectified_.part(brightness, part);
     image_u8_t image{pixels.cols, pixels.rows, static_cast<int>(pixels.step), pixels.data};
     detector_->quad_sigma = static_cast<float>(blur);
-    const bool cluttered = share_of_edges(pixels, std::max(0.8, blur), k_.contrast) > kClutter;
-    detector_->quad_decimate = cluttered ? 2 : 1;
+    detector_->quad_decimate = is_cluttered(pixels, std::max(0.8, blur), k_.contrast) ? 2 : 1;
     const std::unique_ptr<zarray_t, DeleteDetections> all(apriltag_detector_detect(detector_.get(), &image));
     for (int k = 0; k < zarray_size(all.get()); ++k) {
       apriltag_detection_t* tag{};
       zarray_get(all.get(), k, &tag);
-      if (tag->id != tag_.id || tag->hamming > 0 || tag->decision_margin < k_.margin) continue;
+      if (tag->id != tag_.id || tag->decision_margin < k_.margin) continue;
       Corners corners;
       // AprilTag counts pixels from the corner of the first one, not from its centre.
       for (std::size_t c = 0; c < 4; ++c) corners[c] = {tag->p[c][0] - 0.5, tag->p[c][1] - 0.5};
@@ -138,7 +110,7 @@ class AprilTagSensor::Search {
   }
 
   CameraModel camera_;
-  StraightPicture straight_;
+  RectifiedImage rectified_;
   Tag tag_;
   AprilTagParameters k_;
   std::unique_ptr<apriltag_family_t, DeleteFamily> family_;

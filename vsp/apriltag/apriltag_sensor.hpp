@@ -2,7 +2,7 @@
 #pragma once
 #include <memory>
 
-#include "vsp/apriltag/tag.hpp"
+#include "base/target/tag.hpp"
 #include "vsp/image_sensor.hpp"
 #include "vsp/planar_pose.hpp"
 

@@ -52,7 +52,7 @@ class Edge {
 
   [[nodiscard]] std::optional<Line> line() const {
     std::vector<Crossing> crossings = even_ones();
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 1;; ++round) {
       if (static_cast<double>(crossings.size()) < kLeastShare * lines_) return std::nullopt;
       Line fit = through(crossings);
       std::vector<double> off;
@@ -65,15 +65,14 @@ class Edge {
           near.push_back(crossings[k]);
           squares += off[k] * off[k];
         }
-      if (near.size() == crossings.size() || round == kRounds - 1) {
+      if (near.size() == crossings.size() || round == kRounds) {
         // Of the line at its ends, where it is twice as uncertain as in the middle.
-        fit.sigma = 2 * std::sqrt(squares) / static_cast<double>(std::max<std::size_t>(1, near.size()));
+        fit.sigma = 2 * std::sqrt(squares) / static_cast<double>(near.size());
         for (const Crossing& c : near) fit.contrast += c.contrast / static_cast<double>(near.size());
         return fit;
       }
       crossings = std::move(near);
     }
-    return std::nullopt;
   }
 
   // From the steepest place of the mean over all lines across.
@@ -147,10 +146,10 @@ class Edge {
   cv::Mat values_;
 };
 
-std::optional<Vector2> meeting(const Line& a, const Line& b) {
+// Not finite when they are parallel.
+Vector2 meeting(const Line& a, const Line& b) {
   const double det = a.n.x() * b.n.y() - a.n.y() * b.n.x();
-  if (std::abs(det) < 0.05) return std::nullopt;
-  return Vector2((a.d * b.n.y() - b.d * a.n.y()) / det, (b.d * a.n.x() - a.d * b.n.x()) / det);
+  return {(a.d * b.n.y() - b.d * a.n.y()) / det, (b.d * a.n.x() - a.d * b.n.x()) / det};
 }
 
 }  // namespace
@@ -175,9 +174,8 @@ std::optional<Border> locate_border(const cv::Mat& grey, const Corners& rough) {
     const auto [faint, strong] = std::ranges::minmax(lines, {}, &Line::contrast);
     if (faint.contrast < kAlike * strong.contrast) return std::nullopt;
     for (std::size_t k = 0; k < 4; ++k) {
-      const auto corner = meeting(lines[(k + 3) % 4], lines[k]);
-      if (!corner || (*corner - rough[k]).norm() > 4) return std::nullopt;
-      border.corners[k] = *corner;
+      border.corners[k] = meeting(lines[(k + 3) % 4], lines[k]);
+      if (!((border.corners[k] - rough[k]).norm() <= 4)) return std::nullopt;
     }
   }
   return border;

@@ -1,4 +1,4 @@
-// Where the edges of a tag's black border lie, to a small part of a pixel. Only for the sources of this folder.
+// Locates the edges of a tag's black border to a fraction of a pixel. Only for the sources of this folder.
 #pragma once
 #include <array>
 #include <opencv2/core.hpp>
@@ -11,7 +11,7 @@ namespace mrroc::vsp {
 /// Corners of a quadrangle [pixel], neighbours in the array are neighbours in the picture.
 using Corners = std::array<Vector2, 4>;
 
-/// What the border's edges say.
+/// A tag's border as located by its edges.
 struct Border {
   Corners corners;  ///< where the lines through the edges meet [pixel]
   double sigma{};   ///< standard deviation of the corners, from the scatter along the edges [pixel]

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "base/camera_config.hpp"
+#include "base/counted.hpp"
 #include "base/fault.hpp"
 #include "base/text_file.hpp"
 #include "vsp/picture_file.hpp"
@@ -40,8 +41,8 @@ Pictures look_at(const std::filesystem::path& folder, const Board& board, std::F
   return result;
 }
 
-void tell(std::FILE* out, const std::string& what, const std::vector<BoardView>& views,
-          const std::vector<double>& px) {
+void print_views(std::FILE* out, const std::string& what, const std::vector<BoardView>& views,
+                 const std::vector<double>& px) {
   for (std::size_t k = 0; k < views.size(); ++k)
     fmt::print(out, "{:32} {} {:.3f} px\n", views[k].name, what, px[k]);
 }
@@ -49,9 +50,9 @@ void tell(std::FILE* out, const std::string& what, const std::vector<BoardView>&
 CameraModel lens_of(const CalibrationOrder& order, const Pictures& pictures, std::FILE* out) {
   if (order.camera.empty()) {
     const LensCalibration lens = calibrate_lens(pictures.width, pictures.height, pictures.views, order.board);
-    tell(out, "lens", pictures.views, lens.view_px);
-    fmt::print(out, "lens: {:.3f} px over {} pictures, focal length {:.2f} +- {:.2f} pixels\n", lens.rms_px,
-               pictures.views.size(), lens.model.fx, lens.sigma_f * lens.model.fx);
+    print_views(out, "lens", pictures.views, lens.view_px);
+    fmt::print(out, "lens: {:.3f} px over {}, focal length {:.2f} +- {:.2f} pixels\n", lens.rms_px,
+               counted(pictures.views.size(), "picture"), lens.model.fx, lens.sigma_f * lens.model.fx);
     return lens.model;
   }
   const Config config = Config::load(order.camera);
@@ -83,9 +84,9 @@ PlaceCalibration place_of(const CalibrationOrder& order, const CameraModel& mode
     used.push_back(v);
   }
   PlaceCalibration place = calibrate_place(model, order.arrangement, views, order.board);
-  tell(out, "place", used, place.view_px);
-  fmt::print(out, "place: {:.3f} px over {} pictures, position +- {:.2f} mm\n", place.rms_px, used.size(),
-             1e3 * place.sigma_m);
+  print_views(out, "place", used, place.view_px);
+  fmt::print(out, "place: {:.3f} px over {}, position +- {:.2f} mm\n", place.rms_px,
+             counted(used.size(), "picture"), 1e3 * place.sigma_m);
   return place;
 }
 

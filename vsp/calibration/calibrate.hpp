@@ -1,4 +1,5 @@
-// The command `calibrate`: from a folder of pictures and the robot's poses to the camera's part of a configuration.
+// The command `calibrate`: computes the camera's configuration from a folder of pictures and the robot's
+// poses.
 #pragma once
 #include <cstdio>
 #include <filesystem>
@@ -9,7 +10,7 @@
 
 namespace mrroc::vsp {
 
-/// What is to be calibrated from what.
+/// Order for a calibration: its input files and settings.
 struct CalibrationOrder {
   std::filesystem::path pictures;  ///< folder
   std::filesystem::path

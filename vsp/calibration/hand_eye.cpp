@@ -7,7 +7,9 @@
 #include <cmath>
 #include <opencv2/calib3d.hpp>
 
+#include "base/counted.hpp"
 #include "base/fault.hpp"
+#include "vsp/least_squares.hpp"
 #include "vsp/planar_pose.hpp"
 
 namespace mrroc::vsp {
@@ -86,6 +88,8 @@ class Problem {
     }
   }
 
+  [[nodiscard]] static Unknowns moved(const Unknowns& u, const Vector12& step) { return u.moved(step); }
+
   [[nodiscard]] double freedom() const {
     return static_cast<double>(2 * model_.size() * views_.size()) - unknowns_;
   }
@@ -97,33 +101,6 @@ class Problem {
   std::vector<Vector3> model_;
   std::vector<Pose> A_;
 };
-
-Unknowns minimise(const Problem& problem, Unknowns u) {
-  constexpr int kSteps = 60;
-  double cost = problem.cost(u);
-  double damping = 1e-3;
-  Matrix12 JtJ;
-  Vector12 Jtr;
-  for (int k = 0; k < kSteps && damping < 1e8; ++k) {
-    problem.linearise(u, JtJ, Jtr);
-    Matrix12 damped = JtJ;
-    damped.diagonal() *= 1 + damping;
-    const Unknowns next = u.moved(-damped.ldlt().solve(Jtr));
-    const double next_cost = problem.cost(next);
-    if (next_cost < cost) {
-      const bool settled = cost - next_cost < 1e-10 * cost;
-      u = next;
-      cost = next_cost;
-      damping = std::max(1e-9, 0.1 * damping);
-      if (settled) break;
-    } else {
-      damping *= 10;
-    }
-  }
-  u.X.R = orthonormal(u.X.R);
-  u.Y.R = orthonormal(u.Y.R);
-  return u;
-}
 
 // Two axes are needed: about one alone, the camera may be anywhere along it.
 void check_turns(std::span<const PosedView> views) {
@@ -169,7 +146,7 @@ Unknowns start(const Problem& problem, const std::vector<Pose>& T_CG, bool known
     for (int column = 0; column < 3; ++column) u.X.R(row, column) = R.at<double>(row, column);
     u.X.p[row] = p.at<double>(row);
   }
-  if (!u.X.R.allFinite() || !u.X.p.allFinite()) refuse("no place of the camera explains the pictures");
+  if (!u.X.p.allFinite()) refuse("no place of the camera explains the pictures");
   u.X.R = orthonormal(u.X.R);
   u.Y = problem.A(0).inverse() * u.X * T_CG[0];
   return u;
@@ -182,8 +159,8 @@ PlaceCalibration calibrate_place(const CameraModel& camera, Arrangement arrangem
   const bool known_board = arrangement == Arrangement::known_board;
   const std::size_t least = known_board ? 1 : 3;
   if (views.size() < least)
-    refuse(fmt::format("the board was found in {} pictures whose poses are known; at least {} are needed",
-                       views.size(), least));
+    refuse(fmt::format("the board was found in {} with a known pose; at least {} {} needed",
+                       counted(views.size(), "picture"), least, least == 1 ? "is" : "are"));
   if (!known_board) check_turns(views);
   const Problem problem(camera, arrangement, views, board);
   std::vector<Pose> T_CG;
@@ -192,7 +169,9 @@ PlaceCalibration calibrate_place(const CameraModel& camera, Arrangement arrangem
     if (!pose) refuse(v.view.name + ": no pose of the board explains the picture");
     T_CG.push_back(pose->best.T_CG);
   }
-  const Unknowns u = minimise(problem, start(problem, T_CG, known_board));
+  constexpr int kSteps = 60;
+  Unknowns u = start(problem, T_CG, known_board);
+  minimise<kMost>(problem, u, kSteps, 1e7);
   PlaceCalibration result{u.X, u.Y, 0, {}, 0};
   const auto corners = static_cast<double>(problem.model().size());
   for (std::size_t k = 0; k < views.size(); ++k)

@@ -1,5 +1,5 @@
-// Where a camera is: in the hand (EIH, E_C T) or beside the robot (SAC, 0_C T), from pictures of the chessboard and the
-// robot's poses.
+// Computes the pose of a camera in the hand (EIH, E_C T) or beside the robot (SAC, 0_C T) from pictures of
+// the chessboard and the robot's poses.
 #pragma once
 #include <span>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace mrroc::vsp {
 
-/// What is fixed to what, and what the known poses are.
+/// Arrangement of camera and board, and the meaning of the known poses.
 enum class Arrangement : std::uint8_t {
   eye_in_hand,    ///< camera in the hand, board lies still; poses are 0_E T; wanted E_C T
   board_in_hand,  ///< camera stands still, board in the hand; poses are 0_E T; wanted 0_C T
@@ -21,7 +21,7 @@ struct PosedView {
   Pose known;      ///< 0_E T or 0_G T
 };
 
-/// Where the camera is, and how well that explains the pictures.
+/// Pose of the camera, and the residuals of the pictures.
 struct PlaceCalibration {
   Pose camera;                  ///< E_C T or 0_C T
   Pose board;                   ///< 0_G T (eye_in_hand), E_G T (board_in_hand), identity (known_board)

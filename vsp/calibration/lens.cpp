@@ -6,14 +6,15 @@
 #include <cmath>
 #include <opencv2/calib3d.hpp>
 
+#include "base/counted.hpp"
 #include "base/fault.hpp"
 #include "vsp/chessboard/board_search.hpp"
+#include "vsp/chessboard/chessboard_sensor.hpp"
 #include "vsp/opencv.hpp"
 
 namespace mrroc::vsp {
 namespace {
 
-constexpr int kOffset = 6;            // of the threshold [grey levels]
 constexpr double kLeastTurn = 0.26;   // between the planes of some two views [rad]
 constexpr double kLeastCover = 0.5;   // of the picture's width and height by all views together
 constexpr double kWorstRms = 1;       // [pixel]
@@ -39,7 +40,8 @@ void check_cover(int width, int height, std::span<const BoardView> views) {
 void check_turns(const std::vector<cv::Mat>& rotations) {
   std::vector<Vector3> normals;
   for (const cv::Mat& r : rotations)
-    normals.push_back(rotation_from_angle_axis({r.at<double>(0), r.at<double>(1), r.at<double>(2)}).col(2));
+    normals.emplace_back(
+        rotation_from_angle_axis({r.at<double>(0), r.at<double>(1), r.at<double>(2)}).col(2));
   double largest = 0;
   for (const Vector3& a : normals)
     for (const Vector3& b : normals) largest = std::max(largest, std::atan2(a.cross(b).norm(), a.dot(b)));
@@ -54,15 +56,16 @@ void check_turns(const std::vector<cv::Mat>& rotations) {
 
 std::optional<std::vector<Vector2>> find_corners(const ImageView& picture, const Board& board) {
   std::vector<chessboard::InnerCorners> found;
-  if (!picture.empty()) chessboard::find_everywhere(grey(picture), board, kOffset, found);
+  if (!picture.empty())
+    chessboard::find_everywhere(grey(picture), board, ChessboardParameters{}.offset, found);
   if (found.size() != 1) return std::nullopt;
   return std::move(found.front().pixels);
 }
 
 LensCalibration calibrate_lens(int width, int height, std::span<const BoardView> views, const Board& board) {
   if (views.size() < kLeastViews)
-    refuse(
-        fmt::format("the board was found in {} pictures; at least {} are needed", views.size(), kLeastViews));
+    refuse(fmt::format("the board was found in {}; at least {} are needed", counted(views.size(), "picture"),
+                       kLeastViews));
   check_cover(width, height, views);
   std::vector<cv::Point3f> model;
   for (int r = 0; r < board.rows; ++r)

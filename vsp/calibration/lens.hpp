@@ -1,4 +1,4 @@
-// Intrinsics of a camera from pictures of the chessboard.
+// Computes the intrinsics of a camera from pictures of the chessboard.
 #pragma once
 #include <optional>
 #include <span>
@@ -7,7 +7,7 @@
 
 #include "base/camera.hpp"
 #include "base/image.hpp"
-#include "vsp/chessboard/board.hpp"
+#include "base/target/board.hpp"
 
 namespace mrroc::vsp {
 

@@ -3,8 +3,10 @@
 
 #include "base/command_line.hpp"
 #include "base/fault.hpp"
+#include "base/print.hpp"
+#include "base/standard_files.hpp"
+#include "base/target/target_config.hpp"
 #include "vsp/calibration/calibrate.hpp"
-#include "vsp/looked_for.hpp"
 
 int main(int argc, char** argv) {
   using namespace mrroc;
@@ -41,18 +43,18 @@ int main(int argc, char** argv) {
             argc, argv,
             {example, example + " --name eih --poses poses.csv --arm arm1", example + " --camera lens.toml",
              example + " --poses poses.csv --arrangement board_in_hand", example + " --board board.toml"})) {
-      fmt::print("{}", *help);
-      return 0;
+      print(stdout, *help);
+      return end_standard_output(0);
     }
     if (!board.empty()) {
       const Config file = Config::load(board);
       if (!file.has("chessboard.columns"))
         throw FaultError(FaultCode::bad_configuration, board + " has no chessboard.columns",
                          "write a table [chessboard] with columns, rows and square (in m)");
-      order.board = vsp::read_board(file);
+      order.board = read_board(file);
     }
     vsp::calibrate(order, stdout);
-    return 0;
+    return end_standard_output(0);
   } catch (const FaultError& e) {
     fmt::print(stderr, "{}\n", e.error_line());
     return exit_status(e.fault().code);

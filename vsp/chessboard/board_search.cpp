@@ -26,7 +26,7 @@ void bring_home(std::vector<Quadrangle>& quadrangles, const Search& search) {
   }
 }
 
-// Whether the lattice's middle is on the board.
+// Tells whether the lattice's middle is on the board.
 bool lies_on(const Lattice& lattice, const std::vector<Quadrangle>& quadrangles, const InnerCorners& board,
              const Board& size) {
   cv::Point2f middle(0, 0);
@@ -79,13 +79,18 @@ SearchResult find_boards(const cv::Mat& grey, const Search& search, const Board&
   return result;
 }
 
+int large_surroundings(int width) { return std::max(kSmallSurroundings, (width / 8) | 1); }
+
 void find_everywhere(const cv::Mat& grey, const Board& board, int offset, std::vector<InnerCorners>& known) {
   struct Pass {
     int scale;
     int block;
   };
   // Large squares need large surroundings, small ones small.
-  const Pass passes[]{{1, std::max(21, (grey.cols / 8) | 1)}, {1, 21}, {2, 21}, {3, 21}};
+  const Pass passes[]{{1, large_surroundings(grey.cols)},
+                      {1, kSmallSurroundings},
+                      {2, kSmallSurroundings},
+                      {3, kSmallSurroundings}};
   bool cluttered = false;
   for (const Pass& pass : passes) {
     if (pass.scale > 1 && (cluttered || grey.cols > kWidest)) return;

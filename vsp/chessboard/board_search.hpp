@@ -1,5 +1,5 @@
-// The chain of stages (35)-(40) over one part of a picture. Only for the sources of this folder, the calibration and
-// tests.
+// Runs the stages (35)-(40) of the chain on one part of a picture. Only for the sources of this folder, the
+// calibration and tests.
 #pragma once
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace mrroc::vsp::chessboard {
 
-/// Where to look, and how.
+/// Region and settings of a search.
 struct Search {
   int x{};              ///< left end of the part of the picture [pixel]
   int y{};              ///< its upper end [pixel]
@@ -19,7 +19,7 @@ struct Search {
   WorkLimits limits{};  ///< of the part's search
 };
 
-/// What the chain found.
+/// Result of the chain.
 struct SearchResult {
   std::vector<InnerCorners> boards;  ///< all that were found, in no order
   bool
@@ -36,6 +36,10 @@ void add(std::vector<InnerCorners>& boards, const InnerCorners& board);
 /// Runs the chain. Inner corners are located in the picture itself, not in the enlarged part.
 /// @param grey  one channel
 SearchResult find_boards(const cv::Mat& grey, const Search& search, const Board& board);
+
+inline constexpr int kSmallSurroundings = 21;  ///< edge of those for the threshold [pixel], odd
+/// @return edge of the large ones: an odd number, about an eighth of the picture's width, not below the small ones [pixel]
+int large_surroundings(int width);
 
 /// Runs the chain over the whole picture, with large and small surroundings for the threshold, then, in pictures of at
 /// most kWidest pixels that show no noise or texture, over the picture enlarged; until one board is found and nothing

@@ -55,7 +55,7 @@ struct Corner {
 // Corners sorted into squares of the picture, so that near ones are found without comparing all.
 class NearCorners {
  public:
-  explicit NearCorners(const std::vector<Quadrangle>& all) : all_(all) {
+  explicit NearCorners(const std::vector<Quadrangle>& all) {
     for (const Quadrangle& q : all)
       for (const cv::Point2f& c : q.corner) {
         columns_ = std::max(columns_, bin(c.x) + 1);
@@ -83,7 +83,6 @@ class NearCorners {
   static int bin(float x) { return static_cast<int>(std::max(0.0F, x) / kBin); }
   [[nodiscard]] std::size_t index(int x, int y) const { return static_cast<std::size_t>(y * columns_ + x); }
 
-  const std::vector<Quadrangle>& all_;
   int columns_{1};
   int rows_{1};
   std::vector<std::vector<Corner>> bins_;

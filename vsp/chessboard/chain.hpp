@@ -25,7 +25,7 @@ struct Cell {
 /// Dark squares that touch each other at their corners.
 using Lattice = std::vector<Cell>;
 
-/// How much work a stage may do, whatever the picture shows.
+/// Limits on the work of a stage, whatever the picture shows.
 struct WorkLimits {
   std::size_t contours{6000};    ///< that are looked at, the first ones
   std::size_t quadrangles{800};  ///< that are kept, the first ones

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "vsp/chessboard/board.hpp"
+#include "base/target/board.hpp"
 #include "vsp/image_sensor.hpp"
 #include "vsp/planar_pose.hpp"
 
@@ -14,7 +14,6 @@ class Mat;
 namespace mrroc::vsp {
 namespace chessboard {
 struct InnerCorners;
-struct Search;
 }  // namespace chessboard
 
 /// Thresholds of the detector.
@@ -43,15 +42,11 @@ class ChessboardSensor {
   void forget() { last_.reset(); }
 
  private:
-  [[nodiscard]] std::optional<chessboard::Search> around(const Pose& T_CG) const;
-  [[nodiscard]] std::optional<PlanarPoses> pose(const cv::Mat& grey,
-                                                const chessboard::InnerCorners& board) const;
   void take(const cv::Mat& grey, const std::vector<chessboard::InnerCorners>& boards, CameraReading& reading);
 
   CameraModel camera_;
   Board board_;
   ChessboardParameters k_;
-  std::vector<Vector3> model_;
   std::optional<Pose> last_;
 };
 static_assert(ImageSensor<ChessboardSensor>);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <opencv2/imgproc.hpp>
 
 namespace mrroc::vsp::chessboard {
@@ -40,7 +41,8 @@ class Grid {
   }
 
   [[nodiscard]] std::optional<InnerCorners> board(const Board& board) {
-    return grow(board) ? whole(board) : std::nullopt;
+    grow(board);
+    return whole(board);
   }
 
  private:
@@ -95,17 +97,12 @@ class Grid {
     return *middle;
   }
 
-  [[nodiscard]] bool inside_picture(cv::Point2f p, float border) const {
-    return p.x >= border && p.y >= border && p.x <= static_cast<float>(grey_.cols - 1) - border &&
-           p.y <= static_cast<float>(grey_.rows - 1) - border;
-  }
-
   // Keeps those around which the pattern is, and locates them. Their places are what is thought of them so far.
   void accept(const std::vector<Place>& candidates) {
     std::vector<cv::Point2f> points;
     std::vector<Place> places;
     for (const Place a : candidates)
-      if (inside_picture(at(a).p, 3) && crosses(a, at(a).p)) {
+      if (crosses(a, at(a).p)) {
         points.push_back(at(a).p);
         places.push_back(a);
       }
@@ -116,8 +113,7 @@ class Grid {
     std::vector<char> good(points.size(), 0);
     for (std::size_t k = 0; k < points.size(); ++k) {
       const double moved = cv::norm(points[k] - at(places[k]).p);
-      good[k] =
-          moved < 0.5 * square_ && inside_picture(points[k], 3) && crosses(places[k], points[k]) ? 1 : 0;
+      good[k] = moved < 0.5 * square_ && crosses(places[k], points[k]) ? 1 : 0;
     }
     for (std::size_t k = 0; k < points.size(); ++k) {
       if (good[k] == 0)
@@ -143,18 +139,20 @@ class Grid {
     return {0, 0};
   }
 
-  // Mean around a point; -1 outside of the picture.
+  // Mean around a point; -1 outside of the picture and where its outermost pixels would be needed.
   [[nodiscard]] double brightness(cv::Point2f p, int reach) const {
     const int x = static_cast<int>(std::lround(p.x));
     const int y = static_cast<int>(std::lround(p.y));
-    if (x < reach || y < reach || x >= grey_.cols - reach || y >= grey_.rows - reach) return -1;
+    const int edge = reach + 1;
+    if (x < edge || y < edge || x >= grey_.cols - edge || y >= grey_.rows - edge) return -1;
     int sum = 0;
     for (int dy = -reach; dy <= reach; ++dy)
       for (int dx = -reach; dx <= reach; ++dx) sum += grey_.at<unsigned char>(y + dy, x + dx);
     return static_cast<double>(sum) / ((2 * reach + 1) * (2 * reach + 1));
   }
 
-  // Whether the two squares of the pattern's dark places around the corner are darker than both light ones.
+  // Whether the two squares of the pattern's dark places around the corner are darker than both light ones; all four must
+  // be in the picture.
   bool crosses(Place a, cv::Point2f p) {
     const cv::Point2f u = half_edge(a, p, {1, 0});
     const cv::Point2f v = half_edge(a, p, {0, 1});
@@ -200,10 +198,9 @@ class Grid {
     return true;
   }
 
-  // @return false when the pattern is larger than the board
-  bool grow(const Board& board) {
-    for (int round = 0; round < kRounds; ++round) {
-      if (extent().too_large_for(board)) return false;
+  // Until the pattern goes on nowhere, or is larger than the board.
+  void grow(const Board& board) {
+    for (int round = 0; round < kRounds && extent().count <= board.corners(); ++round) {
       // What was refused is tried again with more neighbours known.
       for (Node& n : nodes_)
         if (n.state == State::refused) n.state = State::unknown;
@@ -217,27 +214,19 @@ class Grid {
             predicted.push_back(p);
           }
         }
-      if (candidates.empty()) break;
       for (std::size_t k = 0; k < candidates.size(); ++k) at(candidates[k]).p = predicted[k];
       accept(candidates);
-      bool progress = false;
-      for (const Place a : candidates) progress = progress || known(a);
-      if (!progress) break;
+      if (std::ranges::none_of(candidates, [this](Place a) { return known(a); })) return;
     }
-    return true;
   }
 
   // The corners that are known, and the rectangle of the lattice that they fill or not.
   struct Extent {
-    Place low{kReach + 1, kReach + 1};
-    Place high{-kReach - 1, -kReach - 1};
+    Place low{std::numeric_limits<int>::max(), std::numeric_limits<int>::max()};
+    Place high{std::numeric_limits<int>::min(), std::numeric_limits<int>::min()};
     int count{};
     [[nodiscard]] int ni() const { return high.i - low.i + 1; }
     [[nodiscard]] int nj() const { return high.j - low.j + 1; }
-    [[nodiscard]] bool too_large_for(const Board& b) const {
-      return std::max(ni(), nj()) > std::max(b.columns, b.rows) ||
-             std::min(ni(), nj()) > std::min(b.columns, b.rows);
-    }
   };
 
   Extent extent() {
@@ -255,9 +244,10 @@ class Grid {
   std::optional<InnerCorners> whole(const Board& board) {
     const Extent e = extent();
     const auto& [low, high, count] = e;
+    if (count != board.corners()) return std::nullopt;
     const bool upright = e.ni() == board.columns && e.nj() == board.rows;
     const bool lying = e.ni() == board.rows && e.nj() == board.columns;
-    if (count != board.corners() || (!upright && !lying)) return std::nullopt;
+    if (!upright && !lying) return std::nullopt;
     if (!ends_everywhere(low, high)) return std::nullopt;
     InnerCorners result = in_order(board, low, high, upright);
     return locate(grey_, result) ? std::optional(result) : std::nullopt;
@@ -281,8 +271,7 @@ class Grid {
         const Place a{first.i + c * right.i + r * down.i, first.j + c * right.j + r * down.j};
         result.pixels.emplace_back(at(a).p.x, at(a).p.y);
         for (const Place back : {a - right, a - down})
-          if (inside(back) && known(back))
-            result.shortest = std::min(result.shortest, cv::norm(at(a).p - at(back).p));
+          if (known(back)) result.shortest = std::min(result.shortest, cv::norm(at(a).p - at(back).p));
       }
     return result;
   }
@@ -327,7 +316,6 @@ class Grid {
 
 std::optional<InnerCorners> inner_corners(const cv::Mat& grey, const std::vector<Quadrangle>& quadrangles,
                                           const Lattice& lattice, const Board& board) {
-  if (std::min(grey.cols, grey.rows) < 16) return std::nullopt;
   return Grid(grey, quadrangles, lattice).board(board);
 }
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "base/camera.hpp"
-#include "vsp/chessboard/board.hpp"
+#include "base/target/board.hpp"
 #include "vsp/chessboard/chain.hpp"
 
 namespace mrroc::vsp::chessboard {

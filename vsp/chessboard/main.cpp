@@ -1,5 +1,5 @@
 #include "vsp/image_receptor.hpp"
 
 int main(int argc, char** argv) {
-  return mrroc::vsp::receptor_main(argc, argv, mrroc::vsp::chessboard_receptor(), mrroc::vsp::run_chessboard);
+  return mrroc::vsp::receptor_main(argc, argv, mrroc::vsp::chessboard_receptor());
 }

@@ -8,7 +8,7 @@ namespace {
 
 using Rgb = std::array<double, 3>;
 
-// What stickers of the usual colours reflect, in the order of StickerColour.
+// Reflectance of stickers of the usual colours, in the order of StickerColour.
 constexpr std::array<Rgb, kStickerColours> kPalette{{{0.86, 0.86, 0.84},
                                                      {0.70, 0.06, 0.07},
                                                      {0.05, 0.50, 0.18},

@@ -51,8 +51,8 @@ CubeFaceSensor::CubeFaceSensor(const CameraModel& camera, std::vector<Pose> plac
           "a face of the cube at one of its places is not in the picture, or seen at more than 60 degrees");
 }
 
-CubeFaceReading CubeFaceSensor::detect(const ImageView& picture, std::int64_t frame,
-                                       std::int64_t step) const {
+CubeFaceReading CubeFaceSensor::detect(const ImageView& picture, std::int64_t frame, std::int64_t step,
+                                       int place) const {
   CubeFaceReading reading;
   reading.frame = frame;
   reading.step = step;
@@ -60,7 +60,10 @@ CubeFaceReading CubeFaceSensor::detect(const ImageView& picture, std::int64_t fr
   const cv::Mat colours = matrix(picture);
   const cv::Mat bright = brightest(colours);
   std::optional<FoundFace> best;
+  const auto only = static_cast<std::size_t>(place);
+  const bool all = place < 0 || only >= places_.size();
   for (std::size_t n = 0; n < places_.size(); ++n) {
+    if (!all && n != only) continue;
     const auto face = find_face(bright, camera_, places_[n], shape_, k_);
     const auto whole = [](const FoundFace& f) { return std::ranges::count(f.whole, true); };
     if (!face || (best && whole(*best) >= whole(*face))) continue;

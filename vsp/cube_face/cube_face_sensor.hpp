@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "base/cube_face.hpp"
+#include "base/cube/cube_face.hpp"
 #include "base/image.hpp"
 
 namespace mrroc::vsp {
@@ -28,14 +28,16 @@ struct CubeFaceParameters {
 /// from the insides of the stickers.
 class CubeFaceSensor {
  public:
-  /// @param places  T_CG, frame G of base/cube_face.hpp; farther apart than the errors above
+  /// @param places  T_CG, frame G of base/cube/cube_face.hpp; farther apart than the errors above
   /// @throws FaultError bad_configuration: the camera is not proper, there is no place, or a face there would not be in
   ///         the picture or would be seen at more than 60 degrees
   CubeFaceSensor(const CameraModel& camera, std::vector<Pose> places,
                  const CubeFaceParameters& parameters = {}, const CubeFaceShape& shape = kCubeFace);
 
-  /// A function of the picture alone. @param picture  3 channels, of the camera's size; anything else shows nothing
-  [[nodiscard]] CubeFaceReading detect(const ImageView& picture, std::int64_t frame, std::int64_t step) const;
+  /// A function of the picture and the place alone. @param picture  3 channels, of the camera's size; anything else shows
+  /// nothing @param place  the only one to look at; one that there is not: all of them
+  [[nodiscard]] CubeFaceReading detect(const ImageView& picture, std::int64_t frame, std::int64_t step,
+                                       int place = -1) const;
 
  private:
   CameraModel camera_;

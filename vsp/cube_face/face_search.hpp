@@ -1,5 +1,5 @@
-// Where exactly a face of the cube is: its stickers' edges in the picture, and the pose that explains them. Only for
-// the sources of this folder.
+// Locates a face of the cube exactly: finds its stickers' edges in the picture, and the pose that explains
+// them. Only for the sources of this folder.
 #pragma once
 #include <array>
 #include <opencv2/core.hpp>

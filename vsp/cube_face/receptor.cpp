@@ -28,7 +28,7 @@ ObjectShape shape(const Config& /*config*/) {
   return s;
 }
 
-/// What there is to draw: where the face is.
+/// Place of the face, in the form in which objects are drawn.
 CameraReading place_of(const CubeFaceReading& r) {
   CameraReading reading;
   reading.frame = r.frame;
@@ -49,6 +49,12 @@ std::string in_words(const CubeFaceReading& r) {
     text += s.confidence > kCertain ? static_cast<char>(to_string(s.colour)[0] - 'a' + 'A') : '?';
   }
   return text;
+}
+
+/// @return e.g. "U: ", the face that is shown; empty when none is
+std::string in_words(const CubeFaceSetting& asked) {
+  if (asked.face < 0) return "";
+  return {"URFDLB"[asked.face], ':', ' '};
 }
 
 nlohmann::json line_of(const CubeFaceReading& r, const std::string& source) {
@@ -92,27 +98,31 @@ CubeFaceSensor make_cube_face_sensor(const Config& config, const std::string& ke
   return {camera.model, std::move(places), k};
 }
 
-void run_cube_face(link::Process& process, const Config& config, const link::PartArguments& /*arguments*/) {
+void run_cube_face(link::Process& process, const Config& config, const link::NodeArguments& /*arguments*/) {
   process.needs_unlogged("the pictures of cameras");
   const std::string key = camera_of(process);
   const CameraModel camera = read_camera_model(config, key);
   const CubeFaceSensor sensor = make_cube_face_sensor(config, key);
   CameraFilm film(key, kObject, shape(config), camera, config);
   const auto readings = process.outbox<cube_face_reading_t>(key + "." + kObject);
+  const int n_s = config.integer("time.n_s", 10, {2, 64}, "steps");
+  PictureSettings<CubeFaceSetting> settings(process, fmt::format("{}.{}.setting", key, kObject), n_s);
   const auto answer = [&](const ImageView* picture, std::int64_t frame, std::int64_t step, double /*t*/,
                           bool last) {
     CubeFaceReading reading;
     reading.frame = frame;
     reading.step = step;
     if (picture != nullptr) {
-      reading = sensor.detect(*picture, frame, step);
-      film.see(*picture, place_of(reading), in_words(reading));
+      const CubeFaceSetting& asked = settings.at(step);
+      reading = sensor.detect(*picture, frame, step, asked.place);
+      film.see(*picture, place_of(reading), in_words(asked) + in_words(reading));
     }
     cube_face_reading_t m = to_message(reading);
     m.last = last;
     readings->publish(m, frame);
   };
-  run_camera(process, key, camera, answer, [&film] { film.write(); });
+  run_camera(
+      process, key, camera, answer, [&film] { film.write(); }, &settings);
 }
 
 int cube_face_main(int argc, char** argv) {

@@ -1,4 +1,4 @@
-// The receptor of the cube's faces, as programs and tasks use it.
+// The receptor of the cube's faces, for programs and tasks.
 #pragma once
 #include <string>
 #include <vector>
@@ -18,10 +18,11 @@ std::vector<std::string> cube_face_places(const Config& config);
 CubeFaceSensor make_cube_face_sensor(const Config& config, const std::string& key);
 
 /// Body of the receptor's process, like run_receptor() (vsp/image_receptor.hpp): readings go to "KEY.cube_face", the
-/// film to KEY_cube_face.png.
-void run_cube_face(link::Process& process, const Config& config, const link::PartArguments& arguments);
+/// film to KEY_cube_face.png. What the coordinator asks of it, which face is shown and in which light, comes by
+/// "KEY.cube_face.setting", once per macrostep: only that place is looked at then.
+void run_cube_face(link::Process& process, const Config& config, const link::NodeArguments& arguments);
 
-/// The receptor's program: a part of a running system, or with --source a tool for recorded pictures, which
+/// The receptor's program: a node of a running system, or with --source a tool for recorded pictures, which
 /// prints for every one: frame, source, seen, valid, and when seen place, p [m], aa (angle times axis) [rad], sigma,
 /// reprojection_px, and of the stickers 0..8 rgb, colour, confidence and flaw.
 /// @return exit status

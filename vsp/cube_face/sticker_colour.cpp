@@ -54,7 +54,7 @@ double measure(const cv::Mat& colours, const CameraModel& camera, const Pose& T_
   return saturated / kAll;
 }
 
-/// What the light on a part has more than that on the least bright parts.
+/// Excess of the light on a part over that on the least bright parts.
 struct MoreLight {
   double mirrored{};     // by the gloss, mean over the channels [grey levels]
   double unexplained{};  // largest of a channel [grey levels]
@@ -85,7 +85,9 @@ StickerReading measure_sticker(const cv::Mat& colours, const CameraModel& camera
   const double edge = kInside * shape.sticker / kParts;
   for (int i = 0; i < kParts * kParts; ++i) {
     Part part;
-    const Vector3 middle = shape.middle(sticker) + edge * Vector3(i % kParts - 1, i / kParts - 1, 0);
+    const int column = i % kParts - 1;
+    const int row = i / kParts - 1;
+    const Vector3 middle = shape.middle(sticker) + edge * Vector3(column, row, 0);
     const double share = measure(colours, camera, T_CG, middle, edge, part);
     glaring += share / (kParts * kParts);
     if (share < 0.5) parts.push_back(part);

@@ -1,4 +1,4 @@
-// What colour a sticker shows, and what colours are called. Only for the sources of this folder.
+// Classifies the colour of a sticker, and names colours. Only for the sources of this folder.
 #pragma once
 #include <array>
 #include <opencv2/core.hpp>

@@ -10,6 +10,6 @@ namespace mrroc::vsp {
 PenStateParameters read_pen_state(const Config& config);
 
 /// Builds the sensor of one arm and runs its shell: channel ARM.pen_state.
-void run_pen_state(link::Process& process, const Config& config, const link::PartArguments& arguments);
+void run_pen_state(link::Process& process, const Config& config, const link::NodeArguments& arguments);
 
 }  // namespace mrroc::vsp

@@ -1,4 +1,5 @@
-// What the planner knows of the arms and of what stands around: an interface, since tasks do not depend on robots.
+// The planner's interface to the arms and their surroundings; an interface, since tasks do not depend on
+// robots.
 #pragma once
 #include <array>
 #include <optional>
@@ -16,7 +17,7 @@ struct CellState {
   bool looked_at{};              ///< nothing may stand between the camera and the place of the shown face
 };
 
-/// Where faces are shown to a camera.
+/// Place where faces are shown to a camera.
 struct Viewing {
   /// The frame G of the shown face: origin in its middle, z out of it; x and y along the edges of
   /// the face. Which way up the face is does not matter.
@@ -26,8 +27,8 @@ struct Viewing {
   Pose T_UV;
 };
 
-/// Where faces are turned. The frame M has its origin in the middle of the cube and z out of the face that the postument
-/// keeps, away from the track arm.
+/// Place where faces are turned. The frame M has its origin in the middle of the cube and z out of the face
+/// that the postument keeps, away from the track arm.
 struct Meeting {
   Pose T_UM;         ///< in the world
   ArmJoints joints;  ///< of both arms there, with their E's aligned with M: the branch that is meant
@@ -55,9 +56,9 @@ class PlanCell {
   [[nodiscard]] virtual std::optional<AxisVector> inverse(Hand hand, const Pose& T_UE,
                                                           const AxisVector& near) const = 0;
   /// @return distance from the nearest limit of a joint or motor, as a share of half its range; negative: beyond
-  [[nodiscard]] virtual double reserve(Hand hand, const AxisVector& joints) const = 0;
+  [[nodiscard]] virtual double joint_limit_margin(Hand hand, const AxisVector& joints) const = 0;
   /// @return how far the wrist is from its singularity: 0 at it, 1 farthest away
-  [[nodiscard]] virtual double dexterity(Hand hand, const AxisVector& joints) const = 0;
+  [[nodiscard]] virtual double manipulability(Hand hand, const AxisVector& joints) const = 0;
   /// @return whether nothing comes nearer to anything than it should
   [[nodiscard]] virtual bool is_free(const CellState& state) const = 0;
 };

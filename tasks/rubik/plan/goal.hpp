@@ -1,9 +1,10 @@
-// What a plan is to reach.
+// The goal of a plan: turns of faces, or faces to be shown.
 #pragma once
 #include <span>
 #include <vector>
 
-#include "tasks/rubik/cube/move.hpp"
+#include "base/cube/move.hpp"
+#include "tasks/rubik/cube/names.hpp"
 
 namespace mrroc::rubik {
 

@@ -1,4 +1,4 @@
-// Where hands grip a cube at the place where the arms meet: poses T_UE, before any arm is asked for its joints.
+// Grips of a cube at the place where the arms meet: poses T_UE, before any arm is asked for its joints.
 #pragma once
 #include <vector>
 

@@ -14,7 +14,7 @@ constexpr double kLatest = 0.8;      // of them that pays
 constexpr std::array kKinds{MotionKind::carry, MotionKind::reach, MotionKind::turn, MotionKind::retreat};
 
 /// @return turns of the last joint from one posture to the other
-double turns_between(const Stance& a, const Stance& b) {
+double turns_between(const ArmConfiguration& a, const ArmConfiguration& b) {
   const Eigen::Index last = a.hold.size() - 1;
   return (b.hold[last] - a.hold[last]) / (2 * std::numbers::pi);
 }
@@ -26,15 +26,16 @@ std::size_t at(MotionKind kind) { return static_cast<std::size_t>(kind); }
 
 Motions::Motions(const PlanCell& cell) : cell_(cell), paths_(cell) {
   for (const Hand hand : kHands) {
-    stances_[index(hand)] = find_stances(cell, hand);
-    stances_[index(hand)].push_back({Place::start, cell.meeting().joints[index(hand)], {}, Vector3::Zero()});
+    configurations_[index(hand)] = find_configurations(cell, hand);
+    configurations_[index(hand)].push_back(
+        {Place::start, cell.meeting().joints[index(hand)], {}, Vector3::Zero()});
   }
   start_at(cell.meeting().joints);
 }
 
 void Motions::start_at(const ArmJoints& joints) {
   std::erase_if(known_, [this](const auto& entry) {
-    const Motion& m = entry.first;
+    const ArmTransfer& m = entry.first;
     return m.from == start(m.hand) || m.others == start(other(m.hand));
   });
   std::erase_if(delays_, [this](const auto& entry) {
@@ -42,13 +43,13 @@ void Motions::start_at(const ArmJoints& joints) {
     return carry.from == start(carry.hand) || reach.from == start(reach.hand);
   });
   for (const Hand hand : kHands) {
-    Stance& s = stances_[index(hand)].back();
+    ArmConfiguration& s = configurations_[index(hand)].back();
     s.hold = joints[index(hand)];
-    s.way = {s.hold};
+    s.path = {s.hold};
     sort_into_classes(hand);
     R_UE_[index(hand)].clear();
     for (const auto& members : classes(hand))
-      R_UE_[index(hand)].push_back(cell_.forward(hand, stance(hand, members.front()).hold).R);
+      R_UE_[index(hand)].push_back(cell_.forward(hand, configuration(hand, members.front()).hold).R);
   }
   for (const MotionKind kind : kKinds)
     for (const Hand hand : kHands) {
@@ -66,16 +67,16 @@ void Motions::start_at(const ArmJoints& joints) {
 }
 
 void Motions::sort_into_classes(Hand hand) {
-  const auto& stances = stances_[index(hand)];
+  const auto& configurations = configurations_[index(hand)];
   auto& classes = classes_[index(hand)];
   auto& class_of = class_of_[index(hand)];
   classes.clear();
   class_of.clear();
-  for (int k = 0; k < static_cast<int>(stances.size()); ++k) {
-    const Stance& s = stances[static_cast<std::size_t>(k)];
+  for (int k = 0; k < static_cast<int>(configurations.size()); ++k) {
+    const ArmConfiguration& s = configurations[static_cast<std::size_t>(k)];
     int found = 0;
     for (; found < static_cast<int>(classes.size()); ++found) {
-      const Stance& example = this->example(hand, found);
+      const ArmConfiguration& example = this->example(hand, found);
       const bool fixed = s.place == Place::start || s.place == Place::shown;
       if (!fixed && example.place == s.place && is_whole(turns_between(example, s))) break;
     }
@@ -86,10 +87,10 @@ void Motions::sort_into_classes(Hand hand) {
 }
 
 std::optional<int> Motions::turned_class(int of_class, int quarters) const {
-  const Stance& from = example(Hand::track, of_class);
+  const ArmConfiguration& from = example(Hand::track, of_class);
   const int count = static_cast<int>(classes(Hand::track).size());
   for (int k = 0; k < count; ++k) {
-    const Stance& to = example(Hand::track, k);
+    const ArmConfiguration& to = example(Hand::track, k);
     if (from.place == Place::front && to.place == Place::front &&
         is_whole(turns_between(from, to) - quarters / 4.0))
       return k;
@@ -98,10 +99,10 @@ std::optional<int> Motions::turned_class(int of_class, int quarters) const {
 }
 
 double Motions::line_seconds(MotionKind kind, Hand hand, int number, int target) const {
-  const Stance &from = stance(hand, number), &to = stance(hand, target);
+  const ArmConfiguration &from = configuration(hand, number), &to = configuration(hand, target);
   std::vector<AxisVector> points;
   if (kind == MotionKind::reach) {
-    points = to.way;
+    points = to.path;
     points.insert(points.begin(), from.back());
   } else if (kind == MotionKind::retreat) {
     points = {from.hold, from.back()};
@@ -111,24 +112,24 @@ double Motions::line_seconds(MotionKind kind, Hand hand, int number, int target)
   return seconds_along(cell_, hand, points);
 }
 
-double Motions::seconds(const Motion& m) const {
+double Motions::seconds(const ArmTransfer& m) const {
   if (const auto found = known_.find(m); found != known_.end())
     return found->second ? found->second->seconds : std::numeric_limits<double>::infinity();
   return tables_[at(m.kind)][index(m.hand)]
       .lines[static_cast<std::size_t>(m.from * (start(m.hand) + 1) + m.to)];
 }
 
-std::size_t Motions::slot(const Motion& m) const {
+std::size_t Motions::slot(const ArmTransfer& m) const {
   const auto count = classes(m.hand).size(), others = classes(other(m.hand)).size();
   const auto row = static_cast<std::size_t>(m.from) * count + static_cast<std::size_t>(m.to);
   return row * others + static_cast<std::size_t>(m.others);
 }
 
-double Motions::class_seconds(const Motion& motion) const {
+double Motions::class_seconds(const ArmTransfer& motion) const {
   return tables_[at(motion.kind)][index(motion.hand)].classes[slot(motion)];
 }
 
-double Motions::least_of_members(const Motion& m) const {
+double Motions::least_of_members(const ArmTransfer& m) const {
   double least = std::numeric_limits<double>::infinity();
   for (const int from : classes(m.hand)[static_cast<std::size_t>(m.from)])
     for (const int to : classes(m.hand)[static_cast<std::size_t>(m.to)])
@@ -146,26 +147,26 @@ double Motions::straight_seconds(MotionKind kind, Hand hand, int from, int to) c
   return least;
 }
 
-Motion Motions::classified(const Motion& m) const {
+ArmTransfer Motions::classified(const ArmTransfer& m) const {
   const auto& own = class_of_[index(m.hand)];
   const auto& others = class_of_[index(other(m.hand))];
   return {m.kind, m.hand, own[static_cast<std::size_t>(m.from)], own[static_cast<std::size_t>(m.to)],
           others[static_cast<std::size_t>(m.others)]};
 }
 
-const FreeMotion* Motions::find(const Motion& m) {
+const FreeMotion* Motions::find(const ArmTransfer& m) {
   auto [place, is_new] = known_.try_emplace(m);
   if (is_new) {
     place->second = look_for(m);
-    const Motion of_classes = classified(m);
+    const ArmTransfer of_classes = classified(m);
     tables_[at(m.kind)][index(m.hand)].classes[slot(of_classes)] = least_of_members(of_classes);
   }
   return place->second ? &*place->second : nullptr;
 }
 
-std::optional<FreeMotion> Motions::look_for(const Motion& m) const {
-  const Stance &from = stance(m.hand, m.from), &to = stance(m.hand, m.to);
-  const Stance& others = stance(other(m.hand), m.others);
+std::optional<FreeMotion> Motions::look_for(const ArmTransfer& m) const {
+  const ArmConfiguration &from = configuration(m.hand, m.from), &to = configuration(m.hand, m.to);
+  const ArmConfiguration& others = configuration(other(m.hand), m.others);
   const bool carries = m.kind == MotionKind::carry || m.kind == MotionKind::turn;
   CellState state;
   state.grasp = {carries ? m.hand : other(m.hand), Face::D, Face::B};
@@ -177,9 +178,9 @@ std::optional<FreeMotion> Motions::look_for(const Motion& m) const {
   std::vector<AxisVector> points;
   switch (m.kind) {
     case MotionKind::carry: {
-      const auto way = paths_.find(m.hand, from.hold, to.hold, state);
-      if (!way) return {};
-      points = *way;
+      const auto path = paths_.find(m.hand, from.hold, to.hold, state);
+      if (!path) return {};
+      points = *path;
       if (to.place != Place::shown) break;
       state.joints[index(m.hand)] = to.hold;
       state.looked_at = true;
@@ -187,12 +188,12 @@ std::optional<FreeMotion> Motions::look_for(const Motion& m) const {
       break;
     }
     case MotionKind::reach: {
-      const auto way = paths_.find(m.hand, from.back(), to.back(), state);
-      if (!way) return {};
-      points = *way;
-      for (std::size_t k = 1; k < to.way.size(); ++k) {
-        if (!paths_.is_free(m.hand, points.back(), to.way[k], state)) return {};
-        points.push_back(to.way[k]);
+      const auto path = paths_.find(m.hand, from.back(), to.back(), state);
+      if (!path) return {};
+      points = *path;
+      for (std::size_t k = 1; k < to.path.size(); ++k) {
+        if (!paths_.is_free(m.hand, points.back(), to.path[k], state)) return {};
+        points.push_back(to.path[k]);
       }
       state.touched = true;
       if (!paths_.is_free(m.hand, points.back(), to.hold, state)) return {};
@@ -204,14 +205,14 @@ std::optional<FreeMotion> Motions::look_for(const Motion& m) const {
       break;
     case MotionKind::retreat:
       points = {from.hold};
-      for (auto p = from.way.rbegin(); p != from.way.rend(); ++p) {
-        if (!paths_.is_free(m.hand, points.back(), *p, state)) return {};
-        points.push_back(*p);
+      for (std::size_t k = from.path.size(); k-- > 0;) {
+        if (!paths_.is_free(m.hand, points.back(), from.path[k], state)) return {};
+        points.push_back(from.path[k]);
         state.touched = false;
       }
       break;
   }
-  FreeMotion motion{.hand = m.hand, .points = way_through(cell_, m.hand, points), .carries = carries};
+  FreeMotion motion{.hand = m.hand, .points = path_through(cell_, m.hand, points), .carries = carries};
   motion.seconds = seconds_along(motion.points, cell_.limits(m.hand).motors);
   return motion;
 }
@@ -230,7 +231,7 @@ std::optional<double> Motions::look_for_delay(const FreeMotion& carry, const Fre
   return {};
 }
 
-std::optional<double> Motions::delay(const Motion& carry, const Motion& reach) {
+std::optional<double> Motions::delay(const ArmTransfer& carry, const ArmTransfer& reach) {
   const FreeMotion *first = find(carry), *second = find(reach);
   if (!first || !second) return {};
   const auto [place, is_new] = delays_.try_emplace({carry, reach});

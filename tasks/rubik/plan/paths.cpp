@@ -10,7 +10,8 @@
 namespace mrroc::rubik {
 namespace {
 
-constexpr double kSpacing = 0.01;  // of the states that are checked, as the way of the farthest point [m]
+constexpr double kSpacing =
+    0.01;  // of the states that are checked, as the displacement of the farthest point [m]
 // Lever arms of the joints, counted from the last one [m].
 constexpr std::array<double, 7> kLevers{0.1, 0.4, 0.4, 1.0, 1.4, 1.4, 1.0};
 constexpr int kRandomPoints = 150;
@@ -21,24 +22,26 @@ constexpr double kMacrostep = ecp::Pacing{}.macrostep_s();
 constexpr double kTimeSpacing = 0.01;  // of the states of two arms that are checked [s]
 constexpr int kLags = 2;               // that are checked, ahead and behind
 
-double length(const AxisVector& way) {
+double length(const AxisVector& displacement) {
   double metres = 0;
-  for (Eigen::Index k = 0; k < way.size(); ++k)
-    metres = std::max(metres, std::abs(way[k]) * kLevers[static_cast<std::size_t>(way.size() - 1 - k)]);
+  for (Eigen::Index k = 0; k < displacement.size(); ++k)
+    metres = std::max(
+        metres, std::abs(displacement[k]) * kLevers[static_cast<std::size_t>(displacement.size() - 1 - k)]);
   return metres;
 }
 
 /// @return share of the motors' speed on a line with which E keeps to its own limits
 double share_of_speed(const PlanCell& cell, Hand hand, const AxisVector& from, const AxisVector& to) {
   const SpeedLimits& limits = cell.limits(hand);
-  const AxisVector way = to - from;
-  const double seconds = way.cwiseAbs().cwiseQuotient(limits.motors.velocity).maxCoeff();
+  const AxisVector displacement = to - from;
+  const double seconds = displacement.cwiseAbs().cwiseQuotient(limits.motors.velocity).maxCoeff();
   if (seconds <= 0) return 1;
   const double part = seconds / kSamples;
   double share = 1;
   Pose before = cell.forward(hand, cell.joints(hand, from));
   for (int k = 1; k <= kSamples; ++k) {
-    const Pose now = cell.forward(hand, cell.joints(hand, from + way * (static_cast<double>(k) / kSamples)));
+    const Pose now =
+        cell.forward(hand, cell.joints(hand, from + displacement * (static_cast<double>(k) / kSamples)));
     const double metres = (now.p - before.p).norm();
     const double angle = angle_axis_from_pose({before.R.transpose() * now.R, Vector3::Zero()}).norm();
     if (metres > 0) share = std::min(share, limits.linear * part / metres);
@@ -48,7 +51,7 @@ double share_of_speed(const PlanCell& cell, Hand hand, const AxisVector& from, c
   return share;
 }
 
-ecp::Polyline curve_through(const std::vector<WayPoint>& points, const ecp::MotionLimits& motors) {
+ecp::Polyline curve_through(const std::vector<Waypoint>& points, const ecp::MotionLimits& motors) {
   std::vector<ecp::ViaPoint> list;
   for (std::size_t k = 1; k < points.size(); ++k)
     list.push_back({points[k].motors, points[k].speed, 1, k + 1 < points.size()});
@@ -57,33 +60,33 @@ ecp::Polyline curve_through(const std::vector<WayPoint>& points, const ecp::Moti
 
 }  // namespace
 
-std::vector<WayPoint> way_through(const PlanCell& cell, Hand hand, const std::vector<AxisVector>& joints) {
-  std::vector<WayPoint> points;
+std::vector<Waypoint> path_through(const PlanCell& cell, Hand hand, const std::vector<AxisVector>& joints) {
+  std::vector<Waypoint> points;
   for (const AxisVector& q : joints) {
-    WayPoint point{q, cell.motors(hand, q)};
+    Waypoint point{q, cell.motors(hand, q)};
     if (!points.empty()) point.speed = share_of_speed(cell, hand, points.back().motors, point.motors);
     points.push_back(point);
   }
   return points;
 }
 
-double seconds_along(const std::vector<WayPoint>& points, const ecp::MotionLimits& motors) {
+double seconds_along(const std::vector<Waypoint>& points, const ecp::MotionLimits& motors) {
   if (points.size() < 2) return 0;
   return std::ceil(curve_through(points, motors).duration() / kMacrostep) * kMacrostep;
 }
 
 double seconds_along(const PlanCell& cell, Hand hand, const std::vector<AxisVector>& joints) {
-  return seconds_along(way_through(cell, hand, joints), cell.limits(hand).motors);
+  return seconds_along(path_through(cell, hand, joints), cell.limits(hand).motors);
 }
 
 bool Paths::is_free(Hand hand, const AxisVector& from, const AxisVector& to, CellState state) const {
   const int parts = std::max(1, static_cast<int>(std::ceil(length(to - from) / kSpacing)));
-  const AxisVector start = cell_.motors(hand, from), way = cell_.motors(hand, to) - start;
+  const AxisVector start = cell_.motors(hand, from), displacement = cell_.motors(hand, to) - start;
   // The middle first: what collides there is found soonest.
   const auto free_at = [&](int k) {
     AxisVector& joints = state.joints[index(hand)];
-    joints = cell_.joints(hand, start + way * (static_cast<double>(k) / parts));
-    return cell_.reserve(hand, joints) > 0 && cell_.is_free(state);
+    joints = cell_.joints(hand, start + displacement * (static_cast<double>(k) / parts));
+    return cell_.joint_limit_margin(hand, joints) > 0 && cell_.is_free(state);
   };
   for (int stride = 8; stride >= 1; stride /= 2)
     for (int k = 0; k <= parts; k += stride)
@@ -113,9 +116,9 @@ bool Paths::are_free(const FreeMotion& first, const FreeMotion& second, double d
 }
 
 std::optional<AxisVector> Paths::drawn_back(Hand hand, const AxisVector& joints, double distance) const {
-  const auto back =
+  auto back =
       cell_.inverse(hand, cell_.forward(hand, joints) * Pose{Matrix3::Identity(), {0, 0, -distance}}, joints);
-  if (!back || cell_.reserve(hand, *back) <= 0) return {};
+  if (!back || cell_.joint_limit_margin(hand, *back) <= 0) return {};
   return back;
 }
 
@@ -148,7 +151,7 @@ std::optional<std::vector<AxisVector>> Paths::find(Hand hand, const AxisVector& 
     AxisVector via = (from + to) / 2;
     for (Eigen::Index j = 0; j < via.size(); ++j)
       via[j] += (via.size() > 6 && j == 0 ? kTrackWide : kWide) * (uniform() + uniform());
-    if (cell_.reserve(hand, via) > 0) consider({from, via, to});
+    if (cell_.joint_limit_margin(hand, via) > 0) consider({from, via, to});
   }
   return best;
 }

@@ -1,5 +1,5 @@
-// Ways of one arm past the other one: lines that are straight in the space of the motors, and lines through points beside
-// them.
+// Paths of one arm around the other: straight lines in the space of the motors, directly or through points
+// beside them.
 #pragma once
 #include <optional>
 #include <random>
@@ -11,16 +11,16 @@ namespace mrroc::rubik {
 
 /// @param joints  of the points
 /// @return the points; on each line the speed is what motors and E may have
-[[nodiscard]] std::vector<WayPoint> way_through(const PlanCell& cell, Hand hand,
-                                                const std::vector<AxisVector>& joints);
+[[nodiscard]] std::vector<Waypoint> path_through(const PlanCell& cell, Hand hand,
+                                                 const std::vector<AxisVector>& joints);
 
 /// @param points  at least one
 /// @return time of the motion, as the arm will drive it: in whole macrosteps [s]
-[[nodiscard]] double seconds_along(const std::vector<WayPoint>& points, const ecp::MotionLimits& motors);
-/// The same through way_through().
+[[nodiscard]] double seconds_along(const std::vector<Waypoint>& points, const ecp::MotionLimits& motors);
+/// The same through path_through().
 [[nodiscard]] double seconds_along(const PlanCell& cell, Hand hand, const std::vector<AxisVector>& joints);
 
-/// Checks and finds ways.
+/// Checks and finds paths.
 class Paths {
  public:
   /// @param cell  outlives this object
@@ -36,9 +36,9 @@ class Paths {
   [[nodiscard]] bool are_free(const FreeMotion& first, const FreeMotion& second, double delay,
                               CellState state) const;
 
-  /// The straight line, or the quickest of several ways through one or two other points: both ends drawn back, and
-  /// points drawn at random around the line. The same arguments give the same way.
-  /// @return points of a free way, with both ends; nothing: none was found
+  /// The straight line, or the quickest of several paths through one or two other points: both ends drawn back, and
+  /// points drawn at random around the line. The same arguments give the same path.
+  /// @return points of a free path, with both ends; nothing: none was found
   [[nodiscard]] std::optional<std::vector<AxisVector>> find(Hand hand, const AxisVector& from,
                                                             const AxisVector& to,
                                                             const CellState& state) const;

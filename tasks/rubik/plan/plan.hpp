@@ -1,4 +1,5 @@
-// What two arms do to turn faces of a cube one after the other: grips, turns, re-grasps and the ways between them.
+// A plan for two arms that turn faces of a cube one after the other: grips, turns, re-grasps and paths
+// between them.
 #pragma once
 #include <array>
 #include <optional>
@@ -6,24 +7,25 @@
 #include <vector>
 
 #include "base/axes.hpp"
+#include "base/cube/grasp.hpp"
+#include "base/cube/move.hpp"
 #include "ecp/generators/space.hpp"
-#include "tasks/rubik/cube/move.hpp"
-#include "tasks/rubik/plan/grasp.hpp"
+#include "tasks/rubik/cube/names.hpp"
 
 namespace mrroc::rubik {
 
 /// Joints of both arms, by index(Hand) [rad, track m].
 using ArmJoints = std::array<AxisVector, 2>;
 
-/// What free motions of one arm keep to.
+/// Limits of the free motions of one arm.
 struct SpeedLimits {
   ecp::MotionLimits motors;  ///< [rad/s], [rad/s^2]
   double linear{};           ///< of E [m/s]
   double angular{};          ///< of E [rad/s]
 };
 
-/// A point of a way, and the line that leads there.
-struct WayPoint {
+/// A point of a path, and the line that leads there.
+struct Waypoint {
   AxisVector joints;  ///< [rad], track [m]
   AxisVector motors;  ///< the same posture [rad]
   double speed{1};    ///< on the line, as a share of what the motors can: above 0 up to 1
@@ -31,14 +33,14 @@ struct WayPoint {
 
 /// Distance of the palm from the cube where a guarded approach begins [m].
 inline constexpr double kApproachDistance = 0.01;
-/// How far a hand draws back straight along its z after it has opened [m].
+/// Distance by which a hand draws back straight along its z after it has opened [m].
 inline constexpr double kRetreatDistance = 0.1;
 /// Distance between the jaws of an empty hand while it moves, at most [m].
 inline constexpr double kOpenJaws = 0.08;
 
 /// Estimates of what is not free motion, from tables 4-8 of MG and the friction of a face.
 struct CycleTimes {
-  double grip{3.1};       ///< m = 1..4, the rest in which sensors are biased, and what is told of ways [s]
+  double grip{3.1};       ///< m = 1..4, the rest in which sensors are biased, and what is told of paths [s]
   double turn_rate{0.3};  ///< of m = 5 with B = 0.1 s/(kg m^2) [rad/s]
   double open{1.2};       ///< m = 6 [s]
   double look{0.5};       ///< of the camera at a face, at rest [s]
@@ -51,7 +53,7 @@ struct FreeMotion {
   /// The hand that moves.
   Hand hand{};
   /// At least two; the first is where the arm stands according to the plan: force control will have moved it a little.
-  std::vector<WayPoint> points;
+  std::vector<Waypoint> points;
   bool carries{};    ///< the hand holds the cube
   double seconds{};  ///< estimate
   /// It begins while the motion before it still goes on, so long after that one has begun [s], and ends behind it; then
@@ -59,7 +61,7 @@ struct FreeMotion {
   std::optional<double> delay{};
 };
 
-/// What arms that move at the same time may be ahead of each other [s].
+/// Time by which arms that move together may be ahead of each other [s].
 inline constexpr double kLag = 0.2;
 
 /// One cycle: an arm comes and grips, a face may be turned, an arm lets go. Or, with `shows`, a look at a face: only
@@ -112,7 +114,7 @@ enum class NoPlan : std::uint8_t {
   bad_start,    ///< the start is no grip, or the joints are not those of the arms, or beyond their limits
   collision,    ///< the arms touch something at the start
   unreachable,  ///< no sequence of grips that both arms reach within their limits
-  blocked       ///< there are such sequences, but every one has a way on which something collides
+  blocked       ///< there are such sequences, but every one has a path on which something collides
 };
 /// @return name of the reason, e.g. "unreachable"
 [[nodiscard]] const char* to_string(NoPlan why);

@@ -4,13 +4,13 @@
 #include <numbers>
 #include <utility>
 
-#include "tasks/rubik/plan/windings.hpp"
+#include "tasks/rubik/plan/multi_turn_selection.hpp"
 
 namespace mrroc::rubik {
 namespace {
 
 constexpr int kMostTries = 200;    // searches, each after one more motion is known to be blocked
-constexpr double kSurprise = 0.1;  // by which a way may be longer than the straight line [s]
+constexpr double kSurprise = 0.1;  // by which a path may be longer than the straight line [s]
 
 Planned refused(NoPlan why, std::string text) { return {{}, why, std::move(text)}; }
 
@@ -42,7 +42,7 @@ struct Planner::Impl {
       const AxisVector& joints = start.joints[index(hand)];
       if (joints.size() != cell.limits(hand).motors.velocity.size() || !joints.allFinite())
         return refused(NoPlan::bad_start, "the joints are not those of the arms");
-      if (cell.reserve(hand, joints) < 0)
+      if (cell.joint_limit_margin(hand, joints) < 0)
         return refused(NoPlan::bad_start, "an arm is beyond its limits at the start");
     }
     CellState state{start.joints, {kOpenJaws, kOpenJaws}, start.grasp, false};
@@ -59,22 +59,22 @@ struct Planner::Impl {
     const GraspSearch search(motions, options, std::move(goal));
     for (int k = 0; k < kMostTries; ++k) {
       const auto edges = search.run(node);
-      const auto steps = edges ? wind(motions, node, postures, *edges) : std::nullopt;
+      const auto steps = edges ? select_turns(motions, node, postures, *edges) : std::nullopt;
       if (!steps)
         return k == 0 ? refused(NoPlan::unreachable, "no sequence of grips that both arms reach")
                       : refused(NoPlan::blocked, "on every sequence of grips something is in the way");
-      if (!look_for_ways(*steps)) continue;
+      if (!look_for_paths(*steps)) continue;
       Plan plan = assemble(start, *edges, *steps, options);
       return {std::move(plan), NoPlan::none, {}};
     }
     return refused(NoPlan::blocked, "no way was found past what is in the way");
   }
 
-  /// @return whether all ways are free and take the time that was expected: else another sequence may be better
-  bool look_for_ways(const std::vector<WoundStep>& steps) {
+  /// @return whether all paths are free and take the time that was expected: else another sequence may be better
+  bool look_for_paths(const std::vector<SelectedStep>& steps) {
     bool as_expected = true;
-    for (const WoundStep& step : steps)
-      for (const Motion& m : step.motions) {
+    for (const SelectedStep& step : steps)
+      for (const ArmTransfer& m : step.motions) {
         const double expected = motions.seconds(m);
         const FreeMotion* found = motions.find(m);
         as_expected = as_expected && found && found->seconds < expected + kSurprise;
@@ -82,13 +82,13 @@ struct Planner::Impl {
     return as_expected;
   }
 
-  Plan assemble(const PlanStart& start, const std::vector<Edge>& edges, const std::vector<WoundStep>& wound,
-                const PlanOptions& options) {
+  Plan assemble(const PlanStart& start, const std::vector<Edge>& edges,
+                const std::vector<SelectedStep>& selected, const PlanOptions& options) {
     Plan plan;
     plan.start = plan.end = start.grasp;
     plan.start_joints = plan.end_joints = start.joints;
     for (std::size_t k = 0; k < edges.size(); ++k) {
-      const Step s = step(plan.end, edges[k], wound[k], options);
+      const Step s = step(plan.end, edges[k], selected[k], options);
       plan.end = s.after_grasp;
       plan.end_joints = s.shows ? s.contact : s.after;
       plan.seconds += s.seconds;
@@ -100,27 +100,27 @@ struct Planner::Impl {
     return plan;
   }
 
-  Step step(const Grasp& held, const Edge& edge, const WoundStep& wound, const PlanOptions& options) {
+  Step step(const Grasp& held, const Edge& edge, const SelectedStep& selected, const PlanOptions& options) {
     const Hand h = held.hand, w = other(h);
-    const StepStances& at = wound.stances;
+    const StepConfigurations& at = selected.configurations;
     Step s;
     s.shows = edge.shows;
     s.comes = w;
     s.leaves = edge.comer_leaves ? w : h;
     s.turn = edge.turn;
-    s.angle = wound.quarters * std::numbers::pi / 2;
+    s.angle = selected.quarters * std::numbers::pi / 2;
     s.before_grasp = held;
     s.grasp = edge.shows ? held : motions.seen_from(w, edge.comer, held, edge.holder);
     s.after_grasp = edge.to.grasp;
     for (const Hand hand : kHands)
-      s.contact[index(hand)] = motions.stance(hand, at.meeting[index(hand)]).hold;
+      s.contact[index(hand)] = motions.configuration(hand, at.meeting[index(hand)]).hold;
     if (edge.shows) {
-      s.contact[index(w)] = motions.stance(w, at.before[index(w)]).back();
+      s.contact[index(w)] = motions.configuration(w, at.before[index(w)]).back();
       s.R_GC =
           cell.viewing()->T_UG.R.transpose() * cell.forward(h, s.contact[index(h)]).R * cube_in_hand(held).R;
     }
     for (const Hand hand : kHands) {
-      const Stance& after = motions.stance(hand, at.after[index(hand)]);
+      const ArmConfiguration& after = motions.configuration(hand, at.after[index(hand)]);
       s.after[index(hand)] = hand == s.leaves ? after.back() : after.hold;
     }
     if (edge.turn) {
@@ -128,11 +128,11 @@ struct Planner::Impl {
       if (const auto* away = motions.find({MotionKind::retreat, w, from, from, at.meeting[index(h)]}))
         s.withdrawal = *away;
       s.withdrawn = s.contact;
-      s.withdrawn[index(w)] = motions.stance(w, from).back();
+      s.withdrawn[index(w)] = motions.configuration(w, from).back();
     }
     const CycleTimes& times = options.times;
     s.seconds = edge.shows ? times.look : times.grip + times.open;
-    for (const Motion& m : wound.motions) {
+    for (const ArmTransfer& m : selected.motions) {
       const FreeMotion& motion = *motions.find(m);
       if (m.kind == MotionKind::turn) {
         s.seconds += std::abs(s.angle) / times.turn_rate;
@@ -149,7 +149,7 @@ struct Planner::Impl {
       FreeMotion& reach = s.before[1];
       // A holder that stays goes to where it should be: force control has left it a millimetre beside.
       reach.delay =
-          carry.seconds > 0 ? motions.delay(wound.motions[0], wound.motions[1]) : std::optional(0.0);
+          carry.seconds > 0 ? motions.delay(selected.motions[0], selected.motions[1]) : std::optional(0.0);
       if (reach.delay) s.seconds -= carry.seconds - *reach.delay;
     }
     return s;

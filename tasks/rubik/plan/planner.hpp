@@ -1,25 +1,25 @@
-// Search for the cheapest way of two arms to turn faces of a cube, or to show all of them to a camera.
+// Finds the cheapest plan for two arms to turn faces of a cube, or to show all of them to a camera.
 #pragma once
 #include <memory>
 #include <span>
 
+#include "tasks/rubik/plan/blocked_directions.hpp"
 #include "tasks/rubik/plan/cell.hpp"
-#include "tasks/rubik/plan/jams.hpp"
 #include "tasks/rubik/plan/plan.hpp"
 
 namespace mrroc::rubik {
 
-/// Where a plan begins: one arm holds, the other hand is empty.
+/// Initial state of a plan: one arm holds, the other hand is empty.
 struct PlanStart {
   Grasp grasp;       ///< of the arm that holds
   ArmJoints joints;  ///< where both arms are
 };
 
-/// How it is searched.
+/// Settings of the search.
 struct PlanOptions {
-  CycleTimes times;        ///< estimates of what is not free motion
-  double grip_penalty{2};  ///< what a grip costs besides its time [s]: each one can fail
-  Jams jams;               ///< where a face jams, it is turned by three quarters the other way
+  CycleTimes times;           ///< estimates of what is not free motion
+  double grip_penalty{2};     ///< what a grip costs besides its time [s]: each one can fail
+  BlockedDirections blocked;  ///< where a face jams, it is turned by three quarters the other way
 };
 
 /// Plans in one cell. Paths that have been found are kept, so that later plans cost less.

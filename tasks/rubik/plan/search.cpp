@@ -21,7 +21,7 @@ constexpr int kAllFaces = (1 << kFaces) - 1;
 std::uint64_t key(const Node& n) {
   const auto u = [](int x) { return static_cast<std::uint64_t>(x); };
   return u(static_cast<int>(n.grasp.hand)) | u(number(n.grasp.palm)) << 1 | u(number(n.grasp.jaw)) << 4 |
-         u(n.stances[0]) << 8 | u(n.stances[1]) << 16 | u(n.done) << 24;
+         u(n.configurations[0]) << 8 | u(n.configurations[1]) << 16 | u(n.done) << 24;
 }
 
 struct Record {
@@ -76,15 +76,13 @@ GraspSearch::GraspSearch(const Motions& motions, const PlanOptions& options, Pla
   new_face_ = 2 * grip_ + visit +
               std::min(least(MotionKind::reach, Hand::postument, {}, Place::front),
                        least(MotionKind::reach, Hand::track, {}, Place::front));
-  // The palm that is to come where the other one was has to wait for it to go: three grips at least.
-  opposite_ = grip_;
-
   rest_.assign(goal_.groups.size() + 1, 0);
   for (std::size_t g = goal_.groups.size(); g-- > 0;) {
     const auto& moves = goal_.groups[g].moves;
     rest_[g] = rest_[g + 1] + (g + 1 < goal_.groups.size() ? new_face_ : 0);
     for (const Move m : moves) rest_[g] += turning(m);
-    if (moves.size() == 2) rest_[g] += new_face_ + opposite_;
+    // The palm that is to come where the other one was has to wait for it to go: three grips at least.
+    if (moves.size() == 2) rest_[g] += new_face_ + grip_;
   }
 }
 
@@ -105,13 +103,13 @@ double GraspSearch::least_rest(const Node& node) const {
   for (std::size_t k = 0; k < moves.size(); ++k)
     if (node.done % kPerGroup & (1 << k)) rest -= turning(moves[k]);
   // One of two opposite faces has been turned: what lies between them may have been paid.
-  if (node.done % kPerGroup != 0) rest -= new_face_ + opposite_;
+  if (node.done % kPerGroup != 0) rest -= new_face_ + grip_;
   return rest;
 }
 
-std::vector<int> GraspSearch::holder_stances(const Node& node, Place place) const {
+std::vector<int> GraspSearch::holder_configurations(const Node& node, Place place) const {
   const Hand holder = node.grasp.hand;
-  const int now = node.stances[index(holder)];
+  const int now = node.configurations[index(holder)];
   if (motions_.example(holder, now).place == place) return {now};
   std::vector<int> found;
   const int count = static_cast<int>(motions_.classes(holder).size());
@@ -120,9 +118,9 @@ std::vector<int> GraspSearch::holder_stances(const Node& node, Place place) cons
   return found;
 }
 
-std::vector<Motion> motions_of(Hand holder, const Edge& e, const StepStances& s) {
+std::vector<ArmTransfer> motions_of(Hand holder, const Edge& e, const StepConfigurations& s) {
   const Hand h = holder, w = other(h);
-  std::vector<Motion> all{
+  std::vector<ArmTransfer> all{
       {MotionKind::carry, h, s.before[index(h)], s.meeting[index(h)], s.before[index(w)]}};
   if (e.shows) return all;
   all.push_back({MotionKind::reach, w, s.before[index(w)], s.meeting[index(w)], s.meeting[index(h)]});
@@ -137,15 +135,15 @@ std::vector<Motion> motions_of(Hand holder, const Edge& e, const StepStances& s)
 void GraspSearch::add(std::vector<Edge>& edges, const Node& node, Edge edge) const {
   const CycleTimes& times = options_.times;
   const Hand h = node.grasp.hand;
-  StepStances stances{node.stances, {}, edge.to.stances};
-  stances.meeting[index(h)] = edge.holder;
-  stances.meeting[index(other(h))] = edge.shows ? node.stances[index(other(h))] : edge.comer;
+  StepConfigurations configurations{node.configurations, {}, edge.to.configurations};
+  configurations.meeting[index(h)] = edge.holder;
+  configurations.meeting[index(other(h))] = edge.shows ? node.configurations[index(other(h))] : edge.comer;
   edge.cost = edge.shows ? times.look : times.grip + times.open + options_.grip_penalty;
-  for (const Motion& m : motions_of(h, edge, stances)) {
+  for (const ArmTransfer& m : motions_of(h, edge, configurations)) {
     const double seconds = motions_.class_seconds(m);
     edge.cost += m.kind == MotionKind::turn && std::isfinite(seconds) ? turning(edge) : seconds;
   }
-  if (std::isfinite(edge.cost)) edges.push_back(std::move(edge));
+  if (std::isfinite(edge.cost)) edges.push_back(edge);
 }
 
 void GraspSearch::add_turns(std::vector<Edge>& edges, const Node& node, const Edge& meeting,
@@ -159,21 +157,21 @@ void GraspSearch::add_turns(std::vector<Edge>& edges, const Node& node, const Ed
   for (std::size_t k = 0; k < moves.size(); ++k) {
     const int done = node.done | (1 << k);
     if (done == node.done || moves[k].face() != keeps.palm) continue;
-    const auto [quarters, either_way] = way_of(moves[k], options_.jams);
+    const auto [quarters, either_direction] = direction_of(moves[k], options_.blocked);
     const auto to = motions_.turned_class(w == Hand::track ? meeting.comer : meeting.holder, quarters);
     if (!to) continue;
     for (const bool comer_leaves : {false, true}) {
       Edge e = meeting;
       e.turn = moves[k];
       e.quarters = quarters;
-      e.either_way = either_way;
+      e.either_direction = either_direction;
       e.comer_leaves = comer_leaves;
-      e.to.stances[index(Hand::track)] = *to;
+      e.to.configurations[index(Hand::track)] = *to;
       const bool postument_stays = (w == Hand::postument) != comer_leaves;
       e.to.grasp = postument_stays ? turned(keeps, quarters) : turns;
       const int all = (1 << moves.size()) - 1;
       e.to.done = (done % kPerGroup) == all ? kPerGroup * static_cast<int>(g + 1) : done;
-      add(edges, node, std::move(e));
+      add(edges, node, e);
     }
   }
 }
@@ -187,12 +185,12 @@ void GraspSearch::add_meetings(std::vector<Edge>& edges, const Node& node, int h
     e.holder = holder;
     e.comer = k;
     e.to = node;
-    e.to.stances[index(h)] = holder;
-    e.to.stances[index(w)] = k;
+    e.to.configurations[index(h)] = holder;
+    e.to.configurations[index(w)] = k;
     const Grasp comer = motions_.seen_from(w, k, node.grasp, holder);
     if (comes == Place::front) add_turns(edges, node, e, comer);
     e.to.grasp = comer;
-    add(edges, node, std::move(e));
+    add(edges, node, e);
   }
 }
 
@@ -201,7 +199,7 @@ void GraspSearch::add_looks(std::vector<Edge>& edges, const Node& node) const {
   const Matrix3 R_CE = cube_in_hand(node.grasp).R.transpose();
   const int count = static_cast<int>(motions_.classes(h).size());
   for (int k = 0; k < count; ++k) {
-    const Stance& s = motions_.example(h, k);
+    const ArmConfiguration& s = motions_.example(h, k);
     if (s.place != Place::shown) continue;
     const Face face = face_along(R_CE * s.shown);
     if (node.done & (1 << number(face))) continue;
@@ -209,16 +207,17 @@ void GraspSearch::add_looks(std::vector<Edge>& edges, const Node& node) const {
     e.holder = k;
     e.shows = face;
     e.to = node;
-    e.to.stances[index(h)] = k;
+    e.to.configurations[index(h)] = k;
     e.to.done |= 1 << number(face);
-    add(edges, node, std::move(e));
+    add(edges, node, e);
   }
 }
 
 std::vector<Edge> GraspSearch::edges(const Node& node) const {
   std::vector<Edge> edges;
-  for (const int holder : holder_stances(node, Place::front)) add_meetings(edges, node, holder, Place::front);
-  for (const int holder : holder_stances(node, Place::offered))
+  for (const int holder : holder_configurations(node, Place::front))
+    add_meetings(edges, node, holder, Place::front);
+  for (const int holder : holder_configurations(node, Place::offered))
     add_meetings(edges, node, holder, Place::side);
   if (goal_.show_all) add_looks(edges, node);
   return edges;
@@ -239,14 +238,14 @@ std::optional<std::vector<Edge>> GraspSearch::run(const Node& start) const {
     const Node node = record.node;
     const double cost = record.cost;
     if (is_done(node)) {
-      std::vector<Edge> way;
+      std::vector<Edge> path;
       for (std::uint64_t k = best; k != key(start);) {
         const Record& r = records[k];
-        way.push_back(r.edge);
+        path.push_back(r.edge);
         k = key(r.before);
       }
-      std::ranges::reverse(way);
-      return way;
+      std::ranges::reverse(path);
+      return path;
     }
     for (Edge& edge : edges(node)) {
       const std::uint64_t next = key(edge.to);
@@ -256,7 +255,7 @@ std::optional<std::vector<Edge>> GraspSearch::run(const Node& start) const {
       if (!is_new && (r.closed || r.cost <= through)) continue;
       open.push({through + least_rest(edge.to), count++, next});
       const Node to = edge.to;
-      r = {through, false, to, node, std::move(edge)};
+      r = {through, false, to, node, edge};
     }
   }
   return {};

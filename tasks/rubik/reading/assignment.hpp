@@ -1,4 +1,4 @@
-// The assignment problem.
+// Solves the assignment problem.
 #pragma once
 #include <Eigen/Core>
 #include <vector>

@@ -1,13 +1,14 @@
-// Which stickers of a cube have the same colour.
+// Sorts the stickers of a cube by colour.
 #pragma once
 #include <array>
 
-#include "base/cube_face.hpp"
-#include "tasks/rubik/cube/facelets.hpp"
+#include "base/cube/cube_face.hpp"
+#include "base/cube/facelets.hpp"
+#include "tasks/rubik/cube/names.hpp"
 
 namespace mrroc::rubik {
 
-/// How stickers are compared; as in StateReadingParameters.
+/// Parameters of the comparison of stickers; as in StateReadingParameters.
 struct ColourSortingParameters {
   /// As in StateReadingParameters.
   double least_deviation{};

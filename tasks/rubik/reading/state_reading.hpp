@@ -1,4 +1,4 @@
-// The state of the cube from pictures of its six faces.
+// Reads the state of the cube from pictures of its six faces.
 #pragma once
 #include <array>
 #include <optional>
@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "tasks/rubik/cube/facelets.hpp"
-#include "tasks/rubik/reading/face_view.hpp"
+#include "base/cube/face_view.hpp"
+#include "base/cube/facelets.hpp"
+#include "tasks/rubik/cube/names.hpp"
 
 namespace mrroc::rubik {
 
@@ -18,12 +19,12 @@ inline constexpr int kReadings = 2;
 struct StateReadingParameters {
   /// Least cost, in variances, that any exchange of the sticker's colour for another one must have.
   double margin{16};
-  double least_deviation{0.12};  ///< standard deviation of the tints (base/cube_face.hpp) of one colour
+  double least_deviation{0.12};  ///< standard deviation of the tints (base/cube/cube_face.hpp) of one colour
   double strange{36};            ///< variances by which a sticker may differ from the others of its colour
   int most_completed{6};         ///< stickers without a certain colour that the rules of the cube may decide
 };
 
-/// What six faces tell.
+/// Result of reading six faces.
 struct StateReading {
   std::optional<Cube> cube;  ///< nothing when no cube, or more than one, agrees with what was read
   std::string facelets;  ///< 54 letters of URFDLB by the centres that have the same colour; '?': undecided

@@ -1,10 +1,11 @@
-// Which piece is in which slot, whichever way it is turned: all that counts in the second phase's group.
+// The piece in each slot, without its orientation: this describes a cube in the second phase's group.
 #pragma once
 #include <array>
 #include <cstdint>
 
-#include "tasks/rubik/cube/cube.hpp"
-#include "tasks/rubik/cube/symmetry.hpp"
+#include "base/cube/cube.hpp"
+#include "base/cube/symmetry.hpp"
+#include "tasks/rubik/cube/names.hpp"
 
 namespace mrroc::rubik {
 

@@ -1,9 +1,10 @@
-// The shortest solution so far, for all threads of a search.
+// The shortest solution so far, shared by all threads of a search.
 #pragma once
 #include <atomic>
 #include <mutex>
 
-#include "tasks/rubik/cube/move.hpp"
+#include "base/cube/move.hpp"
+#include "tasks/rubik/cube/names.hpp"
 
 namespace mrroc::rubik {
 

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "tasks/rubik/cube/symmetry.hpp"
+#include "base/cube/symmetry.hpp"
+#include "tasks/rubik/cube/names.hpp"
 
 namespace mrroc::rubik {
 namespace {

@@ -3,7 +3,8 @@
 #include <array>
 #include <cstdint>
 
-#include "tasks/rubik/cube/cube.hpp"
+#include "base/cube/cube.hpp"
+#include "tasks/rubik/cube/names.hpp"
 #include "tasks/rubik/solver/fast_cube.hpp"
 #include "tasks/rubik/solver/table_builder.hpp"
 #include "tasks/rubik/solver/tables.hpp"
@@ -20,7 +21,7 @@ struct AxisCoordinates {
   std::uint64_t edges;    ///< flips, and slots of two slices
 };
 
-/// Where a view looks into the tables.
+/// Indices of a view into the tables.
 struct Probe {
   std::uint32_t flip_slice_class;  ///< page of the tables
   std::uint32_t twist;             ///< seen through the class's symmetry

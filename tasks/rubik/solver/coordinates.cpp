@@ -4,12 +4,12 @@
 #include <bit>
 #include <numeric>
 
-#include "tasks/rubik/cube/symmetry.hpp"
+#include "base/cube/symmetry.hpp"
+#include "tasks/rubik/cube/names.hpp"
 
 namespace mrroc::rubik {
 namespace {
 
-constexpr int kSliceSlots = 0b111100000000;
 constexpr int kFirstSliceEdge = 8;
 
 /// Sets of four out of N slots: their numbers, and the sets by number.

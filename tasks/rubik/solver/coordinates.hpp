@@ -1,12 +1,13 @@
-// Parts of a cube's state as whole numbers, and what turns and symmetries make of them.
+// Coordinates of a cube's state as whole numbers, and the effect of turns and symmetries on them.
 #pragma once
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "tasks/rubik/cube/cube.hpp"
-#include "tasks/rubik/cube/move.hpp"
+#include "base/cube/cube.hpp"
+#include "base/cube/move.hpp"
+#include "tasks/rubik/cube/names.hpp"
 
 namespace mrroc::rubik {
 

@@ -4,7 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "tasks/rubik/cube/move.hpp"
+#include "base/cube/move.hpp"
+#include "tasks/rubik/cube/names.hpp"
 #include "tasks/rubik/solver/coordinates.hpp"
 
 namespace mrroc::rubik {
@@ -15,7 +16,7 @@ namespace mrroc::rubik {
 /// together lies in the first cache.
 class CosetSpace {
  public:
-  /// Where a page goes to.
+  /// Destination of a page.
   struct Step {
     std::uint32_t page;      ///< to which the turn leads
     std::uint32_t symmetry;  ///< through which its rows and columns are seen, 0..15

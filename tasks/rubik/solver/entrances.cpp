@@ -48,8 +48,8 @@ class Entrances::Collector {
   /// Takes down the way from the cube into the group.
   void note(const Cube& cube) {
     const CosetState state = tables_.state_of(cube);
-    Entrance way{Arrangement::of(rubik::inverse(cube)), {}, 0};
-    std::ranges::copy(rubik::inverse(back_), way.turns.begin());
+    Entrance way{Arrangement::of(cube::inverse(cube)), {}, 0};
+    std::ranges::copy(cube::inverse(back_), way.turns.begin());
     if (!back_.empty()) {
       const Move half(back_.front().face(), 2);
       way.half_turn =

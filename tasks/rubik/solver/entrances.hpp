@@ -5,7 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "tasks/rubik/cube/move.hpp"
+#include "base/cube/move.hpp"
+#include "tasks/rubik/cube/names.hpp"
 #include "tasks/rubik/solver/arrangement.hpp"
 #include "tasks/rubik/solver/coordinates.hpp"
 

@@ -1,10 +1,11 @@
-// Turns on the cube in the searches' inner loops: only the eight pieces that move are touched.
+// Fast turns of a cube for the searches' inner loops: only the eight pieces that move are touched.
 #pragma once
 #include <array>
 #include <cstdint>
 
-#include "tasks/rubik/cube/cube.hpp"
-#include "tasks/rubik/cube/move.hpp"
+#include "base/cube/cube.hpp"
+#include "base/cube/move.hpp"
+#include "tasks/rubik/cube/names.hpp"
 
 namespace mrroc::rubik {
 
@@ -14,7 +15,7 @@ struct CubePair {
   Cube inverse;  ///< what undoes it
 
   /// @return the cube with its inverse
-  [[nodiscard]] static CubePair of(const Cube& c) { return {c, rubik::inverse(c)}; }
+  [[nodiscard]] static CubePair of(const Cube& c) { return {c, cube::inverse(c)}; }
 };
 
 /// The slots that each turn moves, and tables for what happens to the values in them.

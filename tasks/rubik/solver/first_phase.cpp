@@ -5,7 +5,8 @@
 #include <iterator>
 #include <span>
 
-#include "tasks/rubik/cube/symmetry.hpp"
+#include "base/cube/symmetry.hpp"
+#include "tasks/rubik/cube/names.hpp"
 #include "tasks/rubik/solver/first_phase_moves.hpp"
 
 namespace mrroc::rubik {

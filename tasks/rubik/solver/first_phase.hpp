@@ -1,10 +1,11 @@
-// The first phase of Kociemba's algorithm: begins of solutions that lead into the second phase's group.
+// The first phase of Kociemba's algorithm: beginnings of solutions that lead into the second phase's group.
 #pragma once
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "tasks/rubik/cube/move.hpp"
+#include "base/cube/move.hpp"
+#include "tasks/rubik/cube/names.hpp"
 #include "tasks/rubik/solver/best_solution.hpp"
 #include "tasks/rubik/solver/bounds.hpp"
 #include "tasks/rubik/solver/entrances.hpp"

@@ -1,4 +1,4 @@
-// Which turns lead nearer to the second phase's group: one word for each state of the first phase.
+// The turns that lead nearer to the second phase's group: one word for each state of the first phase.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -1,4 +1,4 @@
-// How long a search may go on, and how it is told to end.
+// Limits of a search, and the request to end it.
 #pragma once
 #include <atomic>
 #include <chrono>
@@ -7,7 +7,7 @@
 
 namespace mrroc::rubik {
 
-/// What ends a search that could go on.
+/// Limits that end a search which could go on.
 struct SearchLimits {
   std::chrono::microseconds budget{std::chrono::microseconds::max()};  ///< of wall time; max: none
   /// Nodes after which the search ends. With one thread and no budget the result is the same in every run.

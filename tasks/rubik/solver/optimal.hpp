@@ -1,14 +1,15 @@
-// Shortest solutions: iterative-deepening A* (Korf 1985, 1997) with pruning tables as bounds.
+// Finds shortest solutions: iterative-deepening A* (Korf 1985, 1997) with pruning tables as bounds.
 #pragma once
 #include <optional>
 
-#include "tasks/rubik/cube/move.hpp"
+#include "base/cube/move.hpp"
+#include "tasks/rubik/cube/names.hpp"
 #include "tasks/rubik/solver/bounds.hpp"
 #include "tasks/rubik/solver/limits.hpp"
 
 namespace mrroc::rubik {
 
-/// What the search for a shortest solution has found.
+/// Result of the search for a shortest solution.
 struct OptimalResult {
   std::optional<Moves>
       moves;          ///< a shortest solution; nothing if there is none so short, or a limit ended the search

@@ -7,7 +7,7 @@
 
 namespace mrroc::rubik {
 
-/// How the entries of a table lie in memory. Rows begin at whole bytes.
+/// Layout of a table's entries in memory. Rows begin at whole bytes.
 /// @tparam Bits  2 or 4 per entry
 template <int Bits>
 struct PackedLayout {

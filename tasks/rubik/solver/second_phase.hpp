@@ -2,7 +2,8 @@
 #pragma once
 #include <optional>
 
-#include "tasks/rubik/cube/move.hpp"
+#include "base/cube/move.hpp"
+#include "tasks/rubik/cube/names.hpp"
 #include "tasks/rubik/solver/arrangement.hpp"
 #include "tasks/rubik/solver/tables.hpp"
 
@@ -17,7 +18,7 @@ class SecondPhase {
   /// @param tables  outlives this object
   explicit SecondPhase(const Tables& tables) : tables_(tables) {}
 
-  /// Where an end begins.
+  /// State at which an end begins.
   struct State {
     unsigned corners, edges, slice;  ///< permutations of these, see coordinates.hpp
   };

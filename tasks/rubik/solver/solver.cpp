@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/counted.hpp"
 #include "tasks/rubik/solver/optimal.hpp"
 #include "tasks/rubik/solver/two_phase.hpp"
 
@@ -28,8 +29,8 @@ microseconds left_of(microseconds budget, steady_clock::time_point begin) {
 std::string describe(const Solution& solution) {
   const char* const by = solution.by == Search::ida_star ? "IDA*" : "two-phase";
   if (solution.optimal()) return fmt::format("{}: proven to be a shortest solution", by);
-  return fmt::format("{}: not proven to be a shortest solution, at least {} turns are needed", by,
-                     solution.lower_bound);
+  return fmt::format("{}: not proven to be a shortest solution, at least {} {} needed", by,
+                     counted(solution.lower_bound, "turn"), solution.lower_bound == 1 ? "is" : "are");
 }
 
 Solution CubeSolver::solve(const Cube& cube, const SolveLimits& limits) const {

@@ -1,11 +1,12 @@
-// The cube's solver: tables, bounds and both algorithms behind one door.
+// The cube's solver: the common interface of tables, bounds and both algorithms.
 #pragma once
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 
-#include "tasks/rubik/cube/move.hpp"
+#include "base/cube/move.hpp"
+#include "tasks/rubik/cube/names.hpp"
 #include "tasks/rubik/solver/bounds.hpp"
 #include "tasks/rubik/solver/limits.hpp"
 #include "tasks/rubik/solver/tables.hpp"

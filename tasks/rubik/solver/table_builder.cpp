@@ -27,7 +27,7 @@ struct Entries {
   std::vector<std::uint32_t> begin;  ///< of each row, and the end
 };
 
-/// What a level of the search has found.
+/// Result of a level of the search.
 struct Found {
   std::uint64_t entries{};
   std::uint64_t states{};  ///< entries of a page count for all pages of its class

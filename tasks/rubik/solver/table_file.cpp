@@ -140,14 +140,14 @@ OpenTable open_table(const fs::path& folder, const TableKind& kind,
   std::error_code error;
   if (fs::exists(file, error)) {
     table.memory = Memory::of_file(file, kDataOffset);
-    table.trouble = damage(table.memory, file, kind);
-    if (table.trouble.empty()) return table;
+    table.failure_reason = damage(table.memory, file, kind);
+    if (table.failure_reason.empty()) return table;
   }
   table.memory = Memory(kind.bytes);
   fill(table.memory.writable());
-  const std::string trouble = write_table(file, kind, table.memory.bytes());
-  table.source = trouble.empty() ? TableSource::made : TableSource::unwritten;
-  if (!trouble.empty()) table.trouble = trouble;
+  const std::string failure_reason = write_table(file, kind, table.memory.bytes());
+  table.source = failure_reason.empty() ? TableSource::made : TableSource::unwritten;
+  if (!failure_reason.empty()) table.failure_reason = failure_reason;
   return table;
 }
 

@@ -37,14 +37,14 @@ class Memory {
   std::size_t offset_{};
 };
 
-/// What a table file has to be.
+/// Expected properties of a table file.
 struct TableKind {
   std::string name;       ///< also the file's name, with ".table"
   std::uint32_t version;  ///< of the content; a file of another version is damaged
   std::size_t bytes;      ///< of the content
 };
 
-/// How opening a table went.
+/// Result of opening a table.
 enum class TableSource : std::uint8_t {
   file,      ///< the file was there and whole
   made,      ///< it was filled and written
@@ -53,9 +53,9 @@ enum class TableSource : std::uint8_t {
 
 /// A table that is read-only now.
 struct OpenTable {
-  Memory memory;         ///< its content
-  TableSource source{};  ///< where the content is from
-  std::string trouble;   ///< why the file was not used or not written; empty if there was none
+  Memory memory;               ///< its content
+  TableSource source{};        ///< where the content is from
+  std::string failure_reason;  ///< why the file was not used or not written; empty if there was none
 };
 
 /// Opens a table in the folder; fills and writes it when it is missing or damaged. It appears under its name only

@@ -1,4 +1,4 @@
-// Shows on standard error how the making of tables goes on.
+// Shows the progress of making tables on standard error.
 #pragma once
 #include <chrono>
 #include <cstdio>

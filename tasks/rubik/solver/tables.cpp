@@ -9,7 +9,7 @@
 namespace mrroc::rubik {
 namespace {
 
-/// To be raised when what a table holds changes.
+/// Increase this when the content of a table changes.
 constexpr std::uint32_t kVersion = 1;
 
 /// Longest distances that are told apart. In a search of the first phase for n turns, longer ones would cut only
@@ -44,10 +44,10 @@ class Opener {
       return table;
     }
     OpenTable table = open_table(folder_, {name, kVersion, bytes}, watched);
-    if (!table.trouble.empty() && watch_.notice)
+    if (!table.failure_reason.empty() && watch_.notice)
       watch_.notice(table.source == TableSource::unwritten
-                        ? fmt::format("table {} could not be kept: {}", name, table.trouble)
-                        : fmt::format("table {} was made again: {}", name, table.trouble));
+                        ? fmt::format("table {} could not be kept: {}", name, table.failure_reason)
+                        : fmt::format("table {} was made again: {}", name, table.failure_reason));
     return table;
   }
 

@@ -13,14 +13,14 @@
 
 namespace mrroc::rubik {
 
-/// How much is tabulated.
+/// Size of the tables.
 enum class TableSet : std::uint8_t {
   small,     ///< as standard, but only short distances are told apart: made in a moment, for tests
   standard,  ///< 130 MB, made in a few seconds
   large      ///< 3.2 GB, made in minutes: much faster optimal solutions, shorter ones in the same time
 };
 
-/// What happens while tables are opened. Either may be empty.
+/// Callbacks while tables are opened. Either may be empty.
 struct TableWatch {
   std::function<void(std::string_view table, double part)>
       progress;                                         ///< a table is being filled; part 0 to 1

@@ -1,8 +1,9 @@
-// Short solutions quickly: Kociemba's two-phase algorithm, improving until its limits end it.
+// Finds short solutions quickly: Kociemba's two-phase algorithm, improving until its limits end it.
 #pragma once
 #include <cstdint>
 
-#include "tasks/rubik/cube/move.hpp"
+#include "base/cube/move.hpp"
+#include "tasks/rubik/cube/names.hpp"
 #include "tasks/rubik/solver/bounds.hpp"
 #include "tasks/rubik/solver/limits.hpp"
 

@@ -16,39 +16,37 @@ constexpr double kJawsThere = 0.0015;   // [m]
 
 // --- memory ----------------------------------------------------------------------------------------------------
 
-/// A way begins with its point 0.
-ArmMemory begin_way(const X& x) {
+/// A path begins with its point 0.
+ArmMemory begin_path(const X& x) {
   ArmMemory c = x.c;
-  c.way = {};
+  c.joint_path = {};
   return c;
 }
 
 /// Points come in their order; one that has been taken is sent again until the coordinator knows.
 ArmMemory take_point(const X& x) {
   ArmMemory c = x.c;
-  const auto& point = x.T.arm.pose;
-  const bool sound = std::ranges::all_of(point, [](double q) { return std::isfinite(q); }) &&
-                     point[kSpeedOfLine] > 0 && point[kSpeedOfLine] <= 1;
-  if (x.T.m == kTakeWay && x.T.variant == c.way.count && sound) c.way.add(point);
-  c.way.jaws = x.T.arm.gripper;
+  const PathPoint& point = x.T.cube.point;
+  if (x.T.m == kTakePath && x.T.variant == c.joint_path.count && point.sound()) c.joint_path.add(point);
+  c.joint_path.jaws = x.T.cube.jaws;
   return c;
 }
 
 ArmMemory plan_path(const X& x) {
   ArmMemory c = x.c;
   c.path = {};
-  if (c.way.count == 0) return c;
+  if (c.joint_path.count == 0) return c;
   const Eigen::Index axes = c.limits.velocity.size();
   const auto motors_of = [axes](const auto& numbers) {
     return ecp::Coordinates(Eigen::Map<const Eigen::VectorXd>(numbers.data(), axes));
   };
   std::vector<ecp::ViaPoint> list;
-  for (int k = 0; k < c.way.count; ++k) {
-    const PoseNumbers& point = c.way.points[static_cast<std::size_t>(k)];
-    list.push_back({.pose = motors_of(point),
-                    .velocity = point[kSpeedOfLine],
+  for (int k = 0; k < c.joint_path.count; ++k) {
+    const PathPoint& point = c.joint_path.points[static_cast<std::size_t>(k)];
+    list.push_back({.pose = motors_of(point.motors),
+                    .velocity = point.speed,
                     .acceleration = 1,
-                    .pass = k + 1 < c.way.count});
+                    .pass = k + 1 < c.joint_path.count});
   }
   c.path = ecp::Trajectory(
       std::make_shared<ecp::Polyline>(motors_of(x.e.motors), list, c.limits, kPacing.macrostep_s()),
@@ -76,13 +74,13 @@ ArmMemory weigh_once(const X& x) {
 // --- effector --------------------------------------------------------------------------------------------------
 
 EffectorCommand with_jaws(const X& x, EffectorCommand command) {
-  if (x.c.way.jaws > 0) command.arm.gripper = std::clamp(x.c.way.jaws, kClosest, kWidest);
+  if (x.c.joint_path.jaws > 0) command.arm.gripper = std::clamp(x.c.joint_path.jaws, kClosest, kWidest);
   return command;
 }
 
 /// The arm stands, its jaws begin already: an empty hand's come off the cube even if they do not open any farther.
 EffectorCommand stand(const X& x) {
-  return x.c.way.jaws > 0 ? with_jaws(x, ecp::move_arm(kStill, kPacing)) : ecp::rest();
+  return x.c.joint_path.jaws > 0 ? with_jaws(x, ecp::move_arm(kStill, kPacing)) : ecp::rest();
 }
 
 EffectorCommand follow(const X& x) {
@@ -90,24 +88,25 @@ EffectorCommand follow(const X& x) {
 }
 
 EffectorCommand weigh(const X& x) {
-  const auto& n = x.T.arm.pose;
-  return may_weigh(x) ? ecp::change_force_tool(n[0], {n[1], n[2], n[3]}) : ecp::rest();
+  const auto& P = x.T.cube.mass_centre;
+  return may_weigh(x) ? ecp::change_force_tool(x.T.cube.weight, {P[0], P[1], P[2]}) : ecp::rest();
 }
 
 // --- coordinator -----------------------------------------------------------------------------------------------
 
 bool arrived(const X& x) {
-  const bool jaws = x.T.variant != kActs || x.c.way.jaws <= 0 || x.e.blocked ||
-                    std::abs(x.e.gripper - x.c.way.jaws) < kJawsThere;
+  const bool jaws = x.T.variant != kActs || x.c.joint_path.jaws <= 0 || x.e.blocked ||
+                    std::abs(x.e.gripper - x.c.joint_path.jaws) < kJawsThere;
   return jaws && ecp::path_ends(x);
 }
-bool weighed(const X& x) { return x.c.weighed != 0 && x.i >= x.c.weighed + ecp::kAnswerDelay; }
+bool weighed(const X& x) { return x.c.weighed != 0 && x.i >= x.c.weighed + latency::kCommandToReply; }
 bool never(const X&) { return false; }
 
 template <int m, bool (*done)(const X&)>
-Report tell(const X& x) {
-  Report r = ecp::report_of(x, m);
-  r.sensor = x.c.way.count;
+ArmReport tell(const X& x) {
+  ArmReport r;
+  r = ecp::report_of(x, m);
+  r.cube.points = x.c.joint_path.count;
   r.event = done(x) ? m : 0;
   return r;
 }
@@ -130,7 +129,7 @@ constexpr auto kRest = ecp::at_rest<Arm>;
 const std::array<Motion<Arm>, 4> kBetween{{
   // m         name           entry        memory      command  sensors    event                    terminal condition, in words
   { kWait,    "wait",         kRetain,     kRetain,    kRest,   kNoSensor, tell<kWait, never>,      order_changes, "the coordinator orders something"},
-  { kTakeWay, "take the way", begin_way,   take_point, stand,   kNoSensor, tell<kTakeWay, never>,   other_order<kTakeWay>, "the coordinator orders something else"},
+  { kTakePath, "take the way", begin_path,  take_point, stand,   kNoSensor, tell<kTakePath, never>,  other_order<kTakePath>, "the coordinator orders something else"},
   { kGo,      "go",           plan_path,   kRetain,    follow,  kNoSensor, tell<kGo, arrived>,      other_order<kGo>, "the coordinator has seen the arrival"},
   { kWeigh,   "weigh",        not_weighed, weigh_once, weigh,   kNoSensor, tell<kWeigh, weighed>,   other_order<kWeigh>, "the coordinator has seen that the hand is weighed"},
 }};

@@ -1,5 +1,5 @@
-// What an arm of the cube's task does: the behaviours of a cycle, acting or standing, and between cycles free motions
-// along ways and the weighing of what hangs on its sensor.
+// The agent of an arm in the cube's task: the behaviours of a cycle, acting or standing, and between cycles
+// free motions along paths and the weighing of the load on its sensor.
 #pragma once
 #include <array>
 
@@ -7,8 +7,7 @@
 
 namespace mrroc::rubik {
 
-/// Report::event of these behaviours: their number, when they are done; of kTakeWay never. Report::sensor is the number
-/// of points of the way that the arm has.
+/// Report::event of these behaviours: their number, when they are done; of kTakePath never.
 extern const std::array<Motion<Arm>, 4> kBetween;
 
 /// @return the behaviour that the coordinator orders; "wait" when that one has ended already

@@ -1,7 +1,6 @@
 // The coordination of the two arms by Boolean events, MG (60)-(63): both change behaviour in the same macrostep.
 #pragma once
 #include <array>
-#include <span>
 
 #include "base/transmission.hpp"
 
@@ -18,7 +17,8 @@ struct Coordination {
 /// @param reports  x_cT_0j of the arms
 /// @return the memory of the next macrostep; go_on is what both arms are sent, with the element of the behaviour that
 ///         has ended set and the other one cleared
-constexpr Coordination coordinate(Coordination c, std::span<const Report> reports) {
+template <class Reports>
+constexpr Coordination coordinate(Coordination c, const Reports& reports) {
   for (const Report& report : reports) {
     if (report.event != c.m) continue;
     const std::size_t element = c.m % 2 == 1 ? 0 : 1;

@@ -1,4 +1,4 @@
-// An arm of the cube's task macrostep by macrostep, for those who move several arms in one thread.
+// Executes an arm of the cube's task step by step, for programs that move several arms in one thread.
 #pragma once
 #include "tasks/rubik/turn/agent.hpp"
 

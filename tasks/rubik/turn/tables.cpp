@@ -12,20 +12,19 @@ namespace {
 using X = Arm::X;
 using std::numbers::pi;
 
-Pose pose_of(const EffectorReply& e) {
-  return pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(e.T_0E.data()));
-}
-
 /// dg(m) of the jaws. @tparam sign  -1: they close
 template <const TaskFrameCommand& frame, int sign>
 EffectorCommand row(const X& x) {
   return command(x, frame, sign * kJawStep);
 }
 
+/// @return dg of jaws that touch nothing, per macrostep [m]: that of the order; without one the tables'
+double jaw_step_of(const CubeOrder& order) { return order.jaw_step > 0 ? order.jaw_step : kJawStep; }
+
 /// The same as quickly as is ordered.
 template <const TaskFrameCommand& frame, int sign>
 EffectorCommand as_ordered(const X& x) {
-  return command(x, frame, sign * jaw_step_of(x.T));
+  return command(x, frame, sign * jaw_step_of(x.T.cube));
 }
 
 /// B about z of a face that stands: tab. 7's, or a share of the order's when that is far above it.
@@ -42,8 +41,9 @@ EffectorCommand turn(const X& x) {
 
 /// y_cT: m of the event, once it is seen. (62)
 template <int m, bool (*seen)(const X&)>
-Report event(const X& x) {
-  Report r = ecp::report_of(x, m);
+ArmReport event(const X& x) {
+  ArmReport r;
+  r = ecp::report_of(x, m);
   r.event = seen(x) ? m : 0;
   return r;
 }
@@ -90,7 +90,7 @@ ArmMemory keep_pose(const X& x) {
 
 ArmMemory begin_turn(const X& x) {
   ArmMemory c = keep_pose(x);
-  c.turn = turn_of(x.T);
+  c.turn = x.T.cube.turn;
   c.mobility = least_mobility(c.turn);
   return c;
 }

@@ -1,7 +1,10 @@
-// A transport for tests of one thread that delivers at once.
+// A transport for tests of one thread that delivers at once, and a listener that keeps what it hears.
 #pragma once
+#include <cstdint>
 #include <map>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -34,6 +37,14 @@ class DirectBus final : public Bus {
  private:
   std::map<std::string, std::vector<Sink*>> sinks_;
   std::vector<std::pair<std::string, Sink*>> all_;
+};
+
+/// Keeps what has come, with its channel.
+struct Collector final : Sink {
+  std::vector<std::pair<std::string, Bytes>> got;
+  void receive(std::string_view channel, std::span<const std::uint8_t> bytes) noexcept override {
+    got.emplace_back(channel, Bytes(bytes.begin(), bytes.end()));
+  }
 };
 
 }  // namespace mrroc::link::test

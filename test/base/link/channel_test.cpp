@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 #include "base/link/lossy_bus.hpp"
@@ -216,16 +217,65 @@ TEST(Channel, HashIsThatOfTheTrafficAndNotOfTheSession) {
   EXPECT_NE(a.hash(), b.hash());
 }
 
-TEST(Queue, GivesEveryMessageOnceInOrderOfArrival) {
+const Route kOfSeveral{Group::agents, "s.operator"};
+
+TEST(Queue, OfOneSenderTakesEveryNumberOnce) {
   DirectBus bus;
   Queue<M> queue(bus, kRoute, kSession);
-  Outbox<M> one(bus, kRoute, kSession), two(bus, kRoute, kSession), foreign(bus, kRoute, kSession + 1);
+  for (const std::int64_t number : {1, 3, 2, 3, 1, 2, 4})
+    bus.deliver(kRoute.channel, encoded(kSession, number, 0, number));
+  for (const std::int64_t number : {1, 3, 2, 4}) EXPECT_EQ(queue.take()->id, number);
+  EXPECT_FALSE(queue.take());
+}
+
+TEST(Queue, OfOneSenderTakesNoNumberThatNoneGives) {
+  DirectBus bus;
+  Queue<M> queue(bus, kRoute, kSession);
+  for (const std::int64_t number :
+       {std::int64_t{0}, std::int64_t{-1}, std::numeric_limits<std::int64_t>::min(),
+        std::numeric_limits<std::int64_t>::max(), kMostSkipped + 1})
+    bus.deliver(kRoute.channel, encoded(kSession, number, 0, 0));
+  EXPECT_FALSE(queue.take());
+  bus.deliver(kRoute.channel, encoded(kSession, 1, 0, 5));
+  EXPECT_EQ(queue.take()->id, 5);
+}
+
+TEST(Channel, ANumberThatJumpsIsRefusedAndTheLinkGoesOn) {
+  Ends e;
+  e.out.publish(message(1), 1);
+  for (const std::int64_t number : {std::numeric_limits<std::int64_t>::max(), 1 + kMostSkipped + 1})
+    e.give(encoded(kSession, number, 2, 666));
+  EXPECT_EQ(e.in.counters().malformed, 2);
+  e.out.publish(message(2), 2);
+  EXPECT_EQ(e.in.newest()->id, 2);
+  EXPECT_EQ(e.in.counters().gaps, 0);
+  e.give(encoded(kSession, 2 + kMostSkipped, 3, 3));
+  EXPECT_EQ(e.in.newest()->id, 3) << "as far as a receiver can sleep";
+}
+
+TEST(Channel, AStampBeyondAllBoundsIsRefused) {
+  Ends e;
+  for (const std::int64_t stamp :
+       {std::int64_t{-2}, kLargestStamp + 1, std::numeric_limits<std::int64_t>::min(),
+        std::numeric_limits<std::int64_t>::max()})
+    e.give(encoded(kSession, 1, stamp, 666));
+  EXPECT_EQ(e.in.counters().malformed, 4);
+  e.give(encoded(kSession, 1, -1, 5));
+  ASSERT_NE(e.in.newest(), nullptr);
+  EXPECT_EQ(e.in.newest()->id, 5);
+}
+
+TEST(Queue, GivesEveryMessageOnceInOrderOfArrival) {
+  DirectBus bus;
+  Queue<M> queue(bus, kOfSeveral, kSession);
+  Outbox<M> one(bus, kOfSeveral, kSession), two(bus, kOfSeveral, kSession),
+      foreign(bus, kOfSeveral, kSession + 1);
   EXPECT_FALSE(queue.take());
   for (int k = 0; k < 10; ++k) {
     one.publish(message(2 * k), 0);
     foreign.publish(message(-1), 0);
     two.publish(message(2 * k + 1), 0);
-    bus.deliver(kRoute.channel, Bytes(7));
+    bus.deliver(kOfSeveral.channel, Bytes(7));
   }
   for (int k = 0; k < 20; ++k) EXPECT_EQ(queue.take()->id, k);
   EXPECT_FALSE(queue.take());
@@ -233,9 +283,9 @@ TEST(Queue, GivesEveryMessageOnceInOrderOfArrival) {
 
 TEST(Queue, AFloodDoesNotGrowWithoutBound) {
   DirectBus bus;
-  Queue<M> queue(bus, kRoute, kSession);
+  Queue<M> queue(bus, kOfSeveral, kSession);
   const Bytes bytes = encoded(kSession, 1, 1, 1);
-  for (int k = 0; k < 30000; ++k) bus.deliver(kRoute.channel, bytes);
+  for (int k = 0; k < 30000; ++k) bus.deliver(kOfSeveral.channel, bytes);
   int taken = 0;
   while (queue.take()) ++taken;
   EXPECT_EQ(taken, 10000);

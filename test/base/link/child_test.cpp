@@ -2,13 +2,18 @@
 #include "base/link/child.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "base/fault.hpp"
 
@@ -99,6 +104,112 @@ TEST(Child, WhatCannotBeStartedIsSaidAtOnce) {
       EXPECT_NE(std::string(e.what()).find(program), std::string::npos);
     }
   }
+}
+
+TEST(Child, TheReasonIsToldWhenThereIsNoRoomForAnotherProcess) {
+  const pid_t poor = ::fork();
+  if (poor == 0) {
+    const rlimit none{};
+    if (::setrlimit(RLIMIT_NPROC, &none) != 0 || (::geteuid() == 0 && ::setuid(54321) != 0)) ::_exit(9);
+    try {
+      const Child child("/bin/true", {});
+    } catch (const FaultError& e) {
+      ::_exit(std::string(e.what()).find(std::strerror(EAGAIN)) != std::string::npos ? 0 : 1);
+    }
+    ::_exit(2);
+  }
+  int status = -1;
+  ::waitpid(poor, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  if (WEXITSTATUS(status) == 9) GTEST_SKIP() << "no process can be kept from starting others here";
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+/// @return the error of a child that is started while so many more files can be opened
+std::string error_with_free_files(int files) {
+  rlimit usual{};
+  EXPECT_EQ(::getrlimit(RLIMIT_NOFILE, &usual), 0);
+  std::vector<int> taken;
+  for (int k = 0; k < files; ++k) taken.push_back(::dup(STDIN_FILENO));
+  const rlim_t first_refused = files == 0 ? 0 : static_cast<rlim_t>(taken.back()) + 1;
+  for (const int file : taken) ::close(file);
+  const rlimit few{first_refused, usual.rlim_max};
+  EXPECT_EQ(::setrlimit(RLIMIT_NOFILE, &few), 0);
+  std::string error;
+  try {
+    const Child child("/bin/true", {});
+  } catch (const FaultError& e) {
+    EXPECT_EQ(e.fault().code, FaultCode::start_failed);
+    error = e.what();
+  }
+  EXPECT_EQ(::setrlimit(RLIMIT_NOFILE, &usual), 0);
+  return error;
+}
+
+TEST(Child, TheReasonIsToldWhenThereIsNoRoomForAPipe) {
+  const std::string reason = std::string("cannot make a pipe: ") + std::strerror(EMFILE);
+  for (const int files : {0, 2}) {  // neither of the two pipes, and the first one only
+    const std::string error = error_with_free_files(files);
+    EXPECT_NE(error.find(reason), std::string::npos) << files << ": " << error;
+  }
+}
+
+TEST(Child, FindsItsInputOnceAndThenItsEnd) {
+  for (const char* const start : {"", "env"}) {
+    Child child("/bin/sh", {"-c", R"(read -r a; read -r b; [ "$a-$b" = one-two ] && ! read -r c)"},
+                *start ? std::vector<std::string>{start} : std::vector<std::string>{}, "one\ntwo\n");
+    ASSERT_TRUE(await_end(child));
+    EXPECT_TRUE(child.ended_well());
+  }
+}
+
+TEST(Child, InputThatNobodyWouldReadInTimeIsRefused) {
+  const std::string fits(60'000, 'x');
+  Child reads("/bin/sh", {"-c", "[ $(wc -c) = 60000 ]"}, {}, fits);
+  ASSERT_TRUE(await_end(reads));
+  EXPECT_TRUE(reads.ended_well());
+  std::string too_long;
+  too_long.resize(10'000'000, 'x');
+  try {
+    const Child child("/bin/true", {}, {}, too_long);
+    ADD_FAILURE();
+  } catch (const FaultError& e) {
+    EXPECT_EQ(e.fault().code, FaultCode::start_failed);
+  }
+}
+
+TEST(Child, IsAskedToEndAndEndsBySignal15) {
+  Child child("/bin/sh", {"-c", "exec sleep 600"});
+  child.terminate();
+  ASSERT_TRUE(await_end(child));
+  EXPECT_EQ(child.ended(), "signal 15 (Terminated)");
+  EXPECT_FALSE(child.ended_well());
+  Child obstinate("/bin/sh", {"-c", "trap '' TERM; echo > /dev/null; while :; do sleep 0.05; done"});
+  obstinate.kill();
+  ASSERT_TRUE(await_end(obstinate));
+  EXPECT_EQ(obstinate.ended(), "signal 9 (Killed)");
+}
+
+// A Ctrl-C in the terminal is the owner's business.
+TEST(Child, IsInAProcessGroupOfItsOwn) {
+  int pipe[2];
+  ASSERT_EQ(::pipe(pipe), 0);
+  const Child child("/bin/sh", {"-c", "echo $$ > /dev/fd/" + std::to_string(pipe[1]) + "; exec sleep 600"});
+  ::close(pipe[1]);
+  char text[32]{};
+  ASSERT_GT(::read(pipe[0], text, sizeof text - 1), 0);
+  const pid_t pid = std::atoi(text);
+  EXPECT_EQ(::getpgid(pid), pid);
+  EXPECT_NE(::getpgid(pid), ::getpgrp());
+  ::close(pipe[0]);
+}
+
+TEST(Child, KeepsItsEndWhenItIsMoved) {
+  Child child("/bin/sh", {"-c", "exit 0"});
+  ASSERT_TRUE(await_end(child));
+  const Child moved(std::move(child));
+  EXPECT_EQ(moved.ended(), "exit status 0");
+  EXPECT_TRUE(moved.ended_well());
 }
 
 TEST(Child, EndsWithItsOwner) {

@@ -47,6 +47,74 @@ class LogFile : public ::testing::Test {
   const fs::path file_ = folder_ / "events.lcmlog";
 };
 
+TEST_F(LogFile, EndsAtItsBoundAndKeepsTheEndInMemory) {
+  constexpr std::uintmax_t kLimit = 10'000;
+  const fs::path tail = folder_ / kEventTail;
+  std::int64_t written = 0;
+  {
+    EventLog log(file_, kSession, kLimit);
+    for (std::int64_t k = 1; k <= 1000; ++k) give(log, "s.order", k, k);
+    EXPECT_TRUE(log.flush()) << "that is no failure";
+    EXPECT_GT(log.left_out(), 0);
+    EXPECT_EQ(log.gaps(), 0);
+    written = 1000 - log.left_out();
+    log.write_tail(tail);
+  }
+  EXPECT_LE(fs::file_size(file_), kLimit);
+  EXPECT_GT(fs::file_size(file_), kLimit - 200);
+  const LogReader begins(file_), ends(tail);
+  ASSERT_EQ(static_cast<std::int64_t>(begins.messages().size()), written);
+  EXPECT_EQ(header_of(begins.messages().back().bytes).number, written);
+  EXPECT_EQ(header_of(ends.messages().front().bytes).number, written + 1);
+  EXPECT_EQ(header_of(ends.messages().back().bytes).number, 1000);
+}
+
+TEST_F(LogFile, OfWhatComesBeyondItsBoundAsMuchIsKeptAsMemoryIsMeantFor) {
+  EventLog log(file_, kSession, 1000);
+  test::Bytes large = order(1);
+  for (std::int64_t k = 1; k <= 400'000; ++k) {
+    for (int b = 0; b < 8; ++b) large[16 + b] = static_cast<std::uint8_t>(k >> (56 - 8 * b));  // its number
+    log.receive("s.order", large);
+  }
+  log.write_tail(folder_ / kEventTail);
+  EXPECT_LE(fs::file_size(folder_ / kEventTail), EventLog::kTail);
+  EXPECT_GT(fs::file_size(folder_ / kEventTail), EventLog::kTail / 2);
+}
+
+TEST_F(LogFile, TellsItsSessionItsChannelsAndTheirMessages) {
+  {
+    EventLog log(file_, kSession);
+    give(log, "s-1.b.two", 1, 5);
+    give(log, "s-1.a", 1, 6);
+    give(log, "s-1.a", 2, 7);
+    test::Bytes stranger = order(9);
+    stranger[15] = 2;  // of another session
+    log.receive("s-1.a", stranger);
+  }
+  for (const fs::path& where : {file_, folder_}) {
+    const LogReader reader(where);
+    EXPECT_EQ(reader.session(), "s-1");
+    EXPECT_EQ(reader.session_id(), kSession);
+    EXPECT_EQ(reader.channels(), (std::vector<std::string>{"a", "b.two"}));
+    EXPECT_EQ(reader.damaged(), 0);
+    const auto a = reader.messages<operator_order_t>("a");
+    ASSERT_EQ(a.size(), 2U);
+    EXPECT_EQ(a.at(6).header.number, 1);
+    EXPECT_EQ(a.at(7).header.number, 2);
+    EXPECT_TRUE(reader.messages<sensor_reading_t>("a").empty()) << "of another type";
+    EXPECT_TRUE(reader.messages<operator_order_t>("c").empty());
+  }
+  EXPECT_EQ(header_of(test::Bytes(31)).number, 0) << "too short for a header";
+}
+
+TEST_F(LogFile, WithoutABoundThatIsReachedHasNoTail) {
+  EventLog log(file_, kSession);
+  give(log, "s.order", 1);
+  log.write_tail(folder_ / kEventTail);
+  EXPECT_EQ(log.left_out(), 0);
+  EXPECT_FALSE(fs::exists(folder_ / kEventTail));
+}
+
 /// The log of everything on a bus.
 class LogOfABus : public LogFile {
  protected:

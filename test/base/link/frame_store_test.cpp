@@ -208,6 +208,27 @@ TEST_F(FrameStore, RefusesPicturesOfAnotherSize) {
   EXPECT_EQ(files(), 1U);
 }
 
+TEST_F(FrameStore, IsMadeForAnySizeUpToItsLimits) {
+  using Shape = FrameStoreShape;
+  for (const Shape& good : {Shape{4096, 1, 1, 2}, Shape{1, 4096, 3, 2}, Shape{1, 1, 1, 64}}) {
+    FrameWriter writer(name_, good);
+    FrameReader reader = FrameReader::open(name_).value();
+    EXPECT_EQ(reader.shape(), good);
+    Frame frame;
+    const Image image = picture(1, good);
+    EXPECT_EQ(reader.read(writer.write(3, 4, 0.5, image.view()), 3, frame), FrameFate::read);
+    EXPECT_EQ(frame.image, image);
+  }
+  for (const Shape& bad :
+       {Shape{4097, 1, 1, 2}, Shape{1, 4097, 1, 2}, Shape{1, 1, 1, 65}, Shape{1, 1, 1, 1}, Shape{1, 0, 1, 2},
+        Shape{-1, 1, 1, 2}, Shape{1, 1, 0, 2}, Shape{1, 1, 2, 2}, Shape{1, 1, 4, 2}})
+    EXPECT_EQ(code_of([&] { FrameWriter refused(name_, bad); }), FaultCode::internal_error);
+}
+
+TEST_F(FrameStore, IsNamedAfterItsUserSessionAndCamera) {
+  EXPECT_EQ(name_.path(), name_.directory / ("mrroc-frames-" + std::to_string(::geteuid()) + ".s.7.sac"));
+}
+
 TEST_F(FrameStore, SaysWhereItCannotBeMade) {
   name_.directory /= "nowhere";
   EXPECT_EQ(code_of([&] { FrameWriter refused(name_, shape_); }), FaultCode::cannot_write);

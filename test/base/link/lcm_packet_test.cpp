@@ -1,4 +1,4 @@
-// What is read of datagrams that anybody on the host may have sent.
+// Parsing of datagrams that anybody on the host may have sent.
 #include "base/link/lcm_packet.hpp"
 
 #include <gtest/gtest.h>

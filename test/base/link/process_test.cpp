@@ -1,229 +1,26 @@
-// The rules of time (docs/architecture.md, R1-R5) with dummy agents.
+// A process of a system: messages from and to the supervisor, and the limits of its waits.
 #include "base/link/process.hpp"
 
 #include <gtest/gtest.h>
 
-#include <atomic>
+#include <limits>
+#include <optional>
 
-#include "base/link/lcm_bus.hpp"
-#include "base/link/lossy_bus.hpp"
 #include "base/link/memory_bus.hpp"
-#include "base/link/session.hpp"
 #include "test/base/link/buses.hpp"
 #include "test/base/link/ring.hpp"
 
 namespace mrroc::link {
 namespace {
 
-using test::Behaviour;
-using test::Boss;
-using test::hashes_of;
-using test::member;
-using test::Ring;
-using Hashes = std::map<std::string, std::int64_t>;
-
-std::map<std::string, Behaviour> everybody(std::int64_t macrosteps) {
-  return {{"a", {macrosteps}}, {"b", {macrosteps}}, {"c", {macrosteps}}};
-}
-
-Hashes run_to_the_end(const Ring::Open& open, std::int64_t macrosteps, std::int64_t session_id = 1) {
-  Ring ring(open, everybody(macrosteps), session_id);
-  EXPECT_TRUE(ring.boss.await([&] { return ring.boss.all(ProcessState::ready); }));
-  ring.boss.say(Phase::running);
-  EXPECT_TRUE(ring.boss.await([&] { return ring.boss.all(ProcessState::done); }));
-  ring.finish();
-  Hashes all;
-  for (const auto& [name, status] : ring.boss.status) all.merge(hashes_of(status));
-  EXPECT_EQ(all.size(), 3U);
-  return all;
-}
-
-Hashes run_in_memory(std::int64_t macrosteps, std::int64_t session_id = 1) {
-  MemoryHub hub;
-  return run_to_the_end([&hub](const std::string&) { return hub.open(); }, macrosteps, session_id);
-}
-
-/// Keeps a processor busy, so that threads are interrupted anywhere.
-class Load {
- public:
-  Load()
-      : thread_([this] {
-          while (!end_) ++spins_;
-        }) {}
-  ~Load() { end_ = true; }
-  Load(const Load&) = delete;
-  Load& operator=(const Load&) = delete;
-
- private:
-  std::atomic<bool> end_{false};
-  std::atomic<std::int64_t> spins_{0};
-  std::jthread thread_;
-};
-
-TEST(RulesOfTime, R1_RunsAreBitIdenticalWhateverTheSchedulerDoes) {
-  const Hashes first = run_in_memory(30);
-  const Load load;
-  for (int run = 0; run < 100; ++run) ASSERT_EQ(run_in_memory(30), first) << "run " << run;
-}
-
-TEST(RulesOfTime, R3_HashesDoNotDependOnTheSession) {
-  EXPECT_EQ(run_in_memory(30, 1), run_in_memory(30, 987654321));
-  EXPECT_NE(run_in_memory(30), run_in_memory(31));
-}
-
-TEST(RulesOfTime, R1_RunsOverTheNetworkEqualThoseInMemory) {
-  const LcmAddress address = address_for("rules-of-time-" + std::to_string(random_id() % 100000));
-  if (!multicast_works(address)) GTEST_SKIP() << "no multicast on this host";
-  const Hashes first = run_in_memory(30);
-  for (int run = 0; run < 3; ++run) {
-    const Hashes hashes =
-        run_to_the_end([&](const std::string&) { return open_lcm(address); }, 30, random_id());
-    ASSERT_EQ(hashes, first);
-  }
-}
-
-/// A lossy end that owns the bus beneath.
-class OwnLossyBus final : public Bus {
- public:
-  OwnLossyBus(std::unique_ptr<Bus> under, int period)
-      : under_(std::move(under)), lossy_(*under_, [this, period] { return ++n_ % period == 0; }) {}
-  void publish(const Route& route, std::span<const std::uint8_t> bytes) override {
-    lossy_.publish(route, bytes);
-  }
-  void subscribe(const Route& route, Sink& sink) override { lossy_.subscribe(route, sink); }
-  void subscribe_all(const std::string& prefix, Sink& sink) override { lossy_.subscribe_all(prefix, sink); }
-  bool wait(std::chrono::milliseconds timeout) override { return lossy_.wait(timeout); }
-
- private:
-  std::unique_ptr<Bus> under_;
-  int n_{};
-  LossyBus lossy_;
-};
-
-TEST(RulesOfTime, R5_RealLossIsRepairedAndNeverChangesARun) {
-  MemoryHub hub;
-  int period = 11;
-  const Hashes hashes = run_to_the_end(
-      [&](const std::string&) -> std::unique_ptr<Bus> {
-        return std::make_unique<OwnLossyBus>(hub.open(), period);
-      },
-      30);
-  EXPECT_EQ(hashes, run_in_memory(30));
-}
-
-TEST(RulesOfTime, R5_LossIsRepairedThoughOtherMessagesKeepComing) {
-  MemoryHub hub;
-  const auto bus_a = hub.open(), bus_b = hub.open(), bus_chatter = hub.open();
-  int publications = 0;
-  LossyBus lossy(*bus_a, [&] { return ++publications == 1; });
-  Process a(lossy, member("a"));
-  Process b(*bus_b, member("b"));
-  const auto out = a.outbox<operator_order_t>("a.out");
-  const auto in = b.inbox<operator_order_t>("a.out");
-  const auto news_a = a.inbox<operator_order_t>("chatter"), news_b = b.inbox<operator_order_t>("chatter");
-  out->publish({}, 1);  // lost
-  std::atomic<bool> arrived{false};
-  const std::jthread chatter([&] {
-    Outbox<operator_order_t> talk(*bus_chatter, a.route("chatter"), 1);
-    for (int k = 0; k < 300 && !arrived; ++k) {
-      talk.publish({}, k);
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-  });
-  const std::jthread waits([&] {
-    arrived = b.await([&] { return in->at(1) != nullptr; }, Process::Clock::now() + std::chrono::seconds(3));
-  });
-  a.await([&] { return arrived.load(); }, Process::Clock::now() + std::chrono::seconds(3));
-  EXPECT_TRUE(arrived);
-}
-
-TEST(RulesOfTime, R2_NobodyBeginsBeforeAllAreThere) {
-  MemoryHub hub;
-  const auto open = [&hub](const std::string&) { return hub.open(); };
-  Ring ring(open, everybody(10));
-  ASSERT_TRUE(ring.boss.await([&] { return ring.boss.all(ProcessState::ready); }));
-  int looks = 0;
-  ring.boss.await([&] { return ++looks > 5; });
-  EXPECT_TRUE(ring.boss.all(ProcessState::ready));  // still
-  for (const auto& [name, status] : ring.boss.status) EXPECT_EQ(status.macrostep, 0) << name;
-  ring.boss.say(Phase::running);
-  EXPECT_TRUE(ring.boss.await([&] { return ring.boss.all(ProcessState::done); }));
-}
-
-TEST(RulesOfTime, R2_ASystemThatEndsWhileAssemblingEndsEverybody) {
-  MemoryHub hub;
-  Ring ring([&hub](const std::string&) { return hub.open(); }, everybody(10));
-  ASSERT_TRUE(ring.boss.await([&] { return ring.boss.all(ProcessState::ready); }));
-  ring.finish();
-  for (const auto& [name, trace] : ring.traces) EXPECT_EQ(trace.ended_in, 0) << name;
-}
-
-TEST(RulesOfTime, StopActsInTheSameMacrostepEverywhere) {
-  for (int run = 0; run < 10; ++run) {
-    MemoryHub hub;
-    Ring ring([&hub](const std::string&) { return hub.open(); }, everybody(1'000'000));
-    ASSERT_TRUE(ring.boss.await([&] { return ring.boss.all(ProcessState::ready); }));
-    ring.boss.say(Phase::running);
-    if (run % 2) ring.boss.await([&] { return ring.boss.is("a", ProcessState::running); });
-    ring.boss.say(Phase::stopping,
-                  5000);  // far ahead of everybody, heard by some together with the beginning
-    ASSERT_TRUE(ring.boss.await([&] { return ring.boss.all(ProcessState::done); }));
-    ring.finish();
-    for (const auto& [name, trace] : ring.traces) EXPECT_EQ(trace.ended_in, 5000) << name;
-  }
-}
-
-TEST(RulesOfTime, StopAtOnceEndsWhoeverWaits) {
-  MemoryHub hub;
-  auto behaviours = everybody(1000);
-  behaviours["a"].dies_in = 40;  // and nobody notices
-  Ring ring([&hub](const std::string&) { return hub.open(); }, behaviours);
-  ASSERT_TRUE(ring.boss.await([&] { return ring.boss.all(ProcessState::ready); }));
-  ring.boss.say(Phase::running);
-  // Whoever is still assembling when the system stops ends without a word.
-  ASSERT_TRUE(ring.boss.await(
-      [&] { return ring.boss.is("b", ProcessState::running) && ring.boss.is("c", ProcessState::running); }));
-  ring.boss.say(Phase::stopping, 0);
-  const auto both = [&] {
-    return ring.boss.is("b", ProcessState::done) && ring.boss.is("c", ProcessState::done);
-  };
-  EXPECT_TRUE(ring.boss.await(both));
-}
-
-TEST(RulesOfTime, R4_ADeadPeerIsSilentFromItsLastMessageOnAndTheOthersGoOn) {
-  std::vector<std::int64_t> values;
-  for (int run = 0; run < 10; ++run) {
-    MemoryHub hub;
-    std::atomic<bool> died{false};
-    auto behaviours = everybody(60);
-    behaviours["a"].dies_in = 50;
-    behaviours["a"].died = &died;
-    Ring ring([&hub](const std::string&) { return hub.open(); }, behaviours);
-    ASSERT_TRUE(ring.boss.await([&] { return ring.boss.all(ProcessState::ready); }));
-    ring.boss.say(Phase::running);
-    ASSERT_TRUE(ring.boss.await([&] { return died.load(); }));
-    ring.boss.declare_dead(1);
-    const auto both = [&] {
-      return ring.boss.is("b", ProcessState::done) && ring.boss.is("c", ProcessState::done);
-    };
-    ASSERT_TRUE(ring.boss.await(both));
-    ring.finish();
-    EXPECT_EQ(ring.traces["a"].ended_in, 50);
-    EXPECT_EQ(ring.traces["b"].ended_in, 61);
-    EXPECT_EQ(ring.traces["c"].ended_in, 61);
-    EXPECT_EQ(ring.traces["b"].silent_in, 51);
-    EXPECT_EQ(ring.traces["c"].silent_in, 0);
-    values.push_back(ring.traces["c"].value);
-    EXPECT_EQ(values.back(), values.front());
-  }
-}
+using test::context_of;
 
 TEST(Process, EndsWhenNothingIsHeardOfTheSupervisor) {
   MemoryHub hub;
   const auto bus = hub.open();
-  Membership orphan = member("b");
+  NodeContext orphan = context_of("b");
   orphan.roster = {"a", "b"};
-  orphan.patience = std::chrono::hours(1);  // a run at a slow pace
+  orphan.timeout = std::chrono::hours(1);  // a run at a slow pace
   orphan.alone = std::chrono::milliseconds(50);
   Process b(*bus, orphan);
   try {
@@ -234,9 +31,32 @@ TEST(Process, EndsWhenNothingIsHeardOfTheSupervisor) {
   }
 }
 
+TEST(Process, EndsAlsoByTheWallClockWhenTheSupervisorStaysAway) {
+  test::DirectBus bus;
+  NodeContext orphan = context_of("b");
+  orphan.roster = {"a", "b"};
+  orphan.clock = ClockKind::wall;
+  orphan.timeout = std::chrono::hours(1);
+  orphan.alone = std::chrono::milliseconds(1500);
+  Process b(bus, orphan);
+  Outbox<supervisor_t> supervisor(bus, b.route("supervisor"), 1);
+  supervisor_t running{};
+  running.phase = static_cast<int>(Phase::running);
+  supervisor.publish(running, 0);
+  ASSERT_EQ(b.phase(), Phase::running);
+  const auto begun = Process::Clock::now();
+  try {
+    b.await([&] { return Process::Clock::now() - begun > std::chrono::minutes(2); });
+    FAIL() << "it waited for ever";
+  } catch (const FaultError& e) {
+    EXPECT_EQ(e.fault().code, FaultCode::peer_silent);
+  }
+  EXPECT_TRUE(b.over()) << "it came to rest before";
+}
+
 TEST(Process, KnowsWhatTheSupervisorSaidLast) {
   test::DirectBus bus;
-  Process p(bus, member("b"));
+  Process p(bus, context_of("b"));
   Outbox<supervisor_t> supervisor(bus, p.route("supervisor"), 1);
   Outbox<supervisor_t> stranger(bus, p.route("supervisor"), 2);
   EXPECT_EQ(p.phase(), Phase::assembling);
@@ -263,27 +83,118 @@ TEST(Process, KnowsWhatTheSupervisorSaidLast) {
   EXPECT_EQ(p.stop_as_of(), 44);
 }
 
-TEST(Process, TellsItsFaultWithEverything) {
+TEST(Process, WhoLeadsObeysHisOwnWordWhateverComesByHisChannel) {
   test::DirectBus bus;
-  Process p(bus, member("b"));
-  Queue<process_status_t> in(bus, p.route("b.status"), 1);
-  Fault fault{.code = FaultCode::out_of_limits, .axis = 3, .value = 1.5, .limit = 1.25};
-  fault.text = "the third joint";
-  p.report_fault(fault);
-  const auto s = in.take();
-  ASSERT_TRUE(s);
-  EXPECT_EQ(s->state, static_cast<int>(ProcessState::faulted));
-  EXPECT_EQ(s->fault.code, static_cast<int>(FaultCode::out_of_limits));
-  EXPECT_EQ(s->fault.axis, 3);
-  EXPECT_EQ(s->fault.value, 1.5);
-  EXPECT_EQ(s->fault.limit, 1.25);
-  EXPECT_EQ(get_text(s->fault.process), "b");
-  EXPECT_EQ(get_text(s->fault.text), "the third joint");
+  NodeContext leader = context_of("boss");
+  leader.roster = {"boss", "b"};
+  Process p(bus, leader);
+  supervisor_t word{};
+  word.phase = static_cast<int>(Phase::running);
+  p.lead(word);
+  supervisor_t forged{};
+  forged.header = {1, std::numeric_limits<std::int64_t>::max(), 0};
+  forged.phase = static_cast<int>(Phase::finished);
+  test::Bytes bytes(static_cast<std::size_t>(encoded_size<supervisor_t>()));
+  forged.encode(bytes.data(), 0, encoded_size<supervisor_t>());
+  bus.deliver(p.route("supervisor").channel, bytes);
+  EXPECT_EQ(p.phase(), Phase::running);
+  word.phase = static_cast<int>(Phase::stopping);
+  word.as_of = 7;
+  p.lead(word);
+  EXPECT_EQ(p.phase(), Phase::stopping);
+  EXPECT_EQ(p.stop_as_of(), 7);
+}
+
+/// A supervisor that speaks until he is silenced.
+struct Speaker {
+  explicit Speaker(MemoryHub& hub)
+      : bus(hub.open()), out(*bus, {Group::agents, context_of("b").session + ".supervisor"}, 1) {}
+  void say(Phase phase) {
+    supervisor_t m{};
+    m.phase = static_cast<int>(phase);
+    out.publish(m, 0);
+  }
+  std::unique_ptr<Bus> bus;
+  Outbox<supervisor_t> out;
+};
+
+/// @return the context of a node whose supervisor is another process
+NodeContext node(ClockKind clock) {
+  NodeContext m = context_of("b");
+  m.roster = {"boss", "b"};
+  m.clock = clock;
+  m.timeout = std::chrono::milliseconds(1000);
+  return m;
+}
+
+TEST(Process, EchoesWhatItHasHeardOfTheSupervisorAtOnce) {
+  MemoryHub hub;
+  Speaker boss(hub);
+  const auto bus = hub.open();
+  Process p(*bus, node(ClockKind::step));
+  Queue<process_status_t> told(*boss.bus, p.route("b.status"), 1);
+  boss.say(Phase::stopping);
+  p.await([] { return false; }, Process::Clock::now() + std::chrono::milliseconds(5));
+  boss.bus->wait(std::chrono::milliseconds(100));
+  std::optional<process_status_t> last;
+  while (const auto s = told.take()) last = s;
+  ASSERT_TRUE(last);
+  EXPECT_EQ(last->phase, static_cast<int>(Phase::stopping));
+  EXPECT_EQ(last->as_of, 0);
+}
+
+TEST(Process, ByTheWallClockComesToRestWithinASecondOfTheSupervisorsSilenceAndNamesHim) {
+  if (kReceiveTimeout.count() == 0) GTEST_SKIP() << "under sanitizers nobody is judged by the wall clock";
+  MemoryHub hub;
+  Speaker boss(hub);
+  const auto bus = hub.open();
+  Process p(*bus, node(ClockKind::wall));
+  Queue<process_status_t> told(*boss.bus, p.route("b.status"), 1);
+  boss.say(Phase::running);
+  const auto silent_since = Process::Clock::now();
+  EXPECT_FALSE(p.await([&] { return p.over(); }, silent_since + std::chrono::milliseconds(500)));
+  EXPECT_TRUE(p.await([&] { return p.over(); }, silent_since + std::chrono::seconds(5)));
+  EXPECT_LT(Process::Clock::now() - silent_since, std::chrono::seconds(1));
+  EXPECT_EQ(p.stop_as_of(), 0);
+  p.report_done();
+  boss.say(Phase::running);  // he is back: too late
+  p.await([] { return false; }, Process::Clock::now() + std::chrono::milliseconds(30));
+  EXPECT_TRUE(p.over());
+  while (boss.bus->wait(std::chrono::milliseconds(0))) {
+  }
+  std::optional<process_status_t> last;
+  while (const auto s = told.take()) last = s;
+  ASSERT_TRUE(last);
+  EXPECT_EQ(last->state, static_cast<int>(ProcessState::faulted)) << "report_done() does not make it good";
+  EXPECT_EQ(last->fault.code, static_cast<int>(FaultCode::supervisor_silent));
+  EXPECT_EQ(get_text(last->fault.process), "boss");
+  boss.say(Phase::finished);
+  p.stay();
+}
+
+TEST(Process, InLockStepTheTimeInWhichTheSupervisorIsSilentIsNotWaitedInVain) {
+  if (kReceiveTimeout.count() == 0) GTEST_SKIP() << "under sanitizers a wait has no end";
+  MemoryHub hub;
+  Speaker boss(hub);
+  const auto bus = hub.open();
+  Process p(*bus, node(ClockKind::step));
+  const auto in = p.inbox<operator_order_t>("beat");
+  const Sources sources{in.get()};
+  boss.say(Phase::running);
+  const auto begun = Process::Clock::now();
+  const auto suspended = [&] { return Process::Clock::now() - begun > std::chrono::milliseconds(1800); };
+  EXPECT_NO_THROW(p.await_from(sources, FaultCode::peer_silent, suspended)) << "longer than its timeout";
+  const auto speaks = [&] {
+    boss.say(Phase::running);
+    return false;
+  };
+  EXPECT_THROW(p.await_from(sources, FaultCode::peer_silent, speaks), FaultError)
+      << "he is there, and nothing comes";
 }
 
 TEST(Process, GivesUpAtItsDeadline) {
   test::DirectBus bus;
-  Process p(bus, member("b"));
+  Process p(bus, context_of("b"));
   int asked = 0;
   EXPECT_FALSE(p.await(
       [&] {
@@ -298,7 +209,7 @@ TEST(Process, GivesUpAtItsDeadline) {
 
 TEST(Process, MoreLinksThanFitIntoAStatusAreRefused) {
   test::DirectBus bus;
-  Process p(bus, member("b"));
+  Process p(bus, context_of("b"));
   std::vector<std::unique_ptr<Outbox<operator_order_t>>> boxes;
   const auto room = static_cast<int>(std::size(process_status_t{}.hash));
   for (int k = 0; k < room; ++k) boxes.push_back(p.outbox<operator_order_t>("x" + std::to_string(k)));

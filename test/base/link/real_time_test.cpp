@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 #include <linux/capability.h>
+#include <sched.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include <fstream>
+#include <thread>
 
 namespace mrroc::link {
 namespace {
@@ -80,6 +84,22 @@ TEST(RealTime, TheCapabilityIsAsGoodAsAnInfiniteLimit) {
   });
   if (got == kNotHere) GTEST_SKIP() << "not permitted here";
   EXPECT_EQ(got, kLocked);
+}
+
+TEST(RealTime, AThreadInTheBackgroundIsInNobodysWayAndLeavesTheOthersAsTheyAre) {
+  const int got = apart([] {
+    become_real_time(10);  // if it may
+    const int policy = ::sched_getscheduler(0), niceness = ::getpriority(PRIO_PROCESS, 0);
+    bool right = false;
+    std::thread([&right] {
+      become_background(5);
+      right = ::sched_getscheduler(0) == SCHED_OTHER && ::getpriority(PRIO_PROCESS, 0) == 5;
+    }).join();
+    return right && ::sched_getscheduler(0) == policy && ::getpriority(PRIO_PROCESS, 0) == niceness
+               ? kGranted
+               : kRefused;
+  });
+  EXPECT_EQ(got, kGranted);
 }
 
 }  // namespace

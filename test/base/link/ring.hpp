@@ -18,8 +18,8 @@ namespace mrroc::link::test {
 
 inline const std::vector<std::string> kRoster{"boss", "a", "b", "c"};
 
-inline Membership member(const std::string& name, std::int64_t session_id = 1) {
-  Membership m;
+inline NodeContext context_of(const std::string& name, std::int64_t session_id = 1) {
+  NodeContext m;
   m.session = "ring";
   m.session_id = session_id;
   m.name = name;
@@ -27,14 +27,14 @@ inline Membership member(const std::string& name, std::int64_t session_id = 1) {
   return m;
 }
 
-/// What a dummy agent does besides its part in the ring.
+/// Actions of a dummy agent besides its part in the ring.
 struct Behaviour {
   std::int64_t macrosteps{100};
   std::int64_t dies_in{};  ///< says nothing any more from this macrostep on; 0: never
   std::atomic<bool>* died{};
 };
 
-/// What has become of an agent.
+/// The end of an agent.
 struct Trace {
   std::int64_t ended_in{};   ///< first macrostep that it did not compute
   std::int64_t silent_in{};  ///< first macrostep computed without a living predecessor; 0: none
@@ -42,7 +42,7 @@ struct Trace {
 };
 
 /// Computes macrostep i from the messages stamped i alone: rule R1.
-inline Trace run_agent(Bus& bus, const Membership& me, const std::string& before,
+inline Trace run_agent(Bus& bus, const NodeContext& me, const std::string& before,
                        const Behaviour& behaviour) {
   Process process(bus, me);
   const auto in = process.inbox<operator_order_t>(before + ".out");
@@ -82,7 +82,7 @@ inline Trace run_agent(Bus& bus, const Membership& me, const std::string& before
 class Boss {
  public:
   explicit Boss(Bus& bus, std::int64_t session_id = 1)
-      : process_(bus, member("boss", session_id)), out_(bus, process_.route("supervisor"), session_id) {
+      : process_(bus, context_of("boss", session_id)), out_(bus, process_.route("supervisor"), session_id) {
     for (const std::string& name : kRoster)
       status_in_.push_back(
           std::make_unique<Queue<process_status_t>>(bus, process_.route(name + ".status"), session_id));
@@ -111,10 +111,10 @@ class Boss {
     said_.dead |= std::int64_t{1} << index;
     say();
   }
-  /// @return false when it took more than twenty seconds
+  /// @return false when it took more than a minute: on a busy host every step waits for a core
   template <class Ready>
   bool await(Ready ready) {
-    return process_.await(ready, Process::Clock::now() + std::chrono::seconds(20));
+    return process_.await(ready, Process::Clock::now() + std::chrono::minutes(1));
   }
   Process& process() { return process_; }
 
@@ -148,24 +148,24 @@ class Ring {
     for (std::size_t k = 1; k < kRoster.size(); ++k) {
       const std::string& name = kRoster[k];
       const std::string before = k == 1 ? kRoster.back() : kRoster[k - 1];
-      threads_.emplace_back([open, name, before, session_id, b = behaviours.at(name), &trace = traces[name]] {
-        const auto bus = open(name);
-        trace = run_agent(*bus, member(name, session_id), before, b);
-      });
+      threads_.emplace_back(
+          [this, open, name, before, session_id, b = behaviours.at(name), &trace = traces[name]] {
+            const auto bus = open(name);
+            trace = run_agent(*bus, context_of(name, session_id), before, b);
+            ++ended_;
+          });
     }
   }
   ~Ring() { finish(); }
   Ring(const Ring&) = delete;
   Ring& operator=(const Ring&) = delete;
 
-  /// Ends everything; traces are complete then.
+  /// Ends everything; traces are complete then. The word is said until everybody has obeyed: it may be lost.
   void finish() {
     boss.say(Phase::finished);
+    while (ended_ < threads_.size()) boss.await([this] { return ended_ == threads_.size(); });
     for (auto& t : threads_)
-      if (t.joinable()) {
-        boss.process().poll();
-        t.join();
-      }
+      if (t.joinable()) t.join();
   }
 
  private:
@@ -176,6 +176,7 @@ class Ring {
   std::map<std::string, Trace> traces;
 
  private:
+  std::atomic<std::size_t> ended_{};  ///< of the threads
   std::vector<std::jthread> threads_;
 };
 

@@ -1,63 +1,30 @@
+// The file of a session: what it lists, who owns its name, and what remains of a dead process.
 #include "base/link/session.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/stat.h>
+#include <sys/inotify.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <memory>
-#include <set>
+#include <string>
+#include <vector>
 
 #include "base/fault.hpp"
+#include "test/base/link/session_fixture.hpp"
 
 namespace mrroc::link {
 namespace {
 
 namespace fs = std::filesystem;
-
-class Session : public ::testing::Test {
- protected:
-  Session() {
-    std::string pattern = (fs::temp_directory_path() / "session_test.XXXXXX").string();
-    home_ = ::mkdtemp(pattern.data());
-  }
-  ~Session() override { fs::remove_all(home_); }
-
-  [[nodiscard]] fs::path directory() const { return home_ / "mrroc"; }
-  static SessionInfo info(const std::string& name) {
-    return {name, 42, address_for(name), "drawing", "/runs/drawing-1", 0};
-  }
-  [[nodiscard]] std::vector<std::string> names() const {
-    std::vector<std::string> result;
-    for (const SessionInfo& s : running_sessions(directory())) result.push_back(s.name);
-    return result;
-  }
-
-  fs::path home_;
-};
-
-/// @return the code with which f fails, none when it does not
-template <class F>
-FaultCode code_of(F f) {
-  try {
-    f();
-  } catch (const FaultError& e) {
-    return e.fault().code;
-  }
-  return FaultCode::none;
-}
-
-/// Runs f in a child that then ends without destructors.
-template <class F>
-int status_of_child(F f) {
-  const pid_t child = ::fork();
-  if (child == 0) ::_exit(f());
-  int status{};
-  ::waitpid(child, &status, 0);
-  return WEXITSTATUS(status);
-}
+using test::code_of;
+using test::Session;
+using test::status_of_child;
 
 TEST_F(Session, IsListedWithEverythingItSaidWhileItLives) {
   {
@@ -92,6 +59,17 @@ TEST_F(Session, IsRefusedANameThatALivingProcessHas) {
   const SessionFile file(info("same"), directory());
   EXPECT_EQ(code_of([this] { SessionFile second(info("same"), directory()); }), FaultCode::session_in_use);
   EXPECT_EQ(names(), std::vector<std::string>{"same"}) << "the refused one must not remove the other's file";
+}
+
+TEST_F(Session, ANameThatIsInUseIsRefusedWithTheTaskThatHasIt) {
+  const SessionFile file(info("same"), directory());
+  try {
+    const SessionFile second(info("same"), directory());
+    ADD_FAILURE();
+  } catch (const FaultError& e) {
+    EXPECT_EQ(std::string(e.what()),
+              "a task 'drawing' runs under the name same (process " + std::to_string(::getpid()) + ")");
+  }
 }
 
 /// Lets processes try the same name at the same time; those who get it keep it until all have tried.
@@ -193,72 +171,25 @@ TEST_F(Session, EndsWithItsOwnProcessAndNotWithAForkedChild) {
   EXPECT_EQ(names(), std::vector<std::string>{"parent"});
 }
 
-TEST_F(Session, KeepsItsDirectoryFromOtherUsers) {
+TEST_F(Session, ItsFileAppearsWhole) {
   fs::create_directory(directory());
-  ::chmod(directory().c_str(), 0777);
-  const SessionFile file(info("private"), directory());
-  EXPECT_EQ(fs::status(directory()).permissions(), fs::perms::owner_all);
-}
-
-TEST_F(Session, RefusesADirectoryThatIsNoneOrALink) {
-  fs::create_directory(home_ / "elsewhere");
-  fs::create_symlink(home_ / "elsewhere", directory());
-  EXPECT_EQ(code_of([this] { SessionFile file(info("a"), directory()); }), FaultCode::cannot_write);
-  EXPECT_EQ(code_of([this] { SessionFile file(info("a"), home_ / "no" / "parent"); }),
-            FaultCode::cannot_write);
+  const int watch = ::inotify_init1(IN_NONBLOCK);
+  ASSERT_GE(::inotify_add_watch(watch, directory().c_str(), IN_CREATE | IN_MOVED_TO), 0);
+  const SessionFile file(info("s"), directory());
+  alignas(inotify_event) std::array<char, 4096> bytes{};
+  const ssize_t size = ::read(watch, bytes.data(), bytes.size());
+  ::close(watch);
+  std::map<std::string, std::uint32_t> come;
+  for (ssize_t at = 0; at < size;) {
+    const auto* const event = reinterpret_cast<const inotify_event*>(bytes.data() + at);
+    come[event->name] |= event->mask;
+    at += static_cast<ssize_t>(sizeof(inotify_event) + event->len);
+  }
+  EXPECT_EQ(come["s.json"], static_cast<std::uint32_t>(IN_MOVED_TO)) << "it is written elsewhere";
+  EXPECT_FALSE(fs::exists(directory() / "s.draft"));
 }
 
 TEST_F(Session, IsNotThereWithoutADirectory) { EXPECT_TRUE(names().empty()); }
-
-TEST_F(Session, RefusesNamesThatCannotBePartOfAChannelAndAFile) {
-  for (const std::string name : {"a", "A_b-9", "abcdefghijklmnopqrstuvwx"}) {
-    EXPECT_TRUE(valid_session_name(name)) << name;
-    EXPECT_NO_THROW(check_session_name(name));
-  }
-  for (const std::string name :
-       {"", "abcdefghijklmnopqrstuvwxy", "a b", "a.b", "../a", "a/b", "\xc3\xa9", "a\n"}) {
-    EXPECT_FALSE(valid_session_name(name)) << name;
-    EXPECT_EQ(code_of([&] { check_session_name(name); }), FaultCode::bad_usage) << name;
-    EXPECT_EQ(code_of([&] { SessionFile file(info(name), directory()); }), FaultCode::bad_usage) << name;
-  }
-}
-
-TEST_F(Session, GetsAValidNameThatNobodyHas) {
-  std::set<std::string> seen;
-  for (const std::string task : {"drawing", "", "a task with a very long name", "../x"}) {
-    const std::string name = unique_session_name(task, directory());
-    EXPECT_TRUE(valid_session_name(name)) << name;
-    EXPECT_TRUE(seen.insert(name).second);
-  }
-  EXPECT_EQ(unique_session_name("drawing", directory()).substr(0, 8), "drawing-");
-}
-
-TEST_F(Session, TalksAtPortsThatDifferForAlmostAllNames) {
-  std::map<int, int> used;
-  constexpr int kNames = 1000;
-  for (int k = 0; k < kNames; ++k) {
-    const LcmAddress address = address_for("drawing-" + std::to_string(k));
-    EXPECT_EQ(address.ttl, 0);
-    EXPECT_EQ(address.port % 4, 0);
-    EXPECT_GE(address.port, 20000);
-    EXPECT_LE(address.port + kGroups - 1, 29999);
-    ++used[address.port];
-  }
-  // 2500 (1 - (1 - 1/2500)^1000) = 824 different ports are expected of a fair hash.
-  EXPECT_GT(used.size(), 780U);
-  EXPECT_EQ(address_for("a").port, address_for("a").port);
-}
-
-TEST_F(Session, LooksInTheUsersRuntimeDirectoryIfThereIsOne) {
-  const std::string user = "mrroc-" + std::to_string(::geteuid());
-  const char* const before = std::getenv("XDG_RUNTIME_DIR");
-  const std::string kept = before ? before : "";
-  ::setenv("XDG_RUNTIME_DIR", home_.c_str(), 1);
-  EXPECT_EQ(session_directory(), home_ / user);
-  ::setenv("XDG_RUNTIME_DIR", (home_ / "missing").c_str(), 1);
-  EXPECT_EQ(session_directory(), fs::path("/tmp") / user);
-  before ? ::setenv("XDG_RUNTIME_DIR", kept.c_str(), 1) : ::unsetenv("XDG_RUNTIME_DIR");
-}
 
 }  // namespace
 }  // namespace mrroc::link

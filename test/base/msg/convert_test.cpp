@@ -37,7 +37,7 @@ FixedText<N> text() {
 
 Fault random_fault() {
   Fault f;
-  f.code = static_cast<FaultCode>(random_bits() % (static_cast<unsigned>(FaultCode::interrupted) + 1));
+  f.code = static_cast<FaultCode>(random_bits() % (static_cast<unsigned>(FaultCode::figures_missed) + 1));
   f.axis = bits<std::int16_t>();
   f.value = number();
   f.limit = number();
@@ -186,6 +186,8 @@ TEST(Convert, RepliesSurviveTheWire) {
       fill(*numbers);
     r.robot_model = random_model();
     r.inputs = bits<std::uint16_t>();
+    r.position_known = flag();
+    r.at_rest = flag();
     auto m = to_message(r);
     m.header.stamp = k;
     const EffectorReply s = from_message(sent(m));
@@ -198,6 +200,8 @@ TEST(Convert, RepliesSurviveTheWire) {
     EXPECT_EQ(s.blocked, r.blocked);
     EXPECT_EQ(s.inputs, r.inputs);
     EXPECT_EQ(s.parts, r.parts);
+    EXPECT_EQ(s.position_known, r.position_known);
+    EXPECT_EQ(s.at_rest, r.at_rest);
     EXPECT_EQ(s.robot_model.kinematic_model, r.robot_model.kinematic_model);
     EXPECT_TRUE(same(s.current.rms[7], r.current.rms[7]));
     EXPECT_TRUE(same(s.analog[7], r.analog[7]));
@@ -226,8 +230,8 @@ TEST(Convert, EverythingElseSurvivesTheWire) {
     const Order order{bits<int>(), bits<int>(), {flag(), flag()}, flag(), random_arm()};
     expect_round_trip(order, [](const agent_order_t& m) { return from_message(m); });
     Report report{bits<int>(),     bits<int>(),    flag(), bits<int>(), bits<DriverState>(),
-                  bits<Verdict>(), random_fault(), {},     {},          number(),
-                  flag()};
+                  bits<Verdict>(), random_fault(), flag(), {},          {},
+                  number(),        flag()};
     fill(report.T_0E);
     fill(report.F_a.v);
     expect_round_trip(report, [](const agent_report_t& m) { return from_message(m); });
@@ -238,14 +242,24 @@ TEST(Convert, EverythingElseSurvivesTheWire) {
     std::ranges::generate(seen.T_CG.R.reshaped(), number);
     std::ranges::generate(seen.T_CG.p, number);
     std::ranges::generate(seen.covariance.reshaped(), number);
-    expect_round_trip(seen, [](const camera_reading_t& m) { return from_message(m); });
+    expect_round_trip(seen, [k](camera_reading_t m) {
+      m.header.stamp = k;
+      CameraReading r = from_message(m);
+      EXPECT_EQ(r.frame, k);
+      return r;
+    });
     HardwareCommand drive;
     fill(drive.pwm);
     drive.enabled = flag();
     drive.jaws_enabled = flag();
-    drive.commanded_until = bits<std::int64_t>();
+    drive.macrostep = bits<std::int64_t>();
     drive.outputs = bits<std::uint16_t>();
-    expect_round_trip(drive, [](const drive_command_t& m) { return from_message(m); });
+    expect_round_trip(drive, [k](hardware_command_t m) {
+      m.header.stamp = k;
+      const HardwareCommand c = from_message(m);
+      EXPECT_EQ(c.step, k);
+      return c;
+    });
     HardwareReading hardware;
     for (auto& e : hardware.encoder) e = bits<std::int32_t>();
     for (auto& s : hardware.switches) s = bits<std::uint8_t>();
@@ -254,11 +268,7 @@ TEST(Convert, EverythingElseSurvivesTheWire) {
     fill(hardware.analog);
     fill(hardware.current);
     fill(hardware.S_F_m.v);
-    expect_round_trip(hardware, [k](const drive_reading_t& m) {
-      const HardwareReading r = from_message(m, k);
-      EXPECT_EQ(r.step, k);
-      return r;
-    });
+    expect_round_trip(hardware, [](const hardware_state_t& m) { return from_message(m); });
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <random>
 
@@ -51,6 +52,8 @@ TEST(MessageType, GivesTheValuesThatWereEncoded) {
     m.header.stamp = static_cast<std::int64_t>(random());
     m.state = static_cast<std::int8_t>(random());
     m.inputs = static_cast<std::int16_t>(random());
+    m.fault.code = static_cast<std::int32_t>(random());
+    m.blocked = trial % 2 == 1;
     m.robot_model.servo_algorithm[3] = static_cast<std::uint8_t>(random());
     m.motors[5] = std::ldexp(static_cast<double>(random()), -60);
     const auto bytes = bytes_of(m);
@@ -59,11 +62,52 @@ TEST(MessageType, GivesTheValuesThatWereEncoded) {
     EXPECT_EQ(value("header.stamp"), std::to_string(m.header.stamp));
     EXPECT_EQ(value("state"), std::to_string(static_cast<int>(m.state)));
     EXPECT_EQ(value("inputs"), std::to_string(m.inputs));
+    EXPECT_EQ(value("fault.code"), std::to_string(m.fault.code));
+    EXPECT_EQ(value("blocked"), std::to_string(static_cast<int>(m.blocked)));
+    for (const char* name :
+         {"header.stamp", "state", "inputs", "fault.code", "robot_model.servo_algorithm[3]"})
+      EXPECT_EQ(number_in(bytes, *type.field(name)), std::stod(value(name))) << name;
     EXPECT_EQ(value("robot_model.servo_algorithm[3]"),
               std::to_string(static_cast<int>(m.robot_model.servo_algorithm[3])));
     EXPECT_EQ(std::stod(value("motors[5]")), m.motors[5]);
     EXPECT_EQ(number_in(bytes, *type.field("motors[5]")), m.motors[5]);
   }
+}
+
+TEST(MessageType, EveryKindOfNumberIsReadWithItsSizeAndSign) {
+  const MessageType type = parse_message_type(
+      "struct a_t\n{\n int8_t a;\n int16_t b;\n int32_t c;\n int64_t d;\n byte e;\n boolean f;\n float g;\n"
+      " double h;\n}\n",
+      {});
+  EXPECT_EQ(type.name, "a_t");
+  EXPECT_EQ(type.size, 8U + 1 + 2 + 4 + 8 + 1 + 1 + 4 + 8);
+  std::vector<std::uint8_t> bytes(type.size, 0xff);
+  const auto put = [&](const char* name, std::uint64_t raw) {
+    const Field& f = *type.field(name);
+    for (std::size_t k = 0; k < f.size; ++k)
+      bytes[f.offset + k] = static_cast<std::uint8_t>(raw >> (8 * (f.size - 1 - k)));
+  };
+  put("g", std::bit_cast<std::uint32_t>(-2.5F));
+  put("h", std::bit_cast<std::uint64_t>(1e-300));
+  const auto value = [&](const char* name) { return value_in(bytes, *type.field(name)); };
+  for (const char* name : {"a", "b", "c", "d"}) {
+    EXPECT_EQ(value(name), "-1");
+    EXPECT_EQ(number_in(bytes, *type.field(name)), -1);
+  }
+  EXPECT_EQ(value("e"), "255");
+  EXPECT_EQ(value("g"), "-2.5");
+  EXPECT_EQ(number_in(bytes, *type.field("g")), -2.5);
+  EXPECT_EQ(value("h"), "1e-300");
+  put("a", 0x80);
+  put("b", 0x8000);
+  put("c", 0x80000000);
+  put("d", 0x8000000000000000);
+  put("f", 1);
+  EXPECT_EQ(value("a"), "-128");
+  EXPECT_EQ(value("b"), "-32768");
+  EXPECT_EQ(value("c"), "-2147483648");
+  EXPECT_EQ(value("d"), "-9223372036854775808");
+  EXPECT_EQ(value("f"), "1");
 }
 
 TEST(MessageType, TextsEndWithTheFirstZeroAndStayPrintable) {

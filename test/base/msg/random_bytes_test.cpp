@@ -34,7 +34,7 @@ void with_random_bytes(See see) {
 bool known(FaultCode code) { return fault_code(static_cast<std::int64_t>(code)).has_value(); }
 
 bool printable(const std::string& text) {
-  return std::ranges::all_of(text, [](char c) { return c >= ' ' && c < 127; });
+  return std::ranges::none_of(text, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 127; });
 }
 
 TEST(RandomBytes, FaultsHaveACodeAndCanBePrinted) {
@@ -67,6 +67,45 @@ TEST(RandomBytes, RepliesReportsAndCommandsAreConverted) {
     ASSERT_EQ(to_message(c).instruction, m.instruction);
   });
   with_random_bytes<agent_order_t>([](const agent_order_t& m) { ASSERT_FALSE(from_message(m).late); });
+}
+
+/// @return whether all is finite, and is not with any number of the fields that is not
+template <class M, std::size_t n>
+void expect_found(double (M::*field)[n]) {
+  M m{};
+  EXPECT_TRUE(finite(m));
+  for (std::size_t k = 0; k < n; ++k)
+    for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+      M spoilt = m;
+      (spoilt.*field)[k] = bad;
+      EXPECT_FALSE(finite(spoilt)) << k;
+    }
+}
+template <class M>
+void expect_found(double M::*field) {
+  M m{};
+  m.*field = std::nan("");
+  EXPECT_FALSE(finite(m));
+}
+
+TEST(RandomBytes, EveryNumberThatSomebodyComputesWithIsLookedAt) {
+  expect_found(&agent_report_t::T_0E);
+  expect_found(&agent_report_t::F_a);
+  expect_found(&agent_report_t::gripper);
+  expect_found(&effector_reply_t::pose);
+  expect_found(&effector_reply_t::T_0E);
+  expect_found(&effector_reply_t::F_a);
+  expect_found(&effector_reply_t::joints);
+  expect_found(&effector_reply_t::motors);
+  expect_found(&effector_reply_t::gripper);
+  expect_found(&step_sample_t::T_0E);
+  expect_found(&step_sample_t::F_a);
+  expect_found(&camera_reading_t::T_CG);
+  expect_found(&camera_reading_t::covariance);
+  expect_found(&camera_reading_t::reprojection_px);
+  expect_found(&hand_order_t::x);
+  expect_found(&hand_order_t::y);
+  expect_found(&hand_order_t::height);
 }
 
 TEST(RandomBytes, WhatIsNotFiniteIsFound) {

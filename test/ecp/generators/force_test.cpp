@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
 
+#include "base/representation.hpp"
 #include "ecp/generators/weighing.hpp"
 #include "test/ecp/generators/random_list.hpp"
 
@@ -65,7 +67,7 @@ TEST(Weighing, RowsMoveRestBiasAndSetInThisOrder) {
     for (; !row.f_tau(x) && macrosteps < 10'000; ++macrosteps, ++x.i) {
       const EffectorCommand e = row.f_ce(x);
       if (e.instruction == Instruction::set && e.robot_model.set_force_tool)
-        said.push_back(e.robot_model.weight > 0 ? "set" : "bias");
+        said.emplace_back(e.robot_model.weight > 0 ? "set" : "bias");
       if (has(e.set, Part::arm) && macrosteps == 0) said.emplace_back("move");
       x.c = row.f_cc(x);
     }
@@ -75,18 +77,98 @@ TEST(Weighing, RowsMoveRestBiasAndSetInThisOrder) {
   EXPECT_EQ(x.c.weighing.found.w, 5);
 }
 
+/// Random are the orientations.
+WeighingPlan random_plan(RandomList& random) {
+  WeighingPlan plan;
+  plan.down = random.pose(6, 1);
+  plan.up = random.pose(6, 1);
+  plan.side = random.pose(6, 1);
+  plan.limits = default_limits(Representation::joints, 6);
+  plan.velocity = 0.5;
+  plan.acceleration = 0.2;
+  plan.settling = 7;
+  plan.readings = 4;
+  plan.T_WE.p = {0.1, 0.2, 0.3};
+  plan.pacing = {.dt = 0.002, .n_s = 20, .n_Q = 19};
+  return plan;
+}
+
+/// What F_a is with the hand up and to the side, after a bias with the hand down.
+struct Readings {
+  Wrench up, side;
+};
+
+Readings readings_with(const ForceTool& tool) {
+  Readings r;
+  r.up[Axis::z] = 2 * tool.w;
+  r.up[Axis::ax] = 2 * tool.w * tool.P.y();
+  r.up[Axis::ay] = -2 * tool.w * tool.P.x();
+  r.side[Axis::ay] = tool.w * (tool.P.z() - tool.P.x());
+  return r;
+}
+
+TEST(Weighing, RowsGoToTheThreeOrientationsAndFindTheToolEveryTime) {
+  RandomList random(2);
+  Agent::X x;
+  const WeighingPlan plan = random_plan(random);
+  x.c.weighing.plan = plan;
+  const std::map<int, Coordinates> goals{{0, plan.down}, {3, plan.up}, {6, plan.side}};
+  for (int time = 0; time < 3; ++time) {
+    const ForceTool tool{random.between(0.5, 30), Vector3(random.pose(3, 0.2))};
+    const auto [F_b, F_c] = readings_with(tool);
+    EffectorCommand last;
+    int k = 0;
+    for (const Motion<Agent>& row : WeighingRows<Agent>::rows(5)) {
+      EXPECT_EQ(row.m, 5 + k);
+      const Coordinates from = joints_of(x.e, 6);
+      x.i_0 = x.i;
+      x.c = row.f_entry(x);
+      int macrosteps = 0;
+      for (; !row.f_tau(x) && macrosteps < 10'000; ++macrosteps, ++x.i) {
+        const EffectorCommand e = row.f_ce(x);
+        EXPECT_EQ(has(e.set, Part::arm), goals.contains(k)) << row.name;
+        if (e.robot_model.set_force_tool) last = e;
+        if (has(e.set, Part::arm)) {
+          const Coordinates q = axes_from_numbers(e.arm.pose, 6);
+          std::copy(q.begin(), q.end(), x.e.joints.begin());
+          EXPECT_EQ(e.arm.representation, Representation::joints);
+          EXPECT_EQ(e.arm.n_s, 20);
+          EXPECT_EQ(e.arm.n_Q, 19);
+        }
+        x.e.F_a = k == 5 ? F_b : k == 8 ? F_c : Wrench{{50, 50, 50, 50, 50, 50}};
+        x.e.F_a[Axis::ay] += macrosteps % 2 == 0 ? 1 : -1;  // noise, of which the mean is zero
+        x.c = row.f_cc(x);
+      }
+      if (goals.contains(k)) {
+        EXPECT_EQ(joints_of(x.e, 6), goals.at(k)) << row.name;
+        const Trapezoid way(from, {{goals.at(k), 0.5, 0.2}}, plan.limits, 0.04);
+        EXPECT_EQ(macrosteps, way.arrivals().back()) << "at the plan's speed";
+      } else {
+        EXPECT_EQ(macrosteps, k == 2 || k == 9 ? 2 : k == 5 || k == 8 ? 4 : 7) << row.name;
+      }
+      ++k;
+    }
+    EXPECT_NEAR(x.c.weighing.found.w, tool.w, 1e-12);
+    EXPECT_NEAR((x.c.weighing.found.P - tool.P).norm(), 0, 1e-9);
+    EXPECT_EQ(last.robot_model.weight, x.c.weighing.found.w);
+    EXPECT_EQ(last.robot_model.mass_centre[2], x.c.weighing.found.P.z());
+    EXPECT_TRUE(last.robot_model.set_tool);
+    EXPECT_EQ(last.robot_model.tool, numbers_from_pose(Representation::frame, plan.T_WE));
+  }
+}
+
 TEST(Force, GuidedIsContactWithoutForceAlongTheAxesGiven) {
-  constexpr TaskFrameCommand frame = guided({Axis::x, Axis::az});
-  static_assert(frame.x == c(0, 20, 0.005) && frame.az == c(0, 0.5, 0.1) && frame.y == u());
+  constexpr TaskFrameCommand kFrame = guided({Axis::x, Axis::az});
+  static_assert(kFrame.x == c(0, 20, 0.005) && kFrame.az == c(0, 0.5, 0.1) && kFrame.y == u());
   for (const Axis a : kAxes) EXPECT_EQ(guided()[a].b, Behaviour::contact);
 }
 
 TEST(Force, ApproachSettlesAtTheForceAsked) {
   static_assert(approach(Axis::z, 0.01, 4).z == g(0.01, 5, 0.0025));
-  constexpr TaskFrameCommand back = approach(Axis::x, -0.02, -5);
-  EXPECT_DOUBLE_EQ(back.x.velocity / back.x.mobility, -5);
-  EXPECT_GT(back.x.mobility, 0);
-  EXPECT_EQ(back.y, u());
+  constexpr TaskFrameCommand kBack = approach(Axis::x, -0.02, -5);
+  EXPECT_DOUBLE_EQ(kBack.x.velocity / kBack.x.mobility, -5);
+  EXPECT_GT(kBack.x.mobility, 0);
+  EXPECT_EQ(kBack.y, u());
 }
 
 TEST(Force, ContactIsCountedInSuccession) {
@@ -95,6 +177,10 @@ TEST(Force, ContactIsCountedInSuccession) {
   EXPECT_EQ(n, 1);
   EXPECT_EQ(in_contact(4, -3.7, -4), 5);
   EXPECT_EQ(in_contact(4, 3.7, -4), 0);
+  EXPECT_EQ(in_contact(0, 3.61, 4), 1);
+  EXPECT_EQ(in_contact(7, 3.59, 4), 0) << "nine tenths";
+  EXPECT_EQ(in_contact(0, 2.1, 4, 0.5), 1);
+  EXPECT_EQ(in_contact(0, 1.9, 4, 0.5), 0);
 }
 
 /// The tool against an edge whose outward normal points in the direction `normal`, all angles about z.
@@ -123,6 +209,18 @@ TEST(EdgeFollowing, TooMuchForceTurnsTheWayOutward) {
     const double outward = -std::sin(step.angle) * step.frame.y.velocity;  // x of the way along y
     EXPECT_LT(outward, 0) << "away from the edge, which lies on the side of +x";
   }
+}
+
+TEST(EdgeFollowing, IsAsTheRuleSays) {
+  const EdgeRule rule{
+      .force = 6, .I = 11, .B = 0.02, .speed_per_force = 0.003, .turn_per_force = 0.1, .least_force = 2};
+  const EdgeStep step = follow_edge(rule, 0.5, {{3, 4, 0, 0, 0, 0}}, 9);
+  EXPECT_EQ(step.frame.x, c(6, 11, 0.02));
+  EXPECT_NEAR(step.frame.y.velocity, 0.015, 1e-12);
+  EXPECT_EQ(step.frame.z, u());
+  EXPECT_NEAR(step.angle, 0.5 + std::atan2(4, 3) - 0.1, 1e-12) << "a newton too little turns it inward";
+  EXPECT_EQ(follow_edge(rule, 0.5, {{1.9, 0, 0, 0, 0, 0}}, 9).angle, 9);
+  EXPECT_NE(follow_edge(rule, 0.5, {{2.1, 0, 0, 0, 0, 0}}, 9).angle, 9);
 }
 
 TEST(EdgeFollowing, KeepsItsDirectionWhenItFeelsNothing) {

@@ -83,6 +83,31 @@ TEST(Nurbs, OfDegreeTwoAndMoreHasNoKinks) {
   }
 }
 
+TEST(Nurbs, ItsKnotsMayBeginAnywhereAndLieUnevenly) {
+  const std::vector<Coordinates> control{at(0, 0), at(1, 2), at(3, 3), at(4, 0)};
+  const Nurbs curve({.degree = 1, .control = control, .weights = {}, .knots = {2, 2, 3, 6, 7, 7}}, 10);
+  EXPECT_NEAR((curve.at(0) - control[0]).norm(), 0, 1e-14);
+  EXPECT_NEAR((curve.at(1) - at(0.5, 1)).norm(), 0, 1e-14) << "half of the first fifth";
+  EXPECT_NEAR((curve.at(2) - control[1]).norm(), 0, 1e-14);
+  EXPECT_NEAR((curve.at(5) - at(2, 2.5)).norm(), 0, 1e-14);
+  EXPECT_NEAR((curve.at(9) - at(3.5, 1.5)).norm(), 0, 1e-14);
+  EXPECT_EQ(curve.at(-1), curve.at(0));
+  EXPECT_EQ(curve.duration(), 10);
+}
+
+TEST(Nurbs, AHeavyPointDrawsTheCurveToItself) {
+  const auto middle = [](double weight) {
+    return Nurbs({.degree = 2,
+                  .control = {at(0, 0), at(1, 1), at(2, 0)},
+                  .weights = {1, weight, 1},
+                  .knots = {}},
+                 2)
+        .at(1);
+  };
+  EXPECT_NEAR((middle(1) - at(1, 0.5)).norm(), 0, 1e-14);
+  EXPECT_NEAR((middle(3) - at(1, 0.75)).norm(), 0, 1e-14) << "w / (w + 1)";
+}
+
 TEST(Nurbs, RefusesShapesThatAreNone) {
   const NurbsShape good{.degree = 2, .control = {at(0, 0), at(1, 0), at(1, 1)}, .weights = {}, .knots = {}};
   EXPECT_NO_THROW(Nurbs(good, 1));
@@ -99,6 +124,25 @@ TEST(Nurbs, RefusesShapesThatAreNone) {
   refused([](NurbsShape& s) { s.knots = {0, 0, 1, 0, 1, 1}; });
   refused([](NurbsShape& s) { s.knots = {1, 1, 1, 1, 1, 1}; });
   refused([](NurbsShape& s) { s.control[1] = Coordinates::Constant(2, NAN); });
+  for (const double bad : {-1.0, std::nan(""), double{INFINITY}}) {
+    refused([&](NurbsShape& s) { s.weights = {1, bad, 1}; });
+    EXPECT_THROW(Nurbs(good, bad), FaultError);
+  }
+  refused([](NurbsShape& s) { s.control[2] = Coordinates::Zero(3); });
+  refused([](NurbsShape& s) { s.knots = {0, 0, 0, 1, 1, INFINITY}; });
+  refused([](NurbsShape& s) {
+    s.control.assign(8, at(0, 0));
+    s.degree = 6;
+  });
+  EXPECT_NO_THROW(Nurbs({.degree = 5, .control = {8, at(0, 0)}, .weights = {}, .knots = {}}, 1));
+  const std::vector<Coordinates> five(5, at(0, 0));
+  EXPECT_NO_THROW(
+      Nurbs({.degree = 2, .control = five, .weights = {}, .knots = {0, 0, 0, 0.5, 0.5, 1, 1, 1}}, 1));
+  const std::vector<Coordinates> six(6, at(0, 0));
+  EXPECT_THROW(
+      Nurbs({.degree = 2, .control = six, .weights = {}, .knots = {0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1}}, 1),
+      FaultError)
+      << "it would break";
   EXPECT_THROW(Nurbs(good, 0), FaultError);
 }
 

@@ -133,6 +133,22 @@ TEST(Polyline, StopsWhereItIsToldTo) {
   EXPECT_NEAR(time(false), 2.5, 1e-12);
 }
 
+TEST(Polyline, APoseThatIsGivenTwiceIsPassedAsIfItWereGivenOnceAndStopsWhereOneOfBothDoes) {
+  const MotionLimits limits{Coordinates::Constant(2, 100), Coordinates::Constant(2, 400)};
+  const auto at = [](double x, double y) -> Coordinates { return Eigen::Vector2d(x, y); };
+  const auto time = [&](const std::vector<ViaPoint>& list) {
+    return Polyline(at(0, 0), list, limits, kStep).duration();
+  };
+  const ViaPoint corner{at(100, 0), 1, 1, true}, stop{at(100, 0), 1, 1, false}, end{at(100, 100), 1, 1};
+  const double passing = time({corner, end}), stopping = time({stop, end});
+  EXPECT_LT(passing, stopping - 0.01);
+  EXPECT_NEAR(time({corner, corner, end}), passing, 1e-12);
+  EXPECT_NEAR(time({corner, corner, corner, end}), passing, 1e-12);
+  EXPECT_NEAR(time({corner, stop, end}), stopping, 1e-12);
+  EXPECT_NEAR(time({stop, corner, end}), stopping, 1e-12);
+  EXPECT_NEAR(time({corner, end, end}), passing, 1e-12);
+}
+
 TEST(Polyline, NoMotionTakesNoTime) {
   const Coordinates here = Coordinates::Constant(6, 0.3);
   const Polyline curve(here, {{here, 1, 1, true}, {here}}, some_limits(), kStep);
@@ -142,7 +158,9 @@ TEST(Polyline, NoMotionTakesNoTime) {
 
 TEST(Polyline, RefusesListsThatCannotBeMeant) {
   const Coordinates here = Coordinates::Zero(6);
-  const auto make = [&](std::vector<ViaPoint> list) { return Polyline(here, list, some_limits(), kStep); };
+  const auto make = [&](const std::vector<ViaPoint>& list) {
+    return Polyline(here, list, some_limits(), kStep);
+  };
   EXPECT_THROW(make({}), FaultError);
   EXPECT_THROW(make({{Coordinates::Zero(5)}}), FaultError);
   EXPECT_THROW(make({{here, 0}}), FaultError);

@@ -107,6 +107,41 @@ TEST(Splines, StretchedAsSlowingSaysKeepTheLimits) {
     }
 }
 
+TEST(Splines, AreNotSlowedWhereTheyAreSlowAlready) {
+  const std::vector<Knot> knots{{3, Coordinates::Zero(2)}, {5, Coordinates::Constant(2, 1)}};
+  const MotionLimits wide{Coordinates::Constant(2, 100), Coordinates::Constant(2, 100)};
+  EXPECT_EQ(cubic_spline(knots)->slowing(wide), 1);
+  EXPECT_NEAR(linear_spline(knots)->slowing({Coordinates::Constant(2, 0.25), Coordinates::Constant(2, 100)}),
+              2, 0.01)
+      << "twice too fast";
+  EXPECT_NEAR(cubic_spline(knots)->slowing({Coordinates::Constant(2, 100), Coordinates::Constant(2, 0.375)}),
+              2, 0.01)
+      << "an acceleration of four times the limit";
+}
+
+TEST(Splines, StretchedBeginWhereTheyBeganAndLastLonger) {
+  const Coordinates q = Coordinates::Constant(2, 1);
+  const auto slow = stretched({{3, q}, {4, 2 * q}, {6, 3 * q}}, 2.5);
+  ASSERT_EQ(slow.size(), 3U);
+  EXPECT_EQ(slow[0].t, 3);
+  EXPECT_EQ(slow[1].t, 5.5);
+  EXPECT_EQ(slow[2].t, 10.5);
+  EXPECT_EQ(slow[2].pose, 3 * q);
+}
+
+TEST(Splines, DerivativesAreThoseOfTheirPolynomials) {
+  Polynomials::Coefficients c(1, 6);
+  c << 1, 2, 3, 4, 5, 6;
+  const Polynomials p({1, 3}, {c}, Coordinates::Constant(1, 0));
+  const double t = 0.5;
+  EXPECT_NEAR(p.derivative(t, 0)[0],
+              1 + 2 * t + 3 * t * t + 4 * t * t * t + 5 * t * t * t * t + 6 * std::pow(t, 5), 1e-12);
+  EXPECT_NEAR(p.derivative(t, 1)[0], 2 + 6 * t + 12 * t * t + 20 * t * t * t + 30 * t * t * t * t, 1e-12);
+  EXPECT_NEAR(p.derivative(t, 3)[0], 24 + 120 * t + 360 * t * t, 1e-12);
+  EXPECT_NEAR(p.derivative(t, 5)[0], 720, 1e-12);
+  EXPECT_EQ(p.duration(), 2);
+}
+
 TEST(Splines, RefuseKnotsThatCannotBeMeant) {
   const Coordinates q = Coordinates::Zero(2);
   for (const Kind& kind : kKinds) {
@@ -127,6 +162,13 @@ TEST(ConstantVelocity, IsAStraightLineAtTheSpeedOfTheSlowestAxis) {
   EXPECT_NEAR(curve->duration(), 3, 1e-12);
   EXPECT_NEAR((curve->at(1.5) - to / 2).norm(), 0, 1e-12);
   EXPECT_EQ(curve->at(3), to);
+  const CurvePtr still = constant_velocity(to, to, limits, 1);
+  EXPECT_LT(still->duration(), 1e-6);
+  EXPECT_EQ(still->at(0), to);
+  EXPECT_THROW(static_cast<void>(constant_velocity(to, to, limits, 1.01)), FaultError);
+  EXPECT_THROW(static_cast<void>(constant_velocity(to, Coordinates::Zero(3), limits, 1)), FaultError);
+  EXPECT_THROW(static_cast<void>(constant_velocity(Coordinates::Zero(3), Coordinates::Zero(3), limits, 1)),
+               FaultError);
   EXPECT_THROW(static_cast<void>(constant_velocity(to, to, limits, 0)), FaultError);
 }
 

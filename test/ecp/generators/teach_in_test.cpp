@@ -36,7 +36,7 @@ class TaughtFile : public testing::Test {
     std::ifstream in(file_);
     return {std::istreambuf_iterator<char>(in), {}};
   }
-  std::string complaint(const std::string& text) {
+  std::string error_text(const std::string& text) {
     std::ofstream(file_) << text;
     try {
       static_cast<void>(load_taught_path(file_));
@@ -66,13 +66,89 @@ TEST_F(TaughtFile, ComesBackBitByBit) {
   }
 }
 
+TEST_F(TaughtFile, KeepsEverySpaceReferenceAndNumberOfAxes) {
+  RandomList random(9);
+  for (const Representation space : {Representation::motors, Representation::joints,
+                                     Representation::xyz_euler_zyz, Representation::xyz_angle_axis})
+    for (const Reference reference : {Reference::absolute, Reference::relative})
+      for (const int axes : {1, 6, kMaxAxes})
+        for (const bool with_force : {false, true}) {
+          const int numbers = per_axis(space) ? axes : 6;
+          TaughtPath taught{space, reference, with_force, {}};
+          for (int k = 0; k < 3; ++k)
+            taught.poses.push_back(
+                {0.1 * k, random.pose(numbers, 100), Wrench::from(random.pose(3, 9), random.pose(3, 9))});
+          save(file_, taught);
+          const TaughtPath back = load_taught_path(file_);
+          EXPECT_EQ(back.space, space);
+          EXPECT_EQ(back.reference, reference);
+          EXPECT_EQ(back.with_force, with_force);
+          ASSERT_EQ(back.poses.size(), 3U);
+          EXPECT_EQ(back.poses[2].pose, taught.poses[2].pose);
+          EXPECT_EQ(back.poses[2].t, taught.poses[2].t);
+          EXPECT_EQ(back.poses[2].F, with_force ? taught.poses[2].F : Wrench{});
+        }
+}
+
+TEST_F(TaughtFile, IsWrittenAsItSays) {
+  TaughtPath taught{Representation::joints, Reference::relative, true, {}};
+  taught.poses.push_back({0, Eigen::Vector2d(1, -0.5), {{1, 2, 3, 4, 5, 6}}});
+  taught.poses.push_back({0.25, Eigen::Vector2d(2, 0), {}});
+  EXPECT_EQ(saved(taught),
+            "mrroc-trajectory 1\nspace joints\nreference relative\nnumbers 2\nforce yes\nposes 2\n"
+            "0 1 -0.5 1 2 3 4 5 6\n0.25 2 0 0 0 0 0 0 0\nend\n");
+}
+
+TEST_F(TaughtFile, IsNotWrittenWithANumberThatIsNotFinite) {
+  for (int k = 0; k < 3; ++k) {
+    TaughtPath taught = random_path(5, true);
+    (k == 0 ? taught.poses[3].t : k == 1 ? taught.poses[3].pose[2] : taught.poses[3].F[Axis::az]) = NAN;
+    EXPECT_THROW(save(file_, taught), FileError);
+    EXPECT_FALSE(fs::exists(file_));
+  }
+}
+
+TEST_F(TaughtFile, AWordThatIsNoneIsToldWithThoseThatAre) {
+  const std::string head = "mrroc-trajectory 1\n";
+  EXPECT_NE(error_text("mrroc 1\n").find("it must begin with 'mrroc-trajectory 1'"), std::string::npos);
+  EXPECT_NE(error_text(head + "space frame\n")
+                .find("'frame' is no space; it must be motors or joints or "
+                      "xyz_euler_zyz or xyz_angle_axis"),
+            std::string::npos);
+  for (const char* line : {"spaces joints\n", "space\n", "space joint\n", "joints\n"})
+    EXPECT_TRUE(error_text(head + line).starts_with("2: ")) << line;
+  const std::string up_to_numbers = head + "space joints\nreference absolute\n";
+  for (const char* numbers : {"0", "9", "-1", "x"})
+    EXPECT_TRUE(error_text(up_to_numbers + "numbers " + numbers + "\n").starts_with("4: ")) << numbers;
+  EXPECT_TRUE(error_text(head + "space xyz_euler_zyz\nreference absolute\nnumbers 7\n").starts_with("4: "));
+  const std::string up_to_poses = up_to_numbers + "numbers 1\nforce no\nposes 2\n";
+  EXPECT_EQ(error_text(up_to_poses + "0 1\n0.1 2\nend\n"), "");
+  EXPECT_NE(error_text(up_to_poses + "0 1\n0 2\nend\n").find("time does not rise"), std::string::npos);
+  EXPECT_NE(error_text(up_to_poses + "0 1 5\n0.1 2\nend\n").find("more than 2 numbers"), std::string::npos);
+}
+
+TEST_F(TaughtFile, OfTooManyPosesOrBytesIsRefusedBeforeItIsRead) {
+  const std::string head = "mrroc-trajectory 1\nspace joints\nreference absolute\nnumbers 1\nforce no\n";
+  EXPECT_TRUE(error_text(head + "poses 10000001\n").starts_with("6: "));
+  EXPECT_TRUE(error_text(head + "poses 10000000\n").starts_with("7: ")) << "so many may come";
+  EXPECT_NE(error_text(head + "poses 10000001\n").find("from 0 to 10000000"), std::string::npos);
+  std::ofstream(file_) << head;
+  fs::resize_file(file_, 500'000'001);  // it has holes and takes no room
+  try {
+    static_cast<void>(load_taught_path(file_));
+    ADD_FAILURE();
+  } catch (const FileError& e) {
+    EXPECT_NE(std::string(e.what()).find("over the limit of 500000000"), std::string::npos) << e.what();
+  }
+}
+
 TEST_F(TaughtFile, IsRefusedWithLineAndReason) {
   const std::string good = saved(random_path(2, false));
-  EXPECT_EQ(complaint(good), "");
+  EXPECT_EQ(error_text(good), "");
   const auto changed = [&](const std::string& from, const std::string& to) {
     std::string text = good;
     text.replace(text.find(from), from.size(), to);
-    return complaint(text);
+    return error_text(text);
   };
   EXPECT_TRUE(changed("trajectory 1", "trajectory 2").starts_with("1: "));
   EXPECT_NE(changed("xyz_angle_axis", "frame").find("no space"), std::string::npos);
@@ -83,8 +159,8 @@ TEST_F(TaughtFile, IsRefusedWithLineAndReason) {
   EXPECT_NE(changed("poses 40", "poses 39").find("'end'"), std::string::npos);
   EXPECT_NE(changed("poses 40", "poses 1").find("two poses"), std::string::npos);
   EXPECT_NE(changed("end\n", "end\nmore\n").find("behind the end"), std::string::npos);
-  EXPECT_NE(complaint(good.substr(0, good.size() - 5)).find("truncated"), std::string::npos);
-  EXPECT_NE(complaint(good.substr(0, 60) + "nan" + good.substr(60)), "");
+  EXPECT_NE(error_text(good.substr(0, good.size() - 5)).find("truncated"), std::string::npos);
+  EXPECT_NE(error_text(good.substr(0, 60) + "nan" + good.substr(60)), "");
 }
 
 TEST_F(TaughtFile, ThatDoesNotExistIsRefused) {
@@ -132,6 +208,30 @@ TEST(TeachIn, RelativeToTheFirstPoseIsTheSameMotionFromAnywhere) {
   EXPECT_NEAR((T.R - pose(absolute.path(), 9).R).norm(), 0, 1e-9);
 }
 
+TEST(TeachIn, RelativePosesAreSeenFromTheFirstOne) {
+  RandomList random(8);
+  std::vector<Coordinates> poses;
+  for (int k = 0; k < 5; ++k) poses.push_back(random.pose(6, 1));
+  const auto taught = [&](Representation space) {
+    TeachIn t(space, Reference::relative, false, 6);
+    EffectorReply reply;
+    for (const Coordinates& q : poses) {
+      reply.pose = numbers_from_axes(q);
+      t = t.appended(reply, static_cast<double>(t.size()));
+    }
+    return t.path().poses;
+  };
+  const std::vector<TaughtPose> joints = taught(Representation::joints);
+  for (std::size_t k = 0; k < poses.size(); ++k) EXPECT_EQ(joints[k].pose, poses[k] - poses[0]);
+  const std::vector<TaughtPose> seen = taught(Representation::xyz_angle_axis);
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const Pose T =
+        pose_from_angle_axis(AngleAxisPose(poses[0])) * pose_from_angle_axis(AngleAxisPose(seen[k].pose));
+    const Pose there = pose_from_angle_axis(AngleAxisPose(poses[k]));
+    EXPECT_NEAR((T.p - there.p).norm() + (T.R - there.R).norm(), 0, 1e-12) << k;
+  }
+}
+
 TEST(Replay, GoesThroughTheRecordedPosesWithTheRecordedForces) {
   const TaughtPath taught = random_path(3, true);
   const Replay replay(taught, Interpolation::tcim_pose);
@@ -147,6 +247,53 @@ TEST(Replay, GoesThroughTheRecordedPosesWithTheRecordedForces) {
     EXPECT_EQ(command.frame.z.b, Behaviour::contact);
     EXPECT_EQ(command.frame.x, rows.x) << "not force controlled: as given";
   }
+}
+
+TEST(Replay, ForcesAreThoseAtTheEndOfTheMacrostepAndOfTheAxesInContactAlone) {
+  const TaughtPath taught = random_path(6, true);
+  const Replay replay(taught, Interpolation::tcim_pose, {.dt = 0.002, .n_s = 20, .n_Q = 5});
+  EXPECT_EQ(replay.path().macrosteps(), 20) << "of twice the length";
+  TaskFrameCommand rows;
+  for (const Axis a : {Axis::y, Axis::ax}) rows[a] = c(3, 20, 0.005);
+  rows.z = g(0.1, 5, 0.01);
+  for (int k = 0; k < 18; ++k) {
+    const Wrench& there = taught.poses[static_cast<std::size_t>(2 * (k + 1))].F;
+    EXPECT_LT((replay.force(k).vector() - there.vector()).norm(), 1e-9);
+    const ArmCommand command = replay.command(k, rows);
+    EXPECT_EQ(command.n_s, 20);
+    EXPECT_EQ(command.n_Q, 5);
+    for (const Axis a : kAxes)
+      EXPECT_NEAR(command.frame[a].force, rows[a].b == Behaviour::contact ? there[a] : rows[a].force, 1e-9);
+  }
+  EXPECT_EQ(replay.force(1000), taught.poses.back().F) << "the last one";
+}
+
+TEST(Replay, OfAnglesTakesTheShortWayRound) {
+  TaughtPath taught{Representation::xyz_angle_axis, Reference::absolute, false, {}};
+  for (const double angle : {3.0, 3.1, -3.1, -3.0}) {  // through pi
+    Coordinates q = Coordinates::Zero(6);
+    q[5] = angle;
+    taught.poses.push_back({0.1 * static_cast<double>(taught.poses.size()), q});
+  }
+  const Replay replay(taught, Interpolation::mim);
+  for (std::int64_t k = 0; k < replay.path().macrosteps(); ++k)
+    EXPECT_LT((replay.path().set_position(k + 1) - replay.path().set_position(k)).norm(), 0.05);
+}
+
+TEST(TeachIn, HasSixNumbersForAPoseWhateverTheRobotAndTellsWhatItIsOf) {
+  const TeachIn taught = TeachIn(Representation::xyz_euler_zyz, Reference::relative, true, 2).appended({}, 1);
+  EXPECT_EQ(taught.path().poses[0].pose.size(), 6);
+  EXPECT_EQ(taught.path().space, Representation::xyz_euler_zyz);
+  EXPECT_EQ(taught.path().reference, Reference::relative);
+  EXPECT_TRUE(taught.path().with_force);
+  EXPECT_EQ(TeachIn(Representation::motors, Reference::absolute, false, 2)
+                .appended({}, 1)
+                .path()
+                .poses[0]
+                .pose.size(),
+            2);
+  EXPECT_EQ(TeachIn().path().poses.size(), 0U);
+  EXPECT_EQ(TeachIn().path().space, Representation::xyz_angle_axis);
 }
 
 TEST(Replay, NeedsTheTaskFrameForForces) {
@@ -176,15 +323,24 @@ TEST(Rows, CommandsSetWhatTheySay) {
   EXPECT_EQ(moved.arm.frame.x, u(0.1));
   const EffectorCommand both = with_tool(moved, Pose{Matrix3::Identity(), {0, 0, 0.25}});
   EXPECT_TRUE(has(both.set, Part::arm) && has(both.set, Part::robot_model));
+  EXPECT_EQ(both.instruction, Instruction::set_get) << "as it was";
+  EXPECT_TRUE(both.robot_model.set_tool);
+  EXPECT_EQ(both.robot_model.tool_representation, Representation::frame);
   EXPECT_EQ(both.robot_model.tool[11], 0.25);
   EXPECT_EQ(with_tool(rest(), {}).instruction, Instruction::set);
   EXPECT_TRUE(has(bias_force().set, Part::force_bias));
   const EffectorCommand weight = change_force_tool(10, {1, 2, 3});
   EXPECT_TRUE(weight.robot_model.set_force_tool);
-  EXPECT_EQ(weight.robot_model.mass_centre[2], 3);
+  EXPECT_EQ(weight.instruction, Instruction::set);
+  EXPECT_TRUE(has(weight.set, Part::robot_model));
+  EXPECT_FALSE(weight.robot_model.set_tool);
+  EXPECT_EQ(weight.robot_model.weight, 10);
+  EXPECT_EQ(weight.robot_model.mass_centre, (std::array<double, 3>{1, 2, 3}));
   X x;
   x.T.arm = moved.arm;
   EXPECT_EQ(copied_order(x).arm.frame, moved.arm.frame);
+  x.T.late = true;
+  EXPECT_EQ(copied_order(x).instruction, Instruction::keep);
 }
 
 }  // namespace

@@ -56,6 +56,21 @@ TEST(Trajectory, RelativePosesMultiplyToTheAbsoluteOnes) {
   }
 }
 
+TEST(Trajectory, IsCutIntoMacrostepsOfItsPacing) {
+  RandomList random(6);
+  const CurvePtr curve = constant_velocity(Coordinates::Zero(6), random.pose(6, 3),
+                                           default_limits(Representation::joints, 6), 0.1);
+  const Trajectory path(curve, {}, {.dt = 0.004, .n_s = 21, .n_Q = 20});
+  EXPECT_EQ(path.macrosteps(), std::ceil(curve->duration() / 0.084));
+  for (std::int64_t k = 0; k < path.macrosteps(); ++k) {
+    const ArmCommand command = path.command(k);
+    EXPECT_EQ(command.n_s, 21);
+    EXPECT_EQ(command.n_Q, 20);
+    EXPECT_EQ(axes_from_numbers(command.pose, 6), curve->at(0.084 * static_cast<double>(k + 1)));
+  }
+  EXPECT_EQ(path.set_position(0), Coordinates::Zero(6));
+}
+
 TEST(Trajectory, WithoutACurveHasEndedBeforeItBegins) { EXPECT_EQ(Trajectory().macrosteps(), 0); }
 
 TEST(Trajectory, RefusesCodingsThatCannotBeExecuted) {
@@ -68,6 +83,12 @@ TEST(Trajectory, RefusesCodingsThatCannotBeExecuted) {
   EXPECT_THROW(make({.mu = Interpolation::tcim_velocity}), FaultError);
   EXPECT_THROW(make({}, {.n_s = 0}), FaultError);
   EXPECT_THROW(make({}, {.n_s = 10, .n_Q = 12}), FaultError);
+  EXPECT_THROW(make({}, {.n_s = 10, .n_Q = 0}), FaultError);
+  EXPECT_THROW(make({}, {.n_s = kMaxSteps + 1, .n_Q = 1}), FaultError);
+  EXPECT_THROW(make({}, {.dt = 0}), FaultError);
+  EXPECT_NO_THROW(make({}, {.n_s = 1, .n_Q = 1}));
+  EXPECT_NO_THROW(make({}, {.n_s = 10, .n_Q = 11}));
+  EXPECT_NO_THROW(make({}, {.n_s = kMaxSteps, .n_Q = 1}));
   EXPECT_THROW(Trajectory(nullptr, {}), FaultError);
 }
 
@@ -89,6 +110,52 @@ TEST(Space, NearestCoordinatesAreTheSamePoseAndDoNotJumpAtPi) {
     }
   }
 }
+
+TEST(Space, LimitsAreTheOriginalsUnlessOthersAreGiven) {
+  const MotionLimits motors = default_limits(Representation::motors, 7),
+                     joints = default_limits(Representation::joints, 3);
+  EXPECT_EQ(motors.velocity, Coordinates(Coordinates::Constant(7, 200)));
+  EXPECT_EQ(motors.acceleration, Coordinates(Coordinates::Constant(7, 150)));
+  EXPECT_EQ(joints.velocity, Coordinates(Coordinates::Constant(3, 1.5)));
+  EXPECT_EQ(joints.acceleration, Coordinates(Coordinates::Constant(3, 7)));
+  for (const Representation space : {Representation::xyz_euler_zyz, Representation::xyz_angle_axis}) {
+    const MotionLimits pose = default_limits(space, 3);
+    Coordinates velocity(6);
+    velocity << 0.5, 0.5, 0.5, 2, 2, 2;
+    EXPECT_EQ(pose.velocity, velocity);
+    EXPECT_EQ(pose.acceleration, Coordinates(Coordinates::Constant(6, 5)));
+  }
+}
+
+TEST(Space, NearestCoordinatesLeaveMotorsAndJointsAndPositionsAsTheyAre) {
+  RandomList random(7);
+  for (const Representation space : {Representation::motors, Representation::joints,
+                                     Representation::xyz_euler_zyz, Representation::xyz_angle_axis})
+    for (int k = 0; k < 50; ++k) {
+      const Coordinates pose = random.pose(6, 3), before = random.pose(6, 20);
+      const Coordinates near = nearest_coordinates(space, pose, before);
+      EXPECT_EQ(near.head<3>(), pose.head<3>());
+      if (per_axis(space)) {
+        EXPECT_EQ(near, pose);
+      } else {
+        EXPECT_LE((near - before).tail<3>().norm(), (pose - before).tail<3>().norm() + 1e-12);
+      }
+    }
+}
+
+TEST(Space, NoRotationIsWholeTurnsAboutTheAxisBefore) {
+  Coordinates none = Coordinates::Zero(6), before(6);
+  before << 1, 2, 3, 0, 0, 6;
+  EXPECT_NEAR(
+      (nearest_coordinates(Representation::xyz_angle_axis, none, before).tail<3>() - Vector3(0, 0, 2 * pi))
+          .norm(),
+      0, 1e-12);
+  EXPECT_EQ(nearest_coordinates(Representation::xyz_angle_axis, none, none), none);
+  before[5] = 3;
+  EXPECT_EQ(nearest_coordinates(Representation::xyz_angle_axis, none, before), none);
+}
+
+TEST(Space, NothingAddsUpToNothing) { EXPECT_TRUE(accumulated(Representation::joints, {}).empty()); }
 
 TEST(Space, IncrementsAddUpInTheirOwnWay) {
   RandomList random(4);
@@ -148,10 +215,39 @@ TEST(StraightPath, RoundsCornersWithoutStopping) {
   EXPECT_LT(round.duration(), sharp.duration());
 }
 
+TEST(StraightPath, TakesTheTimeOfItsLengthAndOfItsTurn) {
+  const auto at = [](double x, double turn) {
+    return Pose{rotation_from_angle_axis({0, 0, turn}), {x, 0, 0}};
+  };
+  const auto time = [&](const Pose& to, const PathLimits& limits) {
+    return StraightPath({at(0, 0), to}, limits).duration();
+  };
+  EXPECT_NEAR(time(at(0.1, 0), {}), 0.1 / 0.05 + 0.05 / 0.2, 1e-9);
+  EXPECT_NEAR(time(at(0, 1), {}), 0.2 / 0.05 + 0.05 / 0.2, 1e-9) << "a turn by one radian as a way of 0.2 m";
+  EXPECT_NEAR(time(at(0, 1), {.velocity = 0.1, .acceleration = 0.5, .lever = 0.4}), 0.4 / 0.1 + 0.1 / 0.5,
+              1e-9);
+  EXPECT_NEAR(time(at(0.1, 0), {.corner = 0.5}), 2.25, 1e-9) << "two poses have no corner";
+  const StraightPath path({at(0, 0), at(0.1, 0.5)}, {});
+  EXPECT_NEAR((path.at(-1) - path.at(0)).norm(), 0, 1e-12);
+  EXPECT_NEAR(path.at(path.duration() / 2)[0], 0.05, 1e-9);
+  EXPECT_NEAR(path.at(path.duration() / 2)[5], 0.25, 1e-9) << "position and turn go together";
+  EXPECT_EQ(path.at(path.duration()), path.at(100));
+  EXPECT_NEAR(path.at(100)[5], 0.5, 1e-12);
+}
+
 TEST(StraightPath, RefusesPosesThatCannotBeJoined) {
   const auto at = [](double x) { return Pose{Matrix3::Identity(), {x, 0, 0}}; };
   EXPECT_THROW(StraightPath({at(0)}, {}), FaultError);
-  EXPECT_THROW(StraightPath({at(0), at(1)}, {.velocity = 0}), FaultError);
+  EXPECT_THROW(StraightPath({}, {}), FaultError);
+  EXPECT_NO_THROW(StraightPath({at(0), at(1)}, {}));
+  for (const double bad : {0.0, -1.0, std::nan("")}) {
+    EXPECT_THROW(StraightPath({at(0), at(1)}, {.velocity = bad}), FaultError);
+    EXPECT_THROW(StraightPath({at(0), at(1)}, {.acceleration = bad}), FaultError);
+    EXPECT_THROW(StraightPath({at(0), at(1)}, {.lever = bad}), FaultError);
+    if (bad != 0) {
+      EXPECT_THROW(StraightPath({at(0), at(1)}, {.corner = bad}), FaultError);
+    }
+  }
   EXPECT_THROW(StraightPath({at(0), at(1), at(0.5)}, {.corner = 0.1}), FaultError) << "turns back";
   EXPECT_THROW(StraightPath({at(0), {2 * Matrix3::Identity(), {}}}, {}), FaultError);
 }

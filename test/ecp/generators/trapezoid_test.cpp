@@ -49,6 +49,7 @@ TEST(Trapezoid, ReachesEveryPoseExactlyAtAMacrostepAndEndsAtTheGoal) {
 
 TEST(Trapezoid, NeverExceedsTheLimitsBetweenMacrosteps) {
   RandomList random(2);
+  int fast = 0, hard = 0;  // samples that use up what the section may
   for (int k = 0; k < 100; ++k) {
     const Case c = random_case(random);
     const Trapezoid curve(c.from, c.list, joint_limits(), kStep);
@@ -57,19 +58,28 @@ TEST(Trapezoid, NeverExceedsTheLimitsBetweenMacrosteps) {
     const auto steps = static_cast<int>(std::lround(curve.duration() / h));
     for (int s = 1; s < steps; ++s) {
       const double t = s * h;
-      while (t > static_cast<double>(curve.arrivals()[via]) * kStep + 1e-12) ++via;
-      // The fractions of the section; at its ends those of both neighbours count.
+      const auto arrival = [&] { return static_cast<double>(curve.arrivals()[via]) * kStep; };
+      while (t > arrival() + 1e-12) ++via;
+      // The fractions of the section; where the three samples lie on both sides of its end those of both count.
       double v = c.list[via].velocity, a = c.list[via].acceleration;
-      if (via + 1 < c.list.size()) {
+      if (t + h > arrival() - 1e-12 && via + 1 < c.list.size()) {
         v = std::max(v, c.list[via + 1].velocity);
         a = std::max(a, c.list[via + 1].acceleration);
+      }
+      if (via > 0 && t - h < static_cast<double>(curve.arrivals()[via - 1]) * kStep + 1e-12) {
+        v = std::max(v, c.list[via - 1].velocity);
+        a = std::max(a, c.list[via - 1].acceleration);
       }
       const Coordinates speed = (curve.at(t + h) - curve.at(t)) / h;
       const Coordinates change = (curve.at(t + h) - 2 * curve.at(t) + curve.at(t - h)) / (h * h);
       EXPECT_LE(share_of(speed, joint_limits().velocity), v * (1 + 1e-9));
       EXPECT_LE(share_of(change, joint_limits().acceleration), a * (1 + 1e-6));
+      fast += share_of(speed, joint_limits().velocity) > 0.95 * v ? 1 : 0;
+      hard += share_of(change, joint_limits().acceleration) > 0.99 * a ? 1 : 0;
     }
   }
+  EXPECT_GT(fast, 1000);
+  EXPECT_GT(hard, 1000);
 }
 
 TEST(Trapezoid, AMotionOfOneAxisTakesTheTimeThatKdlSays) {
@@ -87,6 +97,27 @@ TEST(Trapezoid, AMotionOfOneAxisTakesTheTimeThatKdlSays) {
     const Trapezoid same(Coordinates::Zero(1), {{Coordinates::Constant(1, goal), v, a}}, limits, fits);
     for (int s = 0; s <= 128; ++s) EXPECT_NEAR(same.at(s * fits / 2)[0], reference.Pos(s * fits / 2), 1e-6);
   }
+}
+
+TEST(Trapezoid, AtASlowerFractionItTakesLongerByThat) {
+  const MotionLimits limits{Coordinates::Constant(1, 2), Coordinates::Constant(1, 4)};
+  const auto time = [&](double v, double a) {
+    return Trapezoid(Coordinates::Zero(1), {{Coordinates::Constant(1, 10), v, a}}, limits, 1e-4).duration();
+  };
+  EXPECT_NEAR(time(1, 1), 10 / 2. + 2 / 4., 1e-4);
+  EXPECT_NEAR(time(0.5, 1), 10 / 1. + 1 / 4., 1e-4);
+  EXPECT_NEAR(time(1, 0.5), 10 / 2. + 2 / 2., 1e-4);
+}
+
+TEST(Trapezoid, BeforeItsBeginningItIsThere) {
+  const Coordinates from = Coordinates::Constant(2, 0.5), to = Coordinates::Constant(2, 1.5);
+  const Trapezoid curve(from, {{to, 1, 1}}, {Coordinates::Ones(2), Coordinates::Ones(2)}, kStep);
+  EXPECT_EQ(curve.at(-1), from);
+  EXPECT_EQ(curve.at(0), from);
+  EXPECT_EQ(curve.at(curve.duration()), to);
+  const double half = curve.duration() / 2;
+  EXPECT_NEAR(curve.at(half)[0], 1, 1e-9) << "the way out is as the way in";
+  for (double t = 0; t < half; t += 0.01) EXPECT_NEAR(curve.at(half + t)[1] + curve.at(half - t)[1], 2, 1e-6);
 }
 
 TEST(Trapezoid, AxesAreSynchronised) {
@@ -110,7 +141,7 @@ TEST(Trapezoid, APassedPoseDoesNotStopAxesThatGoOn) {
     return (curve.at(t + 1e-6) - curve.at(t - 1e-6)) / 2e-6;
   };
   EXPECT_NEAR(speed_at_middle(false).norm(), 0, 1e-4);
-  EXPECT_GT(speed_at_middle(true)[0], 0.3);
+  EXPECT_NEAR(speed_at_middle(true)[0], 0.5, 1e-4) << "as fast as on the mean from rest to rest";
   EXPECT_NEAR(speed_at_middle(true)[1], 0, 1e-4) << "this axis turns round";
 }
 
@@ -154,6 +185,34 @@ TEST(Trapezoid, RefusesListsThatCannotBeMeant) {
   EXPECT_THROW(make({{here, 1.1}}), FaultError);
   EXPECT_THROW(make({{here, 0.5, NAN}}), FaultError);
   EXPECT_THROW(make({{Coordinates::Constant(6, NAN)}}), FaultError);
+  EXPECT_THROW(make({{here, 0.5, 0}}), FaultError);
+  EXPECT_THROW(make({{here, 0.5, 1.1}}), FaultError);
+  EXPECT_THROW(make({{here}, {Coordinates::Zero(7)}}), FaultError) << "also behind the first one";
+  EXPECT_NO_THROW(make({{here, 1, 1}}));
+}
+
+TEST(Trapezoid, RefusesABeginningLimitsAndATimeThatCannotBeMeant) {
+  const Coordinates here = Coordinates::Zero(6), one = Coordinates::Ones(6);
+  const auto refused = [&](const Coordinates& from, const MotionLimits& limits, double step = kStep) {
+    try {
+      check_list(from, {{here}}, limits, step);
+    } catch (const FaultError& e) {
+      EXPECT_EQ(e.fault().code, FaultCode::bad_trajectory);
+      return true;
+    }
+    return false;
+  };
+  EXPECT_FALSE(refused(here, {one, one}));
+  Coordinates broken = here, none = one, below = one;
+  broken[3] = INFINITY;
+  none[5] = 0;
+  below[0] = -1;
+  EXPECT_TRUE(refused(broken, {one, one}));
+  for (const Coordinates& bad : {Coordinates(Coordinates::Ones(5)), broken, none, below}) {
+    EXPECT_TRUE(refused(here, {bad, one})) << bad.transpose();
+    EXPECT_TRUE(refused(here, {one, bad})) << bad.transpose();
+  }
+  for (const double step : {0.0, -kStep, std::nan("")}) EXPECT_TRUE(refused(here, {one, one}, step)) << step;
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 namespace mrroc::touch {
 
-struct Arm : ecp::ArmAgent<ecp::None> {};
+struct Arm : ArmAgent<None> {};
 extern const std::array<Motion<Arm>, 3> kTouch;
 mp::TaskFigures figures(const std::vector<mp::ArmTrace>& arms, const Config& config);
 std::string_view config();

@@ -1,4 +1,4 @@
-// What the suites of the IRb-6 share: both arms with both parameter sets, and random poses of them.
+// Shared parts of the IRb-6's suites: both arms with both parameter sets, and random poses of them.
 #pragma once
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What the inverse kinematics does along a path, called every step with the joints of the step before.
+// Inverse kinematics along a path, called every step with the joints of the step before.
 #include "test/robots/irb6/arms.hpp"
 
 namespace mrroc::irb6::test {

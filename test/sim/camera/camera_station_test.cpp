@@ -4,6 +4,7 @@
 
 #include "base/link/memory_bus.hpp"
 #include "base/link/session.hpp"
+#include "test/rig/irb6_cell.hpp"
 #include "test/sim/camera/scenes.hpp"
 
 namespace mrroc::sim {
@@ -20,20 +21,19 @@ struct Seen {
   friend bool operator==(const Seen&, const Seen&) = default;
 };
 
-/// The world's thread and a receptor, without drivers: the arms stand on their brakes.
+/// The simulator's thread and a receptor, without drivers: the arms stand on their brakes.
 class Station {
  public:
   explicit Station(const CameraWorld& k, ClockKind clock = ClockKind::step)
-      : membership_{"cameras", link::random_id(), "world", {"mp", "world"}, clock, 10s},
-        world_process_(*world_bus_, membership_),
-        receptor_(*receptor_bus_, membership_),
+      : context_{"cameras", link::random_id(), "simulator", {"mp", "simulator"}, clock, 10s},
+        simulator_process_(*simulator_bus_, context_),
+        receptor_(*receptor_bus_, context_),
         world_(parameters_, 1),
-        station_(world_process_, k, parameters_, {"arm1", "arm2"}),
+        station_(simulator_process_, k, parameters_, {"arm1", "arm2"}),
         frames_(receptor_.inbox<camera_frame_t>(k.cameras.at(0).setup.key + ".frame")),
         truth_(receptor_.inbox<object_truth_t>("object.truth")),
-        store_(
-            link::FrameReader::open({membership_.session, membership_.session_id, k.cameras.at(0).setup.key})
-                .value()) {
+        store_(link::FrameReader::open({context_.session, context_.session_id, k.cameras.at(0).setup.key})
+                   .value()) {
     station_.begin();
   }
 
@@ -53,9 +53,7 @@ class Station {
   [[nodiscard]] const std::vector<Seen>& seen() const { return seen_; }
   [[nodiscard]] bool ended() const { return ended_; }
   [[nodiscard]] const object_truth_t* truth(std::int64_t stamp) { return truth_->at(stamp); }
-  [[nodiscard]] link::FrameStoreName store() const {
-    return {membership_.session, membership_.session_id, "sac"};
-  }
+  [[nodiscard]] link::FrameStoreName store() const { return {context_.session, context_.session_id, "sac"}; }
   [[nodiscard]] const WorldParameters& parameters() const { return parameters_; }
 
  private:
@@ -74,12 +72,12 @@ class Station {
   }
 
   link::MemoryHub hub_;
-  std::unique_ptr<link::Bus> world_bus_{hub_.open()};
+  std::unique_ptr<link::Bus> simulator_bus_{hub_.open()};
   std::unique_ptr<link::Bus> receptor_bus_{hub_.open()};
-  link::Membership membership_;
-  link::Process world_process_;
+  link::NodeContext context_;
+  link::Process simulator_process_;
   link::Process receptor_;
-  WorldParameters parameters_;
+  WorldParameters parameters_{rig::irb6_cell()};
   World world_;
   CameraStation station_;
   std::unique_ptr<link::Inbox<camera_frame_t>> frames_;

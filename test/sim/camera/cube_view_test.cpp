@@ -6,18 +6,18 @@
 #include <numbers>
 #include <random>
 
+#include "base/cube/face_view.hpp"
+#include "base/cube/facelets.hpp"
+#include "base/cube/move.hpp"
 #include "sim/camera/renderer.hpp"
-#include "sim/cube_camera.hpp"
-#include "sim/cube_cell.hpp"
-#include "tasks/rubik/cube/facelets.hpp"
-#include "tasks/rubik/cube/move.hpp"
-#include "tasks/rubik/reading/face_view.hpp"
+#include "tasks/rubik/cell/cube_camera.hpp"
+#include "tasks/rubik/cell/layout.hpp"
 #include "test/sim/camera/scenes.hpp"
 
 namespace mrroc::sim {
 namespace {
 
-using rubik::Face;
+using cube::Face;
 
 camera::Scene scene_of(const CubeTruth& truth) {
   camera::Scene scene;
@@ -54,7 +54,7 @@ class CubeView : public testing::Test {
     return p;
   }
   Image look(const CubeTruth& truth, Face face) {
-    const Matrix3 R = rubik::facelet_frame(face);
+    const Matrix3 R = cube::facelet_frame(face);
     eye_ = looking_at(R.col(2) * 0.3, Vector3::Zero(), R.col(1));
     return renderer_.render(scene_of(truth), eye_, 0);
   }
@@ -70,10 +70,10 @@ class CubeView : public testing::Test {
 TEST_F(CubeView, ShowsTheStickersOfItsState) {
   std::mt19937_64 random(2);
   CubeTruth truth;
-  truth.state = rubik::random_cube(random);
-  const std::string facelets = rubik::to_facelets(truth.state);
-  for (int f = 0; f < rubik::kFaces; ++f) {
-    const Matrix3 R = rubik::facelet_frame(static_cast<Face>(f));
+  truth.state = cube::random_cube(random);
+  const std::string facelets = cube::to_facelets(truth.state);
+  for (int f = 0; f < cube::kFaces; ++f) {
+    const Matrix3 R = cube::facelet_frame(static_cast<Face>(f));
     const Image picture = look(truth, static_cast<Face>(f));
     for (int k = 0; k < kStickers; ++k) {
       const Vector3 place = R * (kCubeFace.middle(k) + Vector3(0, 0, kCubeFace.edge / 2));
@@ -90,7 +90,7 @@ TEST_F(CubeView, ShowsALayerThatTurns) {
     truth.axis = 1;  // B and F
     truth.angle[static_cast<std::size_t>(side)] = angle;
     const Face face = side == 0 ? Face::B : Face::F;
-    const Matrix3 R = rubik::facelet_frame(face);
+    const Matrix3 R = cube::facelet_frame(face);
     const Vector3 out = R.col(2) * kCubeFace.edge / 2;
     const Image picture = look(truth, face);
     // A corner's sticker, counterclockwise seen from outside; where it was nothing of the cube is left.
@@ -105,8 +105,8 @@ TEST_F(CubeView, ShowsALayerThatTurns) {
 }
 
 TEST(CubeCamera, LooksStraightAtTheFaceWhereFacesAreShown) {
-  const CameraSetup camera = cube_camera();
-  const rubik::Viewing viewing = viewing_place();
+  const CameraSetup camera = rubik::cube_camera();
+  const rubik::Viewing viewing = rubik::viewing_place();
   const Pose T_CG = camera.place.inverse() * viewing.T_UG;
   EXPECT_NEAR((T_CG.p - Vector3(0, 0, viewing.distance)).norm(), 0, 1e-12);
   EXPECT_NEAR(T_CG.R(2, 2), -1, 1e-12);

@@ -1,4 +1,4 @@
-// What a rendered picture must show, by measurement.
+// Measurements on rendered pictures.
 #include "sim/camera/renderer.hpp"
 
 #include <gtest/gtest.h>

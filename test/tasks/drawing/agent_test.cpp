@@ -17,6 +17,7 @@ TEST(TransparentAgent, CopiesOrderToCommandAndImagesToReport) {  // (34)-(36)
   x.e.state = DriverState::executing;
   x.e.verdict = Verdict::executed;
   x.e.fault.code = FaultCode::joint_limit;
+  x.e.position_known = true;
   x.e.T_0E = {1, 2, 3, 4, 5, 6};
   x.e.F_a.v = {6, 5, 4, 3, 2, 1};
   x.e.gripper = 0.05;
@@ -33,6 +34,7 @@ TEST(TransparentAgent, CopiesOrderToCommandAndImagesToReport) {  // (34)-(36)
   EXPECT_EQ(r.driver_state, DriverState::executing);
   EXPECT_EQ(r.verdict, Verdict::executed);
   EXPECT_EQ(r.fault.code, FaultCode::joint_limit);
+  EXPECT_TRUE(r.position_known);
   EXPECT_EQ(r.T_0E, x.e.T_0E);
   EXPECT_EQ(r.F_a, x.e.F_a);
   EXPECT_EQ(r.gripper, 0.05);

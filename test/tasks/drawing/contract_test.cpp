@@ -27,7 +27,7 @@ struct DrawingCoordinator : DrawingTask {
   static bool same(const Agent::Memory& a, const Agent::Memory& b) {
     return a.k == b.k && a.recording == b.recording && a.p == b.p && a.T_previous.R == b.T_previous.R &&
            a.T_previous.p == b.T_previous.p && a.instant == b.instant && a.trigger == b.trigger &&
-           a.time == b.time && a.pace == b.pace && a.touched == b.touched;
+           a.paces == b.paces && a.touched == b.touched && a.held == b.held;
   }
 };
 INSTANTIATE_TYPED_TEST_SUITE_P(DrawingCoordinator, TaskContract, DrawingCoordinator);

@@ -1,5 +1,6 @@
 // Images of the coordinator, for tests by value.
 #pragma once
+#include <algorithm>
 #include <initializer_list>
 
 #include "tasks/drawing/tables.hpp"
@@ -18,6 +19,23 @@ inline Coordinator::X image(PenState pen_1 = PenState::above_paper, PenState pen
   x.T.agent[0].ready = x.T.agent[1].ready = true;
   x.T.h.started = true;
   return x;
+}
+
+/// Task time in this macrostep, as the links' TaskClock has it.
+inline void note_pause(Coordinator::X& x) {
+  const double change = 1.0 / x.c.k.pause;
+  x.t.paused = x.T.h.paused;
+  x.t.pace = std::clamp(x.t.pace + (x.t.paused ? -change : change), 0.0, 1.0);
+}
+/// The rest of the macrostep: the memory, and the time that has passed.
+inline void finish(Coordinator::X& x, int m) {
+  x.c = row(m).f_cc(x);
+  x.t.time += x.t.pace;
+}
+/// One macrostep of behaviour m.
+inline void pass(Coordinator::X& x, int m) {
+  note_pause(x);
+  finish(x, m);
 }
 
 /// @return a recording with these pen states, velocities (1, -2) mm/s times the number of the node

@@ -113,12 +113,12 @@ TEST(Coordinator, LoweringEndsWhenBothPensHaveSettled) {  // (45)
   for (const int settle : {0, 1, 25}) {
     X x = image(paper_surface, paper_surface);
     x.c.k.settle = settle;
-    x.c.time = 1000.25;
+    x.t.time = 1000.25;
     x.c = row(4).f_entry(x);
     EXPECT_FALSE(row(4).f_tau(x)) << "before the first iteration";
     int macrosteps = 0;
     do {
-      x.c = row(4).f_cc(x);
+      pass(x, 4);
       ++macrosteps;
     } while (!row(4).f_tau(x) && macrosteps < 100);
     EXPECT_EQ(macrosteps, settle + 1);
@@ -129,16 +129,16 @@ TEST(Coordinator, APenThatLeavesThePaperBeginsSettlingAnew) {
   X x = image(paper_surface, paper_surface);
   x.c.k.settle = 10;
   x.c = row(4).f_entry(x);
-  for (int k = 0; k < 8; ++k) x.c = row(4).f_cc(x);
+  for (int k = 0; k < 8; ++k) pass(x, 4);
   x.T.agent[1].sensor = static_cast<int>(lift_off);
-  x.c = row(4).f_cc(x);
+  pass(x, 4);
   EXPECT_FALSE(row(4).f_tau(x));
   x.T.agent[1].sensor = static_cast<int>(paper_surface);
   for (int k = 0; k < 10; ++k) {
-    x.c = row(4).f_cc(x);
+    pass(x, 4);
     EXPECT_FALSE(row(4).f_tau(x)) << k;
   }
-  x.c = row(4).f_cc(x);
+  pass(x, 4);
   EXPECT_TRUE(row(4).f_tau(x));
 }
 
@@ -147,33 +147,33 @@ TEST(Coordinator, OnePenOnThePaperIsNotEnough) {
     X x = x_0;
     x.c = row(4).f_entry(x);
     for (int k = 0; k < 200; ++k) {
-      x.c = row(4).f_cc(x);
+      pass(x, 4);
       ASSERT_FALSE(row(4).f_tau(x));
     }
   }
 }
 
-TEST(Coordinator, LoweringEndsWithoutContactWhenPatienceEnds) {
+TEST(Coordinator, LoweringEndsWithoutContactAtTheTimeout) {
   for (const auto& x_0 : {image(), image(paper_surface, above_paper), image(above_paper, paper_surface)}) {
     X x = x_0;
-    x.c.k.touch_patience = 30;
-    x.c.time = 500;
+    x.c.k.touch_timeout = 30;
+    x.t.time = 500;
     x.c = row(4).f_entry(x);
     for (int k = 0; k < 30; ++k) {
       EXPECT_FALSE(row(4).f_tau(x)) << k;
-      x.c = row(4).f_cc(x);
+      pass(x, 4);
     }
     EXPECT_TRUE(row(4).f_tau(x));
     EXPECT_TRUE(no_contact(x));
   }
 }
 
-TEST(Coordinator, PatienceStandsStillDuringAPause) {
+TEST(Coordinator, TheTimeoutStandsStillDuringAPause) {
   X x = image();
-  x.c.k.touch_patience = 30;
+  x.c.k.touch_timeout = 30;
   x.c = row(4).f_entry(x);
   x.T.h.paused = true;
-  for (int k = 0; k < 100; ++k) x.c = row(4).f_cc(x);
+  for (int k = 0; k < 100; ++k) pass(x, 4);
   EXPECT_FALSE(row(4).f_tau(x));
 }
 
@@ -232,12 +232,12 @@ TEST(Coordinator, ReproductionOrdersTheVelocityOfItsNodeAlongThePaperOnly) {  //
 
 TEST(Coordinator, LiftOffLastsItsMacrosteps) {  // (49), (50)
   X x = image();
-  x.c.time = 77;
+  x.t.time = 77;
   x.c.k.lift_off = 50;
   x.c = row(6).f_entry(x);
   for (int k = 0; k < 50; ++k) {
     EXPECT_FALSE(row(6).f_tau(x)) << k;
-    x.c = row(6).f_cc(x);
+    pass(x, 6);
   }
   EXPECT_TRUE(row(6).f_tau(x));
 }
@@ -249,23 +249,24 @@ TEST(Coordinator, PauseScalesVelocitiesAndKeepsForces) {
   double expected = 1;
   for (int k = 0; k < 15; ++k) {
     expected = std::max(0.0, expected - 0.1);
+    note_pause(x);
     const auto lift = row(6).f_cT(x)[0].arm.frame;
     EXPECT_NEAR(lift.z.velocity, -0.01 * expected, 1e-15);
     const auto draw = row(5).f_cT(x)[0].arm.frame;
     EXPECT_EQ(draw.z, c(1, 20, 0.005));
     EXPECT_NEAR(draw.x.velocity, 0.001 * expected, 1e-15);
-    x.c.pace = row(6).f_cc(x).pace;
-    EXPECT_NEAR(x.c.pace, expected, 1e-12);
+    finish(x, 6);
+    EXPECT_NEAR(x.c.paces.back(), expected, 1e-12);
   }
   x.T.h.paused = false;
-  for (int k = 0; k < 15; ++k) x.c.pace = row(6).f_cc(x).pace;
-  EXPECT_EQ(x.c.pace, 1);
+  for (int k = 0; k < 15; ++k) pass(x, 6);
+  EXPECT_EQ(x.c.paces.back(), 1);
 }
 
 TEST(Coordinator, AtPaceScalesEveryVelocityAndNothingElse) {
   TaskFrameCommand frame{
       .x = u(1), .y = g(2, 3, 4), .z = c(5, 6, 7), .ax = u(8), .ay = g(9, 1, 1), .az = u(-1)};
-  const TaskFrameCommand half = at_pace(frame, 0.5);
+  const TaskFrameCommand half = ecp::at_pace(frame, 0.5);
   for (const Axis a : kAxes) {
     EXPECT_EQ(half[a].velocity, 0.5 * frame[a].velocity);
     AxisCommand rest = half[a];

@@ -1,5 +1,7 @@
 #include "tasks/drawing/drawing.hpp"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <limits>
 #include <random>

@@ -1,5 +1,7 @@
 #include "tasks/drawing/figures.hpp"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <random>
 

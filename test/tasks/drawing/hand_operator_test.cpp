@@ -10,26 +10,26 @@
 namespace mrroc::drawing {
 namespace {
 
-/// A desk, an operator and the world's hands.
+/// A command_server, an operator and the simulator's hands.
 struct Scene {
   explicit Scene(const HandPlan& plan = {})
       : process(bus,
                 [] {
-                  link::Membership m;
+                  link::NodeContext m;
                   m.session = "s";
                   m.name = "mp";
                   m.roster = {"mp"};
                   return m;
                 }()),
-        desk(process, {}, {}),
-        human(process, desk, plan),
+        command_server(process, {}, {}),
+        human(process, command_server, plan),
         orders(bus, process.route("hand.order"), 1),
         reports(bus, process.route("hand.report"), 1) {}
 
   /// One macrostep in behaviour m. @return what the hands are ordered
   hand_order_t macrostep(int m, bool done_1, bool done_2) {
     ++i;
-    human.inform(i, m, false);
+    human.inform(i, m);
     hand_report_t r{};
     r.done[0] = done_1;
     r.done[1] = done_2;
@@ -42,18 +42,18 @@ struct Scene {
     EXPECT_TRUE(order);
     EXPECT_EQ(order->header.stamp, i);
     // As the coordinator does in the first macrostep of a behaviour.
-    if (m != m_ && waits_) desk.set_state(TaskState::running, *waits_);
+    if (m != m_ && waits_) command_server.set_state(TaskState::running, *waits_);
     m_ = m;
     return *order;
   }
   void running(bool waits = true) {
     waits_ = waits;
-    desk.set_state(TaskState::running, waits);
+    command_server.set_state(TaskState::running, waits);
   }
 
   link::test::DirectBus bus;
   link::Process process;
-  mp::OperatorDesk desk;
+  mp::OperatorCommandServer command_server;
   HandOperator human;
   link::Queue<hand_order_t> orders;
   link::Outbox<hand_report_t> reports;
@@ -89,7 +89,7 @@ TEST(HandOperator, HandsDoWhatTheBehaviourAsksFor) {
 TEST(HandOperator, StartsWhenTheTaskWaitsForIt) {
   Scene s;
   EXPECT_FALSE((s.macrostep(0, false, false), s.image.started));
-  s.desk.set_state(TaskState::waiting_for_start, false);
+  s.command_server.set_state(TaskState::waiting_for_start, false);
   EXPECT_TRUE((s.macrostep(0, false, false), s.image.started));
 }
 
@@ -120,19 +120,19 @@ TEST(HandOperator, ATriggerIsNotLostInAPause) {
   Scene s({.steady = 5});
   s.running();
   s.macrostep(2, false, false);
-  s.desk.give(OperatorOrder::pause);
+  s.command_server.give(OperatorOrder::pause);
   s.macrostep(2, true, false);
-  s.desk.set_state(TaskState::paused, true);
-  for (int k = 0; k < 50; ++k) EXPECT_EQ(s.macrostep(2, true, false).paused, 1);
+  s.command_server.set_state(TaskState::paused, true);
+  for (int k = 0; k < 50; ++k) s.macrostep(2, true, false);
   EXPECT_EQ(s.image.trigger, 0);
-  s.desk.give(OperatorOrder::resume);
+  s.command_server.give(OperatorOrder::resume);
   s.macrostep(2, true, false);
   s.running();
-  EXPECT_EQ(s.macrostep(2, true, false).paused, 0);
+  s.macrostep(2, true, false);
   EXPECT_EQ(s.image.trigger, 1);
 }
 
-TEST(HandOperator, ATriggerThatTheDeskRefusesIsGivenAgain) {
+TEST(HandOperator, ATriggerThatTheCommandServerRefusesIsGivenAgain) {
   Scene s({.steady = 5});
   s.running(false);  // the task does not say yet that it waits
   for (int k = 0; k < 20; ++k) s.macrostep(2, true, false);
@@ -149,7 +149,7 @@ TEST(HandOperator, KnowsWhetherATriggerWouldComeEarly) {
   EXPECT_FALSE(s.human.done());
   s.macrostep(2, true, false);
   EXPECT_TRUE(s.human.done());
-  s.human.inform(s.i + 1, 3, false);
+  s.human.inform(s.i + 1, 3);
   EXPECT_FALSE(s.human.done()) << "what was done belongs to the behaviour before";
   s.orders.take();
   s.macrostep(3, true, false);
@@ -175,7 +175,7 @@ TEST(HandOperator, KnowsWhenThePenWasLedAlongWithoutFeelingThePaper) {
 
 TEST(HandOperator, LeavesOrdersToAPersonWhenThereIsOne) {
   Scene s({.steady = 1, .gives_orders = false});
-  s.desk.set_state(TaskState::waiting_for_start, false);
+  s.command_server.set_state(TaskState::waiting_for_start, false);
   for (int k = 0; k < 20; ++k) s.macrostep(0, true, true);
   EXPECT_FALSE(s.image.started);
   s.running();

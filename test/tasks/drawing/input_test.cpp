@@ -1,8 +1,9 @@
-// What a run is given to draw.
+// Input of a run: the drawing.
 #include "tasks/drawing/input.hpp"
 
 #include <gtest/gtest.h>
 
+#include "base/fault.hpp"
 #include "test/tasks/drawing/folder.hpp"
 
 namespace mrroc::drawing {
@@ -19,6 +20,22 @@ TEST(Input, LoadsARecordingWithMoreInkThanADrawingMayHavePoints) {
   const Input input = read_input(options);
   EXPECT_EQ(input.taught, taught);
   ASSERT_EQ(input.drawing.size(), 1U);
+}
+
+TEST(Input, TellsHowMuchThereIsToDraw) {
+  Input input;
+  input.name = "a.svg";
+  input.drawing = {{Point(0, 0), Point(30, 40)}};
+  EXPECT_EQ(input.about(), "a.svg: 1 stroke, 2 points, 50 mm");
+  input.drawing.push_back({Point(0, 0), Point(0, 10), Point(10, 10)});
+  EXPECT_EQ(input.about(), "a.svg: 2 strokes, 5 points, 70 mm");
+}
+
+TEST(Input, AFolderIsNoFileToSaveIn) {
+  const Folder folder;
+  InputOptions options;
+  options.save = folder / "";
+  EXPECT_THROW(read_input(options), FaultError);
 }
 
 TEST(Input, RefusesARecordingThatLeavesTheSheet) {

@@ -51,10 +51,13 @@ class Plant {
     x.T.h.started = true;
     x.T.h.paused = paused(i_);
     if (m_ == 3 && !x.T.h.paused) x.T.h.trigger = 1;
+    clock_.advance(x.T.h.paused);
+    x.t = clock_.now();
   }
 
  private:
   double depth_{0};
+  TaskClock clock_ = TaskClock::ramped();
   int m_{};
   std::int64_t i_{};
 };

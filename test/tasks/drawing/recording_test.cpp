@@ -1,5 +1,7 @@
 #include "tasks/drawing/recording.hpp"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <fstream>
 #include <random>

@@ -1,4 +1,4 @@
-// What a run is asked to do, and what it leaves: options, configuration, figures.
+// Options, configuration and figures of a run.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -109,7 +109,7 @@ TEST(DrawingConfig, EveryParameterCanBeSetAndHasItsLimits) {
   EXPECT_EQ(k.draw_force, 3.5);
   EXPECT_EQ(k.settle, 7);
   EXPECT_EQ(k.lift_off, 60);
-  EXPECT_EQ(k.pace_change, 0.25);
+  EXPECT_EQ(k.pause, 4);
   for (const char* s :
        {"time.n_s=1", "time.n_s=33", "task.teach_force=-1", "task.teach_force=6", "task.draw_force=0",
         "task.settle=-1", "task.lift_off=1", "task.pause_macrosteps=0", "task.draw_force=nan"}) {
@@ -161,12 +161,52 @@ TEST(Results, TravelIsTheLargestRiseAndFallWithinOneTravel) {
   EXPECT_TRUE(std::isnan(std::get<std::vector<double>>(figures.at("travel_z_mm"))[1])) << "it did not travel";
 }
 
-TEST(Results, SegmentSkewIsTheLargestAndUnknownWhenArmsDrewDifferently) {
+TEST(Results, SegmentSkewIsTheLargestAndAtLeastTheSegmentsThatOneArmLacks) {
+  const auto skew = [](const RunRecord& record) {
+    return std::get<double>(figures_of({}, false, record, {}, {}, true).at("segment_skew"));
+  };
   RunRecord record;
+  EXPECT_TRUE(std::isnan(skew(record))) << "nothing was drawn";
   record.segment_starts = {{{10, 200, 300}, {10, 203, 299}}};
-  EXPECT_EQ(std::get<double>(figures_of({}, false, record, {}, {}, true).at("segment_skew")), 3);
-  record.segment_starts[1].pop_back();
-  EXPECT_TRUE(std::isnan(std::get<double>(figures_of({}, false, record, {}, {}, true).at("segment_skew"))));
+  EXPECT_EQ(skew(record), 3);
+  record.segment_starts = {{{10, 200, 300}, {10}}};
+  EXPECT_EQ(skew(record), 2);
+  record.segment_starts = {{{}, {10}}};
+  EXPECT_EQ(skew(record), 1);
+}
+
+TEST(Results, OfADrawingWithoutATravelOrLongerThanTheTouchDownSuchFiguresDoNotApply) {
+  RunRecord stroke;
+  for (auto& arm : stroke.traces) arm = trace({{4, 20, 2, 0}, {5, 60, 1, 0}, {6, 5, 0, 0}});
+  EXPECT_FALSE(figures_of({}, false, stroke, {}, {}, true).contains("travel_z_mm"));
+  EXPECT_TRUE(figures_of({}, false, stroke, {}, {}, true).contains("paper_force_mean_N"));
+  EXPECT_TRUE(figures_of({}, false, stroke, {}, {}, false).contains("travel_z_mm")) << "it was yet to come";
+  RunRecord dots;
+  for (auto& arm : dots.traces) arm = trace({{5, 5, 1, 0}, {7, 10, 0, 0}, {5, 5, 1, 0}});
+  const auto figures = figures_of({}, false, dots, {}, {}, true);
+  EXPECT_FALSE(figures.contains("paper_force_mean_N") || figures.contains("paper_force_std_N"));
+  EXPECT_TRUE(figures.contains("travel_z_mm"));
+  const auto nothing = figures_of({}, false, {}, {}, {}, true);
+  EXPECT_TRUE(nothing.contains("paper_force_mean_N")) << "nothing was drawn: that was not measured";
+}
+
+/// A sheet as the simulator leaves it: a line of two parts, the second of which begins 0.4 s after the end of
+/// the first.
+void leave_broken_line(const Folder& folder, const std::string& file) {
+  Ink ink;
+  for (int k = 0; k <= 40; ++k) ink.push_back({0, 1 + 0.02 * k, 0.5 * k, 0});
+  for (int k = 0; k <= 40; ++k) ink.push_back({1, 2.2 + 0.02 * k, 24 + 0.5 * k, 0});
+  write_ink(folder / file, ink);
+}
+
+TEST(Results, HopsOfTheHandAreJoinedAndBreaksOfACopyAreShown) {
+  const Folder folder;
+  for (const char* const file : {"arm1-sheet-0.csv", "arm1-sheet-1.csv", "arm2-sheet-0.csv"})
+    leave_broken_line(folder, file);
+  const RunInk ink = collect_ink(folder.path(), {"arm1", "arm2"}, std::nullopt);
+  const auto figures = figures_of({}, true, {}, ink, {}, true);
+  EXPECT_EQ(std::get<double>(figures.at("strokes_taught")), 1);
+  EXPECT_EQ(std::get<std::vector<double>>(figures.at("strokes_extra")), (std::vector{1.0, 1.0}));
 }
 
 TEST(Results, ACopyLikeTheTaughtInkHasNoErrorAndAMissingOneHasNoFigure) {
@@ -178,6 +218,14 @@ TEST(Results, ACopyLikeTheTaughtInkHasNoErrorAndAMissingOneHasNoFigure) {
   EXPECT_EQ(std::get<std::vector<double>>(both.at("copy_rms_mm")).size(), 1U);
   EXPECT_NEAR(std::get<std::vector<double>>(both.at("copy_rms_mm"))[0], 0, 1e-6);
   EXPECT_FALSE(figures_of({}, false, {}, {}, {}, true).contains("copy_rms_mm"));
+}
+
+TEST(Results, OfARunThatEndedEarlyWhatDidNotHappenHasNoNumber) {
+  const auto figures = figures_of(fitted(arrow(), 80), true, {}, {}, {}, false);
+  EXPECT_TRUE(std::isnan(std::get<double>(figures.at("doubtful_strokes"))));
+  EXPECT_TRUE(std::isnan(std::get<double>(figures.at("segment_skew"))));
+  for (const double mismatches : std::get<std::vector<double>>(figures.at("pen_state_mismatches")))
+    EXPECT_TRUE(std::isnan(mismatches)) << "nothing was drawn that could differ from the memory";
 }
 
 TEST(Results, StrokesOfTheInputAndThoseTaughtAreCounted) {
@@ -223,11 +271,10 @@ TEST(Results, SheetsOfTheWorldBecomeTheInkOfTheRun) {
   EXPECT_EQ(loaded.taught, sheets[0]);
   EXPECT_EQ(loaded.drawn[0], sheets[1]);
   EXPECT_FALSE(loaded.drawn[1]);
-  write_tables(folder.path(), {}, loaded);
+  write_tables(folder.path(), loaded);
   EXPECT_EQ(read_ink(folder / "taught.csv"), sheets[0]);
   EXPECT_EQ(read_ink(folder / "ink1.csv"), sheets[1]);
   EXPECT_FALSE(std::filesystem::exists(folder / "ink2.csv"));
-  EXPECT_TRUE(mp::read_arm_trace(folder / "arm1.csv").empty());
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -62,6 +64,23 @@ TEST(SvgErrors, SayWhatIsMissing) {
   expect_error(svg("<text>a</text><text>b</text>"), {"text (2)", "convert text to paths"});
   expect_error(svg("<path d='M 1 1'/>"), {"nothing to draw"});
   expect_error("\x1f\x8b\x08", {"gunzip"});
+}
+
+TEST(SvgErrors, HaveTheNumberOfTheirLineOrNone) {
+  const auto line_of = [](const std::string& text) {
+    try {
+      (void)parse_svg(text, "f.svg");
+    } catch (const FileError& error) {
+      return error.line();
+    }
+    return -100;
+  };
+  EXPECT_EQ(line_of("hello"), 0);
+  EXPECT_EQ(line_of("\x1f\x8b\x08"), 0);
+  EXPECT_EQ(line_of(svg("")), 0);
+  EXPECT_EQ(line_of("<html><body/></html>"), 1);
+  EXPECT_EQ(line_of("<svg>\n<g>\n<path"), 3);
+  EXPECT_EQ(line_of(svg("<g>\n\n<path d='M 1 1 L 2'/></g>")), 4);
 }
 
 TEST(SvgErrors, RefuseSizesThatDoNotFitTheSheet) {

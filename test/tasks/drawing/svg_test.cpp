@@ -1,5 +1,7 @@
 #include "tasks/drawing/svg.hpp"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -309,6 +311,39 @@ TEST(Svg, TellsWhatHasNoOutline) {
   EXPECT_EQ(parse("<line x2='9'/><text>a</text><text>b</text><image/><title>t</title>", 120, &ignored).size(),
             1u);
   EXPECT_EQ(ignored, "image (1), text (2)");
+}
+
+TEST(Svg, SaysNothingOfWhatNeverDrawsAnything) {
+  std::string ignored;
+  for (const char* name : {"defs",
+                           "symbol",
+                           "title",
+                           "desc",
+                           "metadata",
+                           "style",
+                           "script",
+                           "linearGradient",
+                           "clipPath",
+                           "radialGradient",
+                           "mask",
+                           "marker",
+                           "pattern",
+                           "filter",
+                           "view",
+                           "animate",
+                           "animateTransform",
+                           "set",
+                           "cursor",
+                           "font"}) {
+    const std::string element = std::string("<") + name + "/><line x2='9'/>";
+    EXPECT_EQ(parse(element, 120, &ignored).size(), 1U) << name;
+    EXPECT_EQ(ignored, "") << name;
+  }
+  for (const char* name : {"text", "image", "foreignObject", "video"}) {
+    const std::string element = std::string("<") + name + "/><line x2='9'/>";
+    EXPECT_EQ(parse(element, 120, &ignored).size(), 1U) << name;
+    EXPECT_EQ(ignored, std::string(name) + " (1)");
+  }
 }
 
 TEST(Svg, EverySizeUpToTheSheetFits) {

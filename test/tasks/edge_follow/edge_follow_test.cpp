@@ -6,6 +6,7 @@
 #include <cmath>
 #include <deque>
 #include <numbers>
+#include <tuple>
 
 #include "base/representation.hpp"
 #include "edp/control_law.hpp"
@@ -144,6 +145,142 @@ TEST(EdgeFollowMemory, ComesFromTheConfiguration) {
   EXPECT_EQ(c.rule.force, 6);
   EXPECT_EQ(c.rule.turn_per_force, 0.2);
   EXPECT_EQ(c.T_WE.p.z(), 0.25);
+}
+
+TEST(EdgeFollow, FiguresOfAnArmThatHasNotBegunAreNoNumbers) {
+  for (const mp::TaskFigure& figure : figures({{}, {}}, Config()))
+    for (const double x : std::get<std::vector<double>>(figure.value))
+      EXPECT_TRUE(std::isnan(x)) << figure.info.key;
+}
+
+X at_pose(const Vector3& p, double turned = 0) {
+  X x;
+  const Vector6 r = angle_axis_from_pose({rotation_from_angle_axis({0, 0, turned}), p});
+  std::ranges::copy(r, x.e.T_0E.begin());
+  return x;
+}
+
+TEST(EdgeFollowRows, TheFingerPushesWhenItsContactLastsForMoreThanTenMacrosteps) {
+  X x;
+  x.c.rule.force = 4;
+  for (int k = 0; k <= 20; ++k) {
+    EXPECT_EQ(kEdgeFollow[0].f_tau(x), k > 10) << k;
+    x.e.F_a[Axis::x] = 3;
+    x.c = kEdgeFollow[0].f_cc(x);
+  }
+  x.e.F_a[Axis::x] = 0;
+  x.c = kEdgeFollow[0].f_cc(x);
+  EXPECT_FALSE(kEdgeFollow[0].f_tau(x)) << "and begins anew when it is lost";
+}
+
+TEST(EdgeFollowRows, ApproachAndRetreatAreAlongX) {
+  X x;
+  x.c.rule.force = 4;
+  const EffectorCommand comes = kEdgeFollow[0].f_ce(x), leaves = kEdgeFollow[2].f_ce(x);
+  EXPECT_EQ(comes.arm.frame.x.velocity, 0.01);
+  EXPECT_DOUBLE_EQ(comes.arm.frame.x.velocity / comes.arm.frame.x.mobility, 2) << "half of the force";
+  EXPECT_EQ(leaves.arm.frame.x, u(-0.02));
+  for (const Axis a : kAxes)
+    if (a != Axis::x) {
+      EXPECT_EQ(comes.arm.frame[a].velocity, 0);
+      EXPECT_EQ(leaves.arm.frame[a], u());
+    }
+  EXPECT_EQ(leaves.arm.n_s, kPacing.n_s);
+  EXPECT_EQ(comes.arm.n_s, kPacing.n_s);
+  x.i = 59;
+  EXPECT_FALSE(kEdgeFollow[2].f_tau(x));
+  x.i = 60;
+  EXPECT_TRUE(kEdgeFollow[2].f_tau(x));
+}
+
+TEST(EdgeFollowRows, TheWayAroundBeginsWhereTheFingerPushes) {
+  X x = at_pose({0.1, 0.2, 0.3}, 0.5);
+  x.c.angle = 3;
+  x.c.farthest = 1;
+  x.c.pushing = 11;
+  const Memory c = kEdgeFollow[1].f_entry(x);
+  EXPECT_LT((c.T_0E.p - Vector3(0.1, 0.2, 0.3)).norm(), 1e-12);
+  EXPECT_NEAR(angle_axis_from_rotation(c.T_0E.R).z(), 0.5, 1e-12);
+  EXPECT_EQ(c.angle, 0);
+  EXPECT_EQ(c.farthest, 0);
+}
+
+TEST(EdgeFollowRows, TheRoundIsDoneAfterAFullTurnFarAwayAndBack) {
+  const auto done = [](double angle, double farthest, double off) {
+    X x = at_pose({off, 0, 5});  // heights do not count
+    x.c.angle = angle;
+    x.c.farthest = farthest;
+    return kEdgeFollow[1].f_tau(x);
+  };
+  constexpr double kRound = 2 * pi - 0.3;
+  for (const double way : {1.0, -1.0}) {
+    EXPECT_TRUE(done(way * (kRound + 1e-6), 0.0101, 0.0019));
+    EXPECT_FALSE(done(way * (kRound - 1e-6), 0.0101, 0.0019));
+  }
+  EXPECT_FALSE(done(7, 0.0099, 0.0019));
+  EXPECT_FALSE(done(7, 0.0101, 0.0021));
+}
+
+TEST(EdgeFollowRows, TheFarthestPlaceIsRememberedAndTheAngleGoesOnBeyondATurn) {
+  X x = at_pose({0.03, 0.04, 9}, 0.1);
+  x.c.farthest = 0.02;
+  EXPECT_NEAR(kEdgeFollow[1].f_cc(x).farthest, 0.05, 1e-12);
+  x.c.farthest = 0.06;
+  EXPECT_EQ(kEdgeFollow[1].f_cc(x).farthest, 0.06);
+  const double once = kEdgeFollow[1].f_cc(x).angle;
+  x.c.angle = 2 * pi;
+  EXPECT_NEAR(kEdgeFollow[1].f_cc(x).angle, once + 2 * pi, 1e-9);
+  x.c.angle = -2 * pi;
+  EXPECT_NEAR(kEdgeFollow[1].f_cc(x).angle, once - 2 * pi, 1e-9);
+}
+
+TEST(EdgeFollowRows, TheToolIsTurnedWithTheAngle) {
+  X x = at_pose({0, 0, 0}, 0.25);
+  x.c.T_WE = {rotation_from_angle_axis({0, 0, 0}), {0, 0, 0.25}};
+  x.c.angle = 0.25;
+  x.e.F_a[Axis::x] = x.c.rule.force;
+  const EffectorCommand command = kEdgeFollow[1].f_ce(x);
+  ASSERT_TRUE(command.robot_model.set_tool);
+  const Pose T = *pose_from_numbers(command.robot_model.tool_representation, command.robot_model.tool);
+  EXPECT_NEAR(T.p.z(), 0.25, 1e-12);
+  EXPECT_NEAR(angle_axis_from_rotation(T.R).z(), kEdgeFollow[1].f_cc(x).angle, 1e-9);
+}
+
+TEST(EdgeFollowFigures, OfUnevenForcesAreMeanErrorAndLargest) {
+  mp::ArmTrace rows(3);
+  for (std::size_t k = 0; k < 3; ++k) {
+    rows[k].m = 2;
+    rows[k].t = 10 + static_cast<double>(k);
+    rows[k].F[Axis::x] = std::array{3., 8., 4.}[k];
+  }
+  rows.emplace_back().m = 3;
+  rows.back().t = 99;
+  const auto f = figures({rows}, Config());
+  const auto value = [&](const char* key) { return std::get<std::vector<double>>(figure(f, key))[0]; };
+  EXPECT_NEAR(value("edge_follow_mean_N"), 5, 1e-12);
+  EXPECT_NEAR(value("edge_follow_rms_N"), std::sqrt(17. / 3), 1e-12);
+  EXPECT_EQ(value("edge_follow_peak_N"), 8);
+  EXPECT_EQ(value("edge_follow_s"), 2);
+  EXPECT_EQ(f[0].info.high, 0.5);
+}
+
+TEST(EdgeFollowMemory, HasBoundsForEveryNumber) {
+  const auto allowed = [](const std::string& setting) {
+    Config config;
+    config.set("task." + setting);
+    try {
+      std::ignore = read_rule(config);
+    } catch (const ConfigError&) {
+      return false;
+    }
+    return true;
+  };
+  for (const char* good : {"force=1.0", "force=20.0", "speed_per_force=-0.01", "speed_per_force=0.01",
+                           "turn_per_force=0.0", "turn_per_force=1.0"})
+    EXPECT_TRUE(allowed(good)) << good;
+  for (const char* bad : {"force=0.99", "force=20.1", "speed_per_force=-0.011", "speed_per_force=0.011",
+                          "turn_per_force=-0.1", "turn_per_force=1.1"})
+    EXPECT_FALSE(allowed(bad)) << bad;
 }
 
 }  // namespace

@@ -97,6 +97,28 @@ TEST(ManualArm, AJogIsAddedToWhereTheArmIsAndInMotorsGoesByIncrements) {
   EXPECT_NEAR(path.set_position(path.macrosteps())[0], 0.15, kNear);
 }
 
+TEST(ManualArm, AMotionBeginsWhereTheArmIsInItsOwnSpace) {
+  X x = image({.kind = Kind::move});
+  const auto begins_at = [&](Representation space, const std::vector<double>& there) {
+    ManualOrder& o = x.T.manual;
+    o.space = space;
+    o.reference = Reference::absolute;
+    o.value = {};
+    std::ranges::copy(there, o.value.begin());
+    o.value[1] += 0.02;
+    const auto path = Play(x).x.c.path;
+    ASSERT_GT(path.macrosteps(), 0);
+    for (int k = 0; k < 6; ++k) {
+      EXPECT_NEAR(path.set_position(0)[k], there[static_cast<std::size_t>(k)], 1e-9)
+          << static_cast<int>(space);
+      EXPECT_NEAR(path.set_position(path.macrosteps())[k], o.value[static_cast<std::size_t>(k)], 1e-9);
+    }
+  };
+  begins_at(Representation::motors, {1, 2, 3, 4, 5, 6});
+  begins_at(Representation::joints, {0.1, -1.5, 0.1, 1.5, 1.5, -1.5});
+  begins_at(Representation::xyz_angle_axis, {0.9, 0, 1.2, 0, 3, 0});
+}
+
 TEST(ManualArm, AJogOfAPoseIsRelativeToTheTool) {
   // The tool points down, turned by 3 rad about y: along its z is away from its own z of the base.
   ManualOrder o{
@@ -125,6 +147,46 @@ TEST(ManualArm, HomingSetsTheToolAndAsksForItOnce) {
   EXPECT_EQ(play.x.c.done, 1);
 }
 
+TEST(ManualArm, HomingIsNotOverBeforeTheDriverHasBegunIt) {
+  const X first = image({.kind = Kind::home});
+  std::vector<X> images(200, first);
+  for (std::size_t k = 0; k < images.size(); ++k) {
+    images[k].e.verdict = Verdict::executed;
+    // Ready from before until it has got the order, and again when it knows its positions.
+    images[k].e.state = k >= 3 && k < 30 ? DriverState::homing : DriverState::ready;
+  }
+  images.back().T.finished = true;
+  ScriptPort<Arm> port(images);
+  X x = first;
+  EXPECT_EQ(run_program(x, port), Outcome::terminated);
+  EXPECT_EQ(x.c.done, 1);
+  EXPECT_FALSE(x.c.fault);
+  int finding = 0;
+  for (const auto& d : port.decisions()) finding += d.m == 2;
+  EXPECT_EQ(finding, 31);
+}
+
+TEST(ManualArm, EveryKindOfOrderExecutesItsOwnRowsAndNoOthers) {
+  const auto rows = [](Kind kind) {
+    X first = image({.kind = kind});
+    first.T.manual.space = Representation::joints;
+    first.T.manual.value = {0.2, -1.5, 0.1, 1.5, 1.5, -1.5};
+    first.e.state = DriverState::ready;
+    first.e.gripper = 0.2;
+    std::vector<int> all;
+    for (const auto& d : Play(first).decisions)
+      if (d.m != 1 && (all.empty() || all.back() != d.m)) all.push_back(d.m);
+    return all;
+  };
+  EXPECT_EQ(rows(Kind::nothing), std::vector<int>{});
+  EXPECT_EQ(rows(Kind::stop), std::vector<int>{});
+  EXPECT_EQ(rows(Kind::home), (std::vector<int>{2, 3, 4}));
+  EXPECT_EQ(rows(Kind::move), std::vector<int>{5});
+  EXPECT_EQ(rows(Kind::gripper), std::vector<int>{7});
+  for (const Kind kind : {Kind::tool, Kind::kinematic_model, Kind::servo_algorithm, Kind::bias, Kind::reset})
+    EXPECT_EQ(rows(kind), std::vector<int>{6}) << static_cast<int>(kind);
+}
+
 TEST(ManualArm, SetsWhatItIsTold) {
   ManualOrder servo{.kind = Kind::servo_algorithm};
   servo.algorithm = 1;
@@ -149,11 +211,37 @@ TEST(ManualArm, ARefusedOrderEndsWithItsReasonAndTheNextOneIsTaken) {
   EXPECT_EQ(play.decisions.back().y.T.fault.code, FaultCode::unknown_model);
 }
 
+TEST(ManualArm, AMotionThatIsNotExecutedToItsEndFailsOnceTheArmRestsAndTheSessionGoesOn) {
+  ManualOrder o{.kind = Kind::move, .space = Representation::joints};
+  o.value = {1, -1.5, 0.1, 1.5, 1.5, -1.5};
+  std::vector<X> images(60, image(o));
+  for (std::size_t k = 0; k < images.size(); ++k) {
+    EffectorReply& e = images[k].e;
+    e.verdict = k < 20 ? Verdict::executed : k == 20 ? Verdict::failed : Verdict::none;
+    e.state = k < 20 ? DriverState::executing : k < 25 ? DriverState::decelerating : DriverState::holding;
+    if (k >= 20 && k < 25) e.fault.code = FaultCode::excessive_torque;
+  }
+  images.back().T.finished = true;
+  ScriptPort<Arm> port(images);
+  X x = image(o);
+  EXPECT_EQ(run_program(x, port), Outcome::terminated);
+  EXPECT_EQ(x.c.done, 1);
+  EXPECT_EQ(x.c.fault.code, FaultCode::excessive_torque);
+  int moves = 0, moving = 0;
+  for (const auto& d : port.decisions()) {
+    moves += d.y.e.instruction == Instruction::set_get;
+    moving += d.m == 5;
+    EXPECT_NE(d.y.T.verdict, Verdict::failed) << "no fault of the system";
+  }
+  EXPECT_EQ(moves, 21);
+  EXPECT_EQ(moving, 26) << "the order ends when the arm holds";
+}
+
 TEST(ManualArm, AGoalOutOfReachFailsBeforeAnythingMoves) {
   struct UpToOne final : Reach {
-    [[nodiscard]] std::optional<Fault> objection(Representation space, const ecp::Coordinates& goal,
-                                                 const EffectorReply& now,
-                                                 std::optional<int> model) const override {
+    [[nodiscard]] std::optional<Fault> validation_error(Representation space, const ecp::Coordinates& goal,
+                                                        const EffectorReply& now,
+                                                        std::optional<int> model) const override {
       EXPECT_EQ(space, Representation::joints);
       EXPECT_EQ(now.joints[0], 0.1);
       EXPECT_EQ(model, std::nullopt);

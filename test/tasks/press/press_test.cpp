@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "base/script_port.hpp"
 
@@ -11,8 +12,9 @@ namespace {
 
 using X = Arm::X;
 
-X image(double Fz) {
+X image(double Fz, double force = 4) {
   X x;
+  x.c.value = force;
   x.e.F_a[Axis::z] = Fz;
   return x;
 }
@@ -28,6 +30,27 @@ TEST(Press, ApproachEndsWhenItPushesAndNotBefore) {
   EXPECT_TRUE(kPress[0].f_tau(image(3.7)));
   EXPECT_FALSE(kPress[0].f_tau(image(3.5)));
   EXPECT_FALSE(kPress[0].f_tau(image(-4)));
+}
+
+TEST(Press, TheForceIsAParameter) {
+  Config config = Config::parse("[task]\nforce = 7.5\n", "test");
+  EXPECT_EQ(read_force(config), 7.5);
+  EXPECT_EQ(read_force(Config()), 4);
+  for (const double wrong : {0.9, 10.1, -4.0}) {
+    Config bad;
+    bad.set("task.force=" + std::to_string(wrong));
+    EXPECT_THROW(static_cast<void>(read_force(bad)), ConfigError) << wrong;
+  }
+  const X x = image(7, 7.5);
+  EXPECT_TRUE(kPress[0].f_tau(x));
+  EXPECT_FALSE(kPress[0].f_tau(image(6.7, 7.5)));
+  const AxisCommand approach = kPress[0].f_ce(x).arm.frame.z;
+  EXPECT_DOUBLE_EQ(approach.velocity / approach.mobility, 7.5);
+  EXPECT_EQ(kPress[2].f_ce(x).arm.frame.z.force, 7.5);
+  for (const mp::TaskFigure& f : figures({{}}, config))
+    if (f.info.key != "approach_peak_N") {
+      EXPECT_NEAR((f.info.low + f.info.high) / 2, 7.5, 1e-12) << f.info.key;
+    }
 }
 
 TEST(Press, EveryOtherBehaviourTakesItsTimeWhateverTheForce) {
@@ -69,6 +92,53 @@ TEST(Press, FiguresAreThePeakAndTheEndOfTheApproach) {
   EXPECT_EQ(std::get<double>(figure(f, "approach_settled_N")), 4);
   EXPECT_NEAR(std::get<double>(figure(f, "hold_N")), 3.9, 1e-12);
   EXPECT_TRUE(std::isnan(std::get<double>(figure(figures({{}}, Config()), "approach_peak_N"))));
+}
+
+TEST(Press, ItsNumbersAreThoseOfTheTutorial) {
+  const auto z = [](std::size_t row, double force) { return kPress[row].f_ce(image(0, force)).arm.frame.z; };
+  for (const double force : {4.0, 8.0}) {
+    EXPECT_EQ(z(0, force), g(0.0025 * force, 5, 0.0025));
+    EXPECT_EQ(z(2, force), c(force, 20, 0.005));
+    EXPECT_EQ(z(3, force), u(-0.02));
+    EXPECT_FALSE(kPress[0].f_tau(image(0.9 * force, force)));
+    EXPECT_TRUE(kPress[0].f_tau(image(0.9 * force + 1e-9, force)));
+  }
+  for (std::size_t k = 0; k < kPress.size(); ++k) {
+    EXPECT_EQ(kPress[k].m, static_cast<int>(k) + 1);
+    for (const double Fz : {-1.0, 5.0})
+      EXPECT_EQ(kPress[k].f_ce(image(Fz)).instruction, Instruction::set_get);
+  }
+}
+
+TEST(Press, AForceIsAsWantedWithinTwoAndAHalfPerCentAndItsPeakIsNotJudged) {
+  for (const mp::TaskFigure& f : figures({{}}, Config::parse("[task]\nforce = 8\n", "test")))
+    if (f.info.key == "approach_peak_N") {
+      EXPECT_EQ(mp::wanted(f.info), "");
+    } else {
+      EXPECT_NEAR(f.info.low, 7.8, 1e-12) << f.info.key;
+      EXPECT_NEAR(f.info.high, 8.2, 1e-12) << f.info.key;
+    }
+}
+
+TEST(Press, TheHeldForceIsThatOfItsLastSecondAndThePeakThatOfBothApproaches) {
+  mp::ArmTrace rows;
+  const auto fill = [&](int m, double from, double Fz) {
+    for (double t = from; t < from + 1; t += 0.1) {
+      mp::ArmRow& row = rows.emplace_back();
+      row.m = m;
+      row.t = t;
+      row.F[Axis::z] = Fz;
+    }
+  };
+  fill(1, 0, 1);
+  fill(2, 1, 9);
+  fill(2, 2, 3);
+  fill(3, 3, 20);
+  fill(3, 4, 5);
+  const auto f = figures({rows}, Config());
+  EXPECT_EQ(std::get<double>(figure(f, "approach_peak_N")), 9);
+  EXPECT_NEAR(std::get<double>(figure(f, "approach_settled_N")), 3, 1e-12);
+  EXPECT_NEAR(std::get<double>(figure(f, "hold_N")), 5, 1e-12);
 }
 
 }  // namespace

@@ -83,27 +83,27 @@ TEST(RubikPlots, ShowsATurnThatWasDoneAndOfAQuarterIfThereIsOne) {
   record.traces[0] = approach();
   record.traces[1] = turning();
   const auto drawn = [&] { return plots(record).size() == 3; };
-  CycleNote note{
+  CycleRecord entry{
       .comes = Hand::postument, .leaves = Hand::track, .turn = Move(Face::U, 1), .begun = 1, .ended = 340};
-  note.given_up = true;
-  record.journal.push_back(note);
+  entry.given_up = true;
+  record.execution_log.push_back(entry);
   EXPECT_FALSE(drawn()) << "the face jammed";
-  note = {
+  entry = {
       .comes = Hand::postument, .leaves = Hand::track, .turn = Move(Face::U, 2), .begun = 1, .ended = 340};
-  note.done = true;
-  record.journal.push_back(note);
+  entry.done = true;
+  record.execution_log.push_back(entry);
   EXPECT_TRUE(drawn());
-  note.turn = Move(Face::U, 3);
-  note.begun = 400;
-  note.ended = 500;
-  record.journal.push_back(note);
+  entry.turn = Move(Face::U, 3);
+  entry.begun = 400;
+  entry.ended = 500;
+  record.execution_log.push_back(entry);
   EXPECT_EQ(plots(record).size(), 1u) << "the quarter, of which there are no rows";
 }
 
 TEST(RubikPlots, ARunWithoutATurnHasNoPictures) {
   RunRecord record;
   EXPECT_TRUE(plots(record).empty());
-  record.journal.push_back(
+  record.execution_log.push_back(
       {.comes = Hand::track, .leaves = Hand::track, .turn = std::nullopt, .begun = 0, .ended = 10});
   EXPECT_TRUE(plots(record).empty());
 }
@@ -112,12 +112,12 @@ TEST(RubikPlots, DrawsTheFirstTurnFromTheArmsTables) {
   RunRecord record;
   record.traces[0] = approach();
   record.traces[1] = turning();
-  record.journal.push_back({.comes = Hand::postument,
-                            .leaves = Hand::track,
-                            .turn = Move(Face::U, 1),
-                            .begun = 1,
-                            .ended = 340,
-                            .done = true});
+  record.execution_log.push_back({.comes = Hand::postument,
+                                  .leaves = Hand::track,
+                                  .turn = Move(Face::U, 1),
+                                  .begun = 1,
+                                  .ended = 340,
+                                  .done = true});
   const auto all = plots(record);
   ASSERT_EQ(all.size(), 3u);
   EXPECT_EQ(all[0].first, "fig16_approach");
@@ -125,6 +125,16 @@ TEST(RubikPlots, DrawsTheFirstTurnFromTheArmsTables) {
   EXPECT_EQ(all[1].first, "fig17_turn");
   EXPECT_NE(all[1].second.find("arm2.csv"), std::string::npos);
   EXPECT_NE(all[1].second.find("label 'H'"), std::string::npos);
+  for (const auto& [name, script] : {all[0], all[1]})
+    EXPECT_NE(script.find("set xlabel 'simulated time t [s]'"), std::string::npos) << name;
+  EXPECT_NE(all[0].second.find("'A free motion ends, impact,  B the force has settled'"), std::string::npos);
+  for (const char* words :
+       {"A the grasp begins", "D the face breaks away", "H the jaws have opened", "'5 turn'", "turn U"})
+    EXPECT_NE(all[1].second.find(words), std::string::npos) << words << "\n" << all[1].second;
+  EXPECT_NE(all[1].second.find("set xrange [2:"), std::string::npos)
+      << "the grasp begins in macrostep 100 of 20 ms";
+  for (const char* words : {"force [N]", "torque [N m]", "set title"})
+    EXPECT_NE(all[2].second.find(words), std::string::npos) << words;
 }
 
 }  // namespace

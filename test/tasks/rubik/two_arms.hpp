@@ -21,16 +21,16 @@ class TwoArms {
   std::function<bool(int turn)> jams = [](int) { return false; };  ///< attempt at m = 5, counted from 1
   std::function<bool(int grip)> misses = [](int) { return false; };
   std::function<bool(int grip)> finds_nothing = [](int) { return false; };
-  bool passes_by{};                                    ///< who finds nothing goes on; else it does not move
-  bool gone{};                                         ///< the second arm's hand is empty
-  bool stays{};                                        ///< a face that jams cannot be turned back either
-  double meets_at{0.01};                               ///< way of the worker to the cube [m]
-  bool drops{};                                        ///< the holder's jaws close in m = 5
-  bool drops_late{};                                   ///< those of the hand that stays close in m = 6
-  std::vector<int> behaviours;                         ///< of the coordinator, one after another
-  std::array<std::vector<PoseNumbers>, kArms> points;  ///< that each arm was told
-  std::vector<TurnOrder> turns;                        ///< ordered, at the begin of each m = 5
-  std::array<std::int64_t, kArms> begun{};             ///< macrostep in which each arm first set out
+  bool passes_by{};                                  ///< who finds nothing goes on; else it does not move
+  bool gone{};                                       ///< the second arm's hand is empty
+  bool stays{};                                      ///< a face that jams cannot be turned back either
+  double meets_at{0.01};                             ///< way of the worker to the cube [m]
+  bool drops{};                                      ///< the holder's jaws close in m = 5
+  bool drops_late{};                                 ///< those of the hand that stays close in m = 6
+  std::vector<int> behaviours;                       ///< of the coordinator, one after another
+  std::array<std::vector<PathPoint>, kArms> points;  ///< that each arm was told
+  std::vector<TurnOrder> turns;                      ///< ordered, at the begin of each m = 5
+  std::array<std::int64_t, kArms> begun{};           ///< macrostep in which each arm first set out
 
   static constexpr int kGoing = 20;  ///< macrosteps that a free motion takes
 
@@ -39,9 +39,9 @@ class TwoArms {
       behaviours.push_back(motion.m);
       age_ = 0;
       if (motion.m == 1) ++grips_;
-      if (motion.m == 5) turns.push_back(turn_of(y.T[1]));
+      if (motion.m == 5) turns.push_back(y.T[1].cube.turn);
       if (motion.m == 5) begun_ = angle_;
-      if (motion.m == kTakeWay) taken_ = {};
+      if (motion.m == kTakePath) taken_ = {};
     }
     ++age_;
     for (std::size_t arm = 0; arm < kArms; ++arm) obey(arm, y.T[arm]);
@@ -54,20 +54,20 @@ class TwoArms {
   }
 
  private:
-  void obey(std::size_t arm, const Order& o) {
-    Report& r = reports_[arm];
+  void obey(std::size_t arm, const ArmOrder& o) {
+    ArmReport& r = reports_[arm];
     r.ready = true;
     r.m = o.m;
     r.event = 0;
     r.driver_state = o.m < kWait ? DriverState::executing : DriverState::holding;
     if (r.gripper == 0) r.gripper = 0.0568;
     const bool acts = o.variant == kActs && age_ > 5;
-    if (o.m == kTakeWay && o.variant == taken_[arm] && o.arm.representation == Representation::motors) {
-      points[arm].push_back(o.arm.pose);
+    if (o.m == kTakePath && o.variant == taken_[arm] && o.cube.point.sound()) {
+      points[arm].push_back(o.cube.point);
       ++taken_[arm];
     }
-    if (o.m == kTakeWay) jaws_[arm] = o.arm.gripper;
-    if (o.m == kTakeWay) r.sensor = taken_[arm];
+    if (o.m == kTakePath) jaws_[arm] = o.cube.jaws;
+    if (o.m == kTakePath) r.cube.points = taken_[arm];
     if (o.m == kGo && ++going_[arm] == 1 && begun[arm] == 0) begun[arm] = i_;
     if (o.m != kGo) going_[arm] = 0;
     if (o.m == kGo && going_[arm] > kGoing) {
@@ -97,10 +97,10 @@ class TwoArms {
     r.gripper = misses(grips_) ? 0.056 : 0.0568;
     r.event = misses(grips_) ? 0 : 4;
   }
-  void turn(Report& r, const Order& o, bool acts) {
+  void turn(Report& r, const ArmOrder& o, bool acts) {
     if (drops) r.gripper = 0.054;
     if (!acts) return;
-    const TurnOrder t = turn_of(o);
+    const TurnOrder t = o.cube.turn;
     const bool jammed = jams(static_cast<int>(turns.size()));
     const double most = jammed ? 0.4 : 10;
     if (jammed) stands_ = stays && std::abs(angle_ - begun_) >= most;
@@ -109,7 +109,7 @@ class TwoArms {
     if (std::copysign(1., t.torque) * (angle_ - begun_) >= t.angle) r.event = 5;
   }
 
-  std::array<Report, kArms> reports_;
+  std::array<ArmReport, kArms> reports_;
   std::array<int, kArms> taken_{}, going_{};
   std::array<double, kArms> jaws_{};
   double angle_{}, begun_{};

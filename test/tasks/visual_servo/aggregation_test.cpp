@@ -81,6 +81,30 @@ TEST(Aggregation, SwitchingTakesTheSmallerError) {
   EXPECT_EQ(aggregate(Aggregation::switching, turned, near_one).e.R, near_one.e.R);
 }
 
+TEST(Aggregation, OfTheMeanTheVarianceIsAQuarterOfTheSum) {
+  std::mt19937_64 random(5);
+  for (int k = 0; k < 100; ++k) {
+    const Pose e = random_pose(random);
+    const CameraError a = near(random, e, 0.1), b = near(random, e, 0.1);
+    const CameraError c = aggregate(Aggregation::mean, a, b);
+    EXPECT_LT((4 * c.covariance - a.covariance - b.covariance).norm(), 1e-15);
+    EXPECT_LT(distance(a.e * (a.e.inverse() * c.e) * (a.e.inverse() * c.e), b.e), 1e-12) << "half of the way";
+  }
+}
+
+TEST(Aggregation, TheSmallerErrorKeepsItsOwnVariance) {
+  std::mt19937_64 random(6);
+  const CameraError small{{Matrix3::Identity(), {0.01, 0, 0}}, random_covariance(random)};
+  const CameraError large{{Matrix3::Identity(), {0, 0.02, 0}}, random_covariance(random)};
+  EXPECT_EQ(aggregate(Aggregation::switching, small, large).covariance, small.covariance);
+  EXPECT_EQ(aggregate(Aggregation::switching, large, small).covariance, small.covariance);
+}
+
+TEST(Aggregation, ARadianCountsAsMuchAsTheLever) {
+  EXPECT_NEAR(length_of({rotation_from_angle_axis({0, 0.5, 0}), {0, 0, 0}}), 0.5 * kLever, 1e-12);
+  EXPECT_NEAR(length_of({rotation_from_angle_axis({0, 0, 0.15}), {0, 0.04, 0}}), 0.05, 1e-12);
+}
+
 TEST(Aggregation, WeightsAreTheInverseCovariances) {
   const Pose a{Matrix3::Identity(), {0, 0, 0}}, b{Matrix3::Identity(), {1, 1, 1}};
   Vector6 three;

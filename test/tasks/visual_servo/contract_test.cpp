@@ -41,7 +41,7 @@ struct VisualServo {
     port.read(x);
     visual_servo::Parameters k;
     k.duration = 400;
-    k.patience = 15;
+    k.timeout = 15;
     x.c = visual_servo::begin(k, x.i);
     return visual_servo::run_program(x, port);
   }

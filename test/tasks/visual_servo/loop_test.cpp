@@ -133,7 +133,7 @@ TEST(ServoLoop, WaitsForAnObjectThatIsAbsentAtFirst) {
 TEST(ServoLoop, NeverMovesWithoutAnObjectAndGivesUp) {
   CellParameters p = as_in_fig_28();
   p.hidden = [](auto&&...) { return true; };
-  p.k.patience = 60;
+  p.k.timeout = 60;
   SyntheticCell cell(p);
   EXPECT_EQ(cell.run(), Outcome::aborted) << "it tells until it is stopped";
   for (const auto& row : cell.rows) EXPECT_EQ((row.T_0E.p - p.T_0E.p).norm(), 0);

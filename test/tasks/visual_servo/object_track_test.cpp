@@ -105,6 +105,71 @@ TEST(ObjectTrack, ForgetsAnObjectThatJumpsOrWasAwayForLong) {
   EXPECT_GT(see({}, track, film.picture(600), kDt).v.x(), 0.08);
 }
 
+TEST(ObjectTrack, AJumpBeyondEitherBoundIsANewObjectAndOneBelowBothIsNot) {
+  Filmed film({{0.1, 0, 0}, {0, 0, 0}}, 1e-4, 1);
+  const TrackParameters k{.jump = 0.05, .angular_jump = 0.5};
+  const ObjectTrack track = film.film(k, 30);
+  const auto is_new = [&](double way, double angle) {
+    Sighting seen = film.picture(600);
+    seen.T_0G.p.z() -= way;
+    seen.T_0G.R = rotation_from_angle_axis({0, -angle, 0}) * seen.T_0G.R;
+    const ObjectTrack after = see(k, track, seen, kDt);
+    return after.v == Vector3::Zero() && after.omega == Vector3::Zero();
+  };
+  EXPECT_FALSE(is_new(0.045, 0.45));
+  EXPECT_TRUE(is_new(0.055, 0));
+  EXPECT_TRUE(is_new(0, 0.55)) << "turned where it was";
+}
+
+TEST(ObjectTrack, AnObjectIsRememberedForTheMemoryAndNoLonger) {
+  const TrackParameters k{.memory = 100};
+  Filmed film({{0.1, 0, 0}, {0, 0, 0.2}}, 1e-4, 3);
+  const ObjectTrack track = film.film(k, 30);  // the last picture: step 580
+  EXPECT_NE(see(k, track, film.picture(580 + 100), kDt).v, Vector3(0, 0, 0));
+  const ObjectTrack anew = see(k, track, film.picture(580 + 101), kDt);
+  EXPECT_EQ(anew.v, Vector3(0, 0, 0));
+  EXPECT_EQ(anew.omega, Vector3(0, 0, 0));
+  EXPECT_NEAR(anew.P(0, 0), 1e-8, 1e-12) << "as sure as the picture";
+  EXPECT_NEAR(anew.P(6, 6), k.speed * k.speed, 1e-12);
+  EXPECT_NEAR(anew.P(11, 11), k.angular_speed * k.angular_speed, 1e-12);
+}
+
+// The filter's variances by hand, for one axis and a time of one second.
+TEST(ObjectTrack, BecomesUnsureAsAccelerationsAllow) {
+  const TrackParameters k{.acceleration = 0.2,
+                          .angular_acceleration = 0.6,
+                          .speed = 0.3,
+                          .angular_speed = 0.5,
+                          .jump = 10,
+                          .angular_jump = 3,
+                          .memory = 10'000};
+  ObjectTrack track = see(k, {}, {0, {}, 1e-4 * Matrix6::Identity()}, kDt);
+  const Matrix6 nothing = 1e12 * Matrix6::Identity();  // a picture that says nothing: the prediction stays
+  track = see(k, track, {500, {}, nothing}, kDt);
+  EXPECT_NEAR(track.P(0, 0), 1e-4 + 0.09 + 0.25 * 0.04, 1e-9);
+  EXPECT_NEAR(track.P(1, 7), 0.09 + 0.5 * 0.04, 1e-9);
+  EXPECT_NEAR(track.P(8, 8), 0.09 + 0.04, 1e-9);
+  EXPECT_NEAR(track.P(3, 3), 1e-4 + 0.25 + 0.25 * 0.36, 1e-9);
+  EXPECT_NEAR(track.P(10, 10), 0.25 + 0.36, 1e-9);
+  EXPECT_NEAR(track.P(0, 1), 0, 1e-9);
+}
+
+TEST(ObjectTrack, AVelocityIsShrunkByWhatItsUncertaintyAccountsFor) {
+  const TrackParameters k{.significance = 2};
+  ObjectTrack track;
+  track.known = true;
+  track.P = 1e-4 * ObjectTrack::Covariance::Identity();
+  track.v = {0.04, 0, 0};  // four standard deviations
+  track.omega = {0, 0, -0.019};
+  const ObjectMotion motion = significant_motion(k, track);
+  EXPECT_NEAR(motion.v.x(), 0.75 * 0.04, 1e-12);
+  EXPECT_EQ(motion.omega, Vector3(0, 0, 0)) << "less than two";
+  track.omega = {0, 0, -0.04};
+  EXPECT_NEAR(significant_motion(k, track).omega.z(), -0.75 * 0.04, 1e-12);
+  track.known = false;
+  EXPECT_EQ(significant_motion(k, track).v, Vector3(0, 0, 0));
+}
+
 TEST(ObjectTrack, IgnoresAPictureThatIsOlderThanWhatItKnows) {
   Filmed film({}, 1e-4, 1);
   const ObjectTrack track = film.film({}, 30);

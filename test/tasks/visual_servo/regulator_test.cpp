@@ -39,8 +39,13 @@ TEST(Regulator, IsQuietWhenNoiseExplainsTheError) {
   const RegulatorParameters k;
   const Matrix6 covariance = 1e-6 * Matrix6::Identity();  // 1 mm, 1 mrad
   const auto gain = [&](double mm) {
-    return quieted(k, {Matrix3::Identity(), {1e-3 * mm, 0, 0}}, covariance).gain;
+    const RegulatorParameters quiet = quieted(k, {Matrix3::Identity(), {1e-3 * mm, 0, 0}}, covariance);
+    EXPECT_NEAR(quiet.angular_gain / k.angular_gain, quiet.gain / k.gain, 1e-12) << "both gains alike";
+    EXPECT_EQ(quiet.speed, k.speed);
+    return quiet.gain;
   };
+  // 1 - (3/6)^2 of what is left above the quiet share.
+  EXPECT_NEAR(gain(6), k.gain * (k.quiet + (1 - k.quiet) * 0.75), 1e-9);
   EXPECT_EQ(gain(0), k.quiet * k.gain);
   EXPECT_EQ(gain(2.9), k.quiet * k.gain);
   EXPECT_GT(gain(4), gain(3.1));
@@ -65,6 +70,57 @@ TEST(Regulator, ChangesTheMotionNoFasterThanTheClip) {
     EXPECT_LE(r.tail<3>().norm(), k.top_angular_speed * kStep * (1 + 1e-9));
     before = r;
   }
+}
+
+// Below both clips nothing is lost, above each of them exactly the clip is left, whatever the other one does.
+TEST(Regulator, EachClipIsReachedAndBelowItNothingIsClipped) {
+  const RegulatorParameters k{
+      .top_speed = 0.4, .top_angular_speed = 0.9, .acceleration = 2, .angular_acceleration = 5};
+  const double most = k.acceleration * kStep * kStep, most_angle = k.angular_acceleration * kStep * kStep;
+  const Vector3 way = Vector3(1, -2, 2) / 3, axis = Vector3(2, 1, -2) / 3;
+  const auto from_rest = [&](double length, double angle) {
+    AngleAxisPose r;
+    r << length * way, angle * axis;
+    return angle_axis_from_pose(smooth(k, pose_from_angle_axis(r), {}, kStep));
+  };
+  for (const double share : {0.5, 0.99, 1.01, 2.0})
+    for (const double angular_share : {0.5, 0.99, 1.01, 2.0}) {
+      const AngleAxisPose r = from_rest(share * most, angular_share * most_angle);
+      EXPECT_LT((r.head<3>() - std::min(1., share) * most * way).norm(), 1e-12) << share;
+      EXPECT_LT((r.tail<3>() - std::min(1., angular_share) * most_angle * axis).norm(), 1e-12)
+          << angular_share;
+    }
+}
+
+TEST(Regulator, TheTopSpeedsAreReachedByWhoeverIsToldToBeFaster) {
+  const RegulatorParameters k{.top_speed = 0.4, .top_angular_speed = 0.9};
+  AngleAxisPose wanted;
+  wanted << 0, 0.3, 0.4, 0.5, 0, 0;
+  Pose now;
+  for (int n = 0; n < 200; ++n) now = smooth(k, pose_from_angle_axis(wanted), now, kStep);
+  const AngleAxisPose r = angle_axis_from_pose(now);
+  EXPECT_LT((r.head<3>() - Vector3(0, 0.6, 0.8) * k.top_speed * kStep).norm(), 1e-12);
+  EXPECT_LT((r.tail<3>() - Vector3(k.top_angular_speed * kStep, 0, 0)).norm(), 1e-9);
+}
+
+TEST(Regulator, EasedIsSlowerInAllSpeedsAndInNothingElse) {
+  const RegulatorParameters k{.gain = 0.2,
+                              .angular_gain = 0.4,
+                              .speed = 1,
+                              .angular_speed = 2,
+                              .top_speed = 3,
+                              .top_angular_speed = 4,
+                              .acceleration = 5,
+                              .angular_acceleration = 6};
+  const RegulatorParameters slower = eased(k, 0.5);
+  EXPECT_EQ(slower.speed, 0.5);
+  EXPECT_EQ(slower.angular_speed, 1);
+  EXPECT_EQ(slower.top_speed, 1.5);
+  EXPECT_EQ(slower.top_angular_speed, 2);
+  EXPECT_EQ(slower.gain, k.gain);
+  EXPECT_EQ(slower.angular_gain, k.angular_gain);
+  EXPECT_EQ(slower.acceleration, k.acceleration);
+  EXPECT_EQ(slower.angular_acceleration, k.angular_acceleration);
 }
 
 TEST(Regulator, ReachesAMotionThatItIsToldForLongEnough) {

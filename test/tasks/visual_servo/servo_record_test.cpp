@@ -1,6 +1,11 @@
+// The record of a visual servo: it joins reports with the truth, and passes over a report that never comes.
 #include "tasks/visual_servo/servo_record.hpp"
 
 #include <gtest/gtest.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
 
 #include "base/link/memory_bus.hpp"
 #include "tasks/visual_servo/program.hpp"
@@ -63,20 +68,72 @@ TEST(ServoRecord, WithoutATruthTheObjectIsNotThere) {
   EXPECT_TRUE(table[2].object_there) << "the last truth stands";
 }
 
-TEST(ServoRecord, CollectsEveryMessageOnceAndWaitsForOneThatIsMissing) {
-  link::MemoryHub hub;
-  const auto mp_bus = hub.open(), ecp_bus = hub.open();
-  const link::Membership membership{.session = "t", .name = "mp", .roster = {"mp"}};
-  link::Process mp(*mp_bus, membership);
-  ServoRecord record(mp, "arm1");
-  link::Outbox<servo_report_t> out(*ecp_bus, mp.route("arm1.servo"), membership.session_id);
-  for (const std::int64_t stamp : {5, 6, 8, 7, 9}) {
-    out.publish(report(stamp), stamp);
-    mp.poll();
-    record.collect();
+/// A record of MP's that hears what an ECP reports.
+class RecordedReports {
+ public:
+  void take(std::int64_t stamp) {
+    out_.publish(report(stamp), stamp);
+    mp_.poll();
+    record_.collect();
   }
-  ASSERT_EQ(record.reports().size(), 5u);
-  for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(record.reports()[k].step, static_cast<std::int64_t>(5 + k));
+  [[nodiscard]] const auto& collected() const { return record_.reports(); }
+
+ private:
+  link::MemoryHub hub_;
+  std::unique_ptr<link::Bus> mp_bus_{hub_.open()}, ecp_bus_{hub_.open()};
+  link::NodeContext context_{.session = "t", .name = "mp", .roster = {"mp"}};
+  link::Process mp_{*mp_bus_, context_};
+  ServoRecord record_{mp_, "arm1"};
+  link::Outbox<servo_report_t> out_{*ecp_bus_, mp_.route("arm1.servo"), context_.session_id};
+};
+
+TEST(ServoRecord, CollectsEveryMessageOnceAndWaitsForOneThatIsMissing) {
+  RecordedReports reports;
+  for (const std::int64_t stamp : {5, 6, 8, 7, 9}) reports.take(stamp);
+  ASSERT_EQ(reports.collected().size(), 5u);
+  for (std::size_t k = 0; k < 5; ++k)
+    EXPECT_EQ(reports.collected()[k].step, static_cast<std::int64_t>(5 + k));
+}
+
+TEST(ServoRecord, TellsWhichCamerasSawAndWhatWasRefused) {
+  servo_report_t r = report(100);
+  r.seen[0] = 0;
+  r.seen[1] = 1;
+  r.refused = 1;
+  const auto table = join({report(79), r}, {}, {}, 0.002);
+  EXPECT_TRUE(table[0].sac_seen);
+  EXPECT_FALSE(table[0].eih_seen);
+  EXPECT_FALSE(table[0].refused);
+  EXPECT_FALSE(table[1].sac_seen);
+  EXPECT_TRUE(table[1].eih_seen);
+  EXPECT_TRUE(table[1].refused);
+  EXPECT_EQ(table[1].k, 1);
+}
+
+TEST(ServoRecord, AnObjectThatCreepsIsAtRest) {
+  const auto speed = [](double metres_per_second) {
+    const double way = metres_per_second * 20 * 0.002;
+    return join({report(100)}, {truth(100, 0), truth(120, way)}, {}, 0.002).at(0).v.norm();
+  };
+  EXPECT_EQ(speed(0.9e-4), 0);
+  EXPECT_NEAR(speed(1.1e-4), 1.1e-4, 1e-12);
+}
+
+TEST(ServoRecord, BetweenTwoTruthsOneOfWhichSaysThatItIsAwayItIsAway) {
+  EXPECT_FALSE(join({report(110)}, {truth(100, 0), truth(120, 0, false)}, {}, 0.002)[0].object_there);
+  EXPECT_FALSE(join({report(110)}, {truth(100, 0, false), truth(120, 0)}, {}, 0.002)[0].object_there);
+  EXPECT_TRUE(join({report(110)}, {truth(100, 0), truth(120, 0)}, {}, 0.002)[0].object_there);
+}
+
+// A message that does not come is passed over when eight later ones are there.
+TEST(ServoRecord, AMessageThatNeverComesIsNotWaitedForForEver) {
+  RecordedReports reports;
+  std::vector<std::size_t> collected;
+  for (const std::int64_t stamp : {5, 7, 8, 9, 10, 11, 12, 13, 14, 15}) {  // 6 is lost
+    reports.take(stamp);
+    collected.push_back(reports.collected().size());
+  }
+  EXPECT_EQ(collected, (std::vector<std::size_t>{1, 1, 1, 1, 1, 1, 1, 1, 9, 10}));
 }
 
 }  // namespace

@@ -94,5 +94,85 @@ TEST(ServoTableFile, HasTheColumnsThatScriptsRelyOn) {
   EXPECT_FALSE(std::getline(in, line));
 }
 
+TEST(ServoFigures, CountRefusalsOnlyWhenThereAreAny) {
+  ServoTable table = approach({300, 200, 100});
+  EXPECT_EQ(figure(table, "refused_steps"), -1);
+  table[0].refused = table[2].refused = true;
+  EXPECT_EQ(figure(table, "refused_steps"), 2);
+}
+
+TEST(ServoFigures, OneCameraIsEnoughToSee) {
+  ServoTable table = approach({300, 200, 100, 50});
+  for (ServoRow& row : table) std::swap(row.sac_seen, row.eih_seen);
+  table[1].eih_seen = false;
+  table[2].sac_seen = true;
+  EXPECT_EQ(figure(table, "unseen_pct"), 25);
+}
+
+TEST(ServoFigures, TwoMillimetresAreNotBelowTwo) {
+  EXPECT_EQ(figure(approach({300, 1.9, 1.9, 1.9}), "steps_to_2mm"), 1);
+  EXPECT_EQ(figure(approach({300, 2.1, 1.9, 1.9}), "steps_to_2mm"), 2);
+  EXPECT_TRUE(std::isnan(figure(approach({300, 1, 2.1}), "steps_to_2mm")));
+  EXPECT_EQ(figure(approach({1, 1, 1}), "steps_to_2mm"), 0);
+}
+
+TEST(ServoFigures, OvershootIsAlongTheWayFromTheFirstPlaceThatWasSeen) {
+  ServoTable table = approach({-900, 200, 0, -10, 0});
+  table[0].sac_seen = false;
+  table[3].true_e.p.y() = 0.5;  // sideways does not count
+  EXPECT_NEAR(figure(table, "overshoot_pct"), 5, 1e-9);
+  EXPECT_EQ(figure(approach({300, 200, 100}), "overshoot_pct"), 0);
+  table = approach({200, 0, -10, 0});
+  for (ServoRow& row : table) {
+    row.T_0E.R = rotation_from_angle_axis({0, 0, std::numbers::pi / 2});
+    row.true_e.p = row.T_0E.R.transpose() * row.true_e.p;
+  }
+  EXPECT_NEAR(figure(table, "overshoot_pct"), 5, 1e-9) << "whatever the orientation";
+}
+
+TEST(ServoFigures, OfAnObjectThatComesToRestAreThoseOfItsMotionAndOfItsEnd) {
+  ServoTable table = approach(std::vector<double>(60, 7));
+  for (ServoRow& row : table) {
+    if (row.k < 45) row.v = {0, 0.1, 0};
+    if (row.k < 20) row.true_e.p.x() = 0.1;
+    if (row.k >= 45) row.true_e.p.x() = 3e-3;
+  }
+  EXPECT_NEAR(figure(table, "follow_err_mm"), 7, 1e-9) << "the last two seconds of the motion";
+  EXPECT_NEAR(figure(table, "final_err_mm"), 3, 1e-9);
+  EXPECT_EQ(figure(table, "overshoot_pct"), -1) << "it has moved";
+  EXPECT_EQ(figure(table, "steps_to_2mm"), -1);
+  EXPECT_NEAR(figure(table, "line_lag_mm"), 0, 1e-9) << "the error is across the line";
+}
+
+TEST(ServoFigures, ALineMayTurnByTwoDegreesAndNoMore) {
+  const auto lag = [](double degrees) {
+    ServoTable table = approach(std::vector<double>(10, 7));
+    for (ServoRow& row : table) row.v = {0.1, 0, 0};
+    const double a = degrees * std::numbers::pi / 180;
+    table.back().v = {0.2 * std::cos(a), 0.2 * std::sin(a), 0};
+    return figure(table, "line_lag_mm");
+  };
+  EXPECT_NEAR(lag(2), 7, 1e-9);
+  EXPECT_EQ(lag(3), -1);
+  EXPECT_EQ(lag(180), -1);
+}
+
+TEST(ServoTableFile, LeavesOutTheTruthOfAnObjectThatIsNotThereAndTellsAnglesInDegrees) {
+  ServoTable table = approach({0, 0});
+  table[0].object_there = false;
+  table[1].true_e.R = rotation_from_angle_axis({0, std::numbers::pi / 6, 0});
+  table[1].true_e.p = {0.003, 0, 0.004};
+  table[1].eih_seen = true;
+  const auto file = std::filesystem::path(testing::TempDir()) / "servo_truth.csv";
+  write_servo_table(file, table);
+  std::ifstream in(file);
+  std::string line;
+  std::getline(in, line);
+  std::getline(in, line);
+  EXPECT_EQ(line, "0,0.000,1,1,0,0.000000,0.000000,0.000000,0.000000,nan,nan");
+  std::getline(in, line);
+  EXPECT_EQ(line, "1,0.100,1,1,1,0.000000,0.000000,0.000000,0.000000,5.0000,30.0000");
+}
+
 }  // namespace
 }  // namespace mrroc::visual_servo

@@ -31,7 +31,7 @@ inline Parameters parameters() {
   return k;
 }
 
-/// What a cell is made of.
+/// Parameters of a cell.
 struct CellParameters {
   Parameters k = parameters();
   std::function<Pose(double t)> object = [](double) { return object_at(1, 0, 0.05); };

@@ -134,22 +134,77 @@ TEST(ServoTable, TheTaskEndsWithItsTimeAndIsGivenUpWhenNothingIsSeenForTooLong) 
   ++x.i;
   EXPECT_TRUE(done(x));
   for (const Selectable& row : kBehaviours) EXPECT_TRUE(row.motion.f_tau(x));
-  x.i = x.c.seen_in + x.c.k.patience - 1;
+  x.i = x.c.seen_in + x.c.k.timeout - 1;
   EXPECT_FALSE(in_vain(x));
   ++x.i;
   EXPECT_TRUE(in_vain(x));
-  x.c.k.patience = 0;
-  EXPECT_FALSE(in_vain(x)) << "no patience: it waits for ever";
+  x.c.k.timeout = 0;
+  EXPECT_FALSE(in_vain(x)) << "no timeout: it waits for ever";
 }
 
 TEST(ServoTable, GivingUpTellsTheCoordinatorWhy) {
-  X x = image({});
-  x.i = x.c.seen_in + x.c.k.patience;
+  X x = image({CameraCase{Told::not_seen, 60}, CameraCase{Told::seen, 61}});
+  x.i = x.c.seen_in + x.c.k.timeout;
   const Report r = kGiveUp.f_cT(x);
   EXPECT_EQ(r.fault.code, FaultCode::object_not_seen);
   EXPECT_NE(r.verdict, Verdict::none);
   EXPECT_NEAR(r.fault.value, r.fault.limit, 1e-9);
   EXPECT_EQ(kGiveUp.f_ce(x).instruction, Instruction::keep);
+}
+
+TEST(ServoTable, GivingUpBlamesTheHostWhenTheNewestPictureOfEveryCameraIsTooOld) {
+  for (const auto& [sac, eih, late] :
+       {std::tuple{CameraCase{Told::seen, 61}, CameraCase{Told::seen, 300}, true},
+        {CameraCase{Told::seen, 61}, CameraCase{Told::not_seen, 61}, true},
+        {CameraCase{}, CameraCase{Told::seen, 61}, true},
+        {CameraCase{}, CameraCase{}, true},
+        {CameraCase{Told::seen, 61}, CameraCase{Told::nothing, 0, false}, true},
+        {CameraCase{Told::not_seen, 60}, CameraCase{Told::seen, 300}, false},
+        {CameraCase{Told::not_seen, 60}, CameraCase{Told::nothing, 0, false}, false}}) {
+    X x = image({sac, eih});
+    x.c.k.by_wall_clock = true;
+    x.i = x.c.seen_in + x.c.k.timeout;
+    const Report r = kGiveUp.f_cT(x);
+    EXPECT_EQ(r.verdict, Verdict::failed);
+    EXPECT_EQ(r.fault.code, late ? FaultCode::host_too_slow : FaultCode::object_not_seen);
+    EXPECT_EQ(r.fault.value > r.fault.limit, late) << r.fault.text.view();
+  }
+}
+
+TEST(ServoTable, TheHostIsToBlameWithTheWallClockAndWhenPicturesWereTooOldForHalfOfTheTimeout) {
+  X x = image({CameraCase{Told::seen, 61}, CameraCase{Told::seen, 300}});
+  x.c.k.by_wall_clock = true;
+  EXPECT_EQ(select(x).f_cc(x).in_time_in, x.c.in_time_in) << "every picture is too old";
+  X blind = image({CameraCase{Told::not_seen, 60}, CameraCase{Told::seen, 300}});
+  EXPECT_EQ(select(blind).f_cc(blind).in_time_in, blind.i);
+  EXPECT_EQ(select(blind).f_cc(blind).seen_in, blind.c.seen_in);
+  x.i = x.c.seen_in + x.c.k.timeout;
+  EXPECT_EQ(kGiveUp.f_cT(x).fault.code, FaultCode::host_too_slow);
+  x.c.in_time_in = x.i - x.c.k.timeout / 2;
+  EXPECT_EQ(kGiveUp.f_cT(x).fault.code, FaultCode::host_too_slow) << "for half of it";
+  ++x.c.in_time_in;  // only the last pictures came late: before, the object was not there
+  EXPECT_EQ(kGiveUp.f_cT(x).fault.code, FaultCode::object_not_seen);
+  x.c.in_time_in = x.c.seen_in;
+  x.c.k.by_wall_clock = false;
+  EXPECT_EQ(kGiveUp.f_cT(x).fault.code, FaultCode::object_not_seen) << "in lock-step nothing is late";
+}
+
+TEST(ServoTable, AReadingIsBelievedForAsLongAsItIsKnownWhereTheEffectorWas) {
+  X x = image({CameraCase{Told::seen, 220}, {}});
+  EXPECT_FALSE(sees(x, Camera::sac));
+  const int frames = longest_age(x.c.k);
+  x.c.k.max_age = frames;
+  EXPECT_TRUE(sees(x, Camera::sac));
+  for (const Camera camera : {Camera::sac, Camera::eih}) {
+    EXPECT_LE(oldest_believed(x.c.k, camera), kPosesKept - x.c.k.pacing.n_s);
+    x.c.k.max_age = frames + 1;
+    EXPECT_GT(oldest_believed(x.c.k, camera), kPosesKept - x.c.k.pacing.n_s);
+    x.c.k.max_age = frames;
+  }
+  x.c.k.camera[index(Camera::eih)].period = 1000;
+  EXPECT_LT(longest_age(x.c.k), frames);
+  x.c.k.camera[index(Camera::eih)].used = false;
+  EXPECT_EQ(longest_age(x.c.k), frames) << "a camera that is not used sets no limit";
 }
 
 TEST(ServoTable, AddsNoDisplacementWhileTheDriverHasMissedOne) {
@@ -170,12 +225,21 @@ TEST(ServoTable, GoesOnMoreSlowlyWhenTheDriverRefusesAndTellsWhenItKeepsRefusing
   EXPECT_EQ(c.refused, 1);
   EXPECT_LT(c.under_way.p.norm(), x.c.under_way.p.norm());
   EXPECT_GT(full, 0);
-  EXPECT_EQ(select(x).f_cT(x).verdict, Verdict::none) << "the task goes on";
+  for (const FaultCode code : {FaultCode::too_fast, FaultCode::excessive_torque, FaultCode::force_limit}) {
+    x.e.fault.code = code;
+    EXPECT_EQ(transmission_of(select(x), x).verdict, Verdict::none) << "the task goes on";
+    EXPECT_FALSE(in_vain(x));
+  }
   x.c.refused = kMostRefusals;
-  EXPECT_EQ(select(x).f_cT(x).fault.code, FaultCode::too_fast);
+  EXPECT_TRUE(in_vain(x));
+  EXPECT_TRUE(select(x).f_tau(x));
+  EXPECT_EQ(transmission_of(kGiveUp, x).verdict, Verdict::failed);
+  EXPECT_EQ(transmission_of(kGiveUp, x).fault.code, FaultCode::force_limit);
   x.c.refused = 0;
+  x.e.state = DriverState::faulted;
   x.e.fault.code = FaultCode::over_current;
-  EXPECT_EQ(select(x).f_cT(x).fault.code, FaultCode::over_current) << "everything else is told at once";
+  EXPECT_NE(transmission_of(select(x), x).verdict, Verdict::none) << "a malfunction is told at once";
+  x.e.state = DriverState::executing;
   x.e.verdict = Verdict::executed;
   x.e.parts = static_cast<std::uint8_t>(Part::arm);
   x.e.fault = {};
@@ -193,6 +257,36 @@ TEST(ServoTable, EveryFunctionDependsOnTheImageAlone) {
       EXPECT_EQ(row.motion.f_cc(x).track.P, row.motion.f_cc(copy).track.P);
     }
   }
+}
+
+TEST(ServoTable, TheReportNamesTheCamerasThatSeeAndLeavesTheBehavioursNumberToThePort) {
+  std::vector<std::array<CameraCase, kCameras>> cases;
+  const auto images = all_images(&cases);
+  for (std::size_t n = 0; n < images.size(); ++n)
+    for (const Selectable& row : kBehaviours) {
+      const Report r = row.motion.f_cT(images[n]);
+      EXPECT_EQ(r.m, 0);
+      EXPECT_EQ(r.sensor, (counts(cases[n][0]) ? 1 : 0) + (counts(cases[n][1]) ? 2 : 0));
+    }
+}
+
+TEST(ServoTable, GivingUpTellsHowLongNothingWasSeenAndHowLongItMayBe) {
+  X x = image({});
+  x.c.k.timeout = 50;
+  x.c.seen_in = 60;
+  const Report r = kGiveUp.f_cT(x);
+  EXPECT_EQ(r.verdict, Verdict::failed);
+  EXPECT_EQ(r.fault.code, FaultCode::object_not_seen);
+  EXPECT_NEAR(r.fault.value, 50 * 0.042, 1e-12);
+  EXPECT_NEAR(r.fault.limit, 50 * 0.042, 1e-12);
+  EXPECT_EQ(r.fault.text.view(), "seconds");
+  EXPECT_TRUE(in_vain(x));
+  x.c.seen_in = 61;
+  EXPECT_FALSE(in_vain(x));
+  x.c.k.duration = 10;
+  EXPECT_TRUE(done(x)) << "begun in 100, it is 110";
+  x.c.k.duration = 11;
+  EXPECT_FALSE(done(x));
 }
 
 }  // namespace

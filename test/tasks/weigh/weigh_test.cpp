@@ -51,5 +51,49 @@ TEST(Weigh, FindsTheToolInTheRowsThatReadTheForce) {
   EXPECT_EQ(std::get<double>(mp::figure(figures({trace}, Config()), "tool_weight_N")), tool.w);
 }
 
+TEST(Weigh, TheMeanIsOfAllRowsOfABehaviourAndOfEachAxis) {
+  mp::ArmTrace trace;
+  for (int k = 0; k < 4; ++k) {
+    mp::ArmRow& row = trace.emplace_back();
+    row.t = 100. * k;
+    row.m = k < 3 ? 5 : 6;
+    for (std::size_t a = 0; a < 6; ++a) row.F.v[a] = k + 10. * static_cast<double>(a);
+  }
+  const Wrench mean = mean_reading(trace, 5);
+  for (std::size_t a = 0; a < 6; ++a) EXPECT_NEAR(mean.v[a], 1 + 10. * static_cast<double>(a), 1e-12);
+}
+
+TEST(Weigh, ReadsAsOftenAsItIsToldWithinBounds) {
+  const auto readings = [](const std::string& n) -> int {
+    Config config = Config::parse(std::string(weigh::config()) +
+                                      "[robots.arm1.tool]\npose = [0, 0, 0.25, 0, 0, 0]\nweight = 10\n"
+                                      "mass_centre = [0, 0, 0]\n",
+                                  "weigh.toml");
+    config.set("task.readings=" + n);
+    try {
+      return read_memory(config, "arm1").weighing.plan.readings;
+    } catch (const ConfigError&) {
+      return -1;
+    }
+  };
+  EXPECT_EQ(readings("10"), 10);
+  EXPECT_EQ(readings("1000"), 1000);
+  EXPECT_EQ(readings("9"), -1);
+  EXPECT_EQ(readings("1001"), -1);
+}
+
+TEST(Weigh, TheMassCentreIsToldByItsThreeCoordinates) {
+  mp::ArmTrace trace;
+  for (const int m : {kWithToolUp, kWithToolSideways}) {
+    mp::ArmRow& row = trace.emplace_back();
+    row.m = m;
+    row.F = m == kWithToolUp ? Wrench{{0, 0, 16, -0.32, -0.16, 0}} : Wrench{{0, 0, 0, 0, 1.12, 0}};
+  }
+  const ecp::ForceTool tool = found_tool(trace);
+  const auto f = figures({trace}, Config());
+  EXPECT_EQ(std::get<std::vector<double>>(mp::figure(f, "tool_mass_centre_m")),
+            (std::vector{tool.P.x(), tool.P.y(), tool.P.z()}));
+}
+
 }  // namespace
 }  // namespace mrroc::weigh

@@ -121,7 +121,7 @@ class Browser:
         end = time.monotonic() + seconds
         while not self.value(expression):
             if time.monotonic() > end:
-                raise AssertionError(f"never came true: {expression}; complaints of the page: {self.errors}")
+                raise AssertionError(f"never came true: {expression}; errors of the page: {self.errors}")
             time.sleep(0.1)
 
     def click(self, selector: str, across: float = 0.5, down: float = 0.5):

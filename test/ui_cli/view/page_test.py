@@ -111,7 +111,6 @@ def look_at_a_run(page, folder: Path):
     viewer.end()
     page.wait("document.querySelector('#state').innerText === 'viewer has ended'")
     check(page.share("#stage", ORANGE) > 0.005, "what was shown stays when the viewer has ended")
-    page.errors.clear()
 
 
 def play_and_pause(page):
@@ -128,9 +127,16 @@ def play_and_pause(page):
     check(clock(page, "t") == held, "it pauses")
 
 
+def go_anew(page, url: str):
+    """Goes to a viewer after one that has ended, which the page may still have looked for."""
+    page.go("about:blank")
+    page.errors.clear()
+    page.go(url)
+
+
 def follow_a_task(page, folder: Path):
     viewer = Viewer()
-    page.go(viewer.url)
+    go_anew(page, viewer.url)
     page.wait("document.querySelector('#empty')?.innerText.includes('./run')")
     check("No session" in page.value("document.querySelector('#empty').innerText"), "without a task it says how to start one")
     task = subprocess.Popen([BIN / "view_sample", "task", folder, "demo", "8"], stdout=subprocess.PIPE, text=True)
@@ -139,6 +145,10 @@ def follow_a_task(page, folder: Path):
     check(page.value("document.querySelector('#empty').hidden"), "the text gives way to the cell")
     page.wait("document.querySelector('#cameras img')?.naturalWidth === 320")
     check(page.share("#cameras img", "g > 100 && r < 40 && b < 40") > 0.2, "pictures of the camera come")
+    check(
+        page.value("(i => Math.abs(i.clientWidth / i.clientHeight - i.naturalWidth / i.naturalHeight) < 0.05 && i.clientHeight >= 120)(document.querySelector('#cameras img'))"),
+        "a picture is shown whole, and not too small to be read",
+    )
     page.click("#play")
     page.wait("document.querySelector('#clock').dataset.live === 'false'")
     held, rows = clock(page, "t"), int(clock(page, "rows"))
@@ -159,15 +169,12 @@ def attach_late(page, folder: Path):
     task = subprocess.Popen([BIN / "view_sample", "task", folder, "late", "10"], stdout=subprocess.PIPE, text=True)
     time.sleep(4)
     viewer = Viewer()
-    page.go("about:blank")
-    page.errors.clear()  # of the viewer before, which has ended
-    page.go(viewer.url)
+    go_anew(page, viewer.url)
     page.wait("document.querySelector('#cameras img')?.naturalWidth === 320")
     check(page.share("#cameras img", "g > 100 && r < 40 && b < 40") > 0.2, "a viewer that comes late has pictures of the camera")
     task.communicate()
     check(not page.errors, f"the page complains of nothing {page.errors}")
     viewer.end()
-    page.errors.clear()
 
 
 def turn_the_cube(page):

@@ -18,7 +18,7 @@ TEST(ViewRecord, SaysNothingTwice) {
   Record record;
   record.begin(R"({"source":"run"})");
   record.add("arm1", std::array{0.0F, 1.0F});
-  record.say(R"({"text":"a"})");
+  record.log(R"({"text":"a"})");
   record.set("state", R"("live")");
   Record::Cursor page;
   const json first = json::parse(record.news(page));
@@ -79,13 +79,44 @@ TEST(ViewRecord, BeginsAnewForPagesThatWereInTheMiddle) {
 TEST(ViewRecord, CountsRowsAndLinesThatItHasNoRoomFor) {
   Record record;
   record.begin("{}");
-  for (std::size_t k = 0; k < Record::kMostLines + 2; ++k) record.say("{}");
+  for (std::size_t k = 0; k < Record::kMostLines + 2; ++k) record.log("{}");
   EXPECT_EQ(record.refused(), 2U);
   for (std::size_t k = 0; k < Record::kMostKept + 3; ++k) record.add("arm1", std::array{0.0F});
   EXPECT_EQ(record.refused(), 5U);
   EXPECT_EQ(record.rows("arm1"), Record::kMostKept);
   record.begin("{}");
   EXPECT_EQ(record.refused(), 0U);
+}
+
+// A log may hold an arm that is named as another track.
+TEST(ViewRecord, LeavesOutRowsThatDoNotFitTheirTrack) {
+  Record record;
+  record.add("cube", std::array{1.0F, 2.0F, 3.0F});
+  Record::Cursor page;
+  (void)record.news(page);
+  record.add("cube", std::array{1.0F, 2.0F});
+  record.add("cube", std::array{1.0F, 2.0F, 3.0F, 4.0F});
+  record.add("cube", {});
+  record.add("nothing", {});
+  record.add("a\"b", std::array{1.0F});
+  EXPECT_EQ(record.refused(), 5U);
+  EXPECT_EQ(record.rows("cube"), 1U);
+  record.add("cube", std::array{4.0F, 5.0F, 6.0F});
+  EXPECT_EQ(test::rows_of(record.news(page), "cube"), (std::vector<float>{4, 5, 6}));
+}
+
+TEST(ViewRecord, HasRoomForSoManyTracksAndValues) {
+  Record record;
+  for (int k = 0; k < 1000; ++k) {
+    record.add("track" + std::to_string(k), std::array{1.0F});
+    record.set("value" + std::to_string(k), "1");
+  }
+  EXPECT_EQ(record.refused(), 2000U - Record::kMostTracks - Record::kMostValues);
+  record.add("track0", std::array{2.0F});
+  record.set("value0", "2");
+  EXPECT_EQ(record.rows("track0"), 2U);
+  Record::Cursor page;
+  EXPECT_EQ(json::parse(record.news(page)).at("values").at("value0"), 2);
 }
 
 TEST(ViewRecord, IsReadByManyWhileOneWrites) {

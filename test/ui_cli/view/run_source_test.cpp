@@ -101,6 +101,21 @@ TEST(ViewRun, ReadsASummaryWhosePartsAreDamaged) {
   EXPECT_NE(std::string(line.at("text")).find("gone"), std::string::npos);
 }
 
+// The JSON library writes by recursion.
+TEST(ViewRun, LeavesOutWhatASummaryNestsTooDeep) {
+  const test::ScratchFolder folder("mrroc-view-deep");
+  constexpr std::size_t kDeep = 1'000'000;
+  std::ofstream(folder.path() / "summary.json")
+      << R"({"outcome": "done", "x": )" << std::string(kDeep, '[') << std::string(kDeep, ']') << "}";
+  Record record;
+  record.begin("{}");
+  load_summary(folder.path(), record);
+  Record::Cursor page;
+  const json summary = json::parse(record.news(page)).at("values").at("summary");
+  EXPECT_EQ(summary.at("outcome"), "done");
+  EXPECT_LT(summary.dump().size(), 200U);
+}
+
 TEST(ViewRun, SaysWhereAFolderIsNoRun) {
   const test::ScratchFolder folder("mrroc-view-none");
   Record record;
@@ -258,7 +273,7 @@ TEST(ViewListener, LeavesOutWhatADriverDoesNotKnow) {
   record.begin("{}");
   Listener listener(record, {}, "s", 7);
   effector_reply_t m = test::reply(1, 0, 0, 0);
-  m.state = static_cast<std::int8_t>(DriverState::not_synchronised);
+  m.position_known = 0;
   listener.receive("s.arm1.reply", test::encoded(m, 1, 1));
   EXPECT_EQ(record.rows("arm1"), 0U);
   EXPECT_EQ(listener.lost(), 0);

@@ -59,6 +59,7 @@ effector_reply_t reply(std::int64_t i, double x, double y, double z) {
   effector_reply_t m{};
   m.step = 10 * i;
   m.state = static_cast<std::int8_t>(DriverState::executing);
+  m.position_known = 1;
   for (int k = 0; k < 8; ++k) m.joints[k] = 0.1 * k + 0.001 * static_cast<double>(i);
   m.T_0E[0] = x;
   m.T_0E[1] = y;

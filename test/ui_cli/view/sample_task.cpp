@@ -15,13 +15,13 @@ SampleTask::SampleTask(const std::string& session, const std::filesystem::path& 
   std::filesystem::create_directories(run);
   std::ofstream(run / "config.toml") << sample_config();
   const auto address = link::address_for(session);
-  bus_ = link::open_lcm(address);
   file_ = std::make_unique<link::SessionFile>(link::SessionInfo{.name = session,
                                                                 .id = link::random_id(),
                                                                 .address = address,
                                                                 .task = "sample",
                                                                 .run_folder = std::filesystem::absolute(run),
                                                                 .pid = 0});
+  bus_ = link::open_session(file_->info());
   camera_ = std::make_unique<link::FrameWriter>(
       link::FrameStoreName{.session = session, .session_id = file_->info().id, .camera = "sac"},
       link::FrameStoreShape{.width = 320, .height = 240, .channels = 3});

@@ -131,7 +131,7 @@ TEST_F(ViewServer, BearsOnlySoManyPages) {
   EXPECT_EQ(get("/api/stream")->status, 503);
   EXPECT_EQ(get("/")->status, 200) << "files are still served";
   leave = true;
-  record_.say("{}");
+  record_.log("{}");
   for (std::thread& page : pages) page.join();
 }
 

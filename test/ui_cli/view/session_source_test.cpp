@@ -54,8 +54,9 @@ TEST(ViewSession, WaitsFollowsAndWaitsForTheNext) {
   link::MemoryHub hub;
   Record record;
   CameraWindow cameras;
-  SessionSource source({.wish = {}, .sessions = sessions, .open = [&](const auto&) { return hub.open(); }},
-                       record, cameras);
+  SessionSource source(
+      {.selector = {}, .sessions = sessions, .open = [&](const auto&) { return hub.open(); }}, record,
+      cameras);
   Page page(record);
   ASSERT_TRUE(page.wait([&] { return page.state() == "waiting"; }));
   EXPECT_EQ(page.scene.at("source"), "none");
@@ -109,7 +110,7 @@ TEST(ViewSession, KeepsARunOfAnotherHostOnThePageUntilTheNextOneTalks) {
   link::MemoryHub hub;
   Record record;
   CameraWindow cameras;
-  SessionSource source({.wish = {"far", "udpm://239.255.76.67:7800?ttl=0"},
+  SessionSource source({.selector = {"far", "udpm://239.255.76.67:7800?ttl=0"},
                         .sessions = folder.path() / "sessions",
                         .open = [&](const auto&) { return hub.open(); }},
                        record, cameras);
@@ -155,8 +156,9 @@ TEST(ViewSession, NamesTheCandidatesWhenSeveralRun) {
   link::MemoryHub hub;
   Record record;
   CameraWindow cameras;
-  SessionSource source({.wish = {}, .sessions = sessions, .open = [&](const auto&) { return hub.open(); }},
-                       record, cameras);
+  SessionSource source(
+      {.selector = {}, .sessions = sessions, .open = [&](const auto&) { return hub.open(); }}, record,
+      cameras);
   Page page(record);
   EXPECT_TRUE(page.wait([&] {
     return page.state() == "waiting" &&

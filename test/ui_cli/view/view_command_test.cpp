@@ -1,4 +1,4 @@
-// What `ui_cli view` prints: where the page is.
+// Output of `ui_cli view`: the address of the page.
 #include "ui_cli/view/view_command.hpp"
 
 #include <gtest/gtest.h>

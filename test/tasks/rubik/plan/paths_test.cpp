@@ -27,10 +27,10 @@ class Obstacle : public PlanCell {
   [[nodiscard]] std::optional<AxisVector> inverse(Hand, const Pose&, const AxisVector&) const override {
     return {};
   }
-  [[nodiscard]] double reserve(Hand, const AxisVector& joints) const override {
+  [[nodiscard]] double joint_limit_margin(Hand, const AxisVector& joints) const override {
     return 1.5 - joints.cwiseAbs().maxCoeff();
   }
-  [[nodiscard]] double dexterity(Hand, const AxisVector&) const override { return 1; }
+  [[nodiscard]] double manipulability(Hand, const AxisVector&) const override { return 1; }
   [[nodiscard]] bool is_free(const CellState& state) const override {
     ++checks;
     const AxisVector& q = state.joints[index(Hand::track)];
@@ -53,23 +53,23 @@ AxisVector joints(double first, double second) {
 
 TEST(Paths, GoStraightWhereNothingIsInTheWay) {
   const Obstacle cell(0.3);
-  const auto way = Paths(cell).find(Hand::track, joints(0, 0.5), joints(1, 0.5), {});
-  ASSERT_TRUE(way);
-  EXPECT_EQ(way->size(), 2u);
+  const auto path = Paths(cell).find(Hand::track, joints(0, 0.5), joints(1, 0.5), {});
+  ASSERT_TRUE(path);
+  EXPECT_EQ(path->size(), 2u);
 }
 
 TEST(Paths, GoRoundWhatIsInTheWayAndComeToTheEnd) {
   const Obstacle cell(0.3);
   const Paths paths(cell);
   EXPECT_FALSE(paths.is_free(Hand::track, joints(0, 0), joints(1, 0), {}));
-  const auto way = paths.find(Hand::track, joints(0, 0), joints(1, 0), {});
-  ASSERT_TRUE(way);
-  EXPECT_GE(way->size(), 3u);
-  EXPECT_EQ(way->front(), joints(0, 0));
-  EXPECT_EQ(way->back(), joints(1, 0));
-  for (std::size_t k = 1; k < way->size(); ++k)
-    EXPECT_TRUE(paths.is_free(Hand::track, (*way)[k - 1], (*way)[k], {}));
-  EXPECT_EQ(paths.find(Hand::track, joints(0, 0), joints(1, 0), {}), way) << "not the same again";
+  const auto path = paths.find(Hand::track, joints(0, 0), joints(1, 0), {});
+  ASSERT_TRUE(path);
+  EXPECT_GE(path->size(), 3u);
+  EXPECT_EQ(path->front(), joints(0, 0));
+  EXPECT_EQ(path->back(), joints(1, 0));
+  for (std::size_t k = 1; k < path->size(); ++k)
+    EXPECT_TRUE(paths.is_free(Hand::track, (*path)[k - 1], (*path)[k], {}));
+  EXPECT_EQ(paths.find(Hand::track, joints(0, 0), joints(1, 0), {}), path) << "not the same again";
 }
 
 TEST(Paths, GoNowhereThroughAWallOrBeyondTheLimits) {
@@ -79,7 +79,7 @@ TEST(Paths, GoNowhereThroughAWallOrBeyondTheLimits) {
   EXPECT_FALSE(Paths(cell).find(Hand::track, joints(0.7, 0), joints(1.6, 0), {}));
 }
 
-TEST(Paths, MissNoObstacleThatIsThinnerThanTheWayIsLong) {
+TEST(Paths, MissNoObstacleThatIsThinnerThanThePathIsLong) {
   // 1 cm between states that are checked: at joint 0, 1.4 m from the hand, 140 states for one radian.
   const Obstacle cell(0.3);
   EXPECT_TRUE(Paths(cell).is_free(Hand::track, joints(0, 0.5), joints(1, 0.5), {}));
@@ -99,13 +99,13 @@ TEST(Paths, AreSlowerWhereTheHandWouldBeTooFast) {
   const Obstacle cell(0.3);
   AxisVector moved = joints(0.5, 0);
   moved[5] = 1;
-  const auto way = way_through(cell, Hand::track, {joints(0, 0), joints(0.5, 0), moved, joints(0.5, 0)});
-  ASSERT_EQ(way.size(), 4u);
-  EXPECT_EQ(way[1].speed, 1);
-  EXPECT_NEAR(way[2].speed, 0.5, 1e-9) << "2 m in 4 s instead of 2";
-  EXPECT_NEAR(way[3].speed, 0.5, 1e-9);
-  EXPECT_EQ(way[2].motors, kGear * moved);
-  EXPECT_NEAR(seconds_along({way[1], way[2]}, kLimits.motors), 4 + 0.125, 0.02);
+  const auto path = path_through(cell, Hand::track, {joints(0, 0), joints(0.5, 0), moved, joints(0.5, 0)});
+  ASSERT_EQ(path.size(), 4u);
+  EXPECT_EQ(path[1].speed, 1);
+  EXPECT_NEAR(path[2].speed, 0.5, 1e-9) << "2 m in 4 s instead of 2";
+  EXPECT_NEAR(path[3].speed, 0.5, 1e-9);
+  EXPECT_EQ(path[2].motors, kGear * moved);
+  EXPECT_NEAR(seconds_along({path[1], path[2]}, kLimits.motors), 4 + 0.125, 0.02);
 }
 
 /// Both arms are on one rail: joint 0 of one must not come near that of the other one.
@@ -121,7 +121,7 @@ TEST(Paths, OfBothArmsAreFreeOnlyIfNeitherNeedsTheOtherToBeInTime) {
   const Rail cell;
   const Paths paths(cell);
   const auto motion = [&](Hand hand, double from, double to) {
-    FreeMotion m{.hand = hand, .points = way_through(cell, hand, {joints(from, 0), joints(to, 0)})};
+    FreeMotion m{.hand = hand, .points = path_through(cell, hand, {joints(from, 0), joints(to, 0)})};
     m.seconds = seconds_along(m.points, kLimits.motors);
     return m;
   };

@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "tasks/rubik/cube/facelets.hpp"
+#include "base/cube/facelets.hpp"
 #include "test/tasks/rubik/solver/small_tables.hpp"
 
 namespace mrroc::rubik {

@@ -7,8 +7,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "tasks/rubik/cube/facelets.hpp"
-#include "tasks/rubik/cube/move.hpp"
+#include "base/cube/facelets.hpp"
+#include "base/cube/move.hpp"
+#include "test/tasks/rubik/solver/small_tables.hpp"
 
 namespace mrroc::rubik {
 namespace {
@@ -19,7 +20,7 @@ struct Result {
 };
 
 Result run(std::vector<const char*> words, const std::string& input = "") {
-  words.insert(words.begin(), {"cube_solve", "--tables-dir", MRROC_TEST_TABLES});
+  words.insert(words.begin(), {"cube_solve", "--tables-dir", test::tables_folder()});
   std::istringstream in(input);
   std::ostringstream out, err;
   const int status =

@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include "test/tasks/rubik/solver/small_tables.hpp"
+
 namespace mrroc::rubik {
 namespace {
 
 TEST(CubeSolver, SolvesAndSaysWhatIsProven) {
   std::mt19937_64 random(1);
-  const CubeSolver solver(TableSet::small, MRROC_TEST_TABLES, 1);
+  const CubeSolver solver(TableSet::small, test::tables_folder(), 1);
   const Cube near = after({}, random_moves(8, random));
   const Solution shortest = solver.solve_optimally(near, {});
   EXPECT_EQ(after(near, shortest.moves), Cube{});
@@ -27,7 +29,7 @@ TEST(CubeSolver, SolvesAndSaysWhatIsProven) {
 
 TEST(CubeSolver, ProvesAShortSolutionFirstAndElseTakesTwoPhases) {
   std::mt19937_64 random(2);
-  const CubeSolver solver(TableSet::small, MRROC_TEST_TABLES, 1);
+  const CubeSolver solver(TableSet::small, test::tables_folder(), 1);
   const SolveLimits limits{.shortest = {.nodes = 20'000}, .two_phase = {.nodes = 500}};
   const Solution near = solver.solve(after({}, random_moves(8, random)), limits);
   EXPECT_EQ(near.by, Search::ida_star);
@@ -45,7 +47,7 @@ TEST(CubeSolver, ProvesAShortSolutionFirstAndElseTakesTwoPhases) {
 TEST(CubeSolver, TakesWhatTheFirstSearchUsesFromTheSecond) {
   using namespace std::chrono_literals;
   std::mt19937_64 random(3);
-  const CubeSolver solver(TableSet::small, MRROC_TEST_TABLES, 1);
+  const CubeSolver solver(TableSet::small, test::tables_folder(), 1);
   SolveLimits limits{.shortest = {.budget = 20ms}, .two_phase = {.budget = 20s}, .both = 40ms};
   const auto begin = std::chrono::steady_clock::now();
   static_cast<void>(solver.solve(random_cube(random), limits));

@@ -52,7 +52,7 @@ TEST_F(TableFile, IsMadeOnceAndReadAfterwards) {
   EXPECT_EQ(open(kKind).source, TableSource::made);
   const OpenTable again = open(kKind);
   EXPECT_EQ(again.source, TableSource::file);
-  EXPECT_TRUE(again.trouble.empty());
+  EXPECT_TRUE(again.failure_reason.empty());
   EXPECT_EQ(fills_, 1);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);  // no draft is left
 }
@@ -73,7 +73,7 @@ TEST_F(TableFile, IsMadeAgainWhenDamaged) {
     damage(how);
     const OpenTable repaired = open(kKind);
     EXPECT_EQ(repaired.source, TableSource::made);
-    EXPECT_FALSE(repaired.trouble.empty());
+    EXPECT_FALSE(repaired.failure_reason.empty());
     EXPECT_EQ(fills_, before + 1);
     EXPECT_EQ(open(kKind).source, TableSource::file);
   }
@@ -81,7 +81,7 @@ TEST_F(TableFile, IsMadeAgainWhenDamaged) {
 
 TEST_F(TableFile, OfAnotherVersionOrKindIsMadeAgain) {
   open(kKind);
-  EXPECT_EQ(open({"some", 4, 5000}).trouble, "it is of another version");
+  EXPECT_EQ(open({"some", 4, 5000}).failure_reason, "it is of another version");
   EXPECT_EQ(open({"some", 4, 5001}).source, TableSource::made);
   fs::rename(folder_ / "some.table", folder_ / "other.table");
   EXPECT_EQ(open({"other", 4, 5001}).source, TableSource::made);
@@ -109,7 +109,7 @@ TEST_F(TableFile, ThatCannotBeWrittenIsUsedAllTheSame) {
   std::ofstream(folder_.string()) << "a file where the folder should be";
   const OpenTable table = open(kKind);
   EXPECT_EQ(table.source, TableSource::unwritten);
-  EXPECT_NE(table.trouble.find(folder_.string()), std::string::npos);
+  EXPECT_NE(table.failure_reason.find(folder_.string()), std::string::npos);
 }
 
 TEST(TableChecksum, SeesEveryByteAndTheirOrder) {

@@ -1,4 +1,4 @@
-// An arm of the cube's task by value: it obeys orders, takes a way point by point, goes along it, weighs at rest.
+// An arm of the cube's task by value: it obeys orders, takes a path point by point, goes along it, weighs at rest.
 #include "tasks/rubik/turn/agent.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(RubikAgent, ActsAsWorkerUntilTheGripAndAsHolderFromTheTurnOn) {
     EXPECT_EQ(&select(ordered(m, kActs)), m <= 4 ? &kWorker[k] : &kHolder[k]) << m;
     EXPECT_EQ(&select(ordered(m, kStands)), m <= 4 ? &kHolder[k] : &kWorker[k]) << m;
   }
-  for (const int m : {kWait, kTakeWay, kGo, kWeigh}) EXPECT_EQ(&select(ordered(m)), &between(m));
+  for (const int m : {kWait, kTakePath, kGo, kWeigh}) EXPECT_EQ(&select(ordered(m)), &between(m));
   for (const int m : {0, 11, -5}) EXPECT_EQ(&select(ordered(m)), &between(kWait)) << m;
 }
 
@@ -41,6 +41,12 @@ TEST(RubikAgent, WaitsInsteadOfABehaviourThatHasEnded) {
   x.T.go_on = {true, false};
   EXPECT_EQ(&select(x), &between(kWait));
   EXPECT_FALSE(between(kWait).f_tau(x));
+  x.c.joint_path.jaws = 0.07;
+  const EffectorCommand y = between(kWait).f_ce(x);
+  EXPECT_EQ(y.instruction, EffectorCommand{}.instruction) << "it commands nothing";
+  EXPECT_EQ(y.set, 0);
+  EXPECT_EQ(between(kWait).f_cT(x).m, kWait);
+  EXPECT_EQ(between(kWait).f_cT(x).event, 0);
 }
 
 TEST(RubikAgent, EveryBehaviourOfACycleEndsWhenItIsBrokenOff) {
@@ -48,42 +54,33 @@ TEST(RubikAgent, EveryBehaviourOfACycleEndsWhenItIsBrokenOff) {
     for (const auto& row : *rows) EXPECT_TRUE(row.f_tau(ordered(kWait))) << row.m;
 }
 
-TEST(RubikAgent, AnOrderOfATurnSurvivesItsWayInTheCommand) {
-  Order o;
-  put_turn({.torque = -4.2, .mobility = 0.1, .angle = 1.5}, o);
-  const TurnOrder t = turn_of(o);
-  EXPECT_EQ(t.torque, -4.2);
-  EXPECT_EQ(t.mobility, 0.1);
-  EXPECT_EQ(t.angle, 1.5);
-  EXPECT_EQ(turn_of({}).torque, 0) << "no order, no torque";
-}
-
-TEST(RubikAgent, TakesThePointsOfAWayInTheirOrderEachOnce) {
-  const auto& take = between(kTakeWay);
-  X x = ordered(kTakeWay);
-  x.c.way.count = 7;
+TEST(RubikAgent, TakesThePointsOfAPathInTheirOrderEachOnce) {
+  const auto& take = between(kTakePath);
+  X x = ordered(kTakePath);
+  x.c.joint_path.count = 7;
   x.c = take.f_entry(x);
-  EXPECT_EQ(x.c.way.count, 0) << "a new way";
+  EXPECT_EQ(x.c.joint_path.count, 0) << "a new path";
   for (const int number : {0, 0, 2, 1, 1, 0, 2, 5}) {
     x.T.variant = number;
-    x.T.arm.pose[0] = 0.1 * number;
-    x.T.arm.pose[kSpeedOfLine] = 1;
-    x.T.arm.gripper = 0.07;
+    x.T.cube.point.motors[0] = 0.1 * number;
+    x.T.cube.point.speed = 1;
+    x.T.cube.jaws = 0.07;
     x.c = take.f_cc(x);
   }
-  ASSERT_EQ(x.c.way.count, 3);
-  for (std::size_t k = 0; k < 3; ++k) EXPECT_DOUBLE_EQ(x.c.way.points[k][0], 0.1 * static_cast<double>(k));
-  EXPECT_EQ(x.c.way.jaws, 0.07);
-  EXPECT_EQ(take.f_cT(x).sensor, 3);
+  ASSERT_EQ(x.c.joint_path.count, 3);
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_DOUBLE_EQ(x.c.joint_path.points[k].motors[0], 0.1 * static_cast<double>(k));
+  EXPECT_EQ(x.c.joint_path.jaws, 0.07);
+  EXPECT_EQ(take.f_cT(x).cube.points, 3);
   EXPECT_EQ(take.f_ce(x).arm.frame, kStill);
   EXPECT_EQ(take.f_ce(x).arm.gripper, 0.07) << "the jaws begin already";
   x.T.variant = 3;
-  x.T.arm.pose[2] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(take.f_cc(x).way.count, 3) << "never to a place that is none";
-  x.T.arm.pose[2] = 0;
+  x.T.cube.point.motors[2] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(take.f_cc(x).joint_path.count, 3) << "never to a place that is none";
+  x.T.cube.point.motors[2] = 0;
   for (const double speed : {0.0, -1.0, 1.1}) {
-    x.T.arm.pose[kSpeedOfLine] = speed;
-    EXPECT_EQ(take.f_cc(x).way.count, 3) << "never at a speed that is none";
+    x.T.cube.point.speed = speed;
+    EXPECT_EQ(take.f_cc(x).joint_path.count, 3) << "never at a speed that is none";
   }
 }
 
@@ -94,10 +91,10 @@ TEST(RubikAgent, GoesFromWhereItIsThroughAllPointsAndTellsWhenItIsThere) {
   x.e.gripper = 0.07;
   AxisVector motors = AxisVector::Zero(6);
   motors[0] = 70;
-  x.c.way.add(motors, 0.8);
+  x.c.joint_path.add(motors, 0.8);
   motors[1] = -20;
-  x.c.way.add(motors, 0.5);
-  x.c.way.jaws = 0.07;
+  x.c.joint_path.add(motors, 0.5);
+  x.c.joint_path.jaws = 0.07;
   x.c = go.f_entry(x);
   ASSERT_GT(x.c.path.macrosteps(), 10);
   EffectorCommand last;
@@ -124,11 +121,56 @@ TEST(RubikAgent, GoesFromWhereItIsThroughAllPointsAndTellsWhenItIsThere) {
   EXPECT_TRUE(go.f_tau(x));
 }
 
-TEST(RubikAgent, AWayWithoutPointsMovesTheJawsAlone) {
+TEST(RubikAgent, JawsThatAreBlockedAreWhereTheyCanBe) {
+  const auto& go = between(kGo);
+  X x = ordered(kGo, kActs);
+  x.c.joint_path.jaws = 0.054;
+  x.e.gripper = 0.057;
+  x.c = go.f_entry(x);
+  EXPECT_EQ(go.f_cT(x).event, 0) << "3 mm to go";
+  x.e.blocked = true;
+  EXPECT_EQ(go.f_cT(x).event, kGo) << "the cube is between them";
+  x.e.blocked = false;
+  for (const double off : {-0.0016, 0.0016}) {
+    x.e.gripper = x.c.joint_path.jaws + off;
+    EXPECT_EQ(go.f_cT(x).event, 0) << off;
+  }
+  for (const double off : {-0.0014, 0.0014}) {
+    x.e.gripper = x.c.joint_path.jaws + off;
+    EXPECT_EQ(go.f_cT(x).event, kGo) << off;
+  }
+  x.c.joint_path.jaws = 0;
+  EXPECT_EQ(go.f_cT(x).event, kGo) << "nothing was ordered of the jaws";
+}
+
+TEST(RubikAgent, JawsAreOrderedNoFartherThanTheyGo) {
+  const auto& take = between(kTakePath);
+  X x = ordered(kTakePath);
+  for (const auto& [ordered_jaws, sent] :
+       {std::pair(0.01, kClosest), std::pair(0.06, 0.06), std::pair(0.2, kWidest), std::pair(0.0, 0.0)}) {
+    x.c.joint_path.jaws = ordered_jaws;
+    EXPECT_EQ(take.f_ce(x).arm.gripper, sent) << ordered_jaws;
+  }
+}
+
+TEST(RubikAgent, APointIsTakenOnlyAsThePointThatIsAskedFor) {
+  const auto& take = between(kTakePath);
+  X x = ordered(kTakePath);
+  x.T.cube.point.speed = 1;
+  x.T.m = kGo;
+  EXPECT_EQ(take.f_cc(x).joint_path.count, 0) << "an order of something else";
+  x.T.m = kTakePath;
+  x.T.variant = -1;
+  EXPECT_EQ(take.f_cc(x).joint_path.count, 0);
+  x.T.variant = 0;
+  EXPECT_EQ(take.f_cc(x).joint_path.count, 1);
+}
+
+TEST(RubikAgent, APathWithoutPointsMovesTheJawsAlone) {
   const auto& go = between(kGo);
   X x = ordered(kGo);
-  x.c.way = {};
-  x.c.way.jaws = 0.08;
+  x.c.joint_path = {};
+  x.c.joint_path.jaws = 0.08;
   x.c = go.f_entry(x);
   EXPECT_EQ(x.c.path.macrosteps(), 0);
   EXPECT_EQ(go.f_ce(x).arm.frame, kStill);
@@ -138,7 +180,8 @@ TEST(RubikAgent, AWayWithoutPointsMovesTheJawsAlone) {
 TEST(RubikAgent, WeighsOnceAndOnlyAtRest) {
   const auto& weigh = between(kWeigh);
   X x = ordered(kWeigh);
-  x.T.arm.pose = {10, 0.1, 0.2, 0.3};
+  x.T.cube.weight = 10;
+  x.T.cube.mass_centre = {0.1, 0.2, 0.3};
   x.c = weigh.f_entry(x);
   int sent = 0;
   for (x.i = 1; x.i < 100; ++x.i) {
@@ -154,6 +197,53 @@ TEST(RubikAgent, WeighsOnceAndOnlyAtRest) {
     x.c = weigh.f_cc(x);
   }
   EXPECT_EQ(sent, 1);
+}
+
+// Hands swing for six macrosteps after they have come to rest.
+TEST(RubikAgent, AHandThatHasJustComeToRestIsNotWeighedYet) {
+  const auto& weigh = between(kWeigh);
+  for (const DriverState still : {DriverState::holding, DriverState::ready}) {
+    X x = ordered(kWeigh);
+    x.e.state = still;
+    x.i_0 = 30;
+    x.c = weigh.f_entry(x);
+    std::int64_t sent_in = 0;
+    for (x.i = 31; x.i < 60; ++x.i) {
+      if (weigh.f_ce(x).instruction == Instruction::set && sent_in == 0) sent_in = x.i;
+      EXPECT_EQ(weigh.f_cT(x).event, sent_in > 0 && x.i >= sent_in + 2 ? kWeigh : 0) << x.i;
+      x.c = weigh.f_cc(x);
+    }
+    EXPECT_EQ(sent_in, 30 + 12);
+  }
+}
+
+TEST(RubikAgent, EverythingEndsWithTheTask) {
+  for (const Motion<Arm>& row : kBetween) {
+    X x = ordered(row.m);
+    EXPECT_FALSE(row.f_tau(x)) << row.name;
+    x.T.finished = true;
+    EXPECT_TRUE(row.f_tau(x)) << row.name;
+  }
+}
+
+TEST(RubikAgent, OfWhatItDoesBetweenCyclesItTellsArrivalAndWeighingAlone) {
+  for (const int m : {kWait, kTakePath}) {
+    X x = ordered(m);
+    x.i = 1000;
+    x.c.weighed = 1;
+    EXPECT_EQ(between(m).f_cT(x).event, 0);
+    EXPECT_EQ(between(m).f_cT(x).m, m);
+  }
+}
+
+TEST(RubikAgent, IsWeighedWithTheWholeMassCentreOfTheOrder) {
+  X x = ordered(kWeigh);
+  x.e.state = DriverState::holding;
+  x.i = 50;
+  x.T.cube.mass_centre = {0.1, 0.2, 0.3};
+  EXPECT_EQ(between(kWeigh).f_ce(x).robot_model.mass_centre, (std::array{0.1, 0.2, 0.3}));
+  x.e.state = DriverState::executing;
+  EXPECT_NE(between(kWeigh).f_ce(x).instruction, Instruction::set);
 }
 
 }  // namespace

@@ -50,7 +50,8 @@ TEST(Coordination, BothArmsChangeTogetherThroughAllSixBehaviours) {
       if (m == 4) x[arm].e.blocked = x[arm].e.gripper < 0.057;
       if (m == 5) x[arm].e.T_0E[5] = 0.05 * static_cast<double>(i - x[arm].i_0);
       if (m == 6) x[arm].e.gripper += 0.001;
-      reports[arm] = arms[arm].step(x[arm]).T;
+      const ArmReport told = arms[arm].step(x[arm]).T;
+      reports[arm] = static_cast<const Report&>(told);
     }
     ASSERT_EQ(arms[0].m(), arms[1].m()) << "macrostep " << i;
     changes += arms[0].m() != before;

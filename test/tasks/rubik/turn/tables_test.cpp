@@ -66,7 +66,7 @@ TEST(RubikTables, TheHolderTurnsWithTheOrdersTorqueAndNoForceElsewhere) {
 
 TEST(RubikTables, AFaceThatStandsIsTurnedWithLittleMobilityAndOneThatTurnsWithTheOrders) {
   X x;
-  put_turn({.torque = -4, .mobility = 0.1, .angle = 1.5}, x.T);
+  x.T.cube.turn = {.torque = -4, .mobility = 0.1, .angle = 1.5};
   x.c = begin_turn(x);
   const double little = x.c.mobility;
   EXPECT_NEAR(little, kOfStanding * 0.1, 1e-12);
@@ -78,7 +78,7 @@ TEST(RubikTables, AFaceThatStandsIsTurnedWithLittleMobilityAndOneThatTurnsWithTh
   EXPECT_DOUBLE_EQ(x.c.mobility, 0.1);
   x.e.F_a[Axis::az] = -0.8 * 4;
   EXPECT_DOUBLE_EQ(track_turn(x).mobility, little) << "at once";
-  put_turn({.torque = 5, .mobility = 0.025, .angle = 1.5}, x.T);
+  x.T.cube.turn = {.torque = 5, .mobility = 0.025, .angle = 1.5};
   x.c = begin_turn(x);
   EXPECT_DOUBLE_EQ(x.c.mobility, 0.025) << "tab. 7 is as printed";
   EXPECT_DOUBLE_EQ(track_turn(x).mobility, 0.025);
@@ -185,6 +185,87 @@ TEST(RubikPredicates, ATurnTheWrongWayDoesNotEnd) {
   x.c.turn = {.torque = 5};
   x.c = keep_pose(x);
   x.e = at(-1.7).e;
+  EXPECT_FALSE(turned(x));
+}
+
+TEST(RubikTables, JawsGoAsFastAsIsOrderedWhereTheyMoveAndNoFartherThanTheyGo) {
+  X x;
+  x.e.gripper = 0.07;
+  x.T.cube.jaw_step = 0.003;
+  for (const int m : {3, 4}) EXPECT_DOUBLE_EQ(commanded(kWorker, m, x).arm.gripper, 0.067);
+  EXPECT_DOUBLE_EQ(commanded(kHolder, 6, x).arm.gripper, 0.073);
+  for (const int m : {1, 2, 5, 6}) EXPECT_EQ(commanded(kWorker, m, x).arm.gripper, 0) << m;
+  for (const int m : {1, 2, 3, 4, 5}) EXPECT_EQ(commanded(kHolder, m, x).arm.gripper, 0) << m;
+  x.e.gripper = 0.0885;
+  EXPECT_EQ(commanded(kHolder, 6, x).arm.gripper, kWidest);
+  x.e.gripper = 0.0545;
+  EXPECT_EQ(commanded(kWorker, 3, x).arm.gripper, kClosest);
+}
+
+TEST(RubikTables, TheLeastMobilityIsTheTablesOrAShareOfTheOrders) {
+  const auto least = [](double ordered) {
+    X x;
+    x.T.cube.turn.mobility = ordered;
+    return begin_turn(x).mobility;
+  };
+  EXPECT_DOUBLE_EQ(least(0.2), 0.4 * 0.2);
+  EXPECT_DOUBLE_EQ(least(0.05), 0.025) << "a share of it would be less";
+  EXPECT_DOUBLE_EQ(least(0.01), 0.01) << "never above what is ordered";
+}
+
+TEST(RubikTables, MobilityGrowsByATenthUntilTheFaceResistsEitherWay) {
+  for (const double torque : {4., -4.}) {
+    X x;
+    x.T.cube.turn = {.torque = torque, .mobility = 0.1, .angle = 1.5};
+    x.c = begin_turn(x);
+    for (const double share : {-0.76, -0.74, 0., 0.74, 0.76}) {
+      x.c.mobility = 0.06;
+      x.e.F_a[Axis::az] = share * torque;
+      EXPECT_DOUBLE_EQ(track_turn(x).mobility, std::abs(share) > 0.75 ? 0.04 : 0.066) << share;
+    }
+    x.c.mobility = 0.095;
+    x.e.F_a[Axis::az] = 0;
+    EXPECT_DOUBLE_EQ(track_turn(x).mobility, 0.1);
+  }
+}
+
+TEST(RubikTables, ATurnBeginsWhereTheArmIsWithWhatIsOrdered) {
+  X x = at(0.7, {Matrix3::Identity(), {1, 2, 3}});
+  x.c.angle = 9;
+  x.T.cube.turn = {.torque = -3, .mobility = 0.05, .angle = 1.2};
+  const ArmMemory c = kHolder[4].f_entry(x);
+  EXPECT_EQ(c.angle, 0);
+  EXPECT_LT((c.T_0E.p - Vector3(1, 2, 3)).norm(), 1e-12);
+  EXPECT_NEAR(angle_axis_from_rotation(c.T_0E.R).z(), 0.7, 1e-12);
+  EXPECT_EQ(c.turn.torque, -3);
+  EXPECT_EQ(c.turn.angle, 1.2);
+}
+
+TEST(RubikTables, EveryBehaviourEndsWithTheTaskAndWithAnOrderOfSomethingElse) {
+  for (const auto* rows : {&kWorker, &kHolder})
+    for (const auto& row : *rows) {
+      X x;
+      x.T.m = 6;
+      EXPECT_FALSE(row.f_tau(x)) << row.name;
+      x.T.m = 7;
+      EXPECT_TRUE(row.f_tau(x)) << row.name;
+      x.T.m = row.m;
+      x.T.finished = true;
+      EXPECT_TRUE(row.f_tau(x)) << row.name;
+    }
+}
+
+TEST(RubikPredicates, JawsAreNarrowAtTheirThresholdAndATurnByNothingIsOver) {
+  X x;
+  x.e.gripper = kNarrow;
+  EXPECT_TRUE(narrow(x));
+  x.e.gripper = kNarrow + 1e-9;
+  EXPECT_FALSE(narrow(x));
+  x = at(0);
+  x.c = keep_pose(x);
+  x.c.turn = {.torque = 0, .angle = -1};
+  EXPECT_TRUE(turned(x));
+  x.c.turn.angle = 0.1;
   EXPECT_FALSE(turned(x));
 }
 

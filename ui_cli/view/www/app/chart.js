@@ -3,16 +3,21 @@ import {colour_of, fixed, label, nice_step, prepare, theme} from './theme.js';
 
 const kLeft = 46, kRight = 8, kTop = 20, kBottom = 16;
 
-/** @param value  value(row, k) of series k  @return rows to draw with their values, at most a few per pixel */
-function thinned(track, begin, end, width, value, count) {
+/**
+ * @param value  value(row, k) of series k
+ * @param since  values before it do not count for low and high, where there are others
+ * @return rows to draw with their values, at most a few per pixel
+ */
+function thinned(track, begin, end, width, value, count, since) {
   const first = Math.max(0, track.find(begin)), last = Math.min(track.rows - 1, track.find(end) + 1);
   const stride = Math.max(1, Math.floor((last - first) / (1.5 * width)));
   const lines = Array.from({length: count}, () => []);
+  const from = since > begin && since < track.time(last) ? since : begin;
   let low = Infinity, high = -Infinity;
   const keep = (k, row, v) => {
     if (!Number.isFinite(v)) return;
     lines[k].push([track.time(row), v]);
-    if (track.time(row) < begin || track.time(row) > end) return;
+    if (track.time(row) < from || track.time(row) > end) return;
     low = Math.min(low, v);
     high = Math.max(high, v);
   };
@@ -30,7 +35,7 @@ function thinned(track, begin, end, width, value, count) {
 }
 
 export class Chart {
-  /** @param about  {title, hint, unit, places, series: [names], least: smallest height of the axis, value(track, column, first_row) -> (row, k)} */
+  /** @param about  {title, hint, unit, places, series: [names], least: smallest height of the axis, biased: before the first behaviour it says nothing, value(track, column, first_row) -> (row, k)} */
   constructor(about) {
     this.about = about;
     this.canvas = document.createElement('canvas');
@@ -48,7 +53,8 @@ export class Chart {
     if (plot.h < 12 || plot.w < 20) return;
     const x = (t) => plot.x + (plot.w * (t - begin)) / (end - begin);
     const value = track && track.rows ? this.about.value(track, column, Math.max(0, track.find(begin))) : null;
-    const drawn = value ? thinned(track, begin, end, plot.w, value, this.about.series.length) : {lines: [], low: 0, high: 0};
+    const since = this.about.biased ? bands.find((band) => band.m)?.begin : undefined;
+    const drawn = value ? thinned(track, begin, end, plot.w, value, this.about.series.length, since) : {lines: [], low: 0, high: 0};
     const range = this.range(drawn);
     const y = (v) => plot.y + plot.h * (1 - (v - range.low) / (range.high - range.low));
     this.tint(c, plot, x, bands, begin, end);

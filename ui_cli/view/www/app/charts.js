@@ -29,8 +29,8 @@ function turned(track, column, first) {
 }
 
 const kAbout = [
-  {title: 'Force F_a', hint: 'adjusted force in E', unit: 'N', series: ['x', 'y', 'z'], least: 2, places: 2, value: at('Fx')},
-  {title: 'Moment N_a', hint: 'adjusted moment in E', unit: 'N m', series: ['x', 'y', 'z'], least: 0.1, places: 3, value: at('Nx')},
+  {title: 'Force F_a', hint: 'adjusted force in E', unit: 'N', series: ['x', 'y', 'z'], least: 2, places: 2, biased: true, value: at('Fx')},
+  {title: 'Moment N_a', hint: 'adjusted moment in E', unit: 'N m', series: ['x', 'y', 'z'], least: 0.1, places: 3, biased: true, value: at('Nx')},
   {title: 'Position, change', hint: 'of E in the base of the arm, since the left edge of the chart', unit: 'mm', series: ['x', 'y', 'z'], least: 1, places: 1, value: moved},
   {title: 'Orientation, change', hint: 'of E, angle times axis, since the left edge of the chart', unit: 'deg', series: ['x', 'y', 'z'], least: 0.2, places: 2, value: turned},
 ];

@@ -1,0 +1,103 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "base/camera_config.hpp"
+#include "launch/task.hpp"
+#include "launch/task_config.hpp"
+#include "mp/check_run.hpp"
+#include "mp/parameter_list.hpp"
+#include "mp/print_line.hpp"
+#include "mp/signal_orders.hpp"
+
+namespace mrroc::launch {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// @return the configuration, from which all parts of the run have read what they need
+Setup prepare(const Task& task, mp::TaskOptions options) {
+  Setup s;
+  const std::vector<std::string> found = task.found ? task.found(options) : std::vector<std::string>{};
+  s.config = load_task_config(options, task.config, task.name, found);
+  options.seed = seed_of(s.config);
+  if (task.complete) task.complete(s.config, options);
+  check_task_options(options);
+  s.options = options;
+  check_cell(s.config, task.arms);
+  for (const Receptor& r : task.receptors)
+    if (r.read) r.read(s.config);
+  if (task.prepare) task.prepare(s);
+  return s;
+}
+
+std::vector<mp::NodeSpec> nodes_of(const Task& task, const Setup& s) {
+  std::vector<mp::NodeSpec> nodes = cell_nodes(s.config, task.arms);
+  const std::string ecp = task.ecp_program.empty() ? "ecp_" + task.name : task.ecp_program;
+  for (const CellArm& arm : task.arms) {
+    nodes.push_back(make_node(s.config, "ecp-" + arm.key, ecp, &arm, task.ecp));
+    for (const Receptor& r : task.receptors)
+      nodes.push_back(
+          make_node(s.config, fmt::format("vsp-{}-{}", r.name, arm.key), "vsp_" + r.name, &arm, r.body));
+  }
+  if (task.nodes) std::ranges::move(task.nodes(s), std::back_inserter(nodes));
+  return nodes;
+}
+
+std::string first_line(const Task& task, const Setup& s, const std::string& session) {
+  const std::string words = task.words ? ", " + task.words(s) : "";
+  return fmt::format(
+      "{}{}, session {}, seed {}{}", task.name, words, session, s.options.seed,
+      s.options.scripted() && !task.unattended.empty() ? task.unattended : mp::who_orders(s.options));
+}
+
+int run(const Task& task, const mp::TaskOptions& asked) {
+  Setup s = prepare(task, asked);
+  const mp::TaskOptions& options = s.options;
+  const std::vector<std::string> keys = keys_of(task.arms);
+  if (options.parameters) {
+    complete_config(s.config, options, ".", "");
+    return mp::list_parameters(s.config, options);
+  }
+  if (!options.check.empty())
+    return mp::check_coordinator(task.name, options, keys,
+                                 [&](mp::TaskRun& run) { return task.coordinator(run, s); });
+  const fs::path folder = mp::name_run_folder(options.run_dir, task.name);
+  complete_config(s.config, options, folder,
+                  task.strokes.empty() ? "" : fs::absolute(folder / task.strokes).string(),
+                  !camera_keys(s.config).empty());
+  // A run folder without a summary would be left otherwise.
+  std::optional<mp::HeldStops> held(std::in_place);
+  mp::make_run_folder(folder);
+  if (task.files) task.files(folder);
+  mp::write_text(folder / "config.toml", s.config.dump());
+
+  mp::TaskRun run(task.name, options, folder, keys, nodes_of(task, s));
+  held.reset();  // the run takes them
+  mp::print_line(first_line(task, s, run.session()), options.session);
+  const std::unique_ptr<mp::CoordinatorRun> coordinator = task.coordinator(run, s);
+  run.start();
+  mp::Summary summary = run.execute(*coordinator);
+  Results results{
+      .setup = s, .arms = task.arms, .folder = folder, .coordinator = *coordinator, .summary = summary};
+  run.finish([&] { make_results(results, task.results); });
+  return mp::print_ending(summary, ending_of(results), options);
+}
+
+}  // namespace
+
+int run_task(const Task& task, int argc, char** argv) {
+  mp::TaskOptions options;
+  CommandLine line(task.about, task.name);
+  if (task.options) task.options(line);
+  mp::add_task_options(line, options);
+  for (const std::string& option : task.instead_of_config)
+    line.named(option).excludes(line.named("--config"));
+  if (task.relations) task.relations(line);
+  return mp::run_command_line(
+      line, argc, argv, [&] { return run(task, options); }, task.examples);
+}
+
+}  // namespace mrroc::launch

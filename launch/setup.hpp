@@ -1,0 +1,14 @@
+// Configuration and options of a run, known before anything starts.
+#pragma once
+#include "base/config.hpp"
+#include "mp/options.hpp"
+
+namespace mrroc::launch {
+
+/// Configuration and options of one run.
+struct Setup {
+  Config config;            ///< the task's, the user's, and what the task has found out
+  mp::TaskOptions options;  ///< of the command line; the seed is that of the configuration
+};
+
+}  // namespace mrroc::launch

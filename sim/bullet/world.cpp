@@ -1,0 +1,115 @@
+#include "sim/world.hpp"
+
+#include <bit>
+#include <stdexcept>
+
+#include "sim/bullet/arm.hpp"
+#include "sim/bullet/cube_body.hpp"
+#include "sim/bullet/scene.hpp"
+
+namespace mrroc::sim {
+namespace {
+
+constexpr double kTableEdge = 0.6;  // [m]
+
+// Well mixed seeds from neighbouring numbers (splitmix64, S. Vigna).
+std::uint64_t mixed(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+  return x ^ (x >> 31);
+}
+
+const WorldParameters& checked(const WorldParameters& p) {
+  if (p.arms.empty()) throw std::invalid_argument("world: there is no arm");
+  if (p.substeps < 1) throw std::invalid_argument("world: substeps must be at least 1");
+  if (p.solver_iterations < 1) throw std::invalid_argument("world: solver_iterations must be at least 1");
+  if (p.cube && (p.cube->held_by < 0 || p.cube->held_by >= static_cast<int>(p.arms.size()) ||
+                 !p.arms[static_cast<std::size_t>(p.cube->held_by)].gripper))
+    throw std::invalid_argument("world: the cube is held by no gripper");
+  return p;
+}
+
+}  // namespace
+
+struct World::Impl {
+  Impl(const WorldParameters& parameters, std::uint64_t seed)
+      : p(checked(parameters)), scene(p.solver_iterations) {
+    for (const ArmParameters& arm : p.arms) {
+      scene.add_table(arm.T_UB * arm.paper.T_0P, kTableEdge);
+      scene.add_plate(arm.T_UB * arm.paper.T_0P, arm.plate);
+      seed = mixed(seed);
+      arms.push_back(std::make_unique<SimulatedArm>(arm, scene, kStep / p.substeps, p.substeps, seed));
+    }
+    if (!p.cube) return;
+    scene.prepare_for_cube();
+    scene.on_contacts([this] {
+      for (const auto& each : arms) each->share_stiffness();
+    });
+    cube = std::make_unique<CubeBody>(*p.cube, this->arm(p.cube->held_by).T_UE() * p.cube->T_EC, scene,
+                                      kStep / p.substeps);
+  }
+
+  SimulatedArm& arm(int k) { return *arms.at(static_cast<std::size_t>(k)); }
+
+  WorldParameters p;
+  Scene scene;
+  std::vector<std::unique_ptr<SimulatedArm>> arms;
+  std::unique_ptr<CubeBody> cube;
+  std::int64_t steps{};
+};
+
+World::World(const WorldParameters& parameters, std::uint64_t seed)
+    : impl_(std::make_unique<Impl>(parameters, seed)) {}
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+void World::reset(std::uint64_t seed) { impl_ = std::make_unique<Impl>(WorldParameters(impl_->p), seed); }
+
+int World::arms() const { return static_cast<int>(impl_->arms.size()); }
+
+void World::step(std::span<const HardwareCommand> commands) {
+  Impl& w = *impl_;
+  ++w.steps;
+  for (std::size_t k = 0; k < w.arms.size(); ++k)
+    w.arms[k]->begin_step(k < commands.size() ? &commands[k] : nullptr);
+  if (w.cube) w.cube->begin_step();
+  for (int substep = 0; substep < w.p.substeps; ++substep) {
+    for (const auto& arm : w.arms) arm->push();
+    if (w.cube) w.cube->push();
+    w.scene.integrate(kStep / w.p.substeps);
+    for (const auto& arm : w.arms) arm->follow();
+    if (w.cube) w.cube->follow(1.0 / w.p.substeps);
+  }
+  for (const auto& arm : w.arms) arm->end_step(w.steps);
+  if (w.cube) w.cube->end_step();
+}
+
+const HardwareReading& World::reading(int arm) const { return impl_->arm(arm).reading(); }
+std::int64_t World::steps() const { return impl_->steps; }
+Hand& World::hand(int arm) { return impl_->arm(arm).hand(); }
+const AxisVector& World::start_joints(int arm) const { return impl_->arm(arm).start_joints(); }
+const ArmTruth& World::truth(int arm) const { return impl_->arm(arm).truth(); }
+std::vector<LinkShape> World::shapes(int arm) const { return impl_->arm(arm).shapes(); }
+const std::vector<InkPoint>& World::ink(int arm) const { return impl_->arm(arm).ink().points(); }
+void World::set_object(int arm, double width) { impl_->arm(arm).set_object(width); }
+const CubeTruth* World::cube() const { return impl_->cube ? &impl_->cube->truth() : nullptr; }
+void World::set_face_friction(cube::Face face, const FaceFriction& friction) {
+  if (impl_->cube) impl_->cube->set_friction(face, friction);
+}
+bool World::lay_cube(int axis) { return impl_->cube && impl_->cube->lay(axis); }
+Pose World::effector(int arm) const { return impl_->arm(arm).T_UE(); }
+void World::new_sheet(int arm) { impl_->arm(arm).ink().clear(); }
+
+std::uint64_t World::state_hash() const {
+  constexpr std::uint64_t kPrime = 0x100000001b3;
+  std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a over 64-bit words
+  for (const auto& arm : impl_->arms)
+    arm->visit_state([&](double x) { hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * kPrime; });
+  if (impl_->cube)
+    impl_->cube->visit_state([&](double x) { hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * kPrime; });
+  return hash;
+}
+
+}  // namespace mrroc::sim

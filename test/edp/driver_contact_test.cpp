@@ -1,0 +1,64 @@
+// A driver whose contact oscillates: it watches the axes that follow a force, and no others.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "edp/control_law.hpp"
+#include "test/edp/rig.hpp"
+
+namespace mrroc::edp::test {
+namespace {
+
+/// A rig whose sensor says that the force along z swings, at 10 Hz, by 10 N.
+struct Swinging : Rig {
+  Swinging() {
+    synchronise();
+    after_each_step = [this] {
+      world.sensor_offset[Axis::z] = 5 * std::sin(2 * std::numbers::pi * ++k / 50.);
+    };
+  }
+  int k{};
+};
+
+/// Contact along z that hardly moves.
+TaskFrameCommand stiff() { return {u(), u(), c(0, 1000, 1e-4), u(), u(), u()}; }
+
+TEST(DriverContact, OneThatSwingsOnAndOnFailsAndTheArmComesToRest) {
+  Swinging rig;
+  EffectorReply reply;
+  int macrosteps = 0;
+  for (; macrosteps < 100 && reply.fault.code == FaultCode::none; ++macrosteps)
+    reply = rig.macrostep(rig.velocity(stiff()));
+  EXPECT_GT(macrosteps, 20) << "four periods at least";
+  EXPECT_EQ(reply.fault.code, FaultCode::contact_unstable);
+  EXPECT_EQ(reply.fault.axis, static_cast<int>(Axis::z));
+  EXPECT_EQ(class_of(reply.fault.code), FaultClass::non_fatal);
+  EXPECT_EQ(rig.silence(10).state, DriverState::holding);
+  EXPECT_TRUE(rig.driver.set_point().motor_increment.isZero(0));
+}
+
+TEST(DriverContact, AnAxisThatFollowsNoForceMaySwing) {
+  Swinging rig;
+  for (int k = 0; k < 100; ++k)
+    ASSERT_EQ(rig.macrostep(rig.velocity({c(0, 1000, 1e-4), u(), u(), u(), u(), u()})).verdict,
+              Verdict::executed);
+}
+
+TEST(DriverContact, AMotionOfTheMotorsFollowsNoForceWhateverItsTableSays) {
+  Swinging rig;
+  for (int k = 0; k < 100; ++k) {
+    EffectorCommand jog = rig.jog({0, k % 2 ? 0.1 : -0.1}, 10);
+    jog.arm.frame = stiff();
+    ASSERT_EQ(rig.macrostep(jog).verdict, Verdict::executed) << k;
+  }
+}
+
+TEST(DriverContact, AnArmThatStandsMaySwing) {
+  Swinging rig;
+  rig.macrostep(rig.velocity(stiff()));
+  for (int k = 0; k < 100; ++k) ASSERT_EQ(rig.silence(1).fault.code, FaultCode::none);
+}
+
+}  // namespace
+}  // namespace mrroc::edp::test

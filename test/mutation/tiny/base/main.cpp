@@ -1,0 +1,5 @@
+#include "base/area.hpp"
+
+static_assert(kSide == 4);
+
+int main() { return side() - kSide; }

@@ -1,0 +1,56 @@
+// The arms that a configuration gives the simulator.
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <string>
+
+#include "base/config.hpp"
+#include "robots/catalogue.hpp"
+#include "sim/config.hpp"
+
+namespace mrroc::sim {
+namespace {
+
+TEST(WorldConfig, ArmsAreThoseOfTheCatalogueUnlessTheConfigurationSaysAnother) {
+  const auto types = robots::catalogue();
+  ASSERT_GE(types.size(), 2U);
+  const WorldParameters usual =
+      read_world(Config::parse("[robots]\norder = [\"arm1\", \"arm2\"]\n", "test.toml"));
+  ASSERT_EQ(usual.arms.size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(usual.arms[k].type, types[k]) << types[k]->name;
+
+  const WorldParameters other = read_world(
+      Config::parse("[robots]\norder = [\"arm1\"]\n[robots.arm1]\nmodel = \"irb6_track\"\n", "test.toml"));
+  ASSERT_EQ(other.arms.size(), 1U);
+  EXPECT_EQ(other.arms[0].type, robots::find("irb6_track"));
+}
+
+TEST(WorldConfig, ArmsBeyondTheCatalogueAreOfItsLastType) {
+  std::string order = "\"arm1\"";
+  const auto types = robots::catalogue();
+  for (std::size_t k = 1; k <= types.size(); ++k) order += ", \"arm" + std::to_string(k + 1) + "\"";
+  const WorldParameters world = read_world(Config::parse("[robots]\norder = [" + order + "]\n", "test.toml"));
+  ASSERT_EQ(world.arms.size(), types.size() + 1);
+  EXPECT_EQ(world.arms.back().type, types.back());
+}
+
+TEST(WorldConfig, StartJointsAreOnePerAxisOrNone) {
+  const auto world = [](const std::string& joints) {
+    return read_world(
+        Config::parse("[robots]\norder = [\"arm1\"]\n[robots.arm1]\nstart_joints = " + joints, "test.toml"));
+  };
+  EXPECT_TRUE(world("[]").arms[0].start.empty());
+  EXPECT_EQ(world("[0, -1.5, 0, 0, 1.5, 0]").arms[0].start.size(), 6U);
+  for (const std::string few : {"[0, 0, 0]", "[0, 0, 0, 0, 0, 0, 0, 0]"}) {
+    try {
+      world(few);
+      ADD_FAILURE() << few << " was taken";
+    } catch (const FaultError& e) {
+      EXPECT_EQ(e.fault().code, FaultCode::bad_configuration);
+      EXPECT_EQ(std::string(e.what()).find("robots.arm1.start_joints: "), 0U) << e.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mrroc::sim
