@@ -147,6 +147,9 @@ std::string error_with_free_files(int files) {
 }
 
 TEST(Child, TheReasonIsToldWhenThereIsNoRoomForAPipe) {
+  // The sanitizer of types needs a pipe itself when it meets one for the first time.
+  const FaultError met(FaultCode::start_failed, "met before", "nothing to do");
+  ASSERT_EQ(met.fault().code, FaultCode::start_failed);
   const std::string reason = std::string("cannot make a pipe: ") + std::strerror(EMFILE);
   for (const int files : {0, 2}) {  // neither of the two pipes, and the first one only
     const std::string error = error_with_free_files(files);
