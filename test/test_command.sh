@@ -142,19 +142,34 @@ test_sanitized() {
   run_tests "$@"
 }
 
+# fuzz_one MINUTES NAME: says how it ended, and writes it down
+fuzz_one() {
+  local name=$2 folder=$root/test/fuzz found=$build/fuzz/found/$2 seen=$build/fuzz/seen/$2 log=$build/fuzz-$2.log
+  local options=("-max_total_time=$((60 * $1))" -max_len=20000 -timeout=25 -rss_limit_mb=2048 "-artifact_prefix=$found/")
+  mkdir -p "$found" "$seen"
+  [[ ! -e $folder/dictionary/$name.dict ]] || options+=("-dict=$folder/dictionary/$name.dict")
+  if "$build/fuzz/bin/fuzz_$name" "${options[@]}" "$seen" "$folder/corpus/$name" >"$log" 2>&1; then
+    say "fuzzing $name ... $SECONDS s"
+    echo ok >>"$build/fuzz-done.txt"
+  else
+    say "fuzzing $name ... failed after $SECONDS s"$'\n'"$(tail -n 30 "$log")"
+  fi
+}
+
 # test_fuzz MINUTES: every target of test/fuzz counts as a test. New inputs are kept for the next time.
 test_fuzz() {
-  local folder=$root/test/fuzz found=$build/fuzz/found before=$passed lost=$failed start=$SECONDS name options
+  local folder=$root/test/fuzz start=$SECONDS all good
   need_packages "${packages[@]}" "${fuzz_packages[@]}"
   compile fuzz fuzz
-  for name in "$folder"/corpus/*/; do
-    name=$(basename "$name")
-    mkdir -p "$found/$name" "$build/fuzz/seen/$name"
-    options=("-max_total_time=$((60 * $1))" -max_len=20000 -timeout=25 -rss_limit_mb=2048 "-artifact_prefix=$found/$name/")
-    [[ ! -e $folder/dictionary/$name.dict ]] || options+=("-dict=$folder/dictionary/$name.dict")
-    check "fuzzing $name" "fuzz-$name" "$build/fuzz/bin/fuzz_$name" "${options[@]}" "$build/fuzz/seen/$name" "$folder/corpus/$name"
-  done
-  say "fuzz targets: $((passed - before)) passed, $((failed - lost)) failed, 0 skipped ($((SECONDS - start)) s)"
+  : >"$build/fuzz-done.txt"
+  export -f fuzz_one say
+  export root build
+  find "$folder/corpus" -mindepth 1 -maxdepth 1 -type d -printf '%f\n' | sort |
+    xargs -P "$jobs" -I NAME bash -c 'fuzz_one "$@"' bash "$1" NAME
+  all=$(find "$folder/corpus" -mindepth 1 -maxdepth 1 -type d | wc -l)
+  good=$(wc -l <"$build/fuzz-done.txt")
+  passed=$((passed + good)) failed=$((failed + all - good))
+  say "fuzz targets: $good passed, $((all - good)) failed, 0 skipped ($((SECONDS - start)) s)"
 }
 
 test_release() {
