@@ -74,6 +74,13 @@ TEST_F(Starts, ASignalAtAnyTimeLeavesNoFolderWithoutASummary) {
   }
 }
 
+TEST_F(Starts, ANetworkThatLosesMessagesIsToldInTheFirstLine) {
+  Started press(folder_, "press", {"--attended", "--set", "link.loss=0.02", "--run-dir", folder_ / "run"});
+  EXPECT_TRUE(press.await_line("every process loses 2 % of its messages (link.loss)"));
+  press.signal(SIGINT);
+  EXPECT_EQ(press.end().status, 1);
+}
+
 TEST_F(Starts, ADiskThatIsFullBehindTheOutputIsAnError) {
   for (const std::string words :
        {"press --parameters", "press --help", "ui_cli explain", "edp_irb6 --help"}) {
