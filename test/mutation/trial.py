@@ -17,7 +17,7 @@ from mutants import Mutant
 TIMEOUT_FACTOR = 10  # times what the program takes without a mutant
 LEAST_TIMEOUT = 20.0  # [s]
 MEMORY = 6 << 30  # that a mutant may take [byte]
-FILE_SIZE = 256 << 20  # [byte]
+FILE_SIZE = 1 << 30  # [byte]; a test makes a file of half of that, with holes
 FEW = 5  # objects that are compiled at first for a header
 MOST = 10  # objects that are compiled at all for one
 
