@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <fstream>
 #include <string>
 #include <thread>
@@ -135,15 +136,20 @@ std::string error_with_free_files(int files) {
   for (const int file : taken) ::close(file);
   const rlimit few{first_refused, usual.rlim_max};
   EXPECT_EQ(::setrlimit(RLIMIT_NOFILE, &few), 0);
-  std::string error;
+  std::exception_ptr thrown;
   try {
     const Child child("/bin/true", {});
-  } catch (const FaultError& e) {
-    EXPECT_EQ(e.fault().code, FaultCode::start_failed);
-    error = e.what();
+  } catch (const FaultError&) {
+    thrown = std::current_exception();
   }
   EXPECT_EQ(::setrlimit(RLIMIT_NOFILE, &usual), 0);
-  return error;
+  if (!thrown) return {};
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const FaultError& e) {
+    EXPECT_EQ(e.fault().code, FaultCode::start_failed);
+    return e.what();
+  }
 }
 
 TEST(Child, TheReasonIsToldWhenThereIsNoRoomForAPipe) {
