@@ -51,7 +51,8 @@ std::string first_line(const Task& task, const Setup& s, const std::string& sess
   std::string words = task.words ? ", " + task.words(s) : "";
   // What is lost is sent again after a while: without a word the run would seem to crawl for no reason.
   if (const double loss = link::read_loss(s.config); loss > 0)
-    words += fmt::format(", every process loses {:.2g} % of its messages (link.loss), so it is slow", 100 * loss);
+    words +=
+        fmt::format(", every process loses {:.2g} % of its messages (link.loss), so it is slow", 100 * loss);
   return fmt::format(
       "{}{}, session {}, seed {}{}", task.name, words, session, s.options.seed,
       s.options.scripted() && !task.unattended.empty() ? task.unattended : mp::who_orders(s.options));
