@@ -147,7 +147,7 @@ fuzz_one() {
   local name=$2 folder=$root/test/fuzz found=$build/fuzz/found/$2 seen=$build/fuzz/seen/$2 log=$build/fuzz-$2.log
   local options=("-max_total_time=$((60 * $1))" -max_len=20000 -timeout=25 -rss_limit_mb=2048 "-artifact_prefix=$found/")
   mkdir -p "$found" "$seen"
-  # The shortest run is the same each time, so that it speaks of a change; longer ones look at other inputs each time.
+  # In a new clone the shortest run begins the same each time, so that it speaks of a change; longer ones draw anew.
   (($1 > 1)) || options+=(-seed=1)
   [[ ! -e $folder/dictionary/$name.dict ]] || options+=("-dict=$folder/dictionary/$name.dict")
   if "$build/fuzz/bin/fuzz_$name" "${options[@]}" "$seen" "$folder/corpus/$name" >"$log" 2>&1; then
