@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <numbers>
+#include <tuple>
 
 namespace mrroc::rex::test {
 namespace {
