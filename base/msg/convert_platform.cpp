@@ -321,7 +321,7 @@ plan_t to_message(const Plan& p) {
   m.n = p.n;
   copy_rows(p.point, m.point);
   m.speed = p.speed;
-  m.goes_on = p.goes_on ? 1 : 0;
+  m.ahead = p.ahead;
   return m;
 }
 
@@ -331,7 +331,7 @@ Plan from_message(const plan_t& m) {
   p.n = m.n;
   copy_rows(m.point, p.point);
   p.speed = m.speed;
-  p.goes_on = m.goes_on != 0;
+  p.ahead = m.ahead;
   return p;
 }
 
