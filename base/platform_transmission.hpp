@@ -17,6 +17,7 @@ struct Plan {
   std::int32_t n{};       ///< points, 0..kPlanPoints
   std::array<std::array<double, 2>, kPlanPoints> point{};  ///< x, y on M [m]
   double speed{};                                          ///< wanted between them [m/s], > 0
+  bool goes_on{};  ///< another plan follows from the last point on, which is passed at speed; false: a rest there
 };
 
 /// What the map agent says, T_x_c1,3[x^, y^, phi^]. Trivially copyable.

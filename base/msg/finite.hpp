@@ -18,6 +18,10 @@ template <std::size_t N>
 bool finite(const double (&numbers)[N]) noexcept {
   return std::all_of(std::begin(numbers), std::end(numbers), [](double x) { return std::isfinite(x); });
 }
+template <std::size_t N, std::size_t M>
+bool finite(const double (&rows)[N][M]) noexcept {
+  return std::all_of(std::begin(rows), std::end(rows), [](const auto& row) { return finite(row); });
+}
 /// @return whether pose, force and gripper are finite
 inline bool finite(const agent_report_t& m) noexcept {
   return finite(m.T_0E) && finite(m.F_a) && std::isfinite(m.gripper);

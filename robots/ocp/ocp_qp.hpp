@@ -35,7 +35,7 @@ struct Stage {
 /// How solve() has ended.
 enum class QpStatus {
   solved,      ///< within 1e-6 of what the conditions of optimality demand
-  not_solved,  ///< too many iterations, steps too short, or not a convex problem
+  not_solved,  ///< too many iterations, steps too short, numbers that are not finite, or not a convex problem
   bad_data,    ///< a size did not fit, an index was wrong, or a number was not finite
 };
 
@@ -54,8 +54,8 @@ struct QpResult {
 ///
 /// solved by HPIPM (Frison and Diehl, "HPIPM: a high-performance quadratic programming framework for model predictive
 /// control", 2020) in its robust mode. All memory is taken by the constructor; all other functions are real-time safe. What
-/// has been set stays until it is set again; at first all numbers are 0, bounds are none. A size or an index that does not
-/// fit is remembered, and makes the next solve() answer bad_data.
+/// has been set stays until it is set again; at first all numbers are 0. A size or an index that does not fit is remembered,
+/// and makes the next solve() answer bad_data.
 class OcpQp {
  public:
   /// @param stages      0..N, at least two  @param iterations  most of the interior point method, >= 1
@@ -84,7 +84,7 @@ class OcpQp {
   /// Solves it from the beginning: the same data give the same bits, whatever was solved before.
   [[nodiscard]] QpResult solve() noexcept;
 
-  /// Solution of the last solve() that was ok; 0 before.
+  /// What the last solve() has found; it means something only if that was ok.
   /// @param out  its size is n_u of k  @return false: the size is another one, or there is no such k; out is as it was
   template <class Derived>
   bool u(int k, Eigen::PlainObjectBase<Derived>& out) const noexcept {

@@ -7,9 +7,14 @@
 #include <random>
 
 #include "base/link/decode.hpp"
+#include "test/base/msg/wire.hpp"
 
 namespace mrroc {
 namespace {
+
+using test::bytes_of;
+using test::expect_round_trip;
+using test::sent;
 
 std::mt19937_64 random_bits(1);
 
@@ -57,30 +62,6 @@ ArmCommand random_arm() {
   c.n_Q = bits<std::uint16_t>();
   c.gripper = number();
   return c;
-}
-
-/// Over the wire: encoded, decoded and compared as bytes, which NaN and -0 survive too.
-template <class M>
-M sent(const M& m) {
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(m.getEncodedSize()));
-  EXPECT_EQ(m.encode(bytes.data(), 0, m.getEncodedSize()), m.getEncodedSize());
-  M received{};
-  EXPECT_EQ(received.decode(bytes.data(), 0, m.getEncodedSize()), m.getEncodedSize());
-  return received;
-}
-template <class M>
-std::vector<std::uint8_t> bytes_of(const M& m) {
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(m.getEncodedSize()));
-  m.encode(bytes.data(), 0, m.getEncodedSize());
-  return bytes;
-}
-
-/// A value goes to a message, over the wire, back to a value, and gives the same message again.
-template <class V, class From>
-void expect_round_trip(const V& value, From from) {
-  const auto m = to_message(value);
-  const V back = from(sent(m));
-  EXPECT_EQ(bytes_of(to_message(back)), bytes_of(m));
 }
 
 bool same(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }

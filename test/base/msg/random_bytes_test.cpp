@@ -1,35 +1,18 @@
 // Whatever comes from the network in the right size can be converted and told: no crash, no number that means
 // nothing where one is looked up.
 #include <gtest/gtest.h>
-
-#include <random>
-
 #include "base/link/decode.hpp"
 #include "base/link/text.hpp"
 #include "base/msg/convert.hpp"
 #include "base/msg/finite.hpp"
 #include "mrroc/fault_t.hpp"
 #include "mrroc/hand_order_t.hpp"
+#include "test/base/msg/wire.hpp"
 
 namespace mrroc {
 namespace {
 
-/// Calls see(m) for messages of type M whose fields are random bits.
-template <class M, class See>
-void with_random_bytes(See see) {
-  std::mt19937_64 random(7);
-  const int size = M{}.getEncodedSize();
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
-  for (int k = 0; k < 2000; ++k) {
-    M m{};
-    m.encode(bytes.data(), 0, size);
-    // The first eight bytes say what type it is.
-    for (std::size_t b = 8; b < bytes.size(); ++b)
-      if (k % 2 == 0 || random() % 4 == 0) bytes[b] = static_cast<std::uint8_t>(random());
-    ASSERT_EQ(m.decode(bytes.data(), 0, size), size);
-    see(m);
-  }
-}
+using test::with_random_bytes;
 
 bool known(FaultCode code) { return fault_code(static_cast<std::int64_t>(code)).has_value(); }
 

@@ -1,0 +1,264 @@
+// Values of mobile platforms survive their messages bit for bit; numbers that nobody can use are found.
+#include "base/msg/convert_platform.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "base/link/transmission_link.hpp"
+#include "base/msg/message_type.hpp"
+#include "test/base/msg/wire.hpp"
+
+namespace mrroc {
+namespace {
+
+using test::bytes_of;
+using test::with_random_bytes;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+static_assert(link::Transmitted<Plan> && link::Transmitted<MapReport> &&
+              link::Transmitted<PlatformEstimate> && link::Transmitted<MotionCapture> &&
+              link::Transmitted<OdometryReading> && link::Transmitted<PlatformTelemetry> &&
+              link::Transmitted<PlatformTruth>);
+
+template <class M>
+const MessageType& type_of_message() {
+  return *type_of(bytes_of(M{}));
+}
+
+/// @return whether the field is a yes or no, which any number but 0 says
+bool is_flag(const Field& f) {
+  constexpr std::array<std::string_view, 3> kEnumerators{"instruction", "verdict", "state"};
+  return f.kind == FieldKind::int8 && std::ranges::find(kEnumerators, f.name) == kEnumerators.end();
+}
+
+/// Every field of the message but the header comes back from the value that it was converted to.
+template <class M>
+void expect_all_back(const M& m) {
+  const auto sent = bytes_of(m), back = bytes_of(to_message(from_message(m)));
+  for (const Field& f : type_of_message<M>().fields) {
+    if (f.name.starts_with("header.") || f.name == "begun" || f.name == "last") continue;
+    if (is_flag(f))
+      ASSERT_EQ(number_in(sent, f) != 0, number_in(back, f) != 0) << f.name;
+    else
+      ASSERT_TRUE(std::ranges::equal(std::span(sent).subspan(f.offset, f.size),
+                                     std::span(back).subspan(f.offset, f.size)))
+          << f.name;
+  }
+}
+
+/// @return the numbers of kind float64 of which any, when it is not finite, makes the message improper
+template <class M>
+std::vector<Field> numbers_of() {
+  std::vector<Field> numbers = type_of_message<M>().fields;
+  std::erase_if(numbers,
+                [](const Field& f) { return f.kind != FieldKind::float64 || f.name.starts_with("fault."); });
+  return numbers;
+}
+
+template <class M>
+M with_number(const M& m, const Field& field, double number) {
+  auto bytes = bytes_of(m);
+  const auto raw = std::bit_cast<std::uint64_t>(number);
+  for (std::size_t k = 0; k < 8; ++k)
+    bytes[field.offset + k] = static_cast<std::uint8_t>(raw >> (8 * (7 - k)));
+  M changed{};
+  changed.decode(bytes.data(), 0, static_cast<int>(bytes.size()));
+  return changed;
+}
+
+/// @param good  a proper message that says everything that it can
+template <class M>
+void expect_every_number_looked_at(const M& good) {
+  ASSERT_TRUE(is_proper(good));
+  for (const Field& f : numbers_of<M>())
+    for (const double bad : {kNaN, kInfinity, -kInfinity})
+      EXPECT_FALSE(is_proper(with_number(good, f, bad))) << f.name;
+}
+
+MapPose a_pose() {
+  return {.step = 7, .valid = true, .p = {1, 2, 3}, .covariance = {1, 0, 0, 0, 1, 0, 0, 0, 1}};
+}
+
+OdometryReading a_motion() {
+  OdometryReading r{.step_before = 40, .step = 80, .valid = true};
+  r.A = {1, 0, 0, 0.1, 0, 1, 0, 0, 0, 0, 1, 0};
+  for (std::size_t k = 0; k < 6; ++k) r.covariance[7 * k] = 1e-4;
+  return r;
+}
+
+Plan a_plan() { return {.number = 3, .n = 2, .point = {{{0, 0}, {1, 0}}}, .speed = 0.4}; }
+
+TEST(PlatformMessages, BringBackWhateverWasSent) {
+  with_random_bytes<fragment_t>([](const fragment_t& m) { expect_all_back(m); });
+  with_random_bytes<map_pose_t>([](const map_pose_t& m) { expect_all_back(m); });
+  with_random_bytes<platform_command_t>([](const platform_command_t& m) {
+    expect_all_back(m);
+    ASSERT_EQ(from_message(m).macrostep, m.header.stamp);
+  });
+  with_random_bytes<platform_telemetry_t>([](const platform_telemetry_t& m) { expect_all_back(m); });
+  with_random_bytes<platform_drive_t>([](const platform_drive_t& m) {
+    expect_all_back(m);
+    ASSERT_EQ(from_message(m).step, m.header.stamp);
+  });
+  with_random_bytes<odometry_reading_t>([](const odometry_reading_t& m) { expect_all_back(m); });
+  with_random_bytes<motion_capture_t>([](const motion_capture_t& m) { expect_all_back(m); });
+  with_random_bytes<map_report_t>([](const map_report_t& m) { expect_all_back(m); });
+  with_random_bytes<platform_estimate_t>([](const platform_estimate_t& m) { expect_all_back(m); });
+  with_random_bytes<plan_t>([](const plan_t& m) { expect_all_back(m); });
+  with_random_bytes<platform_truth_t>([](const platform_truth_t& m) { expect_all_back(m); });
+}
+
+TEST(PlatformMessages, BringBackARepliesEveryFieldAndAFaultThatThereIs) {
+  with_random_bytes<platform_reply_t>([](platform_reply_t m) {
+    ASSERT_EQ(from_message(m).macrostep, m.header.stamp);
+    ASSERT_TRUE(fault_code(static_cast<std::int64_t>(from_message(m).fault.code)));
+    m.fault.code = static_cast<int>(FaultCode::lost_command);
+    m.fault.axis = 3;
+    expect_all_back(m);
+  });
+}
+
+TEST(PlatformMessages, BringBackAReadingThatIsMeasured) {
+  with_random_bytes<platform_reading_t>([](platform_reading_t m) {
+    ASSERT_EQ(from_message(m).step, m.header.stamp);
+    m.imu_valid = m.load_valid = 1;
+    const auto bytes = bytes_of(m);
+    if (std::ranges::all_of(numbers_of<platform_reading_t>(),
+                            [&](const Field& f) { return std::isfinite(number_in(bytes, f)); }))
+      expect_all_back(m);
+  });
+}
+
+TEST(PlatformMessages, AReadingThatIsNoNumberIsNoMeasurement) {
+  platform_reading_t m{};
+  m.imu_valid = m.load_valid = 1;
+  for (const double bad : {kNaN, kInfinity}) {
+    for (double platform_reading_t::*field : {&platform_reading_t::yaw, &platform_reading_t::yaw_rate}) {
+      platform_reading_t spoilt = m;
+      spoilt.*field = bad;
+      const PlatformReading r = from_message(spoilt);
+      EXPECT_FALSE(r.imu_valid);
+      EXPECT_TRUE(r.load_valid);
+      EXPECT_TRUE(std::isfinite(r.yaw) && std::isfinite(r.yaw_rate));
+    }
+    for (std::size_t k = 0; k < kWheels; ++k) {
+      platform_reading_t spoilt = m;
+      spoilt.load[k] = spoilt.current[k] = bad;
+      const PlatformReading r = from_message(spoilt);
+      EXPECT_FALSE(r.load_valid);
+      EXPECT_TRUE(r.imu_valid);
+      EXPECT_EQ(r.load[k], 0);
+      EXPECT_EQ(r.current[k], 0);
+    }
+  }
+}
+
+TEST(PlatformMessages, EveryNumberThatSomebodyComputesWithIsLookedAt) {
+  expect_every_number_looked_at(to_message(PlatformReply{}));
+  expect_every_number_looked_at(to_message(PlatformTelemetry{}));
+  expect_every_number_looked_at(to_message(PlatformDrive{}));
+  expect_every_number_looked_at(to_message(a_motion()));
+  expect_every_number_looked_at(to_message(MotionCapture{.step = 50, .seen = true, .p = {1, 2, 3}}));
+  expect_every_number_looked_at(to_message(MapReport{.pose = a_pose()}));
+  expect_every_number_looked_at(to_message(PlatformEstimate{}));
+  expect_every_number_looked_at(to_message(a_plan()));
+  expect_every_number_looked_at(to_message(PlatformTruth{}));
+}
+
+TEST(PlatformMessages, WhatAnAgentSaysBeforeItKnowsAnythingIsProper) {
+  EXPECT_TRUE(is_proper(to_message(Plan{})));
+  EXPECT_TRUE(is_proper(to_message(MapReport{})));
+  EXPECT_TRUE(is_proper(to_message(PlatformEstimate{})));
+  EXPECT_TRUE(is_proper(to_message(OdometryReading{})));
+  EXPECT_TRUE(is_proper(to_message(MotionCapture{})));
+}
+
+TEST(PlatformMessages, APlanHasPointsWithinItsBoundsAndASpeed) {
+  const auto proper = [](auto change) {
+    plan_t m = to_message(a_plan());
+    change(m);
+    return is_proper(m);
+  };
+  EXPECT_TRUE(proper([](plan_t&) {}));
+  EXPECT_TRUE(proper([](plan_t& m) { m.n = static_cast<int>(kPlanPoints); }));
+  EXPECT_FALSE(proper([](plan_t& m) { m.n = static_cast<int>(kPlanPoints) + 1; }));
+  EXPECT_FALSE(proper([](plan_t& m) { m.n = 0; }));
+  EXPECT_FALSE(proper([](plan_t& m) { m.n = -1; }));
+  EXPECT_FALSE(proper([](plan_t& m) { m.number = 0; }));
+  EXPECT_FALSE(proper([](plan_t& m) { m.number = -1; }));
+  EXPECT_FALSE(proper([](plan_t& m) { m.speed = 0; }));
+}
+
+TEST(PlatformMessages, AReplySaysWhatThereIs) {
+  const auto proper = [](auto field, std::int64_t value) {
+    platform_reply_t m = to_message(PlatformReply{});
+    m.*field = static_cast<std::remove_reference_t<decltype(m.*field)>>(value);
+    return is_proper(m);
+  };
+  EXPECT_TRUE(proper(&platform_reply_t::verdict, static_cast<int>(Verdict::failed)));
+  EXPECT_FALSE(proper(&platform_reply_t::verdict, static_cast<int>(Verdict::failed) + 1));
+  EXPECT_FALSE(proper(&platform_reply_t::verdict, -1));
+  EXPECT_TRUE(proper(&platform_reply_t::state, kDriverStates - 1));
+  EXPECT_FALSE(proper(&platform_reply_t::state, kDriverStates));
+  EXPECT_FALSE(proper(&platform_reply_t::state, -1));
+  EXPECT_FALSE(proper(&platform_reply_t::step, -1));
+  EXPECT_FALSE(proper(&platform_reply_t::step, std::numeric_limits<std::int64_t>::max()));
+  for (const auto field :
+       {&platform_reply_t::accepted, &platform_reply_t::notified, &platform_reply_t::executing})
+    EXPECT_FALSE(proper(field, -1));
+  for (const auto field :
+       {&platform_reply_t::iteration, &platform_reply_t::remaining, &platform_reply_t::late_odometry,
+        &platform_reply_t::late_map, &platform_reply_t::rejected, &platform_reply_t::solver_failures})
+    EXPECT_FALSE(proper(field, -1));
+}
+
+TEST(PlatformMessages, AMeasurementHasACovarianceAndARotation) {
+  MapReport map{.pose = a_pose()};
+  map.pose.covariance[4] = 0;
+  EXPECT_FALSE(is_proper(to_message(map))) << "not positive";
+  map.pose = a_pose();
+  map.pose.covariance[1] = 0.5;
+  EXPECT_FALSE(is_proper(to_message(map))) << "not symmetric";
+  map.pose.covariance[3] = 0.5;
+  EXPECT_TRUE(is_proper(to_message(map)));
+  map.pose.covariance[1] = map.pose.covariance[3] = 1.5;
+  EXPECT_FALSE(is_proper(to_message(map))) << "not definite";
+  map.pose = a_pose();
+  map.pose.step = -1;
+  EXPECT_FALSE(is_proper(to_message(map)));
+  OdometryReading odometry = a_motion();
+  odometry.A[0] = 1.1;
+  EXPECT_FALSE(is_proper(to_message(odometry))) << "no rotation";
+  odometry = a_motion();
+  odometry.step_before = odometry.step;
+  EXPECT_FALSE(is_proper(to_message(odometry)));
+  odometry = a_motion();
+  odometry.covariance[35] = -1e-4;
+  EXPECT_FALSE(is_proper(to_message(odometry)));
+  PlatformEstimate estimate;
+  estimate.covariance[8] = -1e-9;
+  EXPECT_FALSE(is_proper(to_message(estimate)));
+}
+
+TEST(PlatformMessages, AnyBytesAreLookedAtWithoutHarm) {
+  const auto look = [](const auto& m) { std::ignore = is_proper(m); };
+  with_random_bytes<platform_reply_t>(look);
+  with_random_bytes<odometry_reading_t>(look);
+  with_random_bytes<map_report_t>(look);
+  with_random_bytes<plan_t>(look);
+}
+
+}  // namespace
+}  // namespace mrroc
