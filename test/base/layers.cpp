@@ -52,6 +52,8 @@ constexpr std::array kLibraries{
     Library{"GL/", "sim/camera"},
     Library{"opencv2/", "vsp"},
     Library{"apriltag/", "vsp"},
+    Library{"hpipm_", "robots/ocp"},
+    Library{"blasfeo", "robots/ocp"},
     Library{"httplib.h", "ui_cli/view/httplib.hpp"},
     Library{"CLI/", "base/command_line.cpp"},
 };

@@ -197,6 +197,7 @@ STUB
 # A made-up Debian: PACKAGES are known to it, of which the first is installed; apt-get says SAID and ends with STATUS.
 debian() {
   unset MRROC_SKIP_INSTALL
+  export MRROC_PYTHON=false # nothing of PyPI
   local known=$1 said=$2 status=$3
   cat >stubs/dpkg-query <<STUB
 #!/usr/bin/env bash
@@ -250,6 +251,47 @@ servers_that_are_not_reached_are_told_from_other_failures() {
   debian 'g++' 'E: dpkg was interrupted' 100
   said=$(./run build 2>&1) || true
   says "error: install_failed: apt-get did not succeed; build/install.log tells why"
+}
+
+# A made-up pip, which says what it was called with, then does what is told.
+pip() {
+  unset MRROC_SKIP_INSTALL
+  debian "$(sed -n '/^packages=(/,/)/p' run | tr -d '()' | sed 's/packages=//' | tr '\n' ' ')" '' 0
+  sed -i 's/echo "un /echo "ii /' stubs/dpkg-query
+  sed -i 's/^\[\[ \$1 == --build/echo "$*" >>cmake.log\n&/' stubs/cmake
+  printf '#!/usr/bin/env bash\necho "$*" >>pip.log\n%s\n' "$1" >stubs/python
+  chmod +x stubs/python
+  export MRROC_PYTHON=python
+  touch built cmake/requirements.txt
+}
+
+without_pypi_a_line_says_so_and_all_but_rex_is_built() {
+  pip 'echo "no route to host"; exit 1'
+  said=$(./run build 2>&1)
+  says 'all is built but the platform Rex'
+  says_not 'no route to host' # which is in the log
+  said=$(cat cmake.log)
+  says '-D MRROC_REX=OFF'
+  mkdir -p tasks/rex_drive
+  touch tasks/rex_drive/main.cpp
+  said=$(./run rex_drive 2>&1) && fail 'the task of Rex is built'
+  says 'error: install_failed: rex_drive needs CasADi from PyPI'
+}
+
+casadi_is_installed_once_and_only_what_is_needed_of_it() {
+  pip 'while [[ $1 != --target ]]; do shift; done
+    mkdir -p "$2"/casadi/include/licenses/{casadi,hpipm-external,blasfeo-external,highs}
+    cd "$2/casadi"
+    touch __init__.py casadi.py _casadi.so libcasadi.so.3 libhpipm.so libblasfeo.so.0 libipopt.so
+    touch include/{hpipm_common.h,blasfeo.h,highs.h}'
+  said=$(./run build 2>&1 && ./run build 2>&1)
+  said=$(cat pip.log)
+  says '--no-compile --no-deps --require-hashes --only-binary :all:'
+  [[ $(wc -l <pip.log) == 1 ]] || fail 'it is installed again'
+  [[ -e build/python/casadi/libhpipm.so && -e build/python/casadi/include/hpipm_common.h ]] || fail 'something is missing'
+  [[ ! -e build/python/casadi/libipopt.so && ! -e build/python/casadi/include/licenses/highs ]] || fail 'there is too much'
+  said=$(cat cmake.log)
+  says '-D MRROC_REX=ON'
 }
 
 a_task_builds_only_what_it_starts_and_the_viewer_where_it_is_wanted() {

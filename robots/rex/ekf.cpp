@@ -1,0 +1,72 @@
+#include "robots/rex/ekf.hpp"
+
+#include <algorithm>
+
+#include "robots/rex/estimate.hpp"
+
+namespace mrroc::rex {
+
+void Ekf::begin(const edp::StandingStill& found) noexcept {
+  window_.begin(found);
+  before(0) = standing_belief(found, window_);
+  changed_ = 0;
+  inconsistent_ = false;
+  filter();
+}
+
+void Ekf::add(const edp::StageReading& reading) noexcept {
+  filter();
+  const bool shifts = window_.full();
+  switch (window_.add(reading)) {
+    case Entry::repeated:
+      return;
+    case Entry::restart:
+      before(0) = newest_;
+      break;
+    case Entry::next:
+      if (shifts) std::move(before_.begin() + 1, before_.end(), before_.begin());
+      go_on(window_.size() - 2);
+  }
+  changed_ = window_.size() - 1;
+}
+
+bool Ekf::add(const OdometryReading& odometry) noexcept {
+  const int picture = window_.add(odometry);
+  if (picture < 0) return false;
+  changed_ = std::min(changed_, picture);
+  return true;
+}
+
+bool Ekf::add(const MapPose& pose) noexcept {
+  filter();
+  const int k = window_.add(pose);
+  if (k < 0) return false;
+  const Eigen::Matrix3d covariance = pose_covariance(before(k), window_.centre());
+  inconsistent_ = inconsistent_ || beyond_ellipse(window_[k], before(k).z, covariance, window_.centre());
+  changed_ = std::min(changed_, k);
+  return true;
+}
+
+edp::EstimatorResult Ekf::step() noexcept {
+  if (window_.size() == 0) return no_result();
+  filter();
+  const edp::Health health{.ok = true, .inconsistent = inconsistent_, .iterations = 1};
+  inconsistent_ = false;
+  return result_of(newest_, window_, health);
+}
+
+void Ekf::filter() noexcept {
+  for (; changed_ < window_.size(); ++changed_) {
+    newest_ = before(changed_);
+    correct(newest_, window_.residuals_at(changed_, newest_.z), newest_.z);
+    if (changed_ + 1 < window_.size()) go_on(changed_);
+  }
+}
+
+void Ekf::go_on(int k) noexcept {
+  StageBelief& next = before(k + 1);
+  next = newest_;
+  predict(next, window_.transition_from(k, newest_.z), newest_.z);
+}
+
+}  // namespace mrroc::rex

@@ -1,0 +1,271 @@
+#include "test/robots/rex/estimator_rig.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <deque>
+#include <numbers>
+#include <tuple>
+
+namespace mrroc::rex::test {
+namespace {
+
+constexpr double kMicro = 1e-4;  // [s]
+constexpr double kStep = kPlatformPeriod / kPlatformSteps;
+
+}  // namespace
+
+Plant::Plant(const Truth& truth) noexcept : truth_(truth), x_(truth.centre_x), y_(truth.centre_y) {}
+
+void Plant::step(const PerWheel& torque, double duration) noexcept {
+  const auto count = std::lround(duration / kMicro);
+  for (long i = 0; i < count; ++i) micro_step(torque);
+}
+
+PerWheel Plant::load() const noexcept {
+  const double weight = truth_.mass * kGravity;
+  PerWheel load;
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    const double along = (truth_.centre_x - truth_.height * ax_ / kGravity) / kWheelX[i];
+    const double across = (truth_.centre_y - truth_.height * ay_ / kGravity) / kWheelY[i];
+    load[i] = std::max(weight / 4 * (1 + along) * (1 + across), 0.0);
+  }
+  return load;
+}
+
+void Plant::micro_step(const PerWheel& torque) noexcept {
+  constexpr double kSmoothing = 0.01;
+  const PerWheel N = load();
+  double F_x = 0, F_y = 0, M = 0;
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    const double a = kWheelX[i] - truth_.centre_x;
+    const double b = kWheelY[i] - truth_.centre_y;
+    const double along = vx_ - b * w_ - kWheelRadius * speed_[i];
+    const double across = vy_ + a * w_;
+    const double n = std::hypot(along, across, truth_.slip_speed);
+    const double side = kWheelY[i] > 0 ? 1 + truth_.friction.split : 1 - truth_.friction.split;
+    const double f_x = -truth_.friction.mu_x * side * N[i] * along / n;
+    const double f_y = -truth_.friction.mu_y * side * N[i] * across / n;
+    F_x += f_x;
+    F_y += f_y;
+    M += a * f_y - b * f_x;
+    speed_[i] += kMicro * (torque[i] - kWheelRadius * f_x - truth_.bearing * speed_[i]) / kWheelInertia;
+    theta_[i] += kMicro * speed_[i];
+  }
+  ax_ += kSmoothing * (F_x / truth_.mass - ax_);
+  ay_ += kSmoothing * (F_y / truth_.mass - ay_);
+  const double forward = vx_ + kMicro * (F_x / truth_.mass + vy_ * w_);
+  vy_ += kMicro * (F_y / truth_.mass - vx_ * w_);
+  vx_ = forward;
+  w_ += kMicro * M / truth_.inertia;
+  x_ += kMicro * (vx_ * std::cos(phi_) - vy_ * std::sin(phi_));
+  y_ += kMicro * (vx_ * std::sin(phi_) + vy_ * std::cos(phi_));
+  phi_ += kMicro * w_;
+}
+
+PlanarPose Plant::p() const noexcept {
+  const double c = std::cos(phi_), s = std::sin(phi_);
+  return {x_ - c * truth_.centre_x + s * truth_.centre_y, y_ - s * truth_.centre_x - c * truth_.centre_y,
+          phi_};
+}
+
+PlanarVelocity Plant::v() const noexcept {
+  return {vx_ + w_ * truth_.centre_y, vy_ - w_ * truth_.centre_x, w_};
+}
+
+namespace {
+
+/// Sensors with their noise, and readings on their way.
+class Sensors {
+ public:
+  explicit Sensors(const Run& run) : run_(run), random_(run.seed) {}
+
+  void see_step(const Plant& plant) {
+    yaw_rate_ = plant.v().w + kBias + noise(0.005);
+    yaw_ += kStep * yaw_rate_;
+    for (std::size_t i = 0; i < kWheels; ++i)
+      load_[i] += plant.load()[i] * (1 + noise(0.01)) / kPlatformSteps;
+  }
+
+  edp::StageReading reading(std::int64_t step, const Plant& plant, const PerWheel& torque) {
+    constexpr double kIncrement = 2 * std::numbers::pi / kIncrementsPerTurn;
+    edp::StageReading reading{
+        .step = step, .yaw = yaw_, .yaw_rate = yaw_rate_, .imu_valid = true, .load = load_};
+    reading.torque = torque;
+    for (std::size_t i = 0; i < kWheels; ++i) {
+      reading.theta[i] = kIncrement * std::floor(plant.theta()[i] / kIncrement);
+      reading.theta_dot[i] = (reading.theta[i] - theta_[i]) / kPlatformPeriod;
+    }
+    theta_ = reading.theta;
+    load_ = {};
+    return reading;
+  }
+
+  MapPose map(std::int64_t step, const Plant& plant) {
+    MapPose pose{.step = step, .valid = true, .p = plant.p()};
+    pose.p.x += noise(0.005);
+    pose.p.y += noise(0.005);
+    pose.p.phi = std::remainder(pose.p.phi + noise(0.01), 2 * std::numbers::pi);
+    const double scale = run_.noise * run_.noise;
+    pose.covariance = {25e-6 * scale, 0, 0, 0, 25e-6 * scale, 0, 0, 0, 1e-4 * scale};
+    return pose;
+  }
+
+  OdometryReading odometry(std::int64_t before, const PlanarPose& then, std::int64_t step,
+                           const PlanarPose& now) {
+    const double dx = now.x - then.x, dy = now.y - then.y;
+    const double c = std::cos(then.phi), s = std::sin(then.phi);
+    const double turn = now.phi - then.phi + noise(0.0007);
+    OdometryReading A{.step_before = before, .step = step, .valid = true};
+    A.A = {std::cos(turn),
+           -std::sin(turn),
+           0,
+           c * dx + s * dy + noise(0.0015),
+           std::sin(turn),
+           std::cos(turn),
+           0,
+           -s * dx + c * dy + noise(0.0015),
+           0,
+           0,
+           1,
+           0};
+    for (std::size_t i = 0; i < 6; ++i) A.covariance[7 * i] = i < 3 ? 2.25e-6 : 4.9e-7;
+    return A;
+  }
+
+ private:
+  static constexpr double kBias = 0.001;  // of the gyro, that SYNCHRO has not found [rad/s]
+
+  double noise(double deviation) { return run_.noise * deviation * normal_(random_); }
+
+  const Run& run_;
+  std::mt19937 random_;
+  std::normal_distribution<> normal_;
+  double yaw_{}, yaw_rate_{};
+  PerWheel load_{}, theta_{};
+};
+
+/// A measurement and the step in which it comes.
+template <class T>
+struct Late {
+  std::int64_t due;
+  T reading;
+};
+
+template <class T>
+void deliver(std::deque<Late<T>>& queue, std::int64_t step, edp::Estimator& estimator) {
+  for (; !queue.empty() && queue.front().due <= step; queue.pop_front())
+    std::ignore = estimator.add(queue.front().reading);
+}
+
+PerWheel speed_law(const PlanarVelocity& wanted, const Plant& plant) {
+  PerWheel torque;
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    const double speed = (wanted.vx - kWheelY[i] * wanted.w) / kWheelRadius;
+    torque[i] =
+        std::clamp(3 * (speed - plant.speed()[i]) + kBearingFriction * speed, -kMaxTorque, kMaxTorque);
+  }
+  return torque;
+}
+
+}  // namespace
+
+std::vector<Sample> drive(edp::Estimator& estimator, const Run& run) {
+  Plant plant(run.truth);
+  Sensors sensors(run);
+  std::deque<Late<MapPose>> maps;
+  std::deque<Late<OdometryReading>> motions;
+  PlanarPose pictured = plant.p();
+  std::vector<Sample> samples;
+  PerWheel torque{};
+  estimator.begin({.covariance = {9e-6, 0, 0, 0, 9e-6, 0, 0, 0, 25e-6}, .load = plant.load()});
+  const auto stages = std::lround(run.duration / kPlatformPeriod);
+  for (long i = 1; i <= stages; ++i) {
+    const double time = static_cast<double>(i) * kPlatformPeriod;
+    if (time > run.changes) plant.set_friction(run.later);
+    for (int k = 0; k < kPlatformSteps; ++k) {
+      plant.step(torque, kStep);
+      sensors.see_step(plant);
+    }
+    const std::int64_t step = i * kPlatformSteps;
+    const bool lost = time > run.map_lost[0] && time < run.map_lost[1];
+    if (step % 50 == 0 && !lost) maps.push_back({step + 40, sensors.map(step, plant)});
+    if (step % 40 == 0) {
+      if (run.odometry)
+        motions.push_back({step + 70, sensors.odometry(step - 40, pictured, step, plant.p())});
+      pictured = plant.p();
+    }
+    estimator.add(sensors.reading(step, plant, torque));
+    deliver(maps, step, estimator);
+    deliver(motions, step, estimator);
+    samples.push_back({time, plant.p(), plant.v(), estimator.step()});
+    torque = speed_law(run.drive(time), plant);
+  }
+  return samples;
+}
+
+Drive winding(double v, double w) {
+  return [=](double time) -> PlanarVelocity {
+    const double ramp = std::min(time / 2, 1.0);
+    return {ramp * v * (1 + 0.2 * std::sin(1.3 * time)), 0,
+            ramp * w * std::sin(2 * std::numbers::pi * time / 8)};
+  };
+}
+
+double position_max(const std::vector<Sample>& run, double from, double to) {
+  double most = 0;
+  for (const Sample& s : run)
+    if (s.time >= from && s.time <= to)
+      most = std::max(most, std::hypot(s.result.estimate.p.x - s.p.x, s.result.estimate.p.y - s.p.y));
+  return most;
+}
+
+double position_rms(const std::vector<Sample>& run, double from) {
+  double sum = 0;
+  int count = 0;
+  for (const Sample& s : run)
+    if (s.time >= from) {
+      const double error = std::hypot(s.result.estimate.p.x - s.p.x, s.result.estimate.p.y - s.p.y);
+      sum += error * error;
+      ++count;
+    }
+  return std::sqrt(sum / count);
+}
+
+double heading_max(const std::vector<Sample>& run, double from) {
+  double most = 0;
+  for (const Sample& s : run)
+    if (s.time >= from)
+      most =
+          std::max(most, std::abs(std::remainder(s.result.estimate.p.phi - s.p.phi, 2 * std::numbers::pi)));
+  return most;
+}
+
+Slip mean_slip(const std::vector<Sample>& run, double from) {
+  Slip sum{0, 0, 0};
+  int count = 0;
+  for (const Sample& s : run)
+    if (s.time >= from) {
+      sum.mu_x += s.result.slip.mu_x;
+      sum.mu_y += s.result.slip.mu_y;
+      sum.split += s.result.slip.split;
+      ++count;
+    }
+  return {sum.mu_x / count, sum.mu_y / count, sum.split / count};
+}
+
+double share_in_ellipse(const std::vector<Sample>& run, double from) {
+  constexpr double kChiSquare = 5.991;  // 95 % of two numbers
+  int inside = 0, count = 0;
+  for (const Sample& s : run)
+    if (s.time >= from) {
+      const PlanarCovariance& P = s.result.estimate.covariance;
+      const double ex = s.result.estimate.p.x - s.p.x, ey = s.result.estimate.p.y - s.p.y;
+      const double det = P[0] * P[4] - P[1] * P[1];
+      inside += (P[4] * ex * ex - 2 * P[1] * ex * ey + P[0] * ey * ey) / det <= kChiSquare;
+      ++count;
+    }
+  return static_cast<double>(inside) / count;
+}
+
+}  // namespace mrroc::rex::test

@@ -1,0 +1,97 @@
+// A platform that the estimators of Rex are tried on: its own dynamics, its sensors, and how late their readings come.
+#pragma once
+#include <array>
+#include <functional>
+#include <random>
+#include <vector>
+
+#include "edp/platform/platform.hpp"
+#include "robots/rex/parameters.hpp"
+
+namespace mrroc::rex::test {
+
+/// What is true of the platform. As it stands, it has the structure of the kernels' model.
+struct Truth {
+  double mass{kMass};                ///< [kg]
+  double inertia{kInertia};          ///< about the mass centre [kg m^2]
+  double centre_x{};                 ///< of mass in B [m]
+  double centre_y{};                 ///< [m]
+  double height{};                   ///< of the mass centre above the ground: how much load wanders [m]
+  double slip_speed{kSlipSpeed};     ///< how sharp friction is [m/s]
+  double bearing{kBearingFriction};  ///< [N m s]
+  Slip friction{};
+};
+
+/// Sharper friction, heavier, its mass centre in front, load that wanders: no model has that structure.
+[[nodiscard]] inline Truth another_structure() noexcept {
+  return {.mass = 44, .inertia = 2.9, .centre_x = 0.04, .height = 0.2, .slip_speed = 0.01, .bearing = 0.6};
+}
+
+/// Body on four wheels that slip, in steps of 0.1 ms.
+class Plant {
+ public:
+  explicit Plant(const Truth& truth) noexcept;
+
+  void step(const PerWheel& torque, double duration) noexcept;
+  void set_friction(const Slip& friction) noexcept { truth_.friction = friction; }
+
+  [[nodiscard]] PlanarPose p() const noexcept;      ///< of B, phi unwrapped
+  [[nodiscard]] PlanarVelocity v() const noexcept;  ///< of B
+  [[nodiscard]] const PerWheel& theta() const noexcept { return theta_; }
+  [[nodiscard]] const PerWheel& speed() const noexcept { return speed_; }
+  [[nodiscard]] PerWheel load() const noexcept;
+
+ private:
+  void micro_step(const PerWheel& torque) noexcept;
+
+  Truth truth_;
+  double x_, y_, phi_{};      // of the mass centre
+  double vx_{}, vy_{}, w_{};  // of the mass centre
+  PerWheel theta_{}, speed_{};
+  double ax_{}, ay_{};  // smoothed accelerations, for the loads
+};
+
+/// Speeds that are wanted at a time [s].
+using Drive = std::function<PlanarVelocity(double)>;
+
+/// How a run goes.
+struct Run {
+  Truth truth;
+  Drive drive;
+  double duration{20};                       ///< [s]
+  std::array<double, 2> map_lost{1e9, 1e9};  ///< no map pose is measured between these times [s]
+  bool odometry{true};
+  Slip later{};         ///< friction from `changes` on
+  double changes{1e9};  ///< [s]
+  double noise{1};      ///< scales that of all sensors
+  unsigned seed{1};
+};
+
+/// A stage of a run.
+struct Sample {
+  double time{};
+  PlanarPose p;      ///< truth
+  PlanarVelocity v;  ///< truth
+  edp::EstimatorResult result;
+};
+
+/// Drives a platform with an estimator listening. Map poses are measured every 50 steps and come 4 stages later; pairs of
+/// pictures are taken every 40 steps, their motion comes 7 stages after the second.
+/// @return all stages
+[[nodiscard]] std::vector<Sample> drive(edp::Estimator& estimator, const Run& run);
+
+/// @return v with a turn that goes to and fro, as along a figure eight
+[[nodiscard]] Drive winding(double v, double w);
+
+/// @return root of the mean square of the distance between truth and estimate [m], from a time on [s]
+[[nodiscard]] double position_rms(const std::vector<Sample>& run, double from = 1);
+/// @return the largest distance between two times [m]
+[[nodiscard]] double position_max(const std::vector<Sample>& run, double from, double to);
+/// @return the largest error of the heading, the short way round [rad], from a time on [s]
+[[nodiscard]] double heading_max(const std::vector<Sample>& run, double from = 1);
+/// @return means of the estimated coefficients from a time on [s]
+[[nodiscard]] Slip mean_slip(const std::vector<Sample>& run, double from);
+/// @return share of the stages whose true position is within the estimate's 95 % ellipse, 0..1
+[[nodiscard]] double share_in_ellipse(const std::vector<Sample>& run, double from = 1);
+
+}  // namespace mrroc::rex::test
