@@ -15,7 +15,7 @@
 #include "base/msg/convert.hpp"
 #include "base/msg/finite.hpp"
 #include "base/msg/pose_rows.hpp"
-#include "edp/recorder.hpp"
+#include "edp/step_record.hpp"
 #include "mrroc/cube_truth_t.hpp"
 #include "mrroc/hand_order_t.hpp"
 #include "mrroc/hand_report_t.hpp"
