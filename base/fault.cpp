@@ -129,7 +129,8 @@ std::string error_line(const Fault& fault, std::string_view session) {
 
 int exit_status(FaultCode code) noexcept {
   if (code == FaultCode::none) return 0;
-  if (code >= FaultCode::bad_usage && code <= FaultCode::no_such_session) return 2;
+  const bool input = code >= FaultCode::bad_usage && code <= FaultCode::no_such_session;
+  if (input || code == FaultCode::bad_plan) return 2;
   return class_of(code) == FaultClass::system ? 3 : 1;
 }
 

@@ -103,6 +103,16 @@ enum class FaultCode : std::uint16_t {
   figures_missed,
   // a motion; here, so that no number changed
   excessive_torque,
+  // platforms; here for the same reason
+  bad_plan,
+  path_not_found,
+  bad_fragment,
+  position_unknown,
+  position_lost,
+  solver_failed,
+  estimate_lost,
+  wheel_blocked,
+  encoder_fault,
 };
 
 /// One row of the table of errors.

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "base/effector_command.hpp"
+#include "edp/state_table.hpp"
 
 namespace mrroc::edp {
 
@@ -36,55 +37,8 @@ inline constexpr std::size_t kEvents = 17;
 /// Events before this one are asked for by commands, the others happen by themselves.
 inline constexpr Event kFirstOwnEvent = Event::homed;
 
-/// Result of an event in a state.
-struct Transition {
-  DriverState next{};   ///< the state afterwards; the same one when it was refused
-  FaultCode refusal{};  ///< none: the event takes place. Own events that cannot happen are illegal_in_state
-};
-
 /// One row of the table: a state and what every event leads to, in the order of Event.
-struct StateRow {
-  DriverState state;                   ///< before the event
-  std::array<Transition, kEvents> on;  ///< by the number of the event
-};
-
-namespace table {
-
-/// @return the transition into a state
-constexpr Transition to(DriverState next) { return {next, FaultCode::none}; }
-/// Row of a state as a list of entries: nothing is said about a state itself but that it stays.
-class Row {
- public:
-  /// At first every event is illegal in the state.
-  constexpr explicit Row(DriverState state) : row_{state, {}} {
-    for (Transition& t : row_.on) t = {state, FaultCode::illegal_in_state};
-  }
-  /// The events lead to a state.
-  template <class... Events>
-  constexpr Row go(DriverState next, Events... events) const {
-    Row r = *this;
-    ((r.row_.on[static_cast<std::size_t>(events)] = to(next)), ...);
-    return r;
-  }
-  /// The events take place and leave the state as it is.
-  template <class... Events>
-  constexpr Row stay(Events... events) const {
-    return go(row_.state, events...);
-  }
-  /// The events are refused for this reason.
-  template <class... Events>
-  constexpr Row refuse(FaultCode why, Events... events) const {
-    Row r = *this;
-    ((r.row_.on[static_cast<std::size_t>(events)] = {row_.state, why}), ...);
-    return r;
-  }
-  constexpr operator StateRow() const { return row_; }  // NOLINT(google-explicit-constructor)
-
- private:
-  StateRow row_;
-};
-
-}  // namespace table
+using StateRow = BasicStateRow<Event, kEvents>;
 
 /// Row k describes the state with the number k. What is not said is illegal_in_state. Whatever the state, a
 /// malfunction leads to faulted, and a reset of an arm that is not faulted changes nothing.
@@ -92,7 +46,7 @@ inline constexpr std::array<StateRow, kDriverStates> kAutomaton = [] {
   using enum DriverState;
   using enum Event;
   using F = FaultCode;
-  using table::Row;
+  using Row = table::BasicRow<Event, kEvents>;
   const auto any = [](DriverState s) {
     return Row(s).go(faulted, trip).stay(reset, reset_unknown, abandoned);
   };
@@ -132,11 +86,7 @@ inline constexpr std::array<StateRow, kDriverStates> kAutomaton = [] {
   };
 }();
 
-static_assert([] {
-  for (std::size_t k = 0; k < kAutomaton.size(); ++k)
-    if (static_cast<std::size_t>(kAutomaton[k].state) != k) return false;
-  return true;
-}());
+static_assert(table::is_in_order(kAutomaton));
 
 /// @return what an event leads to. Real-time safe
 constexpr const Transition& transition(DriverState state, Event event) noexcept {

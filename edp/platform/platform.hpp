@@ -15,8 +15,10 @@ namespace mrroc::edp {
 struct PlatformProperties {
   std::string_view name;                ///< for messages and the configuration
   double wheel_radius{};                ///< [m]
+  double half_track{};                  ///< from the middle to a wheel's plane [m]
   double increments_per_turn{};         ///< of a wheel's encoder
   double max_torque{};                  ///< of a drive, at the wheel [N m]
+  double brake{};                       ///< torque of a short-circuited motor against its speed [N m s/rad]
   double max_wheel_speed{};             ///< [rad/s]
   double max_speed{};                   ///< |v| of a fragment [m/s]
   double max_turn_rate{};               ///< |w| of a fragment [rad/s]

@@ -106,7 +106,8 @@ TEST(FaultTable, ErrorsOfTasksAreFoundByTheNumbersThatTheyAlwaysHad) {
   for (const auto& [number, name] :
        {std::pair(34, "no_plan"), std::pair(35, "grasp_missed"), std::pair(36, "face_jammed"),
         std::pair(37, "cube_slipped"), std::pair(38, "cube_dropped"), std::pair(39, "cube_misread"),
-        std::pair(40, "start_failed"), std::pair(67, "bad_cube"), std::pair(68, "no_such_session")}) {
+        std::pair(40, "start_failed"), std::pair(67, "bad_cube"), std::pair(68, "no_such_session"),
+        std::pair(75, "excessive_torque")}) {
     ASSERT_TRUE(fault_code(std::int64_t{number})) << name;
     EXPECT_EQ(to_string(*fault_code(std::int64_t{number})), name);
     EXPECT_EQ(fault_code(std::string_view(name)), fault_code(std::int64_t{number}));
@@ -148,6 +149,8 @@ TEST(FaultTable, GivesTheExitStatusThatScriptsRelyOn) {
     EXPECT_TRUE(entry.code < FaultCode::bad_usage || entry.code > FaultCode::no_such_session) << entry.name;
     EXPECT_EQ(exit_status(entry.code), entry.fault_class == FaultClass::system ? 3 : 1) << entry.name;
   }
+  EXPECT_EQ(exit_status(FaultCode::bad_plan), 2);
+  EXPECT_EQ(exit_status(FaultCode::bad_fragment), 1);
   EXPECT_EQ(exit_status(FaultCode::process_died), 3);
   EXPECT_EQ(exit_status(FaultCode::no_multicast), 3);
 }
