@@ -107,7 +107,7 @@ void of_joints(const DriveResults& r, mp::Figures& figures) {
     const std::int64_t plan = r.fragments[k].plan;
     if (plan == r.fragments[k + 1].plan || plan < 1 || plan > static_cast<std::int64_t>(r.plans.size())) continue;
     const Plan& sent = r.plans[static_cast<std::size_t>(plan - 1)];
-    if (sent.goes_on) take(least_of_plans, 100 * times[k].speed / sent.speed);
+    if (sent.ahead > 0) take(least_of_plans, 100 * times[k].speed / sent.speed);
   }
   set(figures, "joint_speed_pct", least);
   set(figures, "plan_joint_speed_pct", least_of_plans);

@@ -91,11 +91,6 @@ PlatformCommand route(const X& x) {
   y.odometry = x.V;
   return y;
 }
-PlatformCommand synchronise(const X& x) {
-  PlatformCommand y = route(x);
-  if (x.i == x.i_0) y.instruction = Instruction::synchro;
-  return y;
-}
 
 // --- f_cT ----------------------------------------------------------------------------------------------------
 
@@ -137,10 +132,6 @@ Said give_up(const X& x) {
 
 // --- f_tau ---------------------------------------------------------------------------------------------------
 
-bool synchronised(const X& x) {
-  const bool stands = x.e.state == DriverState::ready || x.e.state == DriverState::holding;
-  return x.T.finished || (stands && x.e.position_known && x.i - x.i_0 > latency::kCommandToReply);
-}
 bool started(const X& x) { return x.T.m > 0 || x.T.finished; }
 bool new_plan(const X& x) { return x.c.new_plan || x.T.finished; }
 bool one_iteration(const X& x) { return x.i > x.i_0 || x.T.finished; }
@@ -158,7 +149,6 @@ const std::array<Motion<Locomotion>, 3> kBehaviours{{
   { 2, "execute the plan",  retain, plan_and_hand_over, fragment, no_sensor, tell<2>,       plan_is_handed_over, "its last fragment is handed over" },
   { 3, "acknowledge",       retain, go_on,              route,    no_sensor, acknowledge,   one_iteration,       "one iteration has passed" },
 }};
-const Motion<Locomotion> kSynchronise { 0, "synchronise",    retain, go_on, synchronise, no_sensor, tell<0>, synchronised, "the driver knows its position" };
 const Motion<Locomotion> kWaitForStart{ 0, "wait for start", retain, go_on, route,       no_sensor, tell<0>, started, "start given" };
 const Motion<Locomotion> kGiveUp      { 4, "give up",        retain, go_on, route,       no_sensor, give_up, never };
 // clang-format on

@@ -36,18 +36,16 @@ namespace mrroc::rex_drive {
 
 /// c_B_1,1: wait for a plan; c_B_1,2: execute it; c_B_1,3: acknowledge it. In their order, again and again.
 extern const std::array<Motion<Locomotion>, 3> kBehaviours;
-extern const Motion<Locomotion> kSynchronise;   ///< SYNCHRO with the map's positions, until the driver is ready
 extern const Motion<Locomotion> kWaitForStart;  ///< until the coordinator's first order of work
 extern const Motion<Locomotion> kGiveUp;        ///< tells why, until the system stops
 
 /// @return memory at the beginning of the task
 [[nodiscard]] Memory begin(const Parameters& k);
 
-/// Synchronises, then executes plans until the coordinator says that the task is over.
+/// Executes plans until the coordinator says that the task is over.
 template <class Port>
 Outcome run_program(Locomotion::X& x, Port& port) {
-  Outcome o = move(kSynchronise, x, port);
-  if (o == Outcome::terminated) o = move(kWaitForStart, x, port);
+  Outcome o = move(kWaitForStart, x, port);
   for (std::size_t k = 0; o == Outcome::terminated && !x.T.finished; k = (k + 1) % kBehaviours.size()) {
     if (in_vain(x)) return move(kGiveUp, x, port);
     o = move(kBehaviours[k], x, port);

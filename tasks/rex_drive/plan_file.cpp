@@ -110,9 +110,10 @@ class Reader {
     if (points_.size() == 1) fail("a plan has one point only", "give two at least");
     if (std::ranges::none_of(points_, elsewhere))
       fail(fmt::format("the points of a plan are all within {} m", kSamePoint), "give points to drive to");
-    for (std::size_t k = 0; k < points_.size(); k += kPlanPoints) {
+    for (std::size_t k = 0; k < points_.size(); k += kPointsOfPlan) {
       const auto first = points_.begin() + static_cast<std::ptrdiff_t>(k);
-      list_.plans.emplace_back(first, first + static_cast<std::ptrdiff_t>(std::min(kPlanPoints, points_.size() - k)));
+      const std::size_t n = std::min(kPointsOfPlan, points_.size() - k);
+      list_.plans.emplace_back(first, first + static_cast<std::ptrdiff_t>(n));
     }
     points_.clear();
   }
@@ -142,6 +143,15 @@ std::optional<double> first_direction(const MapPoint& from, const MapPoints& poi
 bool flows(const MapPoints& plan, const MapPoints& next) {
   const std::optional<double> before = last_direction(plan), after = first_direction(plan.back(), next);
   return before && after && std::abs(wrap_angle(*after - *before)) < kPivotAngle;
+}
+
+/// Tells a plan how the next one begins.
+void look_ahead(const MapPoints& next, Plan& plan) {
+  plan.ahead = static_cast<std::int32_t>(std::min(kPlanAhead, next.size()));
+  for (std::int32_t k = 0; k < plan.ahead; ++k) {
+    const MapPoint& p = next[static_cast<std::size_t>(k)];
+    plan.point[static_cast<std::size_t>(plan.n + k)] = {p.x, p.y};
+  }
 }
 
 }  // namespace
@@ -200,7 +210,7 @@ std::vector<Plan> to_messages(const PlanList& plans, double speed) {
     plan.n = static_cast<std::int32_t>(points.size());
     for (std::size_t p = 0; p < points.size(); ++p) plan.point[p] = {points[p].x, points[p].y};
     plan.speed = speed;
-    plan.goes_on = k + 1 < plans.plans.size() && flows(points, plans.plans[k + 1]);
+    if (k + 1 < plans.plans.size() && flows(points, plans.plans[k + 1])) look_ahead(plans.plans[k + 1], plan);
   }
   return messages;
 }

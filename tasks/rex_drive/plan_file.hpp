@@ -33,20 +33,22 @@ using MapPoints = std::vector<MapPoint>;
 
 /// The plans of a run.
 struct PlanList {
-  std::string name;              ///< of the file or of the built-in plan, for the operator
+  std::string name{};            ///< of the file or of the built-in plan, for the operator
   PlanarPose start{};            ///< where the platform stands at the beginning
-  std::vector<MapPoints> plans;  ///< at least one, each with 1..kPlanPoints points
+  std::vector<MapPoints> plans{};  ///< at least one, each with 1..kPointsOfPlan points
 
   /// @return the points of all of them
   [[nodiscard]] std::size_t points() const;
 };
 
+/// Most points of one plan: the message has room for the next one's beginning.
+inline constexpr std::size_t kPointsOfPlan = kPlanPoints - kPlanAhead;
 /// Points nearer to the one before them are the same point [m].
 inline constexpr double kSamePoint = 0.05;
 /// Most points of all plans of a run.
 inline constexpr std::size_t kMostPoints = 10'000;
 
-/// Reads plans from the text of a file. A plan of more than kPlanPoints points is cut into several.
+/// Reads plans from the text of a file. A plan of more than kPointsOfPlan points is cut into several.
 /// @param name  of the file, for errors
 /// @throws FaultError  bad_plan with the line: no two numbers, not finite, beyond 1 km, too few or too many points, points that are
 ///         all the same, `start` elsewhere than in the first line
@@ -65,7 +67,7 @@ void check_legs(const PlanList& plans, const LegCheck& check);
 
 /// @param speed  wanted [m/s]
 /// @return the plans as the ontology agent sends them, numbered from 1. A plan that another one follows without a turn on
-///         the spot goes on
+///         the spot knows how that one begins
 [[nodiscard]] std::vector<Plan> to_messages(const PlanList& plans, double speed);
 
 }  // namespace mrroc::rex_drive

@@ -9,7 +9,9 @@
 namespace mrroc::rex_drive {
 namespace {
 
-constexpr double kLongestLeg = 5;  // [m]
+constexpr double kLongestLeg = 5;      // [m]
+constexpr double kLongestDrive = 3.5;  // of a leg [s]: with a ramp it still is a fragment
+constexpr double kTurnAtRest = 0.25;   // [rad], from which on a platform at rest turns on the spot first
 
 /// A point of the way, before it has orientations and speeds.
 struct Corner {
@@ -27,15 +29,17 @@ double direction(const Corner& a, const Corner& b, double heading) {
   return near(std::atan2(b.y - a.y, b.x - a.x), heading);
 }
 
-/// Where the route begins, and the points of the plan that are apart, with points between those that are too far apart.
+/// Where the route begins, and the points of the plan and ahead that are apart, with points between those that are too far
+/// apart.
 std::vector<Corner> corners_of(const Plan& plan, const PlanarPose& from) {
   std::vector<Corner> corners{{from.x, from.y, -1}};
-  for (std::int32_t k = 0; k < plan.n; ++k) {
+  const double longest = std::min(kLongestLeg, kLongestDrive * plan.speed);
+  for (std::int32_t k = 0; k < plan.n + plan.ahead; ++k) {
     const auto [x, y] = plan.point[static_cast<std::size_t>(k)];
     const Corner last = corners.back(), next{x, y, k};
     const double length = distance(last, next);
     if (length < kSamePoint) continue;
-    const int pieces = static_cast<int>(std::ceil(length / kLongestLeg));
+    const int pieces = static_cast<int>(std::ceil(length / longest));
     for (int piece = 1; piece <= pieces; ++piece) {
       const double share = static_cast<double>(piece) / pieces;
       corners.push_back({last.x + share * (x - last.x), last.y + share * (y - last.y), k});
@@ -57,7 +61,7 @@ Route orient(const std::vector<Corner>& corners, const PathPoint& from, double s
     passed.push_back(pass);
   };
   double leg = direction(corners[0], corners[1], from.p.phi);
-  if (std::abs(leg - from.p.phi) > kPivotAngle) add(standing(corners[0], leg, 0), false);
+  if (std::abs(leg - from.p.phi) > (from.v == 0 ? kTurnAtRest : kPivotAngle)) add(standing(corners[0], leg, 0), false);
   for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
     const double next = direction(corners[k], corners[k + 1], leg);
     if (std::abs(next - leg) > kPivotAngle) {
@@ -94,7 +98,7 @@ double speed_on(double curvature, double wanted, const RouteLimits& limits) {
 }
 
 /// Speeds at the points: as fast as the curves at both sides allow, and as the legs are long enough for.
-void set_speeds(Route& route, const std::vector<bool>& passed, const Plan& plan, const RouteLimits& limits) {
+void set_speeds(Route& route, const std::vector<bool>& passed, const RouteLimits& limits) {
   const std::size_t last = route.size() - 1;
   std::vector<Curvatures> leg(route.size());  // that ends at the point
   for (std::size_t k = 1; k <= last; ++k) {
@@ -105,8 +109,8 @@ void set_speeds(Route& route, const std::vector<bool>& passed, const Plan& plan,
     return std::hypot(route[k].at.p.x - route[k - 1].at.p.x, route[k].at.p.y - route[k - 1].at.p.y);
   };
   for (std::size_t k = 1; k <= last; ++k) {
-    const bool rests = !passed[k] || (k == last && !plan.goes_on);
-    const double next = k < last ? route[k + 1].cruise : route[k].cruise;
+    const bool rests = !passed[k] || k == last;
+    const double next = rests ? 0 : route[k + 1].cruise;
     const double before = route[k - 1].at.v;
     route[k].at.v = rests ? 0
                           : std::min({route[k].cruise, next,
@@ -127,8 +131,10 @@ Route proc(const Plan& desired_plan, const PathPoint& from, const RouteLimits& l
   if (corners.size() < 2) return {};
   std::vector<bool> passed;
   Route route = orient(corners, from, desired_plan.speed, passed);
-  set_speeds(route, passed, desired_plan, limits);
+  set_speeds(route, passed, limits);
   route.erase(route.begin());
+  const auto is_ahead = [&](const PlanPoint& point) { return point.index >= desired_plan.n; };
+  route.erase(std::ranges::find_if(route, is_ahead), route.end());
   return route;
 }
 

@@ -99,12 +99,13 @@ Errors errors_of(const EndPointProblem& problem, const Lambda& lambda, Jacobian*
 }
 
 /// Inverse of the weights: the squared norm of u(.) in L2, with more for higher harmonics.
-Lambda inverse_weights(double T, double smoothness) {
+Lambda inverse_weights(double T, const EcsaSettings& settings) {
   Lambda inverse;
   for (int j = 0; j < kBasis; ++j) {
     const int k = (j + 1) / 2;
-    const double weight = (k == 0 ? T : T / 2) * (1 + smoothness * k * k);
-    inverse(j) = inverse(kBasis + j) = 1 / weight;
+    const double weight = (k == 0 ? T : T / 2) * (1 + settings.smoothness * k * k);
+    inverse(j) = 1 / (settings.steadiness * weight);
+    inverse(kBasis + j) = 1 / weight;
   }
   return inverse;
 }
@@ -173,7 +174,7 @@ void describe(const EndPointProblem& problem, const Lambda& lambda, EndPointSolu
 
 EndPointSolution solve(const EndPointProblem& problem, const EcsaSettings& settings) {
   EndPointSolution solution;
-  const Lambda inverse = inverse_weights(problem.duration, settings.smoothness);
+  const Lambda inverse = inverse_weights(problem.duration, settings);
   Lambda lambda = guess(problem);
   Jacobian J;
   Errors e = errors_of(problem, lambda, &J);

@@ -15,8 +15,8 @@ namespace mrroc::rex_drive {
 
 /// What controls are wanted for.
 struct EndPointProblem {
-  PathPoint from;     ///< q(0), and u(0) = (v, w)
-  PathPoint to;       ///< q(T) with phi unwrapped, and u(T)
+  PathPoint from{};   ///< q(0), and u(0) = (v, w)
+  PathPoint to{};     ///< q(T) with phi unwrapped, and u(T)
   double duration{};  ///< T [s], > 0
 };
 
@@ -27,6 +27,7 @@ struct EcsaSettings {
   int max_halvings{8};       ///< of one step
   double damping{1e-6};      ///< of the pseudo-inverse, share of the mean diagonal
   double smoothness{0.3};    ///< weight of harmonic k is 1 + smoothness k^2
+  double steadiness{20};     ///< weight of v to that of w [s^2/m^2]: the way is bent rather than driven back and forth
 };
 
 /// Controls that were found, as the points of the way.

@@ -13,9 +13,11 @@ constexpr double kStretch = 1.3;
 constexpr double kLongestWay = 1.6;  // of the distance
 constexpr double kBackwards = 0.02;  // [m/s], which is not driving backwards
 
+constexpr double kLongest = kPlatformPeriod * kMaxFragmentSteps;
+
 /// Whole iterations, not shorter than that.
 double whole_iterations(double duration) {
-  return kPlatformPeriod * std::clamp(std::ceil(duration / kPlatformPeriod - 1e-9), 1.0, 1.0 * kMaxFragmentSteps);
+  return kPlatformPeriod * std::max(1.0, std::ceil(duration / kPlatformPeriod - 1e-9));
 }
 
 /// Time for a way with speeds that rise and fall evenly.
@@ -62,7 +64,7 @@ Leg plan_leg(const PathPoint& from, const PlanPoint& to, const PlannerParameters
   const double way = length_of_way(distance, to.at.p.phi - from.p.phi);
   EndPointProblem problem{.from = from, .to = to.at};
   double duration = time_for(way, from.v, to.at.v, to.cruise, k.route.acceleration);
-  for (int stretch = 0; stretch <= kStretches; ++stretch) {
+  for (int stretch = 0; stretch <= kStretches && duration <= kLongest; ++stretch) {
     problem.duration = whole_iterations(duration);
     const EndPointSolution s = solve(problem);
     if (within(s, distance, k.path))

@@ -35,19 +35,19 @@ struct Trajectory {
 /// @return the trajectory from one point to another one, found: false when there is none within the limits. Where it would
 ///         break them it is given more time, at most four times
 struct Leg {
-  bool found{};           ///< false: the rest means nothing
-  Trajectory trajectory;  ///< begins at `from` and ends at the point, maybe slower than wanted
+  bool found{};             ///< false: the rest means nothing
+  Trajectory trajectory{};  ///< begins at `from` and ends at the point, maybe slower than wanted
 };
 [[nodiscard]] Leg plan_leg(const PathPoint& from, const PlanPoint& to, const PlannerParameters& k);
 
 /// trajgen of REX: the planner's structure. Every function is pure and gives the next value.
 struct Trajgen {
-  PlannerParameters k;     ///< constant during a run
-  PathPoint at;            ///< the last processed position: where the next trajectory begins
+  PlannerParameters k{};   ///< constant during a run
+  PathPoint at{};          ///< the last processed position: where the next trajectory begins
   bool busy{};             ///< it plans
   bool failed{};           ///< it has found no trajectory; then it is not ready any more
   std::int32_t elapsed{};  ///< since it was started [macrosteps]
-  Trajectory found;        ///< while it plans: the result, which counts when it is ready
+  Trajectory found{};      ///< while it plans: the result, which counts when it is ready
 };
 
 /// trajgenInit: the planner begins at that state, and is idle.

@@ -134,7 +134,7 @@ class Sensors {
   }
 
  private:
-  static constexpr double kBias = 0.001;  // of the gyro, that SYNCHRO has not found [rad/s]
+  static constexpr double kBias = 0.0005;  // of the gyro, that SYNCHRO has not found [rad/s]
 
   double noise(double deviation) { return run_.noise * deviation * normal_(random_); }
 
@@ -158,15 +158,25 @@ void deliver(std::deque<Late<T>>& queue, std::int64_t step, edp::Estimator& esti
     std::ignore = estimator.add(queue.front().reading);
 }
 
-PerWheel speed_law(const PlanarVelocity& wanted, const Plant& plant) {
-  PerWheel torque;
-  for (std::size_t i = 0; i < kWheels; ++i) {
-    const double speed = (wanted.vx - kWheelY[i] * wanted.w) / kWheelRadius;
-    torque[i] =
-        std::clamp(3 * (speed - plant.speed()[i]) + kBearingFriction * speed, -kMaxTorque, kMaxTorque);
+/// Drives the platform at the speeds that are wanted, by the true ones: left and right wheels get a torque each.
+class SpeedControl {
+ public:
+  PerWheel torque(const PlanarVelocity& wanted, const PlanarVelocity& v) {
+    const double forward = wanted.vx - v.vx;
+    const double turn = wanted.w - v.w;
+    forward_ += kPlatformPeriod * forward;
+    turn_ += kPlatformPeriod * turn;
+    const double both = 5 * forward + 5 * forward_ + kBearingFriction * wanted.vx / kWheelRadius;
+    const double each = 2 * turn + 10 * turn_ + 4 * std::tanh(wanted.w / 0.1);
+    PerWheel torque;
+    for (std::size_t i = 0; i < kWheels; ++i)
+      torque[i] = std::clamp(both - (kWheelY[i] > 0 ? each : -each), -kMaxTorque, kMaxTorque);
+    return torque;
   }
-  return torque;
-}
+
+ private:
+  double forward_{}, turn_{};  // integrals of the errors [m], [rad]
+};
 
 }  // namespace
 
@@ -177,6 +187,7 @@ std::vector<Sample> drive(edp::Estimator& estimator, const Run& run) {
   std::deque<Late<OdometryReading>> motions;
   PlanarPose pictured = plant.p();
   std::vector<Sample> samples;
+  SpeedControl control;
   PerWheel torque{};
   estimator.begin({.covariance = {9e-6, 0, 0, 0, 9e-6, 0, 0, 0, 25e-6}, .load = plant.load()});
   const auto stages = std::lround(run.duration / kPlatformPeriod);
@@ -199,7 +210,7 @@ std::vector<Sample> drive(edp::Estimator& estimator, const Run& run) {
     deliver(maps, step, estimator);
     deliver(motions, step, estimator);
     samples.push_back({time, plant.p(), plant.v(), estimator.step()});
-    torque = speed_law(run.drive(time), plant);
+    torque = control.torque(run.drive(time), plant.v());
   }
   return samples;
 }
@@ -208,7 +219,7 @@ Drive winding(double v, double w) {
   return [=](double time) -> PlanarVelocity {
     const double ramp = std::min(time / 2, 1.0);
     return {ramp * v * (1 + 0.2 * std::sin(1.3 * time)), 0,
-            ramp * w * std::sin(2 * std::numbers::pi * time / 8)};
+            ramp * w * std::cos(2 * std::numbers::pi * time / 16)};
   };
 }
 
