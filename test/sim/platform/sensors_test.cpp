@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <tuple>
 #include <vector>
 
 #include "test/sim/platform/platform.hpp"
@@ -115,7 +116,9 @@ bool in_fault(const PlatformReading& r) { return r.step >= 10 && r.step < 20; }
 TEST(PlatformSensors, AStuckEncoderLosesWhatItDoesNotCount) {
   const auto readings = broken(&PlatformFaults::encoder_stuck);
   for (const PlatformReading& r : readings) {
-    if (in_fault(r)) EXPECT_EQ(r.encoder[1], readings[9].encoder[1]) << r.step;
+    if (in_fault(r)) {
+      EXPECT_EQ(r.encoder[1], readings[9].encoder[1]) << r.step;
+    }
     EXPECT_NEAR(r.encoder[0], 63.66 * static_cast<double>(r.step), 1.1);
   }
   EXPECT_NEAR(readings[29].encoder[1], 63.66 * 19, 3);
@@ -124,7 +127,9 @@ TEST(PlatformSensors, AStuckEncoderLosesWhatItDoesNotCount) {
 TEST(PlatformSensors, ASilentImuGoesOnAddingUp) {
   for (const PlatformReading& r : broken(&PlatformFaults::imu_silent)) {
     EXPECT_EQ(r.imu_valid, !in_fault(r)) << r.step;
-    if (r.imu_valid) EXPECT_NEAR(r.yaw, 0.001 * static_cast<double>(r.step + 1), 1e-12);
+    if (r.imu_valid) {
+      EXPECT_NEAR(r.yaw, 0.001 * static_cast<double>(r.step + 1), 1e-12);
+    }
   }
   for (const PlatformReading& r : broken(&PlatformFaults::imu_nan)) {
     EXPECT_TRUE(r.imu_valid);
