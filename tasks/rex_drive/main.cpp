@@ -39,11 +39,12 @@ void prepare(Drive& d, const launch::Setup& s) {
 }
 
 std::string words(const Drive& d) {
-  return fmt::format("{}: {} points in {} plans, {:.0f} s", d.plans.name, d.plans.points(), d.plans.plans.size(),
-                     d.itinerary.survey.duration);
+  return fmt::format("{}: {} points in {} plans, {:.0f} s", d.plans.name, d.plans.points(),
+                     d.plans.plans.size(), d.itinerary.survey.duration);
 }
 
-std::unique_ptr<mp::CoordinatorRun> make_coordinator(const Drive& d, mp::TaskRun& run, const launch::Setup& s) {
+std::unique_ptr<mp::CoordinatorRun> make_coordinator(const Drive& d, mp::TaskRun& run,
+                                                     const launch::Setup& s) {
   rex_drive::RexRunParameters k;
   k.ontology = rex_drive::read_ontology(s.config);
   k.plans = d.itinerary.plans;
@@ -67,7 +68,8 @@ int main(int argc, char** argv) {
   Drive d;
   return launch::run_task(
       {.name = "rex_drive",
-       .about = "A skid-steering platform drives through the points of plans, estimating its state and the slip of\n"
+       .about = "A skid-steering platform drives through the points of plans, estimating its state and the "
+                "slip of\n"
                 "its wheels.",
        .config = rex_drive::config(),
        .platforms = {{rex_drive::kPlatform, "rex"}},
@@ -86,8 +88,9 @@ int main(int argc, char** argv) {
            },
        .nodes =
            [](const launch::Setup& s) {
-             return std::vector<mp::NodeSpec>{launch::make_node(s.config, std::string("ecp-") + rex_drive::kMap,
-                                                                "ecp_rex_drive_map", nullptr, rex_drive::run_map)};
+             return std::vector<mp::NodeSpec>{
+                 launch::make_node(s.config, std::string("ecp-") + rex_drive::kMap, "ecp_rex_drive_map",
+                                   nullptr, rex_drive::run_map)};
            },
        .coordinator = [&](mp::TaskRun& run, const launch::Setup& s) { return make_coordinator(d, run, s); },
        .results = make_results},

@@ -59,18 +59,21 @@ std::vector<std::string> settings_of_ground(const std::string& name) {
 }  // namespace
 
 void add_drive_options(CommandLine& line, DriveOptions& o) {
-  line.option("--plan", o.plan,
-              fmt::format("Points to drive through, a file of lines 'x y', or one of {} (default: figure_eight)",
-                          fmt::join(built_in_plan_names(), ", ")))
+  line.option(
+          "--plan", o.plan,
+          fmt::format("Points to drive through, a file of lines 'x y', or one of {} (default: figure_eight)",
+                      fmt::join(built_in_plan_names(), ", ")))
       .type_name("FILE|NAME");
-  line.option("--speed-mps", o.speed, "Speed wanted between the points, in m/s (default: 0.6)").type_name("V");
+  line.option("--speed-mps", o.speed, "Speed wanted between the points, in m/s (default: 0.6)")
+      .type_name("V");
   line.option("--tracker", o.tracker, "Trajectory tracker of the virtual effector (default: nmpc)")
       .one_of({"nmpc", "kinematic"});
   line.option("--estimator", o.estimator, "State estimator of the virtual effector (default: mhe)")
       .one_of({"mhe", "ekf"});
-  line.option("--ground", o.ground,
-              "nominal, slippery (half the friction), ice_right (half of it where y < 0), smooth (as the kernels "
-              "believe it to be), or a TOML file with [sim.ground]")
+  line.option(
+          "--ground", o.ground,
+          "nominal, slippery (half the friction), ice_right (half of it where y < 0), smooth (as the kernels "
+          "believe it to be), or a TOML file with [sim.ground]")
       .type_name("NAME|FILE");
 }
 
@@ -88,7 +91,8 @@ std::vector<std::string> settings_of(const DriveOptions& o) {
 void complete_drive(Config& config, const DriveOptions& o, const PlanList& plans) {
   if (!o.ground.empty() && !is_ground(o.ground)) config.overlay(Config::load(o.ground));
   if (!config.has("sim.platforms.rex.start"))
-    config.set(fmt::format("sim.platforms.rex.start=[{}, {}, {}]", plans.start.x, plans.start.y, plans.start.phi));
+    config.set(
+        fmt::format("sim.platforms.rex.start=[{}, {}, {}]", plans.start.x, plans.start.y, plans.start.phi));
 }
 
 }  // namespace mrroc::rex_drive

@@ -15,11 +15,11 @@ namespace mrroc::rex_drive {
 
 /// The options of the task's own.
 struct DriveOptions {
-  std::string plan{};           ///< a built-in one or a file; empty: as the configuration says
+  std::string plan{};             ///< a built-in one or a file; empty: as the configuration says
   std::optional<double> speed{};  ///< wanted [m/s]
-  std::string tracker{};        ///< of the virtual effector; empty: as the configuration says
-  std::string estimator{};      ///< the same
-  std::string ground{};         ///< a kind of ground or a file; empty: as the configuration says
+  std::string tracker{};          ///< of the virtual effector; empty: as the configuration says
+  std::string estimator{};        ///< the same
+  std::string ground{};           ///< a kind of ground or a file; empty: as the configuration says
 };
 
 /// Adds them to a program's command line.

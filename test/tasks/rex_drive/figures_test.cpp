@@ -79,7 +79,8 @@ TEST(RexTables, HaveARowPerMacrostepAndPerFragment) {
   write_fragment_table(folder / "rex_fragments.csv", r.fragments, r.table);
   const auto rows = lines(folder / "rex_platform.csv"), fragments = lines(folder / "rex_fragments.csv");
   ASSERT_EQ(rows.size(), 251U);
-  for (const std::string& row : rows) EXPECT_EQ(std::ranges::count(row, ','), std::ranges::count(rows[0], ','));
+  for (const std::string& row : rows)
+    EXPECT_EQ(std::ranges::count(row, ','), std::ranges::count(rows[0], ','));
   ASSERT_EQ(fragments.size(), 3U);
   EXPECT_EQ(fragments[1], "1,1,100,46,0.20,nan,2.00,0.5000,0.5000");
   std::filesystem::remove(folder / "rex_platform.csv");
@@ -91,7 +92,8 @@ TEST(RexPlots, ReadTheColumnsThatTheTableHas) {
   ASSERT_EQ(pictures.size(), 5U);
   for (const auto& [name, script] : pictures) {
     EXPECT_NE(script.find("plots/" + name + ".png"), std::string::npos);
-    EXPECT_TRUE(script.find("platform.csv") != std::string::npos || script.find("fragments.csv") != std::string::npos);
+    EXPECT_TRUE(script.find("platform.csv") != std::string::npos ||
+                script.find("fragments.csv") != std::string::npos);
   }
 }
 

@@ -244,7 +244,8 @@ TEST(Locomotion, APlanThatComesWhileOneIsExecutedWaitsForItsAck) {
   ModelPort port([&](X& x) {
     x.T.m = 1;
     if (x.T.desired.number == 0) x.T.desired = straight_plan(1);
-    if (!self->behaviours.empty() && self->behaviours.back() == 2 && ++behaviour_two == 3) x.T.desired = straight_plan(2);
+    if (!self->behaviours.empty() && self->behaviours.back() == 2 && ++behaviour_two == 3)
+      x.T.desired = straight_plan(2);
     if (self->behaviours.back() == 3) EXPECT_EQ(x.c.taken <= 2, true);
     x.T.finished = self->behaviours.size() >= 8;
     return x.i < 2000;

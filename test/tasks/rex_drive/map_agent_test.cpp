@@ -88,13 +88,16 @@ TEST(MapAgent, RejectsOutliersAndCountsThem) {
   const auto told = run(images);
   EXPECT_NEAR(told.back().rejected, outliers, 2);
   for (const MapReport& r : told)
-    if (r.pose.valid) EXPECT_LT(std::hypot(r.pose.p.x - Circle::at(r.pose.step).x, r.pose.p.y - Circle::at(r.pose.step).y), 0.05);
+    if (r.pose.valid)
+      EXPECT_LT(std::hypot(r.pose.p.x - Circle::at(r.pose.step).x, r.pose.p.y - Circle::at(r.pose.step).y),
+                0.05);
 }
 
 TEST(MapAgent, BelievesAMapThatHasJumpedAfterFiveRejections) {
   Circle circle(4);
   std::vector<X> images;
-  for (std::int64_t i = 1; i < 400; ++i) images.push_back(circle.image(i, i > 200 ? PlanarPose{0.4, 0, 0} : PlanarPose{}));
+  for (std::int64_t i = 1; i < 400; ++i)
+    images.push_back(circle.image(i, i > 200 ? PlanarPose{0.4, 0, 0} : PlanarPose{}));
   const auto told = run(images);
   EXPECT_GE(told.back().rejected, 5);
   const auto jumped = std::find_if(told.begin(), told.end(), [](const MapReport& r) {
@@ -117,7 +120,8 @@ TEST(MapAgent, SaysThatThePositionIsLostAndComesBack) {
   std::vector<int> behaviours;
   for (const auto& d : port.decisions()) {
     if (behaviours.empty() || behaviours.back() != d.m) behaviours.push_back(d.m);
-    if (d.m == 2 && d.y.T.map.pose.valid) EXPECT_GT(d.y.T.map.pose.step, 2500) << "of the last macrostep of it";
+    if (d.m == 2 && d.y.T.map.pose.valid)
+      EXPECT_GT(d.y.T.map.pose.step, 2500) << "of the last macrostep of it";
   }
   EXPECT_EQ(behaviours, (std::vector<int>{1, 2, 1}));
 }

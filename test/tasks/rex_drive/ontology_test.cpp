@@ -9,7 +9,8 @@ using X = Ontology::X;
 
 std::vector<Plan> plans(int n) {
   std::vector<Plan> list;
-  for (int k = 1; k <= n; ++k) list.push_back({.number = k, .n = 2, .point = {{{0.5, 0}, {1, 0}}}, .speed = 0.5});
+  for (int k = 1; k <= n; ++k)
+    list.push_back({.number = k, .n = 2, .point = {{{0.5, 0}, {1, 0}}}, .speed = 0.5});
   return list;
 }
 
@@ -46,12 +47,12 @@ class Agents {
     r.sensor = (r.m == 1 && i_ - acked_in_ > 40 ? kStands : 0) + (i_ >= lost_from ? kPositionLost : 0);
   }
 
-  std::vector<std::int64_t> sent;  ///< numbers of plans, each once in a row
-  std::vector<std::int64_t> acks;  ///< macrosteps
-  std::vector<int> behaviours;     ///< of a_2
-  int variant{};                   ///< of the last order
-  bool paused{};                   ///< the operator has a pause
-  std::int64_t stuck{};            ///< number of a plan that never ends
+  std::vector<std::int64_t> sent;     ///< numbers of plans, each once in a row
+  std::vector<std::int64_t> acks;     ///< macrosteps
+  std::vector<int> behaviours;        ///< of a_2
+  int variant{};                      ///< of the last order
+  bool paused{};                      ///< the operator has a pause
+  std::int64_t stuck{};               ///< number of a plan that never ends
   std::int64_t lost_from{1'000'000};  ///< macrostep from which on a_1 waits for its position
 
  private:

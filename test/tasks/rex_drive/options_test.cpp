@@ -18,8 +18,8 @@ Config config_with(const std::vector<std::string>& settings) {
 TEST(DriveOptions, SayNothingWhenTheyAreNotGiven) { EXPECT_TRUE(settings_of({}).empty()); }
 
 TEST(DriveOptions, BecomeKeysOfTheConfiguration) {
-  const Config c = config_with(settings_of({.plan = "slalom", .speed = 0.4, .tracker = "kinematic", .estimator = "ekf",
-                                            .ground = "slippery"}));
+  const Config c = config_with(settings_of(
+      {.plan = "slalom", .speed = 0.4, .tracker = "kinematic", .estimator = "ekf", .ground = "slippery"}));
   EXPECT_EQ(read_plan_list(c).name, "slalom");
   EXPECT_EQ(c.number("task.speed", 0.6), 0.4);
   EXPECT_EQ(c.text("platforms.rex.tracker", ""), "kinematic");

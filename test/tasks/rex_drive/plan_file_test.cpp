@@ -26,7 +26,8 @@ std::string error_of(const std::string& text) {
 }
 
 TEST(PlanFile, HasPointsCommentsStartAndPlans) {
-  const PlanList list = parse_plans("# a way\nstart 1 2 0.5\r\n0 0 # here\n\n  1\t0\nplan\n1 1\n2 1", "my.txt");
+  const PlanList list =
+      parse_plans("# a way\nstart 1 2 0.5\r\n0 0 # here\n\n  1\t0\nplan\n1 1\n2 1", "my.txt");
   EXPECT_EQ(list.name, "my.txt");
   EXPECT_EQ(list.start.y, 2);
   EXPECT_EQ(list.start.phi, 0.5);
@@ -96,7 +97,8 @@ TEST(PlanFile, WhatIsWrittenIsReadAgain) {
     EXPECT_EQ(read.start.phi, list.start.phi);
     for (std::size_t k = 0; k < list.plans.size(); ++k) {
       ASSERT_EQ(read.plans[k].size(), list.plans[k].size());
-      for (std::size_t p = 0; p < list.plans[k].size(); ++p) EXPECT_EQ(read.plans[k][p].x, list.plans[k][p].x);
+      for (std::size_t p = 0; p < list.plans[k].size(); ++p)
+        EXPECT_EQ(read.plans[k][p].x, list.plans[k][p].x);
     }
   }
 }
@@ -122,7 +124,9 @@ TEST(PlanFile, APlanThatTurnsBackDoesNotGoOn) {
 
 TEST(PlanFile, ALegThatIsNotFreeIsToldWithItsLine) {
   const PlanList list = parse_plans("1 0\n2 0\n3 0\n", "my.txt");
-  const auto wall = [](const MapPoint&, const MapPoint& to) { return to.x > 2.5 ? std::string("a wall") : ""; };
+  const auto wall = [](const MapPoint&, const MapPoint& to) {
+    return to.x > 2.5 ? std::string("a wall") : "";
+  };
   try {
     check_legs(list, wall);
     ADD_FAILURE();
