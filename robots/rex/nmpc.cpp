@@ -14,7 +14,7 @@ constexpr int kQpIterations = 60;   // at the limit of friction some thirty are 
 constexpr double kTorquePrice = 0.004;
 constexpr double kDamping =
     0.004;  // price of half the square of a torque's change from one solution to the next
-constexpr double kMostChange = 5;    // of a torque from one solution to the next [N m]
+constexpr double kMostChange = 4;    // of a torque from one solution to the next [N m]
 constexpr double kFinalPrice = 2;    // of the last error, against that of one on the way
 constexpr double kSpeedPrice = 100;  // of half the square of a speed beyond the limit
 
