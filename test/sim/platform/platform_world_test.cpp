@@ -93,7 +93,7 @@ TEST(PlatformWorld, WallsStopThePlatform) {
   PlatformWorldParameters p = ideal_world();
   p.room = {.lower = {-3, -2}, .upper = {3, 2}, .obstacles = {}};
   PlatformWorld world(p);
-  run(world, drive({6, 6, 6, 6}), 6);
+  run(world, drive({12, 12, 12, 12}), 6);
   EXPECT_NEAR(world.truth(0).p.x, 3 - ideal_platform().body.length / 2, 0.01);
   EXPECT_NEAR(world.truth(0).v.vx, 0, 0.01);
   EXPECT_GT(world.truth(0).wheel_speed[0], 1) << "its wheels go on";

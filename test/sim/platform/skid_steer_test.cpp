@@ -57,7 +57,7 @@ TEST(SkidSteer, TurnsOnTheSpotAboveTheThresholdOnly) {
   const double threshold = b.wheel_radius * 0.7 * b.mass * kGravity / 4 * a / std::hypot(a, b.half_track);
   EXPECT_NEAR(threshold, 6.6, 0.05);
   for (const auto& [share, least, most] :
-       {std::array{0.8, 0.0, 0.06}, std::array{0.95, 0.0, 0.15}, std::array{1.2, 1.0, 20.0}}) {
+       {std::array{0.8, 0.0, 0.06}, std::array{0.95, 0.0, 0.15}, std::array{1.2, 0.5, 20.0}}) {
     PlatformWorld world(ideal_world());
     run(world, drive(turning(share * threshold)), 2);
     EXPECT_GE(world.truth(0).v.w, least) << share;
@@ -115,18 +115,17 @@ TEST(SkidSteer, NeverGivesMoreEnergyThanTheMotorsDo) {
 /// Short-circuited motors brake what the platform has, to rest.
 TEST(SkidSteer, ComesToRestWithoutADrive) {
   PlatformWorld world(ideal_world());
-  run(world, drive({10, 10, 10, 10}), 1.5);
-  ASSERT_GT(world.truth(0).v.vx, 0.8);
+  while (world.truth(0).v.vx < 0.8) run(world, drive({8, 8, 8, 8}), kPlatformStep);
   const double from = world.truth(0).p.x;
   double last = energy(world.truth(0));
-  for (int step = 0; step < 300; ++step) {
+  for (int step = 0; step < 600; ++step) {
     world.step({});
     const double now = energy(world.truth(0));
     ASSERT_LE(now, last * (1 + 1e-9)) << step;
     last = now;
   }
   EXPECT_LT(std::abs(world.truth(0).v.vx), 1e-3);
-  EXPECT_LT(world.truth(0).p.x - from, 0.35);
+  EXPECT_LT(world.truth(0).p.x - from, 0.2);
 }
 
 PlatformTruth after_a_wild_ride(int micro_steps) {
