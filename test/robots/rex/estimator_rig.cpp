@@ -189,7 +189,7 @@ std::vector<Sample> drive(edp::Estimator& estimator, const Trial& trial) {
   std::vector<Sample> samples;
   SpeedControl control;
   PerWheel torque{};
-  estimator.begin({.covariance = {9e-6, 0, 0, 0, 9e-6, 0, 0, 0, 25e-6}, .load = plant.load()});
+  estimator.begin({.p = {}, .covariance = {9e-6, 0, 0, 0, 9e-6, 0, 0, 0, 25e-6}, .load = plant.load()});
   const auto stages = std::lround(trial.duration / kPlatformPeriod);
   for (long i = 1; i <= stages; ++i) {
     const double time = static_cast<double>(i) * kPlatformPeriod;

@@ -15,13 +15,13 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 /// A window that stands still from step 0 on.
 class StageWindowTest : public testing::Test {
  protected:
-  StageWindowTest() { window.begin({.load = standing_load(44, {0.04, 0, 0})}); }
+  StageWindowTest() { window.begin({.p = {}, .load = standing_load(44, {0.04, 0, 0})}); }
 
   static edp::StageReading reading(std::int64_t step) {
     return {.step = step, .imu_valid = true, .load = standing_load(44, {0.04, 0, 0})};
   }
   static MapPose map(std::int64_t step) {
-    return {.step = step, .valid = true, .covariance = {1e-4, 0, 0, 0, 1e-4, 0, 0, 0, 1e-4}};
+    return {.step = step, .valid = true, .p = {}, .covariance = {1e-4, 0, 0, 0, 1e-4, 0, 0, 0, 1e-4}};
   }
   static OdometryReading odometry(std::int64_t before, std::int64_t step) {
     OdometryReading motion{.step_before = before, .step = step, .valid = true};
@@ -188,7 +188,7 @@ TEST_F(StageWindowTest, WhatCannotBeMeasuredIsNoMeasurement) {
 }
 
 TEST_F(StageWindowTest, GyroBiasIsTakenAway) {
-  window.begin({.gyro_bias = 0.02});
+  window.begin({.p = {}, .gyro_bias = 0.02});
   edp::StageReading now = reading(10);
   now.yaw_rate = 0.5;
   ASSERT_EQ(window.add(now), Entry::next);
