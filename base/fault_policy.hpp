@@ -3,6 +3,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstdint>
 
 #include "base/effector_command.hpp"
@@ -17,16 +18,24 @@ enum class Mishap : std::uint8_t {
   tripped,  ///< a malfunction: the drives brake, and only a reset leads on
 };
 
-/// @param told  x_ce  @return what has gone wrong. A command that was lost on its way is none: the link repeats it
-[[nodiscard]] inline Mishap mishap_of(const EffectorReply& told) noexcept {
-  if (!told.fault || told.fault.code == FaultCode::lost_command) return Mishap::none;
-  if (told.state == DriverState::faulted) return Mishap::tripped;
-  if (told.verdict == Verdict::refused) return Mishap::refused;
-  return told.verdict == Verdict::failed ? Mishap::failed : Mishap::none;
-}
-/// An agent without an effector of its own has no mishap.
-template <class Effector>
-[[nodiscard]] constexpr Mishap mishap_of(const Effector&) noexcept {
+/// A reply x_ce of any kind of effector (base/effector.hpp).
+template <class R>
+concept AnyReply = requires(const R& told) {
+  { told.fault } -> std::convertible_to<Fault>;
+  { told.state } -> std::convertible_to<DriverState>;
+  { told.verdict } -> std::convertible_to<Verdict>;
+};
+
+/// @param told  x_ce  @return what has gone wrong. A command that was lost on its way is none: the link repeats it. An agent
+///              without an effector of its own has no mishap
+template <class Told>
+[[nodiscard]] constexpr Mishap mishap_of(const Told& told) noexcept {
+  if constexpr (AnyReply<Told>) {
+    if (!told.fault || told.fault.code == FaultCode::lost_command) return Mishap::none;
+    if (told.state == DriverState::faulted) return Mishap::tripped;
+    if (told.verdict == Verdict::refused) return Mishap::refused;
+    if (told.verdict == Verdict::failed) return Mishap::failed;
+  }
   return Mishap::none;
 }
 
@@ -70,7 +79,8 @@ struct FaultPolicy {
 [[nodiscard]] constexpr FaultPolicy respond(Response response) noexcept { return {response, response}; }
 
 /// @param told  x_ce  @return whether the effector moves, or is on its way to rest
-[[nodiscard]] inline bool moves(const EffectorReply& told) noexcept {
+template <AnyReply Reply>
+[[nodiscard]] bool moves(const Reply& told) noexcept {
   constexpr std::array kMoving{DriverState::homing, DriverState::executing, DriverState::decelerating,
                                DriverState::jogging};
   return std::ranges::find(kMoving, told.state) != kMoving.end();

@@ -11,13 +11,18 @@ namespace mrroc {
 /// Most points of one plan.
 inline constexpr std::size_t kPlanPoints = 64;
 
+/// Most points of the next plan that a plan knows.
+inline constexpr std::size_t kPlanAhead = 2;
+
 /// A plan: points of the map that the platform is to pass in this order, T_x_c1,2[desired_plan]. Trivially copyable.
 struct Plan {
   std::int64_t number{};  ///< 1, 2, 3...; 0: there is none yet
-  std::int32_t n{};       ///< points, 0..kPlanPoints
+  std::int32_t n{};       ///< points, 0..kPlanPoints; with those ahead not more
   std::array<std::array<double, 2>, kPlanPoints> point{};  ///< x, y on M [m]
   double speed{};                                          ///< wanted between them [m/s], > 0
-  bool goes_on{};  ///< another plan follows from the last point on, which is passed at speed; false: a rest there
+  /// Points behind the n that the next plan begins with, 0..kPlanAhead: the last point of this one is passed on the way
+  /// to them. 0: the platform rests there.
+  std::int32_t ahead{};
 };
 
 /// What the map agent says, T_x_c1,3[x^, y^, phi^]. Trivially copyable.

@@ -5,32 +5,37 @@
 #include <deque>
 #include <optional>
 
-#include "base/effector_command.hpp"
+#include "base/effector.hpp"
 
 namespace mrroc::ecp {
 
 /// Numbers the commands of one session and goes back to the first lost one when the driver misses it. A
-/// macrostep's command is made while the one before is executed, so its answer comes two commands later.
-class EffectorClient {
+/// macrostep's command is made while the one before is executed, so its answer comes two commands later. What is not
+/// numbered in a command goes out with every message, also with one that repeats an older command, and is the newest.
+template <Effector E>
+class BasicEffectorClient {
  public:
+  using Command = typename E::Command;  ///< y_ce
+  using Reply = typename E::Reply;      ///< x_ce
+
   /// Attempts at one command before the link counts as broken.
   static constexpr int kAttempts = 3;
 
   /// @param late_attempts  sendings of a command that the driver may have missed in a row: with the wall clock a
   ///        command or the one before it can be late, or its answer is skipped; it is sent again and is no failure.
   ///        0: in lock-step there is no lateness, and what the driver has not seen is lost
-  explicit EffectorClient(std::int64_t session, int late_attempts = 0)
+  explicit BasicEffectorClient(std::int64_t session, int late_attempts = 0)
       : session_(session), late_attempts_(late_attempts) {}
 
   /// Takes x_ce of a macrostep. Call it before next() for the same macrostep. Macrosteps may be skipped: every
   /// reply says which commands have been executed.
-  void see(const EffectorReply& reply);
+  void see(const Reply& reply);
 
   /// @param wanted     what the control subsystem decided; session and number are filled in here
   /// @param macrostep  in which it is to be executed
   /// @return what to send: the wanted command, or the oldest one that the driver has not executed; release
   ///         always goes out at once
-  EffectorCommand next(EffectorCommand wanted, std::int64_t macrostep);
+  Command next(Command wanted, std::int64_t macrostep);
 
   /// @return the system error after kAttempts failures, with the wall clock late_attempts, in a row
   [[nodiscard]] const std::optional<Fault>& fault() const { return fault_; }
@@ -50,7 +55,7 @@ class EffectorClient {
   ///         the wall clock, its answer was skipped; null: there is none
   [[nodiscard]] const Sent* unanswered(std::int64_t macrostep) const;
   /// Goes back to the oldest command that is not executed. @param s  what the driver has not got
-  void send_again(const EffectorReply& reply, const Sent& s);
+  void send_again(const Reply& reply, const Sent& s);
   Sent& sent(std::int64_t macrostep) { return sent_[static_cast<std::size_t>(macrostep) % kRemembered]; }
 
   void settle_until(std::int64_t number);
@@ -60,9 +65,9 @@ class EffectorClient {
   void count_anew(std::int64_t macrostep, std::int64_t by);
 
   std::int64_t session_;
-  std::int64_t number_{};                // of the last command
-  std::deque<EffectorCommand> pending_;  // not known to be executed, oldest first
-  std::size_t sent_of_pending_{};        // of these, sent and not given up
+  std::int64_t number_{};          // of the last command
+  std::deque<Command> pending_;    // not known to be executed, oldest first
+  std::size_t sent_of_pending_{};  // of these, sent and not given up
   std::array<Sent, kRemembered> sent_{};
   std::int64_t repeated_from_{};  // answers to commands before this macrostep are out of date
   int late_attempts_;
@@ -70,5 +75,8 @@ class EffectorClient {
   int failures_{};
   std::optional<Fault> fault_;
 };
+
+/// That of an arm's control subsystem.
+using EffectorClient = BasicEffectorClient<ArmEffector>;
 
 }  // namespace mrroc::ecp

@@ -1,56 +1,90 @@
 #include "ecp/preparation.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 #include "base/latency.hpp"
 
 namespace mrroc::ecp {
 namespace {
 
-Report not_ready_yet(const ArmLinks& links) {
+Report not_ready_yet(const EffectorReply& reply) {
   Report r;
-  r.driver_state = links.reply().state;
-  r.verdict = links.reply().verdict;
-  r.fault = links.reply().fault;
-  r.T_0E = links.reply().T_0E;
-  r.F_a = links.reply().F_a;
+  r.driver_state = reply.state;
+  r.verdict = reply.verdict;
+  r.fault = reply.fault;
+  r.T_0E = reply.T_0E;
+  r.F_a = reply.F_a;
   return r;
 }
 
-/// Lets macrosteps pass without a command.
-Outcome rest(ArmLinks& links, int macrosteps) {
-  for (int k = 0; k < macrosteps; ++k) {
-    links.send({}, not_ready_yet(links));
-    if (const Outcome o = links.wait(); o != Outcome::terminated) return o;
-  }
-  return Outcome::terminated;
+Report not_ready_yet(const PlatformReply& reply) {
+  Report r;
+  r.driver_state = reply.state;
+  r.verdict = reply.verdict;
+  r.fault = reply.fault;
+  r.position_known = reply.position_known;
+  const PlanarPose& p = reply.estimate.p;
+  if (reply.position_known) r.T_0E = {p.x, p.y, 0, 0, 0, p.phi};
+  return r;
 }
 
-/// Sends one command and waits for what becomes of it.
-Outcome execute(ArmLinks& links, const EffectorCommand& command) {
-  links.send(command, not_ready_yet(links));
-  const std::int64_t answered = links.i() + latency::kCommandToReply;
-  while (true) {
-    if (const Outcome o = links.wait(); o != Outcome::terminated) return o;
-    if (links.i() >= answered && links.reply().verdict == Verdict::executed) return Outcome::terminated;
-    if (links.i() >= answered && links.reply().verdict != Verdict::none &&
-        links.reply().fault.code != FaultCode::lost_command)
-      return Outcome::faulted;
-    // With the wall clock its reply may have been skipped.
-    if (links.i() > answered && links.client().settled()) return Outcome::terminated;
-    links.send({}, not_ready_yet(links));
-  }
-}
+/// Brings one driver into the state ready.
+template <Effector E>
+class Preparing {
+ public:
+  using Command = typename E::Command;
 
-/// Lets macrosteps pass until homing has ended, one way or the other.
-Outcome await_positions(ArmLinks& links) {
-  while (links.reply().state == DriverState::homing)
-    if (const Outcome o = rest(links, 1); o != Outcome::terminated) return o;
-  const DriverState state = links.reply().state;
-  const bool lost = state == DriverState::faulted || state == DriverState::not_synchronised ||
-                    state == DriverState::jogging;
-  return lost ? Outcome::faulted : Outcome::terminated;
-}
+  /// @param renew  fills in what is not numbered in a command; may be empty
+  explicit Preparing(EffectorLinks<E>& links, std::function<void(Command&)> renew = {})
+      : links_(links), renew_(std::move(renew)) {}
+
+  /// Lets macrosteps pass without a command.
+  Outcome rest(int macrosteps) {
+    for (int k = 0; k < macrosteps; ++k) {
+      send({});
+      if (const Outcome o = links_.wait(); o != Outcome::terminated) return o;
+    }
+    return Outcome::terminated;
+  }
+
+  /// Sends one command and waits for what becomes of it.
+  Outcome execute(const Command& command) {
+    send(command);
+    const std::int64_t answered = links_.i() + latency::kCommandToReply;
+    while (true) {
+      if (const Outcome o = links_.wait(); o != Outcome::terminated) return o;
+      if (links_.i() >= answered && links_.reply().verdict == Verdict::executed) return Outcome::terminated;
+      if (links_.i() >= answered && links_.reply().verdict != Verdict::none &&
+          links_.reply().fault.code != FaultCode::lost_command)
+        return Outcome::faulted;
+      // With the wall clock its reply may have been skipped.
+      if (links_.i() > answered && links_.client().settled()) return Outcome::terminated;
+      send({});
+    }
+  }
+
+  /// SYNCHRO. Lets macrosteps pass until homing has ended, one way or the other.
+  Outcome synchronise() {
+    if (const Outcome o = execute({.instruction = Instruction::synchro}); o != Outcome::terminated) return o;
+    while (links_.reply().state == DriverState::homing)
+      if (const Outcome o = rest(1); o != Outcome::terminated) return o;
+    const DriverState state = links_.reply().state;
+    const bool lost = state == DriverState::faulted || state == DriverState::not_synchronised ||
+                      state == DriverState::jogging;
+    return lost ? Outcome::faulted : Outcome::terminated;
+  }
+
+ private:
+  void send(Command command) {
+    if (renew_) renew_(command);
+    links_.send(command, not_ready_yet(links_.reply()));
+  }
+
+  EffectorLinks<E>& links_;
+  std::function<void(Command&)> renew_;
+};
 
 }  // namespace
 
@@ -68,19 +102,17 @@ RobotModel read_tool_model(const Config& config, const std::string& arm) {
 
 Outcome prepare_effector(ArmLinks& links, const Preparation& prepare) {
   if (prepare.by_program) return Outcome::terminated;
-  if (const Outcome o = execute(links, {.instruction = Instruction::synchro}); o != Outcome::terminated)
-    return o;
-  if (const Outcome o = await_positions(links); o != Outcome::terminated) return o;
-  if (const Outcome o = rest(links, prepare.settling_macrosteps); o != Outcome::terminated) return o;
+  Preparing<ArmEffector> arm(links);
+  if (const Outcome o = arm.synchronise(); o != Outcome::terminated) return o;
+  if (const Outcome o = arm.rest(prepare.settling_macrosteps); o != Outcome::terminated) return o;
   EffectorCommand set{.instruction = Instruction::set};
   set.set = static_cast<std::uint8_t>(Part::robot_model);
   set.robot_model = prepare.model;
-  return execute(links, set);
+  return arm.execute(set);
 }
 
-Fault fault_of(const ArmLinks& links) {
-  if (links.client().fault()) return *links.client().fault();
-  return links.reply().fault;
+Outcome prepare_effector(PlatformLinks& links, const PlatformPreparation& prepare) {
+  return Preparing<PlatformEffector>(links, prepare.renew).synchronise();
 }
 
 }  // namespace mrroc::ecp

@@ -4,21 +4,21 @@
 #include <string>
 
 #include "base/motion.hpp"
-#include "ecp/arm_links.hpp"
+#include "ecp/effector_links.hpp"
 #include "ecp/preparation.hpp"
 
 namespace mrroc::ecp {
 
 /// Port of an agent whose images are
-///     X { c; EffectorReply e; SensorReading V; Order T; int64 i, i_0 }
-///     Y { c; EffectorCommand e; SensorSetting V; Report T }
+///     X { c; E::Reply e; SensorReading V; Order T; int64 i, i_0 }
+///     Y { c; E::Command e; SensorSetting V; Report T }
 /// A V of another type is left as it is: an agent with sensors of its own reads and sets them itself, one whose y.V is
 /// empty sets nothing. T may be more than Order and Report (base/linked_port.hpp).
-template <Images A>
-class ArmPort {
+template <Images A, Effector E = ArmEffector>
+class EffectorPort {
  public:
   /// @param links  must outlive the port
-  explicit ArmPort(ArmLinks& links) : links_(links) {}
+  explicit EffectorPort(EffectorLinks<E>& links) : links_(links) {}
 
   /// The operations of a Port: sends y.e, y.V and y.T for macrostep i + 1; i := i + 1; fills in e, V, T and i of x.
   void dispatch(const Motion<A>& motion, const typename A::Y& y) {
@@ -34,21 +34,26 @@ class ArmPort {
     x.i = links_.i();
   }
   /// @return what the port is made of, for ports that do more
-  [[nodiscard]] ArmLinks& links() const { return links_; }
+  [[nodiscard]] EffectorLinks<E>& links() const { return links_; }
 
  private:
-  ArmLinks& links_;
+  EffectorLinks<E>& links_;
 };
+
+/// That of an arm's agent.
+template <Images A>
+using ArmPort = EffectorPort<A, ArmEffector>;
 
 /// Runs an ECP to its end.
 /// @param process   this process's connection
-/// @param links     names of the agent's links
+/// @param names     of the agent's links
 /// @param prepare   what is set in the driver before the task begins
-/// @param program   Outcome program(X& x, ArmPort<A>& port): the task's sequence of Move instructions
-template <Images A, class Program>
-void run_ecp(link::Process& process, const ArmLinkNames& names, const Preparation& prepare, Program program) {
-  ArmLinks links(process, names);
-  ArmPort<A> port(links);
+/// @param program   Outcome program(X& x, EffectorPort<A, E>& port): the task's sequence of Move instructions
+template <Images A, Effector E = ArmEffector, class Program>
+void run_ecp(link::Process& process, const EffectorLinkNames& names, const PreparationOf<E>& prepare,
+             Program program) {
+  EffectorLinks<E> links(process, names);
+  EffectorPort<A, E> port(links);
   typename A::X x{};
   Outcome outcome = links.begin();
   if (outcome == Outcome::terminated) outcome = prepare_effector(links, prepare);

@@ -4,22 +4,27 @@
 #include <cstdint>
 #include <optional>
 
-#include "base/effector_command.hpp"
+#include "base/effector.hpp"
 
 namespace mrroc::edp {
 
+/// Action of a driver for a message.
+enum class Admission : std::uint8_t {
+  nothing,  ///< keep, release: no command
+  execute,  ///< the next command of the owner: validate it, execute or refuse it, then conclude()
+  replay,   ///< the stored reply is the answer; nothing is executed
+  reset,    ///< an operator's reset: the effector has no owner any more
+  refuse,   ///< answer with the fault
+};
+
 /// Sessions, sequence numbers and the stored reply of one effector driver. It does not look into the
 /// commands. Real-time safe.
-class Protocol {
+template <Effector E>
+class BasicProtocol {
  public:
-  /// Action for a message.
-  enum class Admission : std::uint8_t {
-    nothing,  ///< keep, release: no command
-    execute,  ///< the next command of the owner: validate it, execute or refuse it, then conclude()
-    replay,   ///< the stored reply is the answer; nothing is executed
-    reset,    ///< an operator's reset: the effector has no owner any more
-    refuse,   ///< answer with the fault
-  };
+  using Admission = edp::Admission;     ///< of a message
+  using Command = typename E::Command;  ///< y_ce
+  using Reply = typename E::Reply;      ///< x_ce
   /// Treatment of a command.
   struct Decision {
     Admission admission{Admission::nothing};  ///< what the driver has to do
@@ -34,17 +39,17 @@ class Protocol {
   ///  - a command of another session than the owner's: not_owner
   ///  - the expected number: execute; the number before: replay; any other: lost_command
   /// @param guarded the driver started so recently that every message may be a left-over of an earlier run
-  Decision admit(const EffectorCommand& command, bool guarded) noexcept;
+  Decision admit(const Command& command, bool guarded) noexcept;
 
   /// Says what became of a command that was to be executed. Its number is used up. A refused command does not
   /// make its sender the owner: a session begins with its first executed command.
   /// @param executed false: refused for its content
-  void conclude(const EffectorCommand& command, bool executed) noexcept;
+  void conclude(const Command& command, bool executed) noexcept;
 
   /// Keeps the reply to the last command for repetitions and QUERY.
-  void store(const EffectorReply& reply) noexcept { stored_ = reply; }
+  void store(const Reply& reply) noexcept { stored_ = reply; }
   /// @return the reply kept last
-  [[nodiscard]] const EffectorReply& stored() const noexcept { return stored_; }
+  [[nodiscard]] const Reply& stored() const noexcept { return stored_; }
 
   /// Ends the session of the owner, if any: he is dead.
   void drop_owner() noexcept;
@@ -63,7 +68,10 @@ class Protocol {
   std::int64_t expected_{1};
   std::int64_t repeated_{};
   std::int64_t lost_{};
-  EffectorReply stored_{};
+  Reply stored_{};
 };
+
+/// That of an arm's driver.
+using Protocol = BasicProtocol<ArmEffector>;
 
 }  // namespace mrroc::edp

@@ -1,5 +1,7 @@
 // The reader of an effector driver: keeps the last steps and writes them down after a fault.
 #pragma once
+#include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -7,89 +9,101 @@
 #include <thread>
 #include <vector>
 
-#include "base/axes.hpp"
-#include "base/hardware.hpp"
-#include "edp/driver.hpp"
+#include "base/fault.hpp"
 
 namespace mrroc::edp {
 
-/// Everything about one step. Trivially copyable.
-struct StepRecord {
-  std::int64_t step{};                           ///< of the driver
-  DriverState state{};                           ///< after the step
-  FaultCode fault{};                             ///< that stood after the step
-  std::array<double, kMaxAxes> set_motor{};      ///< [rad]
-  std::array<std::int32_t, kMaxAxes> encoder{};  ///< [increments] since power-up
-  std::array<double, kMaxAxes> current{};        ///< [A]
-  std::array<double, kMaxAxes> pwm{};            ///< [1/255 of the supply]
-  std::array<double, 3> set_position{};          ///< of E in the base [m]
-  std::array<double, 3> position{};              ///< measured [m]
-  Wrench F_a{};                                  ///< in E [N, N m]
-  Wrench S_F_m{};                                ///< raw reading of the sensor, in S [N, N m]
-};
-
-/// @return what the driver has made of a reading; call it after the step. Real-time safe
-[[nodiscard]] StepRecord record_of(const Driver& driver, const HardwareReading& reading,
-                                   const HardwareCommand& command) noexcept;
-
 /// The newest steps, in a ring that is as long as it was made.
-class Recorder {
+/// @tparam Record  everything about one step, trivially copyable
+template <class Record>
+class BasicRecorder {
  public:
   /// @param capacity  steps, at least 1
-  explicit Recorder(std::size_t capacity);
+  explicit BasicRecorder(std::size_t capacity) : ring_(std::max<std::size_t>(1, capacity)) {}
 
   /// Real-time safe.
-  void add(const StepRecord& record) noexcept;
+  void add(const Record& record) noexcept {
+    ring_[next_] = record;
+    next_ = (next_ + 1) % ring_.size();
+    size_ = std::min(size_ + 1, ring_.size());
+  }
 
   /// @return number of steps it holds
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
   /// @param k  0: the oldest, below size()
-  [[nodiscard]] const StepRecord& operator[](std::size_t k) const noexcept;
+  [[nodiscard]] const Record& operator[](std::size_t k) const noexcept {
+    return ring_[(next_ + ring_.size() - size_ + k) % ring_.size()];
+  }
   /// Holds nothing any more. Real-time safe.
   void clear() noexcept { size_ = 0; }
 
  private:
-  std::vector<StepRecord> ring_;
+  std::vector<Record> ring_;
   std::size_t next_{};
   std::size_t size_{};
 };
 
-/// @param axes  how many motors have columns
-/// @return `step,t,state,fault,set_m1..,enc1..,current1..,pwm1..,set_x,set_y,set_z,x,y,z,Fx..Nz,raw_Fx..raw_Nz`
-[[nodiscard]] std::string record_header(int axes);
+/// How the records of a kind of driver are written: a Record has the number of its step and the code of the fault that stood
+/// after it; header() names the columns of the lines that append() adds, one for a record, with the duration of a step [s].
+template <class F>
+concept RecordFormat = std::copyable<F> &&
+    requires(const F f, const typename F::Record r, std::string& text, double dt) {
+  { r.step } -> std::convertible_to<std::int64_t>;
+  { r.fault } -> std::convertible_to<FaultCode>;
+  { f.header() } -> std::same_as<std::string>;
+  f.append(text, r, dt);
+};
+
+/// That of a record that writes itself: R::header() and append(text, dt) mean what those of a RecordFormat do.
+template <class R>
+struct OwnFormat {
+  using Record = R;  ///< of a step
+  [[nodiscard]] std::string header() const { return R::header(); }
+  void append(std::string& text, const R& record, double dt) const { record.append(text, dt); }
+};
+
 /// @param dt  duration of a step [s]
 /// @return one line per step, without the header; what is not finite is `nan`
-[[nodiscard]] std::string record_lines(const Recorder& recorder, int axes, double dt);
+template <RecordFormat F>
+[[nodiscard]] std::string record_lines(const BasicRecorder<typename F::Record>& recorder, const F& format,
+                                       double dt) {
+  std::string text;
+  for (std::size_t k = 0; k < recorder.size(); ++k) format.append(text, recorder[k], dt);
+  return text;
+}
 
-/// When the steps of an arm are written down.
+/// When the steps of a robot are written down.
 enum class Recording : std::uint8_t {
   never,
   on_fault,  ///< the last kBefore steps and kAfter more, once per fault, kMostFiles times
   always     ///< all of them
 };
 
-/// Writes the steps of one arm into files. The steps before a fault are many: a thread writes them, so that the
+/// Writes the steps of one robot into files. The steps before a fault are many: a thread writes them, so that the
 /// driver goes on meanwhile.
-class RecordFiles {
+template <RecordFormat F>
+class BasicRecordFiles {
  public:
+  using Record = typename F::Record;  ///< of a step
+
   static constexpr std::size_t kBefore = 2500;  ///< steps
   static constexpr int kAfter = 50;             ///< steps
   static constexpr int kMostFiles = 5;          ///< of faults, in a run
 
   /// @param folder  where ROBOT-steps.csv (always) or ROBOT-fault-STEP.csv go
-  RecordFiles(Recording when, std::filesystem::path folder, std::string robot, int axes, double dt);
+  BasicRecordFiles(Recording when, std::filesystem::path folder, std::string robot, F format, double dt);
   /// Writes what a fault has begun, and waits for it.
-  ~RecordFiles();
-  RecordFiles(const RecordFiles&) = delete;
-  RecordFiles& operator=(const RecordFiles&) = delete;
+  ~BasicRecordFiles();
+  BasicRecordFiles(const BasicRecordFiles&) = delete;
+  BasicRecordFiles& operator=(const BasicRecordFiles&) = delete;
 
   /// After every step. Real-time safe.
-  void add(const StepRecord& record) noexcept;
+  void add(const Record& record) noexcept;
   /// When no more steps come because of a fault elsewhere: writes those there are, unless a file has them already. Not
   /// real-time safe.
   void dump_on_abort();
   /// Begins a file as a fault does, unless one was begun a moment ago: something has happened elsewhere. Real-time safe.
-  void trigger() noexcept;
+  void trigger() noexcept { triggered_ = true; }
   /// Once per macrostep: writes what there is to be written. What cannot be written is left out: a driver does not end
   /// for it. Not real-time safe.
   /// @return the file that a fault has got, or empty
@@ -101,9 +115,9 @@ class RecordFiles {
   Recording when_;
   std::filesystem::path folder_;
   std::string robot_;
-  int axes_;
+  F format_;
   double dt_;
-  Recorder recorder_;
+  BasicRecorder<Record> recorder_;
   FaultCode last_fault_{FaultCode::none};
   std::int64_t fault_step_{-1};                                 // of the fault that is being recorded
   int after_{};                                                 // steps since

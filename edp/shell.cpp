@@ -1,275 +1,59 @@
 #include "edp/shell.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
+#include <memory>
 #include <span>
+#include <string>
 
-#include "base/latency.hpp"
-#include "base/msg/convert.hpp"
-#include "base/operator.hpp"
-#include "edp/guard.hpp"
-#include "edp/watchdog.hpp"
-#include "mrroc/operator_order_t.hpp"
+#include "edp/shell_impl.hpp"
+#include "edp/step_record.hpp"
 #include "mrroc/step_samples_t.hpp"
 
 namespace mrroc::edp {
 namespace {
 
-using link::Phase;
-
 /// Messages with samples that can be sent again: of the longest macrostep.
 constexpr std::size_t kSampleMessages = ReplyBuilder::kMaxSamples / std::size(step_samples_t{}.sample) + 1;
 
-/// Between lines about an arm that holds for want of commands [steps].
-constexpr std::int64_t kTellHold = 500;
-
-/// The links of one driver and the macrostep in which it is.
-class Shell {
+/// Measurements of all steps, for virtual sensors.
+class SampleStream {
  public:
-  Shell(link::Process& process, Driver& driver, AnyHardware hardware, const ShellParameters& parameters)
-      : process_(process),
-        driver_(driver),
-        hardware_(std::move(hardware)),
-        k_(parameters),
-        command_in_(process.inbox<effector_command_t>(parameters.robot + ".command")),
-        operator_in_(process.bus(), process.route("operator"), process.context().session_id),
-        reply_out_(process.outbox<effector_reply_t>(parameters.robot + ".reply")),
-        samples_out_(process.outbox<step_samples_t, kSampleMessages>(parameters.robot + ".samples")) {
-    process.report_effector(
-        static_cast<int>(driver.state()));  // so the supervisor knows that a robot is to come to rest
-  }
+  SampleStream(link::Process& process, const std::string& robot)
+      : out_(process.outbox<step_samples_t, kSampleMessages>(robot + ".samples")) {}
 
-  void run() {
-    const auto guard_ends = link::Process::Clock::now() + k_.start_guard;
-    process_.await([] { return false; }, guard_ends);
-    if (!process_.assemble()) return;
-    while (!released_long_ago() && await_reading()) do_step();
-    if (process_.over() && process_.stop_as_of() == 0) record_.dump_on_abort();
-    if (const Protocol& p = driver_.protocol(); p.repeated() + p.lost() + watchdog_.holds() > 0)
-      process_.log(fmt::format("{}.command: {} repeated, {} after a lost one, {} holds without a command",
-                               k_.robot, p.repeated(), p.lost(), watchdog_.holds()));
-    if (const PeriodClock* const clock = hardware_.clock(); clock && clock->late().periods > 0)
-      process_.log(fmt::format("{}: {}", k_.robot, to_string(clock->late())));
-    if (!tripped_) process_.report_done();
-    process_.stay();
-  }
-
- private:
-  /// @return whether there is a reading for the next step, which is reading_ then
-  bool await_reading() {
-    while (process_.phase() != Phase::finished) {
-      const ReadResult result = hardware_.read(step_);
-      listen();
-      if (result.status == ReadStatus::ended) return false;
-      if (result.status == ReadStatus::reading) {
-        watchdog_.state();
-        begun_ = result.begun;
-        take(result.reading);
-        watch_pace();
-        return true;
-      }
-      if (watchdog_.no_state() == Watchdog::Verdict::trip) trip();
-    }
-    return false;
-  }
-
-  /// Takes what has come. A hardware that waits without the link leaves that to the shell, and in lock-step a driver that
-  /// waits for no command any more must hear of the end, too.
-  void listen() {
-    if (!process_.lock_step() || nobody_commands(macrostep_)) process_.poll();
-  }
-
-  void take(const HardwareReading& reading) {
-    reading_ = reading;
-    const std::int64_t missed = reading.step - step_;
-    if (missed > 0) process_.report_skipped(missed);
-    lag_ += missed;
-    step_ = reading.step;
-  }
-
-  /// The hardware is silent. Whatever comes from now on, the drives brake and the task ends.
-  void trip() {
-    Fault fault = make_fault(FaultCode::hardware_silent, "steps without a reading", -1, watchdog_.silent(),
-                             k_.state_timeout);
-    driver_.trip(fault);
-    tripped_ = true;
-    process_.report_fault(fault);
-  }
-
-  /// A robot with a clock of its own: when this host does not keep to it, the drives brake and the task ends.
-  void watch_pace() {
-    const PeriodClock* const clock = hardware_.clock();
-    if (tripped_ || !clock || !clock->too_slow()) return;
-    const Fault fault =
-        make_fault(FaultCode::host_too_slow, "periods that have begun, of those that were due", -1,
-                   clock->pace(), PaceWatch::kSlowest);
-    driver_.trip(fault);
-    tripped_ = true;
-    process_.report_fault(fault);
-  }
-
-  /// The operator's emergency stop takes no way through MP: it must work when MP hangs.
-  void look_for_emergency() {
-    while (const auto m = operator_in_.take())
-      if (m->order == static_cast<std::int32_t>(OperatorOrder::emergency_stop) && !emergency_) {
-        emergency_ = true;
-        driver_.trip(make_fault(FaultCode::emergency_stop, ""));
-      }
-  }
-
-  void do_step() {
-    look_for_emergency();
-    if (!dumped_ && process_.over() && process_.stop_as_of() == 0) {
-      dumped_ = true;
-      record_.trigger();
-    }
-    if (driver_.at_boundary() && step_ > 0) pass_boundary();
-    HardwareCommand command = driver_.step(reading_);
-    command.macrostep = macrostep_ + (driver_.at_boundary() ? 1 : 0);
-    hardware_.write(command);
-    record_.add(record_of(driver_, reading_, command));
-    process_.report_progress(macrostep_, step_);
-    process_.report_effector(static_cast<int>(driver_.state()));
-    report_rest();
-    ++step_;
-    if (driver_.reply_due()) end_of_reading();
-  }
-
-  /// After a stop. A robot that rests before the macrostep of the stop may yet be told to move.
-  void report_rest() {
-    if (!stopped(macrostep_)) return;
-    if (stop_step_ < 0) stop_step_ = step_;
-    const bool at_rest = driver_.standstill().at_rest();
-    if (at_rest && !rested_) process_.report_rest(true, driver_.standstill().stop_steps(stop_step_));
-    rested_ = at_rest;
-  }
-
-  /// The next macrostep begins, or in lock-step one that is not counted, without a command: in a macrostep that the others
-  /// have not reached the coordinator cannot have decided what comes next. A released driver waits, too: one that leaves
-  /// before the simulator has come to the end of the task would be missed there. Robots whose macrosteps are of equal length
-  /// never wait so.
-  void pass_boundary() {
-    waits_ = process_.lock_step() && !may_be_commanded(macrostep_ + 1);
-    if (waits_) return;
-    if (process_.lock_step() && !released_) await_command(macrostep_ + 1);
-    begin_macrostep();
-  }
-
-  /// The order that a command obeys is decided so long before the macrostep that executes it.
-  [[nodiscard]] bool may_be_commanded(std::int64_t macrostep) const {
-    return begun_ > macrostep - latency::kOrderToMotion || nobody_commands(macrostep);
-  }
-
-  void await_command(std::int64_t macrostep) {
-    process_.await_from(command_sources_, FaultCode::peer_silent, [&] {
-      return command_in_->at(macrostep) || nobody_commands(macrostep) || process_.phase() == Phase::finished;
-    });
-  }
-
-  void begin_macrostep() {
-    // The steps were missed in a macrostep of the length that its command had; those that follow in a task last as long.
-    const int steps = driver_.macrostep_steps();
-    macrostep_ += 1 + lag_ / steps;
-    lag_ %= steps;
-    // Nobody is there to command any more: homing comes to rest as motions do.
-    if (!orphaned_ && nobody_commands(macrostep_)) {
-      orphaned_ = true;
-      driver_.drop_owner();
-    }
-    if (stopped(macrostep_)) return;
-    note_release();
-    command_in_->due(macrostep_, k_.injection,
-                     [&](const effector_command_t& m) { driver_.take(from_message(m)); });
-    const bool commanded = command_in_->at(macrostep_) != nullptr;
-    if (!process_.lock_step() && !released_ &&
-        watchdog_.macrostep(commanded) == Watchdog::Verdict::decelerate && step_ >= told_at_ + kTellHold) {
-      told_at_ = step_;
-      process_.log(fmt::format("no command for macrostep {}: the arm comes to rest", macrostep_));
-    }
-  }
-
-  /// That its owner leaves is the link's statement: faults made on purpose do not touch it. It is the last
-  /// message, and with the wall clock its macrostep may have been skipped.
-  void note_release() {
-    const effector_command_t* const m =
-        process_.lock_step() ? command_in_->at(macrostep_) : command_in_->newest();
-    if (released_ || !m || m->header.stamp > macrostep_) return;
-    const EffectorCommand command = from_message(*m);
-    released_ = command.instruction == Instruction::release && !driver_.owned_by_another(command.session);
-    released_in_ = macrostep_;
-  }
-
-  void end_of_reading() {
-    if (waits_) return send_samples();
-    reply_out_->publish(to_message(driver_.reply()), macrostep_ + 1);
-    send_samples();
-    if (const std::filesystem::path file = record_.write(); !file.empty())
-      process_.log(fmt::format("the steps before the fault are in {}", file.filename().string()));
-    if (!released_ && process_.lock_step() && may_be_commanded(macrostep_ + 1)) await_command(macrostep_ + 1);
-  }
-
-  void send_samples() {
-    std::span<const MeasuredStep> left = driver_.samples();
+  void send(const Driver& driver, const Moment& moment) {
+    std::span<const MeasuredStep> left = driver.samples();
     do {
       step_samples_t m{};
       const std::span<const MeasuredStep> part = left.first(std::min(left.size(), std::size(m.sample)));
       left = left.subspan(part.size());
       for (const MeasuredStep& s : part) m.sample[m.n++] = to_message(s.sample());
-      m.macrostep = macrostep_ + (waits_ ? 2 : 1);
-      m.step = driver_.reply().step - static_cast<std::int64_t>(left.size());
-      m.more = waits_ || !left.empty();
-      m.last = left.empty() && released_ && macrostep_ > released_in_;
-      samples_out_->publish(m, ++sample_messages_);
+      m.macrostep = moment.macrostep + (moment.waits ? 1 : 0);
+      m.step = driver.reply().step - static_cast<std::int64_t>(left.size());
+      m.more = moment.waits || !left.empty();
+      m.last = left.empty() && moment.last;
+      out_->publish(m, ++messages_);
     } while (!left.empty());
   }
 
-  /// The macrostep after the release is the last one, so that driver and simulator end in the same step.
-  [[nodiscard]] bool released_long_ago() const {
-    return released_ && macrostep_ > released_in_ && driver_.at_boundary();
-  }
-  [[nodiscard]] bool stopped(std::int64_t macrostep) const {
-    return process_.over() && macrostep >= process_.stop_as_of();
-  }
-  /// @return whether no command for that macrostep will come, because the system stops or its control subsystem is dead
-  [[nodiscard]] bool nobody_commands(std::int64_t macrostep) const {
-    return stopped(macrostep) || process_.dead(k_.ecp);
-  }
+ private:
+  std::unique_ptr<link::Outbox<step_samples_t, kSampleMessages>> out_;
+  std::int64_t messages_{};
+};
 
-  link::Process& process_;
-  Driver& driver_;
-  AnyHardware hardware_;
-  ShellParameters k_;
-  std::unique_ptr<link::Inbox<effector_command_t>> command_in_;
-  link::Queue<operator_order_t> operator_in_;
-  std::unique_ptr<link::Outbox<effector_reply_t>> reply_out_;
-  std::unique_ptr<link::Outbox<step_samples_t, kSampleMessages>> samples_out_;
-  std::int64_t sample_messages_{};
-  link::Sources command_sources_{command_in_.get()};
-  RecordFiles record_{k_.recording, k_.folder, k_.robot, k_.axes, k_.dt};
-  Watchdog watchdog_{k_.state_timeout};
-  HardwareReading reading_{};
-  std::int64_t step_{};  // the next one, or the present one while it is executed
-  std::int64_t lag_{};   // skipped steps that the number of the macrostep does not contain yet
-  std::int64_t macrostep_{};
-  std::int64_t begun_{};        // macrosteps that all robots have, as the hardware tells
-  bool waits_{};                // in a macrostep that is not counted
-  std::int64_t stop_step_{-1};  // in which the stop was obeyed first
-  bool rested_{};               // since then, and the supervisor knows it
-  std::int64_t told_at_{-kTellHold};
-  bool tripped_{};
-  bool emergency_{};
-  bool dumped_{};  // the record, because of a fault that stops the system at once
-  bool orphaned_{};
-  bool released_{};
-  std::int64_t released_in_{};
+struct ArmShell {
+  using Effector = ArmEffector;
+  using Driver = edp::Driver;
+  using Format = StepFormat;
+  using Stream = SampleStream;
+  static constexpr std::string_view kSilence = "the arm comes to rest";
 };
 
 }  // namespace
 
 void run_edp(link::Process& process, Driver& driver, AnyHardware hardware,
              const ShellParameters& parameters) {
-  Shell(process, driver, std::move(hardware), parameters).run();
+  Shell<ArmShell>(process, driver, std::move(hardware), parameters, StepFormat(parameters.axes)).run();
 }
 
 }  // namespace mrroc::edp

@@ -1,28 +1,12 @@
-// Shell of an effector driver: joins the driver with the hardware's step and the control subsystem's macrostep.
+// Shell of an arm's effector driver: joins the driver with the hardware's step and the control subsystem's macrostep. That of
+// other kinds is the same (edp/shell_impl.hpp).
 #pragma once
-#include <chrono>
-#include <string>
-
 #include "base/link/process.hpp"
 #include "edp/driver.hpp"
 #include "edp/hardware.hpp"
-#include "edp/recorder.hpp"
+#include "edp/shell_parameters.hpp"
 
 namespace mrroc::edp {
-
-/// Parameters of a driver's shell in its system.
-struct ShellParameters {
-  std::string robot;            ///< channels ROBOT.command, .reply, .samples
-  std::string ecp;              ///< name of the control subsystem's process
-  link::Injection injection{};  ///< faults made on purpose on ROBOT.command
-  double dt{0.002};             ///< [s] of a step
-  int state_timeout{250};       ///< wall clock: steps without a reading until the drives count as silent
-  int axes{};                   ///< of the robot, for its record
-  Recording recording{Recording::on_fault};  ///< when the steps are written down
-  std::filesystem::path folder{};            ///< where its record goes; empty: nowhere
-  std::chrono::milliseconds start_guard{
-      250};  ///< commands that come before are left over from an earlier run
-};
 
 /// Runs a driver until the control subsystem has released it, the hardware has ended, or the system ends. In lock-step
 /// it passes step n_Q when the message for the next macrostep has come (rule R1); it does not wait for a dead control

@@ -7,10 +7,12 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <optional>
 
 #include "base/link/log_tail.hpp"
 #include "base/msg/message_type.hpp"
 #include "mrroc/effector_reply_t.hpp"
+#include "mrroc/platform_reply_t.hpp"
 
 namespace mrroc::mp {
 namespace {
@@ -20,15 +22,21 @@ namespace fs = std::filesystem;
 constexpr double kStep = 0.002;  // of the drivers [s]
 constexpr std::string_view kFolder = "black_box";
 
+/// @return the step of the reading, in a reply of any kind of effector driver
+std::optional<std::int64_t> step_of_reply(const link::LoggedMessage& m) {
+  if (!m.channel.ends_with(".reply")) return {};
+  if (const auto arm = link::decode<effector_reply_t>(m.bytes)) return arm->step;
+  if (const auto platform = link::decode<platform_reply_t>(m.bytes)) return platform->step;
+  return {};
+}
+
 /// @return simulated time at which each message was written [s]: that of the newest reading of any driver
 std::vector<double> times_of(const std::vector<link::LoggedMessage>& messages) {
   std::vector<double> times;
   times.reserve(messages.size());
   double t = 0;
   for (const link::LoggedMessage& m : messages) {
-    if (m.channel.ends_with(".reply"))
-      if (const auto reply = link::decode<effector_reply_t>(m.bytes))
-        t = std::max(t, static_cast<double>(reply->step) * kStep);
+    if (const auto step = step_of_reply(m)) t = std::max(t, static_cast<double>(*step) * kStep);
     times.push_back(t);
   }
   return times;
@@ -64,14 +72,15 @@ std::vector<link::LoggedMessage> last_of_run(const fs::path& folder,
 struct KindOfMessage {
   std::string_view kind;    // last word of the message's name
   std::string_view sender;  // a process, or the level whose process has the key of the channel behind it
-  bool of_arm_or_camera;
+  bool of_robot_or_camera;
 };
 constexpr std::array kLevels{
-    KindOfMessage{"order", "mp", false},        KindOfMessage{"answer", "mp", false},
-    KindOfMessage{"control", "mp", false},      KindOfMessage{"image", "mp", false},
-    KindOfMessage{"frame", "simulator", false}, KindOfMessage{"truth", "simulator", false},
-    KindOfMessage{"command", "ecp", true},      KindOfMessage{"report", "ecp", true},
-    KindOfMessage{"reply", "edp", true},        KindOfMessage{"samples", "edp", true},
+    KindOfMessage{"order", "mp", false},          KindOfMessage{"answer", "mp", false},
+    KindOfMessage{"control", "mp", false},        KindOfMessage{"image", "mp", false},
+    KindOfMessage{"frame", "simulator", false},   KindOfMessage{"truth", "simulator", false},
+    KindOfMessage{"capture", "simulator", false}, KindOfMessage{"command", "ecp", true},
+    KindOfMessage{"report", "ecp", true},         KindOfMessage{"reply", "edp", true},
+    KindOfMessage{"samples", "edp", true},        KindOfMessage{"telemetry", "edp", true},
     KindOfMessage{"reading", "vsp", true},
 };
 
@@ -106,7 +115,7 @@ std::string sender_of(const std::string& channel, std::string_view message) {
   if (kind == "report" && name == "hand") return "simulator";
   const auto level = std::ranges::find(kLevels, kind, &KindOfMessage::kind);
   if (level == kLevels.end()) return "";
-  return level->of_arm_or_camera ? fmt::format("{}-{}", level->sender, name) : std::string(level->sender);
+  return level->of_robot_or_camera ? fmt::format("{}-{}", level->sender, name) : std::string(level->sender);
 }
 
 std::vector<std::string> black_box_files(const fs::path& folder) {

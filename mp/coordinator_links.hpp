@@ -37,7 +37,7 @@ class OperatorAgent {
   virtual OperatorImage image(std::int64_t i) = 0;
 };
 
-/// Sends orders and receives reports once per macrostep; the same rules as ecp::ArmLinks. A simulation learns of a pause
+/// Sends orders and receives reports once per macrostep; the same rules as ecp::EffectorLinks. A simulation learns of a pause
 /// and of the end on the channel simulation.control. With the wall clock
 /// the latest of the arms sets the pace: i goes on to the newest macrostep of which all have reported.
 class CoordinatorLinks {

@@ -321,6 +321,7 @@ plan_t to_message(const Plan& p) {
   m.n = p.n;
   copy_rows(p.point, m.point);
   m.speed = p.speed;
+  m.ahead = p.ahead;
   return m;
 }
 
@@ -330,6 +331,7 @@ Plan from_message(const plan_t& m) {
   p.n = m.n;
   copy_rows(m.point, p.point);
   p.speed = m.speed;
+  p.ahead = m.ahead;
   return p;
 }
 

@@ -31,6 +31,8 @@ inline bool finite(const effector_reply_t& m) noexcept {
   return finite(m.pose) && finite(m.T_0E) && finite(m.F_a) && finite(m.joints) && finite(m.motors) &&
          std::isfinite(m.gripper);
 }
+/// @return the same: such a reply can be used
+inline bool is_proper(const effector_reply_t& m) noexcept { return finite(m); }
 /// @return whether all numbers of the message are finite
 inline bool finite(const step_sample_t& m) noexcept { return finite(m.T_0E) && finite(m.F_a); }
 inline bool finite(const camera_reading_t& m) noexcept {

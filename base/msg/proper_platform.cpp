@@ -66,7 +66,8 @@ bool is_proper(const platform_estimate_t& m) noexcept { return is_proper(m.estim
 
 bool is_proper(const plan_t& m) noexcept {
   const bool none = m.number == 0 && m.n == 0;
-  const bool one = m.number > 0 && m.n > 0 && m.n <= static_cast<int>(kPlanPoints) && m.speed > 0;
+  const bool one = m.number > 0 && m.n > 0 && m.ahead >= 0 && m.ahead <= static_cast<int>(kPlanAhead) &&
+                   m.n <= static_cast<int>(kPlanPoints) - m.ahead && m.speed > 0;
   return (none || one) && finite(m.point) && std::isfinite(m.speed);
 }
 

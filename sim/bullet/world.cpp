@@ -6,19 +6,12 @@
 #include "sim/bullet/arm.hpp"
 #include "sim/bullet/cube_body.hpp"
 #include "sim/bullet/scene.hpp"
+#include "sim/seed.hpp"
 
 namespace mrroc::sim {
 namespace {
 
 constexpr double kTableEdge = 0.6;  // [m]
-
-// Well mixed seeds from neighbouring numbers (splitmix64, S. Vigna).
-std::uint64_t mixed(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
-  return x ^ (x >> 31);
-}
 
 const WorldParameters& checked(const WorldParameters& p) {
   if (p.arms.empty()) throw std::invalid_argument("world: there is no arm");

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/agent_images.hpp"
+#include "base/link/take_all.hpp"
 #include "base/msg/pose_rows.hpp"
 #include "base/screw.hpp"
 #include "tasks/visual_servo/config.hpp"
@@ -13,19 +14,6 @@ namespace {
 
 /// Below this an object does not move [m/s].
 constexpr double kRest = 1e-4;
-
-/// Messages that may be missing before the next one is taken all the same: a lost one is sent again.
-constexpr std::int64_t kMaxMissing = 8;
-
-template <class M>
-void take_all(const link::Inbox<M>& in, std::vector<M>& kept) {
-  const auto expected = [&] { return kept.empty() ? 0 : kept.back().header.stamp + 1; };
-  while (const M* const m = in.next(expected())) {
-    const bool gap = !kept.empty() && m->header.stamp > expected();
-    if (gap && in.newest() && in.newest()->header.stamp < expected() + kMaxMissing) return;
-    kept.push_back(*m);
-  }
-}
 
 Pose between(const Pose& a, const Pose& b, double share) {
   return a * exp_screw(log_screw(a.inverse() * b), share);
@@ -75,8 +63,8 @@ ServoRecord::ServoRecord(link::Process& process, const std::string& arm)
       truth_in_(process.inbox<object_truth_t>("object.truth")) {}
 
 void ServoRecord::collect() {
-  take_all(*report_in_, reports_);
-  take_all(*truth_in_, truths_);
+  link::take_all(*report_in_, reports_);
+  link::take_all(*truth_in_, truths_);
 }
 
 }  // namespace mrroc::visual_servo

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/agent_images.hpp"
+#include "base/platform_command.hpp"
 #include "base/script_port.hpp"
 
 namespace mrroc {
@@ -148,6 +149,27 @@ TEST(FaultPolicy, AnswersToTheBehaviourBeforeNeitherRepeatNorEndIt) {
     EXPECT_EQ(play.decisions.size(), 20U);
     EXPECT_EQ(play.x.c.begun, 1);
     EXPECT_EQ(play.report(1).verdict, Verdict::none);
+  }
+}
+
+TEST(FaultPolicy, AReplyOfAnyKindOfEffectorTellsItsMishapAndWhetherItMoves) {
+  PlatformReply told;
+  EXPECT_EQ(mishap_of(told), Mishap::none);
+  told.fault.code = FaultCode::out_of_limits;
+  EXPECT_EQ(mishap_of(told), Mishap::none) << "without a verdict";
+  told.verdict = Verdict::refused;
+  EXPECT_EQ(mishap_of(told), Mishap::refused);
+  told.verdict = Verdict::failed;
+  EXPECT_EQ(mishap_of(told), Mishap::failed);
+  told.state = DriverState::faulted;
+  EXPECT_EQ(mishap_of(told), Mishap::tripped);
+  told.fault.code = FaultCode::lost_command;
+  EXPECT_EQ(mishap_of(told), Mishap::none);
+  EXPECT_EQ(mishap_of(None{}), Mishap::none) << "an agent without an effector";
+  EXPECT_FALSE(moves(told));
+  for (const DriverState state : {DriverState::homing, DriverState::executing, DriverState::decelerating}) {
+    told.state = state;
+    EXPECT_TRUE(moves(told));
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "test/ecp/arm_links_fixture.hpp"
+#include "test/ecp/effector_links_fixture.hpp"
 
 namespace mrroc::ecp {
 namespace {

@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "edp/step_record.hpp"
 #include "test/edp/rig.hpp"
 
 namespace mrroc::edp::test {
@@ -104,10 +105,10 @@ TEST_F(Records, ALineHasTheFieldsThatTheHeaderNames) {
     r.S_F_m.v[k] = 80 + static_cast<double>(k);
   }
   ring.add(r);
-  EXPECT_EQ(record_header(2),
+  EXPECT_EQ(StepFormat(2).header(),
             "step,t,state,fault,set_m1,set_m2,enc1,enc2,current1,current2,pwm1,pwm2,set_x,set_y,set_z,x,y,z,"
             "Fx,Fy,Fz,Nx,Ny,Nz,raw_Fx,raw_Fy,raw_Fz,raw_Nx,raw_Ny,raw_Nz\n");
-  EXPECT_EQ(record_lines(ring, 2, 0.002),
+  EXPECT_EQ(record_lines(ring, StepFormat(2), 0.002),
             "500,1.0000,executing,over_speed,10,11,20,21,30,31,40,41,50,51,52,60,61,62,70,71,72,73,74,75,"
             "80,81,82,83,84,85\n");
 }

@@ -240,6 +240,21 @@ TEST_F(BlackBox, ALineHasTimeChannelMacrostepAndWhatIsNotZero) {
       << ecp;
 }
 
+TEST_F(BlackBox, APlatformsReplyTellsTheTimeToo) {
+  {
+    link::test::DirectBus bus;
+    link::EventLog log(folder_ / "events.lcmlog", 1);
+    bus.subscribe_all("s.", log);
+    link::Outbox<platform_reply_t> reply(bus, {link::Group::agents, "s.rex.reply"}, 1);
+    platform_reply_t r{};
+    r.step = 1500;
+    reply.publish(r, 150);
+    ASSERT_TRUE(log.flush());
+  }
+  write_black_box(folder_, {"edp-rex"});
+  EXPECT_TRUE(text("black_box/edp-rex.txt").ends_with("    3.000  rex.reply  i=150 step=1500\n"));
+}
+
 TEST_F(BlackBox, KnowsTheRestOfTheSendersToo) {
   for (const auto& [channel, message, process] : {Sent{"task_status", "task_status_t", "mp"},
                                                   {"answer", "operator_answer_t", "mp"},
@@ -247,6 +262,14 @@ TEST_F(BlackBox, KnowsTheRestOfTheSendersToo) {
                                                   {"ecp-arm1.status", "process_status_t", "ecp-arm1"},
                                                   {"arm2.reply", "effector_reply_t", "edp-arm2"},
                                                   {"hand.command", "effector_command_t", "ecp-hand"},
+                                                  {"rex.command", "platform_command_t", "ecp-rex"},
+                                                  {"rex.reply", "platform_reply_t", "edp-rex"},
+                                                  {"rex.telemetry", "platform_telemetry_t", "edp-rex"},
+                                                  {"rex.motion_capture", "motion_capture_t", "simulator"},
+                                                  {"rex.truth", "platform_truth_t", "simulator"},
+                                                  {"rex.odometry", "odometry_reading_t", "vsp-rex"},
+                                                  {"map.report", "agent_report_t", "ecp-map"},
+                                                  {"map.rex.pose", "map_report_t", ""},
                                                   {"a.b.report", "agent_report_t", ""},
                                                   {"strange", "", ""}})
     EXPECT_EQ(sender_of(channel, message), process) << channel;

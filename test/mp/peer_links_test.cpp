@@ -8,7 +8,7 @@
 #include "base/link/lossy_bus.hpp"
 #include "base/link/memory_bus.hpp"
 #include "base/msg/convert.hpp"
-#include "ecp/arm_links.hpp"
+#include "ecp/effector_links.hpp"
 #include "mp/coordinator_links.hpp"
 
 namespace mrroc::mp {

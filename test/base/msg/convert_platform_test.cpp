@@ -194,6 +194,10 @@ TEST(PlatformMessages, APlanHasPointsWithinItsBoundsAndASpeed) {
   EXPECT_TRUE(proper([](plan_t&) {}));
   EXPECT_TRUE(proper([](plan_t& m) { m.n = static_cast<int>(kPlanPoints); }));
   EXPECT_FALSE(proper([](plan_t& m) { m.n = static_cast<int>(kPlanPoints) + 1; }));
+  EXPECT_TRUE(proper([](plan_t& m) { m.n = static_cast<int>(kPlanPoints) - 2, m.ahead = 2; }));
+  EXPECT_FALSE(proper([](plan_t& m) { m.n = static_cast<int>(kPlanPoints) - 1, m.ahead = 2; }));
+  EXPECT_FALSE(proper([](plan_t& m) { m.ahead = static_cast<int>(kPlanAhead) + 1; }));
+  EXPECT_FALSE(proper([](plan_t& m) { m.ahead = -1; }));
   EXPECT_FALSE(proper([](plan_t& m) { m.n = 0; }));
   EXPECT_FALSE(proper([](plan_t& m) { m.n = -1; }));
   EXPECT_FALSE(proper([](plan_t& m) { m.number = 0; }));

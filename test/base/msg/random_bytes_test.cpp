@@ -1,6 +1,13 @@
 // Whatever comes from the network in the right size can be converted and told: no crash, no number that means
 // nothing where one is looked up.
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <tuple>
+
 #include "base/link/decode.hpp"
 #include "base/link/text.hpp"
 #include "base/msg/convert.hpp"

@@ -8,7 +8,7 @@
 
 #include "base/link/memory_bus.hpp"
 #include "base/msg/convert.hpp"
-#include "ecp/arm_links.hpp"
+#include "ecp/effector_links.hpp"
 #include "test/base/link/one_by_one_bus.hpp"
 
 namespace mrroc::ecp::test {
@@ -18,7 +18,7 @@ using link::Phase;
 /// The agent's process in this thread; the test speaks for driver, coordinator, sensor and supervisor.
 class ArmLinksTest : public testing::Test {
  protected:
-  void begin(ClockKind clock, const ArmLinkNames& names = {.robot = "arm1", .sensor = "arm1.sensor"},
+  void begin(ClockKind clock, const EffectorLinkNames& names = {.robot = "arm1", .sensor = "arm1.sensor"},
              std::chrono::milliseconds timeout = std::chrono::seconds(20)) {
     links.reset();
     process.reset();

@@ -1,5 +1,5 @@
 // An arm's links by message: what a macrostep waits for, and what it takes when something is missing.
-#include "ecp/arm_links.hpp"
+#include "ecp/effector_links.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "base/agent_images.hpp"
 #include "base/link/text.hpp"
 #include "ecp/solo.hpp"
-#include "test/ecp/arm_links_fixture.hpp"
+#include "test/ecp/effector_links_fixture.hpp"
 
 namespace mrroc::ecp {
 namespace {
@@ -142,7 +142,7 @@ TEST_F(ArmLinksTest, TheOwnerOfAnEffectorIsTheSameInEveryRunAndAnotherForAnother
 
 TEST_F(ArmLinksTest, InLockStepNothingGoesOnWithoutOneOfTheImages) {
   for (int missing = 0; missing < 4; ++missing) {
-    ArmLinkNames names{.robot = "arm1", .sensor = "arm1.sensor"};
+    EffectorLinkNames names{.robot = "arm1", .sensor = "arm1.sensor"};
     names.others.here = [&](std::int64_t i, std::int64_t step) {
       return missing != 3 && i == 1 && step == 30;
     };

@@ -1,0 +1,56 @@
+// Platforms in a room, step by step: the same for them as sim/world.hpp is for arms.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "base/platform_hardware.hpp"
+#include "base/platform_transmission.hpp"
+#include "sim/platform/motion_capture.hpp"
+#include "sim/platform/parameters.hpp"
+
+namespace mrroc::sim {
+
+/// Most platforms of a world.
+inline constexpr std::size_t kMostPlatforms = 2;
+
+/// The simulation. Single-threaded and deterministic: the same parameters, seed and calls give the same bits.
+class PlatformWorld {
+ public:
+  /// @throws std::invalid_argument  a parameter is out of range; the text says which
+  explicit PlatformWorld(const PlatformWorldParameters& parameters, std::uint64_t seed = 1);
+  ~PlatformWorld();
+  PlatformWorld(PlatformWorld&&) noexcept;
+  PlatformWorld& operator=(PlatformWorld&&) noexcept;
+
+  /// Starts anew: platforms at rest where they start, encoders and yaws zero, step 0.
+  void reset(std::uint64_t seed);
+
+  /// @return number of platforms
+  [[nodiscard]] int platforms() const;
+  /// @return steps since reset
+  [[nodiscard]] std::int64_t steps() const;
+
+  /// Advances by kPlatformPeriod / kPlatformSteps.
+  /// @param drives  one per platform, in order, torques finite. A platform whose drive is absent (the span is shorter) or not
+  ///                enabled brakes by itself: motors short-circuited.
+  void step(std::span<const PlatformDrive> drives);
+
+  /// @param platform  0..platforms()-1
+  /// @return what its sensors measured in the last step; after reset that of the platform at rest, step 0
+  [[nodiscard]] const PlatformReading& reading(int platform) const;
+  /// @return the reading of motion capture that becomes visible in this step, if one does
+  [[nodiscard]] const std::optional<CapturedPose>& motion_capture(int platform) const;
+  /// @return the true state, for tests, viewers and figures, never for control
+  [[nodiscard]] const PlatformTruth& truth(int platform) const;
+
+  /// @return hash over the complete state of all platforms, to compare runs
+  [[nodiscard]] std::uint64_t state_hash() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace mrroc::sim

@@ -1,0 +1,91 @@
+#include "tasks/rex_drive/config.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/room_config.hpp"
+#include "tasks/rex_drive/built_in_plans.hpp"
+
+namespace mrroc::rex_drive {
+namespace {
+
+std::int64_t macrosteps(double seconds) { return std::llround(seconds / kPlatformPeriod); }
+
+double wanted_speed(const Config& config) { return config.number("task.speed", 0.6, {0.05, 0.98}, "m/s"); }
+
+}  // namespace
+
+Parameters read_parameters(const Config& config) {
+  // The grid of the platform's kernels is one of these macrosteps.
+  std::ignore = config.number("time.dt", kPlatformPeriod / kPlatformSteps,
+                              {kPlatformPeriod / kPlatformSteps, kPlatformPeriod / kPlatformSteps}, "s");
+  std::ignore = config.integer("time.n_s", kPlatformSteps, {kPlatformSteps, kPlatformSteps}, "steps");
+  const Config t = config.section("task");
+  Parameters k;
+  RouteLimits& route = k.planner.route;
+  route.lateral = t.number("lateral", route.lateral, {0.05, k.planner.path.lateral}, "m/s^2, of curves");
+  route.acceleration = t.number("acceleration", route.acceleration, {0.05, 2}, "m/s^2");
+  route.turn_rate = t.number("turn_rate", route.turn_rate, {0.1, k.planner.path.turn_rate}, "rad/s");
+  k.planner.planning =
+      t.integer("planning", k.planner.planning, {0, 100}, "macrosteps that a fragment takes");
+  k.planner.lead =
+      t.number("lead", k.planner.lead, {0, 6}, "s before its end that a fragment asks for the next");
+  k.grip = t.number("grip", k.grip, {0.05, 1}, "share of the friction that a curve may need");
+  k.lost = t.number("position_lost", k.lost, {0.01, 10}, "m, standard deviation");
+  return k;
+}
+
+OntologyParameters read_ontology(const Config& config) {
+  const Config t = config.section("task");
+  OntologyParameters k;
+  k.think = t.integer<std::int64_t>("think", k.think, {0, 10'000}, "macrosteps from an ack to the next plan");
+  k.patience = macrosteps(t.number("position_patience", 30, {0, 3600}, "s, 0: for ever"));
+  return k;
+}
+
+MapParameters read_map(const Config& config) {
+  const Config m = config.section("map");
+  MapParameters k;
+  k.capture = read_motion_capture(config);
+  const auto noise = m.numbers<2>("noise", {{k.position_sd, k.heading_sd}}, {1e-4, 1}, "m, rad");
+  k.position_sd = noise[0];
+  k.heading_sd = noise[1];
+  k.rejections = m.integer("rejections", k.rejections, {1, 1000}, "in a row, which open the gate again");
+  k.patience = macrosteps(m.number("patience", 0.5, {0.1, 60}, "s"));
+  return k;
+}
+
+PlanList read_plan_list(const Config& config) {
+  const std::string plan = config.text("task.plan", "figure_eight");
+  const auto names = built_in_plan_names();
+  if (std::ranges::find(names, plan) != names.end()) return built_in_plan(plan);
+  if (std::filesystem::exists(plan)) return load_plans(plan);
+  throw FaultError(FaultCode::bad_plan,
+                   fmt::format("{}: there is no such file, nor a plan of this name", plan),
+                   fmt::format("give a file of points, or one of: {}", fmt::join(names, ", ")));
+}
+
+Itinerary examine(const PlanList& list, const Config& config) {
+  const Room room = read_room(config);
+  check_legs(list, [&](const MapPoint& from, const MapPoint& to) -> std::string {
+    const double free = clearance(room, {from.x, from.y}, {to.x, to.y});
+    if (free >= kReach) return {};
+    if (free < 0) return "it leads out of the room";
+    return fmt::format("it passes a wall or an obstacle at {:.2f} m, the platform needs {} m", free, kReach);
+  });
+  Itinerary it{.list = list, .plans = to_messages(list, wanted_speed(config))};
+  const Parameters k = read_parameters(config);
+  it.survey = survey(it.plans, list.start, k.planner);
+  if (const auto& missed = it.survey.missed) {
+    const auto& points = list.plans[static_cast<std::size_t>(missed->plan - 1)];
+    const MapPoint& p = points[std::min(static_cast<std::size_t>(missed->point), points.size() - 1)];
+    throw FaultError(FaultCode::path_not_found,
+                     fmt::format("{}{}: the planner finds no trajectory to ({:g}, {:g})", list.name,
+                                 p.line > 0 ? fmt::format(":{}", p.line) : "", p.x, p.y));
+  }
+  return it;
+}
+
+}  // namespace mrroc::rex_drive

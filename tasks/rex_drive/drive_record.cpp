@@ -1,0 +1,93 @@
+#include "tasks/rex_drive/drive_record.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/link/take_all.hpp"
+#include "tasks/rex_drive/keys.hpp"
+
+namespace mrroc::rex_drive {
+namespace {
+
+double between(double a, double b, double share) { return a + share * (b - a); }
+
+/// Fills in what is true at a step. @return false: it is not known
+bool add_truth(const std::vector<platform_truth_t>& truths, int n_s, DriveRow& row) {
+  const std::int64_t macrostep = row.step / n_s;
+  const auto first =
+      std::ranges::lower_bound(truths, macrostep, {}, [](const auto& m) { return m.header.stamp; });
+  if (first == truths.end() || first->header.stamp != macrostep) return false;
+  row.truth = from_message(*first);
+  const auto rest = static_cast<double>(row.step % n_s);
+  if (rest == 0) return true;
+  const auto next = first + 1;
+  if (next == truths.end() || next->header.stamp != macrostep + 1) return false;
+  const PlatformTruth after = from_message(*next);
+  const double share = rest / n_s;
+  PlanarPose& p = row.truth.p;
+  p.x = between(p.x, after.p.x, share);
+  p.y = between(p.y, after.p.y, share);
+  p.phi = wrap_angle(p.phi + share * wrap_angle(after.p.phi - p.phi));
+  row.truth.v.vx = between(row.truth.v.vx, after.v.vx, share);
+  row.truth.v.vy = between(row.truth.v.vy, after.v.vy, share);
+  row.truth.v.w = between(row.truth.v.w, after.v.w, share);
+  return true;
+}
+
+}  // namespace
+
+DriveTable join(const DriveMessages& messages, double dt, int n_s) {
+  DriveTable table;
+  auto telemetry = messages.telemetry.begin();
+  for (const platform_reply_t& m : messages.replies) {
+    const PlatformReply reply = from_message(m);
+    const std::int64_t step = reply.estimate.step;
+    while (telemetry != messages.telemetry.end() && telemetry->step < step) ++telemetry;
+    if (telemetry == messages.telemetry.end()) break;
+    if (telemetry->step != step || !reply.position_known) continue;
+    DriveRow row;
+    row.step = step;
+    row.t = static_cast<double>(step) * dt;
+    if (!add_truth(messages.truths, n_s, row)) continue;
+    row.reference = from_message(*telemetry).reference.front();
+    row.estimate = reply.estimate;
+    row.slip = reply.slip;
+    row.slip_sd = reply.slip_sd;
+    row.torque = reply.torque;
+    row.executing = reply.executing;
+    row.remaining = reply.remaining;
+    row.at_rest = reply.at_rest;
+    row.solver_failures = reply.solver_failures;
+    row.late_map = reply.late_map;
+    table.push_back(row);
+  }
+  return table;
+}
+
+DriveRecord::DriveRecord(link::Process& process, const std::string& platform)
+    : command_in_(process.inbox<platform_command_t>(platform + ".command")),
+      reply_in_(process.inbox<platform_reply_t>(platform + ".reply")),
+      telemetry_in_(process.inbox<platform_telemetry_t>(platform + ".telemetry")),
+      truth_in_(process.inbox<platform_truth_t>(platform + ".truth")),
+      pose_in_(process.inbox<map_report_t>(pose_channel())) {}
+
+void DriveRecord::collect(std::int64_t plan) {
+  link::take_all(*reply_in_, messages_.replies);
+  link::take_all(*telemetry_in_, messages_.telemetry);
+  link::take_all(*truth_in_, messages_.truths);
+  if (const map_report_t* const m = pose_in_->newest()) rejected_ = m->rejected;
+  collect_fragments(plan);
+}
+
+void DriveRecord::collect_fragments(std::int64_t plan) {
+  while (const platform_command_t* const m = command_in_->next(commands_until_ + 1)) {
+    commands_until_ = m->header.stamp;
+    const PlatformCommand command = from_message(*m);
+    const std::int64_t last = fragments_.empty() ? 0 : fragments_.back().fragment.number;
+    // A fragment that was lost on its way is handed over again.
+    if (command.instruction == Instruction::set && command.fragment.number > last)
+      fragments_.push_back({command.fragment, m->header.stamp, plan});
+  }
+}
+
+}  // namespace mrroc::rex_drive

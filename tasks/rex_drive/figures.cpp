@@ -1,0 +1,173 @@
+#include "tasks/rex_drive/figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "base/statistics.hpp"
+
+namespace mrroc::rex_drive {
+namespace {
+
+constexpr double kMm = 1e3;
+constexpr double kMoves = 0.1;  // [m/s], from which on a joint is passed at speed
+
+bool drives(const DriveRow& row) { return row.executing > 0; }
+
+/// Root of the mean square, over rows that count; nothing without any.
+template <class Counts, class Value>
+std::optional<double> rms(const DriveTable& table, Counts counts, Value value) {
+  double sum = 0;
+  int n = 0;
+  for (const DriveRow& row : table)
+    if (counts(row)) {
+      sum += value(row) * value(row);
+      ++n;
+    }
+  return n > 0 ? std::optional(std::sqrt(sum / n)) : std::nullopt;
+}
+
+void set(mp::Figures& figures, const char* key, const std::optional<double>& value) {
+  if (value && std::isfinite(*value)) figures[key] = *value;
+}
+
+/// Whether the true place is within the 95 % ellipse of the estimate.
+bool within_ellipse(const DriveRow& row) {
+  constexpr double kChiSquared = 5.991;
+  const double x = row.truth.p.x - row.estimate.p.x, y = row.truth.p.y - row.estimate.p.y;
+  const auto& P = row.estimate.covariance;
+  const double determinant = P[0] * P[4] - P[1] * P[3];
+  return determinant > 0 &&
+         (P[4] * x * x - (P[1] + P[3]) * x * y + P[0] * y * y) / determinant <= kChiSquared;
+}
+
+void of_place(const DriveResults& r, mp::Figures& figures) {
+  double most = 0, within = 0, n = 0;
+  for (const DriveRow& row : r.table) {
+    if (!drives(row)) continue;
+    most = std::max(most, tracking_error(row));
+    within += within_ellipse(row) ? 1 : 0;
+    ++n;
+  }
+  if (n == 0) return;
+  figures["track_max_mm"] = kMm * most;
+  figures["ellipse_95_pct"] = 100 * within / n;
+  figures["track_rms_mm"] = kMm * *rms(r.table, drives, tracking_error);
+  figures["estimate_rms_mm"] = kMm * *rms(r.table, drives, estimation_error);
+  const auto turns = [&](const DriveRow& row) {
+    const auto executed = [&](const FragmentRow& f) { return f.fragment.number == row.executing; };
+    const auto f = std::ranges::find_if(r.fragments, executed);
+    return f != r.fragments.end() && is_pivot(f->fragment);
+  };
+  if (const auto pivot = rms(r.table, turns, tracking_error)) figures["pivot_rms_mm"] = kMm * *pivot;
+}
+
+void of_friction(const DriveTable& table, mp::Figures& figures) {
+  Statistics mu_x, mu_y, split, true_mu_x, true_mu_y, true_split;
+  const auto first = std::ranges::find_if(table, drives);
+  const auto half = first + (table.end() - first) / 2;
+  if (half == table.end()) return;
+  for (auto row = half; row != table.end(); ++row) {
+    if (!drives(*row)) continue;
+    const Slip is = true_slip(row->truth);
+    mu_x.add(row->slip.mu_x);
+    mu_y.add(row->slip.mu_y);
+    split.add(row->slip.split);
+    true_mu_x.add(is.mu_x);
+    true_mu_y.add(is.mu_y);
+    true_split.add(is.split);
+  }
+  set(figures, "friction_err",
+      std::max(std::abs(mu_x.mean() - true_mu_x.mean()), std::abs(mu_y.mean() - true_mu_y.mean())));
+  set(figures, "split_err", std::abs(split.mean() - true_split.mean()));
+}
+
+/// Time from the first large change of the ground until the estimate is near what it is then [s].
+std::optional<double> friction_found(const DriveTable& table) {
+  constexpr double kChange = 0.25, kFound = 0.1;
+  const auto is = [](const DriveRow& row) { return true_slip(row.truth).mu_x; };
+  const auto changes = [&](const DriveRow& a, const DriveRow& b) {
+    return std::abs(is(b) - is(a)) > kChange * is(a);
+  };
+  const auto before = std::ranges::adjacent_find(table, changes);
+  if (before == table.end()) return {};
+  const auto near = [&](const DriveRow& row) {
+    return std::abs(row.slip.mu_x - is(row)) <= kFound * is(row);
+  };
+  const auto found = std::find_if(before + 1, table.end(), near);
+  if (found == table.end()) return {};
+  return found->t - (before + 1)->t;
+}
+
+void of_joints(const DriveResults& r, mp::Figures& figures) {
+  const std::vector<Stay> times = stays(r.fragments, r.table);
+  std::optional<double> least, least_of_plans;
+  const auto take = [](std::optional<double>& kept, double share) {
+    if (std::isfinite(share)) kept = std::min(kept.value_or(share), share);
+  };
+  for (std::size_t k = 0; k + 1 < r.fragments.size(); ++k) {
+    const double planned = r.fragments[k].fragment.knot.back().v;
+    if (planned > kMoves) take(least, 100 * times[k].speed / planned);
+    const std::int64_t plan = r.fragments[k].plan;
+    if (plan == r.fragments[k + 1].plan || plan < 1 || plan > static_cast<std::int64_t>(r.plans.size()))
+      continue;
+    const Plan& sent = r.plans[static_cast<std::size_t>(plan - 1)];
+    if (sent.ahead > 0) take(least_of_plans, 100 * times[k].speed / sent.speed);
+  }
+  set(figures, "joint_speed_pct", least);
+  set(figures, "plan_joint_speed_pct", least_of_plans);
+}
+
+/// From the last ack until the platform stands at the end of everything [s].
+std::optional<double> ack_before_rest(const DriveResults& r) {
+  if (r.acked_in == 0 || r.table.empty()) return {};
+  const auto last = std::ranges::find_if(r.table.rbegin(), r.table.rend(), drives);
+  const auto rest = std::find_if(last.base(), r.table.end(), [](const DriveRow& row) { return row.at_rest; });
+  if (rest == r.table.end()) return {};
+  return rest->t - static_cast<double>(r.acked_in) * kPlatformPeriod;
+}
+
+void of_way(const DriveTable& table, mp::Figures& figures) {
+  Statistics speed;
+  double way = 0;
+  for (std::size_t k = 1; k < table.size(); ++k) {
+    if (!drives(table[k])) continue;
+    const PlanarPose &a = table[k - 1].truth.p, &b = table[k].truth.p;
+    speed.add(std::abs(table[k].truth.v.vx));
+    way += std::hypot(b.x - a.x, b.y - a.y);
+  }
+  const auto n = static_cast<double>(std::ranges::count_if(table, drives));
+  if (n < 2) return;
+  figures["speed_mean_mps"] = speed.mean();
+  figures["speed_max_mps"] = speed.most();
+  figures["way_m"] = way;
+  figures["drive_s"] = n * kPlatformPeriod;
+}
+
+void of_counts(const DriveResults& r, mp::Figures& figures) {
+  figures["map_rejected"] = r.rejected;
+  if (!r.table.empty()) {
+    figures["late_map"] = r.table.back().late_map;
+    figures["solver_failures"] = r.table.back().solver_failures;
+  }
+  std::vector<std::int32_t> sorted = r.iterations;
+  std::ranges::sort(sorted);
+  if (!sorted.empty()) figures["planner_iterations_p95"] = sorted[sorted.size() * 95 / 100];
+}
+
+}  // namespace
+
+mp::Figures figures_of(const DriveResults& results) {
+  mp::Figures figures;
+  of_place(results, figures);
+  of_friction(results.table, figures);
+  set(figures, "friction_found_s", friction_found(results.table));
+  of_joints(results, figures);
+  set(figures, "ack_before_rest_s", ack_before_rest(results));
+  of_way(results.table, figures);
+  of_counts(results, figures);
+  return figures;
+}
+
+}  // namespace mrroc::rex_drive

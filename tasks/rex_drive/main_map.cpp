@@ -1,0 +1,7 @@
+#include "tasks/rex_drive/config.hpp"
+
+int main(int argc, char** argv) {
+  return mrroc::link::child_main(argc, argv,
+                                 "Map agent: says where a platform is, from a motion capture system.",
+                                 mrroc::rex_drive::run_map);
+}

@@ -1,0 +1,128 @@
+#include "tasks/rex_drive/rex_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/latency.hpp"
+#include "tasks/rex_drive/keys.hpp"
+
+namespace mrroc::rex_drive {
+
+RexRun::RexRun(mp::TaskRun& run, RexRunParameters parameters)
+    : run_(run),
+      k_(std::move(parameters)),
+      operator_(run.process(), run.command_server(), k_.gives_start),
+      plan_(run.process(), plan_channel()),
+      links_(run.process(), {kPlatform, kMap}, operator_, TaskClock::ramped(), {.outgoing = {&plan_}}) {
+  if (k_.records) record_.emplace(run.process(), kPlatform);
+}
+
+double RexRun::seconds(std::int64_t macrosteps) const {
+  return static_cast<double>(macrosteps) * k_.n_s * k_.dt;
+}
+
+Outcome RexRun::execute() {
+  mp::CoordinatorPort<Ontology, std::function<void(const Motion<Ontology>&, const X&)>> links(
+      links_, [this](const Motion<Ontology>& motion, const X& x) { observe(motion, x); });
+  LinkedPort port(
+      links, [this](const Ontology::Y& y) { plan_.set(y.T[kLocomotionAgent].plan); }, [](X&) {});
+  X x;
+  x.c.k = k_.ontology;
+  Outcome o = links_.begin({});
+  if (o != Outcome::terminated) return o;
+  port.read(x);
+  o = execute_plans(k_.plans, x, port);
+  if (o == Outcome::terminated && in_vain(x)) {
+    fault_ = {.code = FaultCode::position_lost,
+              .value = seconds(x.i - x.c.lost_in),
+              .limit = seconds(x.c.k.patience),
+              .text = "seconds"};
+    o = Outcome::faulted;
+  }
+  if (o == Outcome::terminated) {
+    links_.send(std::vector<Order>(kAgents, Order{.finished = true}));
+    run_.board().set_progress(1, "done");
+  }
+  if (record_) record_->collect(x.c.plan.number);
+  return o;
+}
+
+void RexRun::observe(const Motion<Ontology>& motion, const X& x) {
+  if (record_) record_->collect(x.c.plan.number);
+  announce(motion, x);
+  report_position(x);
+  note_ack(x);
+  show(motion, x);
+  run_.each_macrostep(x.i, seconds(x.i));
+}
+
+void RexRun::announce(const Motion<Ontology>& motion, const X& x) {
+  const std::string now = motion.m == kSendPlan.m || motion.m == kAwaitAck.m
+                              ? fmt::format("plan {} of {}", x.c.plan.number, k_.plans.size())
+                              : std::string(motion.name);
+  if (now != announced_) run_.announce()(seconds(x.i), now);
+  announced_ = now;
+}
+
+void RexRun::report_position(const X& x) {
+  const bool lost = (x.T.agent[kLocomotionAgent].sensor & kPositionLost) != 0;
+  if (lost && !lost_) {
+    Fault fault{.code = FaultCode::position_lost};
+    fault.process = fmt::format("ecp-{}", kMap);
+    run_.report_recoverable_fault(fault, "the platform stands, and goes on when it is seen again");
+  }
+  lost_ = lost;
+}
+
+void RexRun::note_ack(const X& x) {
+  const std::int64_t event = x.T.agent[kLocomotionAgent].event;
+  if (event <= acked_) return;
+  acked_ = event;
+  acked_in_ = x.i - latency::kMessage;
+}
+
+double RexRun::progress(const X& x) const {
+  if (k_.plans.empty() || x.c.plan.n == 0) return 0;
+  const double of_plan = static_cast<double>(point_of(x.T.agent[kLocomotionAgent])) / x.c.plan.n;
+  const double plans = static_cast<double>(x.c.plan.number - 1) + std::min(1.0, of_plan);
+  return std::clamp(plans / static_cast<double>(k_.plans.size()), 0.0, 1.0);
+}
+
+std::string RexRun::progress_text(const X& x) const {
+  const Report& r = x.T.agent[kLocomotionAgent];
+  if ((r.sensor & kPositionLost) != 0)
+    return fmt::format("position lost for {:.1f} s", seconds(x.i - x.c.lost_in));
+  const int point = point_of(r);
+  if (point == 0) return announced_;
+  return fmt::format("{}, point {} of {}", announced_, point, x.c.plan.n);
+}
+
+void RexRun::show(const Motion<Ontology>& motion, const X& x) {
+  run_.set_state(motion.m == kStart.m      ? TaskState::waiting_for_start
+                 : links_.clock().paused() ? TaskState::paused
+                                           : TaskState::running,
+                 false);
+  auto& board = run_.board();
+  board.set_behaviour(motion.m, motion.name, motion.until);
+  board.set_progress(progress(x), progress_text(x));
+  const int seen = x.T.agent[kLocomotionAgent].sensor;
+  board.set_arm(kLocomotionAgent, x.T.agent[kLocomotionAgent],
+                fmt::format("map {}, odometry {}", (seen & kMapSeen) != 0 ? "seen" : "lost",
+                            (seen & kOdometrySeen) != 0 ? "seen" : "none"));
+}
+
+DriveResults RexRun::results() const {
+  DriveResults r;
+  if (record_) {
+    r.table = join(record_->messages(), k_.dt, k_.n_s);
+    r.fragments = record_->fragments();
+    r.rejected = record_->rejected();
+  }
+  r.plans = k_.plans;
+  r.acked_in = acked_ == static_cast<std::int64_t>(k_.plans.size()) ? acked_in_ : 0;
+  r.iterations = k_.iterations;
+  return r;
+}
+
+}  // namespace mrroc::rex_drive

@@ -1,0 +1,66 @@
+// MP of the task: the ontology agent a_2, with a record of all events.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/linked_port.hpp"
+#include "mp/auto_start_operator.hpp"
+#include "mp/coordinator_links.hpp"
+#include "mp/coordinator_run.hpp"
+#include "mp/task_run.hpp"
+#include "tasks/rex_drive/drive_record.hpp"
+#include "tasks/rex_drive/figures.hpp"
+#include "tasks/rex_drive/ontology.hpp"
+
+namespace mrroc::rex_drive {
+
+/// Settings of a run.
+struct RexRunParameters {
+  OntologyParameters ontology;           ///< of a_2
+  std::vector<Plan> plans;               ///< to be driven, in their order
+  std::vector<std::int32_t> iterations;  ///< of the planner's search, one per fragment, for the figures
+  bool gives_start{true};                ///< false: a person or a script does
+  bool records{true};                    ///< false: nothing is written down, as in a check
+  double dt{0.002};                      ///< duration of a step [s]
+  int n_s{10};                           ///< steps of a macrostep
+};
+
+/// The agent a_2 in MP.
+class RexRun final : public mp::CoordinatorRun {
+ public:
+  /// @param run  is told of everything that begins; must outlive this object
+  RexRun(mp::TaskRun& run, RexRunParameters parameters);
+
+  Outcome execute() override;
+  [[nodiscard]] const Fault& fault() const override { return fault_ ? fault_ : links_.fault(); }
+  /// @return what the figures are made of; without rows when nothing was written down
+  [[nodiscard]] DriveResults results() const;
+
+ private:
+  using X = Ontology::X;
+  void observe(const Motion<Ontology>& motion, const X& x);
+  void show(const Motion<Ontology>& motion, const X& x);
+  void announce(const Motion<Ontology>& motion, const X& x);
+  void report_position(const X& x);
+  void note_ack(const X& x);
+  [[nodiscard]] std::string progress_text(const X& x) const;
+  [[nodiscard]] double progress(const X& x) const;
+  [[nodiscard]] double seconds(std::int64_t macrosteps) const;
+
+  mp::TaskRun& run_;
+  RexRunParameters k_;
+  mp::AutoStartOperator operator_;
+  link::OutgoingLink<Plan> plan_;
+  mp::CoordinatorLinks links_;
+  std::optional<DriveRecord> record_;
+  Fault fault_;
+  std::string announced_;    // behaviour that was announced last
+  bool lost_{};              // the platform waits for its position
+  std::int64_t acked_{};     // number of the plan whose ack came last
+  std::int64_t acked_in_{};  // macrostep in which a_1 gave it
+};
+
+}  // namespace mrroc::rex_drive
