@@ -88,15 +88,11 @@ class Sensors {
   }
 
   edp::StageReading reading(std::int64_t step, const Plant& plant, const PerWheel& torque) {
-    constexpr double kIncrement = 2 * std::numbers::pi / kIncrementsPerTurn;
-    edp::StageReading reading{
-        .step = step, .yaw = yaw_, .yaw_rate = yaw_rate_, .imu_valid = true, .load = load_};
+    edp::StageReading reading{.step = step, .theta = plant.theta(), .yaw = yaw_, .yaw_rate = yaw_rate_};
+    reading.imu_valid = true;
+    reading.load = load_;
     reading.torque = torque;
-    for (std::size_t i = 0; i < kWheels; ++i) {
-      reading.theta[i] = kIncrement * std::floor(plant.theta()[i] / kIncrement);
-      reading.theta_dot[i] = (reading.theta[i] - theta_[i]) / kPlatformPeriod;
-    }
-    theta_ = reading.theta;
+    for (std::size_t i = 0; i < kWheels; ++i) reading.theta_dot[i] = plant.speed()[i] + noise(0.03);
     load_ = {};
     return reading;
   }
@@ -142,7 +138,7 @@ class Sensors {
   std::mt19937 random_;
   std::normal_distribution<> normal_;
   double yaw_{}, yaw_rate_{};
-  PerWheel load_{}, theta_{};
+  PerWheel load_{};
 };
 
 /// A measurement and the step in which it comes.
