@@ -43,6 +43,8 @@ Figures run_drawing_group();
 Figures run_pen_state_group(const std::filesystem::path& plots);
 /// The drawing task over the stiffness of paper and hand: worst figures. Takes about a minute.
 Figures run_robustness_group();
+/// The trajectory planner of a platform on 1,000 random plans. Takes some seconds.
+Figures rex_planner_figures();
 /// Runs the visual servoing task several times in separate processes; part of the group vision. Takes about two minutes.
 /// @throws FaultError a run did not do what it should
 Figures visual_servo_figures();

@@ -76,8 +76,8 @@ class Observer {
   StageReading last_stage_{};
   bool known_{};
   bool adapting_{};
-  MapPose map_{.step = -1};               // newest
-  OdometryReading odometry_{.step = -1};  // newest
+  MapPose map_{};               // newest
+  OdometryReading odometry_{};  // newest
   bool new_map_{};
   bool new_odometry_{};
   bool map_added_{};  // in this step

@@ -25,7 +25,8 @@ PlanList figure_eight() {
   for (int k = 1; k <= kFine; ++k) whole += length(k);
   for (int k = 1; k <= kFine; ++k) {
     way += length(k);
-    if (way >= whole * static_cast<double>(lap.size() + 1) / kPoints - 1e-9) lap.push_back(at(2 * pi * k / kFine));
+    if (way >= whole * static_cast<double>(lap.size() + 1) / kPoints - 1e-9)
+      lap.push_back(at(2 * pi * k / kFine));
   }
   return {.start = {0, 0, pi / 4}, .plans = {lap, lap}};
 }
@@ -50,7 +51,8 @@ PlanList slalom() {
   for (int k = 1; k <= kHalfWaves * kPerHalfWave; ++k)
     there.push_back({-1.75 + k * kHalfWave / kPerHalfWave, -0.6 + kHeight * std::sin(k * pi / kPerHalfWave)});
   for (int k = 1; k <= kOfTurn; ++k)
-    back.push_back({1.75 + kTurn * std::sin(k * pi / kOfTurn), -0.6 + kTurn * (1 - std::cos(k * pi / kOfTurn))});
+    back.push_back(
+        {1.75 + kTurn * std::sin(k * pi / kOfTurn), -0.6 + kTurn * (1 - std::cos(k * pi / kOfTurn))});
   for (int k = 1; k <= 7; ++k) back.push_back({1.75 - 0.5 * k, 0.3});
   return {.start = {-1.75, -0.6, std::atan2(kHeight * pi, kHalfWave)}, .plans = {there, back}};
 }
@@ -65,9 +67,12 @@ struct BuiltIn {
   std::string_view name;
   PlanList (*make)();
 };
-constexpr std::array kBuiltIn{BuiltIn{"figure_eight", figure_eight}, BuiltIn{"corner", corner},
-                              BuiltIn{"slalom", slalom},             BuiltIn{"square", square},
-                              BuiltIn{"pivot", pivot},               BuiltIn{"there_and_back", there_and_back}};
+constexpr std::array kBuiltIn{BuiltIn{"figure_eight", figure_eight},
+                              BuiltIn{"corner", corner},
+                              BuiltIn{"slalom", slalom},
+                              BuiltIn{"square", square},
+                              BuiltIn{"pivot", pivot},
+                              BuiltIn{"there_and_back", there_and_back}};
 
 }  // namespace
 

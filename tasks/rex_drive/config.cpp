@@ -28,8 +28,10 @@ Parameters read_parameters(const Config& config) {
   route.lateral = t.number("lateral", route.lateral, {0.05, k.planner.path.lateral}, "m/s^2, of curves");
   route.acceleration = t.number("acceleration", route.acceleration, {0.05, 2}, "m/s^2");
   route.turn_rate = t.number("turn_rate", route.turn_rate, {0.1, k.planner.path.turn_rate}, "rad/s");
-  k.planner.planning = t.integer("planning", k.planner.planning, {0, 100}, "macrosteps that a fragment takes");
-  k.planner.lead = t.number("lead", k.planner.lead, {0, 6}, "s before its end that a fragment asks for the next");
+  k.planner.planning =
+      t.integer("planning", k.planner.planning, {0, 100}, "macrosteps that a fragment takes");
+  k.planner.lead =
+      t.number("lead", k.planner.lead, {0, 6}, "s before its end that a fragment asks for the next");
   k.grip = t.number("grip", k.grip, {0.05, 1}, "share of the friction that a curve may need");
   k.lost = t.number("position_lost", k.lost, {0.01, 10}, "m, standard deviation");
   return k;
@@ -60,7 +62,8 @@ PlanList read_plan_list(const Config& config) {
   const auto names = built_in_plan_names();
   if (std::ranges::find(names, plan) != names.end()) return built_in_plan(plan);
   if (std::filesystem::exists(plan)) return load_plans(plan);
-  throw FaultError(FaultCode::bad_plan, fmt::format("{}: there is no such file, nor a plan of this name", plan),
+  throw FaultError(FaultCode::bad_plan,
+                   fmt::format("{}: there is no such file, nor a plan of this name", plan),
                    fmt::format("give a file of points, or one of: {}", fmt::join(names, ", ")));
 }
 

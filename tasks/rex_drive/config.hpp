@@ -30,9 +30,9 @@ inline constexpr double kReach = 0.55;
 
 /// The plans of a run and what the planner makes of them.
 struct Itinerary {
-  PlanList list;             ///< as they were read
-  std::vector<Plan> plans;   ///< as they are sent
-  PlannerSurvey survey;      ///< all trajectories
+  PlanList list;            ///< as they were read
+  std::vector<Plan> plans;  ///< as they are sent
+  PlannerSurvey survey;     ///< all trajectories
 };
 
 /// @return the plans that `task.plan` names: built-in ones or a file

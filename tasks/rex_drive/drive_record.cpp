@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/link/take_all.hpp"
+#include "tasks/rex_drive/keys.hpp"
 
 namespace mrroc::rex_drive {
 namespace {
@@ -13,7 +14,8 @@ double between(double a, double b, double share) { return a + share * (b - a); }
 /// Fills in what is true at a step. @return false: it is not known
 bool add_truth(const std::vector<platform_truth_t>& truths, int n_s, DriveRow& row) {
   const std::int64_t macrostep = row.step / n_s;
-  const auto first = std::ranges::lower_bound(truths, macrostep, {}, [](const auto& m) { return m.header.stamp; });
+  const auto first =
+      std::ranges::lower_bound(truths, macrostep, {}, [](const auto& m) { return m.header.stamp; });
   if (first == truths.end() || first->header.stamp != macrostep) return false;
   row.truth = from_message(*first);
   const auto rest = static_cast<double>(row.step % n_s);
@@ -66,12 +68,14 @@ DriveRecord::DriveRecord(link::Process& process, const std::string& platform)
     : command_in_(process.inbox<platform_command_t>(platform + ".command")),
       reply_in_(process.inbox<platform_reply_t>(platform + ".reply")),
       telemetry_in_(process.inbox<platform_telemetry_t>(platform + ".telemetry")),
-      truth_in_(process.inbox<platform_truth_t>(platform + ".truth")) {}
+      truth_in_(process.inbox<platform_truth_t>(platform + ".truth")),
+      pose_in_(process.inbox<map_report_t>(pose_channel())) {}
 
 void DriveRecord::collect(std::int64_t plan) {
   link::take_all(*reply_in_, messages_.replies);
   link::take_all(*telemetry_in_, messages_.telemetry);
   link::take_all(*truth_in_, messages_.truths);
+  if (const map_report_t* const m = pose_in_->newest()) rejected_ = m->rejected;
   collect_fragments(plan);
 }
 

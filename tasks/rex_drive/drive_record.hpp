@@ -33,6 +33,8 @@ class DriveRecord {
   [[nodiscard]] const DriveMessages& messages() const { return messages_; }
   /// @return the fragments, in their order
   [[nodiscard]] const FragmentTable& fragments() const { return fragments_; }
+  /// @return positions that the map agent did not believe, so far
+  [[nodiscard]] std::int32_t rejected() const { return rejected_; }
 
  private:
   void collect_fragments(std::int64_t plan);
@@ -41,9 +43,11 @@ class DriveRecord {
   std::unique_ptr<link::Inbox<platform_reply_t>> reply_in_;
   std::unique_ptr<link::Inbox<platform_telemetry_t>> telemetry_in_;
   std::unique_ptr<link::Inbox<platform_truth_t>> truth_in_;
+  std::unique_ptr<link::Inbox<map_report_t>> pose_in_;
   DriveMessages messages_;
   FragmentTable fragments_;
   std::int64_t commands_until_{-1};  // stamp
+  std::int32_t rejected_{};
 };
 
 }  // namespace mrroc::rex_drive

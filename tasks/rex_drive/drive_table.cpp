@@ -32,7 +32,8 @@ double estimation_error(const DriveRow& row) { return distance(row.truth.p, row.
 
 bool is_pivot(const Fragment& fragment) {
   const auto turns_only = [](const PathPoint& p) { return p.v == 0; };
-  return std::ranges::all_of(fragment.knot, turns_only) && fragment.knot.front().p.phi != fragment.knot.back().p.phi;
+  return std::ranges::all_of(fragment.knot, turns_only) &&
+         fragment.knot.front().p.phi != fragment.knot.back().p.phi;
 }
 
 Slip true_slip(const PlatformTruth& truth) {
@@ -47,8 +48,10 @@ Slip true_slip(const PlatformTruth& truth) {
 
 void write_drive_table(const std::filesystem::path& file, const DriveTable& table) {
   std::string text =
-      "t,x_d,y_d,phi_d,x,y,phi,vx,vy,w,x_e,y_e,phi_e,var_x,cov_xy,var_y,var_phi,mu_x,mu_y,split,sd_mu_x,sd_mu_y,sd_"
-      "split,true_mu_x,true_mu_y,true_split,tau_FL,tau_FR,tau_RL,tau_RR,N_FL,N_FR,N_RL,N_RR,track_mm,estimate_mm,"
+      "t,x_d,y_d,phi_d,x,y,phi,vx,vy,w,x_e,y_e,phi_e,var_x,cov_xy,var_y,var_phi,mu_x,mu_y,split,sd_mu_x,sd_"
+      "mu_y,sd_"
+      "split,true_mu_x,true_mu_y,true_split,tau_FL,tau_FR,tau_RL,tau_RR,N_FL,N_FR,N_RL,N_RR,track_mm,"
+      "estimate_mm,"
       "fragment,remaining\n";
   for (const DriveRow& r : table) {
     const Slip slip = true_slip(r.truth);
@@ -60,20 +63,21 @@ void write_drive_table(const std::filesystem::path& file, const DriveTable& tabl
     text += joined({r.slip.mu_x, r.slip.mu_y, r.slip.split, r.slip_sd.mu_x, r.slip_sd.mu_y, r.slip_sd.split});
     text += joined({slip.mu_x, slip.mu_y, slip.split});
     text += joined(r.torque) + joined(r.truth.load);
-    text += fmt::format(",{:.3f},{:.3f},{},{}\n", 1e3 * tracking_error(r), 1e3 * estimation_error(r), r.executing,
-                        r.remaining);
+    text += fmt::format(",{:.3f},{:.3f},{},{}\n", 1e3 * tracking_error(r), 1e3 * estimation_error(r),
+                        r.executing, r.remaining);
   }
   write_text_file(file, text);
 }
 
-void write_fragment_table(const std::filesystem::path& file, const FragmentTable& fragments, const DriveTable& table) {
+void write_fragment_table(const std::filesystem::path& file, const FragmentTable& fragments,
+                          const DriveTable& table) {
   std::string text = "number,plan,steps,notify,handed_s,begun_s,ended_s,v_end,v_end_true\n";
   const std::vector<Stay> times = stays(fragments, table);
   for (std::size_t k = 0; k < fragments.size(); ++k) {
     const auto& [fragment, handed_in, plan] = fragments[k];
-    text += fmt::format("{},{},{},{},{:.2f},{:.2f},{:.2f},{:.4f},{:.4f}\n", fragment.number, plan, fragment.steps,
-                        fragment.notify, static_cast<double>(handed_in) * kPlatformPeriod, times[k].begun,
-                        times[k].ended, fragment.knot.back().v, times[k].speed);
+    text += fmt::format("{},{},{},{},{:.2f},{:.2f},{:.2f},{:.4f},{:.4f}\n", fragment.number, plan,
+                        fragment.steps, fragment.notify, static_cast<double>(handed_in) * kPlatformPeriod,
+                        times[k].begun, times[k].ended, fragment.knot.back().v, times[k].speed);
   }
   write_text_file(file, text);
 }
@@ -81,7 +85,8 @@ void write_fragment_table(const std::filesystem::path& file, const FragmentTable
 std::vector<Stay> stays(const FragmentTable& fragments, const DriveTable& table) {
   std::vector<Stay> result(fragments.size());
   const auto stay_of = [&](std::int64_t number) -> Stay* {
-    const auto found = std::ranges::find(fragments, number, [](const FragmentRow& f) { return f.fragment.number; });
+    const auto found =
+        std::ranges::find(fragments, number, [](const FragmentRow& f) { return f.fragment.number; });
     return found == fragments.end() ? nullptr : &result[static_cast<std::size_t>(found - fragments.begin())];
   };
   std::int64_t before = 0;

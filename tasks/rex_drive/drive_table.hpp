@@ -14,17 +14,17 @@ namespace mrroc::rex_drive {
 
 /// One macrostep of the platform. Everything is of the same reading.
 struct DriveRow {
-  std::int64_t step{};      ///< of the reading
-  double t{};               ///< simulated time of it [s]
-  PlanarPose reference;     ///< where B is to be
-  PlatformTruth truth;      ///< what is true
-  PlatformEstimate estimate;  ///< what the estimator says
-  Slip slip;                ///< estimated
-  Slip slip_sd{0, 0, 0};    ///< standard deviations
-  PerWheel torque{};        ///< commanded [N m]
-  std::int64_t executing{};  ///< number of the fragment under way; 0: none
-  std::int32_t remaining{};  ///< iterations to the end of what has been handed over
-  bool at_rest{};            ///< the driver says so
+  std::int64_t step{};             ///< of the reading
+  double t{};                      ///< simulated time of it [s]
+  PlanarPose reference;            ///< where B is to be
+  PlatformTruth truth;             ///< what is true
+  PlatformEstimate estimate;       ///< what the estimator says
+  Slip slip;                       ///< estimated
+  Slip slip_sd{0, 0, 0};           ///< standard deviations
+  PerWheel torque{};               ///< commanded [N m]
+  std::int64_t executing{};        ///< number of the fragment under way; 0: none
+  std::int32_t remaining{};        ///< iterations to the end of what has been handed over
+  bool at_rest{};                  ///< the driver says so
   std::int32_t solver_failures{};  ///< so far
   std::int32_t late_map{};         ///< map poses that came too late, so far
 };
@@ -51,7 +51,8 @@ using FragmentTable = std::vector<FragmentRow>;  ///< in the order of their numb
 /// Writes a row per macrostep; numbers are SI, angles rad. @throws FaultError cannot_write
 void write_drive_table(const std::filesystem::path& file, const DriveTable& table);
 /// Writes a row per fragment: when it was handed over, begun and ended, and the speeds at its end. @throws as before
-void write_fragment_table(const std::filesystem::path& file, const FragmentTable& fragments, const DriveTable& table);
+void write_fragment_table(const std::filesystem::path& file, const FragmentTable& fragments,
+                          const DriveTable& table);
 
 /// When the driver executed a fragment; not a number: it did not.
 struct Stay {

@@ -12,7 +12,8 @@ void run_ecp(link::Process& process, const Config& config, const link::NodeArgum
   link::IncomingLink<MapReport> map(process, pose_channel());
   link::OutgoingLink<PlatformEstimate> estimate(process, estimate_channel());
   const link::OtherLinks others{.incoming = {&plan, &map}, .outgoing = {&estimate}};
-  const ecp::PlatformPreparation prepare{[&](PlatformCommand& command) { command.map = map.image().value.pose; }};
+  const ecp::PlatformPreparation prepare{
+      [&](PlatformCommand& command) { command.map = map.image().value.pose; }};
   ecp::run_ecp<Locomotion, PlatformEffector>(
       process, {.robot = arguments.arm, .sensor = {}, .others = others}, prepare,
       [&](Locomotion::X& x, auto& platform) {

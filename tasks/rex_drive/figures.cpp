@@ -38,7 +38,8 @@ bool within_ellipse(const DriveRow& row) {
   const double x = row.truth.p.x - row.estimate.p.x, y = row.truth.p.y - row.estimate.p.y;
   const auto& P = row.estimate.covariance;
   const double determinant = P[0] * P[4] - P[1] * P[3];
-  return determinant > 0 && (P[4] * x * x - (P[1] + P[3]) * x * y + P[0] * y * y) / determinant <= kChiSquared;
+  return determinant > 0 &&
+         (P[4] * x * x - (P[1] + P[3]) * x * y + P[0] * y * y) / determinant <= kChiSquared;
 }
 
 void of_place(const DriveResults& r, mp::Figures& figures) {
@@ -86,10 +87,14 @@ void of_friction(const DriveTable& table, mp::Figures& figures) {
 std::optional<double> friction_found(const DriveTable& table) {
   constexpr double kChange = 0.25, kFound = 0.1;
   const auto is = [](const DriveRow& row) { return true_slip(row.truth).mu_x; };
-  const auto changes = [&](const DriveRow& a, const DriveRow& b) { return std::abs(is(b) - is(a)) > kChange * is(a); };
+  const auto changes = [&](const DriveRow& a, const DriveRow& b) {
+    return std::abs(is(b) - is(a)) > kChange * is(a);
+  };
   const auto before = std::ranges::adjacent_find(table, changes);
   if (before == table.end()) return {};
-  const auto near = [&](const DriveRow& row) { return std::abs(row.slip.mu_x - is(row)) <= kFound * is(row); };
+  const auto near = [&](const DriveRow& row) {
+    return std::abs(row.slip.mu_x - is(row)) <= kFound * is(row);
+  };
   const auto found = std::find_if(before + 1, table.end(), near);
   if (found == table.end()) return {};
   return found->t - (before + 1)->t;
@@ -105,7 +110,8 @@ void of_joints(const DriveResults& r, mp::Figures& figures) {
     const double planned = r.fragments[k].fragment.knot.back().v;
     if (planned > kMoves) take(least, 100 * times[k].speed / planned);
     const std::int64_t plan = r.fragments[k].plan;
-    if (plan == r.fragments[k + 1].plan || plan < 1 || plan > static_cast<std::int64_t>(r.plans.size())) continue;
+    if (plan == r.fragments[k + 1].plan || plan < 1 || plan > static_cast<std::int64_t>(r.plans.size()))
+      continue;
     const Plan& sent = r.plans[static_cast<std::size_t>(plan - 1)];
     if (sent.ahead > 0) take(least_of_plans, 100 * times[k].speed / sent.speed);
   }

@@ -11,11 +11,11 @@ namespace mrroc::rex_drive {
 
 /// What the figures are made of.
 struct DriveResults {
-  DriveTable table;          ///< a row per macrostep
-  FragmentTable fragments;   ///< a row per fragment
-  std::vector<Plan> plans;   ///< as they were sent
-  std::int64_t acked_in{};   ///< macrostep in which a_1 gave the last plan's ack; 0: it did not
-  std::int32_t rejected{};   ///< readings of the motion capture that the map agent did not believe
+  DriveTable table;         ///< a row per macrostep
+  FragmentTable fragments;  ///< a row per fragment
+  std::vector<Plan> plans;  ///< as they were sent
+  std::int64_t acked_in{};  ///< macrostep in which a_1 gave the last plan's ack; 0: it did not
+  std::int32_t rejected{};  ///< readings of the motion capture that the map agent did not believe
   std::vector<std::int32_t> iterations;  ///< of the planner's search, one per fragment
 };
 
@@ -38,24 +38,32 @@ struct DriveResults {
 
 /// In the order of the table.
 inline constexpr std::array kFigures{
-    mp::FigureInfo{.key = "track_rms_mm", .words = "distance from the reference", .unit = "mm rms", .high = 10},
+    mp::FigureInfo{
+        .key = "track_rms_mm", .words = "distance from the reference", .unit = "mm rms", .high = 10},
     mp::FigureInfo{.key = "track_max_mm", .words = "  at most", .unit = "mm", .high = 40},
     mp::FigureInfo{.key = "pivot_rms_mm", .words = "  turning on the spot", .unit = "mm rms", .high = 10},
-    mp::FigureInfo{.key = "estimate_rms_mm", .words = "distance from the estimate", .unit = "mm rms", .high = 8},
-    mp::FigureInfo{.key = "ellipse_95_pct", .words = "  within its 95 % ellipse", .unit = "% of the time", .low = 80},
+    mp::FigureInfo{
+        .key = "estimate_rms_mm", .words = "distance from the estimate", .unit = "mm rms", .high = 8},
+    mp::FigureInfo{
+        .key = "ellipse_95_pct", .words = "  within its 95 % ellipse", .unit = "% of the time", .low = 80},
     mp::FigureInfo{.key = "friction_err", .words = "error of the friction", .unit = ""},
     mp::FigureInfo{.key = "split_err", .words = "error of its split left and right", .unit = ""},
     mp::FigureInfo{.key = "friction_found_s", .words = "until a change of it is found", .unit = "s"},
-    mp::FigureInfo{
-        .key = "joint_speed_pct", .words = "least speed between fragments", .unit = "% of the planned", .low = 90},
-    mp::FigureInfo{
-        .key = "plan_joint_speed_pct", .words = "least speed between plans", .unit = "% of the wanted", .low = 85},
+    mp::FigureInfo{.key = "joint_speed_pct",
+                   .words = "least speed between fragments",
+                   .unit = "% of the planned",
+                   .low = 90},
+    mp::FigureInfo{.key = "plan_joint_speed_pct",
+                   .words = "least speed between plans",
+                   .unit = "% of the wanted",
+                   .low = 85},
     mp::FigureInfo{.key = "ack_before_rest_s", .words = "last ack before it stands", .unit = "s", .low = 0.5},
     mp::FigureInfo{.key = "speed_mean_mps", .words = "speed", .unit = "m/s"},
     mp::FigureInfo{.key = "speed_max_mps", .words = "  at most", .unit = "m/s"},
     mp::FigureInfo{.key = "way_m", .words = "way", .unit = "m"},
     mp::FigureInfo{.key = "drive_s", .words = "  in", .unit = "s"},
-    mp::FigureInfo{.key = "planner_iterations_p95", .words = "iterations of the planner, 95 %", .unit = "", .high = 6},
+    mp::FigureInfo{
+        .key = "planner_iterations_p95", .words = "iterations of the planner, 95 %", .unit = "", .high = 6},
     mp::FigureInfo{.key = "map_rejected", .words = "positions not believed", .unit = ""},
     mp::FigureInfo{.key = "late_map", .words = "positions that came too late", .unit = ""},
     mp::FigureInfo{.key = "solver_failures", .words = "failures of solvers", .unit = "", .high = 0},

@@ -20,17 +20,17 @@ struct Parameters {
 
 /// c_c1
 struct Memory {
-  Parameters k;                  ///< constant during a run
-  Route plan;                    ///< [plan]: points that are not planned yet
-  std::vector<Trajectory> traj;  ///< [traj]: planned and not handed over yet, the next one first
-  Trajgen trajgen;               ///< [trajgen]
-  bool new_plan{};               ///< [new]
-  std::int64_t taken{};          ///< number of the plan taken last; 0: none
-  std::int64_t handed{};         ///< number of the fragment handed over last; 0: none
-  PathPoint end;                 ///< where that one ends
-  std::int64_t before_plan{};    ///< number of the last fragment handed over before the plan was taken
+  Parameters k;                      ///< constant during a run
+  Route plan;                        ///< [plan]: points that are not planned yet
+  std::vector<Trajectory> traj;      ///< [traj]: planned and not handed over yet, the next one first
+  Trajgen trajgen;                   ///< [trajgen]
+  bool new_plan{};                   ///< [new]
+  std::int64_t taken{};              ///< number of the plan taken last; 0: none
+  std::int64_t handed{};             ///< number of the fragment handed over last; 0: none
+  PathPoint end;                     ///< where that one ends
+  std::int64_t before_plan{};        ///< number of the last fragment handed over before the plan was taken
   std::vector<std::int32_t> points;  ///< of this plan, to which its fragments lead, in their order
-  double pace{1};                ///< of the fragments' time: 0 stands
+  double pace{1};                    ///< of the fragments' time: 0 stands
 };
 
 /// Order::variant of the coordinator while the operator has a pause.

@@ -114,8 +114,9 @@ Said tell_all(const X& x, int m) {
   r.fault = x.e.fault;
   const PlanarPose& p = x.e.estimate.p;
   r.T_0E = {p.x, p.y, 0, 0, 0, p.phi};
-  r.sensor = (x.T.map.pose.valid ? kMapSeen : 0) + (x.V.valid ? kOdometrySeen : 0) + (stands(x) ? kStands : 0) +
-             (position_lost(x) ? kPositionLost : 0) + kPointUnit * point_under_way(x);
+  r.sensor = (x.T.map.pose.valid ? kMapSeen : 0) + (x.V.valid ? kOdometrySeen : 0) +
+             (stands(x) ? kStands : 0) + (position_lost(x) ? kPositionLost : 0) +
+             kPointUnit * point_under_way(x);
   if (x.e.position_known) said.estimate = x.e.estimate;
   return said;
 }

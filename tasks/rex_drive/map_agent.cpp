@@ -24,7 +24,8 @@ PlanarCovariance covariance_of(const MapParameters& k) {
 /// @return whether the reading may be passed on: it fits the estimate, there is none, or the gate is open
 bool is_plausible(const MapMemory& c, const MotionCapture& reading) {
   const PlatformEstimate estimate = estimate_at(c, reading.step);
-  return estimate.step == 0 || c.rejected_in_a_row >= c.k.rejections || distance(reading, estimate, c.k) <= kGate;
+  return estimate.step == 0 || c.rejected_in_a_row >= c.k.rejections ||
+         distance(reading, estimate, c.k) <= kGate;
 }
 
 /// Examines a reading that has not been examined yet.
@@ -101,7 +102,8 @@ double distance(const MotionCapture& reading, const PlatformEstimate& estimate, 
   const Eigen::Vector3d e(reading.p.x - estimate.p.x, reading.p.y - estimate.p.y,
                           wrap_angle(reading.p.phi - estimate.p.phi));
   Matrix3 S = squared(k.trust) * matrix_of(estimate.covariance) + matrix_of(covariance_of(k));
-  S.diagonal() += Eigen::Vector3d(squared(k.drift_position), squared(k.drift_position), squared(k.drift_heading));
+  S.diagonal() +=
+      Eigen::Vector3d(squared(k.drift_position), squared(k.drift_position), squared(k.drift_heading));
   return e.dot(S.ldlt().solve(e));
 }
 

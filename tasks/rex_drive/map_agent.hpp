@@ -13,15 +13,15 @@ namespace mrroc::rex_drive {
 
 /// Constant parameters of a_3.
 struct MapParameters {
-  MotionCaptureSetup capture;        ///< when it measures
-  double position_sd{0.006};         ///< of its readings, along x and along y [m]
-  double heading_sd{0.012};          ///< of its readings [rad]
-  double trust{2};                   ///< the estimate's standard deviations are taken as so many times as large
-  double drift_position{0.01};       ///< and as larger by this [m]
-  double drift_heading{0.01};        ///< [rad]
-  int rejections{5};                 ///< in a row, which open the gate again
-  std::int64_t patience{25};         ///< without a plausible reading, after which the position is lost [macrosteps]
-  int n_s{10};                       ///< steps of a macrostep
+  MotionCaptureSetup capture;   ///< when it measures
+  double position_sd{0.006};    ///< of its readings, along x and along y [m]
+  double heading_sd{0.012};     ///< of its readings [rad]
+  double trust{2};              ///< the estimate's standard deviations are taken as so many times as large
+  double drift_position{0.01};  ///< and as larger by this [m]
+  double drift_heading{0.01};   ///< [rad]
+  int rejections{5};            ///< in a row, which open the gate again
+  std::int64_t patience{25};  ///< without a plausible reading, after which the position is lost [macrosteps]
+  int n_s{10};                ///< steps of a macrostep
 };
 
 /// Estimates of a_1 that are remembered.
@@ -31,10 +31,10 @@ inline constexpr std::size_t kEstimatesKept = 64;
 struct MapMemory {
   MapParameters k;                                        ///< constant during a run
   std::array<PlatformEstimate, kEstimatesKept> estimate;  ///< newest first; step 0: none
-  std::int64_t looked_at{-1};  ///< step of the newest reading that has been examined
-  int rejected_in_a_row{};     ///< readings
-  std::int64_t plausible_in{}; ///< macrostep of the last plausible reading; 0: none yet
-  MapReport report;            ///< what is said
+  std::int64_t looked_at{-1};   ///< step of the newest reading that has been examined
+  int rejected_in_a_row{};      ///< readings
+  std::int64_t plausible_in{};  ///< macrostep of the last plausible reading; 0: none yet
+  MapReport report;             ///< what is said
 };
 
 /// x_cT and y_cT of a_3.
@@ -69,7 +69,8 @@ struct MapAgent {
 
 /// @param estimate  of a_1 at the reading's step or near it
 /// @return squared Mahalanobis distance of the reading from the estimate, with the uncertainties of both
-[[nodiscard]] double distance(const MotionCapture& reading, const PlatformEstimate& estimate, const MapParameters& k);
+[[nodiscard]] double distance(const MotionCapture& reading, const PlatformEstimate& estimate,
+                              const MapParameters& k);
 /// Beyond this a reading is implausible: 99.9 % of all are nearer, chi-squared with three degrees of freedom.
 inline constexpr double kGate = 16.266;
 

@@ -11,7 +11,9 @@ namespace {
 class CaptureInput {
  public:
   CaptureInput(link::Process& process, const MapParameters& k)
-      : process_(process), k_(k), in_(process.inbox<motion_capture_t>(std::string(kPlatform) + ".motion_capture")) {}
+      : process_(process),
+        k_(k),
+        in_(process.inbox<motion_capture_t>(std::string(kPlatform) + ".motion_capture")) {}
 
   /// @return links that are waited for
   [[nodiscard]] link::OtherLinks others() {
@@ -26,7 +28,8 @@ class CaptureInput {
     const motion_capture_t* const m =
         process_.lock_step() ? in_->at(newest((i - 1) * k_.n_s)) : in_->newest();
     if (!m) return {.step = -1};
-    if (!is_proper(*m)) throw FaultError(FaultCode::malformed_message, in_->channel() + ": a number is not proper");
+    if (!is_proper(*m))
+      throw FaultError(FaultCode::malformed_message, in_->channel() + ": a number is not proper");
     return from_message(*m);
   }
 

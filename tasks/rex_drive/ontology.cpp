@@ -40,9 +40,7 @@ bool taken(const X& x) {
   const bool executes = locomotion(x).m == 2 && x.i - x.i_0 >= latency::kLoop;
   return executes || acknowledged(x) || in_vain(x);
 }
-bool ack_came(const X& x) {
-  return (x.c.acked_in > 0 && x.i - x.c.acked_in >= x.c.k.think) || in_vain(x);
-}
+bool ack_came(const X& x) { return (x.c.acked_in > 0 && x.i - x.c.acked_in >= x.c.k.think) || in_vain(x); }
 bool stands(const X& x) {
   return ((locomotion(x).sensor & kStands) != 0 && x.i - x.i_0 >= latency::kLoop) || in_vain(x);
 }

@@ -17,8 +17,8 @@ inline constexpr std::size_t kMapAgent = 1;         ///< index of a_3
 
 /// Constant parameters of a_2.
 struct OntologyParameters {
-  std::int64_t think{10};        ///< after an ack until the next plan is sent [macrosteps]
-  std::int64_t patience{1500};   ///< for a platform that does not know its position [macrosteps]; 0: for ever
+  std::int64_t think{10};       ///< after an ack until the next plan is sent [macrosteps]
+  std::int64_t patience{1500};  ///< for a platform that does not know its position [macrosteps]; 0: for ever
 };
 
 /// c_c2
@@ -26,7 +26,8 @@ struct OntologyMemory {
   OntologyParameters k;     ///< constant during a run
   Plan plan;                ///< that is sent; its number is 0 before the first one
   std::int64_t acked_in{};  ///< macrostep in which its ack came; 0: not yet
-  std::int64_t lost_in{};   ///< macrostep from which on the platform has waited for its position; 0: it does not
+  std::int64_t
+      lost_in{};  ///< macrostep from which on the platform has waited for its position; 0: it does not
 };
 
 /// Order with the plan that goes to a_1 on a link of its own.
@@ -38,7 +39,8 @@ struct PlanOrder : Order {
 struct Ontology : CoordinatorAgent<OntologyMemory, kAgents, None, None, Report, PlanOrder> {};
 
 /// Behaviours of a_2. m of an order is that of its behaviour; Order::variant is kPaused while the operator has a pause.
-extern const Motion<Ontology> kStart;       ///< m = 0: until both agents are ready and the operator has given start
+extern const Motion<Ontology>
+    kStart;  ///< m = 0: until both agents are ready and the operator has given start
 extern const Motion<Ontology> kSendPlan;    ///< m = 1: until a_1 executes c.plan, or has acknowledged it
 extern const Motion<Ontology> kAwaitAck;    ///< m = 2: until its ack and c.k.think macrosteps more
 extern const Motion<Ontology> kComeToRest;  ///< m = 3: until the platform stands

@@ -18,7 +18,8 @@ constexpr std::size_t kMaxFileBytes = 2'000'000;
 constexpr double kFarthest = 1000;  // [m]
 constexpr const char* kFormat = "a line has two numbers, x and y in metres";
 
-[[noreturn]] void refuse(const std::string& name, int line, const std::string& wrong, const std::string& remedy) {
+[[noreturn]] void refuse(const std::string& name, int line, const std::string& wrong,
+                         const std::string& remedy) {
   const FileError e(name, line, wrong, remedy);
   throw FaultError(FaultCode::bad_plan, e.wrong(), e.remedy());
 }
@@ -97,7 +98,8 @@ class Reader {
   void take_point(std::string_view line) {
     const auto [x, y] = numbers<2>(line, kFormat);
     if (++count_ > kMostPoints)
-      fail(fmt::format("there are over {} points", kMostPoints), "leave some out: 0.3 m between them will do");
+      fail(fmt::format("there are over {} points", kMostPoints),
+           "leave some out: 0.3 m between them will do");
     points_.push_back({x, y, line_});
   }
 

@@ -33,8 +33,8 @@ using MapPoints = std::vector<MapPoint>;
 
 /// The plans of a run.
 struct PlanList {
-  std::string name{};            ///< of the file or of the built-in plan, for the operator
-  PlanarPose start{};            ///< where the platform stands at the beginning
+  std::string name{};              ///< of the file or of the built-in plan, for the operator
+  PlanarPose start{};              ///< where the platform stands at the beginning
   std::vector<MapPoints> plans{};  ///< at least one, each with 1..kPointsOfPlan points
 
   /// @return the points of all of them

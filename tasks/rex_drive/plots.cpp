@@ -12,7 +12,19 @@ namespace mrroc::rex_drive {
 namespace {
 
 /// Columns of platform.csv.
-enum Column : int { x_d = 2, x = 5, v_x = 8, x_e = 11, mu_x = 18, sd_mu_x = 21, true_mu_x = 24, tau = 27, load = 31, track = 35, estimate = 36 };
+enum Column : int {
+  x_d = 2,
+  x = 5,
+  v_x = 8,
+  x_e = 11,
+  mu_x = 18,
+  sd_mu_x = 21,
+  true_mu_x = 24,
+  tau = 27,
+  load = 31,
+  track = 35,
+  estimate = 36
+};
 
 std::string of_drive(const std::string& columns) { return "'platform.csv' skip 1 using " + columns; }
 
@@ -47,7 +59,8 @@ ChartPanel panel(const DriveResults& r, const char* title, const char* y_label) 
 
 std::string error_script(const DriveResults& r) {
   TimeChart c = chart(r, "error", "Rex: errors of the true place");
-  c.panels = {panel(r, "from the reference and from the estimate", "distance [mm]"), panel(r, "speed", "v [m/s]")};
+  c.panels = {panel(r, "from the reference and from the estimate", "distance [mm]"),
+              panel(r, "speed", "v [m/s]")};
   c.panels[0].curves = {curve(of_drive(fmt::format("1:{}", +track)), "reference", 0),
                         curve(of_drive(fmt::format("1:{}", +estimate)), "estimate", 1)};
   c.panels[0].commands = "set yrange [0:*]\n";
@@ -62,8 +75,10 @@ std::string slip_script(const DriveResults& r) {
   for (int k = 0; k < 3; ++k) {
     const auto n = static_cast<std::size_t>(k);
     ChartPanel p = panel(r, kNames[n], kSymbols[n]);
-    ChartCurve above = curve(of_drive(fmt::format("1:(column({})+2*column({}))", mu_x + k, sd_mu_x + k)), "", 0);
-    ChartCurve below = curve(of_drive(fmt::format("1:(column({})-2*column({}))", mu_x + k, sd_mu_x + k)), "", 0);
+    ChartCurve above =
+        curve(of_drive(fmt::format("1:(column({})+2*column({}))", mu_x + k, sd_mu_x + k)), "", 0);
+    ChartCurve below =
+        curve(of_drive(fmt::format("1:(column({})-2*column({}))", mu_x + k, sd_mu_x + k)), "", 0);
     above.style = below.style = CurveStyle::dashes;
     above.width = below.width = 0.8;
     p.curves = {above, below, curve(of_drive(fmt::format("1:{}", true_mu_x + k)), "true", 1),
@@ -89,7 +104,8 @@ std::string torques_script(const DriveResults& r) {
 std::string handover_script(const DriveResults& r) {
   const std::string file = "'fragments.csv' skip 1 using ";
   TimeChart c = chart(r, "handover", "Rex: fragments, when they are handed over and executed");
-  c.panels = {panel(r, "number of the fragment", "fragment"), panel(r, "speed, and at the ends of fragments", "v [m/s]")};
+  c.panels = {panel(r, "number of the fragment", "fragment"),
+              panel(r, "speed, and at the ends of fragments", "v [m/s]")};
   ChartCurve handed = curve(file + "5:1", "handed over", 1), begun = curve(file + "6:1", "begun", 0);
   handed.style = begun.style = CurveStyle::points;
   ChartCurve planned = curve(file + "7:8", "planned at the end", 1);
@@ -139,12 +155,13 @@ std::string path_script(const DriveResults& r) {
   s += ellipses(r.table) + plan_points(r.plans);
   s += "set title \"Rex: plan, reference, true and estimated way; 95 % ellipses of the estimate, times 10\"\n"
        "set size ratio -1\nset xlabel 'x [m]'\nset ylabel 'y [m]'\nset key below\nplot ";
-  s += fmt::format("'platform.csv' skip 1 using {}:{} with lines lw 4 lc rgb '#c3cad4' title 'reference', \\\n", +x_d,
-                   x_d + 1);
-  s += fmt::format("'platform.csv' skip 1 using {}:{} with lines lw 1.6 lc rgb '{}' title 'true', \\\n", +x, x + 1,
-                   curve_colour(0));
-  s += fmt::format("'platform.csv' skip 1 using {}:{} with lines lw 1 lc rgb '{}' title 'estimate', \\\n", +x_e,
-                   x_e + 1, curve_colour(1));
+  s += fmt::format(
+      "'platform.csv' skip 1 using {}:{} with lines lw 4 lc rgb '#c3cad4' title 'reference', \\\n", +x_d,
+      x_d + 1);
+  s += fmt::format("'platform.csv' skip 1 using {}:{} with lines lw 1.6 lc rgb '{}' title 'true', \\\n", +x,
+                   x + 1, curve_colour(0));
+  s += fmt::format("'platform.csv' skip 1 using {}:{} with lines lw 1 lc rgb '{}' title 'estimate', \\\n",
+                   +x_e, x_e + 1, curve_colour(1));
   s += fmt::format("$ellipses using 1:2 with lines lw 0.8 lc rgb '{}' title '95 % ellipse, times 10', \\\n",
                    curve_colour(1));
   s += fmt::format("$plan using 1:2 with points pt 7 ps 0.9 lc rgb '{}' title 'plan'\n", kReferenceColour);

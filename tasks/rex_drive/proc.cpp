@@ -53,7 +53,8 @@ PlanPoint standing(const Corner& at, double phi, double cruise) {
 }
 
 /// The points with their orientations; `passed` marks those that need no rest. The first point is where the route begins.
-Route orient(const std::vector<Corner>& corners, const PathPoint& from, double speed, std::vector<bool>& passed) {
+Route orient(const std::vector<Corner>& corners, const PathPoint& from, double speed,
+             std::vector<bool>& passed) {
   Route route{{.at = from}};
   passed = {true};
   const auto add = [&](const PlanPoint& point, bool pass) {
@@ -61,7 +62,8 @@ Route orient(const std::vector<Corner>& corners, const PathPoint& from, double s
     passed.push_back(pass);
   };
   double leg = direction(corners[0], corners[1], from.p.phi);
-  if (std::abs(leg - from.p.phi) > (from.v == 0 ? kTurnAtRest : kPivotAngle)) add(standing(corners[0], leg, 0), false);
+  if (std::abs(leg - from.p.phi) > (from.v == 0 ? kTurnAtRest : kPivotAngle))
+    add(standing(corners[0], leg, 0), false);
   for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
     const double next = direction(corners[k], corners[k + 1], leg);
     if (std::abs(next - leg) > kPivotAngle) {

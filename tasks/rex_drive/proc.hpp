@@ -19,9 +19,9 @@ struct RouteLimits {
 
 /// A point of the plan, with everything that the planner needs.
 struct PlanPoint {
-  PathPoint at{};       ///< pose, and speeds there; phi is unwrapped along the route
-  double cruise{};      ///< speed wanted on the way to it [m/s]; 0: a turn on the spot
-  std::int32_t index{}; ///< of the plan's point that it belongs to, from 0: the operator's "point 7"
+  PathPoint at{};        ///< pose, and speeds there; phi is unwrapped along the route
+  double cruise{};       ///< speed wanted on the way to it [m/s]; 0: a turn on the spot
+  std::int32_t index{};  ///< of the plan's point that it belongs to, from 0: the operator's "point 7"
 };
 using Route = std::vector<PlanPoint>;  ///< plan of REX, c_c1[plan]
 

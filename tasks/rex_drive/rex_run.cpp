@@ -18,7 +18,9 @@ RexRun::RexRun(mp::TaskRun& run, RexRunParameters parameters)
   if (k_.records) record_.emplace(run.process(), kPlatform);
 }
 
-double RexRun::seconds(std::int64_t macrosteps) const { return static_cast<double>(macrosteps) * k_.n_s * k_.dt; }
+double RexRun::seconds(std::int64_t macrosteps) const {
+  return static_cast<double>(macrosteps) * k_.n_s * k_.dt;
+}
 
 Outcome RexRun::execute() {
   mp::CoordinatorPort<Ontology, std::function<void(const Motion<Ontology>&, const X&)>> links(
@@ -89,14 +91,15 @@ double RexRun::progress(const X& x) const {
 
 std::string RexRun::progress_text(const X& x) const {
   const Report& r = x.T.agent[kLocomotionAgent];
-  if ((r.sensor & kPositionLost) != 0) return fmt::format("position lost for {:.1f} s", seconds(x.i - x.c.lost_in));
+  if ((r.sensor & kPositionLost) != 0)
+    return fmt::format("position lost for {:.1f} s", seconds(x.i - x.c.lost_in));
   const int point = point_of(r);
   if (point == 0) return announced_;
   return fmt::format("{}, point {} of {}", announced_, point, x.c.plan.n);
 }
 
 void RexRun::show(const Motion<Ontology>& motion, const X& x) {
-  run_.set_state(motion.m == kStart.m       ? TaskState::waiting_for_start
+  run_.set_state(motion.m == kStart.m      ? TaskState::waiting_for_start
                  : links_.clock().paused() ? TaskState::paused
                                            : TaskState::running,
                  false);
@@ -107,7 +110,6 @@ void RexRun::show(const Motion<Ontology>& motion, const X& x) {
   board.set_arm(kLocomotionAgent, x.T.agent[kLocomotionAgent],
                 fmt::format("map {}, odometry {}", (seen & kMapSeen) != 0 ? "seen" : "lost",
                             (seen & kOdometrySeen) != 0 ? "seen" : "none"));
-  board.set_arm(kMapAgent, x.T.agent[kMapAgent], x.T.agent[kMapAgent].sensor != 0 ? "seen" : "lost");
 }
 
 DriveResults RexRun::results() const {
@@ -115,10 +117,10 @@ DriveResults RexRun::results() const {
   if (record_) {
     r.table = join(record_->messages(), k_.dt, k_.n_s);
     r.fragments = record_->fragments();
+    r.rejected = record_->rejected();
   }
   r.plans = k_.plans;
   r.acked_in = acked_ == static_cast<std::int64_t>(k_.plans.size()) ? acked_in_ : 0;
-  r.rejected = rejected_;
   r.iterations = k_.iterations;
   return r;
 }

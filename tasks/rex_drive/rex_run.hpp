@@ -19,13 +19,13 @@ namespace mrroc::rex_drive {
 
 /// Settings of a run.
 struct RexRunParameters {
-  OntologyParameters ontology;   ///< of a_2
-  std::vector<Plan> plans;       ///< to be driven, in their order
+  OntologyParameters ontology;           ///< of a_2
+  std::vector<Plan> plans;               ///< to be driven, in their order
   std::vector<std::int32_t> iterations;  ///< of the planner's search, one per fragment, for the figures
-  bool gives_start{true};        ///< false: a person or a script does
-  bool records{true};            ///< false: nothing is written down, as in a check
-  double dt{0.002};              ///< duration of a step [s]
-  int n_s{10};                   ///< steps of a macrostep
+  bool gives_start{true};                ///< false: a person or a script does
+  bool records{true};                    ///< false: nothing is written down, as in a check
+  double dt{0.002};                      ///< duration of a step [s]
+  int n_s{10};                           ///< steps of a macrostep
 };
 
 /// The agent a_2 in MP.
@@ -57,11 +57,10 @@ class RexRun final : public mp::CoordinatorRun {
   mp::CoordinatorLinks links_;
   std::optional<DriveRecord> record_;
   Fault fault_;
-  std::string announced_;      // behaviour that was announced last
-  bool lost_{};                // the platform waits for its position
-  std::int64_t acked_{};       // number of the plan whose ack came last
-  std::int64_t acked_in_{};    // macrostep in which a_1 gave it
-  std::int32_t rejected_{};
+  std::string announced_;    // behaviour that was announced last
+  bool lost_{};              // the platform waits for its position
+  std::int64_t acked_{};     // number of the plan whose ack came last
+  std::int64_t acked_in_{};  // macrostep in which a_1 gave it
 };
 
 }  // namespace mrroc::rex_drive

@@ -114,7 +114,8 @@ Lambda inverse_weights(double T, const EcsaSettings& settings) {
 /// would be singular.
 Lambda guess(const EndPointProblem& problem) {
   constexpr double kSlow = 0.01;
-  const double T = problem.duration, dx = problem.to.p.x - problem.from.p.x, dy = problem.to.p.y - problem.from.p.y;
+  const double T = problem.duration, dx = problem.to.p.x - problem.from.p.x,
+               dy = problem.to.p.y - problem.from.p.y;
   Lambda lambda = Lambda::Zero();
   const auto set = [&](int first, double begin, double end, double mean) {
     lambda(first) = (begin + end) / 2;
@@ -150,7 +151,8 @@ void describe(const EndPointProblem& problem, const Lambda& lambda, EndPointSolu
   solution.knot[0] = problem.from;
   solution.least_v = solution.most_v = before.v;
   for (int panel = 0; panel < kPanels; ++panel) {
-    const AtNode middle = at_node(problem, lambda, 2 * panel + 1), after = at_node(problem, lambda, 2 * panel + 2);
+    const AtNode middle = at_node(problem, lambda, 2 * panel + 1),
+                 after = at_node(problem, lambda, 2 * panel + 2);
     const auto simpson_of = [h](double a, double m, double b) { return h / 6 * (a + 4 * m + b); };
     const auto along = [](const AtNode& n) { return n.v * std::cos(n.phi); };
     const auto across = [](const AtNode& n) { return n.v * std::sin(n.phi); };

@@ -22,25 +22,27 @@ struct EndPointProblem {
 
 /// Settings of the search.
 struct EcsaSettings {
-  double tolerance{1e-4};    ///< on the norm of all errors together [m, rad, m/s, rad/s]
-  int max_iterations{60};    ///< of Newton's method
-  int max_halvings{8};       ///< of one step
-  double damping{1e-6};      ///< of the pseudo-inverse, share of the mean diagonal
-  double smoothness{0.3};    ///< weight of harmonic k is 1 + smoothness k^2
-  double steadiness{20};     ///< weight of v to that of w [s^2/m^2]: the way is bent rather than driven back and forth
+  double tolerance{1e-4};  ///< on the norm of all errors together [m, rad, m/s, rad/s]
+  int max_iterations{60};  ///< of Newton's method
+  int max_halvings{8};     ///< of one step
+  double damping{1e-6};    ///< of the pseudo-inverse, share of the mean diagonal
+  double smoothness{0.3};  ///< weight of harmonic k is 1 + smoothness k^2
+  double steadiness{
+      20};  ///< weight of v to that of w [s^2/m^2]: the way is bent rather than driven back and forth
 };
 
 /// Controls that were found, as the points of the way.
 struct EndPointSolution {
-  bool converged{};         ///< the error is within the tolerance
+  bool converged{};           ///< the error is within the tolerance
   std::int32_t iterations{};  ///< that it took
-  double error{};           ///< norm of the errors
-  std::array<PathPoint, kFragmentKnots> knot{};  ///< evenly over the horizon; the ends are as in the problem when converged
-  double length{};          ///< of the way [m]
-  double least_v{};         ///< smallest v on the way [m/s]
-  double most_v{};          ///< largest v [m/s]
-  double most_w{};          ///< largest |w| [rad/s]
-  double most_vw{};         ///< largest |v w| [m/s^2]
+  double error{};             ///< norm of the errors
+  std::array<PathPoint, kFragmentKnots>
+      knot{};        ///< evenly over the horizon; the ends are as in the problem when converged
+  double length{};   ///< of the way [m]
+  double least_v{};  ///< smallest v on the way [m/s]
+  double most_v{};   ///< largest v [m/s]
+  double most_w{};   ///< largest |w| [rad/s]
+  double most_vw{};  ///< largest |v w| [m/s^2]
 };
 
 /// Solves it. The numbers of the problem must be finite. The same problem gives the same bits.

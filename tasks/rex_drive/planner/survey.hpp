@@ -19,12 +19,14 @@ struct MissedPoint {
 
 /// What the planner has found.
 struct PlannerSurvey {
-  std::vector<Trajectory> found;      ///< all trajectories, in their order
-  std::optional<MissedPoint> missed;  ///< the first point of no trajectory; what is behind it has not been planned
-  double duration{};                  ///< of all of them [s]
+  std::vector<Trajectory> found;  ///< all trajectories, in their order
+  std::optional<MissedPoint>
+      missed;         ///< the first point of no trajectory; what is behind it has not been planned
+  double duration{};  ///< of all of them [s]
 };
 
 /// @param start  where the platform stands
-[[nodiscard]] PlannerSurvey survey(const std::vector<Plan>& plans, const PlanarPose& start, const PlannerParameters& k);
+[[nodiscard]] PlannerSurvey survey(const std::vector<Plan>& plans, const PlanarPose& start,
+                                   const PlannerParameters& k);
 
 }  // namespace mrroc::rex_drive

@@ -52,8 +52,8 @@ Leg turn_on_the_spot(const PathPoint& from, const PlanPoint& to, const PlannerPa
 }
 
 bool within(const EndPointSolution& s, double distance, const PathLimits& limits) {
-  return s.converged && s.length <= kLongestWay * distance && s.least_v >= -kBackwards && s.most_v <= limits.speed &&
-         s.most_w <= limits.turn_rate && s.most_vw <= limits.lateral;
+  return s.converged && s.length <= kLongestWay * distance && s.least_v >= -kBackwards &&
+         s.most_v <= limits.speed && s.most_w <= limits.turn_rate && s.most_vw <= limits.lateral;
 }
 
 }  // namespace
@@ -68,8 +68,10 @@ Leg plan_leg(const PathPoint& from, const PlanPoint& to, const PlannerParameters
     problem.duration = whole_iterations(duration);
     const EndPointSolution s = solve(problem);
     if (within(s, distance, k.path))
-      return {.found = true,
-              .trajectory = {.knot = s.knot, .duration = problem.duration, .index = to.index, .iterations = s.iterations}};
+      return {
+          .found = true,
+          .trajectory = {
+              .knot = s.knot, .duration = problem.duration, .index = to.index, .iterations = s.iterations}};
     duration *= kStretch;
     problem.to.v /= kStretch;
     problem.to.w /= kStretch;
@@ -81,7 +83,8 @@ Trajgen trajgen_init(const Trajgen& trajgen, const PathPoint& state) { return {.
 
 Trajgen trajgen_start(const Trajgen& trajgen, const PlanPoint& point) {
   const Leg leg = plan_leg(trajgen.at, point, trajgen.k);
-  Trajgen next{.k = trajgen.k, .at = trajgen.at, .busy = leg.found, .failed = !leg.found, .found = leg.trajectory};
+  Trajgen next{
+      .k = trajgen.k, .at = trajgen.at, .busy = leg.found, .failed = !leg.found, .found = leg.trajectory};
   if (leg.found) next.at = leg.trajectory.knot.back();
   return next;
 }
@@ -94,7 +97,9 @@ Trajgen trajgen_get_stat(const Trajgen& trajgen) {
   return next;
 }
 
-bool trajgen_is_ready(const Trajgen& trajgen) { return trajgen.busy && trajgen.elapsed >= trajgen.k.planning; }
+bool trajgen_is_ready(const Trajgen& trajgen) {
+  return trajgen.busy && trajgen.elapsed >= trajgen.k.planning;
+}
 
 const Trajectory& trajgen_get_traj(const Trajgen& trajgen) { return trajgen.found; }
 

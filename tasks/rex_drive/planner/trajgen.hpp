@@ -18,10 +18,12 @@ struct PathLimits {
 
 /// Constant parameters of the planner.
 struct PlannerParameters {
-  PathLimits path;          ///< no fragment goes beyond
-  RouteLimits route;        ///< wanted
-  int planning{5};          ///< time that a fragment takes, as declared [macrosteps]: planning and execution are concurrent
-  double lead{1.08};        ///< before a fragment's end the driver asks for the next one [s]: its horizon and the way there
+  PathLimits path;    ///< no fragment goes beyond
+  RouteLimits route;  ///< wanted
+  int planning{
+      5};  ///< time that a fragment takes, as declared [macrosteps]: planning and execution are concurrent
+  double lead{
+      1.08};  ///< before a fragment's end the driver asks for the next one [s]: its horizon and the way there
 };
 
 /// A piece of trajectory that has been planned.

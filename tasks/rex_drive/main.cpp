@@ -1,0 +1,98 @@
+// The platform's task: a skid-steering platform drives through the points of plans.
+#include <fmt/format.h>
+
+#include "launch/task.hpp"
+#include "tasks/rex_drive/config.hpp"
+#include "tasks/rex_drive/figures.hpp"
+#include "tasks/rex_drive/keys.hpp"
+#include "tasks/rex_drive/options.hpp"
+#include "tasks/rex_drive/plots.hpp"
+#include "tasks/rex_drive/rex_run.hpp"
+
+namespace {
+
+using namespace mrroc;
+
+/// Data that the parts of a run share.
+struct Drive {
+  rex_drive::DriveOptions options;
+  rex_drive::PlanList plans;
+  rex_drive::Itinerary itinerary;
+};
+
+/// A check drives what its run drove.
+rex_drive::PlanList plans_of(const Config& config, const mp::TaskOptions& options) {
+  if (options.check.empty()) return rex_drive::read_plan_list(config);
+  return rex_drive::load_plans(options.check / rex_drive::kPlanFile);
+}
+
+void complete(Drive& d, Config& config, const mp::TaskOptions& options) {
+  d.plans = plans_of(config, options);
+  rex_drive::complete_drive(config, d.options, d.plans);
+}
+
+void prepare(Drive& d, const launch::Setup& s) {
+  std::ignore = rex_drive::read_parameters(s.config);
+  std::ignore = rex_drive::read_ontology(s.config);
+  std::ignore = rex_drive::read_map(s.config);
+  d.itinerary = rex_drive::examine(d.plans, s.config);
+}
+
+std::string words(const Drive& d) {
+  return fmt::format("{}: {} points in {} plans, {:.0f} s", d.plans.name, d.plans.points(),
+                     d.plans.plans.size(), d.itinerary.survey.duration);
+}
+
+std::unique_ptr<mp::CoordinatorRun> make_coordinator(const Drive& d, mp::TaskRun& run,
+                                                     const launch::Setup& s) {
+  rex_drive::RexRunParameters k;
+  k.ontology = rex_drive::read_ontology(s.config);
+  k.plans = d.itinerary.plans;
+  for (const rex_drive::Trajectory& t : d.itinerary.survey.found) k.iterations.push_back(t.iterations);
+  k.gives_start = s.options.scripted();
+  k.records = s.options.check.empty();
+  return std::make_unique<rex_drive::RexRun>(run, std::move(k));
+}
+
+void make_results(launch::Results& r) {
+  const rex_drive::DriveResults results = r.coordinator_as<rex_drive::RexRun>().results();
+  rex_drive::write_drive_table(r.folder / "platform.csv", results.table);
+  rex_drive::write_fragment_table(r.folder / "fragments.csv", results.fragments, results.table);
+  r.add(rex_drive::figures_of(results), rex_drive::kFigures);
+  if (!results.table.empty()) r.pictures = rex_drive::plots(results);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Drive d;
+  return launch::run_task(
+      {.name = "rex_drive",
+       .about = "A skid-steering platform drives through the points of plans, estimating its state and the "
+                "slip of\n"
+                "its wheels.",
+       .config = rex_drive::config(),
+       .platforms = {{rex_drive::kPlatform, "rex"}},
+       .ecp = rex_drive::run_ecp,
+       .options = [&](CommandLine& line) { rex_drive::add_drive_options(line, d.options); },
+       .examples = {"./run rex_drive --plan slalom", "./run rex_drive --plan my_points.txt --speed-mps 0.4",
+                    "./run rex_drive --ground slippery --tracker kinematic"},
+       .instead_of_config = {"--plan", "--speed-mps", "--tracker", "--estimator", "--ground"},
+       .found = [&](mp::TaskOptions&) { return rex_drive::settings_of(d.options); },
+       .complete = [&](Config& config, const mp::TaskOptions& o) { complete(d, config, o); },
+       .prepare = [&](const launch::Setup& s) { prepare(d, s); },
+       .words = [&](const launch::Setup&) { return words(d); },
+       .files =
+           [&](const std::filesystem::path& folder) {
+             mp::write_text(folder / rex_drive::kPlanFile, rex_drive::to_text(d.plans));
+           },
+       .nodes =
+           [](const launch::Setup& s) {
+             return std::vector<mp::NodeSpec>{
+                 launch::make_node(s.config, std::string("ecp-") + rex_drive::kMap, "ecp_rex_drive_map",
+                                   nullptr, rex_drive::run_map)};
+           },
+       .coordinator = [&](mp::TaskRun& run, const launch::Setup& s) { return make_coordinator(d, run, s); },
+       .results = make_results},
+      argc, argv);
+}

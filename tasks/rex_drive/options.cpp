@@ -1,0 +1,98 @@
+#include "tasks/rex_drive/options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "base/command_line.hpp"
+#include "base/fault.hpp"
+#include "tasks/rex_drive/built_in_plans.hpp"
+
+namespace mrroc::rex_drive {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A kind of ground, with what it sets.
+struct Ground {
+  std::string_view name;
+  std::vector<std::string> settings{};
+};
+const std::array<Ground, 4>& grounds() {
+  static const std::array<Ground, 4> kGrounds{{
+      {"nominal"},
+      {"slippery", {"sim.ground.friction=[0.35, 0.3]"}},
+      {"ice_right", {"sim.ground.patches.ice.area=[-3, -2, 3, 0]", "sim.ground.patches.ice.scale=0.5"}},
+      {"smooth", {"sim.ground.model=\"smooth\""}},
+  }};
+  return kGrounds;
+}
+
+bool is_ground(std::string_view name) {
+  return std::ranges::find(grounds(), name, &Ground::name) != grounds().end();
+}
+bool is_built_in(std::string_view plan) {
+  return std::ranges::find(built_in_plan_names(), plan) != built_in_plan_names().end();
+}
+
+std::string quoted(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '"' || c == '\\') escaped += '\\';
+    escaped += c;
+  }
+  return '"' + escaped + '"';
+}
+
+std::vector<std::string> settings_of_ground(const std::string& name) {
+  const auto found = std::ranges::find(grounds(), name, &Ground::name);
+  if (found != grounds().end()) return found->settings;
+  if (fs::is_regular_file(name)) return {};
+  std::vector<std::string_view> names;
+  std::ranges::transform(grounds(), std::back_inserter(names), &Ground::name);
+  throw FaultError(FaultCode::bad_usage, fmt::format("--ground: there is no file and no ground '{}'", name),
+                   fmt::format("give one of {}, or a TOML file with [sim.ground]", fmt::join(names, ", ")));
+}
+
+}  // namespace
+
+void add_drive_options(CommandLine& line, DriveOptions& o) {
+  line.option(
+          "--plan", o.plan,
+          fmt::format("Points to drive through, a file of lines 'x y', or one of {} (default: figure_eight)",
+                      fmt::join(built_in_plan_names(), ", ")))
+      .type_name("FILE|NAME");
+  line.option("--speed-mps", o.speed, "Speed wanted between the points, in m/s (default: 0.6)")
+      .type_name("V");
+  line.option("--tracker", o.tracker, "Trajectory tracker of the virtual effector (default: nmpc)")
+      .one_of({"nmpc", "kinematic"});
+  line.option("--estimator", o.estimator, "State estimator of the virtual effector (default: mhe)")
+      .one_of({"mhe", "ekf"});
+  line.option(
+          "--ground", o.ground,
+          "nominal, slippery (half the friction), ice_right (half of it where y < 0), smooth (as the kernels "
+          "believe it to be), or a TOML file with [sim.ground]")
+      .type_name("NAME|FILE");
+}
+
+std::vector<std::string> settings_of(const DriveOptions& o) {
+  std::vector<std::string> settings;
+  if (!o.plan.empty())
+    settings.push_back("task.plan=" + quoted(is_built_in(o.plan) ? o.plan : fs::absolute(o.plan).string()));
+  if (o.speed) settings.push_back(fmt::format("task.speed={}", *o.speed));
+  if (!o.tracker.empty()) settings.push_back(fmt::format("platforms.rex.tracker=\"{}\"", o.tracker));
+  if (!o.estimator.empty()) settings.push_back(fmt::format("platforms.rex.estimator=\"{}\"", o.estimator));
+  if (!o.ground.empty()) std::ranges::move(settings_of_ground(o.ground), std::back_inserter(settings));
+  return settings;
+}
+
+void complete_drive(Config& config, const DriveOptions& o, const PlanList& plans) {
+  if (!o.ground.empty() && !is_ground(o.ground)) config.overlay(Config::load(o.ground));
+  if (!config.has("sim.platforms.rex.start"))
+    config.set(
+        fmt::format("sim.platforms.rex.start=[{}, {}, {}]", plans.start.x, plans.start.y, plans.start.phi));
+}
+
+}  // namespace mrroc::rex_drive

@@ -1,0 +1,37 @@
+// The command line's options for the platform's task.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/config.hpp"
+#include "tasks/rex_drive/plan_file.hpp"
+
+namespace mrroc {
+class CommandLine;
+}  // namespace mrroc
+
+namespace mrroc::rex_drive {
+
+/// The options of the task's own.
+struct DriveOptions {
+  std::string plan{};             ///< a built-in one or a file; empty: as the configuration says
+  std::optional<double> speed{};  ///< wanted [m/s]
+  std::string tracker{};          ///< of the virtual effector; empty: as the configuration says
+  std::string estimator{};        ///< the same
+  std::string ground{};           ///< a kind of ground or a file; empty: as the configuration says
+};
+
+/// Adds them to a program's command line.
+void add_drive_options(CommandLine& line, DriveOptions& options);
+
+/// @return KEY=VALUE of what the options say. A file of a plan is told with its whole path
+/// @throws FaultError bad_usage  there is neither a ground nor a file of that name
+[[nodiscard]] std::vector<std::string> settings_of(const DriveOptions& options);
+
+/// Sets what follows from the options: the ground of a file, and where the simulated platform stands at the beginning of
+/// the plan, unless the configuration says that.
+/// @throws ConfigError
+void complete_drive(Config& config, const DriveOptions& options, const PlanList& plans);
+
+}  // namespace mrroc::rex_drive

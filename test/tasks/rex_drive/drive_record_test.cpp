@@ -1,0 +1,61 @@
+#include "tasks/rex_drive/drive_record.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mrroc::rex_drive {
+namespace {
+
+/// x = 0.01 per macrostep, told by truth, reply and telemetry of macrosteps 1..n.
+DriveMessages messages(int n) {
+  DriveMessages m;
+  for (int i = 1; i <= n; ++i) {
+    PlatformTruth truth;
+    truth.p.x = 0.01 * i;
+    m.truths.push_back(to_message(truth));
+    m.truths.back().header.stamp = i;
+    PlatformReply reply;
+    reply.position_known = true;
+    reply.estimate.step = 10 * i;
+    reply.estimate.p.x = 0.01 * i + 0.002;
+    reply.executing = 1;
+    m.replies.push_back(to_message(reply));
+    m.replies.back().header.stamp = i + 1;
+    PlatformTelemetry telemetry;
+    telemetry.step = 10 * i;
+    telemetry.reference[0].x = 0.01 * i - 0.003;
+    m.telemetry.push_back(to_message(telemetry));
+    m.telemetry.back().header.stamp = i + 1;
+  }
+  return m;
+}
+
+TEST(DriveRecord, JoinsWhatIsOfTheSameReading) {
+  const DriveTable table = join(messages(20), 0.002, 10);
+  ASSERT_EQ(table.size(), 20U);
+  for (const DriveRow& row : table) {
+    EXPECT_NEAR(tracking_error(row), 0.003, 1e-12);
+    EXPECT_NEAR(estimation_error(row), 0.002, 1e-12);
+  }
+  EXPECT_NEAR(table[4].t, 0.1, 1e-12);
+}
+
+TEST(DriveRecord, LeavesOutWhatHasNoTruthOrNoTelemetry) {
+  DriveMessages m = messages(20);
+  m.truths.erase(m.truths.begin() + 5);
+  m.telemetry.erase(m.telemetry.begin() + 9);
+  EXPECT_EQ(join(m, 0.002, 10).size(), 18U);
+  m.truths.clear();
+  EXPECT_TRUE(join(m, 0.002, 10).empty());
+}
+
+TEST(DriveRecord, BetweenTwoTruthsThePlatformMovesEvenly) {
+  DriveMessages m = messages(20);
+  for (auto& reply : m.replies) reply.estimate.step += 5;
+  for (auto& telemetry : m.telemetry) telemetry.step += 5;
+  const DriveTable table = join(m, 0.002, 10);
+  ASSERT_EQ(table.size(), 19U) << "the last one has no truth behind it";
+  EXPECT_NEAR(table[0].truth.p.x, 0.015, 1e-12);
+}
+
+}  // namespace
+}  // namespace mrroc::rex_drive

@@ -1,0 +1,116 @@
+// A model of a platform's effector driver as a_1 sees it, and a port to it: commands are executed a macrostep after they
+// were decided, replies read a macrostep after that.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <functional>
+#include <vector>
+
+#include "base/motion.hpp"
+#include "tasks/rex_drive/images.hpp"
+
+namespace mrroc::rex_drive {
+
+/// Takes fragments, lets their time pass, counts notify. The platform is always exactly where the reference is.
+class DriverModel {
+ public:
+  PlatformReply step(const PlatformCommand& command) {
+    reply_.verdict = Verdict::none;
+    if (command.instruction == Instruction::set) take(command.fragment);
+    if (!queue_.empty()) pass(command.pace);
+    reply_.executing = queue_.empty() ? 0 : queue_.front().number;
+    double remaining = -time_;
+    for (const Fragment& f : queue_) remaining += f.steps;
+    reply_.remaining = queue_.empty() ? 0 : static_cast<std::int32_t>(std::ceil(remaining - 1e-9));
+    reply_.at_rest = queue_.empty();
+    reply_.state = queue_.empty() ? DriverState::holding : DriverState::executing;
+    reply_.position_known = true;
+    reply_.estimate.p = queue_.empty() ? end_.p : point_at(queue_.front(), time_ / queue_.front().steps).p;
+    return reply_;
+  }
+
+  /// Fragments that were taken, in their order.
+  std::vector<Fragment> taken;
+  /// Fragments that were refused.
+  int refused{};
+
+ private:
+  [[nodiscard]] bool fits(const Fragment& f) const {
+    const PathPoint& begin = f.knot.front();
+    const PathPoint end = queue_.empty() ? PathPoint{end_.p} : queue_.back().knot.back();
+    return f.number == reply_.accepted + 1 && queue_.size() < 8 && f.notify >= 0 && f.notify < f.steps &&
+           std::hypot(begin.p.x - end.p.x, begin.p.y - end.p.y) < 0.02 &&
+           std::abs(wrap_angle(begin.p.phi - end.p.phi)) < 0.03 && std::abs(begin.v - end.v) < 0.1 &&
+           std::abs(begin.w - end.w) < 0.2;
+  }
+  void take(const Fragment& f) {
+    if (!fits(f)) {
+      reply_.verdict = Verdict::refused;
+      ++refused;
+      return;
+    }
+    if (queue_.empty()) time_ = 0;
+    queue_.push_back(f);
+    taken.push_back(f);
+    reply_.accepted = f.number;
+    note();
+  }
+  void note() {
+    if (!queue_.empty() && time_ >= queue_.front().notify) reply_.notified = queue_.front().number;
+  }
+  void pass(double pace) {
+    time_ += pace;
+    note();
+    while (!queue_.empty() && time_ >= queue_.front().steps - 1e-9) {
+      time_ -= queue_.front().steps;
+      end_ = queue_.front().knot.back();
+      queue_.pop_front();
+      note();
+    }
+  }
+
+  std::deque<Fragment> queue_;
+  double time_{};
+  PathPoint end_;
+  PlatformReply reply_;
+};
+
+/// Port of a_1 to the model. What the others say is asked of a function in every macrostep.
+class ModelPort {
+ public:
+  using X = Locomotion::X;
+
+  /// @param others  fills in T of x for a macrostep; false: the system stops
+  explicit ModelPort(std::function<bool(X&)> others) : others_(std::move(others)) {}
+
+  void dispatch(const Motion<Locomotion>& motion, const Locomotion::Y& y) {
+    command_ = y.e;
+    said = y.T;
+    if (behaviours.empty() || behaviours.back() != motion.m) behaviours.push_back(motion.m);
+  }
+  Outcome wait() {
+    visible_ = made_;
+    made_ = driver.step(delay ? delay(command_) : command_);
+    return stops_ ? Outcome::aborted : Outcome::terminated;
+  }
+  void read(X& x) {
+    ++x.i;
+    x.e = visible_;
+    stops_ = !others_(x);
+  }
+
+  DriverModel driver;           ///< what is commanded
+  std::vector<int> behaviours;  ///< m of a_1, each once in a row
+  Said said;                    ///< that a_1 has said last
+  /// Changes commands on their way; empty: nothing.
+  std::function<PlatformCommand(const PlatformCommand&)> delay;
+
+ private:
+  std::function<bool(X&)> others_;
+  PlatformCommand command_;
+  PlatformReply made_, visible_;
+  bool stops_{};
+};
+
+}  // namespace mrroc::rex_drive

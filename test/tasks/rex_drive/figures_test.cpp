@@ -1,0 +1,101 @@
+#include "tasks/rex_drive/figures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "tasks/rex_drive/plots.hpp"
+#include "test/tasks/rex_drive/synthetic_drive.hpp"
+
+namespace mrroc::rex_drive {
+namespace {
+
+double value(const mp::Figures& figures, const char* key) {
+  const auto found = figures.find(key);
+  EXPECT_NE(found, figures.end()) << key;
+  return found == figures.end() ? 0 : std::get<double>(found->second);
+}
+
+TEST(RexFigures, AreWhatTheRowsTell) {
+  const mp::Figures f = figures_of(synthetic_drive());
+  EXPECT_NEAR(value(f, "track_rms_mm"), 10, 1e-9);
+  EXPECT_NEAR(value(f, "track_max_mm"), 10, 1e-9);
+  EXPECT_NEAR(value(f, "estimate_rms_mm"), 5, 1e-9);
+  EXPECT_EQ(value(f, "ellipse_95_pct"), 100);
+  EXPECT_NEAR(value(f, "friction_err"), 0.01, 1e-12);
+  EXPECT_NEAR(value(f, "split_err"), 0.02, 1e-12);
+  EXPECT_NEAR(value(f, "joint_speed_pct"), 100, 1e-9);
+  EXPECT_NEAR(value(f, "plan_joint_speed_pct"), 100, 1e-9);
+  EXPECT_NEAR(value(f, "ack_before_rest_s"), 205 * 0.02 - 2, 1e-9);
+  EXPECT_NEAR(value(f, "speed_mean_mps"), kSpeed, 1e-9);
+  EXPECT_NEAR(value(f, "drive_s"), 4, 1e-9);
+  EXPECT_NEAR(value(f, "way_m"), 2, 0.02);
+  EXPECT_EQ(value(f, "planner_iterations_p95"), 3);
+  EXPECT_EQ(f.count("pivot_rms_mm"), 0U);
+  EXPECT_EQ(f.count("friction_found_s"), 0U);
+}
+
+TEST(RexFigures, AnEstimateFarAwayIsOutsideOfItsEllipse) {
+  EXPECT_EQ(value(figures_of(synthetic_drive(0.1)), "ellipse_95_pct"), 0);
+}
+
+TEST(RexFigures, ASlowJointShows) {
+  DriveResults r = synthetic_drive();
+  for (DriveRow& row : r.table)
+    if (row.t > 1.9 && row.t < 2.1) row.truth.v.vx = 0.2;
+  const mp::Figures f = figures_of(r);
+  EXPECT_NEAR(value(f, "joint_speed_pct"), 40, 1e-9);
+  EXPECT_NEAR(value(f, "plan_joint_speed_pct"), 40, 1e-9);
+}
+
+TEST(RexFigures, AChangeOfTheGroundIsFoundWhenTheEstimateIsNear) {
+  DriveResults r = synthetic_drive();
+  for (DriveRow& row : r.table) {
+    if (row.t >= 1)
+      for (auto& friction : row.truth.friction) friction = {0.35, 0.3};
+    if (row.t >= 1.6) row.slip.mu_x = 0.36;
+  }
+  EXPECT_NEAR(value(figures_of(r), "friction_found_s"), 0.6, 0.021);
+}
+
+TEST(RexFigures, OfARunWithoutRowsAreFew) {
+  const mp::Figures f = figures_of({});
+  EXPECT_EQ(f.count("track_rms_mm"), 0U);
+  EXPECT_EQ(f.count("ack_before_rest_s"), 0U);
+}
+
+TEST(RexTables, HaveARowPerMacrostepAndPerFragment) {
+  const DriveResults r = synthetic_drive();
+  const auto folder = std::filesystem::temp_directory_path();
+  const auto lines = [](const std::filesystem::path& file) {
+    std::ifstream in(file);
+    std::vector<std::string> all;
+    for (std::string line; std::getline(in, line);) all.push_back(line);
+    return all;
+  };
+  write_drive_table(folder / "rex_platform.csv", r.table);
+  write_fragment_table(folder / "rex_fragments.csv", r.fragments, r.table);
+  const auto rows = lines(folder / "rex_platform.csv"), fragments = lines(folder / "rex_fragments.csv");
+  ASSERT_EQ(rows.size(), 251U);
+  for (const std::string& row : rows)
+    EXPECT_EQ(std::ranges::count(row, ','), std::ranges::count(rows[0], ','));
+  ASSERT_EQ(fragments.size(), 3U);
+  EXPECT_EQ(fragments[1], "1,1,100,46,0.20,nan,2.00,0.5000,0.5000");
+  std::filesystem::remove(folder / "rex_platform.csv");
+  std::filesystem::remove(folder / "rex_fragments.csv");
+}
+
+TEST(RexPlots, ReadTheColumnsThatTheTableHas) {
+  const auto pictures = plots(synthetic_drive());
+  ASSERT_EQ(pictures.size(), 5U);
+  for (const auto& [name, script] : pictures) {
+    EXPECT_NE(script.find("plots/" + name + ".png"), std::string::npos);
+    EXPECT_TRUE(script.find("platform.csv") != std::string::npos ||
+                script.find("fragments.csv") != std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace mrroc::rex_drive
