@@ -2,12 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cctype>
+
+#include "base/key_word.hpp"
 
 namespace mrroc {
 namespace {
 
-constexpr std::size_t kLongestKey = 16;
 // A picture's slot is needed until its reading is visible, and for some macrosteps more until it has been used.
 constexpr std::int64_t kReadingKept = 60;  // [steps]
 constexpr std::int64_t kPicturesKept = 8;  // slots of a frame store
@@ -15,11 +15,6 @@ constexpr std::string_view kBase = ".base";
 
 [[noreturn]] void refuse(const std::string& key, const std::string& text) {
   throw ConfigError({"cameras", 0, 0}, key, text);
-}
-
-bool is_word(const std::string& s) {
-  return !s.empty() && s.size() <= kLongestKey &&
-         std::ranges::all_of(s, [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; });
 }
 
 CameraModel read_model(const Config& t) {
@@ -39,7 +34,7 @@ void read_mount(const Config& t, CameraSetup& camera) {
   if (mount == "world") return;
   camera.mount = mount.ends_with(kBase) ? CameraMount::base : CameraMount::end_effector;
   camera.arm = camera.mount == CameraMount::base ? mount.substr(0, mount.size() - kBase.size()) : mount;
-  if (!is_word(camera.arm))
+  if (!is_key_word(camera.arm))
     refuse("cameras." + camera.key + ".mount", "'" + mount + "' is not \"world\", an arm, or an arm's .base");
 }
 
@@ -52,7 +47,7 @@ CameraModel read_camera_model(const Config& config, const std::string& key) {
 std::vector<std::string> camera_keys(const Config& config) {
   auto keys = config.texts("cameras.order", std::vector<std::string>{});
   for (const std::string& key : keys)
-    if (!is_word(key))
+    if (!is_key_word(key))
       refuse("cameras.order", "'" + key + "' is no name of a camera: letters, digits, - and _, at most 16");
   for (const std::string& key : keys)
     if (std::ranges::count(keys, key) > 1) refuse("cameras.order", "the camera '" + key + "' is named twice");

@@ -7,12 +7,15 @@
 # mrroc_coordinated_task(NAME sources... [PARTS programs...])  a task whose coordinator orders what its arms copy
 #                                 (mp/coordinated_run.hpp, ecp/transparent.hpp): the same with ecp_transparent for ecp_NAME
 # mrroc_starts(NAME programs...)  building NAME also builds what it starts: these programs, the simulator, and the drivers of
-#                                 all robots
+#                                 all robots and platforms
 # mrroc_robot(NAME sources... [TYPES types...])  a robot (robots/catalogue.hpp): library mrroc_robot_NAME with NAME.urdf as
 #                                 mrroc::NAME::urdf(), program edp_NAME from main_edp.cpp; mrroc::NAME::type() is entered
 #                                 in the catalogue. TYPES: several that one program drives, each TYPE with NAME_TYPE.urdf
 #                                 as mrroc::NAME::TYPE_urdf() and entered as mrroc::NAME::TYPE()
-# mrroc_catalogue()               library mrroc_catalogue: every robot that has been registered so far
+# mrroc_platform(NAME sources...) a mobile platform (robots/platforms.hpp): library mrroc_platform_NAME with NAME.urdf as
+#                                 mrroc::NAME::urdf(), program edp_NAME from main_edp.cpp; mrroc::NAME::type() is entered
+#                                 in the catalogue
+# mrroc_catalogue()               library mrroc_catalogue: every robot and platform that has been registered so far
 #
 # The installed CMake package has them too, for tasks and robots outside of this tree.
 
@@ -88,6 +91,8 @@ endfunction()
 
 function(mrroc_starts name)
   get_property(robots GLOBAL PROPERTY MRROC_ROBOTS)
+  get_property(platforms GLOBAL PROPERTY MRROC_PLATFORMS)
+  list(APPEND robots ${platforms})
   list(TRANSFORM robots PREPEND edp_)
   foreach(program ${ARGN} ${robots} simulator)
     if(TARGET ${program} OR PROJECT_NAME STREQUAL "mrroc")  # elsewhere the others are installed
@@ -118,30 +123,54 @@ function(mrroc_robot name)
   set_property(GLOBAL APPEND PROPERTY MRROC_ROBOT_TYPES ${arg_TYPES})
 endfunction()
 
-# Writes the source of the catalogue of all robots that have been registered so far; in other projects, of the
-# framework's own ones and those.
-function(mrroc_known_robots file)
-  get_property(types GLOBAL PROPERTY MRROC_ROBOT_TYPES)
+function(mrroc_platform name)
+  mrroc_embed(${name} urdf ${name}.urdf)
+  mrroc_library(mrroc_platform_${name} SERVO_STEP ${ARGN} ${CMAKE_CURRENT_BINARY_DIR}/urdf_text.cpp)
+  target_link_libraries(mrroc_platform_${name} PUBLIC mrroc_platforms)
+  mrroc_program(edp_${name} main_edp.cpp)
+  target_link_libraries(edp_${name} PRIVATE mrroc_platform_${name})
+  set_property(GLOBAL APPEND PROPERTY MRROC_PLATFORMS ${name})
+  set_property(GLOBAL APPEND PROPERTY MRROC_PLATFORM_TYPES ${name}::type)
+endfunction()
+
+# Declares what has been registered so far as KIND, and lists it; in other projects, the framework's own and that.
+# PROPERTY: MRROC_ROBOT_TYPES or MRROC_PLATFORM_TYPES
+macro(mrroc_list_types property kind declarations entries)
+  get_property(types GLOBAL PROPERTY ${property})
   if(NOT PROJECT_NAME STREQUAL "mrroc")
-    get_target_property(own mrroc_catalogue MRROC_TYPES)
-    list(PREPEND types ${own})
+    get_target_property(own mrroc_catalogue ${property})
+    if(own)
+      list(PREPEND types ${own})
+    endif()
   endif()
-  set(MRROC_DECLARATIONS "")
-  set(MRROC_ENTRIES "")
+  set(${declarations} "")
+  set(${entries} "")
   foreach(type ${types})
     string(REGEX MATCH "^(.*)::(.*)$" matched ${type})
-    string(APPEND MRROC_DECLARATIONS
-           "namespace mrroc::${CMAKE_MATCH_1} {\nconst robots::RobotType& ${CMAKE_MATCH_2}();\n}\n")
-    string(APPEND MRROC_ENTRIES "&${type}(), ")
+    string(APPEND ${declarations}
+           "namespace mrroc::${CMAKE_MATCH_1} {\nconst robots::${kind}& ${CMAKE_MATCH_2}();\n}\n")
+    string(APPEND ${entries} "&${type}(), ")
   endforeach()
+endmacro()
+
+# Writes the source of the catalogue of all robots and platforms.
+function(mrroc_known_robots file)
+  mrroc_list_types(MRROC_ROBOT_TYPES RobotType MRROC_DECLARATIONS MRROC_ENTRIES)
+  mrroc_list_types(MRROC_PLATFORM_TYPES PlatformType MRROC_PLATFORM_DECLARATIONS MRROC_PLATFORM_ENTRIES)
   file(CONFIGURE OUTPUT ${file} @ONLY CONTENT [[
 #include "robots/catalogue.hpp"
+#include "robots/platforms.hpp"
 
-@MRROC_DECLARATIONS@
+@MRROC_DECLARATIONS@@MRROC_PLATFORM_DECLARATIONS@
 namespace mrroc::robots {
 
 std::span<const RobotType* const> catalogue() {
   static const std::vector<const RobotType*> types{@MRROC_ENTRIES@};
+  return types;
+}
+
+std::span<const PlatformType* const> platforms() {
+  static const std::vector<const PlatformType*> types{@MRROC_PLATFORM_ENTRIES@};
   return types;
 }
 
@@ -155,7 +184,12 @@ function(mrroc_catalogue)
   mrroc_library(mrroc_catalogue ${source})
   get_property(robots GLOBAL PROPERTY MRROC_ROBOTS)
   list(TRANSFORM robots PREPEND mrroc_robot_)
-  target_link_libraries(mrroc_catalogue PUBLIC mrroc_robots ${robots})
-  get_property(types GLOBAL PROPERTY MRROC_ROBOT_TYPES)
-  set_target_properties(mrroc_catalogue PROPERTIES MRROC_TYPES "${types}" EXPORT_PROPERTIES MRROC_TYPES)
+  get_property(platforms GLOBAL PROPERTY MRROC_PLATFORMS)
+  list(TRANSFORM platforms PREPEND mrroc_platform_)
+  target_link_libraries(mrroc_catalogue PUBLIC mrroc_robots mrroc_platforms ${robots} ${platforms})
+  foreach(property MRROC_ROBOT_TYPES MRROC_PLATFORM_TYPES)
+    get_property(types GLOBAL PROPERTY ${property})
+    set_target_properties(mrroc_catalogue PROPERTIES ${property} "${types}")
+  endforeach()
+  set_target_properties(mrroc_catalogue PROPERTIES EXPORT_PROPERTIES "MRROC_ROBOT_TYPES;MRROC_PLATFORM_TYPES")
 endfunction()

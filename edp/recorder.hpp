@@ -54,6 +54,14 @@ concept RecordFormat = std::copyable<F> &&
   f.append(text, r, dt);
 };
 
+/// That of a record that writes itself: R::header() and append(text, dt) mean what those of a RecordFormat do.
+template <class R>
+struct OwnFormat {
+  using Record = R;  ///< of a step
+  [[nodiscard]] std::string header() const { return R::header(); }
+  void append(std::string& text, const R& record, double dt) const { record.append(text, dt); }
+};
+
 /// @param dt  duration of a step [s]
 /// @return one line per step, without the header; what is not finite is `nan`
 template <RecordFormat F>

@@ -46,8 +46,8 @@ void read_arm(const Config& config, const CellArm& arm, const std::vector<double
   const robots::RobotType& type = type_of(config, arm);
   std::ignore = robots::read_driver(config, arm.key, type, joints);
   robots::read_tool(config, arm.key, type.driver);
-  robots::read_command_link(config, arm.key);
-  robots::read_recording(config, arm.key);
+  robots::read_command_link(config, "robots." + arm.key);
+  robots::read_recording(config, "robots." + arm.key);
 }
 
 }  // namespace
@@ -58,13 +58,16 @@ std::vector<std::string> keys_of(const std::vector<CellArm>& arms) {
   return keys;
 }
 
-void check_cell(const Config& config, const std::vector<CellArm>& arms) {
+void check_cell(const Config& config, const std::vector<CellArm>& arms,
+                const std::vector<CellPlatform>& platforms) {
+  check_platforms(config, platforms);
   const std::vector<std::string> keys = keys_of(arms);
-  const sim::WorldParameters parameters = sim::read_world(config);
   if (config.texts("robots.order", keys) != keys)
     throw FaultError(
         FaultCode::bad_configuration,
         fmt::format("robots.order: this task has the arms {}, in this order", joined(keys, ", ")));
+  if (arms.empty()) return;
+  const sim::WorldParameters parameters = sim::read_world(config);
   sim::read_camera_world(config, keys);
   for (std::size_t k = 0; k < arms.size(); ++k) {
     // Only a real arm knows its own position: it homes, or the configuration gives the position.
@@ -90,16 +93,23 @@ std::vector<mp::NodeSpec> camera_nodes(const Config& config, const std::vector<s
   return nodes;
 }
 
-std::vector<mp::NodeSpec> cell_nodes(const Config& config, const std::vector<CellArm>& arms) {
+std::vector<mp::NodeSpec> cell_nodes(const Config& config, const std::vector<CellArm>& arms,
+                                     const std::vector<CellPlatform>& platforms) {
   std::vector<mp::NodeSpec> nodes;
-  if (std::ranges::any_of(
-          arms, [&](const CellArm& arm) { return robots::read_hardware(config, arm.key).simulated(); }))
+  const auto simulated = [&](const CellArm& arm) {
+    return robots::read_hardware(config, arm.key).simulated();
+  };
+  if (!platforms.empty() || std::ranges::any_of(arms, simulated))
     nodes.push_back(make_node(config, kSimulator, kSimulator, nullptr, sim::run_simulator_process));
   for (const CellArm& arm : arms) {
     const robots::RobotType& type = type_of(config, arm);
     nodes.push_back(
         make_node(config, "edp-" + arm.key, robots::driver_program(type), &arm, robots::driver_of({&type})));
-    if (robots::read_hardware(config, arm.key).simulated()) nodes.back().plant = kSimulator;
+    if (simulated(arm)) nodes.back().plant = kSimulator;
+  }
+  for (mp::NodeSpec& node : platform_nodes(config, platforms)) {
+    nodes.push_back(std::move(node));
+    nodes.back().plant = kSimulator;
   }
   return nodes;
 }

@@ -27,7 +27,7 @@ Setup prepare(const Task& task, mp::TaskOptions options) {
   if (task.complete) task.complete(s.config, options);
   check_task_options(options);
   s.options = options;
-  check_cell(s.config, task.arms);
+  check_cell(s.config, task.arms, task.platforms);
   for (const Receptor& r : task.receptors)
     if (r.read) r.read(s.config);
   if (task.prepare) task.prepare(s);
@@ -35,13 +35,17 @@ Setup prepare(const Task& task, mp::TaskOptions options) {
 }
 
 std::vector<mp::NodeSpec> nodes_of(const Task& task, const Setup& s) {
-  std::vector<mp::NodeSpec> nodes = cell_nodes(s.config, task.arms);
+  std::vector<mp::NodeSpec> nodes = cell_nodes(s.config, task.arms, task.platforms);
   const std::string ecp = task.ecp_program.empty() ? "ecp_" + task.name : task.ecp_program;
   for (const CellArm& arm : task.arms) {
     nodes.push_back(make_node(s.config, "ecp-" + arm.key, ecp, &arm, task.ecp));
     for (const Receptor& r : task.receptors)
       nodes.push_back(
           make_node(s.config, fmt::format("vsp-{}-{}", r.name, arm.key), "vsp_" + r.name, &arm, r.body));
+  }
+  for (const CellPlatform& platform : task.platforms) {
+    const CellArm effector{platform.key, platform.model};
+    nodes.push_back(make_node(s.config, "ecp-" + platform.key, ecp, &effector, task.ecp));
   }
   if (task.nodes) std::ranges::move(task.nodes(s), std::back_inserter(nodes));
   return nodes;
@@ -58,10 +62,17 @@ std::string first_line(const Task& task, const Setup& s, const std::string& sess
       s.options.scripted() && !task.unattended.empty() ? task.unattended : mp::who_orders(s.options));
 }
 
+/// @return keys of the arms, and then of the platforms
+std::vector<std::string> effectors_of(const Task& task) {
+  std::vector<std::string> keys = keys_of(task.arms);
+  std::ranges::move(keys_of(task.platforms), std::back_inserter(keys));
+  return keys;
+}
+
 int run(const Task& task, const mp::TaskOptions& asked) {
   Setup s = prepare(task, asked);
   const mp::TaskOptions& options = s.options;
-  const std::vector<std::string> keys = keys_of(task.arms);
+  const std::vector<std::string> keys = effectors_of(task);
   if (options.parameters) {
     complete_config(s.config, options, ".", "");
     return mp::list_parameters(s.config, options);

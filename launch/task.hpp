@@ -28,11 +28,13 @@ struct Receptor {
 /// A task: what it is called, which processes take part, and what is its own in a run. Functions may be empty unless it is said that
 /// they may not. Those that keep something for one another capture it.
 struct Task {
-  std::string name;                   ///< of the program
-  std::string about;                  ///< for --help
-  std::string_view config;            ///< its TOML file
-  std::vector<CellArm> arms;          ///< keys and kinematics
-  link::NodeMain ecp;                 ///< what the ECP of each arm does; not empty
+  std::string name;             ///< of the program
+  std::string about;            ///< for --help
+  std::string_view config;      ///< its TOML file
+  std::vector<CellArm> arms{};  ///< keys and kinematics
+  std::vector<CellPlatform>
+      platforms{};  ///< keys and models; their configuration has `robots.order = []` without arms
+  link::NodeMain ecp;                 ///< what the ECP of each arm and platform does; not empty
   std::string ecp_program{};          ///< its program; empty: `ecp_NAME`
   std::vector<Receptor> receptors{};  ///< of each arm
 

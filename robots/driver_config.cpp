@@ -107,19 +107,19 @@ RobotModel read_tool(const Config& config, const std::string& key, const DriverD
   return m;
 }
 
-edp::Recording read_recording(const Config& config, const std::string& key) {
+edp::Recording read_recording(const Config& config, const std::string& table) {
   using enum edp::Recording;
-  return config.section("robots." + key)
-      .choice("record", on_fault, {{"never", never}, {"on_fault", on_fault}, {"always", always}});
+  return config.section(table).choice("record", on_fault,
+                                      {{"never", never}, {"on_fault", on_fault}, {"always", always}});
 }
 
-link::Injection read_command_link(const Config& config, const std::string& key) {
-  const Config table = config.section("robots." + key + ".command_link");
+link::Injection read_command_link(const Config& config, const std::string& table) {
+  const Config t = config.section(table + ".command_link");
   link::Injection i;
-  i.loss = table.number("loss", i.loss, {0, 1});
-  i.duplication = table.number("duplication", i.duplication, {0, 1});
-  i.delay = table.number("delay", i.delay, {0, 1});
-  i.max_delay = table.integer("max_delay", i.max_delay, {1, link::Injection::kMaxDelay}, "macrosteps");
+  i.loss = t.number("loss", i.loss, {0, 1});
+  i.duplication = t.number("duplication", i.duplication, {0, 1});
+  i.delay = t.number("delay", i.delay, {0, 1});
+  i.max_delay = t.integer("max_delay", i.max_delay, {1, link::Injection::kMaxDelay}, "macrosteps");
   i.seed = static_cast<std::uint64_t>(config.integer<std::int64_t>("seed", 1));
   return i;
 }
@@ -136,9 +136,9 @@ void run_driver(link::Process& process, const Config& config, const link::NodeAr
   shell.dt = parameters.dt;
   shell.ecp = "ecp-" + arguments.arm;
   shell.axes = robot.axes();
-  shell.recording = read_recording(config, arguments.arm);
+  shell.recording = read_recording(config, "robots." + arguments.arm);
   shell.folder = config.text("run.folder", std::nullopt);
-  shell.injection = read_command_link(config, arguments.arm);
+  shell.injection = read_command_link(config, "robots." + arguments.arm);
   HardwareChoice choice = read_hardware(config, arguments.arm);
   if (!arguments.hardware.empty()) choice.kind = arguments.hardware;
   if (!process.lock_step() && choice.core >= 0)

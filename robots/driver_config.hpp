@@ -37,11 +37,12 @@ edp::DriverParameters read_driver(const Config& config, const std::string& key, 
 /// @throws ConfigError
 RobotModel read_tool(const Config& config, const std::string& key, const DriverDefaults& defaults);
 
-/// @return when the steps of the arm are written down, [robots.ARM] record
-edp::Recording read_recording(const Config& config, const std::string& key);
+/// @param table  of an arm or a platform, e.g. "robots.arm1" @return when its steps are written down, `record`
+edp::Recording read_recording(const Config& config, const std::string& table);
 
-/// @return faults made on purpose on the link ARM.command, from [robots.ARM.command_link]
-link::Injection read_command_link(const Config& config, const std::string& key);
+/// @param table  of an arm or a platform, e.g. "robots.arm1"
+/// @return faults made on purpose on its link KEY.command, `command_link`
+link::Injection read_command_link(const Config& config, const std::string& table);
 
 /// Runs the effector driver of an arm until its system ends, with the hardware that the arguments or the configuration
 /// name.

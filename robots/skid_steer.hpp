@@ -17,6 +17,7 @@ struct SkidSteerParameters {
   double max_torque{};           ///< of a drive, at the wheel [N m]
   double full_torque_speed{};    ///< of the wheel, up to which a drive gives all of its torque [rad/s]
   double no_torque_speed{};      ///< at which it drives no more, larger [rad/s]
+  double brake{};                ///< torque of a short-circuited motor at the wheel, by its speed [N m s/rad]
   double increments_per_turn{};  ///< of a wheel's encoder
   double torque_constant{};      ///< of a motor behind its gear [N m/A]
   double length{};               ///< of the outline, along x [m]

@@ -64,9 +64,16 @@ constexpr const Transition& transition(DriverState state, PlatformEvent event) n
 
 /// @return name of an event, for documents
 constexpr std::string_view to_string(PlatformEvent event) noexcept {
-  constexpr std::array<std::string_view, kPlatformEvents> kNames{
-      "SET fragment", "SYNCHRO", "reset, position known", "reset, position unknown", "located", "abandoned",
-      "silence",      "arrived", "stood",                 "trip"};
+  constexpr std::array<std::string_view, kPlatformEvents> kNames{"SET fragment",
+                                                                 "SYNCHRO",
+                                                                 "reset, position known",
+                                                                 "reset, position unknown",
+                                                                 "located",
+                                                                 "abandoned",
+                                                                 "silence",
+                                                                 "arrived",
+                                                                 "stood",
+                                                                 "trip"};
   return kNames[static_cast<std::size_t>(event)];
 }
 

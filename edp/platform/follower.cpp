@@ -49,7 +49,8 @@ std::optional<Fault> Follower::step(const EstimatorResult& x, const Slip& slip, 
   planned_ = usable ? 0 : planned_ + 1;
   torque_ = usable ? result.torque : planned();
   if (failed_ < kFailures) return {};
-  return make_fault(FaultCode::solver_failed, "failures of the tracker in succession", -1, failed_, kFailures);
+  return make_fault(FaultCode::solver_failed, "failures of the tracker in succession", -1, failed_,
+                    kFailures);
 }
 
 }  // namespace mrroc::edp

@@ -26,7 +26,8 @@ bool are_finite(const PerWheel& numbers) {
 bool is_usable(const EstimatorResult& r) {
   const PlatformEstimate& e = r.estimate;
   return r.health.ok && are_finite(e.p.x, e.p.y, e.p.phi, e.v.vx, e.v.vy, e.v.w) && are_finite(e.theta) &&
-         are_finite(e.theta_dot) && std::ranges::all_of(e.covariance, [](double x) { return std::isfinite(x); }) &&
+         are_finite(e.theta_dot) &&
+         std::ranges::all_of(e.covariance, [](double x) { return std::isfinite(x); }) &&
          are_finite(r.slip.mu_x, r.slip.mu_y, r.slip.split) &&
          are_finite(r.slip_sd.mu_x, r.slip_sd.mu_y, r.slip_sd.split) &&
          are_finite(r.mass, r.centre.x, r.centre.y);
@@ -56,11 +57,14 @@ StageReading between(const StageReading& from, const StageReading& to, double sh
 }  // namespace
 
 void Observer::note(const PlatformCommand& command) noexcept {
-  if (command.map.valid && command.map.step != map_.step) {
+  const auto is_new = [](const auto& part, const auto& last, bool pending) {
+    return part.valid && part.step != last.step && (!pending || part.step > last.step);
+  };
+  if (is_new(command.map, map_, new_map_)) {
     new_map_ = true;
     map_ = command.map;
   }
-  if (command.odometry.valid && command.odometry.step != odometry_.step) {
+  if (is_new(command.odometry, odometry_, new_odometry_)) {
     new_odometry_ = true;
     odometry_ = command.odometry;
   }
@@ -82,7 +86,7 @@ void Observer::begin(const StandingStill& found) noexcept {
   last_stage_ = {};
   last_stage_.step = found.step;
   last_stage_.theta = found.theta;
-  adapting_ = false;
+  adapting_ = known_ = false;
   failed_ = inconsistent_ = 0;
 }
 
@@ -124,6 +128,7 @@ std::optional<Fault> Observer::step(const StageReading& stage, std::int64_t now)
   const EstimatorResult result = estimator_->step();
   const bool usable = is_usable(result);
   health_ = result.health;
+  known_ = known_ || usable;
   if (usable) result_ = result;
   const bool failed = !usable || health_.solver_failed;
   failed_ = failed ? failed_ + 1 : 0;
@@ -143,8 +148,8 @@ std::optional<Fault> Observer::judge() noexcept {
     return make_fault(FaultCode::estimate_lost, "failures of the estimator in succession", -1, failed_,
                       kFailures);
   if (inconsistent_ >= kInconsistent)
-    return make_fault(FaultCode::estimate_lost, "positions in succession that contradict it", -1, inconsistent_,
-                      kInconsistent);
+    return make_fault(FaultCode::estimate_lost, "positions in succession that contradict it", -1,
+                      inconsistent_, kInconsistent);
   if (const double sd = position_sd(result_.estimate.covariance); !(sd <= kLost))
     return make_fault(FaultCode::estimate_lost, "standard deviation of the position [m]", -1, sd, kLost);
   return {};

@@ -42,6 +42,8 @@ class Observer {
   /// @return estimate_lost, or nothing
   [[nodiscard]] std::optional<Fault> step(const StageReading& stage, std::int64_t now) noexcept;
 
+  /// @return whether there has been a result that can be used since begin()
+  [[nodiscard]] bool known() const noexcept { return known_; }
   /// @return of the newest step whose result can be used
   [[nodiscard]] const EstimatorResult& result() const noexcept { return result_; }
   /// @return slip that the tracker is to use
@@ -72,9 +74,10 @@ class Observer {
   EstimatorResult result_{};
   Health health_{};
   StageReading last_stage_{};
+  bool known_{};
   bool adapting_{};
-  MapPose map_{};
-  OdometryReading odometry_{};
+  MapPose map_{};               // newest
+  OdometryReading odometry_{};  // newest
   bool new_map_{};
   bool new_odometry_{};
   bool map_added_{};  // in this step

@@ -18,8 +18,8 @@ class Pace {
     target_ = target;
     rate_ = rate;
   }
-  /// Stands at once.
-  void stand() noexcept { now_ = target_ = 0; }
+  /// Has a pace at once, and keeps it.
+  void set(double pace) noexcept { now_ = target_ = pace; }
 
   /// @return the present pace
   [[nodiscard]] double now() const noexcept { return now_; }

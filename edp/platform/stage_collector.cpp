@@ -27,8 +27,7 @@ void add(PerWheel& total, const PerWheel& numbers) {
 
 void StageCollector::measure(const PlatformReading& reading) noexcept {
   reading_ = reading;
-  reading_.imu_valid =
-      reading.imu_valid && std::isfinite(reading.yaw) && std::isfinite(reading.yaw_rate);
+  reading_.imu_valid = reading.imu_valid && std::isfinite(reading.yaw) && std::isfinite(reading.yaw_rate);
   reading_.load_valid = reading.load_valid && is_finite(reading.load);
   wheels_.step(reading);
   imu_absent_ = reading_.imu_valid ? 0 : std::min(imu_absent_ + 1, kImuSilent);

@@ -24,18 +24,19 @@ std::optional<Fault> WheelSupervision::step(const StageReading& stage, const Pla
     const bool pushed = std::abs(stage.torque[k]) > kTorque;
     const bool other_turns = std::abs(stage.theta_dot[beside(k)]) > kTurns;
     const double residual = speed - estimate.theta_dot[k];
-    const bool contradicts = !(std::abs(residual) <= kResidual) ||
-                             std::abs(speed) > kOverSpeed * platform_->max_wheel_speed;
+    const bool contradicts =
+        !(std::abs(residual) <= kResidual) || std::abs(speed) > kOverSpeed * platform_->max_wheel_speed;
     blocked_[k] = stands && pushed ? blocked_[k] + 1 : 0;
     wrong_[k] = contradicts || (stands && !pushed && other_turns) ? wrong_[k] + 1 : 0;
     if (blocked_[k] >= kBlocked)
-      return make_fault(FaultCode::wheel_blocked, "torque [N m] of a wheel that stands", axis, stage.torque[k],
-                        kTorque);
+      return make_fault(FaultCode::wheel_blocked, "torque [N m] of a wheel that stands", axis,
+                        stage.torque[k], kTorque);
     if (wrong_[k] < kWrong) continue;
     if (contradicts)
       return make_fault(FaultCode::encoder_fault, "speed beyond what is estimated [rad/s]", axis, residual,
                         kResidual);
-    return make_fault(FaultCode::encoder_fault, "speed of a wheel that is to turn [rad/s]", axis, speed, kTurns);
+    return make_fault(FaultCode::encoder_fault, "speed of a wheel that is to turn [rad/s]", axis, speed,
+                      kTurns);
   }
   return {};
 }

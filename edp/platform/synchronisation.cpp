@@ -83,7 +83,8 @@ std::optional<Fault> Synchronisation::failed() const noexcept {
     const int enough = rest_steps_ / 2;
     if (yaw_rates_ < enough)
       return make_fault(FaultCode::sensor_silent, "readings of the IMU", -1, yaw_rates_, enough);
-    if (loads_ < enough) return make_fault(FaultCode::sensor_silent, "readings of the load cells", -1, loads_, enough);
+    if (loads_ < enough)
+      return make_fault(FaultCode::sensor_silent, "readings of the load cells", -1, loads_, enough);
     for (std::size_t k = 0; k < kWheels; ++k)
       if (!(load_sum_[k] > 0))
         return make_fault(FaultCode::sensor_silent, "load of a wheel at rest [N]", static_cast<int>(k),

@@ -13,11 +13,11 @@ using ShootingNoise = Eigen::Matrix<double, kStageStates, kStageNoises>;
 
 constexpr int kNewest = kWindowStages - 1;
 constexpr int kSlips = 3;
-constexpr std::array<int, kSlips> kBounded{kSlipIndex, kSlipIndex + 1, kSlipIndex + 2};
+constexpr int kIterations = 30;  // of the solver, at most
 
+/// @param bounded  states with bounds
 /// @return stages of the QP: one without state, whose controls are the error of the arrival cost, and those of the window
-std::vector<ocp::Stage> stages() {
-  const std::vector<int> bounded(kBounded.begin(), kBounded.end());
+std::vector<ocp::Stage> stages(const std::vector<int>& bounded) {
   std::vector<ocp::Stage> all{{.n_x = 0, .n_u = kStageStates}};
   for (int k = 0; k < kWindowStages; ++k)
     all.push_back({.n_x = kStageStates, .n_u = k < kNewest ? kStageNoises : 0, .bounded_x = bounded});
@@ -31,14 +31,32 @@ StageMatrix root(const StageMatrix& P) noexcept {
   return P.diagonal().cwiseAbs().cwiseSqrt().asDiagonal();
 }
 
+/// Slip coefficients that are as near to their bounds as the solver is exact are within them.
+constexpr double kOnBound = 1e-6;
+
+Eigen::Vector3d least_slip() noexcept {
+  constexpr SlipBounds kBounds;
+  return {kBounds.least_friction, kBounds.least_friction, -kBounds.most_split};
+}
+
+Eigen::Vector3d most_slip() noexcept {
+  constexpr SlipBounds kBounds;
+  return {kBounds.most_friction, kBounds.most_friction, kBounds.most_split};
+}
+
 }  // namespace
 
-Mhe::Mhe(const EstimatorNoise& noise) : window_(noise), qp_(stages(), 30) {
-  const Eigen::Matrix<double, kStageStates, kStageStates> unit = StageMatrix::Identity();
-  const Eigen::Matrix<double, kStageNoises, kStageNoises> unit_noise =
-      unit.topLeftCorner<kStageNoises, kStageNoises>();
-  qp_.cost(0, {}, {}, unit, {}, {});
-  for (int k = 0; k < kNewest; ++k) qp_.cost(k + 1, {}, {}, unit_noise, {}, {});
+Mhe::Mhe(const EstimatorNoise& noise)
+    : window_(noise),
+      free_(stages({}), kIterations),
+      bounded_(stages({kSlipIndex, kSlipIndex + 1, kSlipIndex + 2}), kIterations) {
+  const StageMatrix arrival = StageMatrix::Identity();
+  const Eigen::Matrix<double, kStageNoises, kStageNoises> process =
+      arrival.topLeftCorner<kStageNoises, kStageNoises>();
+  for (ocp::OcpQp* qp : {&free_, &bounded_}) {
+    qp->cost(0, {}, {}, arrival, {}, {});
+    for (int k = 0; k < kNewest; ++k) qp->cost(k + 1, {}, {}, process, {}, {});
+  }
 }
 
 void Mhe::begin(const edp::StandingStill& found) noexcept {
@@ -98,12 +116,9 @@ edp::EstimatorResult Mhe::step() noexcept {
   inconsistent_ = false;
   if (window_.full()) {
     linearise();
-    set_arrival();
-    set_stages();
-    const ocp::QpResult solved = qp_.solve();
+    const ocp::QpResult solved = improve();
     health.solver_failed = !solved.ok();
     health.iterations = solved.iterations;
-    if (solved.ok()) improve();
     newest_.z = z(kNewest);
     update_covariance();
   } else {
@@ -130,41 +145,61 @@ void Mhe::linearise() noexcept {
   }
 }
 
-// The QP's states are corrections of z, so that the arrival cost is that of z_0 = zbar + root(P) w.
-void Mhe::set_arrival() noexcept {
-  const StageMatrix L = root(arrival_.P);
-  const StageVector b = difference(arrival_.z, z(0));
-  qp_.dynamics(0, {}, L, b);
+ocp::QpResult Mhe::improve() noexcept {
+  set_problem(free_);
+  ocp::QpResult solved = free_.solve();
+  const bool bounded = !solved.ok() || !within_bounds();
+  if (bounded) {
+    set_problem(bounded_);
+    set_bounds();
+    solved = bounded_.solve();
+  }
+  const ocp::OcpQp& solution = bounded ? bounded_ : free_;
+  StageVector change;
+  for (int k = 0; k < kWindowStages && solved.ok(); ++k)
+    if (solution.x(k + 1, change)) z(k) = contained(z(k) + change);
+  return solved;
 }
 
-void Mhe::set_stages() noexcept {
-  constexpr SlipBounds kBounds;
+// The QP's states are corrections of z, so that the arrival cost is that of z_0 = zbar + root(P) w.
+void Mhe::set_problem(ocp::OcpQp& qp) const noexcept {
   constexpr double kDefinite = 1e-6;
-  const Eigen::Vector3d least(kBounds.least_friction, kBounds.least_friction, -kBounds.most_split);
-  const Eigen::Vector3d most(kBounds.most_friction, kBounds.most_friction, kBounds.most_split);
+  const StageMatrix L = root(arrival_.P);
+  const StageVector error = difference(arrival_.z, z(0));
+  qp.dynamics(0, {}, L, error);
   for (int k = 0; k < kWindowStages; ++k) {
     const auto at = static_cast<std::size_t>(k);
     const auto H = residuals_[at].H.topRows(residuals_[at].count);
     StageMatrix Q = H.transpose().lazyProduct(H);
     Q.diagonal().array() += kDefinite;
     const StageVector q = H.transpose().lazyProduct(residuals_[at].r.head(residuals_[at].count));
-    qp_.cost(k + 1, Q, {}, {}, q, {});
-    const Eigen::Vector3d lower = least - z(k).segment<kSlips>(kSlipIndex);
-    const Eigen::Vector3d upper = most - z(k).segment<kSlips>(kSlipIndex);
-    qp_.bounds_x(k + 1, lower, upper);
+    qp.cost(k + 1, Q, {}, {}, q, {});
     if (k == kNewest) break;
     const StageTransition& to = transitions_[at];
     ShootingNoise B = ShootingNoise::Zero();
     B.diagonal() = to.deviation;
     const StageVector gap = difference(to.z, z(k + 1));
-    qp_.dynamics(k + 1, to.F, B, gap);
+    qp.dynamics(k + 1, to.F, B, gap);
   }
 }
 
-void Mhe::improve() noexcept {
+void Mhe::set_bounds() noexcept {
+  for (int k = 0; k < kWindowStages; ++k) {
+    const Eigen::Vector3d lower = least_slip() - z(k).segment<kSlips>(kSlipIndex);
+    const Eigen::Vector3d upper = most_slip() - z(k).segment<kSlips>(kSlipIndex);
+    bounded_.bounds_x(k + 1, lower, upper);
+  }
+}
+
+bool Mhe::within_bounds() const noexcept {
   StageVector change;
-  for (int k = 0; k < kWindowStages; ++k)
-    if (qp_.x(k + 1, change)) z(k) = contained(z(k) + change);
+  for (int k = 0; k < kWindowStages; ++k) {
+    if (!free_.x(k + 1, change)) return false;
+    const Eigen::Vector3d slip = z(k).segment<kSlips>(kSlipIndex) + change.segment<kSlips>(kSlipIndex);
+    if ((slip - least_slip()).minCoeff() < -kOnBound || (most_slip() - slip).minCoeff() < -kOnBound)
+      return false;
+  }
+  return true;
 }
 
 // A recursion over the window: what the filter would believe of the newest stage, linearised where the states were.

@@ -14,8 +14,9 @@ namespace mrroc::rex {
 ///
 /// all in units of their standard deviations, mu and split within SlipBounds; one Gauss-Newton step over the whole window
 /// per stage, by direct multiple shooting. The stage that leaves makes a step of the extended Kalman filter from (zbar, P):
-/// the arrival cost. Until the window is full the filter alone estimates. When the QP is not solved, the states are kept as
-/// the model predicts them.
+/// the arrival cost. Until the window is full the filter alone estimates. The QP is solved without bounds first: it is done
+/// when what it finds is within them, as it nearly always is, at a third of the price. When it is not solved, the states are
+/// kept as the model predicts them.
 class Mhe final : public edp::Estimator {
  public:
   /// Takes all memory. @throws std::bad_alloc
@@ -31,14 +32,17 @@ class Mhe final : public edp::Estimator {
   static constexpr auto kStages = static_cast<std::size_t>(kWindowStages);
 
   [[nodiscard]] StageVector& z(int k) noexcept { return z_[static_cast<std::size_t>(k)]; }
+  [[nodiscard]] const StageVector& z(int k) const noexcept { return z_[static_cast<std::size_t>(k)]; }
   /// Takes the oldest stage's measurements into the arrival cost, before it leaves.
   void leave() noexcept;
   /// Filters over a window that is not full.
   void fill() noexcept;
   void linearise() noexcept;
-  void set_arrival() noexcept;
-  void set_stages() noexcept;
-  void improve() noexcept;
+  /// @return result of the QP, whose solution has changed the states when it is ok
+  [[nodiscard]] ocp::QpResult improve() noexcept;
+  void set_problem(ocp::OcpQp& qp) const noexcept;
+  void set_bounds() noexcept;
+  [[nodiscard]] bool within_bounds() const noexcept;
   void update_covariance() noexcept;
 
   StageWindow window_;
@@ -46,7 +50,8 @@ class Mhe final : public edp::Estimator {
   std::array<StageVector, kStages> z_;  // estimates of the stages
   std::array<StageResiduals, kStages> residuals_;
   std::array<StageTransition, kStages> transitions_;  // the last one means nothing
-  ocp::OcpQp qp_;
+  ocp::OcpQp free_;                                   // without bounds
+  ocp::OcpQp bounded_;                                // with those of the slip coefficients
   StageBelief newest_{};
   int steps_to_covariance_{};
   bool inconsistent_{};  // since the last step

@@ -12,8 +12,11 @@ namespace {
 constexpr double kInterval = 0.05;  // [s]
 constexpr int kQpIterations = 60;   // at the limit of friction some thirty are needed
 constexpr double kTorquePrice = 0.004;
-constexpr double kFinalPrice = 2;     // of the last error, against that of one on the way
-constexpr double kSpeedPrice = 1000;  // of half the square of a speed beyond the limit
+constexpr double kDamping =
+    0.004;  // price of half the square of a torque's change from one solution to the next
+constexpr double kMostChange = 4;    // of a torque from one solution to the next [N m]
+constexpr double kFinalPrice = 2;    // of the last error, against that of one on the way
+constexpr double kSpeedPrice = 100;  // of half the square of a speed beyond the limit
 
 /// P. Against a plant of another structure than the model, weights of the pose nine times smaller track seven times worse.
 State weights() noexcept {
@@ -26,7 +29,7 @@ std::vector<ocp::Stage> stages(int intervals) {
   std::vector<ocp::Stage> all(static_cast<std::size_t>(intervals) + 1,
                               {.n_x = SkidSteer::n_x, .n_u = SkidSteer::n_u, .bounded_u = {0, 1, 2, 3}});
   all.front().n_x = 0;  // measured
-  all.back() = {.n_x = SkidSteer::n_x, .bounded_x = {kVelocity}, .soft_x = {0}};
+  all.back() = {.n_x = SkidSteer::n_x};
   return all;
 }
 
@@ -44,12 +47,8 @@ State difference(const State& a, const State& b) noexcept {
 }  // namespace
 
 Nmpc::Nmpc() : qp_(stages(kIntervals), kQpIterations) {
-  const Eigen::Matrix<double, 10, 10> Q = weights().asDiagonal();
-  const Eigen::Matrix<double, 10, 10> Q_N = kFinalPrice * Q;
-  const Eigen::Matrix4d R = kTorquePrice * Eigen::Matrix4d::Identity();
-  for (int k = 0; k < kIntervals; ++k) qp_.cost(k, k > 0 ? ocp::View(Q) : ocp::View(), {}, R, {}, {});
-  qp_.cost(kIntervals, Q_N, {}, {}, {}, {});
-  qp_.soft_price(kIntervals, 0, kSpeedPrice);
+  const Eigen::Matrix4d R = (kTorquePrice + kDamping) * Eigen::Matrix4d::Identity();
+  for (int k = 0; k < kIntervals; ++k) qp_.cost(k, {}, {}, R, {}, {});
 }
 
 void Nmpc::begin(const edp::EstimatorResult& x) noexcept {
@@ -86,25 +85,35 @@ bool Nmpc::linearise(const SkidSteer& model, const Friction& p, const References
     finite =
         finite && b.allFinite() && next.A.allFinite() && next.B.allFinite() && references[i + 1].allFinite();
     qp_.dynamics(k, k > 0 ? ocp::View(next.A) : ocp::View(), next.B, b);
-    qp_.cost(k, {}, {}, {}, {}, Torques(kTorquePrice * U_[i]));
-    Torques lower, upper;
-    for (int wheel = 0; wheel < SkidSteer::n_u; ++wheel) {
-      const TorqueRange range = torque_range(X_[i][kWheelSpeed + wheel]);
-      lower[wheel] = range.lower - U_[i][wheel];
-      upper[wheel] = range.upper - U_[i][wheel];
-    }
-    qp_.bounds_u(k, lower, upper);
-    price(k + 1, difference(X_[i + 1], references[i + 1]));
+    bound(k);
+    price(k + 1, references[i + 1]);
   }
-  using Single = Eigen::Matrix<double, 1, 1>;
-  const double v = X_[kIntervals][kVelocity];
-  qp_.bounds_x(kIntervals, Single(-kMaxSpeed - v), Single(kMaxSpeed - v));
   return finite;
 }
 
-void Nmpc::price(int k, const State& error) noexcept {
-  const State q = (k < kIntervals ? 1 : kFinalPrice) * weights().cwiseProduct(error);
-  qp_.cost(k, {}, {}, {}, q, {});
+void Nmpc::bound(int k) noexcept {
+  const auto i = static_cast<std::size_t>(k);
+  qp_.cost(k, {}, {}, {}, {}, Torques(kTorquePrice * U_[i]));
+  Torques lower, upper;
+  for (int wheel = 0; wheel < SkidSteer::n_u; ++wheel) {
+    const TorqueRange range = torque_range(X_[i][kWheelSpeed + wheel]);
+    lower[wheel] = std::clamp(range.lower - U_[i][wheel], -kMostChange, kMostChange);
+    upper[wheel] = std::clamp(range.upper - U_[i][wheel], -kMostChange, kMostChange);
+  }
+  qp_.bounds_u(k, lower, upper);
+}
+
+void Nmpc::price(int k, const State& reference) noexcept {
+  const State& x = X_[static_cast<std::size_t>(k)];
+  State weight = weights();
+  if (k == kIntervals) weight *= kFinalPrice;
+  State q = weight.cwiseProduct(difference(x, reference));
+  const double beyond = x[kVelocity] - std::clamp(x[kVelocity], -kMaxSpeed, kMaxSpeed);
+  if (k == kIntervals && beyond != 0) {
+    weight[kVelocity] += kSpeedPrice;
+    q[kVelocity] += kSpeedPrice * beyond;
+  }
+  qp_.cost(k, Eigen::Matrix<double, SkidSteer::n_x, SkidSteer::n_x>(weight.asDiagonal()), {}, {}, q, {});
 }
 
 bool Nmpc::improve() noexcept {

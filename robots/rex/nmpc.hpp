@@ -12,12 +12,13 @@ namespace mrroc::rex {
 ///
 ///     min  sum_k (q_k - q_d,k)' P (q_k - q_d,k) + u_k' R u_k     over 20 intervals of 50 ms, P twice as large at the end
 ///     permanent constraint: each torque is one that the drive can give at the wheel's speed
-///     boundary constraint: |v_x| <= kMaxSpeed at the end, which may be broken at a price
+///     boundary constraint: |v_x| <= kMaxSpeed at the end; what is beyond has a price
 ///
 /// with q the State of the mass centre, by direct multiple shooting: in each step the model is integrated and linearised along
 /// the last solution, and one quadratic programme is solved (Diehl et al., "Real-time optimization and nonlinear model
-/// predictive control of processes governed by differential-algebraic equations", 2002: the real-time iteration). Where that
-/// fails, the last solution is followed on.
+/// predictive control of processes governed by differential-algebraic equations", 2002: the real-time iteration). From one
+/// solution to the next, torques are damped and change within bounds: where friction is at its limit, a linear model
+/// promises anything. Where the programme is not solved, the last solution is followed on.
 class Nmpc final : public edp::Tracker {
  public:
   Nmpc();
@@ -32,7 +33,8 @@ class Nmpc final : public edp::Tracker {
 
   /// Puts the problem along the last solution into qp_. @return false: something is not finite
   bool linearise(const SkidSteer& model, const Friction& p, const References& references) noexcept;
-  void price(int k, const State& error) noexcept;
+  void price(int k, const State& reference) noexcept;
+  void bound(int k) noexcept;
   /// Takes the solution of qp_ over. @return false: it is not finite
   bool improve() noexcept;
   [[nodiscard]] edp::TrackerResult result(const PlanarPose& centre) const noexcept;

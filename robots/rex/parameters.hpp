@@ -27,7 +27,12 @@ inline constexpr double kFullTorqueSpeed =
 inline constexpr double kMaxWheelSpeed = 18;  ///< at this one it has none any more [rad/s]
 /// Short-circuited, a motor holds against its speed with this [N m s/rad]: from 0.8 m/s the platform stops in 0.15 m.
 inline constexpr double kBrake = 1.5;
+inline constexpr double kTorqueConstant = 2;        ///< of a motor behind its gear [N m/A]
 inline constexpr double kIncrementsPerTurn = 4000;  ///< of the encoder, per turn of the wheel
+
+/// Outline, wheels included, with B in its middle: what walls touch.
+inline constexpr double kLength = 0.80;  ///< [m]
+inline constexpr double kWidth = 0.66;   ///< [m]
 
 /// What a fragment may ask for.
 inline constexpr double kMaxSpeed = 1.5;                ///< [m/s]

@@ -8,18 +8,18 @@
 namespace mrroc::rex {
 namespace {
 
-/// @return whether the wheels hardly move over the ground: nothing is learnt of it
-bool at_rest(const StageVector& z, const EstimatorNoise& noise) noexcept {
-  return z.segment<2>(kVelocity).norm() + kHalfTrack * std::abs(z[kTurnRate]) < noise.rest_speed;
+/// @return whether something can be learnt of the ground: the wheels move over it by torques that are known
+bool learning(const StageVector& z, const WindowStage& to, const EstimatorNoise& noise) noexcept {
+  const double speed = z.segment<2>(kVelocity).norm() + kHalfTrack * std::abs(z[kTurnRate]);
+  return to.torque_known && speed >= noise.rest_speed;
 }
 
-NoiseVector deviations(const StageVector& z, const WindowStage& to, const EstimatorNoise& noise) noexcept {
+NoiseVector deviations(const WindowStage& to, bool learning, const EstimatorNoise& noise) noexcept {
   NoiseVector deviation;
   deviation.segment<3>(kPose).setConstant(noise.pose_process);
   deviation.segment<3>(kVelocity).setConstant(noise.velocity_process);
   deviation.segment<4>(kWheelSpeed)
       .setConstant(to.torque_known ? noise.wheel_process : noise.braked_wheel_process);
-  const bool learning = to.torque_known && !at_rest(z, noise);
   deviation.segment<3>(kSlipIndex).setConstant(learning ? noise.slip_process : 0);
   return deviation;
 }
@@ -36,20 +36,21 @@ StageTransition transition(const StageVector& z, const WindowStage& from, const 
   for (std::size_t i = 0; i < kWheels; ++i) load.wheel[i] = to.load[static_cast<int>(i)];
   const auto moved = ocp::integrate(SkidSteer(load), State(z.head<10>()), Torques(to.torque),
                                     Friction(z.segment<3>(kSlipIndex)), kPlatformPeriod);
+  const bool learns = learning(z, to, noise);
   StageTransition next;
   next.z = z;
   next.F.setIdentity();
   if (moved.x.allFinite() && moved.A.allFinite() && moved.C.allFinite()) {
     next.z.head<10>() = moved.x;
     next.F.topLeftCorner<10, 10>() = moved.A;
-    next.F.block<10, 3>(0, kSlipIndex) = moved.C;
+    if (learns) next.F.block<10, 3>(0, kSlipIndex) = moved.C;
   }
   if (from.picture) {
     next.z.segment<3>(kCloneIndex) = z.segment<3>(kPose);
     next.F.block<3, 3>(kCloneIndex, kPose).setIdentity();
     next.F.block<3, 3>(kCloneIndex, kCloneIndex).setZero();
   }
-  next.deviation = deviations(z, to, noise);
+  next.deviation = deviations(to, learns, noise);
   return next;
 }
 

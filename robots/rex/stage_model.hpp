@@ -16,7 +16,9 @@ struct StageTransition {
 /// @param z  of `from`  @param from, to  neighbours in the window: what led to `to` stands there; behind a picture the
 ///                clone becomes the pose of `from`
 /// @param weighed  the platform at rest
-/// @return the state of `to`; finite when z is within contained(). Real-time safe
+/// @return the state of `to`; finite when z is within contained(). At rest and while the drives brake, slip coefficients get
+///         no noise and nothing is said to depend on them: else a platform that stands for minutes would find that the
+///         ground holds it well. Real-time safe
 [[nodiscard]] StageTransition transition(const StageVector& z, const WindowStage& from, const WindowStage& to,
                                          const Load& weighed, const EstimatorNoise& noise) noexcept;
 

@@ -57,7 +57,6 @@ struct PlatformParameters {
   double load_time{0.01};   ///< within which they do [s]
   double motor_lag{0.004};  ///< time constant of a drive's torque [s]
   double ripple{0.01};      ///< amplitude of the torque over the turn of a wheel, as a share of it
-  double brake{5};          ///< torque of a short-circuited motor, by its speed [N m s/rad]
   PlanarPose start;         ///< of B on M after reset()
   ImuParameters imu;        ///< its IMU
   LoadCellParameters load_cells;  ///< one per wheel

@@ -85,7 +85,7 @@ void SkidSteer::turn(const WheelDrive& drive, const PerWheel& along, double h) {
   for (std::size_t i = 0; i < kWheels; ++i) {
     torque_[i] = drive.enabled ? torque_[i] + follows * (motor_torque(i, drive) - torque_[i]) : 0;
     const double ripple = 1 + k_.ripple * std::sin(kRipplesPerTurn * turned_[i] + phase_[i]);
-    contacts_.torque[i] = drive.enabled ? ripple * torque_[i] : -k_.brake * speed_[i];
+    contacts_.torque[i] = drive.enabled ? ripple * torque_[i] : -k_.body.brake * speed_[i];
     const double rest =
         contacts_.torque[i] - k_.body.wheel_radius * along[i] - k_.body.bearing_friction * speed_[i];
     speed_[i] = drive.blocked == static_cast<int>(i) ? 0 : speed_[i] + h * rest / k_.body.wheel_inertia;

@@ -1,10 +1,12 @@
 // A robot whose driver is dead: its drives brake by themselves, and the simulator detects when it rests.
 #pragma once
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "base/axes.hpp"
-#include "base/hardware.hpp"
 #include "edp/standstill_detector.hpp"
 
 namespace mrroc::sim {
@@ -14,17 +16,17 @@ class DriverlessRobot {
  public:
   /// One step without a driver.
   /// @param step     number of the step; the first one is that in which the driver's commands have ended
-  /// @param reading  what the robot's sensors say in it
+  /// @param encoders  what the robot's encoders count in it [increments], at most kMaxAxes
   /// @param braked   whether the drives brake
-  void step(std::int64_t step, const HardwareReading& reading, bool braked) {
+  void step(std::int64_t step, std::span<const std::int32_t> encoders, bool braked) {
     if (!orphaned_) {
       orphaned_ = step;
-      encoder_ = reading.encoder;
+      std::ranges::copy(encoders, encoder_.begin());
     }
-    AxisVector increment(kMaxAxes);
-    for (std::size_t k = 0; k < encoder_.size(); ++k)
-      increment[static_cast<Eigen::Index>(k)] = static_cast<double>(reading.encoder[k] - encoder_[k]);
-    encoder_ = reading.encoder;
+    AxisVector increment = AxisVector::Zero(kMaxAxes);
+    for (std::size_t k = 0; k < encoders.size(); ++k)
+      increment[static_cast<Eigen::Index>(k)] = static_cast<double>(encoders[k] - encoder_[k]);
+    std::ranges::copy(encoders, encoder_.begin());
     standstill_.step(step, increment, *orphaned_, braked);
   }
 

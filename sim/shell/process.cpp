@@ -4,30 +4,55 @@
 #include <string>
 
 #include "robots/hardware_kind.hpp"
+#include "robots/platforms.hpp"
 #include "sim/config.hpp"
+#include "sim/platform/config.hpp"
 #include "sim/shell/shell.hpp"
 #include "sim/strokes_file.hpp"
 
 namespace mrroc::sim {
 
-void run_simulator_process(link::Process& process, const Config& config, const link::NodeArguments&) {
-  process.needs_unlogged("the servo links");
+namespace {
+
+ShellParameters read_shell(const Config& config) {
   ShellParameters shell;
   shell.robots = config.texts("robots.order", std::nullopt);
   for (const std::string& robot : shell.robots) {
     const bool simulated = robots::read_hardware(config, robot).simulated();
     shell.drivers.push_back(simulated ? "edp-" + robot : "");
   }
+  // A task without platforms does not know the key.
+  if (config.has("platforms.order")) shell.platforms = robots::read_platform_order(config);
+  for (const std::string& platform : shell.platforms) shell.platform_drivers.push_back("edp-" + platform);
   shell.speed = config.number("sim.speed", std::nullopt, {0, 1e4}, "of real time, 0: as fast as possible");
   shell.folder = config.text("run.folder", std::nullopt);
   if (const std::string strokes = config.text("run.strokes", std::nullopt); !strokes.empty())
     shell.strokes = read_strokes(strokes);
-  const WorldParameters parameters = read_world(config);
-  World world(parameters, static_cast<std::uint64_t>(config.integer<std::int64_t>("seed", 1)));
-  const CameraWorld seen = read_camera_world(config, shell.robots);
+  return shell;
+}
+
+}  // namespace
+
+void run_simulator_process(link::Process& process, const Config& config, const link::NodeArguments&) {
+  process.needs_unlogged("the servo links");
+  const ShellParameters shell = read_shell(config);
+  const auto seed = static_cast<std::uint64_t>(config.integer<std::int64_t>("seed", 1));
+  std::optional<World> arms;
   std::optional<CameraStation> cameras;
-  if (!seen.cameras.empty()) cameras.emplace(process, seen, parameters, shell.robots);
-  run_simulator(process, world, shell, cameras ? &*cameras : nullptr);
+  if (!shell.robots.empty()) {
+    const WorldParameters parameters = read_world(config);
+    arms.emplace(parameters, seed);
+    const CameraWorld seen = read_camera_world(config, shell.robots);
+    if (!seen.cameras.empty()) cameras.emplace(process, seen, parameters, shell.robots);
+  }
+  std::optional<PlatformWorld> platforms;
+  if (!shell.platforms.empty())
+    platforms.emplace(read_platform_world(config, shell.platforms, robots::platforms()), seed);
+  run_simulator(process,
+                {.arms = arms ? &*arms : nullptr,
+                 .platforms = platforms ? &*platforms : nullptr,
+                 .cameras = cameras ? &*cameras : nullptr},
+                shell);
 }
 
 }  // namespace mrroc::sim

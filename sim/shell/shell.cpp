@@ -3,24 +3,17 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <fstream>
 #include <limits>
+#include <optional>
 
 #include "base/clock.hpp"
 #include "base/counted.hpp"
-#include "base/cube/facelets.hpp"
-#include "base/hand.hpp"
 #include "base/msg/convert.hpp"
-#include "base/msg/finite.hpp"
-#include "base/msg/pose_rows.hpp"
-#include "edp/step_record.hpp"
-#include "mrroc/cube_truth_t.hpp"
-#include "mrroc/hand_order_t.hpp"
-#include "mrroc/hand_report_t.hpp"
 #include "mrroc/simulation_control_t.hpp"
+#include "sim/shell/arm_plant.hpp"
 #include "sim/shell/driverless_robot.hpp"
+#include "sim/shell/hands.hpp"
+#include "sim/shell/platform_plant.hpp"
 
 namespace mrroc::sim {
 namespace {
@@ -42,35 +35,36 @@ constexpr std::chrono::milliseconds kCatchUp{10};
 /// this host's scheduler does is no matter of the drives, which would go on with their last duty cycle.
 constexpr std::chrono::milliseconds kGrace{50};
 
+/// A robot of one of the plants, and how its driver keeps it.
+struct Robot {
+  Plant* plant{};                // whose it is
+  std::size_t index{};           // there
+  int missed{};                  // commands in a row
+  DriverlessRobot driverless{};  // counts from its driver's death on
+
+  [[nodiscard]] const std::string& driver() const { return plant->driver(index); }
+  [[nodiscard]] std::int64_t macrostep() const { return plant->macrostep(index); }
+};
+
 class Shell {
  public:
-  Shell(link::Process& process, World& world, const ShellParameters& parameters, CameraStation* cameras)
+  Shell(link::Process& process, const Simulated& simulated, const ShellParameters& parameters)
       : process_(process),
-        world_(world),
+        world_(simulated.arms),
         k_(parameters),
-        cameras_(cameras),
-        report_out_(process.outbox<hand_report_t>("hand.report")),
-        control_in_(process.inbox<simulation_control_t>("simulation.control")),
-        order_in_(process.inbox<hand_order_t>("hand.order")),
-        commands_(static_cast<std::size_t>(world.arms())),
-        missed_(static_cast<std::size_t>(world.arms())),
-        driverless_(static_cast<std::size_t>(world.arms())),
-        sheets_(static_cast<std::size_t>(world.arms())) {
-    if (world_.cube()) cube_out_ = process.outbox<cube_truth_t>("cube.truth");
-    for (const std::string& robot : k_.robots)
-      records_.push_back(std::make_unique<edp::RecordFiles>(
-          k_.folder.empty() ? edp::Recording::never : edp::Recording::on_fault, k_.folder,
-          "simulator-" + robot, kMaxAxes, kStep));
-    for (std::size_t arm = 0; arm < k_.robots.size(); ++arm) {
-      const std::string& robot = k_.robots[arm];
-      // What the hardware of a robot is that is not simulated, another plant says.
-      state_out_.push_back(k_.drivers[arm].empty() ? nullptr
-                                                   : process.outbox<hardware_state_t>(
-                                                         robot + ".hardware_state", Group::servo_state));
-      command_in_.push_back(
-          process.inbox<hardware_command_t>(robot + ".hardware_command", Group::servo_command));
-      command_sources_.push_back(command_in_.back().get());
+        cameras_(simulated.cameras),
+        control_in_(process.inbox<simulation_control_t>("simulation.control")) {
+    if (simulated.arms) {
+      hands_.emplace(process, *simulated.arms, k_);
+      plants_.push_back(std::make_unique<ArmPlant>(process, *simulated.arms, k_));
     }
+    if (simulated.platforms)
+      plants_.push_back(std::make_unique<PlatformPlant>(process, *simulated.platforms, k_));
+    for (const auto& plant : plants_)
+      for (std::size_t k = 0; k < plant->robots(); ++k) {
+        robots_.push_back({plant.get(), k});
+        command_sources_.push_back(plant->source(k));
+      }
   }
 
   void run() {
@@ -81,18 +75,17 @@ class Shell {
       const bool begins = step == 0 || count_macrostep();
       if (begins && !begin_macrostep(step)) break;
       if (!process_.lock_step()) obey_what_has_come();
-      if (!process_.lock_step() && finished_in_ != 0 && std::ranges::min(missed_) > kLeft) break;
+      if (!process_.lock_step() && finished_in_ != 0 && all_silent()) break;
       let_go();
       const double speed = !process_.lock_step() || paused_ ? 1 : k_.speed;
       const Clock::time_point due = pacer_.next(speed, Clock::now());
       if (cameras_) cameras_->deliver(step);
-      publish_state(step);
-      if (cube_out_ && begins) publish_cube(macrostep_);
-      if (cameras_) cameras_->look(step, world_);
+      for (const auto& plant : plants_) plant->publish(step, macrostep_, begins);
+      if (cameras_) cameras_->look(step, *world_);
       await_commands(step, due);
       record(step);
       watch_driverless(step);
-      world_.step(commands_);
+      for (const auto& plant : plants_) plant->step();
       if (!process_.lock_step()) {
         note_lateness(due);
         watch_pace();
@@ -100,9 +93,9 @@ class Shell {
       if (speed > 0) process_.await([] { return false; }, due);
     }
     if (process_.over() && process_.stop_as_of() == 0)
-      for (const auto& record : records_) record->dump_on_abort();
+      for (const auto& plant : plants_) plant->dump_on_abort();
     if (cameras_) cameras_->end();
-    for (int arm = 0; arm < world_.arms(); ++arm) write_sheet(arm);
+    if (hands_) hands_->write_sheets();
     if (late_ > 0)
       process_.log(
           fmt::format("{} ended late, the latest by {:.1f} ms", counted(late_, "period"), 1e3 * latest_));
@@ -136,28 +129,32 @@ class Shell {
   /// @return whether one begins
   bool count_macrostep() {
     std::int64_t least = std::numeric_limits<std::int64_t>::max();
-    for (std::size_t arm = 0; arm < commands_.size(); ++arm)
-      if (!absent(arm)) least = std::min(least, commands_[arm].macrostep);
+    for (const Robot& robot : robots_)
+      if (!absent(robot)) least = std::min(least, robot.macrostep());
     if (least <= macrostep_ || least == std::numeric_limits<std::int64_t>::max()) return false;
     macrostep_ = process_.lock_step() ? macrostep_ + 1 : least;
     return true;
   }
 
-  /// @return whether nobody drives that arm
-  [[nodiscard]] bool absent(std::size_t arm) const {
-    return k_.drivers[arm].empty() || process_.dead(k_.drivers[arm]);
+  /// @return whether nobody drives that robot
+  [[nodiscard]] bool absent(const Robot& robot) const {
+    return robot.driver().empty() || process_.dead(robot.driver());
+  }
+
+  /// @return whether every driver has been silent for long
+  [[nodiscard]] bool all_silent() const {
+    return std::ranges::all_of(robots_, [](const Robot& robot) { return robot.missed > kLeft; });
   }
 
   /// Tells after a stop when the robots rest whose drivers are dead: these cannot.
   void watch_driverless(std::int64_t step) {
     int dead = 0, resting = 0, stop_steps = 0;
-    for (std::size_t arm = 0; arm < driverless_.size(); ++arm) {
-      if (k_.drivers[arm].empty() || !process_.dead(k_.drivers[arm])) continue;
-      DriverlessRobot& robot = driverless_[arm];
-      robot.step(step, world_.reading(static_cast<int>(arm)), !commands_[arm].enabled);
+    for (Robot& robot : robots_) {
+      if (robot.driver().empty() || !process_.dead(robot.driver())) continue;
+      robot.driverless.step(step, robot.plant->encoders(robot.index), robot.plant->braked(robot.index));
       ++dead;
-      resting += robot.at_rest() ? 1 : 0;
-      stop_steps = std::max(stop_steps, robot.stop_steps());
+      resting += robot.driverless.at_rest() ? 1 : 0;
+      stop_steps = std::max(stop_steps, robot.driverless.stop_steps());
     }
     const bool rest = dead > 0 && resting == dead;
     if (rest == driverless_rest_ || !process_.over()) return;
@@ -166,8 +163,8 @@ class Shell {
   }
 
   /// @return whether that driver has made its last macrostep
-  [[nodiscard]] bool has_left(std::size_t arm) const {
-    return finished_in_ != 0 && commands_[arm].macrostep >= finished_in_ + kLastMacrosteps;
+  [[nodiscard]] bool has_left(const Robot& robot) const {
+    return finished_in_ != 0 && robot.macrostep() >= finished_in_ + kLastMacrosteps;
   }
 
   [[nodiscard]] bool stopped() const { return process_.over() && macrostep_ >= process_.stop_as_of(); }
@@ -178,192 +175,91 @@ class Shell {
     if (macrostep_ == 0 || finished_in_ != 0)
       return !process_.lock_step() || finished_in_ == 0 || macrostep_ < finished_in_ + kLastMacrosteps;
     if (!process_.lock_step()) {
-      if (hands_) report_hands();
+      if (led()) hands_->report(macrostep_);
       return true;
     }
     const auto here = [&] { return control_in_->at(macrostep_) || stopped(); };
     process_.await_from(control_sources_, FaultCode::peer_silent, here);
     if (stopped()) return true;
     obey(*control_in_->at(macrostep_));
-    if (!hands_) return true;
-    report_hands();
-    process_.await_from(order_sources_, FaultCode::peer_silent,
-                        [&] { return order_in_->at(macrostep_) || stopped(); });
-    if (!stopped()) obey(*order_in_->at(macrostep_));
+    if (!led()) return true;
+    hands_->report(macrostep_);
+    process_.await_from(hands_->sources(), FaultCode::peer_silent,
+                        [&] { return hands_->ordered(macrostep_) || stopped(); });
+    if (!stopped()) hands_->obey(macrostep_, paused_);
     return true;
   }
 
   /// With the wall clock nothing is waited for; but a clean sheet is ordered once: no order may be passed over.
   void obey_what_has_come() {
     while (const simulation_control_t* const control = control_in_->next(controlled_ + 1)) obey(*control);
-    if (!stopped())
-      while (const hand_order_t* const order = order_in_->next(obeyed_ + 1)) obey(*order);
+    if (hands_ && !stopped()) hands_->obey_what_has_come(paused_);
   }
 
   /// At a stop a person lets go.
   void let_go() {
     if (let_go_ || !stopped()) return;
     let_go_ = true;
-    for (int arm = 0; arm < world_.arms(); ++arm) world_.hand(arm).release();
+    if (hands_) hands_->release();
   }
 
   void obey(const simulation_control_t& control) {
     controlled_ = control.header.stamp;
     if (control.finished && finished_in_ == 0) finished_in_ = controlled_;
     paused_ = control.paused != 0;
-    hands_ = control.hands != 0;
+    operator_ = control.hands != 0;
   }
 
-  void obey(const hand_order_t& order) {
-    obeyed_ = order.header.stamp;
-    if (!finite(order)) return;  // a hand goes on with what it does
-    for (int arm = 0; arm < led_arms(); ++arm) {
-      Hand& hand = world_.hand(arm);
-      if (order.new_sheet[arm]) {
-        write_sheet(arm);
-        world_.new_sheet(arm);
-      }
-      const auto action = static_cast<HandAction>(order.action[arm]);
-      auto& last = actions_[static_cast<std::size_t>(arm)];
-      if (action != last) {  // a number that is no action leads nowhere
-        last = action;
-        if (action == HandAction::release) hand.release();
-        if (action == HandAction::lead_along) hand.lead_along(k_.strokes);
-        if (action == HandAction::lead_to) hand.lead_to({order.x[arm], order.y[arm]}, order.height[arm]);
-      }
-      hand.pause(paused_);
-    }
-  }
-
-  /// @return arms for which the messages of the hands have room
-  [[nodiscard]] int led_arms() const {
-    return std::min(world_.arms(), static_cast<int>(std::size(hand_order_t{}.action)));
-  }
-
-  void report_hands() {
-    hand_report_t report{};
-    for (int arm = 0; arm < led_arms(); ++arm) {
-      const HandStatus s = world_.hand(arm).status();
-      report.done[arm] = s.phase == HandPhase::done;
-      report.progress[arm] = s.fraction;
-      const auto& ink = world_.ink(arm);
-      report.ink_strokes[arm] = ink.empty() ? 0 : ink.back().stroke + 1;
-    }
-    report_out_->publish(report, macrostep_);
-  }
-
-  void publish_state(std::int64_t step) {
-    for (int arm = 0; arm < world_.arms(); ++arm) {
-      const auto& out = state_out_[static_cast<std::size_t>(arm)];
-      if (!out) continue;
-      hardware_state_t state = to_message(world_.reading(arm));
-      state.begun = macrostep_ + 1;
-      out->publish(state, step);
-    }
-  }
-
-  void publish_cube(std::int64_t i) {
-    const CubeTruth& cube = *world_.cube();
-    cube_truth_t m{};
-    put_rows(m.T_UC, cube.T_UC);
-    for (int arm = 0; arm < std::min(world_.arms(), 2); ++arm) {
-      const Vector3 middle = world_.effector(arm).inverse() * cube.T_UC.p;
-      std::ranges::copy(middle, m.in_hand[arm]);
-    }
-    std::ranges::copy(cube::to_facelets(cube.state), m.facelets);
-    m.axis = cube.axis;
-    std::ranges::copy(cube.angle, m.angle);
-    std::ranges::copy(cube.torque, m.torque);
-    m.squeeze = cube.squeeze;
-    m.on_floor = cube.on_floor;
-    cube_out_->publish(m, i);
-  }
+  /// @return whether the task has a simulated operator, who leads arms
+  [[nodiscard]] bool led() const { return operator_ && hands_; }
 
   void await_commands(std::int64_t step, Clock::time_point due) {
-    const auto here = [&](std::size_t arm) {
-      return command_in_[arm]->at(step) || absent(arm) || has_left(arm) ||
+    const auto here = [&](const Robot& robot) {
+      return robot.plant->has_command(robot.index, step) || absent(robot) || has_left(robot) ||
              process_.phase() == Phase::finished;
     };
-    const auto all = [&] {
-      for (std::size_t arm = 0; arm < commands_.size(); ++arm)
-        if (!here(arm)) return false;
-      return true;
-    };
+    const auto all = [&] { return std::ranges::all_of(robots_, here); };
     if (process_.lock_step()) {
       process_.await_from(command_sources_, FaultCode::peer_silent, all);
     } else {
       process_.poll();  // also when the time is over already
-      const bool silent = std::ranges::any_of(missed_, [](int missed) { return missed > 0; });
+      const bool silent = std::ranges::any_of(robots_, [](const Robot& robot) { return robot.missed > 0; });
       if (!process_.await(all, due) && !silent) process_.await(all, due + kGrace);
     }
-    for (std::size_t arm = 0; arm < commands_.size(); ++arm) take_command(arm, step);
+    for (Robot& robot : robots_) take_command(robot, step);
   }
 
-  void take_command(std::size_t arm, std::int64_t step) {
-    const hardware_command_t* const m =
-        absent(arm) ? nullptr : command_in_[arm]->at(step);  // whatever it still sends
-    if (m && std::ranges::all_of(m->pwm, [](double pwm) { return std::isfinite(pwm); })) {
-      commands_[arm] = from_message(*m);
-      missed_[arm] = 0;
-    } else if (++missed_[arm] > kTimeout || process_.lock_step()) {
-      commands_[arm].enabled = commands_[arm].jaws_enabled = false;  // silent driver: all drives brake
-    }
+  void take_command(Robot& robot, std::int64_t step) {
+    // Of a dead driver, whatever it still sends does not count.
+    if (!absent(robot) && robot.plant->take_command(robot.index, step))
+      robot.missed = 0;
+    else if (++robot.missed > kTimeout || process_.lock_step())
+      robot.plant->brake(robot.index);  // silent driver: all drives brake
   }
 
-  /// Records the drives' readings and commands: the memory of a driver that dies dies with it.
   void record(std::int64_t step) {
     const bool dump = !dumped_ && process_.over() && process_.stop_as_of() == 0;
     dumped_ = dumped_ || dump;
-    for (std::size_t arm = 0; arm < records_.size(); ++arm) {
-      const HardwareReading reading = world_.reading(static_cast<int>(arm));
-      edp::StepRecord r;
-      r.step = step;
-      r.encoder = reading.encoder;
-      r.current = reading.current;
-      r.pwm = commands_[arm].pwm;
-      r.S_F_m = reading.S_F_m;
-      if (dump) records_[arm]->trigger();
-      records_[arm]->add(r);
-    }
-  }
-
-  void write_sheet(int arm) {
-    if (k_.folder.empty()) return;
-    const auto n = sheets_[static_cast<std::size_t>(arm)]++;
-    std::ofstream file(k_.folder /
-                       fmt::format("{}-sheet-{}.csv", k_.robots[static_cast<std::size_t>(arm)], n));
-    file << "stroke,t,x,y\n";
-    for (const InkPoint& p : world_.ink(arm))
-      file << fmt::format("{},{:.3f},{:.5f},{:.5f}\n", p.stroke, p.t, p.x, p.y);
+    for (const auto& plant : plants_) plant->record(step, dump);
   }
 
   link::Process& process_;
-  World& world_;
+  World* world_;  // that cameras look at
   ShellParameters k_;
   CameraStation* cameras_;
-  std::vector<std::unique_ptr<link::Outbox<hardware_state_t>>> state_out_;  // per arm; null: not simulated
-  std::unique_ptr<link::Outbox<hand_report_t>> report_out_;
-  std::unique_ptr<link::Outbox<cube_truth_t>> cube_out_;  // none: there is no cube
   std::unique_ptr<link::Inbox<simulation_control_t>> control_in_;
-  std::unique_ptr<link::Inbox<hand_order_t>> order_in_;
-  std::vector<std::unique_ptr<link::Inbox<hardware_command_t>>> command_in_;
-  std::vector<std::unique_ptr<edp::RecordFiles>> records_;  // per arm
-  bool dumped_{};                                           // the records, for a fault that stops the system
-  std::vector<HardwareCommand> commands_;
-  std::vector<int> missed_;
-  std::vector<DriverlessRobot> driverless_;  // per arm; counts from its driver's death on
-  bool driverless_rest_{};                   // all whose drivers are dead, and the supervisor knows it
-  std::vector<int> sheets_;
-  std::array<HandAction, 4> actions_{};
+  std::optional<Hands> hands_;  // none without arms
+  std::vector<std::unique_ptr<Plant>> plants_;
+  std::vector<Robot> robots_;  // of all plants
+  bool dumped_{};              // the records, for a fault that stops the system
+  bool driverless_rest_{};     // all whose drivers are dead, and the supervisor knows it
   bool paused_{};
   bool let_go_{};              // the hands have, at a stop
-  bool hands_{};               // the task has a simulated operator
+  bool operator_{};            // the task has a simulated operator
   std::int64_t macrostep_{};   // that the drivers have begun
   std::int64_t controlled_{};  // stamp of the last message on simulation.control
-  std::int64_t obeyed_{};      // stamp of the last order of the hands
   std::int64_t finished_in_{};
   link::Sources control_sources_{control_in_.get()};
-  link::Sources order_sources_{order_in_.get()};
   link::Sources command_sources_;
   std::int64_t late_{};  // periods
   double latest_{};      // [s]
@@ -374,9 +270,8 @@ class Shell {
 
 }  // namespace
 
-void run_simulator(link::Process& process, World& world, const ShellParameters& parameters,
-                   CameraStation* cameras) {
-  Shell(process, world, parameters, cameras).run();
+void run_simulator(link::Process& process, const Simulated& simulated, const ShellParameters& parameters) {
+  Shell(process, simulated, parameters).run();
 }
 
 }  // namespace mrroc::sim

@@ -76,13 +76,8 @@ struct YawRecord {
   std::int64_t step{};
   FaultCode fault{};
   double yaw{};
-};
-struct YawFormat {
-  using Record = YawRecord;
-  [[nodiscard]] std::string header() const { return "step,yaw\n"; }
-  void append(std::string& text, const YawRecord& r, double /*dt*/) const {
-    text += fmt::format("{},{}\n", r.step, r.yaw);
-  }
+  static std::string header() { return "step,yaw\n"; }
+  void append(std::string& text, double /*dt*/) const { text += fmt::format("{},{}\n", step, yaw); }
 };
 YawRecord record_of(const CountingDriver& driver, const PlatformReading& reading,
                     const PlatformDrive& /*d*/) {
@@ -92,7 +87,7 @@ YawRecord record_of(const CountingDriver& driver, const PlatformReading& reading
 struct CountingShell {
   using Effector = PlatformEffector;
   using Driver = CountingDriver;
-  using Format = YawFormat;
+  using Format = OwnFormat<YawRecord>;
   using Stream = TelemetryStream;
   static constexpr std::string_view kSilence = "it counts";
 };

@@ -15,7 +15,7 @@ void pass(DriverlessRobot& robot, std::int64_t& step, std::int32_t& encoder, int
     encoder += speed;
     HardwareReading reading;
     reading.encoder[2] = encoder;
-    robot.step(step++, reading, true);
+    robot.step(step++, reading.encoder, true);
   }
 }
 

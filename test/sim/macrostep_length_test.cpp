@@ -214,7 +214,7 @@ class System {
         k.drivers.push_back("edp-" + arm_name(arm));
       }
       World world(parameters_, 1);
-      run_simulator(process, world, k);
+      run_simulator(process, {.arms = &world}, k);
     });
   }
   void drive(std::size_t arm) {

@@ -29,7 +29,7 @@ class SimulatorShell : public ::testing::Test, protected link::test::Led {
       ShellParameters k;
       k.robots = {"arm1", "arm2"};
       k.drivers = {"edp-arm1", ""};
-      run_simulator(process, world, k);
+      run_simulator(process, {.arms = &world}, k);
     });
     EXPECT_TRUE(run());
   }

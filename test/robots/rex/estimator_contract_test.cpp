@@ -98,12 +98,12 @@ TEST_P(EstimatorContract, SayWhenTheMapContradictsThem) {
 }
 
 TEST_P(EstimatorContract, GiveEqualBitsForEqualInputs) {
-  Run run{.drive = winding(0.6, 0.9)};
-  run.truth = another_structure();
-  run.duration = 5;
-  const auto first = drive(*estimator, run);
-  const auto again = drive(*estimator, run);
-  const auto other = drive(*make(GetParam()), run);
+  Trial trial{.drive = winding(0.6, 0.9)};
+  trial.truth = another_structure();
+  trial.duration = 5;
+  const auto first = drive(*estimator, trial);
+  const auto again = drive(*estimator, trial);
+  const auto other = drive(*make(GetParam()), trial);
   for (std::size_t i = 0; i < first.size(); ++i) {
     ASSERT_EQ(numbers_of(first[i].result), numbers_of(again[i].result)) << "stage " << i << ", begun again";
     ASSERT_EQ(numbers_of(first[i].result), numbers_of(other[i].result)) << "stage " << i;
@@ -143,9 +143,9 @@ TEST_P(EstimatorContract, RecoverFromReadingsThatAreNoNumbers) {
 }
 
 TEST_P(EstimatorContract, AllocateNothingBetweenBeginAndEnd) {
-  Run run{.drive = winding(0.6, 0.9)};
-  run.duration = 1;
-  std::ignore = drive(*estimator, run);
+  Trial trial{.drive = winding(0.6, 0.9)};
+  trial.duration = 1;
+  std::ignore = drive(*estimator, trial);
   WildNumbers wild(2);
   const AllocationCounter counter;
   estimator->begin(wild_rest(wild));
@@ -160,12 +160,12 @@ TEST_P(EstimatorContract, AllocateNothingBetweenBeginAndEnd) {
 
 // Told, not demanded: the machine may be busy.
 TEST_P(EstimatorContract, TellTheirComputingTime) {
-  Run run{.drive = winding(0.6, 0.9)};
-  run.duration = 10;
-  const double with = cpu_seconds([&] { std::ignore = drive(*estimator, run); });
+  Trial trial{.drive = winding(0.6, 0.9)};
+  trial.duration = 10;
+  const double with = cpu_seconds([&] { std::ignore = drive(*estimator, trial); });
   NoEstimator none;
-  const double without = cpu_seconds([&] { std::ignore = drive(none, run); });
-  const double milliseconds = 1e3 * (with - without) / (run.duration / kPlatformPeriod);
+  const double without = cpu_seconds([&] { std::ignore = drive(none, trial); });
+  const double milliseconds = 1e3 * (with - without) / (trial.duration / kPlatformPeriod);
   RecordProperty("cpu_ms_per_step", std::to_string(milliseconds));
   std::printf("%s: %.3f ms CPU per step\n", GetParam().c_str(), milliseconds);
 }

@@ -79,9 +79,11 @@ inline std::vector<double> numbers_of(const edp::EstimatorResult& result) {
   all.insert(all.end(), e.covariance.begin(), e.covariance.end());
   for (const Slip& slip : {result.slip, result.slip_sd})
     all.insert(all.end(), {slip.mu_x, slip.mu_y, slip.split});
-  all.insert(all.end(), {result.mass, result.centre.x, result.centre.y, double{result.health.ok},
-                         double{result.health.solver_failed}, double{result.health.inconsistent},
-                         static_cast<double>(result.health.iterations)});
+  all.insert(all.end(), {result.mass, result.centre.x, result.centre.y});
+  const edp::Health& health = result.health;
+  for (const int number :
+       {int{health.ok}, int{health.solver_failed}, int{health.inconsistent}, health.iterations})
+    all.push_back(number);
   return all;
 }
 

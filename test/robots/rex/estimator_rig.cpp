@@ -42,7 +42,7 @@ void Plant::micro_step(const PerWheel& torque) noexcept {
     const double b = kWheelY[i] - truth_.centre_y;
     const double along = vx_ - b * w_ - kWheelRadius * speed_[i];
     const double across = vy_ + a * w_;
-    const double n = std::hypot(along, across, truth_.slip_speed);
+    const double n = std::sqrt(along * along + across * across + truth_.slip_speed * truth_.slip_speed);
     const double side = kWheelY[i] > 0 ? 1 + truth_.friction.split : 1 - truth_.friction.split;
     const double f_x = -truth_.friction.mu_x * side * N[i] * along / n;
     const double f_y = -truth_.friction.mu_y * side * N[i] * across / n;
@@ -78,7 +78,7 @@ namespace {
 /// Sensors with their noise, and readings on their way.
 class Sensors {
  public:
-  explicit Sensors(const Run& run) : run_(run), random_(run.seed) {}
+  explicit Sensors(const Trial& trial) : trial_(trial), random_(trial.seed) {}
 
   void see_step(const Plant& plant) {
     yaw_rate_ = plant.v().w + kBias + noise(0.005);
@@ -106,7 +106,7 @@ class Sensors {
     pose.p.x += noise(0.005);
     pose.p.y += noise(0.005);
     pose.p.phi = std::remainder(pose.p.phi + noise(0.01), 2 * std::numbers::pi);
-    const double scale = run_.noise * run_.noise;
+    const double scale = trial_.noise * trial_.noise;
     pose.covariance = {25e-6 * scale, 0, 0, 0, 25e-6 * scale, 0, 0, 0, 1e-4 * scale};
     return pose;
   }
@@ -134,11 +134,11 @@ class Sensors {
   }
 
  private:
-  static constexpr double kBias = 0.001;  // of the gyro, that SYNCHRO has not found [rad/s]
+  static constexpr double kBias = 0.0005;  // of the gyro, that SYNCHRO has not found [rad/s]
 
-  double noise(double deviation) { return run_.noise * deviation * normal_(random_); }
+  double noise(double deviation) { return trial_.noise * deviation * normal_(random_); }
 
-  const Run& run_;
+  const Trial& trial_;
   std::mt19937 random_;
   std::normal_distribution<> normal_;
   double yaw_{}, yaw_rate_{};
@@ -158,40 +158,51 @@ void deliver(std::deque<Late<T>>& queue, std::int64_t step, edp::Estimator& esti
     std::ignore = estimator.add(queue.front().reading);
 }
 
-PerWheel speed_law(const PlanarVelocity& wanted, const Plant& plant) {
-  PerWheel torque;
-  for (std::size_t i = 0; i < kWheels; ++i) {
-    const double speed = (wanted.vx - kWheelY[i] * wanted.w) / kWheelRadius;
-    torque[i] =
-        std::clamp(3 * (speed - plant.speed()[i]) + kBearingFriction * speed, -kMaxTorque, kMaxTorque);
+/// Drives the platform at the speeds that are wanted, by the true ones: left and right wheels get a torque each.
+class SpeedControl {
+ public:
+  PerWheel torque(const PlanarVelocity& wanted, const PlanarVelocity& v) {
+    const double forward = wanted.vx - v.vx;
+    const double turn = wanted.w - v.w;
+    forward_ += kPlatformPeriod * forward;
+    turn_ += kPlatformPeriod * turn;
+    const double both = 5 * forward + 5 * forward_ + kBearingFriction * wanted.vx / kWheelRadius;
+    const double each = 2 * turn + 10 * turn_ + 4 * std::tanh(wanted.w / 0.1);
+    PerWheel torque;
+    for (std::size_t i = 0; i < kWheels; ++i)
+      torque[i] = std::clamp(both - (kWheelY[i] > 0 ? each : -each), -kMaxTorque, kMaxTorque);
+    return torque;
   }
-  return torque;
-}
+
+ private:
+  double forward_{}, turn_{};  // integrals of the errors [m], [rad]
+};
 
 }  // namespace
 
-std::vector<Sample> drive(edp::Estimator& estimator, const Run& run) {
-  Plant plant(run.truth);
-  Sensors sensors(run);
+std::vector<Sample> drive(edp::Estimator& estimator, const Trial& trial) {
+  Plant plant(trial.truth);
+  Sensors sensors(trial);
   std::deque<Late<MapPose>> maps;
   std::deque<Late<OdometryReading>> motions;
   PlanarPose pictured = plant.p();
   std::vector<Sample> samples;
+  SpeedControl control;
   PerWheel torque{};
   estimator.begin({.covariance = {9e-6, 0, 0, 0, 9e-6, 0, 0, 0, 25e-6}, .load = plant.load()});
-  const auto stages = std::lround(run.duration / kPlatformPeriod);
+  const auto stages = std::lround(trial.duration / kPlatformPeriod);
   for (long i = 1; i <= stages; ++i) {
     const double time = static_cast<double>(i) * kPlatformPeriod;
-    if (time > run.changes) plant.set_friction(run.later);
+    if (time > trial.changes) plant.set_friction(trial.later);
     for (int k = 0; k < kPlatformSteps; ++k) {
       plant.step(torque, kStep);
       sensors.see_step(plant);
     }
     const std::int64_t step = i * kPlatformSteps;
-    const bool lost = time > run.map_lost[0] && time < run.map_lost[1];
+    const bool lost = time > trial.map_lost[0] && time < trial.map_lost[1];
     if (step % 50 == 0 && !lost) maps.push_back({step + 40, sensors.map(step, plant)});
     if (step % 40 == 0) {
-      if (run.odometry)
+      if (trial.odometry)
         motions.push_back({step + 70, sensors.odometry(step - 40, pictured, step, plant.p())});
       pictured = plant.p();
     }
@@ -199,7 +210,7 @@ std::vector<Sample> drive(edp::Estimator& estimator, const Run& run) {
     deliver(maps, step, estimator);
     deliver(motions, step, estimator);
     samples.push_back({time, plant.p(), plant.v(), estimator.step()});
-    torque = speed_law(run.drive(time), plant);
+    torque = control.torque(trial.drive(time), plant.v());
   }
   return samples;
 }
@@ -208,7 +219,7 @@ Drive winding(double v, double w) {
   return [=](double time) -> PlanarVelocity {
     const double ramp = std::min(time / 2, 1.0);
     return {ramp * v * (1 + 0.2 * std::sin(1.3 * time)), 0,
-            ramp * w * std::sin(2 * std::numbers::pi * time / 8)};
+            ramp * w * std::cos(2 * std::numbers::pi * time / 16)};
   };
 }
 

@@ -54,8 +54,8 @@ class Plant {
 /// Speeds that are wanted at a time [s].
 using Drive = std::function<PlanarVelocity(double)>;
 
-/// How a run goes.
-struct Run {
+/// How a drive goes.
+struct Trial {
   Truth truth;
   Drive drive;
   double duration{20};                       ///< [s]
@@ -67,7 +67,7 @@ struct Run {
   unsigned seed{1};
 };
 
-/// A stage of a run.
+/// A stage of a drive.
 struct Sample {
   double time{};
   PlanarPose p;      ///< truth
@@ -78,7 +78,7 @@ struct Sample {
 /// Drives a platform with an estimator listening. Map poses are measured every 50 steps and come 4 stages later; pairs of
 /// pictures are taken every 40 steps, their motion comes 7 stages after the second.
 /// @return all stages
-[[nodiscard]] std::vector<Sample> drive(edp::Estimator& estimator, const Run& run);
+[[nodiscard]] std::vector<Sample> drive(edp::Estimator& estimator, const Trial& trial);
 
 /// @return v with a turn that goes to and fro, as along a figure eight
 [[nodiscard]] Drive winding(double v, double w);
