@@ -5,7 +5,10 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <random>
+#include <string>
+#include <tuple>
 
 #include "robots/rex/model.hpp"
 #include "robots/rex/rex.hpp"
