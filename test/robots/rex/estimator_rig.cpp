@@ -26,7 +26,7 @@ class Sensors {
 
   edp::StageReading reading(std::int64_t step, const Plant& plant, const PerWheel& torque) {
     edp::StageReading reading{.step = step, .theta = plant.theta(), .yaw = yaw_, .yaw_rate = yaw_rate_};
-    reading.imu_valid = true;
+    reading.imu_valid = trial_.imu;
     reading.load = load_;
     reading.torque = torque;
     for (std::size_t i = 0; i < kWheels; ++i) reading.theta_dot[i] = plant.speed()[i] + noise(0.03);
