@@ -208,7 +208,7 @@ void PlatformDriver::settle() noexcept {
   rest_ = rests && (stopped_ || within(1)) ? rest_ + 1 : 0;
   ++held_;
   const bool long_enough =
-      stopped_ ? rest_ >= kStoppedRest || held_ >= p_.brake_after : rest_ >= p_.brake_after;
+      stopped_ ? rest_ >= kStoppedRest || held_ >= kStoppedMost : rest_ >= p_.brake_after;
   if (!braked_ && long_enough) braked_ = true;
   if (braked_ && !stopped_ && !within(2)) hold(false);
 }
