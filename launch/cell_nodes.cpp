@@ -63,9 +63,10 @@ void check_cell(const Config& config, const std::vector<CellArm>& arms,
   check_platforms(config, platforms);
   const std::vector<std::string> keys = keys_of(arms);
   if (config.texts("robots.order", keys) != keys)
-    throw FaultError(
-        FaultCode::bad_configuration,
-        fmt::format("robots.order: this task has the arms {}, in this order", joined(keys, ", ")));
+    throw FaultError(FaultCode::bad_configuration,
+                     keys.empty() ? "robots.order: this task has no arms, so the list is empty"
+                                  : fmt::format("robots.order: this task has the arms {}, in this order",
+                                                joined(keys, ", ")));
   if (arms.empty()) return;
   const sim::WorldParameters parameters = sim::read_world(config);
   sim::read_camera_world(config, keys);

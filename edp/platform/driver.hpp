@@ -143,7 +143,7 @@ class PlatformDriver {
   const PlatformProperties* platform_;
   PlatformDriverParameters p_;
   StageCollector sensors_;
-  Synchronisation synchronisation_;
+  PlatformSynchronisation synchronisation_;
   Observer observer_;
   Follower follower_;
   WheelSupervision supervision_;

@@ -41,7 +41,7 @@ struct StandingStill {
 struct StageReading {
   std::int64_t step{};    ///< of the reading, a multiple of kPlatformSteps
   PerWheel theta{};       ///< turned by the wheels since power-up [rad]
-  PerWheel theta_dot{};   ///< [rad/s], mean over the stage's macrostep or better
+  PerWheel theta_dot{};   ///< [rad/s] at the reading: not the mean of a macrostep, which lags by half of it
   double yaw{};           ///< of the IMU [rad]
   double yaw_rate{};      ///< of the IMU [rad/s]
   bool imu_valid{};       ///< yaw and yaw_rate mean something

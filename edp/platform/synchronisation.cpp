@@ -8,16 +8,16 @@
 
 namespace mrroc::edp {
 
-Synchronisation::Synchronisation(const PlatformDriverParameters& parameters, double dt) noexcept
+PlatformSynchronisation::PlatformSynchronisation(const PlatformDriverParameters& parameters, double dt) noexcept
     : rest_steps_(static_cast<int>(std::lround(parameters.synchro_rest / dt))),
       timeout_steps_(static_cast<int>(std::lround(parameters.synchro_timeout / dt))) {}
 
-void Synchronisation::start() noexcept {
+void PlatformSynchronisation::start() noexcept {
   steps_ = standing_ = 0;
   forget_poses();
 }
 
-void Synchronisation::stand_anew(const StageCollector& sensors) noexcept {
+void PlatformSynchronisation::stand_anew(const StageCollector& sensors) noexcept {
   standing_ = 0;
   stands_since_ = sensors.reading().step;
   away_ = load_sum_ = {};
@@ -26,7 +26,7 @@ void Synchronisation::stand_anew(const StageCollector& sensors) noexcept {
   forget_poses();
 }
 
-void Synchronisation::step(const StageCollector& sensors) noexcept {
+void PlatformSynchronisation::step(const StageCollector& sensors) noexcept {
   ++steps_;
   double farthest = 0;
   for (std::size_t k = 0; k < kWheels; ++k) {
@@ -46,7 +46,7 @@ void Synchronisation::step(const StageCollector& sensors) noexcept {
   ++loads_;
 }
 
-void Synchronisation::add(const MapPose& pose) noexcept {
+void PlatformSynchronisation::add(const MapPose& pose) noexcept {
   if (standing_ == 0 || pose.step < stands_since_) return;
   const PlanarPose away{pose.p.x - first_.x, pose.p.y - first_.y, wrap_angle(pose.p.phi - first_.phi)};
   if (poses_ == 0 || std::hypot(away.x, away.y) > kAgree || std::abs(away.phi) > kAgree) {
@@ -61,7 +61,7 @@ void Synchronisation::add(const MapPose& pose) noexcept {
   ++poses_;
 }
 
-std::optional<StandingStill> Synchronisation::found(const StageCollector& sensors,
+std::optional<StandingStill> PlatformSynchronisation::found(const StageCollector& sensors,
                                                     std::int64_t step) const noexcept {
   const PlatformReading& reading = sensors.reading();
   if (!measured() || poses_ < kPoses || failed() || !reading.imu_valid) return std::nullopt;
@@ -78,7 +78,7 @@ std::optional<StandingStill> Synchronisation::found(const StageCollector& sensor
   return result;
 }
 
-std::optional<Fault> Synchronisation::failed() const noexcept {
+std::optional<Fault> PlatformSynchronisation::failed() const noexcept {
   if (measured()) {
     const int enough = rest_steps_ / 2;
     if (yaw_rates_ < enough)

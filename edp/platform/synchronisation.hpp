@@ -12,7 +12,7 @@ namespace mrroc::edp {
 
 /// Lets the platform stand, resets the IMU, takes its drift and the loads of the wheels for a while, then the position on the
 /// map from several poses that agree. A platform that is pushed meanwhile begins anew. Real-time safe.
-class Synchronisation {
+class PlatformSynchronisation {
  public:
   /// Wheels that stay within so many increments have not turned.
   static constexpr double kPlay = 2;
@@ -24,7 +24,7 @@ class Synchronisation {
   static constexpr int kResetSteps = 10;
 
   /// @param dt  duration of a step [s]
-  Synchronisation(const PlatformDriverParameters& parameters, double dt) noexcept;
+  PlatformSynchronisation(const PlatformDriverParameters& parameters, double dt) noexcept;
 
   /// Begins.
   void start() noexcept;

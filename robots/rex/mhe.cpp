@@ -12,15 +12,13 @@ namespace {
 using ShootingNoise = Eigen::Matrix<double, kStageStates, kStageNoises>;
 
 constexpr int kNewest = kWindowStages - 1;
-constexpr int kSlips = 3;
-constexpr int kIterations = 30;  // of the solver, at most
+constexpr int kIterations = 30;  // of the solver: a problem without bounds takes none
 
-/// @param bounded  states with bounds
 /// @return stages of the QP: one without state, whose controls are the error of the arrival cost, and those of the window
-std::vector<ocp::Stage> stages(const std::vector<int>& bounded) {
+std::vector<ocp::Stage> stages() {
   std::vector<ocp::Stage> all{{.n_x = 0, .n_u = kStageStates}};
   for (int k = 0; k < kWindowStages; ++k)
-    all.push_back({.n_x = kStageStates, .n_u = k < kNewest ? kStageNoises : 0, .bounded_x = bounded});
+    all.push_back({.n_x = kStageStates, .n_u = k < kNewest ? kStageNoises : 0});
   return all;
 }
 
@@ -31,32 +29,14 @@ StageMatrix root(const StageMatrix& P) noexcept {
   return P.diagonal().cwiseAbs().cwiseSqrt().asDiagonal();
 }
 
-/// Slip coefficients that are as near to their bounds as the solver is exact are within them.
-constexpr double kOnBound = 1e-6;
-
-Eigen::Vector3d least_slip() noexcept {
-  constexpr SlipBounds kBounds;
-  return {kBounds.least_friction, kBounds.least_friction, -kBounds.most_split};
-}
-
-Eigen::Vector3d most_slip() noexcept {
-  constexpr SlipBounds kBounds;
-  return {kBounds.most_friction, kBounds.most_friction, kBounds.most_split};
-}
-
 }  // namespace
 
-Mhe::Mhe(const EstimatorNoise& noise)
-    : window_(noise),
-      free_(stages({}), kIterations),
-      bounded_(stages({kSlipIndex, kSlipIndex + 1, kSlipIndex + 2}), kIterations) {
+Mhe::Mhe(const EstimatorNoise& noise) : window_(noise), qp_(stages(), kIterations) {
   const StageMatrix arrival = StageMatrix::Identity();
   const Eigen::Matrix<double, kStageNoises, kStageNoises> process =
       arrival.topLeftCorner<kStageNoises, kStageNoises>();
-  for (ocp::OcpQp* qp : {&free_, &bounded_}) {
-    qp->cost(0, {}, {}, arrival, {}, {});
-    for (int k = 0; k < kNewest; ++k) qp->cost(k + 1, {}, {}, process, {}, {});
-  }
+  qp_.cost(0, {}, {}, arrival, {}, {});
+  for (int k = 0; k < kNewest; ++k) qp_.cost(k + 1, {}, {}, process, {}, {});
 }
 
 void Mhe::begin(const edp::StandingStill& found) noexcept {
@@ -116,9 +96,7 @@ edp::EstimatorResult Mhe::step() noexcept {
   inconsistent_ = false;
   if (window_.full()) {
     linearise();
-    const ocp::QpResult solved = improve();
-    health.solver_failed = !solved.ok();
-    health.iterations = solved.iterations;
+    improve(health);
     newest_.z = z(kNewest);
     update_covariance();
   } else {
@@ -145,61 +123,73 @@ void Mhe::linearise() noexcept {
   }
 }
 
-ocp::QpResult Mhe::improve() noexcept {
-  set_problem(free_);
-  ocp::QpResult solved = free_.solve();
-  const bool bounded = !solved.ok() || !within_bounds();
-  if (bounded) {
-    set_problem(bounded_);
-    set_bounds();
-    solved = bounded_.solve();
-  }
-  const ocp::OcpQp& solution = bounded ? bounded_ : free_;
-  StageVector change;
-  for (int k = 0; k < kWindowStages && solved.ok(); ++k)
-    if (solution.x(k + 1, change)) z(k) = contained(z(k) + change);
-  return solved;
+void Mhe::improve(edp::Health& health) noexcept {
+  held_.fill({});
+  set_dynamics();
+  bool solved = false;
+  do {
+    set_costs();
+    solved = solve();
+    ++health.iterations;
+  } while (solved && health.iterations == 1 && hold_slip());
+  health.solver_failed = !solved;
+  for (int k = 0; k < kWindowStages && solved; ++k)
+    z(k) = contained(z(k) + change_[static_cast<std::size_t>(k)]);
 }
 
 // The QP's states are corrections of z, so that the arrival cost is that of z_0 = zbar + root(P) w.
-void Mhe::set_problem(ocp::OcpQp& qp) const noexcept {
-  constexpr double kDefinite = 1e-6;
+void Mhe::set_dynamics() noexcept {
   const StageMatrix L = root(arrival_.P);
   const StageVector error = difference(arrival_.z, z(0));
-  qp.dynamics(0, {}, L, error);
-  for (int k = 0; k < kWindowStages; ++k) {
-    const auto at = static_cast<std::size_t>(k);
-    const auto H = residuals_[at].H.topRows(residuals_[at].count);
-    StageMatrix Q = H.transpose().lazyProduct(H);
-    Q.diagonal().array() += kDefinite;
-    const StageVector q = H.transpose().lazyProduct(residuals_[at].r.head(residuals_[at].count));
-    qp.cost(k + 1, Q, {}, {}, q, {});
-    if (k == kNewest) break;
-    const StageTransition& to = transitions_[at];
+  qp_.dynamics(0, {}, L, error);
+  for (int k = 0; k < kNewest; ++k) {
+    const StageTransition& to = transitions_[static_cast<std::size_t>(k)];
     ShootingNoise B = ShootingNoise::Zero();
     B.diagonal() = to.deviation;
     const StageVector gap = difference(to.z, z(k + 1));
-    qp.dynamics(k + 1, to.F, B, gap);
+    qp_.dynamics(k + 1, to.F, B, gap);
   }
 }
 
-void Mhe::set_bounds() noexcept {
+void Mhe::set_costs() noexcept {
+  constexpr double kDefinite = 1e-6;
   for (int k = 0; k < kWindowStages; ++k) {
-    const Eigen::Vector3d lower = least_slip() - z(k).segment<kSlips>(kSlipIndex);
-    const Eigen::Vector3d upper = most_slip() - z(k).segment<kSlips>(kSlipIndex);
-    bounded_.bounds_x(k + 1, lower, upper);
+    const auto at = static_cast<std::size_t>(k);
+    const int count = residuals_[at].count;
+    const auto H = residuals_[at].H.topRows(count);
+    StageMatrix Q = H.transpose().lazyProduct(H);
+    StageVector q = H.transpose().lazyProduct(residuals_[at].r.head(count));
+    Q.diagonal().array() += kDefinite;
+    Q.diagonal().segment<3>(kSlipIndex) += held_[at].weight;
+    q.segment<3>(kSlipIndex) += held_[at].weight.cwiseProduct(z(k).segment<3>(kSlipIndex) - held_[at].bound);
+    qp_.cost(k + 1, Q, {}, {}, q, {});
   }
 }
 
-bool Mhe::within_bounds() const noexcept {
-  StageVector change;
+bool Mhe::solve() noexcept {
+  if (!qp_.solve().ok()) return false;
   for (int k = 0; k < kWindowStages; ++k) {
-    if (!free_.x(k + 1, change)) return false;
-    const Eigen::Vector3d slip = z(k).segment<kSlips>(kSlipIndex) + change.segment<kSlips>(kSlipIndex);
-    if ((slip - least_slip()).minCoeff() < -kOnBound || (most_slip() - slip).minCoeff() < -kOnBound)
-      return false;
+    StageVector& change = change_[static_cast<std::size_t>(k)];
+    if (!qp_.x(k + 1, change) || !change.allFinite()) return false;
   }
   return true;
+}
+
+bool Mhe::hold_slip() noexcept {
+  constexpr double kDeviation = 1e-3;  // of a coefficient that is held
+  bool any = false;
+  for (int k = 0; k < kWindowStages; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    const StageVector there = z(k) + change_[at];
+    const Eigen::Vector3d bound = contained(there).segment<3>(kSlipIndex);
+    for (int i = 0; i < 3; ++i) {
+      if (bound[i] == there[kSlipIndex + i]) continue;
+      held_[at].weight[i] = 1 / (kDeviation * kDeviation);
+      held_[at].bound[i] = bound[i];
+      any = true;
+    }
+  }
+  return any;
 }
 
 // A recursion over the window: what the filter would believe of the newest stage, linearised where the states were.

@@ -8,15 +8,23 @@
 
 namespace mrroc::rex {
 
+/// Slip coefficients of a stage that are held at their bounds.
+struct HeldSlip {
+  Eigen::Vector3d weight = Eigen::Vector3d::Zero();  ///< 0: free
+  Eigen::Vector3d bound = Eigen::Vector3d::Zero();
+};
+
 /// Moving horizon estimator. Over the window of stages k = 0..M it looks for states z_k and noise w_k with
 ///
 ///     min |z_0 - zbar|^2 in P^-1 + sum |w_k|^2 + sum |h(z_k) - y_k|^2    z_(k+1) = f(z_k) + diag(deviation) w_k
 ///
-/// all in units of their standard deviations, mu and split within SlipBounds; one Gauss-Newton step over the whole window
-/// per stage, by direct multiple shooting. The stage that leaves makes a step of the extended Kalman filter from (zbar, P):
-/// the arrival cost. Until the window is full the filter alone estimates. The QP is solved without bounds first: it is done
-/// when what it finds is within them, as it nearly always is, at a third of the price. When it is not solved, the states are
-/// kept as the model predicts them.
+/// all in units of their standard deviations; one Gauss-Newton step over the whole window per stage, by direct multiple
+/// shooting. The stage that leaves makes a step of the extended Kalman filter from (zbar, P): the arrival cost. Until the
+/// window is full the filter alone estimates.
+///
+/// Slip coefficients stay within SlipBounds: where the step takes one beyond its bound, it is held there and the step is
+/// computed once more. That is one iteration of an active set method, and nearly always none is needed; an interior point
+/// method takes ten times as long for the same. When the QP is not solved, the states are kept as the model predicts them.
 class Mhe final : public edp::Estimator {
  public:
   /// Takes all memory. @throws std::bad_alloc
@@ -38,11 +46,14 @@ class Mhe final : public edp::Estimator {
   /// Filters over a window that is not full.
   void fill() noexcept;
   void linearise() noexcept;
-  /// @return result of the QP, whose solution has changed the states when it is ok
-  [[nodiscard]] ocp::QpResult improve() noexcept;
-  void set_problem(ocp::OcpQp& qp) const noexcept;
-  void set_bounds() noexcept;
-  [[nodiscard]] bool within_bounds() const noexcept;
+  /// Solves the QP and corrects the states.
+  void improve(edp::Health& health) noexcept;
+  void set_dynamics() noexcept;
+  void set_costs() noexcept;
+  /// @return whether the solution is one, all of its numbers finite
+  [[nodiscard]] bool solve() noexcept;
+  /// @return whether a slip coefficient is to be held that was free
+  [[nodiscard]] bool hold_slip() noexcept;
   void update_covariance() noexcept;
 
   StageWindow window_;
@@ -50,8 +61,9 @@ class Mhe final : public edp::Estimator {
   std::array<StageVector, kStages> z_;  // estimates of the stages
   std::array<StageResiduals, kStages> residuals_;
   std::array<StageTransition, kStages> transitions_;  // the last one means nothing
-  ocp::OcpQp free_;                                   // without bounds
-  ocp::OcpQp bounded_;                                // with those of the slip coefficients
+  std::array<HeldSlip, kStages> held_;
+  std::array<StageVector, kStages> change_;  // what the QP says
+  ocp::OcpQp qp_;
   StageBelief newest_{};
   int steps_to_covariance_{};
   bool inconsistent_{};  // since the last step

@@ -6,7 +6,9 @@
 #include <array>
 #include <stdexcept>
 
+#include "robots/rex/ekf.hpp"
 #include "robots/rex/kinematic_tracker.hpp"
+#include "robots/rex/mhe.hpp"
 #include "robots/rex/nmpc.hpp"
 #include "robots/rex/parameters.hpp"
 
@@ -34,7 +36,8 @@ std::unique_ptr<Interface> make() {
 
 constexpr Kinds<edp::Tracker, 2> kTrackers{{"nmpc", "kinematic"},
                                            {make<edp::Tracker, Nmpc>, make<edp::Tracker, KinematicTracker>}};
-constexpr Kinds<edp::Estimator, 0> kEstimators{};
+constexpr Kinds<edp::Estimator, 2> kEstimators{{"mhe", "ekf"},
+                                               {make<edp::Estimator, Mhe>, make<edp::Estimator, Ekf>}};
 
 class Rex final : public edp::Platform {
  public:

@@ -30,8 +30,8 @@ void StageWindow::begin(const edp::StandingStill& found) noexcept {
   weighed_ = weigh(found.load);
   yaw_offset_ = std::isfinite(found.yaw_offset) ? wrap_angle(found.yaw_offset) : 0;
   gyro_bias_ = std::isfinite(found.gyro_bias) ? found.gyro_bias : 0;
+  size_ = 0;
   stage_[0] = stage_of({.step = found.step, .theta = found.theta, .load = found.load});
-  measure_wheels(stage_[0], {.theta = found.theta}, nullptr);
   size_ = 1;
 }
 
@@ -39,8 +39,7 @@ Entry StageWindow::add(const edp::StageReading& reading) noexcept {
   if (size_ == 0 || reading.step <= newest().step) return Entry::repeated;
   const bool follows =
       steps_between(newest().step, reading.step) == static_cast<std::uint64_t>(kPlatformSteps);
-  WindowStage stage = stage_of(reading);
-  measure_wheels(stage, reading, follows ? &newest() : nullptr);
+  const WindowStage stage = stage_of(reading);
   if (!follows) size_ = 0;
   if (full()) {
     std::move(stage_.begin() + 1, stage_.end(), stage_.begin());
@@ -52,6 +51,7 @@ Entry StageWindow::add(const edp::StageReading& reading) noexcept {
 
 WindowStage StageWindow::stage_of(const edp::StageReading& reading) const noexcept {
   constexpr double kMostTorque = 10 * kMaxTorque;
+  constexpr double kMostSpeed = 4 * kMaxWheelSpeed;
   constexpr double kMostYawRate = 50;  // [rad/s]
   WindowStage stage;
   stage.step = reading.step;
@@ -59,26 +59,15 @@ WindowStage StageWindow::stage_of(const edp::StageReading& reading) const noexce
   stage.torque_known = reading.enabled && possible(stage.torque, kMostTorque);
   if (!possible(stage.torque, kMostTorque)) stage.torque.setZero();
   stage.load = vector_of(believed_load(reading.load, weighed_));
+  stage.theta = vector_of(reading.theta);
+  if (!stage.theta.allFinite()) stage.theta = size_ > 0 ? newest().theta : Wheels::Zero();
+  stage.wheel_speed = vector_of(reading.theta_dot);
+  stage.wheels_valid = possible(stage.wheel_speed, kMostSpeed);
   stage.yaw = reading.yaw;
   stage.yaw_rate = reading.yaw_rate - gyro_bias_;
   stage.imu_valid =
       reading.imu_valid && std::isfinite(reading.yaw) && std::abs(stage.yaw_rate) < kMostYawRate;
   return stage;
-}
-
-// A speed over a macrostep is that of its middle: half of what it has changed since is added.
-void StageWindow::measure_wheels(WindowStage& stage, const edp::StageReading& reading,
-                                 const WindowStage* before) const noexcept {
-  constexpr double kMostSpeed = 4 * kMaxWheelSpeed;
-  stage.theta = vector_of(reading.theta);
-  stage.theta_valid = stage.theta.allFinite();
-  if (!stage.theta_valid) stage.theta = before ? before->theta : Wheels::Zero();
-  stage.mean_speed =
-      before ? Wheels((stage.theta - before->theta) / kPlatformPeriod) : vector_of(reading.theta_dot);
-  stage.wheels_valid =
-      stage.theta_valid && (!before || before->theta_valid) && possible(stage.mean_speed, kMostSpeed);
-  stage.wheel_speed = stage.mean_speed;
-  if (before && before->wheels_valid) stage.wheel_speed += (stage.mean_speed - before->mean_speed) / 2;
 }
 
 int StageWindow::add(const MapPose& pose) noexcept {

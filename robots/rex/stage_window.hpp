@@ -67,8 +67,6 @@ class StageWindow {
 
  private:
   [[nodiscard]] WindowStage stage_of(const edp::StageReading& reading) const noexcept;
-  void measure_wheels(WindowStage& stage, const edp::StageReading& reading,
-                      const WindowStage* before) const noexcept;
   /// @return index of the stage of a step; -1: there is none
   [[nodiscard]] int find(std::int64_t step) const noexcept;
   [[nodiscard]] bool can_be_picture(int first, int second) const noexcept;

@@ -29,11 +29,9 @@ struct WindowStage {
   Eigen::Vector4d load;    ///< then, of the wheels [N]
   bool torque_known{};     ///< false: the drives braked then, or nobody told
 
-  bool theta_valid{};           ///< theta is a measurement; else it is that of the stage before
   Eigen::Vector4d theta;        ///< turned by the wheels since power-up [rad]
-  bool wheels_valid{};          ///< the two speeds are measurements
-  Eigen::Vector4d mean_speed;   ///< of the wheels from the stage before to this one [rad/s]
-  Eigen::Vector4d wheel_speed;  ///< of the wheels at this stage [rad/s]
+  bool wheels_valid{};          ///< wheel_speed is a measurement
+  Eigen::Vector4d wheel_speed;  ///< [rad/s]
   bool imu_valid{};             ///< yaw and yaw_rate are measurements
   double yaw{};                 ///< of the IMU, without the offset to the map [rad]
   double yaw_rate{};            ///< without bias [rad/s]

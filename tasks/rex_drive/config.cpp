@@ -75,7 +75,9 @@ Itinerary examine(const PlanList& list, const Config& config) {
     if (free < 0) return "it leads out of the room";
     return fmt::format("it passes a wall or an obstacle at {:.2f} m, the platform needs {} m", free, kReach);
   });
-  Itinerary it{.list = list, .plans = to_messages(list, wanted_speed(config))};
+  Itinerary it;
+  it.list = list;
+  it.plans = to_messages(list, wanted_speed(config));
   const Parameters k = read_parameters(config);
   it.survey = survey(it.plans, list.start, k.planner);
   if (const auto& missed = it.survey.missed) {

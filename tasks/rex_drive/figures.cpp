@@ -146,14 +146,14 @@ void of_way(const DriveTable& table, mp::Figures& figures) {
 }
 
 void of_counts(const DriveResults& r, mp::Figures& figures) {
-  figures["map_rejected"] = r.rejected;
+  figures["map_rejected"] = static_cast<double>(r.rejected);
   if (!r.table.empty()) {
-    figures["late_map"] = r.table.back().late_map;
-    figures["solver_failures"] = r.table.back().solver_failures;
+    figures["late_map"] = static_cast<double>(r.table.back().late_map);
+    figures["solver_failures"] = static_cast<double>(r.table.back().solver_failures);
   }
   std::vector<std::int32_t> sorted = r.iterations;
   std::ranges::sort(sorted);
-  if (!sorted.empty()) figures["planner_iterations_p95"] = sorted[sorted.size() * 95 / 100];
+  if (!sorted.empty()) figures["planner_iterations_p95"] = static_cast<double>(sorted[sorted.size() * 95 / 100]);
 }
 
 }  // namespace

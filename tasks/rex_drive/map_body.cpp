@@ -27,7 +27,11 @@ class CaptureInput {
   [[nodiscard]] MotionCapture at(std::int64_t i) const {
     const motion_capture_t* const m =
         process_.lock_step() ? in_->at(newest((i - 1) * k_.n_s)) : in_->newest();
-    if (!m) return {.step = -1};
+    if (!m) {
+      MotionCapture none;
+      none.step = -1;
+      return none;
+    }
     if (!is_proper(*m))
       throw FaultError(FaultCode::malformed_message, in_->channel() + ": a number is not proper");
     return from_message(*m);

@@ -37,7 +37,7 @@ bool is_built_in(std::string_view plan) {
   return std::ranges::find(built_in_plan_names(), plan) != built_in_plan_names().end();
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
     if (c == '"' || c == '\\') escaped += '\\';
@@ -80,7 +80,7 @@ void add_drive_options(CommandLine& line, DriveOptions& o) {
 std::vector<std::string> settings_of(const DriveOptions& o) {
   std::vector<std::string> settings;
   if (!o.plan.empty())
-    settings.push_back("task.plan=" + quoted(is_built_in(o.plan) ? o.plan : fs::absolute(o.plan).string()));
+    settings.push_back("task.plan=" + in_quotes(is_built_in(o.plan) ? o.plan : fs::absolute(o.plan).string()));
   if (o.speed) settings.push_back(fmt::format("task.speed={}", *o.speed));
   if (!o.tracker.empty()) settings.push_back(fmt::format("platforms.rex.tracker=\"{}\"", o.tracker));
   if (!o.estimator.empty()) settings.push_back(fmt::format("platforms.rex.estimator=\"{}\"", o.estimator));

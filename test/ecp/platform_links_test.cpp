@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/agent_images.hpp"
 #include "base/link/memory_bus.hpp"
 #include "base/msg/convert_platform.hpp"
 #include "ecp/effector_links.hpp"

@@ -87,7 +87,7 @@ TEST(Synchro, PositionsThatContradictOneAnotherAreNotBelieved) {
     rig.macrostep(c);
   }
   EXPECT_EQ(rig.driver.fault().code, FaultCode::position_unknown);
-  EXPECT_EQ(rig.driver.fault().limit, Synchronisation::kPoses);
+  EXPECT_EQ(rig.driver.fault().limit, PlatformSynchronisation::kPoses);
 }
 
 TEST(Synchro, APlatformThatNeverRestsIsNotSynchronised) {

@@ -45,7 +45,7 @@ double cpu_seconds(const Work& work) {
 
 TEST_P(EstimatorContract, AnswerNotOkBeforeTheyHaveBegun) {
   estimator->add(edp::StageReading{.step = 10});
-  EXPECT_FALSE(estimator->add(MapPose{.step = 10, .valid = true}));
+  EXPECT_FALSE(estimator->add(MapPose{.step = 10, .valid = true, .p = {}}));
   EXPECT_FALSE(estimator->add(OdometryReading{.step_before = 0, .step = 10, .valid = true}));
   EXPECT_FALSE(estimator->step().health.ok);
 }
@@ -69,7 +69,7 @@ TEST_P(EstimatorContract, RefuseWhatIsTooLate) {
     estimator->add(edp::StageReading{.step = 10 * i});
     std::ignore = estimator->step();
   }
-  const MapPose pose{.step = 200, .valid = true};
+  const MapPose pose{.step = 200, .valid = true, .p = {}};
   MapPose late = pose;
   late.step = 199;
   EXPECT_TRUE(estimator->add(pose));
@@ -87,7 +87,7 @@ TEST_P(EstimatorContract, SayWhenTheMapContradictsThem) {
     estimator->add(edp::StageReading{.step = 10 * i});
     std::ignore = estimator->step();
   }
-  MapPose pose{.step = 380, .valid = true, .covariance = {25e-6, 0, 0, 0, 25e-6, 0, 0, 0, 1e-4}};
+  MapPose pose{.step = 380, .valid = true, .p = {}, .covariance = {25e-6, 0, 0, 0, 25e-6, 0, 0, 0, 1e-4}};
   EXPECT_TRUE(estimator->add(pose));
   EXPECT_FALSE(estimator->step().health.inconsistent);
   pose.step = 390;
@@ -125,7 +125,8 @@ TEST_P(EstimatorContract, StayFiniteWhateverTheyAreGiven) {
 
 TEST_P(EstimatorContract, RecoverFromReadingsThatAreNoNumbers) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  estimator->begin({.covariance = {9e-6, 0, 0, 0, 9e-6, 0, 0, 0, 25e-6}, .load = standing_load(kMass, {})});
+  estimator->begin(
+      {.p = {}, .covariance = {9e-6, 0, 0, 0, 9e-6, 0, 0, 0, 25e-6}, .load = standing_load(kMass, {})});
   for (int i = 1; i <= 200; ++i) {
     edp::StageReading reading{.step = 10 * i, .imu_valid = true, .load = standing_load(kMass, {})};
     if (i >= 50 && i < 60) {
@@ -151,7 +152,7 @@ TEST_P(EstimatorContract, AllocateNothingBetweenBeginAndEnd) {
   estimator->begin(wild_rest(wild));
   for (int i = 1; i < 60; ++i) {
     estimator->add(edp::StageReading{.step = 10 * i, .torque = {2, 2, 2, 2}});
-    std::ignore = estimator->add(MapPose{.step = 10 * (i - 4), .valid = true});
+    std::ignore = estimator->add(MapPose{.step = 10 * (i - 4), .valid = true, .p = {}});
     std::ignore = estimator->add(wild_motion(wild, 10 * i));
     std::ignore = estimator->step();
   }

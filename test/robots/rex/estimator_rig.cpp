@@ -88,15 +88,11 @@ class Sensors {
   }
 
   edp::StageReading reading(std::int64_t step, const Plant& plant, const PerWheel& torque) {
-    constexpr double kIncrement = 2 * std::numbers::pi / kIncrementsPerTurn;
-    edp::StageReading reading{
-        .step = step, .yaw = yaw_, .yaw_rate = yaw_rate_, .imu_valid = true, .load = load_};
+    edp::StageReading reading{.step = step, .theta = plant.theta(), .yaw = yaw_, .yaw_rate = yaw_rate_};
+    reading.imu_valid = true;
+    reading.load = load_;
     reading.torque = torque;
-    for (std::size_t i = 0; i < kWheels; ++i) {
-      reading.theta[i] = kIncrement * std::floor(plant.theta()[i] / kIncrement);
-      reading.theta_dot[i] = (reading.theta[i] - theta_[i]) / kPlatformPeriod;
-    }
-    theta_ = reading.theta;
+    for (std::size_t i = 0; i < kWheels; ++i) reading.theta_dot[i] = plant.speed()[i] + noise(0.03);
     load_ = {};
     return reading;
   }
@@ -142,7 +138,7 @@ class Sensors {
   std::mt19937 random_;
   std::normal_distribution<> normal_;
   double yaw_{}, yaw_rate_{};
-  PerWheel load_{}, theta_{};
+  PerWheel load_{};
 };
 
 /// A measurement and the step in which it comes.
@@ -189,7 +185,7 @@ std::vector<Sample> drive(edp::Estimator& estimator, const Trial& trial) {
   std::vector<Sample> samples;
   SpeedControl control;
   PerWheel torque{};
-  estimator.begin({.covariance = {9e-6, 0, 0, 0, 9e-6, 0, 0, 0, 25e-6}, .load = plant.load()});
+  estimator.begin({.p = {}, .covariance = {9e-6, 0, 0, 0, 9e-6, 0, 0, 0, 25e-6}, .load = plant.load()});
   const auto stages = std::lround(trial.duration / kPlatformPeriod);
   for (long i = 1; i <= stages; ++i) {
     const double time = static_cast<double>(i) * kPlatformPeriod;

@@ -56,8 +56,8 @@ using Drive = std::function<PlanarVelocity(double)>;
 
 /// How a drive goes.
 struct Trial {
-  Truth truth;
-  Drive drive;
+  Truth truth{};
+  Drive drive{};
   double duration{20};                       ///< [s]
   std::array<double, 2> map_lost{1e9, 1e9};  ///< no map pose is measured between these times [s]
   bool odometry{true};

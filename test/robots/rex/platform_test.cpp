@@ -3,8 +3,10 @@
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
 
+#include <array>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 #include "robots/rex/parameters.hpp"
 #include "robots/rex/rex.hpp"

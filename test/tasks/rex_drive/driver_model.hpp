@@ -30,6 +30,9 @@ class DriverModel {
     return reply_;
   }
 
+  /// Stands there; before the first step.
+  void stand_at(const PlanarPose& p) { end_.p = reply_.estimate.p = p; }
+
   /// Fragments that were taken, in their order.
   std::vector<Fragment> taken;
   /// Fragments that were refused.
@@ -98,6 +101,12 @@ class ModelPort {
     ++x.i;
     x.e = visible_;
     stops_ = !others_(x);
+  }
+
+  /// The platform stands there at the beginning.
+  void stand_at(const PlanarPose& p) {
+    driver.stand_at(p);
+    made_ = visible_ = driver.step({});
   }
 
   DriverModel driver;           ///< what is commanded

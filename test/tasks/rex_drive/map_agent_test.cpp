@@ -87,10 +87,11 @@ TEST(MapAgent, RejectsOutliersAndCountsThem) {
   }
   const auto told = run(images);
   EXPECT_NEAR(told.back().rejected, outliers, 2);
-  for (const MapReport& r : told)
-    if (r.pose.valid)
-      EXPECT_LT(std::hypot(r.pose.p.x - Circle::at(r.pose.step).x, r.pose.p.y - Circle::at(r.pose.step).y),
-                0.05);
+  for (const MapReport& r : told) {
+    if (!r.pose.valid) continue;
+    const PlanarPose is = Circle::at(r.pose.step);
+    EXPECT_LT(std::hypot(r.pose.p.x - is.x, r.pose.p.y - is.y), 0.05);
+  }
 }
 
 TEST(MapAgent, BelievesAMapThatHasJumpedAfterFiveRejections) {
@@ -120,8 +121,9 @@ TEST(MapAgent, SaysThatThePositionIsLostAndComesBack) {
   std::vector<int> behaviours;
   for (const auto& d : port.decisions()) {
     if (behaviours.empty() || behaviours.back() != d.m) behaviours.push_back(d.m);
-    if (d.m == 2 && d.y.T.map.pose.valid)
+    if (d.m == 2 && d.y.T.map.pose.valid) {
       EXPECT_GT(d.y.T.map.pose.step, 2500) << "of the last macrostep of it";
+    }
   }
   EXPECT_EQ(behaviours, (std::vector<int>{1, 2, 1}));
 }

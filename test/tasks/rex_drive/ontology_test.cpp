@@ -70,8 +70,8 @@ TEST(Ontology, SendsEachPlanAfterTheAckOfTheOneBeforeAndComesToRest) {
   X x;
   x.c.k.think = 10;
   EXPECT_EQ(execute(plans(3), agents, x), Outcome::terminated);
-  EXPECT_EQ(agents.sent, (std::vector<std::int64_t>{0, 1, 2, 3}));
-  EXPECT_EQ(agents.behaviours, (std::vector<int>{0, 1, 2, 1, 2, 1, 2, 3}));
+  EXPECT_EQ(agents.sent, (std::vector<std::int64_t>{1, 2, 3}));
+  EXPECT_EQ(agents.behaviours, (std::vector<int>{1, 2, 1, 2, 1, 2, 3}));
   ASSERT_EQ(agents.acks.size(), 3U);
 }
 
