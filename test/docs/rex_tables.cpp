@@ -9,6 +9,7 @@
 
 #include "base/msg/convert_platform.hpp"
 #include "edp/platform/driver.hpp"
+#include "edp/platform/guard.hpp"
 #include "mp/black_box.hpp"
 #include "mrroc/agent_order_t.hpp"
 #include "mrroc/agent_report_t.hpp"
@@ -243,7 +244,7 @@ std::string figure_7() {
       {"E_y e_1,1[tau]", MRROC_MEMBER(PlatformDrive, torque), MRROC_FIELD(platform_drive_t, torque),
        MRROC_FUNCTION(PlatformDriver::step)},
       {"E_y e_1,1[cmd_E1,1]", MRROC_MEMBER(PlatformDrive, imu_reset),
-       MRROC_FIELD(platform_drive_t, imu_reset), MRROC_FUNCTION(edp::Synchronisation::resets_imu)},
+       MRROC_FIELD(platform_drive_t, imu_reset), MRROC_FUNCTION(edp::PlatformSynchronisation::resets_imu)},
       {"p, slip of the wheels", MRROC_MEMBER(PlatformReply, slip), MRROC_FIELD(platform_reply_t, slip),
        MRROC_FUNCTION(Observer::slip)},
   });
