@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 
 namespace mrroc::test {
 namespace {
@@ -238,32 +239,47 @@ std::vector<X> images() {
 
 Y tried(const Row& row, const X& x) { return {row.f_cc(x), row.f_ce(x), row.f_cV(x), row.f_cT(x)}; }
 
-bool depends(const Row& row, const Output& output, const Input& input) {
-  return std::ranges::any_of(images(), [&](const X& x) {
+/// What one output of a row turns out to be made of.
+Flow flow_of(const Row& row, const Output& output) {
+  return {.m = row.m,
+          .function = output.function,
+          .output = output.name,
+          .inputs = {},
+          .kept = static_cast<bool>(output.before)};
+}
+
+/// Tries one input of a row in all images. @param flows  of the row's outputs, in their order
+void try_input(const Row& row, const Input& input, const std::vector<X>& all, std::vector<Flow>& flows) {
+  std::vector<bool> changes(flows.size());
+  for (const X& x : all) {
     X changed = x;
     input.change(changed);
-    return output.value(tried(row, x)) != output.value(tried(row, changed));
-  });
+    const Y before = tried(row, x), after = tried(row, changed);
+    for (std::size_t k = 0; k < flows.size(); ++k)
+      if (outputs()[k].value(before) != outputs()[k].value(after)) changes[k] = true;
+  }
+  for (std::size_t k = 0; k < flows.size(); ++k)
+    if (changes[k]) flows[k].inputs.push_back(input.name);
 }
-bool keeps(const Row& row, const Output& output) {
-  return output.before && std::ranges::all_of(images(), [&](const X& x) {
-           return output.value(tried(row, x)) == output.before(x);
-         });
+
+std::vector<Flow> flows_of(const Row& row) {
+  const std::vector<X> all = images();
+  std::vector<Flow> flows;
+  for (const Output& output : outputs()) {
+    flows.push_back(flow_of(row, output));
+    for (const X& x : all)
+      if (flows.back().kept) flows.back().kept = output.value(tried(row, x)) == output.before(x);
+  }
+  for (const Input& input : inputs()) try_input(row, input, all, flows);
+  return flows;
 }
 
 }  // namespace
 
 std::vector<Flow> data_flows() {
-  std::vector<Flow> flows;
-  for (const Row& row : rex_drive::kBehaviours)
-    for (const Output& output : outputs()) {
-      Flow flow{.m = row.m, .function = output.function, .output = output.name, .inputs = {}};
-      flow.kept = keeps(row, output);
-      for (const Input& input : inputs())
-        if (depends(row, output, input)) flow.inputs.push_back(input.name);
-      flows.push_back(std::move(flow));
-    }
-  return flows;
+  std::vector<Flow> all;
+  for (const Row& row : rex_drive::kBehaviours) std::ranges::move(flows_of(row), std::back_inserter(all));
+  return all;
 }
 
 }  // namespace mrroc::test

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "base/msg/convert_platform.hpp"
@@ -176,8 +177,8 @@ std::string figure_6() {
   const auto flows = data_flows();
   std::string text;
   for (const Row& row : rex_drive::kBehaviours) {
-    text += fmt::format("\nm = {}, {}:\n\n| function | output | is made of |\n| --- | --- | --- |\n", row.m,
-                        row.name);
+    text += fmt::format("{}m = {}, {}:\n\n| function | output | is made of |\n| --- | --- | --- |\n",
+                        text.empty() ? "" : "\n", row.m, row.name);
     std::string kept, same;
     for (const Flow& flow : flows) {
       if (flow.m != row.m) continue;
@@ -202,7 +203,10 @@ struct BufferRow {
 };
 std::string table(const std::vector<BufferRow>& rows) {
   std::string text = "| paper | value | field of the message | function |\n| --- | --- | --- | --- |\n";
-  const auto cell = [](const std::string& word) { return word == "-" ? word : "`" + word + "`"; };
+  const auto cell = [](const std::string& word) {
+    constexpr std::string_view kSpace = "edp::";
+    return word == "-" ? word : "`" + word.substr(word.starts_with(kSpace) ? kSpace.size() : 0) + "`";
+  };
   for (const BufferRow& r : rows)
     text += fmt::format("| {} | {} | {} | {} |\n", r.paper, cell(r.value), cell(r.field), cell(r.function));
   return text;
