@@ -16,7 +16,7 @@ constexpr double kDamping =
     0.004;  // price of half the square of a torque's change from one solution to the next
 constexpr double kMostChange = 4;    // of a torque from one solution to the next [N m]
 constexpr double kFinalPrice = 2;    // of the last error, against that of one on the way
-constexpr double kSpeedPrice = 100;  // of half the square of a speed beyond the limit
+constexpr double kSpeedPrice = 1e4;  // of half the square of a speed beyond the limit
 
 /// P. Against a plant of another structure than the model, weights of the pose nine times smaller track seven times worse.
 State weights() noexcept {

@@ -68,7 +68,7 @@ Course corner(double v) {
     return PathPoint{
         {kStraight + kRadius * std::sin(a), kRadius * (1 - std::cos(a)), a}, speed, speed / kRadius};
   };
-  return {at, (2 * kStraight + kArc) / v + 2};
+  return {at, (2 * kStraight + kArc) / v + 4};
 }
 
 Course pivot() {
@@ -108,6 +108,7 @@ Tracked track(edp::Tracker& tracker, const Course& course, const Loop& loop) {
   for (double t = 0; t < course.duration; t += kPlatformPeriod) {
     const PathPoint wanted = course.at(t);
     const double error = std::hypot(plant.p().x - wanted.p.x, plant.p().y - wanted.p.y);
+    tracked.last = error;
     if (t > 1) {
       sum += error * error;
       ++counted;

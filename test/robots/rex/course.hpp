@@ -32,6 +32,7 @@ struct Loop {
 /// What has come of it.
 struct Tracked {
   double rms{};                             ///< of the distance between truth and reference [m], from 1 s on
+  double last{};                            ///< of it at the end [m]
   double max{};                             ///< of it [m]
   double largest_torque{};                  ///< of all [N m]
   int failures{};                           ///< steps whose solver failed

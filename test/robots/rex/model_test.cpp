@@ -90,18 +90,19 @@ TEST(SkidSteer, IsIntegratedInStepsOf50MsAsInStepsOf10Us) {
 
 TEST(SkidSteer, DerivativesOfItsIntegralAreThoseOfItsResult) {
   std::mt19937 random(3);
-  int smooth = 0;
+  int close = 0;
   for (int i = 0; i < 50; ++i) {
     const Case c = random_case(random);
     const SkidSteer model(c.load);
-    const auto t = ocp::integrate(model, c.x, c.u, c.p, 0.02);
-    const Torques e = 1e-5 * Torques::Unit(i % 4);
-    const State slope = (ocp::integrate(model, c.x, Torques(c.u + e), c.p, 0.02).x -
-                         ocp::integrate(model, c.x, Torques(c.u - e), c.p, 0.02).x) /
-                        2e-5;
-    smooth += static_cast<int>((slope - t.B.col(i % 4)).norm() < 0.02 * slope.norm());
+    const State x = exactly(model, c.x, c.u, c.p, 0.05);
+    const auto t = ocp::integrate(model, x, c.u, c.p, 0.02);
+    const Torques e = 1e-4 * Torques::Unit(i % 4);
+    const State slope = (ocp::integrate(model, x, Torques(c.u + e), c.p, 0.02).x -
+                         ocp::integrate(model, x, Torques(c.u - e), c.p, 0.02).x) /
+                        2e-4;
+    close += static_cast<int>((slope - t.B.col(i % 4)).norm() < 0.02 * slope.norm());
   }
-  EXPECT_GE(smooth, 45);  // Newton's method ends before the last digit
+  EXPECT_GE(close, 47);  // Newton's method ends before the last digit
 }
 
 TEST(SkidSteer, StandsWhereNothingDrivesIt) {
@@ -136,7 +137,7 @@ TEST(SkidSteer, GoesTheWayOfAPlantOfItsStructure) {
   const PlanarPose centre{truth.centre_x, truth.centre_y, 0};
   const SkidSteer model({truth.mass, centre, standing_load(truth.mass, centre)});
   State x = state_of({}, centre);
-  const PerWheel torque{2, 6, 2, 6};
+  const PerWheel torque{1, 7, 1, 7};
   for (int i = 0; i < 100; ++i) {
     plant.step(torque, kPlatformPeriod);
     x = ocp::integrate(model, x, Torques(Torques::Map(torque.data())), friction_of(truth.friction),
@@ -144,7 +145,7 @@ TEST(SkidSteer, GoesTheWayOfAPlantOfItsStructure) {
             .x;
   }
   const PlanarPose p = pose_of(x, centre);
-  EXPECT_GT(p.phi, 0.3);
+  EXPECT_GT(p.phi, 0.15);
   EXPECT_NEAR(p.x, plant.p().x, 0.01);
   EXPECT_NEAR(p.y, plant.p().y, 0.01);
   EXPECT_NEAR(p.phi, plant.p().phi, 0.01);

@@ -62,7 +62,7 @@ TEST(Nmpc, TurnsOnTheSpot) {
   EXPECT_LT(t.max, 0.020);
 }
 
-TEST(Nmpc, RecoversOnRandomPlantsAtAndBeyondTheLimitOfFriction) {
+TEST(Nmpc, RecoversOnRandomPlantsFromWhatFrictionDoesNotAllow) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int i = 0; i < 10; ++i) {
@@ -74,7 +74,7 @@ TEST(Nmpc, RecoversOnRandomPlantsAtAndBeyondTheLimitOfFriction) {
     Nmpc nmpc;
     const Tracked t = track(nmpc, i % 2 == 0 ? corner(1.2) : figure_eight(kFastLap), {.truth = truth});
     EXPECT_EQ(t.failures, 0) << i;
-    EXPECT_LT(t.max, 0.5) << i;
+    EXPECT_LT(t.last, 0.05) << i;
   }
 }
 
@@ -97,12 +97,13 @@ TEST(Nmpc, SpeedAtTheEndOfTheHorizonStaysNearItsLimit) {
   Plant plant({});
   const edp::EstimatorResult x = perfect(plant, {});
   nmpc.begin(x);
-  const Course away{[](double) { return PathPoint{{5, 0, 0}, 0, 0}; }, 1};
+  const Course away{[](double t) { return PathPoint{{2.5 * t, 0, 0}, 2.5, 0}; }, 1};
   edp::TrackerResult r;
   for (int i = 0; i < 50; ++i) r = nmpc.step(x, {}, standing_load(kMass, {}), horizon(away, 0));
-  const PlanarPose& last = r.horizon[20];
-  const PlanarPose& before = r.horizon[19];
-  EXPECT_LT((last.x - before.x) / 0.05, kMaxSpeed + 0.3);
+  const double fastest = (r.horizon[17].x - r.horizon[16].x) / 0.05;
+  const double last = (r.horizon[20].x - r.horizon[19].x) / 0.05;
+  EXPECT_GT(fastest, last + 0.1);
+  EXPECT_LT(last, kMaxSpeed + 0.25);
 }
 
 TEST(Nmpc, ExpectsToBeWhereThePlantOfItsStructureGoes) {
