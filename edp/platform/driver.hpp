@@ -61,7 +61,7 @@ class PlatformDriver {
   /// After a stop the drives brake once the platform has rested for so many macrosteps, or after the second number of them:
   /// short-circuited motors are quicker than a tracker that makes up for the last millimetres.
   static constexpr int kStoppedRest = 3;
-  static constexpr int kStoppedMost = 6;
+  static constexpr int kStoppedMost = 4;
   /// An estimated speed below which the platform rests.
   static constexpr double kRestSpeed = 0.02;     // [m/s]
   static constexpr double kRestTurnRate = 0.05;  // [rad/s]

@@ -63,7 +63,7 @@ TEST(Fragment, ItsSlopesAreTheKnotsSpeeds) {
   fragment.steps = 160;
   for (PathPoint& knot : fragment.knot)
     knot = {{uniform(random), uniform(random), 3 * uniform(random)}, uniform(random), uniform(random)};
-  const double ds = 1e-6;
+  const double ds = 1e-7;
   const double dt = ds * fragment.steps * kPlatformPeriod;
   for (std::size_t k = 1; k + 1 < kFragmentKnots; ++k) {
     const double s = static_cast<double>(k) / (kFragmentKnots - 1);
