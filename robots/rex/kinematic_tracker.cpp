@@ -10,14 +10,14 @@ namespace {
 
 // Of the law; found by trying on a figure eight.
 constexpr double k_x = 2;       // [1/s]
-constexpr double k_y = 8;       // [1/m^2]
+constexpr double k_y = 10;      // [1/m^2]
 constexpr double k_phi = 3;     // [1/m]
 constexpr double k_turn = 1.5;  // [1/s]
 // A platform that is turned by skidding turns about so much less than its wheels roll.
-constexpr double kSkidding = 1.7;
+constexpr double kSkidding = 2.1;
 // Of the regulators of speed.
-constexpr double kProportional = 2.5;  // [N m s/rad]
-constexpr double kIntegral = 12;       // [N m/rad]
+constexpr double kProportional = 3;  // [N m s/rad]
+constexpr double kIntegral = 25;     // [N m/rad]
 
 struct Twist2 {
   double v, w;

@@ -81,6 +81,8 @@ bool Nmpc::linearise(const SkidSteer& model, const Friction& p, const References
   for (int k = 0; k < kIntervals; ++k) {
     const auto i = static_cast<std::size_t>(k);
     const auto next = ocp::integrate(model, X_[i], U_[i], p, kInterval);
+    // After a failure, a trajectory that the torques lead along: the last one may have been why.
+    if (failures_ > 0 && next.x.allFinite()) X_[i + 1] = next.x;
     const State b = difference(next.x, X_[i + 1]);
     finite =
         finite && b.allFinite() && next.A.allFinite() && next.B.allFinite() && references[i + 1].allFinite();

@@ -42,9 +42,9 @@ DriveTable join(const DriveMessages& messages, double dt, int n_s) {
   for (const platform_reply_t& m : messages.replies) {
     const PlatformReply reply = from_message(m);
     const std::int64_t step = reply.estimate.step;
-    while (telemetry != messages.telemetry.end() && telemetry->step < step) ++telemetry;
+    while (telemetry != messages.telemetry.end() && telemetry->step < reply.step) ++telemetry;
     if (telemetry == messages.telemetry.end()) break;
-    if (telemetry->step != step || !reply.position_known) continue;
+    if (telemetry->step != reply.step || !reply.position_known) continue;
     DriveRow row;
     row.step = step;
     row.t = static_cast<double>(step) * dt;

@@ -3,13 +3,15 @@
 #include <fmt/core.h>
 
 #include "edp/automaton.hpp"
+#include "edp/platform/automaton.hpp"
 
 namespace mrroc::edp::test {
 namespace {
 
 constexpr const char* kHead = R"(# States of an effector driver
 
-Made from the table in `edp/automaton.hpp`, on which the driver runs. After a change there:
+Made from the tables in `edp/automaton.hpp` and, for mobile platforms, `edp/platform/automaton.hpp`, on which the drivers run. After
+a change there:
 `MRROC_UPDATE_DOCS=1 ./run test -R AutomatonDocument`
 
 A cell names the state that the event leads to; `stays` means that it takes place and the state does not change;
@@ -40,30 +42,55 @@ constexpr const char* kOwn = R"(
 
 )";
 
-std::string cell(const StateRow& row, Event event) {
-  const Transition& t = transition(row.state, event);
-  if (t.refusal != FaultCode::none)
-    return event >= kFirstOwnEvent ? "-" : fmt::format("*{}*", to_string(t.refusal));
-  return t.next == row.state ? "stays" : fmt::format("**{}**", to_string(t.next));
+constexpr const char* kPlatform = R"(
+# States of a mobile platform's driver
+
+- **not synchronised**: the position is not known. The drives brake: their motors are short-circuited.
+- **homing**: SYNCHRO. At rest the IMU is reset, its drift and the loads of the wheels are measured, then positions on the map are awaited.
+- **ready**: the position is known; nothing was commanded yet, or a fault was reset. The drives brake.
+- **executing**: follows the fragments that it has been handed. A pause is this state at pace 0.
+- **decelerating**: its owner is silent or gone; the pace goes to 0 on the way, then the fragments are dropped.
+- **holding**: the last point is stabilised until the platform rests, then the drives brake; pushed away it drives back, unless it was stopped.
+- **faulted**: a malfunction; the drives brake, and only reset leads on.
+- **jogging**: no platform is ever in it.
+
+*Silence* is that no message of the owner has come for ten macrosteps: a fragment outlasts many of them, and *keep* is a message.
+
+## What commands ask for
+
+)";
+
+std::string cell(const Transition& t, DriverState state, bool own) {
+  if (t.refusal != FaultCode::none) return own ? "-" : fmt::format("*{}*", to_string(t.refusal));
+  return t.next == state ? "stays" : fmt::format("**{}**", to_string(t.next));
 }
 
-std::string rows(std::size_t first, std::size_t last) {
+/// @param first, last  events, numbers from and up to before which  @param own  they happen by themselves
+template <class Event, class Table>
+std::string rows(const Table& table, std::size_t first, std::size_t last, bool own) {
   std::string text = "| event |";
-  for (const StateRow& row : kAutomaton) text += fmt::format(" {} |", to_string(row.state));
+  for (const auto& row : table) text += fmt::format(" {} |", to_string(row.state));
   text += "\n| --- |";
-  for (std::size_t k = 0; k < kAutomaton.size(); ++k) text += " --- |";
+  for (std::size_t k = 0; k < table.size(); ++k) text += " --- |";
   for (std::size_t e = first; e < last; ++e) {
     text += fmt::format("\n| {} |", to_string(static_cast<Event>(e)));
-    for (const StateRow& row : kAutomaton) text += fmt::format(" {} |", cell(row, static_cast<Event>(e)));
+    for (const auto& row : table) text += fmt::format(" {} |", cell(row.on[e], row.state, own));
   }
   return text + "\n";
+}
+
+/// @param head  before what commands ask for  @param own  first event that happens by itself
+template <class Event, class Table>
+std::string part(const char* head, const Table& table, Event own, std::size_t events) {
+  const auto first = static_cast<std::size_t>(own);
+  return head + rows<Event>(table, 0, first, false) + kOwn + rows<Event>(table, first, events, true);
 }
 
 }  // namespace
 
 std::string automaton_document() {
-  const auto own = static_cast<std::size_t>(kFirstOwnEvent);
-  return kHead + rows(0, own) + kOwn + rows(own, kEvents);
+  return part(kHead, kAutomaton, kFirstOwnEvent, kEvents) +
+         part(kPlatform, kPlatformAutomaton, kFirstOwnPlatformEvent, kPlatformEvents);
 }
 
 }  // namespace mrroc::edp::test

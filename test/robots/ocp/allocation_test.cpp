@@ -18,7 +18,7 @@ TEST(OcpQpAllocation, HappensInTheConstructorOnly) {
   stages.back().bounded_x = {3, 5};
   stages.back().soft_x = {0, 1};
   OcpQp qp(stages, 60);
-  const mrroc::test::QpData problem = random_qp(stages, random);
+  const mrroc::test::QpData problem = mrroc::test::random_qp(stages, random);
   Eigen::Matrix<double, 10, 1> x;
   Eigen::Vector4d u;
   bool ok = true;

@@ -1,11 +1,15 @@
 // The solver of optimal control problems, against dense solutions.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "robots/ocp/ocp_qp.hpp"
 #include "test/robots/ocp/dense_qp.hpp"
@@ -15,8 +19,10 @@ namespace mrroc::ocp {
 namespace {
 
 using mrroc::test::DenseQp;
+using mrroc::test::points_of;
 using mrroc::test::QpData;
 using mrroc::test::QpPoints;
+using mrroc::test::random_qp;
 using mrroc::test::StageData;
 
 /// Where the variables of the stages lie in a dense vector: u_0, x_0, u_1, x_1, ..., then two slacks per soft bound.

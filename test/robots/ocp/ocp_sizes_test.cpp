@@ -2,6 +2,7 @@
 // four, and those of some sizes were found wrong.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <stdexcept>
 
@@ -11,8 +12,10 @@
 namespace mrroc::ocp {
 namespace {
 
+using mrroc::test::points_of;
 using mrroc::test::QpData;
 using mrroc::test::QpPoints;
+using mrroc::test::random_qp;
 using mrroc::test::StageData;
 
 /// @return how far the point is from one that fulfils the dynamics and whose gradient with respect to the controls pushes

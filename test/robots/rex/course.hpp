@@ -1,5 +1,6 @@
 // Ways that trackers of Rex are tried on, and closed loops along them.
 #pragma once
+#include <array>
 #include <functional>
 #include <vector>
 

@@ -5,7 +5,10 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <random>
+#include <string>
+#include <tuple>
 
 #include "robots/rex/model.hpp"
 #include "robots/rex/rex.hpp"
@@ -71,7 +74,7 @@ class Tracker : public ::testing::TestWithParam<std::string_view> {
 TEST_P(Tracker, EqualInputsGiveEqualBits) {
   const auto a = make();
   const auto b = make();
-  track(*b, pivot(), {});
+  std::ignore = track(*b, pivot(), {});
   const Tracked first = track(*a, figure_eight(20.4), {});
   const Tracked second = track(*b, figure_eight(20.4), {});
   ASSERT_EQ(first.results.size(), second.results.size());
@@ -92,6 +95,10 @@ TEST_P(Tracker, TorquesAreFiniteAndWithinTheLimitWhateverComesIn) {
     ASSERT_LE(r.health.iterations, 100);
     if (i % 50 == 0) tracker->begin(damaged_input(random_).x);
   }
+  // Nothing of that is left after two steps.
+  const Input good = random_input(random_);
+  for (int i = 0; i < 2; ++i) std::ignore = step(*tracker, good);
+  EXPECT_FALSE(step(*tracker, good).health.solver_failed);
 }
 
 TEST_P(Tracker, WhatIsNotFiniteIsToldAsAFailureAndForgotten) {
