@@ -18,6 +18,9 @@ OntologyMemory watch(const X& x) {
   const bool lost = (locomotion(x).sensor & kPositionLost) != 0;
   if (!lost) c.lost_in = 0;
   if (lost && c.lost_in == 0) c.lost_in = x.i;
+  const bool stands = (locomotion(x).sensor & kStands) != 0 && x.i - x.i_0 >= latency::kLoop;
+  if (!stands) c.stands_in = 0;
+  if (stands && c.stands_in == 0) c.stands_in = x.i;
   if (c.acked_in == 0 && acknowledged(x)) c.acked_in = x.i;
   return c;
 }
@@ -41,8 +44,10 @@ bool taken(const X& x) {
   return executes || acknowledged(x) || in_vain(x);
 }
 bool ack_came(const X& x) { return (x.c.acked_in > 0 && x.i - x.c.acked_in >= x.c.k.think) || in_vain(x); }
-bool stands(const X& x) {
-  return ((locomotion(x).sensor & kStands) != 0 && x.i - x.i_0 >= latency::kLoop) || in_vain(x);
+/// Long enough that everybody has told of it.
+bool has_stood(const X& x) {
+  constexpr std::int64_t kRest = 25;
+  return (x.c.stands_in > 0 && x.i - x.c.stands_in >= kRest) || in_vain(x);
 }
 
 None nothing(const X&) { return {}; }
@@ -53,7 +58,7 @@ None nothing(const X&) { return {}; }
 const Motion<Ontology> kStart     { 0, "wait for start",   retain, retain, nothing, nothing, order<0>, may_start, "both agents are ready and start was given"};
 const Motion<Ontology> kSendPlan  { 1, "send a plan",      retain, watch,  nothing, nothing, order<1>, taken,     "the platform executes it"};
 const Motion<Ontology> kAwaitAck  { 2, "plan is executed", retain, watch,  nothing, nothing, order<2>, ack_came,  "it is acknowledged"};
-const Motion<Ontology> kComeToRest{ 3, "come to rest",     retain, watch,  nothing, nothing, order<3>, stands,    "the platform stands"};
+const Motion<Ontology> kComeToRest{ 3, "come to rest",     retain, watch,  nothing, nothing, order<3>, has_stood, "the platform stands"};
 // clang-format on
 
 bool in_vain(const X& x) {

@@ -28,6 +28,7 @@ struct OntologyMemory {
   std::int64_t acked_in{};  ///< macrostep in which its ack came; 0: not yet
   std::int64_t
       lost_in{};  ///< macrostep from which on the platform has waited for its position; 0: it does not
+  std::int64_t stands_in{};  ///< macrostep from which on the platform has stood; 0: it does not
 };
 
 /// Order with the plan that goes to a_1 on a link of its own.
@@ -43,7 +44,7 @@ extern const Motion<Ontology>
     kStart;  ///< m = 0: until both agents are ready and the operator has given start
 extern const Motion<Ontology> kSendPlan;    ///< m = 1: until a_1 executes c.plan, or has acknowledged it
 extern const Motion<Ontology> kAwaitAck;    ///< m = 2: until its ack and c.k.think macrosteps more
-extern const Motion<Ontology> kComeToRest;  ///< m = 3: until the platform stands
+extern const Motion<Ontology> kComeToRest;  ///< m = 3: until the platform has stood for half a second
 
 /// The platform has waited for its position for too long.
 [[nodiscard]] bool in_vain(const Ontology::X& x);
