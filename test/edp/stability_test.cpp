@@ -81,7 +81,7 @@ TEST(Stability, FiguresOfTheServoStudyComeBack) {
 
 TEST(Stability, PredictedLimitIsThatOfTheTimeDomain) {
   std::mt19937_64 random(1);
-  for (int run = 0; run < 25; ++run) {
+  for (int run = 0; run < 40; ++run) {
     const ContactLoop l = test::random_loop(random);
     const double limit = stiffness_limit(l);
     if (limit == 0 || limit > 1e8) continue;
@@ -112,6 +112,53 @@ TEST(Stability, PredictedLimitOfTheCompensatingRegulatorIsThatOfTheTimeDomain) {
     EXPECT_TRUE(test::ContactSimulation(l, 1.1 * limit).unstable()) << "run " << run;
   }
   EXPECT_GT(judged, 10);
+}
+
+/// @return the drive of an axis with its original regulator, pressing with a pen
+RegulatedDrive original_drive(std::size_t axis, double lever) {
+  const AxisProperties& a = irb6::kPostument.axes[axis].properties;
+  return {.regulator = a.servo.incremental[0],
+          .increments_per_rad = a.increments_per_rad,
+          .speed_gain = a.servo.drive.speed_per_pwm(),
+          .time_constant = a.servo.drive.time_constant(),
+          .inertia = a.servo.drive.inertia,
+          .lever = lever};
+}
+
+TEST(Stability, PredictedLimitOfTheOriginalRegulatorIsThatOfTheTimeDomain) {
+  std::mt19937_64 random(1);
+  int judged = 0;
+  for (int run = 0; run < 30; ++run) {
+    const double lever = (run % 2 == 0 ? 1 : -1) * 0.6 / 160;
+    const ContactLoop l = test::random_loop(random, original_drive(run % 4, lever));
+    const double limit = stiffness_limit(l);
+    if (limit == 0 || limit > 1e7) continue;
+    ++judged;
+    EXPECT_FALSE(test::ContactSimulation(l, 0.95 * limit).unstable()) << "run " << run;
+    EXPECT_TRUE(test::ContactSimulation(l, 1.05 * limit).unstable()) << "run " << run;
+  }
+  EXPECT_GT(judged, 10);
+}
+
+TEST(Stability, WhatIsLeftOfAPushDecaysAsPredicted) {
+  std::mt19937_64 random(2);
+  for (const int kind : {0, 1, 2}) {
+    int judged = 0, alike = 0;
+    for (int run = 0; run < 40; ++run) {
+      const ContactLoop l = kind == 0   ? test::random_loop(random)
+                            : kind == 1 ? test::random_loop(random, upper_arm())
+                                        : test::random_loop(random, original_drive(run % 4, 0.6 / 160));
+      const double limit = stiffness_limit(l);
+      if (limit == 0 || limit > 1e7) continue;
+      const double K = limit * std::uniform_real_distribution<>(0.5, 0.95)(random);
+      const double rate = std::log(contact_mode(l, K).radius);
+      ++judged;
+      alike += std::abs(std::log(test::ContactSimulation(l, K).decay(-7 / rate)) / rate - 1) < 0.03 ? 1 : 0;
+    }
+    EXPECT_GT(judged, 10) << "kind of servo " << kind;
+    EXPECT_GE(alike, 0.75 * judged) << "but for slow modes that the push hardly excites; kind of servo "
+                                    << kind;
+  }
 }
 
 TEST(Stability, CompensatedDriveFollowsWithoutContact) {
