@@ -81,7 +81,7 @@ TEST(Stability, FiguresOfTheServoStudyComeBack) {
 
 TEST(Stability, PredictedLimitIsThatOfTheTimeDomain) {
   std::mt19937_64 random(1);
-  for (int run = 0; run < 40; ++run) {
+  for (int run = 0; run < 25; ++run) {
     const ContactLoop l = test::random_loop(random);
     const double limit = stiffness_limit(l);
     if (limit == 0 || limit > 1e8) continue;
