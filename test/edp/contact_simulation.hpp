@@ -61,7 +61,7 @@ class ContactSimulation {
   /// @param steps of a third of the time that is looked at: the first one lets the fast modes die away
   /// @return factor of what is left of the push from step to step
   [[nodiscard]] double decay(double steps) {
-    const int third = static_cast<int>(std::ceil(steps));
+    const int third = static_cast<int>(std::ceil(std::min(steps, 6e4)));
     std::array<double, 3> squares{};
     for (double& sum : squares)
       for (int k = 0; k < third; ++k) {
