@@ -80,6 +80,13 @@ TEST(DriverParameters, SenselessOnesAreRefusedByName) {
         << k << ' ' << cases[k].name << ": " << error_text(cases[k].change);
 }
 
+TEST(DriverParameters, HomingStandsHalfASecondOnTheSwitchUnlessToldOtherwise) {
+  const DriverParameters p;
+  EXPECT_NEAR(p.homing.standstill_steps * p.dt, 0.5, 1e-12);
+  EXPECT_NEAR(p.homing.settle_steps * p.dt, 0.05, 1e-12);
+  EXPECT_NEAR(p.homing.ramp_steps * p.dt, 0.02, 1e-12);
+}
+
 TEST(DriverParameters, TheirBoundsAreLegal) {
   const std::vector<Change> changes{
       [](DriverParameters&) {},

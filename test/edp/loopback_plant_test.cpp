@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <thread>
 
 #include "edp/loopback_hardware.hpp"
 #include "test/edp/one_motor.hpp"
@@ -238,6 +240,17 @@ TEST(LoopbackPlant, TheForceSensorHasNoiseAboutZeroThatNeverRepeats) {
   }
   for (const Axis a : kAxes) EXPECT_NEAR(sum[a] / kSteps, 0, 0.001);
   EXPECT_NEAR(std::sqrt(squares / (6 * kSteps)), 0.02 / std::sqrt(3), 0.0005) << "evenly up to its largest";
+}
+
+TEST(LoopbackHardware, ByTheClockACommandAfterItsPeriodIsAnOverrun) {
+  const test::OneMotor robot(motor_with(motor()));
+  LoopbackHardware hardware(LoopbackPlant(robot, AxisVector::Constant(1, 1), kDt), kDt, true);
+  ASSERT_NE(hardware.clock(), nullptr);
+  EXPECT_EQ(hardware.read(0).reading.step, 0);
+  std::this_thread::sleep_for(std::chrono::milliseconds(3));
+  hardware.write({});
+  EXPECT_EQ(hardware.clock()->late().periods, 1);
+  EXPECT_EQ(hardware.clock()->late().overruns, 1);
 }
 
 TEST(LoopbackHardware, InLockStepAStepPassesForEveryCommandAndMissedOnesWithoutOne) {

@@ -76,6 +76,8 @@ TEST(Oscillation, ItIsToldWhenTheForceComesDownFromAPeak) {
 
 TEST(Oscillation, LargeSwingsThatDoNotDieAwayAreTold) {
   EXPECT_GE(steps_until_told({.mean = 10, .swing = 15}), 0);
+  EXPECT_LT(steps_until_told({.mean = 10, .swing = 15, .frequency = 12}), 6 / (12 * kDt))
+      << "four periods say it";
   EXPECT_EQ(steps_until_told({.mean = 10, .swing = 15, .factor = 0.9}), -1);
 }
 
