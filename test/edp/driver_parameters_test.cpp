@@ -1,4 +1,6 @@
 // Parameters that a driver accepts, and their effect at its start.
+#include "edp/driver_parameters.hpp"
+
 #include <gtest/gtest.h>
 
 #include <limits>
