@@ -11,6 +11,7 @@
 #include <numbers>
 #include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "tasks/rubik/cell/layout.hpp"
@@ -142,6 +143,38 @@ TEST_F(MotionsOfTheUsualCell, WhatIsKnownOfTheOldStartIsForgottenWithIt) {
   EXPECT_EQ(motions_.seconds(from_start),
             seconds_along(cell_, hand, {joints[index(hand)], motions_.configuration(hand, 0).hold}));
   EXPECT_EQ(motions_.seconds(elsewhere), kept);
+}
+
+// Asked of one that has known another start, and of one that has not.
+TEST_F(MotionsOfTheUsualCell, AfterANewStartEverythingIsAsIfThereHadBeenNoOther) {
+  const ArmJoints joints = {motions_.configuration(Hand::postument, 3).back(),
+                            motions_.configuration(Hand::track, 2).back()};
+  Motions fresh(cell_);
+  fresh.start_at(joints);
+  for (int round = 0; round < 2; ++round) {
+    for (const Hand holder : kHands) {
+      const Hand comes = other(holder);
+      const int start = motions_.start(holder), others = motions_.start(comes);
+      for (const auto& [from, waits] : {std::pair(start, 1), {1, others}, {start, others}}) {
+        const ArmTransfer carry{MotionKind::carry, holder, from, 0, waits};
+        const ArmTransfer reach{MotionKind::reach, comes, waits, 0, 0};
+        for (const ArmTransfer& m : {carry, reach}) {
+          const FreeMotion *is = motions_.find(m), *would = fresh.find(m);
+          if (round == 0) continue;
+          ASSERT_EQ(is == nullptr, would == nullptr);
+          if (is && would) {
+            EXPECT_EQ(is->seconds, would->seconds);
+          }
+          EXPECT_EQ(motions_.seconds(m), fresh.seconds(m));
+        }
+        const auto delay = motions_.delay(carry, reach);
+        if (round > 0) {
+          EXPECT_EQ(delay, fresh.delay(carry, reach)) << from << ' ' << waits;
+        }
+      }
+    }
+    motions_.start_at(joints);
+  }
 }
 
 // It may set out when it comes 0.2 s after the cube at the earliest; tried are that and quarters of the carrying motion,
