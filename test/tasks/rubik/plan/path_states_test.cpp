@@ -275,25 +275,40 @@ struct Block final : Written {
   Hand hand_;
 };
 
-// By its number, which changes only when somebody means it to: it is the quickest of as many points as are drawn.
-TEST_F(PathStates, OfThePathPastWhatIsBesideItAreThroughOnePointThatWasDrawn) {
-  struct Case {
-    Hand hand;
-    double seconds, sum;  // of the path, of the size of the point's joints
-  };
-  for (const auto& [hand, seconds, sum] :
-       {Case{Hand::postument, 4, 1.399779525}, {Hand::track, 4.26, 1.748883108}}) {
-    const Block cell(hand);
-    AxisVector from = AxisVector::Zero(hand == Hand::track ? 7 : 6), to = from;
-    from[hand == Hand::track ? 1 : 0] = -0.5;
-    to[hand == Hand::track ? 1 : 0] = 0.6;
-    const CellState state{{any(Hand::postument, 1), any(Hand::track, 1)}, {}, {}, false, false};
-    const auto path = Paths(cell).find(hand, from, to, state);
-    ASSERT_TRUE(path);
-    ASSERT_EQ(path->size(), 3U);
-    EXPECT_NEAR(seconds_along(cell, hand, *path), seconds, 1e-6);
-    EXPECT_NEAR((*path)[1].cwiseAbs().sum(), sum, 1e-8);
-  }
+// Around the line, within 1.4 rad of its middle, 0.4 m on the track; almost as quick as the best of many more points.
+TEST_F(PathStates, OfThePathPastWhatIsBesideItAreThroughOneGoodPointAroundTheLine) {
+  for (const Hand hand : kHands)
+    for (int run = 0; run < 3; ++run) {
+      const Block cell(hand);
+      const bool track = hand == Hand::track;
+      AxisVector from = AxisVector::Zero(track ? 7 : 6), to = from;
+      from[track ? 1 : 0] = -uniform(0.4, 0.6);
+      to[track ? 1 : 0] = uniform(0.4, 0.6);
+      const CellState state{{any(Hand::postument, 1), any(Hand::track, 1)}, {}, {}, false, false};
+      const Paths paths(cell);
+      const auto path = paths.find(hand, from, to, state);
+      ASSERT_TRUE(path);
+      ASSERT_EQ(path->size(), 3U);
+      EXPECT_EQ(path->front(), from);
+      EXPECT_EQ(path->back(), to);
+      const AxisVector& via = (*path)[1];
+      EXPECT_GT(cell.joint_limit_margin(hand, via), 0);
+      EXPECT_TRUE(paths.is_free(hand, from, via, state) && paths.is_free(hand, via, to, state));
+      const AxisVector off = (via - (from + to) / 2).cwiseAbs();
+      for (Eigen::Index k = 0; k < off.size(); ++k) EXPECT_LT(off[k], track && k == 0 ? 0.4 : 1.4) << k;
+      double best = seconds_along(cell, hand, *path);
+      for (int k = 0; k < 1500; ++k) {
+        AxisVector other = (from + to) / 2;
+        for (Eigen::Index n = 0; n < other.size(); ++n)
+          other[n] += (track && n == 0 ? 0.2 : 0.7) * (uniform(-1, 1) + uniform(-1, 1));
+        if (cell.joint_limit_margin(hand, other) <= 0) continue;
+        const double seconds = seconds_along(cell, hand, {from, other, to});
+        if (seconds < best && paths.is_free(hand, from, other, state) &&
+            paths.is_free(hand, other, to, state))
+          best = seconds;
+      }
+      EXPECT_LT(seconds_along(cell, hand, *path), 1.5 * best) << run;
+    }
 }
 
 }  // namespace
