@@ -2,10 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace mrroc::edp {
 namespace {
@@ -55,6 +60,64 @@ TEST(Oscillation, GrowingSwingsAreToldWithAxisAndFrequency) {
       EXPECT_LT(fault->value, 2 * std::pow(1.3, 5) * scale)
           << "it is told before the swing has grown far beyond its bound";
     }
+}
+
+/// Swings between given extrema, each over its own number of steps: half a cosine.
+struct Swings {
+  std::vector<double> extremum;
+  std::vector<int> steps;  // to the next one
+
+  /// @return force in step k, and the number of the half
+  [[nodiscard]] std::pair<double, std::size_t> at(int k) const {
+    std::size_t n = 0;
+    for (; n + 2 < extremum.size() && k > steps[n]; ++n) k -= steps[n];
+    const double part = (1 - std::cos(std::numbers::pi * k / steps[n])) / 2;
+    return {extremum[n] + part * (extremum[n + 1] - extremum[n]), n};
+  }
+};
+
+TEST(Oscillation, WhatIsToldAreTheTimesAndSwingsBetweenExtremaWhenPeriodsBecomeShorter) {
+  for (const double change : {0.94, 1.06}) {
+    Swings s{{5}, {}};
+    double swing = 0.5, half = change < 1 ? 55 : 25;
+    for (int n = 0; n < 40; ++n) {
+      s.extremum.push_back(5 + (n % 2 == 0 ? swing : 0));
+      s.steps.push_back(static_cast<int>(std::lround(half)));
+      swing *= 1.15;
+      half = std::clamp(change * half, 20., 60.);
+    }
+    OscillationObserver observer({}, kDt);
+    for (int k = 0;; ++k) {
+      const auto [force, n] = s.at(k);
+      Wrench F;
+      F[Axis::y] = force;
+      const std::optional<Fault> told = observer.step(F, kAll);
+      if (!told) {
+        ASSERT_LT(k, 1500);
+        continue;
+      }
+      double time = 0;
+      for (std::size_t back = 1; back <= 8; ++back) time += kDt * s.steps[n - back];
+      const auto size = [&](std::size_t half_no) {
+        return std::abs(s.extremum[half_no + 1] - s.extremum[half_no]);
+      };
+      EXPECT_NEAR(told->value, (size(n - 1) + size(n - 2)) / 2, 1e-9);
+      const double first = (size(n - 7) + size(n - 8)) / 2;
+      const std::string text(told->text.view());
+      EXPECT_NEAR(std::stod(text.substr(text.find(" at ") + 4)), 4 / time, 0.051) << text;
+      EXPECT_NEAR(std::stod(text.substr(text.find("Hz, ") + 4)), std::cbrt(told->value / first), 0.0051)
+          << text;
+      break;
+    }
+  }
+}
+
+TEST(Oscillation, OnlySwingsInTheBandAreTold) {
+  const auto told = [](double frequency) {
+    return steps_until_told({.mean = 10, .swing = 15, .frequency = frequency, .noise = 0}) >= 0;
+  };
+  for (const double frequency : {3.8, 63.}) EXPECT_FALSE(told(frequency)) << frequency;
+  for (const double frequency : {4.2, 50.}) EXPECT_TRUE(told(frequency)) << frequency;
 }
 
 TEST(Oscillation, ItIsToldWhenTheForceComesDownFromAPeak) {
