@@ -283,6 +283,27 @@ TEST(CompensatingRegulator, TakesOverFromAnotherKindAlikeWhateverItHasDoneBefore
     ASSERT_EQ(used.step(0.1 * k - 3, 0.3, 0.01), fresh.step(0.1 * k - 3, 0.3, 0.01)) << k;
 }
 
+TEST(CompensatingRegulator, TakesOverAtRestWithoutAPreferenceForADirection) {
+  DriveModel rough = model();
+  rough.friction = 0.03;
+  CompensatingRegulator forth = regulator(rough), back = regulator(rough);
+  forth.resume(0, 0, 0);
+  back.resume(0, 0, 0);
+  for (int k = 0; k < 50; ++k)
+    ASSERT_NEAR(forth.step(0.1 * k, 0.5, 0), -back.step(-0.1 * k, -0.5, 0), 1e-9) << k;
+}
+
+TEST(CompensatingRegulator, TheDifferenceFromTheOneBeforeFadesSlowly) {
+  CompensatingRegulator own = regulator();
+  own.resume(regulator(), 60);
+  double before = own.step(0, 0, 0);
+  for (int k = 0; k < 3; ++k) {
+    const double now = own.step(0, 0, 0);
+    EXPECT_GT(now, 0.6 * before) << "no jolt";
+    before = now;
+  }
+}
+
 TEST(CompensatingRegulator, BrakesEndTheDifferenceFromTheOneBefore) {
   CompensatingRegulator own = regulator();
   own.resume(regulator(), 60);

@@ -168,6 +168,18 @@ TEST_F(Jaws, AreBlockedByCurrentAndStandstillTogetherForAllTheSteps) {
   EXPECT_TRUE(press(4.5, 0.15, 1));
 }
 
+TEST_F(Jaws, TellNoDistanceUntilTheirPlaceIsKnownAndForgetItWhenTheyAreHomedAnew) {
+  EXPECT_FALSE(gripper.known());
+  EXPECT_EQ(gripper.distance(), 0);
+  gripper.believe(0.06, 7);
+  EXPECT_TRUE(gripper.known());
+  EXPECT_NEAR(gripper.distance(), 0.06, 1e-12);
+  gripper.start_homing();
+  EXPECT_FALSE(gripper.known());
+  EXPECT_TRUE(gripper.homing());
+  EXPECT_EQ(gripper.distance(), 0);
+}
+
 TEST_F(Jaws, TooMuchCurrentIsAFault) {
   gripper.believe(0.07, 0);
   EXPECT_FALSE(gripper.measure(0, 0.2));

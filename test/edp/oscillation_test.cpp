@@ -112,12 +112,48 @@ TEST(Oscillation, WhatIsToldAreTheTimesAndSwingsBetweenExtremaWhenPeriodsBecomeS
   }
 }
 
-TEST(Oscillation, OnlySwingsInTheBandAreTold) {
+TEST(Oscillation, OnlySwingsFrom4To60HzAreTold) {
   const auto told = [](double frequency) {
-    return steps_until_told({.mean = 10, .swing = 15, .frequency = frequency, .noise = 0}) >= 0;
+    constexpr double kShort = 1e-4;  // so that periods are not rounded
+    OscillationObserver observer({}, kShort);
+    for (double t = 0; t < 3; t += kShort) {
+      Wrench F;
+      F[Axis::x] = 10 + 8 * std::sin(2 * std::numbers::pi * frequency * t);
+      if (observer.step(F, kAll)) return true;
+    }
+    return false;
   };
-  for (const double frequency : {3.8, 63.}) EXPECT_FALSE(told(frequency)) << frequency;
-  for (const double frequency : {4.2, 50.}) EXPECT_TRUE(told(frequency)) << frequency;
+  for (const double frequency : {3.95, 60.5}) EXPECT_FALSE(told(frequency)) << frequency;
+  for (const double frequency : {4.05, 59.5}) EXPECT_TRUE(told(frequency)) << frequency;
+}
+
+/// @return whether swings are told that change by a factor from period to period, from a first one on
+bool told(Axis axis, double first, double factor, int periods) {
+  Swings s{{0}, {}};
+  double swing = first;
+  for (int n = 0; n < 2 * periods + 2; ++n) {
+    s.extremum.push_back(s.extremum.back() + (n % 2 == 0 ? swing : -swing));
+    s.steps.push_back(20);  // 12.5 Hz
+    swing *= std::sqrt(factor);
+  }
+  OscillationObserver observer({}, kDt);
+  for (int k = 0; k < 40 * periods; ++k) {
+    Wrench F;
+    F[axis] = 40 * first + s.at(k).first;
+    if (observer.step(F, kAll)) return true;
+  }
+  return false;
+}
+
+TEST(Oscillation, SmallSwingsMustGrowByATenthAndLargeOnesHardlyDecay) {
+  for (const Axis axis : kAxes) {
+    const double least = axis < Axis::ax ? 2 : 0.2;
+    EXPECT_TRUE(told(axis, 1.1 * least, 1.12, 6)) << "below twice the least";
+    EXPECT_FALSE(told(axis, 1.1 * least, 1.08, 6));
+    EXPECT_FALSE(told(axis, 0.4 * least, 1.12, 6)) << "too small";
+    EXPECT_TRUE(told(axis, 6 * least, 0.98, 8));
+    EXPECT_FALSE(told(axis, 6 * least, 0.96, 8));
+  }
 }
 
 TEST(Oscillation, ItIsToldWhenTheForceComesDownFromAPeak) {

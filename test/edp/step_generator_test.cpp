@@ -223,6 +223,20 @@ TEST_F(StepGeneratorTest, ATaskFrameThatGetsAnotherToolStopsOnItsWayToTheGoalAnd
   EXPECT_LT(distance(arm.forward(set_point.set_point().axes.joints), goal), 1e-9);
 }
 
+TEST_F(StepGeneratorTest, AGoalThatCannotBeReachedAnyMoreIsNotReturnedTo) {
+  shift(0.01, 100, Interpolation::tcim_pose);  // 0.05 m/s: it would return
+  steps(100);
+  set_point.finish();
+  ASSERT_EQ(set_point.phase(), MotionPhase::stopping);
+  arm.blind = true;
+  for (int k = 0; k < 200 && set_point.phase() != MotionPhase::standing; ++k) steps(1);
+  EXPECT_FALSE(set_point.at_goal());
+  const double stands = x();
+  EXPECT_GT(std::abs(stands - kTool.p.x() - 0.01), 1e-6);
+  steps(50);
+  EXPECT_EQ(x(), stands);
+}
+
 TEST_F(StepGeneratorTest, WhatStandsNeitherFinishesNorStops) {
   for (int k = 0; k < 2; ++k) {
     set_point.finish();

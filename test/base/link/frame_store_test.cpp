@@ -221,8 +221,15 @@ TEST_F(FrameStore, RefusesPicturesOfAnotherSize) {
   ++other.width;
   EXPECT_EQ(code_of([&] { writer.write(0, 0, 0, picture(0, other).view()); }), FaultCode::internal_error);
   name_.camera = "x";
-  for (const FrameStoreShape& wrong :
-       {FrameStoreShape{0, 10, 1, 4}, {10, 5000, 1, 4}, {10, 10, 2, 4}, {10, 10, 1, 1}})
+  for (const FrameStoreShape& wrong : {FrameStoreShape{0, 10, 1, 4},
+                                       {4097, 10, 1, 4},
+                                       {10, 0, 1, 4},
+                                       {10, 4097, 1, 4},
+                                       {10, 10, 0, 4},
+                                       {10, 10, 2, 4},
+                                       {10, 10, 4, 4},
+                                       {10, 10, 1, 1},
+                                       {10, 10, 1, 65}})
     EXPECT_EQ(code_of([&] { FrameWriter refused(name_, wrong); }), FaultCode::internal_error);
   EXPECT_EQ(files(), 1U);
 }
