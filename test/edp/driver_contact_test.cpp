@@ -45,14 +45,11 @@ TEST(DriverContact, OneThatSwingsOnAndOnFailsAndTheArmComesToRest) {
 TEST(DriverContact, OneThatSwingsIsLeftByAWholeStopWhereverTheMotionWasToEnd) {
   Swinging rig;
   const std::function<void()> swing = rig.after_each_step;
-  std::vector<double> x;
+  std::vector<double> x;  // two places before the stop, then those in it
   rig.after_each_step = [&] {
     swing();
-    if (rig.driver.state() == DriverState::decelerating || x.size() < 2)
-      x.push_back(rig.driver.set_point().T_0E.p.x());
-    else
-      x = {x.back(), rig.driver.set_point().T_0E.p.x()};
-    if (rig.driver.state() == DriverState::holding) rig.after_each_step = nullptr;
+    if (rig.driver.state() == DriverState::executing && x.size() == 2) x.erase(x.begin());
+    if (rig.driver.state() != DriverState::holding) x.push_back(rig.driver.set_point().T_0E.p.x());
   };
   ArmCommand a;
   a.mu = Interpolation::tcim_pose;

@@ -145,6 +145,17 @@ bool told(Axis axis, double first, double factor, int periods) {
   return false;
 }
 
+TEST(Oscillation, TheWayToTheFirstExtremumIsNoSwing) {
+  for (const int begin : {0, 5, 10, 15, 25, 33}) {
+    OscillationObserver observer({}, kDt);
+    for (int k = begin; k < 400; ++k) {
+      Wrench F;
+      F[Axis::z] = 30 + 8 * std::pow(0.96, k / 40.) * std::sin(2 * std::numbers::pi * k / 40);
+      ASSERT_FALSE(observer.step(F, kAll)) << "it decays, seen from step " << begin;
+    }
+  }
+}
+
 TEST(Oscillation, SmallSwingsMustGrowByATenthAndLargeOnesHardlyDecay) {
   for (const Axis axis : kAxes) {
     const double least = axis < Axis::ax ? 2 : 0.2;

@@ -104,7 +104,7 @@ double unevenness(Blinkered& arm, StepGenerator& set_point, int blind_in_step) {
 TEST_F(StepGeneratorTest, MotorsThatHaveTakenOverAStopKeepItThoughTheTaskFrameCouldGoOnAgain) {
   turn();
   set_point.stop();
-  EXPECT_GT(unevenness(arm, set_point, 0), 1e-5) << "in the task frame the motors are not even";
+  EXPECT_GT(unevenness(arm, set_point, 0), 1e-6) << "in the task frame the motors are not even";
   turn();
   set_point.stop();
   EXPECT_LT(unevenness(arm, set_point, 6), 1e-12);
