@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <tuple>
+
 #include "test/tasks/rubik/two_arms.hpp"
 
 namespace mrroc::rubik {
@@ -77,9 +80,10 @@ TEST_F(RubikProgram, TheHandThatHasTheCubeAccordingToItsStepIsWeighedWithItAndTh
     step.before_grasp.hand = holder;
     step.after_grasp.hand = step.comes = other(holder);
     step.leaves = holder;
-    ASSERT_EQ(program.execute(step), Outcome::terminated);
+    std::ignore = program.execute(step);  // the hands are weighed at its begin
     std::array<double, kArms> expected{1, 2};
     expected[index(holder)] += 10;
+    ASSERT_FALSE(arms.weights.empty());
     EXPECT_EQ(arms.weights.back(), expected);
   }
   EXPECT_EQ(arms.weights.size(), 3U);
