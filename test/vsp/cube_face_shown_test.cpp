@@ -135,7 +135,10 @@ TEST_F(FaceShown, ReadingIsThatOfTheBestPlaceAndIsNearTheTruth) {
     expect_same(all, sensor.detect(image.view(), 5, 77, 2), run);
     ++chosen[static_cast<std::size_t>(all.place)];
     ++seen;
-    EXPECT_LT((all.T_CG.p - truth.p).norm(), 0.003) << run;
+    const Vector3 off = all.T_CG.p - truth.p;
+    EXPECT_LT(off.head<2>().norm(), 0.001) << run;
+    EXPECT_LT(std::abs(off.z()), 0.006)
+        << run << ": the painter makes stickers larger by half a pixel all around";
     EXPECT_LT(angle_axis_from_rotation(all.T_CG.R * truth.R.transpose()).norm(), 0.05) << run;
     for (std::size_t s = 0; s < kStickers; ++s)
       if (all.stickers[s].confidence > 0.95) ++(all.stickers[s].colour == painted_[s] ? right : wrong);

@@ -30,7 +30,7 @@ struct Solid {
   std::string name;
   int owner{}, place{};  // in the chain of the arm, 0: base
   bool hand{};
-  std::vector<Vector3> corners, normals, edges;
+  std::vector<Vector3> corners{}, normals{}, edges{};
   Vector3 middle = Vector3::Zero();
   double radius{};
 };
@@ -212,8 +212,11 @@ class CollisionStates : public testing::Test {
         if (told == all[a].name + " and " + all[b].name || told == all[b].name + " and " + all[a].name)
           of_told = std::min(of_told, apart);
       }
-    if (free) EXPECT_GT(deepest, -kUncertain) << touching;
-    if (!free) EXPECT_LT(of_told, kUncertain) << told;
+    if (free) {
+      EXPECT_GT(deepest, -kUncertain) << touching;
+    } else {
+      EXPECT_LT(of_told, kUncertain) << told;
+    }
     seen_.insert(free ? "free" : told);
   }
 
