@@ -32,7 +32,7 @@ struct Solid {
   std::vector<Vector3> corners{}, normals{}, edges{};
   Vector3 middle = Vector3::Zero();
   double radius{};
-  double uncertain{2e-4};  // how far its surface may be from the true one [m]
+  double uncertain{5e-4};  // how far its surface may be from the true one [m]
 };
 
 /// @return how far apart two solids are at least [m]; negative: how deep they are in each other
@@ -82,7 +82,7 @@ Solid box(Solid s, const Vector3& size, double skin, const Pose& T_U) {
 /// A cylinder along z, as a prism whose sides it touches.
 Solid prism(Solid s, const Vector3& size, double skin, const Pose& T_U) {
   constexpr int kSides = 24;
-  s.uncertain = 0.0015;
+  s.uncertain = 0.002;
   const double half = size.z() / 2 + skin;
   const double radius = (size.x() / 2 + skin) / std::cos(std::numbers::pi / kSides);
   for (int k = 0; k < kSides; ++k) {
