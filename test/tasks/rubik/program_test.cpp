@@ -3,9 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <tuple>
-
 #include "test/tasks/rubik/two_arms.hpp"
 
 namespace mrroc::rubik {
@@ -64,29 +61,6 @@ TEST_F(RubikProgram, LeadsBothArmsThroughOneCycle) {
   ASSERT_EQ(arms.points[1].size(), 1u);
   EXPECT_EQ(execution_log.at(0).attempts, 1);
   EXPECT_NEAR(execution_log.at(0).tool, kQuarter, 0.02);
-}
-
-TEST_F(RubikProgram, TheHandThatHasTheCubeAccordingToItsStepIsWeighedWithItAndTheOtherOneWithoutIt) {
-  for (const Hand hand : kHands) {
-    x.c.k.load[index(hand)][0].weight = 1 + static_cast<double>(index(hand));
-    x.c.k.load[index(hand)][1].weight = 11 + static_cast<double>(index(hand));
-  }
-  Program<TwoArms> program(x, arms, execution_log);
-  ASSERT_EQ(program.wait_for_start(), Outcome::terminated);
-  Step step = quarter_turn();
-  step.before.clear();
-  step.retreat.points.clear();
-  for (const Hand holder : {Hand::track, Hand::postument, Hand::track}) {
-    step.before_grasp.hand = holder;
-    step.after_grasp.hand = step.comes = other(holder);
-    step.leaves = holder;
-    std::ignore = program.execute(step);  // the hands are weighed at its begin
-    std::array<double, kArms> expected{1, 2};
-    expected[index(holder)] += 10;
-    ASSERT_FALSE(arms.weights.empty());
-    EXPECT_EQ(arms.weights.back(), expected);
-  }
-  EXPECT_EQ(arms.weights.size(), 3U);
 }
 
 TEST_F(RubikProgram, BothArmsAreToldAtOnceAndGoOneAfterTheOtherOrAtTheSameTime) {
