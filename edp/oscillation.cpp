@@ -65,8 +65,9 @@ bool OscillationObserver::turned(History& h, double force, double least) const n
   if (h.count > 0 && h.since_extremum * dt_ * p_.lowest < 1)
     hysteresis = std::max(hysteresis, kRinging * h.half[(h.count - 1) % kMostHalves].swing);
   if (std::abs(force - h.best) < hysteresis) return false;
-  h.half[h.count % kMostHalves] = {std::abs(h.best - h.extremum), h.since_extremum - h.since_best};
-  ++h.count;
+  const Half half{std::abs(h.best - h.extremum), h.since_extremum - h.since_best};
+  if (h.certain) h.half[h.count++ % kMostHalves] = half;
+  h.certain = true;
   h.extremum = h.best;
   h.since_extremum = h.since_best;
   h.best = force;

@@ -78,6 +78,7 @@ class OscillationObserver {
     double best{};                       // farthest from it since then
     int since_extremum{}, since_best{};  // [steps]
     bool rising{}, begun{};
+    bool certain{};  // there is an extremum; before it the force began anywhere
   };
 
   [[nodiscard]] bool turned(History& h, double force, double least) const noexcept;

@@ -32,26 +32,11 @@ struct Context {
 
 // Elements that never draw anything themselves, so that leaving them out is not worth a word.
 bool is_silent(std::string_view name) {
-  constexpr std::array kSilent{"defs",
-                               "symbol",
-                               "title",
-                               "desc",
-                               "metadata",
-                               "style",
-                               "script",
-                               "linearGradient",
-                               "clipPath",
-                               "radialGradient",
-                               "mask",
-                               "marker",
-                               "pattern",
-                               "filter",
-                               "view",
-                               "animate",
-                               "animateTransform",
-                               "set",
-                               "cursor",
-                               "font"};
+  constexpr std::array kSilent{
+      "animate",        "animateColor", "animateMotion", "animateTransform", "clipPath", "color-profile",
+      "cursor",         "defs",         "desc",          "filter",           "font",     "font-face",
+      "linearGradient", "marker",       "mask",          "metadata",         "pattern",  "radialGradient",
+      "script",         "set",          "style",         "symbol",           "title",    "view"};
   return std::find(kSilent.begin(), kSilent.end(), name) != kSilent.end();
 }
 

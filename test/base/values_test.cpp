@@ -156,6 +156,12 @@ TEST(CubeFaceShape, NumbersStickersRowByRowFromTheUpperLeft) {
   EXPECT_LT((shape.middle(6) - Vector3(-0.02, -0.02, 0)).norm(), 1e-12);
 }
 
+TEST(CubeFaceShape, HasStickersApartFromEachOtherUnlessToldOtherwise) {
+  EXPECT_GT(kCubeFace.sticker, 0.2 * kCubeFace.edge);
+  EXPECT_LT(kCubeFace.sticker, kCubeFace.edge / 3);
+  EXPECT_EQ(CubeFaceShape{}.edge, kCubeFace.edge);
+}
+
 TEST(Tint, IsTheLogarithmOfRedAndBlueOverGreenWithALittleGrey) {
   const double grey = 1 + 0.03 * (200 + 50 + 100);
   const auto t = tint({200, 50, 100});

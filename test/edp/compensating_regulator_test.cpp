@@ -272,6 +272,47 @@ TEST(CompensatingRegulator, AfterTheBrakesItKnowsItsLoadAndTakesTheShaftWhereItI
   EXPECT_NEAR(first, held - own.gains().k_p, 1e-3) << "no more than the error of one increment";
 }
 
+TEST(CompensatingRegulator, TakesOverFromAnotherKindAlikeWhateverItHasDoneBefore) {
+  DriveModel rough = model();
+  rough.friction = 0.03;
+  Drive drive(rough, 0.04);
+  CompensatingRegulator used = regulator(rough), fresh = regulator(rough);
+  for (int k = 0; k < 200; ++k) drive.step(used, 1.5 - 0.02 * k);
+  for (CompensatingRegulator* const own : {&used, &fresh}) own->resume(1, 2, 30);
+  for (int k = 0; k < 100; ++k)
+    ASSERT_EQ(used.step(0.1 * k - 3, 0.3, 0.01), fresh.step(0.1 * k - 3, 0.3, 0.01)) << k;
+}
+
+TEST(CompensatingRegulator, TakesOverAtRestWithoutAPreferenceForADirection) {
+  DriveModel rough = model();
+  rough.friction = 0.03;
+  CompensatingRegulator forth = regulator(rough), back = regulator(rough);
+  forth.resume(0, 0, 0);
+  back.resume(0, 0, 0);
+  for (int k = 0; k < 50; ++k)
+    ASSERT_NEAR(forth.step(0.1 * k, 0.5, 0), -back.step(-0.1 * k, -0.5, 0), 1e-9) << k;
+}
+
+TEST(CompensatingRegulator, TheDifferenceFromTheOneBeforeFadesSlowly) {
+  CompensatingRegulator own = regulator();
+  own.resume(regulator(), 60);
+  double before = own.step(0, 0, 0);
+  for (int k = 0; k < 3; ++k) {
+    const double now = own.step(0, 0, 0);
+    EXPECT_GT(now, 0.6 * before) << "no jolt";
+    before = now;
+  }
+}
+
+TEST(CompensatingRegulator, BrakesEndTheDifferenceFromTheOneBefore) {
+  CompensatingRegulator own = regulator();
+  own.resume(regulator(), 60);
+  EXPECT_NEAR(own.step(0, 0, 0), 60, 1e-9);
+  own.restart();
+  EXPECT_FALSE(own.at_limit());
+  EXPECT_NEAR(own.step(0, 0, 0), 0, 1e-9) << "it stands where it is set to be, without a load";
+}
+
 TEST(CompensatingRegulator, ResetForgetsEverything) {
   Drive drive(model(), 0.04);
   CompensatingRegulator own = regulator();

@@ -2,6 +2,7 @@
 // pushes. What the predictions of edp/stability.hpp are held against.
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 #include <limits>
@@ -17,16 +18,29 @@ namespace mrroc::edp::test {
 /// How a contact develops after a small push.
 class ContactSimulation {
  public:
-  /// @param loop with a LagServo or a CompensatedDrive, whose regulator is the real one
+  /// @param loop with a LagServo, or a drive, whose regulator is the real one
   ContactSimulation(const ContactLoop& loop, double stiffness) : l_(loop), K_(stiffness) {
+    // It rests with the desired force, but for a hundredth of it.
+    r_ = x_ = last_x_ = 1.01 * kForce / K_;
     if (const auto* drive = std::get_if<CompensatedDrive>(&loop.servo)) {
-      drive_ = *drive;
-      regulator_ = {drive->regulator, drive->model, drive->increments_per_rad, loop.dt};
+      const DriveModel& m = drive->model;
+      const double constant = m.torque_constant * m.torque_constant;
+      motor_ = RegulatedDrive{{},
+                              drive->increments_per_rad,
+                              m.speed_per_pwm(),
+                              m.resistance * drive->inertia / constant,
+                              drive->inertia,
+                              drive->lever};
+      compensating_.emplace(drive->regulator, m, drive->increments_per_rad, loop.dt);
+    } else if (const auto* original = std::get_if<RegulatedDrive>(&loop.servo)) {
+      motor_ = *original;
+      incremental_ = IncrementalRegulator(original->regulator);
+      const double holding =
+          kForce * motor_->lever / motor_->inertia * motor_->time_constant / motor_->speed_gain;
+      incremental_.resume(0, 0, holding);
     } else {
       servo_ = std::get<LagServo>(loop.servo);
     }
-    // It rests with the desired force, but for a hundredth of it.
-    r_ = x_ = 1.01 * kForce / K_;
     readings_.assign(static_cast<std::size_t>(l_.delay + l_.average), 1.01 * kForce);
     filtered_ = 1.01 * kForce;
     reading_ = 1.01 * kForce;
@@ -44,6 +58,19 @@ class ContactSimulation {
     return late > std::max(early, 1e-20) || late > pushed;
   }
 
+  /// @param steps of a third of the time that is looked at: the first one lets the fast modes die away
+  /// @return factor of what is left of the push from step to step
+  [[nodiscard]] double decay(double steps) {
+    const int third = static_cast<int>(std::ceil(std::min(steps, 6e4)));
+    std::array<double, 3> squares{};
+    for (double& sum : squares)
+      for (int k = 0; k < third; ++k) {
+        const double off = step() - kForce;
+        sum += off * off;
+      }
+    return std::pow(squares[2] / squares[1], 0.5 / third);
+  }
+
  private:
   static constexpr double kForce = 10;  // [N]
   static constexpr int kSubsteps = 40;
@@ -57,7 +84,7 @@ class ContactSimulation {
     const double keep = l_.low_pass > 0 ? std::exp(-2 * std::numbers::pi * l_.low_pass * l_.dt) : 0;
     filtered_ = keep * filtered_ + (1 - keep) * mean;
     v_ = axis_velocity(c(kForce, l_.inertia, l_.mobility), filtered_, v_, l_.dt);
-    if (drive_) regulate();
+    if (motor_) regulate();
     const double h = l_.dt / kSubsteps;
     double sum = 0;
     for (int k = 0; k < kSubsteps; ++k) {
@@ -71,26 +98,34 @@ class ContactSimulation {
 
   [[nodiscard]] double push() const { return std::max(0.0, K_ * x_ + K_ * l_.contact_damping * w_); }
 
-  /// The regulator is told the load of the desired force.
+  /// The compensating regulator is told the load of the desired force.
   void regulate() {
-    const double increments = drive_->increments_per_rad / drive_->lever;
+    const double increments = motor_->increments_per_rad / motor_->lever;
+    const double wanted = v_ * l_.dt * increments;
     if (set_ == 0) set_ = x_;
-    pwm_ = regulator_.step(v_ * l_.dt * increments, (set_ - x_) * increments, kForce * drive_->lever);
+    pwm_ = compensating_ ? compensating_->step(wanted, (set_ - x_) * increments, kForce * motor_->lever)
+                         : incremental_.step(wanted, (x_ - last_x_) * increments);
     set_ += v_ * l_.dt;
+    last_x_ = x_;
   }
 
-  /// Speed first: it does not make an undamped contact swing more.
   void drive(double h) {
-    const DriveModel& m = drive_->model;
-    const double torque = (m.speed_per_pwm() * pwm_ - w_ / drive_->lever) * m.torque_constant *
-                          m.torque_constant / m.resistance;
-    w_ += h * (torque - push() * drive_->lever) / drive_->inertia * drive_->lever;
-    x_ += h * w_;
+    const double x = x_, w = w_;
+    const double middle = w + acceleration() * h / 2;
+    x_ += w * h / 2;
+    w_ = middle;
+    w_ = w + acceleration() * h;
+    x_ = x + middle * h;
+  }
+  /// @return of the tip, with its present position and speed
+  [[nodiscard]] double acceleration() const {
+    const RegulatedDrive& m = *motor_;
+    return (m.speed_gain * pwm_ * m.lever - w_) / m.time_constant - push() * m.lever * m.lever / m.inertia;
   }
 
   /// Midpoint rule.
   void move(double h) {
-    if (drive_) return drive(h);
+    if (motor_) return drive(h);
     const double r = r_ + v_ * h / 2;
     if (servo_.order == 1) {
       const double omega = 2 * std::numbers::pi * servo_.bandwidth;
@@ -112,9 +147,10 @@ class ContactSimulation {
 
   ContactLoop l_;
   LagServo servo_;
-  std::optional<CompensatedDrive> drive_;
-  CompensatingRegulator regulator_;
-  double set_{}, pwm_{};
+  std::optional<RegulatedDrive> motor_;
+  std::optional<CompensatingRegulator> compensating_;
+  IncrementalRegulator incremental_;
+  double set_{}, pwm_{}, last_x_{};
   double K_;
   double r_{}, x_{}, w_{}, v_{};
   double reading_{}, filtered_{};
@@ -168,6 +204,23 @@ ContactLoop random_loop(Random& random, CompensatedDrive drive) {
   drive.inertia *= std::uniform_real_distribution<>(0.7, 1.4)(random);
   drive.model.friction = 0;
   drive.model.current_limit = drive.model.max_current = std::numeric_limits<double>::infinity();
+  l.servo = drive;
+  return l;
+}
+
+/// @return such a loop with the original's regulator: its drive as it is, other coefficients
+template <class Random>
+ContactLoop random_loop(Random& random, RegulatedDrive drive) {
+  ContactLoop l = random_loop(random);
+  const auto about = [&](double value) {
+    return value * std::uniform_real_distribution<>(0.8, 1.25)(random);
+  };
+  const double zero = drive.regulator.b1 / drive.regulator.b0;
+  drive.regulator.epsilon = std::uniform_real_distribution<>(0, 0.03)(random);
+  drive.regulator.a = about(drive.regulator.a);
+  drive.regulator.b0 = about(drive.regulator.b0);
+  drive.regulator.b1 = drive.regulator.b0 * zero;
+  l.dt = 0.002;  // which the coefficients are for
   l.servo = drive;
   return l;
 }

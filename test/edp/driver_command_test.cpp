@@ -139,6 +139,23 @@ TEST(DriverCommand, ForceIsZeroAfterTheBiasWhateverTheToolAndTheOrientation) {
   }
 }
 
+TEST(DriverCommand, TheModelThatIsGotIsTheOneThatWasSetLast) {
+  Rig rig;
+  rig.synchronise();
+  for (const double weight : {3., 1.5, 2.}) {
+    EffectorCommand c = force_tool(rig, weight, {0.01 * weight, 0.02, -0.03});
+    c.instruction = Instruction::set_get;
+    c.get = static_cast<std::uint8_t>(Part::robot_model);
+    c.get_tool_representation = Representation::xyz_angle_axis;
+    const EffectorReply reply = rig.macrostep(c);
+    ASSERT_EQ(reply.verdict, Verdict::executed);
+    EXPECT_EQ(reply.robot_model.weight, weight);
+    EXPECT_EQ(reply.robot_model.mass_centre, (std::array<double, 3>{0.01 * weight, 0.02, -0.03}));
+    EXPECT_EQ(reply.robot_model.tool_representation, Representation::xyz_angle_axis);
+    EXPECT_NEAR(reply.robot_model.tool[2], Rig::parameters().T_WE.p.z(), 1e-12);
+  }
+}
+
 TEST(DriverCommand, BiasZeroesTheForceAndIsRefusedInMotion) {
   Rig rig;
   rig.world.sensor_offset = Wrench{{1, -2, 3, 0.1, 0.2, -0.3}};

@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <vector>
 
 #include "edp/control_law.hpp"
+#include "edp/deceleration.hpp"
 #include "test/edp/rig.hpp"
 
 namespace mrroc::edp::test {
@@ -36,6 +39,38 @@ TEST(DriverContact, OneThatSwingsOnAndOnFailsAndTheArmComesToRest) {
   EXPECT_EQ(class_of(reply.fault.code), FaultClass::non_fatal);
   EXPECT_EQ(rig.silence(10).state, DriverState::holding);
   EXPECT_TRUE(rig.driver.set_point().motor_increment.isZero(0));
+}
+
+// The way along x leads to a pose, as that of a motion that brakes before its goal; the force does not let it.
+TEST(DriverContact, OneThatSwingsIsLeftByAWholeStopWhereverTheMotionWasToEnd) {
+  Swinging rig;
+  const std::function<void()> swing = rig.after_each_step;
+  std::vector<double> x;  // two places before the stop, then those in it
+  rig.after_each_step = [&] {
+    swing();
+    if (rig.driver.state() == DriverState::executing && x.size() == 2) x.erase(x.begin());
+    if (rig.driver.state() != DriverState::holding) x.push_back(rig.driver.set_point().T_0E.p.x());
+  };
+  ArmCommand a;
+  a.mu = Interpolation::tcim_pose;
+  a.frame = stiff();
+  a.reference = Reference::relative;
+  a.representation = Representation::xyz_angle_axis;
+  a.pose = {0.0004};  // 0.02 m/s
+  EffectorReply reply;
+  for (int k = 0; k < 100 && reply.fault.code == FaultCode::none; ++k) reply = rig.macrostep(rig.set_arm(a));
+  ASSERT_EQ(reply.fault.code, FaultCode::contact_unstable);
+  rig.silence(10);
+  EXPECT_EQ(rig.driver.state(), DriverState::holding);
+  const double speed = x[1] - x[0];
+  EXPECT_NEAR(speed, 0.02 * 0.002, 1e-9);
+  const int n = Rig::parameters().stop_steps;
+  ASSERT_GE(static_cast<int>(x.size()), n);
+  for (int k = 1; k < n; ++k) {
+    const auto step = static_cast<std::size_t>(k) + 1;
+    ASSERT_NEAR(x[step] - x[step - 1], speed * remaining_speed(k, n), 1e-9) << "step " << k << " of the stop";
+  }
+  EXPECT_NEAR(rig.driver.set_point().T_0E.p.x(), x[1] + speed * stopping_way(n), 1e-8);
 }
 
 TEST(DriverContact, AnAxisThatFollowsNoForceMaySwing) {

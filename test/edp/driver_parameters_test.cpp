@@ -1,6 +1,9 @@
 // Parameters that a driver accepts, and their effect at its start.
+#include "edp/driver_parameters.hpp"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -78,6 +81,62 @@ TEST(DriverParameters, SenselessOnesAreRefusedByName) {
   for (std::size_t k = 0; k < cases.size(); ++k)
     EXPECT_NE(error_text(cases[k].change).find(cases[k].name), std::string::npos)
         << k << ' ' << cases[k].name << ": " << error_text(cases[k].change);
+}
+
+TEST(DriverParameters, HomingStandsHalfASecondOnTheSwitchUnlessToldOtherwise) {
+  const DriverParameters p;
+  EXPECT_NEAR(p.homing.standstill_steps * p.dt, 0.5, 1e-12);
+  EXPECT_NEAR(p.homing.settle_steps * p.dt, 0.05, 1e-12);
+  EXPECT_NEAR(p.homing.ramp_steps * p.dt, 0.02, 1e-12);
+}
+
+TEST(DriverParameters, HomingLooksForTheSwitchAndLeavesItAsFastAsTheOriginalUnlessToldOtherwise) {
+  const DriverParameters p;
+  EXPECT_EQ(p.homing.first_axis, 0);
+  EXPECT_FALSE(p.homing.returns);
+  for (const AxisHoming& axis : p.homing.axis) {
+    EXPECT_NEAR(axis.coarse * p.dt, 0.03, 1e-12) << "radians in a step";
+    EXPECT_NEAR(axis.fine * p.dt, 0.007, 1e-12);
+    EXPECT_EQ(axis.position, 0) << "it counts from the mark";
+  }
+}
+
+TEST(DriverParameters, UnlessToldOtherwiseTheWristIsThatOfTheIrb6) {
+  const DriverParameters p;
+  EXPECT_EQ(p.force.range, (Wrench{{65, 65, 200, 5, 5, 5}})) << "of its sensor";
+  EXPECT_EQ(p.limits.force, (Wrench{{65, 65, 130, 5, 5, 5}})) << "what it may be told to exert";
+  for (const Axis a : kAxes) {
+    EXPECT_LE(p.limits.contact_force[a], 0.9 * p.force.range[a]);
+    EXPECT_GT(p.limits.contact_force[a], 0.88 * std::min(p.limits.force[a], p.force.range[a]));
+  }
+  EXPECT_EQ(p.limits.linear_acceleration * p.dt, 0.2) << "of E, a step of the papers' tables";
+  EXPECT_EQ(p.limits.angular_acceleration * p.dt, 1);
+  EXPECT_EQ(p.limits.motor_acceleration * p.dt, 100) << "from rest";
+  EXPECT_EQ(p.limits.linear_velocity, 0.5);
+  EXPECT_EQ(p.limits.angular_velocity, 2);
+  EXPECT_EQ(p.limits.inertia, 1000);
+  EXPECT_EQ(p.limits.mobility, 1);
+  EXPECT_EQ(p.limits.weight, 50);
+  EXPECT_EQ(p.limits.lever, 1);
+  EXPECT_FALSE(p.limits.workspace);
+}
+
+TEST(DriverParameters,
+     UnlessToldOtherwiseMalfunctionsAreCalledAfterAQuarterMoreAFewReadingsAndFiftyMilliseconds) {
+  const DriverParameters p;
+  EXPECT_EQ(p.supervision.over_speed, 1.25);
+  EXPECT_EQ(p.supervision.following_error, 1.5);
+  EXPECT_NEAR(p.supervision.torque_steps * p.dt, 0.05, 1e-12);
+  EXPECT_EQ(p.force.fault_after, 3);
+  EXPECT_EQ(p.force.stuck_after, 0) << "never";
+  EXPECT_EQ(p.force.average, 1) << "the force is not late";
+  EXPECT_EQ(p.force.low_pass, 0);
+  EXPECT_EQ(p.start_guard_steps, 0);
+  EXPECT_EQ(p.jaws, 0.074);
+  EXPECT_FALSE(p.jaws_known);
+  EXPECT_FALSE(p.servo) << "the regulators of the robot's table";
+  EXPECT_EQ(p.stop_steps, kMaxStopSteps);
+  EXPECT_EQ(p.n_s, 10);
 }
 
 TEST(DriverParameters, TheirBoundsAreLegal) {

@@ -98,6 +98,24 @@ TEST(ForceSensor, NewToolIsCompensatedFromItsBiasOn) {
   }
 }
 
+TEST(ForceSensor, ABiasTakesThePlaceOfTheOneBefore) {
+  std::mt19937_64 random(5);
+  Wrist wrist(random);
+  ForceSensor sensor(wrist.p);
+  for (int drift = 0; drift < 3; ++drift) {
+    wrist.offset = mrroc::test::random_spatial<Wrench>(random, 2);
+    const Matrix3 R_bias = random_rotation(random);
+    sensor.take(wrist.raw(R_bias), false);
+    sensor.take(wrist.raw(R_bias), true);
+    sensor.bias(R_bias);
+    for (int k = 0; k < 20; ++k) {
+      const Matrix3 R_0W = random_rotation(random);
+      sensor.take(wrist.raw(R_0W), false);
+      ASSERT_LT(largest(sensor.adjusted(R_0W)), 1e-9) << drift;
+    }
+  }
+}
+
 TEST(ForceSensor, WithoutToolTheIdentificationSeesThePapersSigns) {
   // MG (40)-(42): w = 0 and P = 0 before a bias with z_W down; then z_W up, then x_W up with y, z horizontal.
   std::mt19937_64 random(4);

@@ -162,6 +162,22 @@ TEST_F(Jaws, AreBlockedByCurrentAndStandstillTogetherForAllTheSteps) {
   for (int k = 0; k < 200; ++k)
     EXPECT_FALSE(press(1 + 0.021 * k + 0.021, 0.15, 1) && k > 1) << "half a radian in 25 steps";
   EXPECT_FALSE(press(5, 0.05, 200)) << "standing alone is nothing";
+  EXPECT_TRUE(press(5, 0.15, 25));
+  EXPECT_FALSE(press(4.5, 0.15, 1)) << "it moves the other way";
+  EXPECT_FALSE(press(4.5, 0.15, 24));
+  EXPECT_TRUE(press(4.5, 0.15, 1));
+}
+
+TEST_F(Jaws, TellNoDistanceUntilTheirPlaceIsKnownAndForgetItWhenTheyAreHomedAnew) {
+  EXPECT_FALSE(gripper.known());
+  EXPECT_EQ(gripper.distance(), 0);
+  gripper.believe(0.06, 7);
+  EXPECT_TRUE(gripper.known());
+  EXPECT_NEAR(gripper.distance(), 0.06, 1e-12);
+  gripper.start_homing();
+  EXPECT_FALSE(gripper.known());
+  EXPECT_TRUE(gripper.homing());
+  EXPECT_EQ(gripper.distance(), 0);
 }
 
 TEST_F(Jaws, TooMuchCurrentIsAFault) {

@@ -86,6 +86,24 @@ TEST(GuardModel, RegulatorsAreOfMotorsThatThereAre) {
   ASSERT_EQ(code_of(fault), FaultCode::out_of_limits);
   EXPECT_EQ(fault->value, 1 << FakeArm::kAxes);
   EXPECT_EQ(fault->limit, (1 << FakeArm::kAxes) - 1);
+  m.set_servo_algorithm = 1;
+  m.servo_algorithm[0] = 9;
+  const ValidationError unknown = check(m);
+  ASSERT_EQ(code_of(unknown), FaultCode::unknown_model);
+  EXPECT_EQ(unknown->value, 9);
+  EXPECT_EQ(unknown->axis, 0) << "of that motor";
+  RobotModel kinematic;
+  kinematic.set_kinematic_model = true;
+  kinematic.kinematic_model = 77;
+  const ValidationError none = check(kinematic);
+  ASSERT_EQ(code_of(none), FaultCode::unknown_model);
+  EXPECT_EQ(none->axis, -1) << "of no axis";
+  EXPECT_EQ(none->value, 77);
+  EXPECT_EQ(none->limit, 0) << "there is one";
+  m.servo_algorithm[0] = static_cast<std::uint8_t>(unknown->limit);
+  EXPECT_FALSE(check(m)) << "the last one that there is is told";
+  ++m.servo_algorithm[0];
+  EXPECT_TRUE(check(m));
 }
 
 TEST(GuardArm, EveryNumberOfAPoseThatIsUsedIsFinite) {

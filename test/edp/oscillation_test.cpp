@@ -2,10 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace mrroc::edp {
 namespace {
@@ -57,6 +62,111 @@ TEST(Oscillation, GrowingSwingsAreToldWithAxisAndFrequency) {
     }
 }
 
+/// Swings between given extrema, each over its own number of steps: half a cosine.
+struct Swings {
+  std::vector<double> extremum;
+  std::vector<int> steps;  // to the next one
+
+  /// @return force in step k, and the number of the half
+  [[nodiscard]] std::pair<double, std::size_t> at(int k) const {
+    std::size_t n = 0;
+    for (; n + 2 < extremum.size() && k > steps[n]; ++n) k -= steps[n];
+    const double part = (1 - std::cos(std::numbers::pi * k / steps[n])) / 2;
+    return {extremum[n] + part * (extremum[n + 1] - extremum[n]), n};
+  }
+};
+
+TEST(Oscillation, WhatIsToldAreTheTimesAndSwingsBetweenExtremaWhenPeriodsBecomeShorter) {
+  for (const double change : {0.94, 1.06}) {
+    Swings s{{5}, {}};
+    double swing = 0.5, half = change < 1 ? 55 : 25;
+    for (int n = 0; n < 40; ++n) {
+      s.extremum.push_back(5 + (n % 2 == 0 ? swing : 0));
+      s.steps.push_back(static_cast<int>(std::lround(half)));
+      swing *= 1.15;
+      half = std::clamp(change * half, 20., 60.);
+    }
+    OscillationObserver observer({}, kDt);
+    for (int k = 0;; ++k) {
+      const auto [force, n] = s.at(k);
+      Wrench F;
+      F[Axis::y] = force;
+      const std::optional<Fault> told = observer.step(F, kAll);
+      if (!told) {
+        ASSERT_LT(k, 1500);
+        continue;
+      }
+      double time = 0;
+      for (std::size_t back = 1; back <= 8; ++back) time += kDt * s.steps[n - back];
+      const auto size = [&](std::size_t half_no) {
+        return std::abs(s.extremum[half_no + 1] - s.extremum[half_no]);
+      };
+      EXPECT_NEAR(told->value, (size(n - 1) + size(n - 2)) / 2, 1e-9);
+      const double first = (size(n - 7) + size(n - 8)) / 2;
+      const std::string text(told->text.view());
+      EXPECT_NEAR(std::stod(text.substr(text.find(" at ") + 4)), 4 / time, 0.051) << text;
+      EXPECT_NEAR(std::stod(text.substr(text.find("Hz, ") + 4)), std::cbrt(told->value / first), 0.0051)
+          << text;
+      break;
+    }
+  }
+}
+
+TEST(Oscillation, OnlySwingsFrom4To60HzAreTold) {
+  const auto told = [](double frequency) {
+    constexpr double kShort = 1e-4;  // so that periods are not rounded
+    OscillationObserver observer({}, kShort);
+    for (double t = 0; t < 3; t += kShort) {
+      Wrench F;
+      F[Axis::x] = 10 + 8 * std::sin(2 * std::numbers::pi * frequency * t);
+      if (observer.step(F, kAll)) return true;
+    }
+    return false;
+  };
+  for (const double frequency : {3.95, 60.5}) EXPECT_FALSE(told(frequency)) << frequency;
+  for (const double frequency : {4.05, 59.5}) EXPECT_TRUE(told(frequency)) << frequency;
+}
+
+/// @return whether swings are told that change by a factor from period to period, from a first one on
+bool told(Axis axis, double first, double factor, int periods) {
+  Swings s{{0}, {}};
+  double swing = first;
+  for (int n = 0; n < 2 * periods + 2; ++n) {
+    s.extremum.push_back(s.extremum.back() + (n % 2 == 0 ? swing : -swing));
+    s.steps.push_back(20);  // 12.5 Hz
+    swing *= std::sqrt(factor);
+  }
+  OscillationObserver observer({}, kDt);
+  for (int k = 0; k < 40 * periods; ++k) {
+    Wrench F;
+    F[axis] = 40 * first + s.at(k).first;
+    if (observer.step(F, kAll)) return true;
+  }
+  return false;
+}
+
+TEST(Oscillation, TheWayToTheFirstExtremumIsNoSwing) {
+  for (const int begin : {0, 5, 10, 15, 25, 33}) {
+    OscillationObserver observer({}, kDt);
+    for (int k = begin; k < 400; ++k) {
+      Wrench F;
+      F[Axis::z] = 30 + 8 * std::pow(0.96, k / 40.) * std::sin(2 * std::numbers::pi * k / 40);
+      ASSERT_FALSE(observer.step(F, kAll)) << "it decays, seen from step " << begin;
+    }
+  }
+}
+
+TEST(Oscillation, SmallSwingsMustGrowByATenthAndLargeOnesHardlyDecay) {
+  for (const Axis axis : kAxes) {
+    const double least = axis < Axis::ax ? 2 : 0.2;
+    EXPECT_TRUE(told(axis, 1.1 * least, 1.12, 6)) << "below twice the least";
+    EXPECT_FALSE(told(axis, 1.1 * least, 1.08, 6));
+    EXPECT_FALSE(told(axis, 0.4 * least, 1.12, 6)) << "too small";
+    EXPECT_TRUE(told(axis, 6 * least, 0.98, 8));
+    EXPECT_FALSE(told(axis, 6 * least, 0.96, 8));
+  }
+}
+
 TEST(Oscillation, ItIsToldWhenTheForceComesDownFromAPeak) {
   for (const double mean : {5., -5.}) {
     OscillationObserver observer({}, kDt);
@@ -76,6 +186,8 @@ TEST(Oscillation, ItIsToldWhenTheForceComesDownFromAPeak) {
 
 TEST(Oscillation, LargeSwingsThatDoNotDieAwayAreTold) {
   EXPECT_GE(steps_until_told({.mean = 10, .swing = 15}), 0);
+  EXPECT_LT(steps_until_told({.mean = 10, .swing = 15, .frequency = 12}), 6 / (12 * kDt))
+      << "four periods say it";
   EXPECT_EQ(steps_until_told({.mean = 10, .swing = 15, .factor = 0.9}), -1);
 }
 

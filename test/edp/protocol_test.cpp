@@ -75,6 +75,9 @@ TEST(Protocol, AnotherSessionIsRefusedAndToldTheOwner) {
     const Protocol::Decision d = give(p, command(6, n));
     EXPECT_EQ(d.fault.code, FaultCode::not_owner);
     EXPECT_EQ(d.fault.text.view(), "owner: session 5");
+    EXPECT_EQ(d.fault.value, 0) << "no number is wrong";
+    EXPECT_EQ(d.fault.limit, 0);
+    EXPECT_EQ(d.fault.axis, -1);
   }
   EXPECT_EQ(give(p, command(5, 2)).admission, Admission::execute);
 }

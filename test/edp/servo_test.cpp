@@ -93,6 +93,17 @@ TEST(Servo, ARegulatorThatIsExchangedForItsLikeGoesOnAsIfNothingHadHappened) {
   }
 }
 
+TEST(Servo, TheRegulatorThatIsAtWorkMayBeChosenAgainAndGoesOn) {
+  for (const int algorithm : {0, 1}) {
+    OneServo plain, chosen;
+    for (OneServo* const one : {&plain, &chosen}) ASSERT_TRUE(one->servo.select(0, algorithm, 1));
+    for (int k = 0; k < 50; ++k) {
+      EXPECT_TRUE(chosen.servo.select(0, algorithm, 1));
+      ASSERT_EQ(chosen.step(1, k % 3), plain.step(1, k % 3)) << algorithm << ' ' << k;
+    }
+  }
+}
+
 TEST(Servo, ARegulatorThatIsChosenWhileTheBrakesHoldKnowsThatTheMotorStands) {
   OneServo one;
   one.servo.select(0, 1, 0);

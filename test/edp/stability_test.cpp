@@ -114,6 +114,64 @@ TEST(Stability, PredictedLimitOfTheCompensatingRegulatorIsThatOfTheTimeDomain) {
   EXPECT_GT(judged, 10);
 }
 
+/// @return the drive of an axis with its original regulator, pressing with a pen
+RegulatedDrive original_drive(std::size_t axis, double lever) {
+  const AxisProperties& a = irb6::kPostument.axes[axis].properties;
+  return {.regulator = a.servo.incremental[0],
+          .increments_per_rad = a.increments_per_rad,
+          .speed_gain = a.servo.drive.speed_per_pwm(),
+          .time_constant = a.servo.drive.time_constant(),
+          .inertia = a.servo.drive.inertia,
+          .lever = lever};
+}
+
+TEST(Stability, PredictedLimitOfTheOriginalRegulatorIsThatOfTheTimeDomain) {
+  std::mt19937_64 random(1);
+  int judged = 0;
+  for (int run = 0; run < 30; ++run) {
+    const double lever = (run % 2 == 0 ? 1 : -1) * 0.6 / 160;
+    const ContactLoop l = test::random_loop(random, original_drive(run % 4, lever));
+    const double limit = stiffness_limit(l);
+    if (limit == 0 || limit > 1e7) continue;
+    ++judged;
+    EXPECT_FALSE(test::ContactSimulation(l, 0.95 * limit).unstable()) << "run " << run;
+    EXPECT_TRUE(test::ContactSimulation(l, 1.05 * limit).unstable()) << "run " << run;
+  }
+  EXPECT_GT(judged, 10);
+}
+
+/// @return whether the mode that swings longest is also the one that decays most slowly
+bool swings_longest(const ContactMode& m, double dt) {
+  if (m.frequency <= 0) return false;
+  const double natural = 2 * std::numbers::pi * m.frequency / std::sqrt(1 - m.damping * m.damping);
+  return std::abs(std::log(m.radius) + m.damping * natural * dt) < 1e-6 * natural * dt;
+}
+
+// A push excites what swings; a slow mode that does not may be hardly there, and then the push decays faster.
+TEST(Stability, WhatIsLeftOfAPushDecaysAsPredictedWhereItSwingsAndNeverMoreSlowly) {
+  std::mt19937_64 random(2);
+  for (const int kind : {0, 1, 2}) {
+    int swinging = 0, others = 0;
+    for (int run = 0; run < 40; ++run) {
+      const ContactLoop l = kind == 0   ? test::random_loop(random)
+                            : kind == 1 ? test::random_loop(random, upper_arm())
+                                        : test::random_loop(random, original_drive(run % 4, 0.6 / 160));
+      const double limit = stiffness_limit(l);
+      if (limit == 0 || limit > 1e7) continue;
+      const double K = limit * std::uniform_real_distribution<>(0.85, 0.97)(random);
+      const ContactMode mode = contact_mode(l, K);
+      const double rate = std::log(mode.radius);
+      const double measured = std::log(test::ContactSimulation(l, K).decay(-7 / rate)) / rate;
+      EXPECT_GT(measured, 0.97) << "kind of servo " << kind << ", run " << run;
+      if (swings_longest(mode, l.dt)) {
+        EXPECT_LT(measured, 1.03) << "kind of servo " << kind << ", run " << run;
+      }
+      ++(swings_longest(mode, l.dt) ? swinging : others);
+    }
+    EXPECT_GT(swinging, 8) << "kind of servo " << kind << ", " << others << " others";
+  }
+}
+
 TEST(Stability, CompensatedDriveFollowsWithoutContact) {
   EXPECT_LE(contact_mode(loop_of(20, 0.005, upper_arm()), 0).radius, 1 + 1e-9);
   EXPECT_GT(contact_mode(loop_of(20, 0.005, upper_arm()), 1e3).damping, 0.5) << "as an ideal servo does";

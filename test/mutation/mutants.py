@@ -24,6 +24,9 @@ IMPLAUSIBLE = re.compile(r'^(".\+" ==>|\\\+= ==> =\+|-= ==> =-|while ==> if|.*==
 NOT_CODE = re.compile(r"^\s*(#|namespace\b|using\b|template\b|}|public:|private:|protected:|///?|.*\.reserve\()"
                       r"|static_assert|\[\[nodiscard\]\]\s*$|^\s*(class|struct|enum class) [\w:]+( final)?;|= default;|= delete;")
 
+# A counter that grows by one from zero meets its bound: there `<` and `!=` are the same.
+COUNTED = re.compile(r"for \((?:auto|int|std::size_t|std::int64_t|unsigned) (\w+)(?:\{\}| = 0); \1 < ([^;]+); \+\+\1\)")
+
 
 @dataclasses.dataclass(frozen=True)
 class Mutant:
@@ -126,6 +129,9 @@ class Equivalents:
 
     def why(self, mutant: Mutant) -> str | None:
         """The reason, or None for a mutant that counts."""
+        counted = COUNTED.search(mutant.before)
+        if counted and mutant.after == mutant.before.replace(counted[0], counted[0].replace(" < ", " != ", 1)):
+            return "a counter that grows by one from zero meets its bound"
         for e in self.entries:
             becomes = e["becomes"] if isinstance(e["becomes"], list) else [e["becomes"]]
             if e["file"] == mutant.file and mutant.after.strip() in becomes and mutant.number in self.places(e):

@@ -107,6 +107,17 @@ class Tiny(unittest.TestCase):
         self.assertEqual(listed.why(self.mutant("base/area.cpp", "x > most", "x >= most")), "most is x then")
         self.assertIsNone(listed.why(self.mutant("base/area.cpp", "x > most", "x < most")))
 
+    def test_a_counter_from_zero_that_stops_at_its_bound_is_equivalent_and_one_from_elsewhere_is_not(self):
+        listed = mutants.Equivalents(self.root, HERE / "equivalent.toml")
+
+        def why(begin, sign):
+            before = f"for (int k = {begin}; k < n; ++k) {{"
+            return listed.why(mutants.Mutant("any.cpp", 1, before, before.replace(" < ", f" {sign} "), "by hand"))
+
+        self.assertIsNotNone(why("0", "!="))
+        self.assertIsNone(why("1", "!="))
+        self.assertIsNone(why("0", "<="))
+
     def test_a_listed_equivalent_is_told_from_an_equal_line_by_the_line_before(self):
         file = self.folder / "equivalent.toml"
         file.write_text('[[mutant]]\nfile = "base/area.cpp"\nline = "}"\nbehind = "return x;"\n'

@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "base/fault.hpp"
+#include "test/base/link/short_transfers.hpp"
 
 namespace mrroc::link {
 namespace {
@@ -31,6 +32,8 @@ class FrameStore : public ::testing::Test {
   [[nodiscard]] std::size_t files() const {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(name_.directory), {}));
   }
+
+  [[nodiscard]] std::size_t image_size() const { return picture(0, shape_).data.size(); }
 
   static Image picture(int seed, const FrameStoreShape& shape) {
     Image image(shape.width, shape.height, shape.channels);
@@ -65,6 +68,22 @@ TEST_F(FrameStore, GivesEveryPictureBackWithItsStepAndTime) {
     EXPECT_EQ(frame.frame, k);
     EXPECT_EQ(frame.step, 20 * k);
     EXPECT_EQ(frame.t, 0.04 * k);
+  }
+}
+
+TEST_F(FrameStore, GivesWholePicturesThoughTheKernelMovesAFewBytesAtATimeAndIsInterrupted) {
+  for (const std::size_t most : {1U, 7U, 500U}) {
+    const test::ShortTransfers kernel(most);
+    FrameWriter writer(name_, shape_);
+    FrameReader reader = FrameReader::open(name_).value();
+    Frame frame;
+    for (int k = 0; k < 6; ++k) {
+      const Image image = picture(k, shape_);
+      ASSERT_EQ(reader.read(writer.write(k, 20 * k, 0.04 * k, image.view()), k, frame), FrameFate::read);
+      EXPECT_EQ(frame.image, image);
+      EXPECT_EQ(frame.step, 20 * k);
+    }
+    EXPECT_GT(test::ShortTransfers::calls(), 12 * image_size() / most);
   }
 }
 
@@ -202,8 +221,15 @@ TEST_F(FrameStore, RefusesPicturesOfAnotherSize) {
   ++other.width;
   EXPECT_EQ(code_of([&] { writer.write(0, 0, 0, picture(0, other).view()); }), FaultCode::internal_error);
   name_.camera = "x";
-  for (const FrameStoreShape& wrong :
-       {FrameStoreShape{0, 10, 1, 4}, {10, 5000, 1, 4}, {10, 10, 2, 4}, {10, 10, 1, 1}})
+  for (const FrameStoreShape& wrong : {FrameStoreShape{0, 10, 1, 4},
+                                       {4097, 10, 1, 4},
+                                       {10, 0, 1, 4},
+                                       {10, 4097, 1, 4},
+                                       {10, 10, 0, 4},
+                                       {10, 10, 2, 4},
+                                       {10, 10, 4, 4},
+                                       {10, 10, 1, 1},
+                                       {10, 10, 1, 65}})
     EXPECT_EQ(code_of([&] { FrameWriter refused(name_, wrong); }), FaultCode::internal_error);
   EXPECT_EQ(files(), 1U);
 }

@@ -42,6 +42,15 @@ TEST_F(Session, IsListedWithEverythingItSaidWhileItLives) {
   EXPECT_TRUE(names().empty());
 }
 
+TEST_F(Session, ThatCannotBeListedIsNoneAndLeavesNoKey) {
+  const auto entry = directory() / "blocked.json";
+  std::filesystem::create_directories(entry / "full");
+  std::filesystem::permissions(directory(), std::filesystem::perms::owner_all);
+  EXPECT_NE(code_of([&] { const SessionFile file(info("blocked"), directory()); }), FaultCode::none);
+  for (const auto& left : std::filesystem::directory_iterator(directory()))
+    EXPECT_TRUE(!left.is_regular_file() || std::filesystem::file_size(left) == 0) << left.path();
+}
+
 TEST_F(Session, CanSayThatItTalksToNobodyOutsideItsProcess) {
   SessionInfo quiet = info("quiet");
   quiet.address.reset();

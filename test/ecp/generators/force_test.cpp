@@ -39,6 +39,12 @@ TEST(Weighing, FindsRandomToolsInTheThreeOrientationsWhateverTheHeading) {
   }
 }
 
+TEST(Weighing, RestsForASecondAndReadsForTwoUnlessToldOtherwise) {
+  const WeighingPlan plan;
+  EXPECT_NEAR(plan.settling * plan.pacing.macrostep_s(), 1, 1e-12);
+  EXPECT_NEAR(plan.readings * plan.pacing.macrostep_s(), 2, 1e-12);
+}
+
 TEST(Weighing, OfNothingGivesNothing) {
   const ForceTool found = identified_tool({{0, 0, 0.02, 0.01, 0.01, 0}}, {});
   EXPECT_EQ(found.w, 0);

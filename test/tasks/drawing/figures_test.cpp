@@ -92,6 +92,41 @@ TEST(Figures, AlignmentNeverMirrorsAndNeverScales) {
   EXPECT_GT(compare(larger, mixture(), Align::rigid).rms_mm, 1);
 }
 
+/// @return sum of squared distances of the ink, moved, from the strokes with its numbers [mm^2]
+double squares(const Drawing& ink, const Drawing& reference, const Rigid& motion) {
+  double sum = 0;
+  for (std::size_t s = 0; s < ink.size(); ++s) {
+    const NearestPoint nearest(reference[s]);
+    for (const Point& p : resampled(ink[s], kSampleSpacing)) sum += std::pow(nearest.distance(motion(p)), 2);
+  }
+  return sum;
+}
+
+// Ink whose lengths are not shared as those of the reference are, so that neither start is near.
+TEST(Figures, NoOtherMotionBringsTheInkNearerThanTheAlignment) {
+  std::mt19937 random(10);
+  std::uniform_real_distribution<double> any(-1, 1);
+  for (int round = 0; round < 20; ++round) {
+    Drawing reference = mixture();
+    reference.resize(1 + static_cast<std::size_t>(round % 3));
+    Drawing ink = moved(dense(reference, 0.4), {0.3 * any(random), Point(8 * any(random), 8 * any(random))});
+    for (Stroke& stroke : ink) {
+      const double wave = 1 + any(random);
+      for (std::size_t k = 0; k < stroke.size(); ++k)
+        stroke[k] += Point(0.8 * std::sin(0.05 * wave * static_cast<double>(k)),
+                           0.5 * std::cos(0.08 * wave * static_cast<double>(k)));
+      stroke.resize(stroke.size() - stroke.size() / 8);
+    }
+    const Rigid best = best_alignment(ink, reference);
+    const double least = squares(ink, reference, best);
+    for (const double turn : {-1e-3, 0.0, 1e-3})
+      for (const double x : {-0.05, 0.0, 0.05})
+        for (const double y : {-0.05, 0.0, 0.05})
+          EXPECT_GE(squares(ink, reference, {best.turn + turn, best.shift + Point(x, y)}), least * (1 - 1e-4))
+              << round << ": " << turn << ' ' << x << ' ' << y;
+  }
+}
+
 TEST(Figures, AlignmentLeavesTheNoiseAndTakesTheMotionAway) {
   std::mt19937 random(8);
   std::normal_distribution<double> noise(0, 0.1);

@@ -31,6 +31,8 @@ class TwoArms {
   std::array<std::vector<PathPoint>, kArms> points;  ///< that each arm was told
   std::vector<TurnOrder> turns;                      ///< ordered, at the begin of each m = 5
   std::array<std::int64_t, kArms> begun{};           ///< macrostep in which each arm first set out
+  std::vector<std::array<double, kArms>>
+      weights;  ///< that the arms were told, at the begin of each weighing [N]
 
   static constexpr int kGoing = 20;  ///< macrosteps that a free motion takes
 
@@ -42,6 +44,7 @@ class TwoArms {
       if (motion.m == 5) turns.push_back(y.T[1].cube.turn);
       if (motion.m == 5) begun_ = angle_;
       if (motion.m == kTakePath) taken_ = {};
+      if (motion.m == kWeigh) weights.push_back({y.T[0].cube.weight, y.T[1].cube.weight});
     }
     ++age_;
     for (std::size_t arm = 0; arm < kArms; ++arm) obey(arm, y.T[arm]);

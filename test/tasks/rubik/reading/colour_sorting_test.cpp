@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
+#include <utility>
+#include <vector>
 
 #include "base/cube/face_view.hpp"
 #include "tasks/rubik/reading/state_reading.hpp"
@@ -101,6 +104,86 @@ TEST(ColourSorting, AStrangeStickerDoesNotMoveItsColour) {
   EXPECT_NEAR(odd.sorted.distance[0][0], 0, 1e-9);
   EXPECT_TRUE(odd.sorted.strange[Odd::kOdd]);
   EXPECT_EQ(std::ranges::count(odd.sorted.strange, true), 1);
+}
+
+/// @return whether exchanging stickers in a ring would make the sum of distances less
+bool can_be_cheaper(const SortedColours& sorted) {
+  std::array<std::array<double, kFaces>, kFaces> least{};  // of moving a sticker of one face to another one
+  for (std::size_t a = 0; a < kFaces; ++a)
+    for (std::size_t b = 0; b < kFaces; ++b) {
+      least[a][b] = std::numeric_limits<double>::infinity();
+      for (std::size_t f = 0; f < kFacelets; ++f)
+        if (sorted.face[f] == static_cast<int>(a) && f % kStickers != 4)
+          least[a][b] = std::min(least[a][b], sorted.distance[f][b] - sorted.distance[f][a]);
+    }
+  for (std::size_t by = 0; by < kFaces; ++by)
+    for (std::size_t a = 0; a < kFaces; ++a)
+      for (std::size_t b = 0; b < kFaces; ++b)
+        least[a][b] = std::min(least[a][b], least[a][by] + least[by][b]);
+  for (std::size_t a = 0; a < kFaces; ++a)
+    if (least[a][a] < -1e-9) return true;
+  return false;
+}
+
+TEST(ColourSorting, ColoursAreMeansWeighedByCertaintyAndTheAssignmentIsTheCheapest) {
+  std::mt19937 random(2);
+  std::normal_distribution<> normal;
+  std::uniform_real_distribution<> uniform(0, 1);
+  for (int run = 0; run < 40; ++run) {
+    std::array<int, kFacelets> colour{};
+    for (std::size_t f = 0; f < kFacelets; ++f) colour[f] = static_cast<int>(f / kStickers);
+    for (std::size_t f = kFacelets - 1; f > 0; --f) {
+      const auto g = static_cast<std::size_t>(uniform(random) * static_cast<double>(f + 1));
+      if (f % kStickers != 4 && g % kStickers != 4) std::swap(colour[f], colour[g]);
+    }
+    Stickers stickers;
+    const double noise = 0.02 + 0.05 * uniform(random);
+    for (std::size_t f = 0; f < kFacelets; ++f) {
+      const double light = 0.4 + 0.6 * uniform(random);
+      for (std::size_t c = 0; c < 3; ++c)
+        stickers[f].rgb[c] =
+            light * kPaint[static_cast<std::size_t>(colour[f])][c] * std::exp(noise * normal(random));
+      stickers[f].deviation = 3 * uniform(random);
+      if (f % kStickers != 4 && uniform(random) < 0.05) stickers[f].flaw = StickerFlaw::hidden;
+    }
+    const double deviation = 0.1;
+    const SortedColours sorted = sort_colours(stickers, {deviation, 36});
+    EXPECT_FALSE(can_be_cheaper(sorted)) << run;
+    std::array<std::array<double, 2>, kFaces> mean{};
+    const auto variance = [&](std::size_t f, std::size_t k) {
+      return stickers[f].tint_variance()[k] + deviation * deviation;
+    };
+    for (std::size_t face = 0; face < kFaces; ++face)
+      for (std::size_t k = 0; k < 2; ++k) {
+        double sum = 0, weights = 0;
+        for (std::size_t f = 0; f < kFacelets; ++f)
+          if (sorted.face[f] == static_cast<int>(face) && stickers[f].flaw == StickerFlaw::none &&
+              !sorted.strange[f]) {
+            sum += tint(stickers[f].rgb)[k] / variance(f, k);
+            weights += 1 / variance(f, k);
+          }
+        mean[face][k] = sum / weights;
+      }
+    for (std::size_t f = 0; f < kFacelets; ++f) {
+      double cheapest = std::numeric_limits<double>::infinity();
+      const auto own = static_cast<std::size_t>(sorted.face[f]);
+      for (std::size_t face = 0; face < kFaces; ++face) {
+        double distance = 0;
+        for (std::size_t k = 0; k < 2; ++k)
+          distance += std::pow(tint(stickers[f].rgb)[k] - mean[face][k], 2) / variance(f, k);
+        if (stickers[f].flaw != StickerFlaw::none) distance = 0;
+        EXPECT_NEAR(sorted.distance[f][face], std::min(100., distance), 1e-9) << run << ' ' << f;
+      }
+      for (std::size_t g = 0; g < kFacelets; ++g) {
+        const auto others = static_cast<std::size_t>(sorted.face[g]);
+        if (others == own || g % kStickers == 4) continue;
+        const auto& d = sorted.distance;
+        cheapest = std::min(cheapest, d[f][others] - d[f][own] + d[g][own] - d[g][others]);
+      }
+      EXPECT_NEAR(sorted.exchange[f], stickers[f].flaw == StickerFlaw::none ? std::max(0., cheapest) : 0,
+                  1e-12);
+    }
+  }
 }
 
 std::vector<FaceView> views_of(const Stickers& stickers) {

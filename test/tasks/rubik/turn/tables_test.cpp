@@ -39,6 +39,15 @@ TEST(RubikTables, TheWorkerApproachesGuardedAndSettlesAt4N) {
   EXPECT_DOUBLE_EQ(kApproach.z.velocity / kApproach.z.mobility, 4);
 }
 
+TEST(RubikTables, ThresholdsAreThoseOfThePaper) {
+  EXPECT_EQ(kNarrow, 0.06) << "(71)";
+  EXPECT_EQ(kRelease, 0.02) << "(77)";
+  EXPECT_NEAR(static_cast<double>(kSettling) * kPacing.macrostep_s(), 0.5, 1e-12) << "(69)";
+  EXPECT_NEAR(kApproachForce, 0.9 * kApproach.z.velocity / kApproach.z.mobility, 1e-12)
+      << "(66), nearly where the force of the guarded motion settles";
+  EXPECT_FALSE(nothing({})) << "who only holds sees no event of his own";
+}
+
 TEST(RubikTables, TheWorkerClosesCompliantAlongYThenAlongXAndY) {
   X x;
   x.e.gripper = 0.07;
