@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdint>
+
 namespace mrroc::sim {
 namespace {
 
@@ -13,9 +16,7 @@ constexpr auto kSettled = static_cast<int>(edp::StandstillDetector::kSettled);
 void pass(DriverlessRobot& robot, std::int64_t& step, std::int32_t& encoder, int steps, int speed) {
   for (int k = 0; k < steps; ++k) {
     encoder += speed;
-    HardwareReading reading;
-    reading.encoder[2] = encoder;
-    robot.step(step++, reading.encoder, true);
+    robot.step(step++, std::array{0, 0, encoder, 0}, true);
   }
 }
 
