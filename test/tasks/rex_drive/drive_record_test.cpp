@@ -15,13 +15,14 @@ DriveMessages messages(int n) {
     m.truths.back().header.stamp = i;
     PlatformReply reply;
     reply.position_known = true;
+    reply.step = 10 * i + 9;
     reply.estimate.step = 10 * i;
     reply.estimate.p.x = 0.01 * i + 0.002;
     reply.executing = 1;
     m.replies.push_back(to_message(reply));
     m.replies.back().header.stamp = i + 1;
     PlatformTelemetry telemetry;
-    telemetry.step = 10 * i;
+    telemetry.step = 10 * i + 9;
     telemetry.reference[0].x = 0.01 * i - 0.003;
     m.telemetry.push_back(to_message(telemetry));
     m.telemetry.back().header.stamp = i + 1;
@@ -51,7 +52,6 @@ TEST(DriveRecord, LeavesOutWhatHasNoTruthOrNoTelemetry) {
 TEST(DriveRecord, BetweenTwoTruthsThePlatformMovesEvenly) {
   DriveMessages m = messages(20);
   for (auto& reply : m.replies) reply.estimate.step += 5;
-  for (auto& telemetry : m.telemetry) telemetry.step += 5;
   const DriveTable table = join(m, 0.002, 10);
   ASSERT_EQ(table.size(), 19U) << "the last one has no truth behind it";
   EXPECT_NEAR(table[0].truth.p.x, 0.015, 1e-12);
