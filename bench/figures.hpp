@@ -64,6 +64,10 @@ Figures run_plan_group();
 /// @param resume  cubes whose summary is there already are not solved again
 /// @throws FaultError start_failed, cannot_write
 Figures run_rubik_group(bool resume);
+/// The platform's task on named grounds and plans, in 100 plants that its driver does not know, with adaptation and
+/// without; its planner. Takes an hour.
+/// @throws FaultError start_failed; internal_error: a run on a named ground did not end well
+Figures run_rex_group();
 /// Small errors in the framework, one at a time, and whether a test notices them: a sample of all areas. Takes hours.
 /// @param resume  what the last sample has found is not tried again
 /// @throws FaultError start_failed: a test fails without an error, or universalmutator cannot be installed

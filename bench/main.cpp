@@ -35,11 +35,12 @@ const std::vector<
         {"plan", [](const std::string&, bool) { return bench::run_plan_group(); }},
         {"operator", [](const std::string&, bool) { return bench::run_operator_group(); }},
         {"rubik", [](const std::string&, bool resume) { return bench::run_rubik_group(resume); }},
+        {"rex", [](const std::string&, bool) { return bench::run_rex_group(); }},
         {"mutation", [](const std::string&, bool resume) { return bench::run_mutation_group(resume); }},
     };
 
 /// Groups that have to be named.
-const std::vector<std::string> kLong{"rubik", "mutation"};
+const std::vector<std::string> kLong{"rubik", "rex", "mutation"};
 
 std::vector<std::string> group_names() {
   std::vector<std::string> names;
@@ -86,8 +87,8 @@ int main(int argc, char** argv) {
   bool resume = false;
   line.option("group", groups,
               "edp, servo, stability, vision, drawing, pen_state, robustness, solver, cube, plan, operator, "
-              "rubik, mutation "
-              "(default: all but rubik and mutation, which take an hour or more)")
+              "rubik, rex, mutation "
+              "(default: all but rubik, rex and mutation, which take an hour or more)")
       .one_of(group_names());
   const Option to =
       line.option("--json", json.file,

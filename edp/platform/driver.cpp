@@ -207,7 +207,8 @@ void PlatformDriver::settle() noexcept {
   const bool rests = std::hypot(x.v.vx, x.v.vy) < kRestSpeed && std::abs(x.v.w) < kRestTurnRate;
   rest_ = rests && (stopped_ || within(1)) ? rest_ + 1 : 0;
   ++held_;
-  const bool long_enough = rest_ >= p_.brake_after || (stopped_ && held_ >= 4 * p_.brake_after);
+  const bool long_enough =
+      stopped_ ? rest_ >= kStoppedRest || held_ >= kStoppedMost : rest_ >= p_.brake_after;
   if (!braked_ && long_enough) braked_ = true;
   if (braked_ && !stopped_ && !within(2)) hold(false);
 }

@@ -58,6 +58,10 @@ class PlatformDriver {
   /// While it holds, a platform brakes within these distances of the point, and drives again beyond twice of them.
   static constexpr double kHeldPosition = 0.02;  // [m]
   static constexpr double kHeldHeading = 0.03;   // [rad]
+  /// After a stop the drives brake once the platform has rested for so many macrosteps, or after the second number of them:
+  /// short-circuited motors are quicker than a tracker that makes up for the last millimetres.
+  static constexpr int kStoppedRest = 3;
+  static constexpr int kStoppedMost = 6;
   /// An estimated speed below which the platform rests.
   static constexpr double kRestSpeed = 0.02;     // [m/s]
   static constexpr double kRestTurnRate = 0.05;  // [rad/s]
@@ -116,7 +120,7 @@ class PlatformDriver {
   [[nodiscard]] std::optional<Fault> execute(const PlatformCommand& command) noexcept;
   [[nodiscard]] std::optional<Fault> check(const PlatformCommand& command) const noexcept;
   [[nodiscard]] std::optional<Fault> check_state(PlatformEvent event) const noexcept;
-  void note(const PlatformCommand& command) noexcept;
+  bool note(const PlatformCommand& command) noexcept;
   void start_on(const Fragment& fragment) noexcept;
 
   void fire(PlatformEvent event) noexcept { state_ = transition(state_, event).next; }

@@ -1,4 +1,6 @@
 // EDP_MASTER of a platform: what its driver makes of a command.
+#include <tuple>
+
 #include "edp/platform/driver.hpp"
 #include "edp/platform/guard.hpp"
 
@@ -7,7 +9,8 @@ namespace mrroc::edp {
 void PlatformDriver::take(const PlatformCommand& command) noexcept {
   if (!at_boundary()) return;
   const auto decision = protocol_.admit(command, steps_done_ < p_.start_guard_steps);
-  if (decision.admission == Admission::nothing || taken_) return note(command);
+  const bool noted = note(command);
+  if (decision.admission == Admission::nothing || taken_) return;
   taken_ = true;
   answer_.session = command.session;
   answer_.number = command.number;
@@ -34,19 +37,20 @@ void PlatformDriver::take(const PlatformCommand& command) noexcept {
       break;
     }
   }
-  note(command);
+  if (!noted) std::ignore = note(command);  // it may have become the owner's
 }
 
-void PlatformDriver::note(const PlatformCommand& command) noexcept {
-  if (!protocol_.owner() || owned_by_another(command.session)) return;
+bool PlatformDriver::note(const PlatformCommand& command) noexcept {
+  if (!protocol_.owner() || owned_by_another(command.session)) return false;
   heard_ = true;
   observer_.note(command);
-  if (command.macrostep < newest_message_) return;
+  if (command.macrostep < newest_message_) return true;
   newest_message_ = command.macrostep;
   if (is_pace(command.pace))
     wanted_pace_ = command.pace;
   else
     observer_.reject();
+  return true;
 }
 
 std::optional<Fault> PlatformDriver::execute(const PlatformCommand& command) noexcept {

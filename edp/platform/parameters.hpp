@@ -16,7 +16,7 @@ struct PlatformDriverParameters {
   double synchro_rest{1};      ///< for which SYNCHRO measures the platform at rest [s], 0.1..60
   double synchro_timeout{10};  ///< for SYNCHRO as a whole [s], longer than synchro_rest, at most 600
   int silence{10};      ///< macrosteps without a message of the owner after which the platform stops, >= 1
-  int brake_after{25};  ///< macrosteps at rest after which the drives brake, >= 1
+  int brake_after{25};  ///< macrosteps at rest at the end of a way after which the drives brake, >= 1
 };
 
 }  // namespace mrroc::edp

@@ -40,7 +40,6 @@ class Mhe final : public edp::Estimator {
   static constexpr auto kStages = static_cast<std::size_t>(kWindowStages);
 
   [[nodiscard]] StageVector& z(int k) noexcept { return z_[static_cast<std::size_t>(k)]; }
-  [[nodiscard]] const StageVector& z(int k) const noexcept { return z_[static_cast<std::size_t>(k)]; }
   /// Takes the oldest stage's measurements into the arrival cost, before it leaves.
   void leave() noexcept;
   /// Filters over a window that is not full.

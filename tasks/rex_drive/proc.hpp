@@ -26,8 +26,8 @@ struct PlanPoint {
 using Route = std::vector<PlanPoint>;  ///< plan of REX, c_c1[plan]
 
 /// Completes the points of a plan. Points nearer than kSamePoint to the one before are left out, legs longer than 5 m, or
-/// 3.5 s, are divided. The orientation is that of the chord between the neighbours, at the last point and on both sides of a turn on
-/// the spot that of the leg. Speeds obey the limits in curves and when they change; the platform rests at a turn on the
+/// 3.5 s, are divided. At points that are passed the orientation is near that of the chord between the neighbours, and the curvature of the
+/// way is continuous; at the last point and on both sides of a turn on the spot it is that of the leg. Speeds obey the limits in curves and when they change; the platform rests at a turn on the
 /// spot, and at the last point unless the plan knows points ahead.
 /// @param from  where the route begins; at rest, or in motion along its heading
 /// @return empty when no point is far enough from `from`

@@ -93,7 +93,9 @@ TEST_F(AgentLinksTest, EveryMacrostepHasItsOwnOrderAndEstimate) {
     EXPECT_EQ(links->order().m, i);
     EXPECT_EQ(estimate->image().value.step, 10 * i);
     EXPECT_FALSE(estimate->image().late);
-    pose->set({.rejected = static_cast<std::int32_t>(i)});
+    MapReport report;
+    report.rejected = static_cast<std::int32_t>(i);
+    pose->set(report);
     links->send({.m = static_cast<int>(i)});
     all(i + 1);
     ASSERT_EQ(links->wait(), Outcome::terminated);

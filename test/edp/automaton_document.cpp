@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <span>
-
 #include "edp/automaton.hpp"
 #include "edp/platform/automaton.hpp"
 
@@ -12,7 +10,8 @@ namespace {
 
 constexpr const char* kHead = R"(# States of an effector driver
 
-Made from the table in `edp/automaton.hpp`, on which the driver runs. After a change there:
+Made from the tables in `edp/automaton.hpp` and, for mobile platforms, `edp/platform/automaton.hpp`, on which the drivers run. After
+a change there:
 `MRROC_UPDATE_DOCS=1 ./run test -R AutomatonDocument`
 
 A cell names the state that the event leads to; `stays` means that it takes place and the state does not change;
@@ -44,66 +43,54 @@ constexpr const char* kOwn = R"(
 )";
 
 constexpr const char* kPlatform = R"(
-## Of a platform's driver
+# States of a mobile platform's driver
 
-The same for the driver of a mobile platform, made from `edp/platform/automaton.hpp`. Its drives brake - their motors are short-circuited - in not synchronised,
-homing, ready and faulted; in holding they do when the platform has come to rest.
+- **not synchronised**: the position is not known. The drives brake: their motors are short-circuited.
+- **homing**: SYNCHRO. At rest the IMU is reset, its drift and the loads of the wheels are measured, then positions on the map are awaited.
+- **ready**: the position is known; nothing was commanded yet, or a fault was reset. The drives brake.
+- **executing**: follows the fragments that it has been handed. A pause is this state at pace 0.
+- **decelerating**: its owner is silent or gone; the pace goes to 0 on the way, then the fragments are dropped.
+- **holding**: the last point is stabilised until the platform rests, then the drives brake; pushed away it drives back, unless it was stopped.
+- **faulted**: a malfunction; the drives brake, and only reset leads on.
+- **jogging**: no platform is ever in it.
 
-- **not synchronised**: it is not known where the platform is on the map.
-- **homing**: it stands, while gyro and wheel loads are measured and positions on the map are awaited (SYNCHRO).
-- **ready**: it knows its position; no fragment was handed over yet, or a fault was reset.
-- **executing**: it follows the fragments that it was handed.
-- **decelerating**: nobody owns the driver or its owner is silent; the pace of the way goes to 0, and what is left of it is dropped.
-- **holding**: the way has ended, and the last point is held; or the platform has been stopped.
-- **faulted**: a malfunction; only reset leads on.
+*Silence* is that no message of the owner has come for ten macrosteps: a fragment outlasts many of them, and *keep* is a message.
 
-A platform never jogs.
-
-### What commands ask of a platform
+## What commands ask for
 
 )";
 
-constexpr const char* kOwnOfPlatform = R"(
-### What happens to a platform by itself
-
-)";
-
-template <class Row, class E>
-std::string cell(const Row& row, E event, E first_own) {
-  const Transition& t = transition(row.state, event);
-  if (t.refusal != FaultCode::none)
-    return event >= first_own ? "-" : fmt::format("*{}*", to_string(t.refusal));
-  return t.next == row.state ? "stays" : fmt::format("**{}**", to_string(t.next));
+std::string cell(const Transition& t, DriverState state, bool own) {
+  if (t.refusal != FaultCode::none) return own ? "-" : fmt::format("*{}*", to_string(t.refusal));
+  return t.next == state ? "stays" : fmt::format("**{}**", to_string(t.next));
 }
 
-/// @param states  columns
-template <class E, class Table>
-std::string rows(const Table& states, std::size_t first, std::size_t last, E first_own) {
+/// @param first, last  events, numbers from and up to before which  @param own  they happen by themselves
+template <class Event, class Table>
+std::string rows(const Table& table, std::size_t first, std::size_t last, bool own) {
   std::string text = "| event |";
-  for (const auto& row : states) text += fmt::format(" {} |", to_string(row.state));
+  for (const auto& row : table) text += fmt::format(" {} |", to_string(row.state));
   text += "\n| --- |";
-  for (std::size_t k = 0; k < states.size(); ++k) text += " --- |";
+  for (std::size_t k = 0; k < table.size(); ++k) text += " --- |";
   for (std::size_t e = first; e < last; ++e) {
-    text += fmt::format("\n| {} |", to_string(static_cast<E>(e)));
-    for (const auto& row : states) text += fmt::format(" {} |", cell(row, static_cast<E>(e), first_own));
+    text += fmt::format("\n| {} |", to_string(static_cast<Event>(e)));
+    for (const auto& row : table) text += fmt::format(" {} |", cell(row.on[e], row.state, own));
   }
   return text + "\n";
 }
 
-std::string platform_document() {
-  const auto own = static_cast<std::size_t>(kFirstOwnPlatformEvent);
-  const std::span states(kPlatformAutomaton.begin(),
-                         kDriverStates - 1);  // the last one, jogging, is not used
-  return kPlatform + rows<PlatformEvent>(states, 0, own, kFirstOwnPlatformEvent) + kOwnOfPlatform +
-         rows<PlatformEvent>(states, own, kPlatformEvents, kFirstOwnPlatformEvent);
+/// @param head  before what commands ask for  @param own  first event that happens by itself
+template <class Event, class Table>
+std::string part(const char* head, const Table& table, Event own, std::size_t events) {
+  const auto first = static_cast<std::size_t>(own);
+  return head + rows<Event>(table, 0, first, false) + kOwn + rows<Event>(table, first, events, true);
 }
 
 }  // namespace
 
 std::string automaton_document() {
-  const auto own = static_cast<std::size_t>(kFirstOwnEvent);
-  return kHead + rows<Event>(kAutomaton, 0, own, kFirstOwnEvent) + kOwn +
-         rows<Event>(kAutomaton, own, kEvents, kFirstOwnEvent) + platform_document();
+  return part(kHead, kAutomaton, kFirstOwnEvent, kEvents) +
+         part(kPlatform, kPlatformAutomaton, kFirstOwnPlatformEvent, kPlatformEvents);
 }
 
 }  // namespace mrroc::edp::test

@@ -29,7 +29,9 @@ TEST_F(Driving, TorquesChangeInTheThirdStepOfAMacrostepOnly) {
     rig.driver.take(rig.keep());
     for (int k = 1; k <= kPlatformSteps; ++k) {
       rig.step();
-      if (k != 3) EXPECT_EQ(rig.last.torque, before) << "step " << k;
+      if (k != 3) {
+        EXPECT_EQ(rig.last.torque, before) << "step " << k;
+      }
       changes += rig.last.torque != before;
       before = rig.last.torque;
       EXPECT_EQ(rig.driver.reply_due(), k == 9);
@@ -133,8 +135,12 @@ TEST_F(Driving, HalfThePaceTakesTwiceTheTime) {
   for (; rig.driver.state() == DriverState::executing && macrosteps < 1000; ++macrosteps) {
     const PlatformReply reply = rig.wait(1);
     EXPECT_LT(rig.ground.v, 0.29);
-    if (macrosteps < 38) EXPECT_EQ(reply.notified, 0) << "notify counts the fragment's time";
-    if (macrosteps == 42) EXPECT_EQ(reply.notified, 1);
+    if (macrosteps < 38) {
+      EXPECT_EQ(reply.notified, 0) << "notify counts the fragment's time";
+    }
+    if (macrosteps == 42) {
+      EXPECT_EQ(reply.notified, 1);
+    }
   }
   EXPECT_NEAR(macrosteps, 160, 2);
 }
@@ -167,7 +173,9 @@ TEST_F(Driving, AStopComesToRestOnTheWayWhateverTheReason) {
     EXPECT_FALSE(other.last.enabled) << "the drives brake";
     EXPECT_LT(other.away(from), reason == 3 ? 0.4 : 0.25) << reason;
     EXPECT_LT(off_the_way, 0.05) << reason;
-    if (reason == 0) EXPECT_LE(other.driver.standstill().stop_steps(stopped), 300);
+    if (reason == 0) {
+      EXPECT_LE(other.driver.standstill().stop_steps(stopped), 300);
+    }
     EXPECT_EQ(other.driver.reply().executing, 0);
     EXPECT_EQ(other.driver.reply().remaining, 0);
   }

@@ -82,7 +82,7 @@ class FakeEstimator : public Estimator {
 
  private:
   [[nodiscard]] bool in_window(std::int64_t step) const {
-    return step > r_.estimate.step - 20 * kPlatformSteps;
+    return step > r_.estimate.step - 20 * kPlatformSteps && step <= r_.estimate.step;
   }
   const FakeFaults* faults_;
   EstimatorResult r_;

@@ -16,7 +16,8 @@ constexpr int kSequences = 100'000;
 #endif
 
 /// A control subsystem that hands fragments over when the driver is ready for them: its number of those notified equals that
-/// of those handed over. It repeats a command until its reply has come.
+/// of those handed over. It repeats a command until its reply has come. It is so slow that a fragment may also begin at rest,
+/// when messages were late.
 class Sender {
  public:
   explicit Sender(const PathPoint& from, std::int64_t number) : way_(from), number_(number) {}
@@ -29,7 +30,7 @@ class Sender {
       open_.session = 7;
       open_.number = ++number_;
       open_.instruction = Instruction::set;
-      open_.fragment = way_.next(0.2 * static_cast<double>(random() % 3), 0, steps,
+      open_.fragment = way_.next(0.04 * static_cast<double>(random() % 3), 0, steps,
                                  static_cast<std::int32_t>(random() % static_cast<unsigned>(steps)));
       waiting_ = true;
     }

@@ -89,7 +89,9 @@ TEST(PlatformAutomaton, GetIsRefusedInEveryStateAndQueryAnswered) {
       const bool known = instruction == Instruction::query && c.queried != 0;
       const PlatformReply reply = rig.macrostep(c);
       EXPECT_EQ(reply.verdict, known ? Verdict::executed : Verdict::refused) << to_string(state);
-      if (instruction != Instruction::query) EXPECT_EQ(reply.fault.code, FaultCode::unknown_enum);
+      if (instruction != Instruction::query) {
+        EXPECT_EQ(reply.fault.code, FaultCode::unknown_enum);
+      }
       EXPECT_EQ(rig.driver.state(), state) << "nothing has changed";
     }
 }

@@ -26,7 +26,9 @@ void expect(const ValidationError& wrong, const Expected& expected) {
   ASSERT_TRUE(wrong);
   EXPECT_EQ(wrong->code, FaultCode::bad_fragment) << wrong->text.view();
   EXPECT_EQ(wrong->axis, expected.axis) << wrong->text.view();
-  if (std::isfinite(expected.value)) EXPECT_NEAR(wrong->value, expected.value, 1e-9) << wrong->text.view();
+  if (std::isfinite(expected.value)) {
+    EXPECT_NEAR(wrong->value, expected.value, 1e-9) << wrong->text.view();
+  }
   EXPECT_EQ(wrong->limit, expected.limit) << wrong->text.view();
 }
 

@@ -39,7 +39,9 @@ TEST(WheelMeter, SpeedDoesNotLagBehindAConstantAcceleration) {
   for (int k = 0; k < 200; ++k) {
     const double t = k * kStep;
     wheels.step(reading(k, 0.3 + 7 * t * t / 2));
-    if (k > 30) EXPECT_NEAR(wheels.theta_dot()[0], 7 * t, 0.15) << k;
+    if (k > 30) {
+      EXPECT_NEAR(wheels.theta_dot()[0], 7 * t, 0.15) << k;
+    }
   }
 }
 
@@ -55,14 +57,13 @@ TEST(WheelMeter, SpeedIsLessDisturbedByWholeIncrementsThanADifference) {
 
 TEST(WheelMeter, CounterMayWrapAround) {
   WheelMeter wheels(kIncrements, kStep);
-  const double end = std::numeric_limits<std::int32_t>::max() * kRad;
+  constexpr std::uint32_t kMost = std::numeric_limits<std::int32_t>::max();
   for (int k = 0; k <= 100; ++k) {
     PlatformReading r = reading(k, 0);
-    r.encoder.fill(static_cast<std::int32_t>(
-        static_cast<std::uint32_t>(std::numeric_limits<std::int32_t>::max() - 100 + 5 * k)));
+    r.encoder.fill(static_cast<std::int32_t>(kMost - 100 + 5 * static_cast<std::uint32_t>(k)));
     wheels.step(r);
   }
-  EXPECT_NEAR(wheels.theta()[3], end + 400 * kRad, 1e-6);
+  EXPECT_NEAR(wheels.theta()[3], (kMost + 400.) * kRad, 1e-6);
   EXPECT_NEAR(wheels.theta_dot()[3], 5 * kRad / kStep, 1e-6);
 }
 

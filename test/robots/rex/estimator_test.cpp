@@ -131,17 +131,48 @@ TEST_P(Estimators, GoOnWithoutTheMap) {
   EXPECT_LT(position_rms(without, 19), 0.015) << "and come back";
 }
 
-// Drift without the map is that of the model, or that of the pictures.
+// With neither map nor IMU the heading is that of the model, or that of the pictures.
 TEST_P(Estimators, OdometryHoldsTheWay) {
   Trial trial = winding_trial();
   trial.truth = another_structure();
   trial.truth.friction = {0.35, 0.3, 0};
   trial.map_lost = {2, 20};
+  trial.imu = false;
   const auto with = drive(*estimator, trial);
   trial.odometry = false;
   const auto without = drive(*estimator, trial);
-  EXPECT_LT(position_max(with, 2, 20), 0.06);
-  EXPECT_LT(position_deviation(with, 19), position_deviation(without, 19));
+  EXPECT_LT(position_max(with, 2, 20), 0.3);
+  EXPECT_LT(heading_max(with), 0.1);
+  EXPECT_GT(heading_max(without), 4 * heading_max(with));
+  EXPECT_LT(position_deviation(with, 19), 0.7 * position_deviation(without, 19));
+}
+
+// Beyond them the platform holds better or worse than any ground that is believed in.
+TEST_P(Estimators, KeepSlipCoefficientsWithinTheirBounds) {
+  for (const Slip& ground : {Slip{1.7, 1.6, 0}, Slip{0.05, 0.04, 0}}) {
+    Trial trial = winding_trial();
+    trial.truth.friction = ground;
+    const auto samples = drive(*estimator, trial);
+    EXPECT_LT(position_rms(samples), 0.015);
+    EXPECT_TRUE(all_ok(samples));
+    constexpr SlipBounds kBounds;
+    for (const Sample& s : samples) {
+      ASSERT_GE(std::min(s.result.slip.mu_x, s.result.slip.mu_y), kBounds.least_friction);
+      ASSERT_LE(std::max(s.result.slip.mu_x, s.result.slip.mu_y), kBounds.most_friction);
+      ASSERT_LE(s.result.health.iterations, 2);
+    }
+  }
+}
+
+TEST(Mhe, SolvesOnceMoreOnlyWhereASlipCoefficientIsHeld) {
+  Mhe mhe;
+  Trial trial = winding_trial();
+  const auto within = drive(mhe, trial);
+  trial.truth.friction = {1.7, 1.6, 0};
+  const auto beyond = drive(mhe, trial);
+  EXPECT_EQ(within.back().result.health.iterations, 1);
+  EXPECT_EQ(beyond.back().result.health.iterations, 2);
+  EXPECT_NEAR(beyond.back().result.slip.mu_y, SlipBounds{}.most_friction, 0.01);
 }
 
 TEST_P(Estimators, StandStillWhenThePlatformDoes) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "robots/rex/kinematic_tracker.hpp"
 #include "robots/rex/parameters.hpp"
@@ -30,7 +31,7 @@ TEST(KinematicTracker, TurnsOnTheSpotAndComesToRest) {
 
 TEST(KinematicTracker, BeginsWithoutWhatWasBefore) {
   KinematicTracker used;
-  track(used, pivot(), {});
+  std::ignore = track(used, pivot(), {});
   KinematicTracker fresh;
   const Tracked a = track(used, pivot(), {});
   const Tracked b = track(fresh, pivot(), {});

@@ -37,7 +37,7 @@ void Plant::micro_step(const PerWheel& torque) noexcept {
     const double b = kWheelY[i] - truth_.centre_y;
     const double along = vx_ - b * w_ - kWheelRadius * speed_[i];
     const double across = vy_ + a * w_;
-    const double n = std::hypot(along, across, truth_.slip_speed);
+    const double n = std::sqrt(along * along + across * across + truth_.slip_speed * truth_.slip_speed);
     const double side = kWheelY[i] > 0 ? 1 + truth_.friction.split : 1 - truth_.friction.split;
     const double f_x = -truth_.friction.mu_x * side * N[i] * along / n;
     const double f_y = -truth_.friction.mu_y * side * N[i] * across / n;

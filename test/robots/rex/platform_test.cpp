@@ -9,12 +9,10 @@
 #include <tuple>
 
 #include "robots/rex/parameters.hpp"
+#include "robots/rex/platform_type.hpp"
 #include "robots/rex/rex.hpp"
 
 namespace mrroc::rex {
-
-std::string_view urdf();
-
 namespace {
 
 TEST(Rex, HasTheTrackersThatItNames) {
@@ -42,7 +40,7 @@ TEST(Rex, CanDoWhatAFragmentMayAskFor) {
 }
 
 TEST(Rex, LooksAsItsKernelsKnowIt) {
-  const auto model = urdf::parseURDF(std::string(urdf()));
+  const auto model = urdf::parseURDF(std::string(type().urdf));
   ASSERT_NE(model, nullptr);
   const std::array names{"front_left", "front_right", "rear_left", "rear_right"};
   for (std::size_t i = 0; i < names.size(); ++i) {

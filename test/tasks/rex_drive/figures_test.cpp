@@ -82,7 +82,7 @@ TEST(RexTables, HaveARowPerMacrostepAndPerFragment) {
   for (const std::string& row : rows)
     EXPECT_EQ(std::ranges::count(row, ','), std::ranges::count(rows[0], ','));
   ASSERT_EQ(fragments.size(), 3U);
-  EXPECT_EQ(fragments[1], "1,1,100,46,0.20,nan,2.00,0.5000,0.5000");
+  EXPECT_EQ(fragments[1], "1,1,100,46,0.20,0.00,2.00,0.5000,0.5000");
   std::filesystem::remove(folder / "rex_platform.csv");
   std::filesystem::remove(folder / "rex_fragments.csv");
 }
