@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ecp/solo.hpp"
-#include "test/ecp/arm_links_fixture.hpp"
+#include "test/ecp/effector_links_fixture.hpp"
 
 namespace mrroc::ecp {
 namespace {
