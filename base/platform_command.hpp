@@ -23,11 +23,11 @@ struct MapPose {
 
 /// Relative motion between two pictures, e_y_c1,1[A]: what visual odometry has measured. Trivially copyable.
 struct OdometryReading {
-  std::int64_t step_before{};             ///< at which the first pair of pictures was taken
-  std::int64_t step{};                    ///< at which the second was taken, > step_before
-  bool valid{};                           ///< there is a measurement; else the rest means nothing
-  std::array<double, 12> A{};             ///< rows of [R P]: B at `step` in B at `step_before` [m]
-  std::array<double, 36> covariance{};    ///< of x y z [m], ax ay az [rad] along B, row by row
+  std::int64_t step_before{};           ///< at which the first pair of pictures was taken
+  std::int64_t step{};                  ///< at which the second was taken, > step_before
+  bool valid{};                         ///< there is a measurement; else the rest means nothing
+  std::array<double, 12> A{};           ///< rows of [R P]: B at `step` in B at `step_before` [m]
+  std::array<double, 36> covariance{};  ///< of x y z [m], ax ay az [rad] along B, row by row
 };
 
 /// y_ce of a platform. Trivially copyable. What stands behind `fragment` is not numbered: it goes with every message, also
@@ -39,9 +39,9 @@ struct PlatformCommand {
   Instruction instruction{Instruction::keep};  ///< set hands the fragment over; get and set_get are refused
   std::int64_t queried{};                      ///< QUERY: number of the command whose reply is wanted
   Fragment fragment{};                         ///< for SET
-  double pace{1};                              ///< of the fragment's time, 0 stands .. 1 as planned; not numbered
-  OdometryReading odometry{};                  ///< not numbered
-  MapPose map{};                               ///< not numbered
+  double pace{1};              ///< of the fragment's time, 0 stands .. 1 as planned; not numbered
+  OdometryReading odometry{};  ///< not numbered
+  MapPose map{};               ///< not numbered
 };
 
 /// What the state estimator says. Trivially copyable.
@@ -63,30 +63,31 @@ struct Slip {
 
 /// x_ce of a platform, sent in step n_Q. Trivially copyable.
 struct PlatformReply {
-  std::int64_t session{};    ///< as EffectorReply has it
-  std::int64_t number{};     ///< as EffectorReply has it
-  std::int64_t macrostep{};  ///< as EffectorReply has it
-  std::int64_t step{};       ///< of the reading with which it was made
-  std::int64_t expected{};   ///< next number that the driver will execute
+  std::int64_t session{};                            ///< as EffectorReply has it
+  std::int64_t number{};                             ///< as EffectorReply has it
+  std::int64_t macrostep{};                          ///< as EffectorReply has it
+  std::int64_t step{};                               ///< of the reading with which it was made
+  std::int64_t expected{};                           ///< next number that the driver will execute
   Verdict verdict{Verdict::none};                    ///< on the command
   Fault fault{};                                     ///< why it was refused or failed
   DriverState state{DriverState::not_synchronised};  ///< when it answers
-  std::int64_t accepted{};       ///< number of the last fragment taken; 0: none
-  std::int64_t notified{};       ///< number of the last fragment that has reached its notify; 0: none
-  std::int64_t executing{};      ///< number of the fragment under way; 0: none
-  std::int32_t iteration{};      ///< of that fragment, 0..steps
-  std::int32_t remaining{};      ///< iterations to the end of the queue
-  PlatformEstimate estimate;     ///< q~, q~'
-  Slip slip;                     ///< as estimated
-  Slip slip_sd{0, 0, 0};         ///< standard deviations of the three
-  PerWheel torque{};             ///< commanded last [N m]
-  PerWheel load{};               ///< of the wheels, as the kernels use them [N]
-  bool adapting{};               ///< the tracker uses the estimated slip, not the nominal one
-  bool position_known{};         ///< SYNCHRO has found where the platform is
-  bool at_rest{};                ///< as EffectorReply has it
-  std::int32_t late_odometry{};  ///< readings dropped because they were older than the estimator's window, so far
-  std::int32_t late_map{};       ///< map poses dropped for that, so far
-  std::int32_t rejected{};       ///< odometry and map poses dropped because they were no proper numbers, so far
+  std::int64_t accepted{};                           ///< number of the last fragment taken; 0: none
+  std::int64_t notified{};    ///< number of the last fragment that has reached its notify; 0: none
+  std::int64_t executing{};   ///< number of the fragment under way; 0: none
+  std::int32_t iteration{};   ///< of that fragment, 0..steps
+  std::int32_t remaining{};   ///< iterations to the end of the queue
+  PlatformEstimate estimate;  ///< q~, q~'
+  Slip slip;                  ///< as estimated
+  Slip slip_sd{0, 0, 0};      ///< standard deviations of the three
+  PerWheel torque{};          ///< commanded last [N m]
+  PerWheel load{};            ///< of the wheels, as the kernels use them [N]
+  bool adapting{};            ///< the tracker uses the estimated slip, not the nominal one
+  bool position_known{};      ///< SYNCHRO has found where the platform is
+  bool at_rest{};             ///< as EffectorReply has it
+  std::int32_t
+      late_odometry{};      ///< readings dropped because they were older than the estimator's window, so far
+  std::int32_t late_map{};  ///< map poses dropped for that, so far
+  std::int32_t rejected{};  ///< odometry and map poses dropped because they were no proper numbers, so far
   std::int32_t solver_failures{};  ///< iterations in which a solver failed, so far
 };
 

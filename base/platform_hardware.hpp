@@ -16,11 +16,11 @@ using PerWheel = std::array<double, kWheels>;
 struct PlatformReading {
   std::int64_t step{};                          ///< number of the step, counts from 0
   std::array<std::int32_t, kWheels> encoder{};  ///< [increments] since power-up, forward positive
-  double yaw{};       ///< of the IMU: integral of its own yaw_rate since its reset [rad], not wrapped
-  double yaw_rate{};  ///< of the IMU [rad/s]
-  bool imu_valid{};   ///< yaw and yaw_rate are measurements
-  PerWheel load{};    ///< of the load cells: vertical force on each wheel [N]
-  bool load_valid{};  ///< load is a measurement
+  double yaw{};        ///< of the IMU: integral of its own yaw_rate since its reset [rad], not wrapped
+  double yaw_rate{};   ///< of the IMU [rad/s]
+  bool imu_valid{};    ///< yaw and yaw_rate are measurements
+  PerWheel load{};     ///< of the load cells: vertical force on each wheel [N]
+  bool load_valid{};   ///< load is a measurement
   PerWheel current{};  ///< of the motors [A]
 };
 

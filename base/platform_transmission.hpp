@@ -40,13 +40,14 @@ struct MotionCapture {
 
 /// The true state of a simulated platform: for figures and viewers, never for control. Trivially copyable.
 struct PlatformTruth {
-  PlanarPose p;             ///< of B on M, phi wrapped
-  PlanarVelocity v;         ///< of B, along B
-  PerWheel wheel_speed{};   ///< [rad/s]
-  std::array<std::array<double, 2>, kWheels> slip_speed{};  ///< of the contact over the ground, along and across [m/s]
-  std::array<std::array<double, 2>, kWheels> friction{};    ///< mu_x, mu_y of the ground below the wheel
-  PerWheel load{};                                          ///< vertical force on the wheel [N]
-  PerWheel torque{};                                        ///< at the wheel [N m]
+  PlanarPose p;            ///< of B on M, phi wrapped
+  PlanarVelocity v;        ///< of B, along B
+  PerWheel wheel_speed{};  ///< [rad/s]
+  std::array<std::array<double, 2>, kWheels>
+      slip_speed{};  ///< of the contact over the ground, along and across [m/s]
+  std::array<std::array<double, 2>, kWheels> friction{};  ///< mu_x, mu_y of the ground below the wheel
+  PerWheel load{};                                        ///< vertical force on the wheel [N]
+  PerWheel torque{};                                      ///< at the wheel [N m]
 };
 
 }  // namespace mrroc

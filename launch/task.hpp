@@ -33,9 +33,9 @@ struct Task {
   std::string_view config;      ///< its TOML file
   std::vector<CellArm> arms{};  ///< keys and kinematics
   std::vector<CellPlatform>
-      platforms{};  ///< keys and models; their configuration has `robots.order = []` without arms
-  link::NodeMain ecp;                 ///< what the ECP of each arm and platform does; not empty
-  std::string ecp_program{};          ///< its program; empty: `ecp_NAME`
+      platforms{};            ///< keys and models; their configuration has `robots.order = []` without arms
+  link::NodeMain ecp;         ///< what the ECP of each arm and platform does; not empty
+  std::string ecp_program{};  ///< its program; empty: `ecp_NAME`
   std::vector<Receptor> receptors{};  ///< of each arm
 
   /// Adds options of the task's own, which stand above those of every task.

@@ -13,48 +13,49 @@ namespace mrroc::edp {
 
 /// Constant properties of a platform.
 struct PlatformProperties {
-  std::string_view name;                ///< for messages and the configuration
-  double wheel_radius{};                ///< [m]
-  double half_track{};                  ///< from the middle to a wheel's plane [m]
-  double increments_per_turn{};         ///< of a wheel's encoder
-  double max_torque{};                  ///< of a drive, at the wheel [N m]
-  double brake{};                       ///< torque of a short-circuited motor against its speed [N m s/rad]
-  double max_wheel_speed{};             ///< [rad/s]
-  double max_speed{};                   ///< |v| of a fragment [m/s]
-  double max_turn_rate{};               ///< |w| of a fragment [rad/s]
-  double max_lateral_acceleration{};    ///< |v w| of a fragment [m/s^2]
-  double horizon_period{0.05};          ///< between points of the tracker's reference [s]
+  std::string_view name;              ///< for messages and the configuration
+  double wheel_radius{};              ///< [m]
+  double half_track{};                ///< from the middle to a wheel's plane [m]
+  double increments_per_turn{};       ///< of a wheel's encoder
+  double max_torque{};                ///< of a drive, at the wheel [N m]
+  double brake{};                     ///< torque of a short-circuited motor against its speed [N m s/rad]
+  double max_wheel_speed{};           ///< [rad/s]
+  double max_speed{};                 ///< |v| of a fragment [m/s]
+  double max_turn_rate{};             ///< |w| of a fragment [rad/s]
+  double max_lateral_acceleration{};  ///< |v w| of a fragment [m/s^2]
+  double horizon_period{0.05};        ///< between points of the tracker's reference [s]
 };
 
 /// What SYNCHRO has found at rest, for the estimator to begin with. Trivially copyable.
 struct StandingStill {
-  std::int64_t step{};    ///< of the last reading
-  PlanarPose p;           ///< of B on M, from the map
+  std::int64_t step{};            ///< of the last reading
+  PlanarPose p;                   ///< of B on M, from the map
   PlanarCovariance covariance{};  ///< of p
-  double yaw_offset{};    ///< heading on the map minus yaw of the IMU [rad]
-  double gyro_bias{};     ///< [rad/s]
-  PerWheel load{};        ///< means of the load cells [N]
-  PerWheel theta{};       ///< turned by the wheels since power-up [rad]
+  double yaw_offset{};            ///< heading on the map minus yaw of the IMU [rad]
+  double gyro_bias{};             ///< [rad/s]
+  PerWheel load{};                ///< means of the load cells [N]
+  PerWheel theta{};               ///< turned by the wheels since power-up [rad]
 };
 
 /// Measurements of one stage: of the reading at a boundary. Trivially copyable.
 struct StageReading {
-  std::int64_t step{};    ///< of the reading, a multiple of kPlatformSteps
-  PerWheel theta{};       ///< turned by the wheels since power-up [rad]
-  PerWheel theta_dot{};   ///< [rad/s] at the reading: not the mean of a macrostep, which lags by half of it
-  double yaw{};           ///< of the IMU [rad]
-  double yaw_rate{};      ///< of the IMU [rad/s]
-  bool imu_valid{};       ///< yaw and yaw_rate mean something
-  PerWheel load{};        ///< mean over the last macrostep [N]
-  PerWheel torque{};      ///< commanded since the stage before, mean [N m]
-  bool enabled{true};     ///< false: the drives braked since the stage before: torque is what the brake is believed to give
+  std::int64_t step{};   ///< of the reading, a multiple of kPlatformSteps
+  PerWheel theta{};      ///< turned by the wheels since power-up [rad]
+  PerWheel theta_dot{};  ///< [rad/s] at the reading: not the mean of a macrostep, which lags by half of it
+  double yaw{};          ///< of the IMU [rad]
+  double yaw_rate{};     ///< of the IMU [rad/s]
+  bool imu_valid{};      ///< yaw and yaw_rate mean something
+  PerWheel load{};       ///< mean over the last macrostep [N]
+  PerWheel torque{};     ///< commanded since the stage before, mean [N m]
+  bool enabled{
+      true};  ///< false: the drives braked since the stage before: torque is what the brake is believed to give
 };
 
 /// Health of a solver's or filter's step.
 struct Health {
-  bool ok{true};            ///< the result can be used
-  bool solver_failed{};     ///< a QP was not solved; the result is the best guess without it
-  bool inconsistent{};      ///< a map pose of this step was beyond the 99.9 % ellipse of the estimate
+  bool ok{true};              ///< the result can be used
+  bool solver_failed{};       ///< a QP was not solved; the result is the best guess without it
+  bool inconsistent{};        ///< a map pose of this step was beyond the 99.9 % ellipse of the estimate
   std::int32_t iterations{};  ///< of the solver
 };
 

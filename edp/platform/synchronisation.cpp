@@ -8,7 +8,8 @@
 
 namespace mrroc::edp {
 
-PlatformSynchronisation::PlatformSynchronisation(const PlatformDriverParameters& parameters, double dt) noexcept
+PlatformSynchronisation::PlatformSynchronisation(const PlatformDriverParameters& parameters,
+                                                 double dt) noexcept
     : rest_steps_(static_cast<int>(std::lround(parameters.synchro_rest / dt))),
       timeout_steps_(static_cast<int>(std::lround(parameters.synchro_timeout / dt))) {}
 
@@ -62,7 +63,7 @@ void PlatformSynchronisation::add(const MapPose& pose) noexcept {
 }
 
 std::optional<StandingStill> PlatformSynchronisation::found(const StageCollector& sensors,
-                                                    std::int64_t step) const noexcept {
+                                                            std::int64_t step) const noexcept {
   const PlatformReading& reading = sensors.reading();
   if (!measured() || poses_ < kPoses || failed() || !reading.imu_valid) return std::nullopt;
   StandingStill result;

@@ -153,7 +153,8 @@ void of_counts(const DriveResults& r, mp::Figures& figures) {
   }
   std::vector<std::int32_t> sorted = r.iterations;
   std::ranges::sort(sorted);
-  if (!sorted.empty()) figures["planner_iterations_p95"] = static_cast<double>(sorted[sorted.size() * 95 / 100]);
+  if (!sorted.empty())
+    figures["planner_iterations_p95"] = static_cast<double>(sorted[sorted.size() * 95 / 100]);
 }
 
 }  // namespace

@@ -80,7 +80,8 @@ void add_drive_options(CommandLine& line, DriveOptions& o) {
 std::vector<std::string> settings_of(const DriveOptions& o) {
   std::vector<std::string> settings;
   if (!o.plan.empty())
-    settings.push_back("task.plan=" + in_quotes(is_built_in(o.plan) ? o.plan : fs::absolute(o.plan).string()));
+    settings.push_back("task.plan=" +
+                       in_quotes(is_built_in(o.plan) ? o.plan : fs::absolute(o.plan).string()));
   if (o.speed) settings.push_back(fmt::format("task.speed={}", *o.speed));
   if (!o.tracker.empty()) settings.push_back(fmt::format("platforms.rex.tracker=\"{}\"", o.tracker));
   if (!o.estimator.empty()) settings.push_back(fmt::format("platforms.rex.estimator=\"{}\"", o.estimator));
