@@ -76,10 +76,11 @@ TEST(PlatformWorld, VelocityIsTheDerivativeOfThePose) {
   PlatformWorldParameters p = ideal_world();
   p.platforms[0].centre = {0.1, -0.08};
   PlatformWorld world(p);
-  run(world, drive({4, 10, 4, 10}), 0.5);
+  run(world, drive({-6, 16, -6, 16}), 0.5);
+  ASSERT_GT(world.truth(0).v.w, 0.5);
   for (int step = 0; step < 200; ++step) {
     const PlatformTruth before = world.truth(0);
-    run(world, drive({4, 10, 4, 10}), kPlatformStep);
+    run(world, drive({-6, 16, -6, 16}), kPlatformStep);
     const PlatformTruth& now = world.truth(0);
     const double dx = (now.p.x - before.p.x) / kPlatformStep, dy = (now.p.y - before.p.y) / kPlatformStep;
     const double phi = before.p.phi + wrap_angle(now.p.phi - before.p.phi) / 2;
