@@ -6,14 +6,16 @@
 #include <cmath>
 
 #include "base/room_config.hpp"
-#include "tasks/rex_drive/built_in_plans.hpp"
+#include "tasks/rex_drive/plan/built_in_plans.hpp"
 
 namespace mrroc::rex_drive {
 namespace {
 
 std::int64_t macrosteps(double seconds) { return std::llround(seconds / kPlatformPeriod); }
 
-double wanted_speed(const Config& config) { return config.number("task.speed", 0.6, {0.05, 0.98}, "m/s"); }
+double wanted_speed(const Config& config) {
+  return config.number("task.speed", 0.6, {0.05, PathLimits{}.speed}, "m/s");
+}
 
 }  // namespace
 

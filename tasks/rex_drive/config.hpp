@@ -10,7 +10,7 @@
 #include "tasks/rex_drive/images.hpp"
 #include "tasks/rex_drive/map_agent.hpp"
 #include "tasks/rex_drive/ontology.hpp"
-#include "tasks/rex_drive/plan_file.hpp"
+#include "tasks/rex_drive/plan/plan_file.hpp"
 #include "tasks/rex_drive/planner/survey.hpp"
 
 namespace mrroc::rex_drive {

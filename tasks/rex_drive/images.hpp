@@ -6,7 +6,7 @@
 #include "base/agent_images.hpp"
 #include "base/platform_transmission.hpp"
 #include "tasks/rex_drive/planner/trajgen.hpp"
-#include "tasks/rex_drive/proc.hpp"
+#include "tasks/rex_drive/plan/proc.hpp"
 
 namespace mrroc::rex_drive {
 

@@ -8,7 +8,7 @@
 
 #include "base/command_line.hpp"
 #include "base/fault.hpp"
-#include "tasks/rex_drive/built_in_plans.hpp"
+#include "tasks/rex_drive/plan/built_in_plans.hpp"
 
 namespace mrroc::rex_drive {
 namespace {

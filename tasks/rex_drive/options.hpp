@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/config.hpp"
-#include "tasks/rex_drive/plan_file.hpp"
+#include "tasks/rex_drive/plan/plan_file.hpp"
 
 namespace mrroc {
 class CommandLine;

@@ -5,14 +5,14 @@
 #include <cstdint>
 
 #include "base/platform_path.hpp"
-#include "tasks/rex_drive/proc.hpp"
+#include "tasks/rex_drive/plan/proc.hpp"
 
 namespace mrroc::rex_drive {
 
 /// What a fragment must keep to: limits of the effector driver with a reserve.
 struct PathLimits {
-  double speed{0.98};      ///< v [m/s]
-  double turn_rate{2.45};  ///< |w| [rad/s]
+  double speed{1.47};      ///< v [m/s]
+  double turn_rate{2.15};  ///< |w| [rad/s]
   double lateral{1.96};    ///< |v w| [m/s^2]
 };
 

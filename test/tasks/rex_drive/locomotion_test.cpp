@@ -5,7 +5,7 @@
 #include <deque>
 #include <random>
 
-#include "tasks/rex_drive/built_in_plans.hpp"
+#include "tasks/rex_drive/plan/built_in_plans.hpp"
 #include "test/tasks/rex_drive/driver_model.hpp"
 #include "test/tasks/rex_drive/random_plans.hpp"
 

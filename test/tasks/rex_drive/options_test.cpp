@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/fault.hpp"
-#include "tasks/rex_drive/built_in_plans.hpp"
+#include "tasks/rex_drive/plan/built_in_plans.hpp"
 #include "tasks/rex_drive/config.hpp"
 
 namespace mrroc::rex_drive {

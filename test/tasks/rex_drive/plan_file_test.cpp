@@ -1,4 +1,4 @@
-#include "tasks/rex_drive/plan_file.hpp"
+#include "tasks/rex_drive/plan/plan_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 
 #include "base/fault.hpp"
-#include "tasks/rex_drive/built_in_plans.hpp"
+#include "tasks/rex_drive/plan/built_in_plans.hpp"
 
 namespace mrroc::rex_drive {
 namespace {

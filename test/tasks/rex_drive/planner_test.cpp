@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "tasks/rex_drive/built_in_plans.hpp"
+#include "tasks/rex_drive/plan/built_in_plans.hpp"
 #include "tasks/rex_drive/planner/ecsa.hpp"
 #include "tasks/rex_drive/planner/survey.hpp"
 #include "test/tasks/rex_drive/random_plans.hpp"

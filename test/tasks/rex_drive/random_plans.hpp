@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "tasks/rex_drive/plan_file.hpp"
+#include "tasks/rex_drive/plan/plan_file.hpp"
 
 namespace mrroc::rex_drive {
 

@@ -1,4 +1,4 @@
-#include "tasks/rex_drive/built_in_plans.hpp"
+#include "tasks/rex_drive/plan/built_in_plans.hpp"
 
 #include <algorithm>
 #include <array>

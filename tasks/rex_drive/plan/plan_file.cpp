@@ -1,4 +1,4 @@
-#include "tasks/rex_drive/plan_file.hpp"
+#include "tasks/rex_drive/plan/plan_file.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "base/fault.hpp"
 #include "base/text_file.hpp"
-#include "tasks/rex_drive/proc.hpp"
+#include "tasks/rex_drive/plan/proc.hpp"
 
 namespace mrroc::rex_drive {
 namespace {

@@ -1,10 +1,10 @@
-#include "tasks/rex_drive/proc.hpp"
+#include "tasks/rex_drive/plan/proc.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-#include "tasks/rex_drive/plan_file.hpp"
+#include "tasks/rex_drive/plan/plan_file.hpp"
 
 namespace mrroc::rex_drive {
 namespace {

@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "tasks/rex_drive/plan_file.hpp"
+#include "tasks/rex_drive/plan/plan_file.hpp"
 
 namespace mrroc::rex_drive {
 
