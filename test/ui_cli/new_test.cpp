@@ -99,6 +99,7 @@ TEST(NewPlan, LeavesNothingOfTheTemplatesNames) {
   for (const Scaffold& scaffold :
        {Scaffold{.part = NewPart::robot, .name = "probe"},
         Scaffold{.part = NewPart::robot, .name = "probe", .hardware = true},
+        Scaffold{.part = NewPart::platform, .name = "probe"},
         Scaffold{.part = NewPart::sensor, .name = "probe"}, Scaffold{.part = NewPart::task, .name = "probe"},
         Scaffold{.part = NewPart::task, .name = "probe", .sensor = "feeler"},
         Scaffold{.part = NewPart::task, .name = "probe", .coordinated = true},
@@ -107,8 +108,9 @@ TEST(NewPlan, LeavesNothingOfTheTemplatesNames) {
     EXPECT_GE(plan.files.size(), 6U);
     for (const NewFile& file : plan.files) {
       const std::string all = file.path.string() + "\n" + file.text;
-      for (const char* left : {"my_task", "MyTask", "my_robot", "MyRobot", "my_sensor", "MySensor", "@sensor",
-                               "@no_sensor", "@hardware", "@no_hardware", ".template"})
+      for (const char* left :
+           {"my_task", "MyTask", "my_robot", "MyRobot", "my_platform", "MyPlatform", "my_sensor", "MySensor",
+            "@sensor", "@no_sensor", "@hardware", "@no_hardware", ".template"})
         EXPECT_EQ(all.find(left), std::string::npos) << file.path << " still has " << left;
       EXPECT_NE(all.find("probe"), std::string::npos) << file.path;
       EXPECT_FALSE(file.text.empty()) << file.path;
@@ -213,7 +215,7 @@ TEST_F(NewPartTest, RefusesWhatIsWrongAndWritesNothing) {
   EXPECT_NE(refused({"tusk", "probe"}).find("did you mean 'task'?"), std::string::npos);
   EXPECT_NE(refused({"task"}).find("NAME (its name) is missing; type for example `ui_cli new task spiral`"),
             std::string::npos);
-  EXPECT_NE(refused({}).find("PART (robot, task or sensor) and NAME (its name) are missing"),
+  EXPECT_NE(refused({}).find("PART (robot, platform, task or sensor) and NAME (its name) are missing"),
             std::string::npos);
   EXPECT_TRUE(names_fault(refused({"task", "probe", "more"}), "bad_usage"));
   EXPECT_TRUE(names_fault(refused({"task", "probe", "--sensor", "feeler"}), "bad_usage"))
