@@ -172,11 +172,13 @@ TEST(NewPlan, ATaskWithACoordinatorOfItsOwnIsSixFilesInItsFolder) {
 }
 
 TEST_F(NewPartTest, WritesFilesAndEntersThem) {
-  for (const char* part : {"robot", "task", "sensor"}) {
+  for (const char* part : {"robot", "platform", "task", "sensor"}) {
     const std::string name = std::string("probe_") + part;
     const std::string said = run({part, name});
     const auto now = files();
-    const std::string folder = std::string(part) == "sensor" ? "vsp" : std::string(part) + "s";
+    const std::map<std::string, std::string> folders{
+        {"robot", "robots"}, {"platform", "robots"}, {"task", "tasks"}, {"sensor", "vsp"}};
+    const std::string& folder = folders.at(part);
     EXPECT_TRUE(now.contains(folder + "/" + name + "/CMakeLists.txt"));
     EXPECT_TRUE(now.contains("test/" + folder + "/" + name + "/contract_test.cpp"));
     for (const std::string& list : {folder + "/CMakeLists.txt", "test/" + folder + "/CMakeLists.txt"})
