@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Lets ui_cli write a robot, a sensor and three tasks into an empty tree, builds them against what has been built, runs
+# Lets ui_cli write a robot, a platform, a sensor and three tasks into an empty tree, builds them against what has been built, runs
 # their tests and them: generated.sh SOURCE BUILD
 set -euo pipefail
 source=$1 build=$2
@@ -24,6 +24,7 @@ cp "$source/test/tasks/CMakeLists.txt" "$tree/test/tasks"
 
 ui() { (cd "$tree" && "$build/bin/ui_cli" new "$@"); }
 ui robot probe_arm --hardware >"$place/robot.txt"
+ui platform probe_car >"$place/platform.txt"
 ui sensor probe_sensor >"$place/sensor.txt"
 ui task probe_task --sensor probe_sensor >"$place/task.txt"
 # A task with a coordinator of its own changes nothing outside of its folder.
@@ -33,6 +34,7 @@ after=$(find "$tree" -type f -not -path '*/tasks/probe_pair/*' -exec md5sum {} +
 [[ $before == "$after" ]] || fail "files outside of tasks/probe_pair have changed"
 (($(find "$tree/tasks/probe_pair" -type f | wc -l) <= 6)) || fail "more than six files"
 grep -q './run probe_arm' "$place/robot.txt" || fail "the next step is not told"
+grep -q 'platforms.rex.model=probe_car' "$place/platform.txt" || fail "the next step of a platform is not told"
 if ui task probe_task 2>"$place/error"; then fail "what is there was written once more"; fi
 grep -q 'error: bad_usage' "$place/error" || fail "no reason was given"
 

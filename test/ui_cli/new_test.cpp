@@ -99,6 +99,7 @@ TEST(NewPlan, LeavesNothingOfTheTemplatesNames) {
   for (const Scaffold& scaffold :
        {Scaffold{.part = NewPart::robot, .name = "probe"},
         Scaffold{.part = NewPart::robot, .name = "probe", .hardware = true},
+        Scaffold{.part = NewPart::platform, .name = "probe"},
         Scaffold{.part = NewPart::sensor, .name = "probe"}, Scaffold{.part = NewPart::task, .name = "probe"},
         Scaffold{.part = NewPart::task, .name = "probe", .sensor = "feeler"},
         Scaffold{.part = NewPart::task, .name = "probe", .coordinated = true},
@@ -107,8 +108,9 @@ TEST(NewPlan, LeavesNothingOfTheTemplatesNames) {
     EXPECT_GE(plan.files.size(), 6U);
     for (const NewFile& file : plan.files) {
       const std::string all = file.path.string() + "\n" + file.text;
-      for (const char* left : {"my_task", "MyTask", "my_robot", "MyRobot", "my_sensor", "MySensor", "@sensor",
-                               "@no_sensor", "@hardware", "@no_hardware", ".template"})
+      for (const char* left :
+           {"my_task", "MyTask", "my_robot", "MyRobot", "my_platform", "MyPlatform", "my_sensor", "MySensor",
+            "@sensor", "@no_sensor", "@hardware", "@no_hardware", ".template"})
         EXPECT_EQ(all.find(left), std::string::npos) << file.path << " still has " << left;
       EXPECT_NE(all.find("probe"), std::string::npos) << file.path;
       EXPECT_FALSE(file.text.empty()) << file.path;
@@ -170,11 +172,13 @@ TEST(NewPlan, ATaskWithACoordinatorOfItsOwnIsSixFilesInItsFolder) {
 }
 
 TEST_F(NewPartTest, WritesFilesAndEntersThem) {
-  for (const char* part : {"robot", "task", "sensor"}) {
+  for (const char* part : {"robot", "platform", "task", "sensor"}) {
     const std::string name = std::string("probe_") + part;
     const std::string said = run({part, name});
     const auto now = files();
-    const std::string folder = std::string(part) == "sensor" ? "vsp" : std::string(part) + "s";
+    const std::map<std::string, std::string> folders{
+        {"robot", "robots"}, {"platform", "robots"}, {"task", "tasks"}, {"sensor", "vsp"}};
+    const std::string& folder = folders.at(part);
     EXPECT_TRUE(now.contains(folder + "/" + name + "/CMakeLists.txt"));
     EXPECT_TRUE(now.contains("test/" + folder + "/" + name + "/contract_test.cpp"));
     for (const std::string& list : {folder + "/CMakeLists.txt", "test/" + folder + "/CMakeLists.txt"})
@@ -213,7 +217,7 @@ TEST_F(NewPartTest, RefusesWhatIsWrongAndWritesNothing) {
   EXPECT_NE(refused({"tusk", "probe"}).find("did you mean 'task'?"), std::string::npos);
   EXPECT_NE(refused({"task"}).find("NAME (its name) is missing; type for example `ui_cli new task spiral`"),
             std::string::npos);
-  EXPECT_NE(refused({}).find("PART (robot, task or sensor) and NAME (its name) are missing"),
+  EXPECT_NE(refused({}).find("PART (robot, platform, task or sensor) and NAME (its name) are missing"),
             std::string::npos);
   EXPECT_TRUE(names_fault(refused({"task", "probe", "more"}), "bad_usage"));
   EXPECT_TRUE(names_fault(refused({"task", "probe", "--sensor", "feeler"}), "bad_usage"))

@@ -18,13 +18,15 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kAbout =
-    "Writes the files of a new robot, task or sensor into a clone of the framework: they build, run and "
+    "Writes the files of a new robot, platform, task or sensor into a clone of the framework: they build, "
+    "run and "
     "pass\n"
     "their tests as they are, and say where to put what is yours.";
 constexpr const char* kWritten =
     "\nWhat is written:\n"
     "  robot NAME   robots/NAME (kinematics, transmission, motors, URDF, driver), a task of that name that "
     "moves it\n"
+    "  platform NAME  robots/NAME (tracker, estimator, numbers, URDF, driver) of a mobile platform\n"
     "  task NAME    tasks/NAME (behaviours, program, ECP, mains, configuration), with --coordinated the same "
     "of a\n"
     "               coordinator\n"
@@ -35,6 +37,7 @@ constexpr const char* kWritten =
 const ExplainedLines kLines{{"ui_cli new task circle", ""},
                             {"ui_cli new task pair --coordinated", ""},
                             {"ui_cli new robot gantry --dry-run", ""},
+                            {"ui_cli new platform cart", ""},
                             {"ui_cli new sensor feeler", "and then"},
                             {"ui_cli new task feel --sensor feeler", ""}};
 constexpr const char* kExitStatus =
@@ -51,7 +54,7 @@ struct Options {
 
 NewPart part_named(const std::string& word) {
   WordSet known;
-  for (const NewPart part : {NewPart::robot, NewPart::task, NewPart::sensor}) {
+  for (const NewPart part : {NewPart::robot, NewPart::platform, NewPart::task, NewPart::sensor}) {
     if (word == to_string(part)) return part;
     known.emplace(to_string(part));
   }
@@ -59,7 +62,7 @@ NewPart part_named(const std::string& word) {
   throw FaultError(FaultCode::bad_usage,
                    fmt::format("there is no new '{}'{}", word,
                                near.empty() ? "" : fmt::format("; did you mean '{}'?", near)),
-                   "give robot, task or sensor, and a name");
+                   "give robot, platform, task or sensor, and a name");
 }
 
 /// @return whether the folder of some robot has its description
@@ -142,14 +145,14 @@ void execute(const Options& o, std::ostream& out) {
 }  // namespace
 
 std::vector<std::string> new_words() {
-  return {"robot",    "task",       "sensor",        "--into",    "--outside", "--robot",
-          "--sensor", "--hardware", "--coordinated", "--dry-run", "--json"};
+  return {"robot",   "platform", "task",       "sensor",        "--into",    "--outside",
+          "--robot", "--sensor", "--hardware", "--coordinated", "--dry-run", "--json"};
 }
 
 int run_new(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
   Options o;
   CommandLine line(kAbout, "ui_cli new");
-  line.option("part", o.part, "robot, task or sensor").required();
+  line.option("part", o.part, "robot, platform, task or sensor").required();
   line.option("name", o.name, "its name").required();
   line.option("--into", o.into, "root of the clone; usual: the one in which you are").type_name("DIR");
   line.option("--robot", o.robot, "of a task: its arm; usual: irb6_postument").type_name("NAME");

@@ -1,4 +1,4 @@
-// The command `ui_cli new robot|task|sensor NAME`: writes the files of a new robot, task or sensor.
+// The command `ui_cli new robot|platform|task|sensor NAME`: writes the files of a new robot, platform, task or sensor.
 #pragma once
 #include <iosfwd>
 #include <string>

@@ -25,7 +25,7 @@ not_eq nullptr operator or or_eq private protected public register reinterpret_c
 sizeof static static_assert static_cast struct switch template this thread_local throw true try typedef typeid
 typename union unsigned using virtual void volatile wchar_t while xor xor_eq
 std main mrroc base edp ecp vsp ui_cli robots tasks sim launch test tests bench docs link view contract camera gripper irb6
-irb6_postument irb6_track simulator programs all clean build help package install sensor robot task shell)";
+irb6_postument irb6_track simulator programs all clean build help package install sensor robot platform platforms task shell)";
 
 bool is_taken(const std::string& name) {
   std::istringstream words(kTaken);
@@ -113,6 +113,9 @@ std::vector<std::string> next_steps(const Scaffold& scaffold) {
   if (scaffold.part == NewPart::sensor)
     return {step(test, "builds it and runs its tests"),
             step("./run ui_cli new task NAME --sensor " + name, "writes a task that uses it")};
+  if (scaffold.part == NewPart::platform)
+    return {step(test, "builds it and runs its tests"),
+            step("./run rex_drive --set platforms.rex.model=" + name, "drives it")};
   std::vector<std::string> steps{
       step("./run " + name, "builds it and runs it"),
       step("./run " + name + " --view --speed 1", "shows it in a browser, at a real arm's pace")};
@@ -129,6 +132,8 @@ std::string_view to_string(NewPart part) {
   switch (part) {
     case NewPart::robot:
       return "robot";
+    case NewPart::platform:
+      return "platform";
     case NewPart::task:
       return "task";
     case NewPart::sensor:
@@ -172,6 +177,11 @@ ScaffoldPlan plan_scaffold(const Scaffold& scaffold) {
     add_files(plan, "sensor/", {{"my_sensor", scaffold.name}, {"MySensor", type_name(scaffold.name)}}, false);
     plan.entries.push_back({"vsp/CMakeLists.txt", scaffold.name});
     plan.entries.push_back({"test/vsp/CMakeLists.txt", scaffold.name});
+  } else if (scaffold.part == NewPart::platform) {
+    add_files(plan, "platform/", {{"my_platform", scaffold.name}, {"MyPlatform", type_name(scaffold.name)}},
+              false);
+    plan.entries.push_back({"robots/CMakeLists.txt", scaffold.name});
+    plan.entries.push_back({"test/robots/CMakeLists.txt", scaffold.name});
   } else {
     const Words words{{"my_robot", scaffold.name}, {"MyRobot", type_name(scaffold.name)}};
     add_files(plan, "robot/", words, false);

@@ -1,4 +1,4 @@
-// The parts of a new robot, task or sensor: files made from templates, and the lines that make them known to
+// The parts of a new robot, platform, task or sensor: files made from templates, and the lines that make them known to
 // the build. Nothing here reads or writes a file.
 #pragma once
 #include <filesystem>
@@ -9,9 +9,9 @@
 namespace mrroc::ui {
 
 /// Kinds of things that `ui_cli new` makes.
-enum class NewPart : std::uint8_t { robot, task, sensor };
+enum class NewPart : std::uint8_t { robot, platform, task, sensor };
 
-/// @return "robot", "task" or "sensor"
+/// @return "robot", "platform", "task" or "sensor"
 [[nodiscard]] std::string_view to_string(NewPart part);
 
 /// The user's order.
