@@ -110,7 +110,8 @@ Said tell_all(const X& x, int m) {
   r.driver_state = x.e.state;
   r.ready = x.e.position_known;
   r.position_known = x.e.position_known;
-  r.verdict = x.e.state == DriverState::faulted && x.e.fault ? Verdict::failed : x.e.verdict;
+  // Not every fault is an answer: a silence, or a motion that fails when its command has long been executed.
+  r.verdict = x.e.fault && x.e.verdict == Verdict::none ? Verdict::failed : x.e.verdict;
   r.fault = x.e.fault;
   const PlanarPose& p = x.e.estimate.p;
   r.T_0E = {p.x, p.y, 0, 0, 0, p.phi};

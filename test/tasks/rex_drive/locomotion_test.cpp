@@ -152,6 +152,26 @@ TEST(Algorithm8, TellsTheNumberOfThePlan) {
   EXPECT_EQ(kBehaviours[1].f_cT(x).event, 0) << "no ack while it is executed";
 }
 
+TEST(Report, AFaultThatAnswersNoCommandIsAFailureInEveryBehaviour) {
+  X x = idle_image();
+  x.e.state = DriverState::decelerating;
+  x.e.fault.code = FaultCode::peer_silent;
+  for (const auto& behaviour : kBehaviours) {
+    const Said said = behaviour.f_cT(x);
+    EXPECT_EQ(said.verdict, Verdict::failed) << behaviour.name;
+    EXPECT_EQ(said.fault.code, FaultCode::peer_silent) << behaviour.name;
+  }
+  x.e.verdict = Verdict::refused;
+  EXPECT_EQ(kBehaviours[1].f_cT(x).verdict, Verdict::refused);
+}
+
+TEST(Report, WithoutAFaultTheVerdictIsThatOfTheDriver) {
+  X x = idle_image();
+  EXPECT_EQ(kBehaviours[1].f_cT(x).verdict, Verdict::none);
+  x.e.verdict = Verdict::executed;
+  EXPECT_EQ(kBehaviours[1].f_cT(x).verdict, Verdict::executed);
+}
+
 TEST(Pace, FollowsThePauseAndStandsWhileThePositionIsUncertain) {
   X x = idle_image();
   x.T.variant = kPaused;
