@@ -38,7 +38,7 @@ std::array<PlanOrder, kAgents> order(const X& x) {
 
 // --- terminal conditions ---------------------------------------------------------------------------------------
 
-bool may_start(const X& x) { return x.T.agent[0].ready && x.T.agent[1].ready && x.T.h.started; }
+bool may_start(const X& x) { return locomotion(x).ready && x.T.agent[kMapAgent].ready && x.T.h.started; }
 bool taken(const X& x) {
   const bool executes = locomotion(x).m == 2 && x.i - x.i_0 >= latency::kLoop;
   return executes || acknowledged(x) || in_vain(x);

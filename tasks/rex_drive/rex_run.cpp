@@ -92,7 +92,7 @@ double RexRun::progress(const X& x) const {
 std::string RexRun::progress_text(const X& x) const {
   const Report& r = x.T.agent[kLocomotionAgent];
   if ((r.sensor & kPositionLost) != 0)
-    return fmt::format("position lost for {:.1f} s", seconds(x.i - x.c.lost_in));
+    return fmt::format("position lost for {:.1f} s", seconds(x.c.lost_in > 0 ? x.i - x.c.lost_in : 0));
   const int point = point_of(r);
   if (point == 0) return announced_;
   return fmt::format("{}, point {} of {}", announced_, point, x.c.plan.n);
