@@ -4,14 +4,14 @@
 #include <cmath>
 #include <numeric>
 
+#include "edp/platform/load_check.hpp"
+
 namespace mrroc::edp {
 namespace {
 
 bool is_finite(const PerWheel& numbers) {
   return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); });
 }
-
-double sum(const PerWheel& numbers) { return std::accumulate(numbers.begin(), numbers.end(), 0.); }
 
 PerWheel mean(const PerWheel& total, int n) {
   PerWheel result{};
@@ -47,8 +47,8 @@ void StageCollector::command(const PlatformDrive& drive) noexcept {
 
 PerWheel StageCollector::load() const noexcept {
   const PerWheel measured = mean(load_sum_, loads_);
-  const double weight = sum(static_load_);
-  return std::abs(sum(measured) - weight) <= kLoadError * weight ? measured : static_load_;
+  const double weight = std::accumulate(static_load_.begin(), static_load_.end(), 0.);
+  return is_credible(measured, weight) ? measured : static_load_;
 }
 
 StageReading StageCollector::take(std::int64_t step) noexcept {

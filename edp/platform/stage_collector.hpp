@@ -12,8 +12,6 @@ class StageCollector {
  public:
   /// Readings of the IMU that are absent in succession, from which it counts as silent.
   static constexpr int kImuSilent = 3;
-  /// The sum of the load cells may differ so much from the weight, as a share; beyond, the loads at rest are used.
-  static constexpr double kLoadError = 0.2;
 
   /// @param platform  lives longer than this object  @param dt  duration of a step [s]
   StageCollector(const PlatformProperties& platform, double dt) noexcept
@@ -23,7 +21,8 @@ class StageCollector {
   void measure(const PlatformReading& reading) noexcept;
   /// The step's command.
   void command(const PlatformDrive& drive) noexcept;
-  /// @param step  of the stage  @return the measurements of the stage that ends with the last reading. The next one begins
+  /// @param step  of the stage  @return the measurements of the stage that ends with the last reading, with the loads at rest
+  ///              instead of loads that are not credible. The next one begins
   [[nodiscard]] StageReading take(std::int64_t step) noexcept;
 
   /// @param load  of the wheels at rest [N]

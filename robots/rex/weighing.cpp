@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "edp/platform/load_check.hpp"
 #include "robots/rex/parameters.hpp"
 
 namespace mrroc::rex {
@@ -35,10 +36,7 @@ Load weigh(const PerWheel& load) noexcept {
 }
 
 PerWheel believed_load(const PerWheel& measured, const Load& weighed) noexcept {
-  constexpr double kDoubt = 0.2;
-  const double weight = weighed.mass * kGravity;
-  const bool believed = possible(measured) && std::abs(sum(measured) - weight) <= kDoubt * weight;
-  return believed ? measured : weighed.wheel;
+  return edp::is_credible(measured, weighed.mass * kGravity) ? measured : weighed.wheel;
 }
 
 }  // namespace mrroc::rex

@@ -102,6 +102,11 @@ TEST_F(StageCollection, LoadsAreMeansOfAMacrostepAndThoseAtRestWhenTheirSumIsWro
               1e-9);
   for (const double wrong : {79., 121., -100., 1e9})
     EXPECT_EQ(macrostep([&](PlatformReading& r) { r.load.fill(wrong); }).load[0], 90) << wrong;
+  EXPECT_EQ(macrostep([](PlatformReading& r) {
+              r.load = {200, 200, 10, -10};
+            }).load[0],
+            90)
+      << "a wheel hangs";
   EXPECT_EQ(macrostep([](PlatformReading& r) { r.load_valid = false; }).load[1], 110);
   EXPECT_EQ(macrostep([](PlatformReading& r) { r.load[2] = std::nan(""); }).load[1], 110);
 }
