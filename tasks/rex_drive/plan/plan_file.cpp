@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -108,16 +109,22 @@ class Reader {
       if (begun_) fail("a plan has no points", "give two at least, or leave its line 'plan' out");
       return;
     }
-    const auto elsewhere = [this](const MapPoint& p) { return distance(points_.front(), p) >= kSamePoint; };
     if (points_.size() == 1) fail("a plan has one point only", "give two at least");
-    if (std::ranges::none_of(points_, elsewhere))
-      fail(fmt::format("the points of a plan are all within {} m", kSamePoint), "give points to drive to");
-    for (std::size_t k = 0; k < points_.size(); k += kPointsOfPlan) {
-      const auto first = points_.begin() + static_cast<std::ptrdiff_t>(k);
-      const std::size_t n = std::min(kPointsOfPlan, points_.size() - k);
-      list_.plans.emplace_back(first, first + static_cast<std::ptrdiff_t>(n));
+    const std::size_t n = points_.size(), parts = (n + kPointsOfPlan - 1) / kPointsOfPlan;
+    for (std::size_t part = 0; part < parts; ++part) {
+      const auto at = [&](std::size_t k) {
+        return points_.begin() + static_cast<std::ptrdiff_t>(n * k / parts);
+      };
+      add_plan({at(part), at(part + 1)});
     }
     points_.clear();
+  }
+
+  void add_plan(MapPoints points) {
+    const auto elsewhere = [&](const MapPoint& p) { return distance(points.front(), p) >= kSamePoint; };
+    if (std::ranges::none_of(points, elsewhere))
+      fail(fmt::format("the points of a plan are all within {} m", kSamePoint), "give points to drive to");
+    list_.plans.push_back(std::move(points));
   }
 
   PlanList list_;
@@ -180,8 +187,11 @@ PlanList load_plans(const std::filesystem::path& file) {
 }
 
 std::string to_text(const PlanList& plans) {
+  std::string name = plans.name;
+  std::ranges::replace_if(
+      name, [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; }, '?');
   std::string text =
-      fmt::format("# {}\nstart {} {} {}\n", plans.name, plans.start.x, plans.start.y, plans.start.phi);
+      fmt::format("# {}\nstart {} {} {}\n", name, plans.start.x, plans.start.y, plans.start.phi);
   for (const MapPoints& plan : plans.plans) {
     if (&plan != &plans.plans.front()) text += "plan\n";
     for (const MapPoint& p : plan) text += fmt::format("{} {}\n", p.x, p.y);

@@ -48,7 +48,7 @@ inline constexpr double kSamePoint = 0.05;
 /// Most points of all plans of a run.
 inline constexpr std::size_t kMostPoints = 10'000;
 
-/// Reads plans from the text of a file. A plan of more than kPointsOfPlan points is cut into several.
+/// Reads plans from the text of a file. A plan of more than kPointsOfPlan points is cut into several of the same size.
 /// @param name  of the file, for errors
 /// @throws FaultError  bad_plan with the line: no two numbers, not finite, beyond 1 km, too few or too many points, points that are
 ///         all the same, `start` elsewhere than in the first line
@@ -56,7 +56,7 @@ inline constexpr std::size_t kMostPoints = 10'000;
 /// Reads a plan file. @throws FaultError  bad_plan: missing, a folder, too large, empty; as parse_plans()
 [[nodiscard]] PlanList load_plans(const std::filesystem::path& file);
 
-/// @return the text of a plan file with these plans
+/// @return the text of a plan file with these plans; its first comment is their name
 [[nodiscard]] std::string to_text(const PlanList& plans);
 
 /// Says what is in the way of the platform on the straight line between two points; empty: nothing.

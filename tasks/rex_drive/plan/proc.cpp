@@ -52,8 +52,17 @@ PlanPoint standing(const Corner& at, double phi, double cruise) {
   return {.at = {.p = {at.x, at.y, phi}}, .cruise = cruise, .index = std::max(at.index, 0)};
 }
 
+/// Adds a turn on the spot, in pieces that each are a fragment.
+void add_turn(Route& route, const Corner& at, double from, double to, double turn_rate) {
+  constexpr double kLongest = kPlatformPeriod * kMaxFragmentSteps;
+  const int pieces = std::max(1, static_cast<int>(std::ceil(time_of_turn(to - from, turn_rate) / kLongest)));
+  for (int piece = 1; piece < pieces; ++piece)
+    route.push_back(standing(at, std::lerp(from, to, static_cast<double>(piece) / pieces), 0));
+  route.push_back(standing(at, to, 0));
+}
+
 /// The points with their orientations; `passed` marks those that need no rest. The first point is where the route begins.
-Route orient(const std::vector<Corner>& corners, const PathPoint& from, double speed,
+Route orient(const std::vector<Corner>& corners, const PathPoint& from, double speed, double turn_rate,
              std::vector<bool>& passed) {
   Route route{{.at = from}};
   passed = {true};
@@ -61,14 +70,18 @@ Route orient(const std::vector<Corner>& corners, const PathPoint& from, double s
     route.push_back(point);
     passed.push_back(pass);
   };
+  const auto turn = [&](const Corner& at, double before, double after) {
+    add_turn(route, at, before, after, turn_rate);
+    passed.resize(route.size(), false);
+  };
   double leg = direction(corners[0], corners[1], from.p.phi);
   if (std::abs(leg - from.p.phi) > (from.v == 0 ? kTurnAtRest : kPivotAngle))
-    add(standing(corners[0], leg, 0), false);
+    turn(corners[0], from.p.phi, leg);
   for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
     const double next = direction(corners[k], corners[k + 1], leg);
     if (std::abs(next - leg) > kPivotAngle) {
       add(standing(corners[k], leg, speed), false);
-      add(standing(corners[k], next, 0), false);
+      turn(corners[k], leg, next);
     } else {
       add(standing(corners[k], direction(corners[k - 1], corners[k + 1], leg), speed), true);
     }
@@ -151,11 +164,16 @@ void set_speeds(Route& route, const std::vector<bool>& passed, const RouteLimits
 
 }  // namespace
 
+double time_of_turn(double angle, double turn_rate) {
+  constexpr double kPeak = 1.875;  // of the turn rate to its mean
+  return kPeak * std::abs(angle) / turn_rate;
+}
+
 Route proc(const Plan& desired_plan, const PathPoint& from, const RouteLimits& limits) {
   const std::vector<Corner> corners = corners_of(desired_plan, from.p);
   if (corners.size() < 2) return {};
   std::vector<bool> passed;
-  Route route = orient(corners, from, desired_plan.speed, passed);
+  Route route = orient(corners, from, desired_plan.speed, limits.turn_rate, passed);
   smooth(route, passed);
   set_speeds(route, passed, limits);
   route.erase(route.begin());

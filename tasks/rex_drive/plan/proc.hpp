@@ -25,8 +25,12 @@ struct PlanPoint {
 };
 using Route = std::vector<PlanPoint>;  ///< plan of REX, c_c1[plan]
 
+/// @param angle  of a turn on the spot [rad]
+/// @return how long it takes with the least jerk and that largest turn rate [s]
+[[nodiscard]] double time_of_turn(double angle, double turn_rate);
+
 /// Completes the points of a plan. Points nearer than kSamePoint to the one before are left out, legs longer than 5 m, or
-/// 3.5 s, are divided. At points that are passed the orientation is near that of the chord between the neighbours, and
+/// 3.5 s, are divided, and so are turns on the spot that last longer than a fragment. At points that are passed the orientation is near that of the chord between the neighbours, and
 /// the curvature of the way is continuous; at the last point and on both sides of a turn on the spot the orientation is
 /// that of the leg. Speeds obey the limits in curves and when they change; the platform rests at a turn on the spot, and
 /// at the last point unless the plan knows points ahead.

@@ -111,10 +111,37 @@ TEST(PlanFile, LongPlansAreCutAndGoOn) {
   ASSERT_EQ(list.plans.size(), 3U);
   EXPECT_EQ(list.points(), 150U);
   const auto plans = to_messages(list, 0.5);
-  EXPECT_EQ(plans[0].n, static_cast<int>(kPointsOfPlan));
+  EXPECT_EQ(plans[0].n, 50);
   EXPECT_EQ(plans[0].ahead, static_cast<int>(kPlanAhead));
-  EXPECT_NEAR(plans[0].point[kPointsOfPlan][0], 0.3 * static_cast<double>(kPointsOfPlan), 1e-9);
+  EXPECT_NEAR(plans[0].point[50][0], 0.3 * 50, 1e-9);
   EXPECT_EQ(plans[2].ahead, 0);
+}
+
+TEST(PlanFile, APlanOfAnyLengthIsWrittenAndReadAgain) {
+  for (std::size_t n = 2; n <= 190; ++n) {
+    std::string text;
+    for (std::size_t k = 0; k < n; ++k) text += std::to_string(0.3 * static_cast<double>(k)) + " 0\n";
+    const PlanList list = parse_plans(text, "long"), read = parse_plans(to_text(list), "again");
+    EXPECT_EQ(list.points(), n);
+    ASSERT_EQ(read.plans.size(), list.plans.size()) << n;
+    for (std::size_t k = 0; k < list.plans.size(); ++k) {
+      EXPECT_GE(list.plans[k].size(), 2U) << n;
+      EXPECT_LE(list.plans[k].size(), kPointsOfPlan) << n;
+      EXPECT_EQ(read.plans[k].size(), list.plans[k].size()) << n;
+    }
+  }
+}
+
+TEST(PlanFile, ALongPlanThatStandsForAPartIsRefusedBeforeItIsWritten) {
+  std::string text;
+  for (int k = 0; k < 62; ++k) text += "0 0\n";
+  EXPECT_EQ(error_of(text + text + "1 0\n"), "my.txt:125: the points of a plan are all within 0.05 m");
+}
+
+TEST(PlanFile, TheNameOfAFileCannotWriteLines) {
+  PlanList list = built_in_plan("pivot");
+  list.name = "a\nstart 1 1 1\r\n7 7";
+  EXPECT_EQ(parse_plans(to_text(list), "again").points(), list.points());
 }
 
 TEST(PlanFile, APlanThatTurnsBackDoesNotGoOn) {
