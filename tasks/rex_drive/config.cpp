@@ -13,6 +13,36 @@ namespace {
 
 std::int64_t macrosteps(double seconds) { return std::llround(seconds / kPlatformPeriod); }
 
+/// What is wrong with a way that has so much room beside it; empty: nothing.
+std::string obstructed(double free) {
+  if (free >= kReach) return {};
+  if (free < 0) return "it leads out of the room";
+  return fmt::format("it passes a wall or an obstacle at {:.2f} m, the platform needs {} m", free, kReach);
+}
+
+/// @param plan   number of a plan of the list
+/// @param index  of its point, or behind its last one
+/// @return the name of the point for the operator
+std::string name_of(const PlanList& list, std::int64_t plan, std::int32_t index) {
+  const MapPoints& points = list.plans[static_cast<std::size_t>(plan - 1)];
+  const MapPoint& p = points[std::min(static_cast<std::size_t>(index), points.size() - 1)];
+  const std::string line = p.line > 0 ? fmt::format(":{}", p.line) : "";
+  return fmt::format("{}{}: ({:g}, {:g})", list.name, line, p.x, p.y);
+}
+
+/// Looks at the curves that are driven, which are not quite the legs. @throws FaultError  bad_plan
+void check_ways(const PlanList& list, const PlannerSurvey& survey, const Room& room) {
+  for (const auto& [plan, t] : survey.found)
+    for (std::size_t k = 1; k < t.knot.size(); ++k) {
+      const PlanarPose &from = t.knot[k - 1].p, &to = t.knot[k].p;
+      const std::string wrong = obstructed(clearance(room, {from.x, from.y}, {to.x, to.y}));
+      if (!wrong.empty())
+        throw FaultError(FaultCode::bad_plan,
+                         fmt::format("{}, the curve to this point: {}", name_of(list, plan, t.index), wrong),
+                         "move the points into free space, or give more of them where the way turns");
+    }
+}
+
 double wanted_speed(const Config& config) {
   return config.number("task.speed", 0.6, {0.05, PathLimits{}.speed}, "m/s");
 }
@@ -56,6 +86,11 @@ MapParameters read_map(const Config& config) {
   k.heading_sd = noise[1];
   k.rejections = m.integer("rejections", k.rejections, {1, 1000}, "in a row, which open the gate again");
   k.patience = macrosteps(m.number("patience", 0.5, {0.1, 60}, "s"));
+  if (k.patience * k.n_s < k.capture.period)
+    throw FaultError(FaultCode::bad_configuration,
+                     fmt::format("map.patience: motion capture measures every {} steps, which is longer",
+                                 k.capture.period),
+                     "make map.patience longer, or motion_capture.period shorter");
   return k;
 }
 
@@ -71,24 +106,19 @@ PlanList read_plan_list(const Config& config) {
 
 Itinerary examine(const PlanList& list, const Config& config) {
   const Room room = read_room(config);
-  check_legs(list, [&](const MapPoint& from, const MapPoint& to) -> std::string {
-    const double free = clearance(room, {from.x, from.y}, {to.x, to.y});
-    if (free >= kReach) return {};
-    if (free < 0) return "it leads out of the room";
-    return fmt::format("it passes a wall or an obstacle at {:.2f} m, the platform needs {} m", free, kReach);
+  check_legs(list, [&](const MapPoint& from, const MapPoint& to) {
+    return obstructed(clearance(room, {from.x, from.y}, {to.x, to.y}));
   });
   Itinerary it;
   it.list = list;
   it.plans = to_messages(list, wanted_speed(config));
   const Parameters k = read_parameters(config);
   it.survey = survey(it.plans, list.start, k.planner);
-  if (const auto& missed = it.survey.missed) {
-    const auto& points = list.plans[static_cast<std::size_t>(missed->plan - 1)];
-    const MapPoint& p = points[std::min(static_cast<std::size_t>(missed->point), points.size() - 1)];
+  if (const auto& missed = it.survey.missed)
     throw FaultError(FaultCode::path_not_found,
-                     fmt::format("{}{}: the planner finds no trajectory to ({:g}, {:g})", list.name,
-                                 p.line > 0 ? fmt::format(":{}", p.line) : "", p.x, p.y));
-  }
+                     fmt::format("{}: the planner finds no trajectory to this point",
+                                 name_of(list, missed->plan, missed->point)));
+  check_ways(list, it.survey, room);
   return it;
 }
 

@@ -25,7 +25,8 @@ inline constexpr double kReach = 0.55;
 [[nodiscard]] Parameters read_parameters(const Config& config);
 /// @return [task] of a_2 @throws ConfigError
 [[nodiscard]] OntologyParameters read_ontology(const Config& config);
-/// @return [map] and [motion_capture] of a_3 @throws ConfigError
+/// @return [map] and [motion_capture] of a_3
+/// @throws ConfigError; FaultError bad_configuration: readings come less often than it has patience for
 [[nodiscard]] MapParameters read_map(const Config& config);
 
 /// The plans of a run and what the planner makes of them.
@@ -38,7 +39,7 @@ struct Itinerary {
 /// @return the plans that `task.plan` names: built-in ones or a file
 /// @throws ConfigError; FaultError bad_plan
 [[nodiscard]] PlanList read_plan_list(const Config& config);
-/// Examines plans: their legs in the room, and whether there are trajectories.
+/// Examines plans: their legs in the room, whether there are trajectories, and the curves of these in the room.
 /// @param list  as read_plan_list() gives it @throws ConfigError; FaultError bad_plan, path_not_found
 [[nodiscard]] Itinerary examine(const PlanList& list, const Config& config);
 

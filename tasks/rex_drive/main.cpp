@@ -48,7 +48,7 @@ std::unique_ptr<mp::CoordinatorRun> make_coordinator(const Drive& d, mp::TaskRun
   rex_drive::RexRunParameters k;
   k.ontology = rex_drive::read_ontology(s.config);
   k.plans = d.itinerary.plans;
-  for (const rex_drive::Trajectory& t : d.itinerary.survey.found) k.iterations.push_back(t.iterations);
+  for (const auto& [plan, t] : d.itinerary.survey.found) k.iterations.push_back(t.iterations);
   k.gives_start = s.options.scripted();
   k.records = s.options.check.empty();
   return std::make_unique<rex_drive::RexRun>(run, std::move(k));

@@ -14,7 +14,7 @@ PlannerSurvey survey(const std::vector<Plan>& plans, const PlanarPose& start, co
       }
       at = leg.trajectory.knot.back();
       result.duration += leg.trajectory.duration;
-      result.found.push_back(leg.trajectory);
+      result.found.push_back({plan.number, leg.trajectory});
     }
   return result;
 }

@@ -17,9 +17,15 @@ struct MissedPoint {
   PlanarPose at;         ///< where it is
 };
 
+/// A trajectory to a point of a plan.
+struct FoundTrajectory {
+  std::int64_t plan{};    ///< number of the plan
+  Trajectory trajectory;  ///< to the point with its index
+};
+
 /// What the planner has found.
 struct PlannerSurvey {
-  std::vector<Trajectory> found;  ///< all trajectories, in their order
+  std::vector<FoundTrajectory> found;  ///< all trajectories, in their order
   std::optional<MissedPoint>
       missed;         ///< the first point of no trajectory; what is behind it has not been planned
   double duration{};  ///< of all of them [s]

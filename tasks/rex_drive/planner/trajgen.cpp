@@ -37,11 +37,11 @@ double length_of_way(double distance, double turn) {
 
 /// A turn on the spot with the least jerk: w is a polynomial of fourth degree.
 Leg turn_on_the_spot(const PathPoint& from, const PlanPoint& to, const PlannerParameters& k) {
-  constexpr double kPeak = 1.875;  // of w to its mean
   const double angle = to.at.p.phi - from.p.phi;
-  Leg leg{.found = std::abs(from.v) < kBackwards, .trajectory = {.index = to.index}};
+  Leg leg{.trajectory = {.index = to.index}};
   Trajectory& t = leg.trajectory;
-  t.duration = whole_iterations(kPeak * std::abs(angle) / k.route.turn_rate);
+  t.duration = whole_iterations(time_of_turn(angle, k.route.turn_rate));
+  leg.found = std::abs(from.v) < kBackwards && t.duration <= kLongest;
   for (std::size_t n = 0; n < kFragmentKnots; ++n) {
     const double s = static_cast<double>(n) / (kFragmentKnots - 1);
     t.knot[n].p = {from.p.x, from.p.y, from.p.phi + angle * s * s * s * (10 + s * (6 * s - 15))};

@@ -42,7 +42,7 @@ void expect_drivable(const std::vector<Plan>& plans, const PlanarPose& start, co
   const PlannerSurvey s = survey(plans, start, k);
   ASSERT_FALSE(s.missed) << "plan " << s.missed->plan << " point " << s.missed->point;
   PathPoint at{start};
-  for (const Trajectory& t : s.found) {
+  for (const auto& [plan, t] : s.found) {
     expect_join(at, t.knot.front());
     expect_within_limits(t, k.path);
     iterations.push_back(t.iterations);
@@ -65,6 +65,28 @@ TEST(Planner, DrivesEveryBuiltInPlanSlowlyAndAsFastAsTheDriverAllows) {
       std::vector<std::int32_t> iterations;
       expect_drivable(to_messages(plans, speed), plans.start, k, iterations);
     }
+}
+
+TEST(Planner, SlowTurnsOnTheSpotAreMadeInPieces) {
+  for (const double turn_rate : {0.1, 0.3, 0.9}) {
+    SCOPED_TRACE(turn_rate);
+    PlannerParameters k;
+    k.route.turn_rate = turn_rate;
+    std::vector<std::int32_t> iterations;
+    for (const char* name : {"pivot", "there_and_back"}) {
+      const PlanList plans = built_in_plan(name);
+      expect_drivable(to_messages(plans, 0.3), {0, 0, 3}, k, iterations);
+      for (const auto& [plan, t] : survey(to_messages(plans, 0.3), {0, 0, 3}, k).found)
+        for (const PathPoint& p : t.knot) EXPECT_LE(std::abs(p.w), std::max(turn_rate, 0.2) + 1e-9);
+    }
+  }
+}
+
+TEST(Planner, ATurnOnTheSpotThatIsLongerThanAFragmentIsNotFound) {
+  PlannerParameters k;
+  k.route.turn_rate = 0.3;
+  EXPECT_TRUE(plan_leg({}, {.at = {.p = {0, 0, 1.02}}}, k).found);
+  EXPECT_FALSE(plan_leg({}, {.at = {.p = {0, 0, 1.03}}}, k).found);
 }
 
 TEST(Planner, FindsTrajectoriesForEveryRandomPlan) {
