@@ -5,6 +5,8 @@
 #include <tuple>
 
 #include "base/joined.hpp"
+#include "edp/platform/driver.hpp"
+#include "edp/platform/synchronisation.hpp"
 #include "launch/cell_nodes.hpp"
 #include "robots/driver_config.hpp"
 #include "robots/platforms.hpp"
@@ -18,6 +20,23 @@ std::vector<std::string> keys_of(const std::vector<CellPlatform>& platforms) {
   return keys;
 }
 
+namespace {
+
+/// SYNCHRO needs some positions of a platform that stands.
+void check_synchro(const std::string& key, const edp::PlatformDriverParameters& driver,
+                   const MotionCaptureSetup& capture) {
+  const std::int64_t steps = capture.period * (edp::PlatformSynchronisation::kPoses + 1) + capture.latency;
+  const double needed = static_cast<double>(steps) * edp::PlatformDriver::kStep;
+  if (needed >= driver.synchro_timeout)
+    throw FaultError(
+        FaultCode::bad_configuration,
+        fmt::format("platforms.{}.synchro_timeout: {:g} s are too short for motion_capture.period = {} steps",
+                    key, driver.synchro_timeout, capture.period),
+        fmt::format("make it longer than {:g} s, or motion_capture.period shorter", needed));
+}
+
+}  // namespace
+
 void check_platforms(const Config& config, const std::vector<CellPlatform>& platforms) {
   if (platforms.empty()) return;
   const std::vector<std::string> keys = keys_of(platforms);
@@ -25,10 +44,10 @@ void check_platforms(const Config& config, const std::vector<CellPlatform>& plat
     throw FaultError(
         FaultCode::bad_configuration,
         fmt::format("platforms.order: this task has the platforms {}, in this order", joined(keys, ", ")));
-  std::ignore = sim::read_platform_world(config, keys, robots::platforms());
+  const sim::PlatformWorldParameters world = sim::read_platform_world(config, keys, robots::platforms());
   for (const std::string& key : keys) {
     const robots::PlatformType& type = robots::read_platform_type(config, key, robots::platforms());
-    std::ignore = robots::read_platform_driver(config, key, type);
+    check_synchro(key, robots::read_platform_driver(config, key, type), world.motion_capture.setup);
     robots::read_command_link(config, "platforms." + key);
     robots::read_recording(config, "platforms." + key);
   }

@@ -19,7 +19,8 @@ struct CellPlatform {
 
 /// Reads every parameter of the simulated platforms and their drivers, so that a wrong one is found before anything starts.
 /// @param platforms  of the task; without one nothing is read
-/// @throws FaultError  bad_configuration; also when [platforms] order has other platforms
+/// @throws FaultError  bad_configuration; also when [platforms] order has other platforms, or motion capture measures too seldom
+///         for SYNCHRO
 void check_platforms(const Config& config, const std::vector<CellPlatform>& platforms);
 
 /// @return a node `edp-KEY` for every platform; its plant is not set

@@ -66,10 +66,14 @@ void add_drive_options(CommandLine& line, DriveOptions& o) {
       .type_name("FILE|NAME");
   line.option("--speed-mps", o.speed, "Speed wanted between the points, in m/s (default: 0.6)")
       .type_name("V");
-  line.option("--tracker", o.tracker, "Trajectory tracker of the virtual effector (default: nmpc)")
-      .one_of({"nmpc", "kinematic"});
-  line.option("--estimator", o.estimator, "State estimator of the virtual effector (default: mhe)")
-      .one_of({"mhe", "ekf"});
+  line.option("--tracker", o.tracker,
+              "Trajectory tracker of the virtual effector: nmpc, kinematic, or another of the platform's "
+              "(default: nmpc)")
+      .type_name("NAME");
+  line.option(
+          "--estimator", o.estimator,
+          "State estimator of the virtual effector: mhe, ekf, or another of the platform's (default: mhe)")
+      .type_name("NAME");
   line.option(
           "--ground", o.ground,
           "nominal, slippery (half the friction), ice_right (half of it where y < 0), smooth (as the kernels "
@@ -83,17 +87,22 @@ std::vector<std::string> settings_of(const DriveOptions& o) {
     settings.push_back("task.plan=" +
                        in_quotes(is_built_in(o.plan) ? o.plan : fs::absolute(o.plan).string()));
   if (o.speed) settings.push_back(fmt::format("task.speed={}", *o.speed));
-  if (!o.tracker.empty()) settings.push_back(fmt::format("platforms.rex.tracker=\"{}\"", o.tracker));
-  if (!o.estimator.empty()) settings.push_back(fmt::format("platforms.rex.estimator=\"{}\"", o.estimator));
+  if (!o.tracker.empty()) settings.push_back(fmt::format("platforms.rex.tracker={}", in_quotes(o.tracker)));
+  if (!o.estimator.empty())
+    settings.push_back(fmt::format("platforms.rex.estimator={}", in_quotes(o.estimator)));
   if (!o.ground.empty()) std::ranges::move(settings_of_ground(o.ground), std::back_inserter(settings));
   return settings;
 }
 
-void complete_drive(Config& config, const DriveOptions& o, const PlanList& plans) {
+void complete_drive(Config& config, const DriveOptions& o, PlanList& plans) {
   if (!o.ground.empty() && !is_ground(o.ground)) config.overlay(Config::load(o.ground));
-  if (!config.has("sim.platforms.rex.start"))
-    config.set(
-        fmt::format("sim.platforms.rex.start=[{}, {}, {}]", plans.start.x, plans.start.y, plans.start.phi));
+  const std::string key = "sim.platforms.rex.start";
+  if (config.has(key)) {
+    const auto [x, y, phi] = config.numbers<3>(key, std::nullopt, {-100, 100}, "m, rad: x, y, phi of B");
+    plans.start = {x, y, wrap_angle(phi)};
+  } else {
+    config.set(fmt::format("{}=[{}, {}, {}]", key, plans.start.x, plans.start.y, plans.start.phi));
+  }
 }
 
 }  // namespace mrroc::rex_drive

@@ -29,9 +29,9 @@ void add_drive_options(CommandLine& line, DriveOptions& options);
 /// @throws FaultError bad_usage  there is neither a ground nor a file of that name
 [[nodiscard]] std::vector<std::string> settings_of(const DriveOptions& options);
 
-/// Sets what follows from the options: the ground of a file, and where the simulated platform stands at the beginning of
-/// the plan, unless the configuration says that.
+/// Sets what follows from the options: the ground of a file, and where the simulated platform stands at the beginning.
+/// @param plans  begin there; their start becomes that of the configuration if it has one
 /// @throws ConfigError
-void complete_drive(Config& config, const DriveOptions& options, const PlanList& plans);
+void complete_drive(Config& config, const DriveOptions& options, PlanList& plans);
 
 }  // namespace mrroc::rex_drive

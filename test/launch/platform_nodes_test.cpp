@@ -54,6 +54,10 @@ TEST(PlatformNodes, WhatIsWrongIsRefusedWithItsKey) {
            {"platforms.rex.tracker", "[platforms.rex]\ntracker = \"none\""},
            {"platforms.rex.estimator", "[platforms.rex]\nestimator = \"none\""},
            {"platforms.rex.synchro_timeout", "[platforms.rex]\nsynchro_rest = 5\nsynchro_timeout = 5"},
+           {"platforms.rex.synchro_timeout", "[motion_capture]\nperiod = 1000"},
+           {"motion_capture.period",
+            "[platforms.rex]\nsynchro_rest = 0.5\nsynchro_timeout = 1\n[motion_capture]\nperiod = 100"},
+           {"motion_capture.latency", "[motion_capture]\nlatency = 200"},
            {"platforms.rex.friction", "[platforms.rex]\nfriction = [0.7]"},
            {"time.n_s", "[time]\nn_s = 20"},
            {"sim.platforms.rex.start", "[sim.platforms.rex]\nstart = [9, 0, 0]"}}) {

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "base/fault.hpp"
-#include "tasks/rex_drive/plan/built_in_plans.hpp"
 #include "tasks/rex_drive/config.hpp"
+#include "tasks/rex_drive/plan/built_in_plans.hpp"
 
 namespace mrroc::rex_drive {
 namespace {
@@ -39,17 +41,59 @@ TEST(DriveOptions, AnUnknownGroundIsTold) {
 
 TEST(DriveOptions, ThePlatformStandsWhereThePlanBegins) {
   Config c = config_with({});
-  complete_drive(c, {}, built_in_plan("figure_eight"));
+  PlanList plans = built_in_plan("figure_eight");
+  complete_drive(c, {}, plans);
   EXPECT_NEAR((c.numbers<3>("sim.platforms.rex.start", {{0, 0, 0}})[2]), 0.785, 1e-3);
-  Config elsewhere = config_with({"sim.platforms.rex.start=[1, 0, 0]"});
-  complete_drive(elsewhere, {}, built_in_plan("figure_eight"));
-  EXPECT_EQ((elsewhere.numbers<3>("sim.platforms.rex.start", {{0, 0, 0}})[0]), 1);
+}
+
+TEST(DriveOptions, ThePlansBeginWhereTheConfigurationLetsThePlatformStand) {
+  Config c = config_with({"sim.platforms.rex.start=[1, 0.5, 7]"});
+  PlanList plans = built_in_plan("figure_eight");
+  complete_drive(c, {}, plans);
+  EXPECT_EQ((c.numbers<3>("sim.platforms.rex.start", {{0, 0, 0}})[0]), 1);
+  EXPECT_EQ(plans.start.x, 1);
+  EXPECT_EQ(plans.start.y, 0.5);
+  EXPECT_NEAR(plans.start.phi, 7 - 2 * std::numbers::pi, 1e-12);
+  const PathPoint begin = examine(plans, c).survey.found.front().trajectory.knot.front();
+  EXPECT_EQ(begin.p.x, 1);
+}
+
+TEST(DriveOptions, NamesOfAlgorithmsAreWhateverThePlatformHas) {
+  const Config c = config_with(
+      settings_of({.plan = "", .speed = {}, .tracker = "mine", .estimator = "a \"b\"", .ground = ""}));
+  EXPECT_EQ(c.text("platforms.rex.tracker", ""), "mine");
+  EXPECT_EQ(c.text("platforms.rex.estimator", ""), "a \"b\"");
 }
 
 TEST(DriveConfig, RefusesWhatTheKernelsCannotDo) {
   EXPECT_THROW(std::ignore = read_parameters(config_with({"time.n_s=20"})), ConfigError);
   EXPECT_THROW(std::ignore = read_parameters(config_with({"task.lateral=5"})), ConfigError);
   EXPECT_NO_THROW(std::ignore = read_parameters(config_with({})));
+}
+
+TEST(DriveConfig, MotionCaptureMeasuresAsOftenAsTheMapAgentHasPatienceFor) {
+  try {
+    std::ignore = read_map(config_with({"motion_capture.period=400"}));
+    ADD_FAILURE();
+  } catch (const FaultError& e) {
+    EXPECT_NE(std::string(e.what()).find("map.patience"), std::string::npos);
+  }
+  EXPECT_NO_THROW(std::ignore = read_map(config_with({"motion_capture.period=400", "map.patience=0.8"})));
+  EXPECT_THROW(std::ignore = read_map(config_with({"motion_capture.latency=151"})), ConfigError);
+}
+
+TEST(DriveConfig, ACurveThatIsNotFreeIsRefusedWithItsPoint) {
+  // Both legs are free, and the curve of the way through their common point is beyond them.
+  const Config c = config_with({"room.furniture=false", "room.walls=[-1, -2, 3, 2]"});
+  const PlanList list = parse_plans("start 0 -0.5 0\n1.2 -0.5\n2.4 0\n2.4 1\n0 1\n", "my.txt");
+  try {
+    std::ignore = examine(list, c);
+    ADD_FAILURE();
+  } catch (const FaultError& e) {
+    EXPECT_EQ(e.fault().code, FaultCode::bad_plan);
+    EXPECT_NE(std::string(e.what()).find("my.txt:4: (2.4, 1), the curve to this point"), std::string::npos)
+        << e.what();
+  }
 }
 
 TEST(DriveConfig, APlanThroughAWallIsRefusedWithItsLine) {
