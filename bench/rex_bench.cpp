@@ -191,13 +191,16 @@ Figures same_bits_figures() {
 
 }  // namespace
 
-Figures run_rex_group() {
+Figures run_rex_group(const fs::path& plots) {
   Figures all;
-  for (const auto measure : {ground_figures, plan_figures, friction_figures, same_bits_figures,
-                             rex_planner_figures, plant_figures}) {
-    const Figures some = measure();
-    all.insert(all.end(), some.begin(), some.end());
-  }
+  const auto add = [&](const Figures& some) { all.insert(all.end(), some.begin(), some.end()); };
+  add(ground_figures());
+  add(plan_figures());
+  add(friction_figures());
+  add(same_bits_figures());
+  add(rex_planner_figures());
+  add(rex_algorithm_figures(plots));
+  add(plant_figures());
   return all;
 }
 
