@@ -22,13 +22,17 @@ struct Short {
 std::vector<Short> all_tasks(const fs::path& folder) {
   const std::string words = (folder / "jog.words").string();
   std::ofstream(words) << "5 home all\n150 jog arm1 angle-axis 0 0 0.01 0 0 0\n300 end\n";
-  return {{"press", {}},
-          {"edge_follow", {}},
-          {"weigh", {}},
-          {"manual", {"--words", words}},
-          {"drawing", {}},
-          {"visual_servo", {"--set", "cameras.profile=fast"}},
-          {"rubik", {"--scramble", "U'", "--eyes", "none", "--set", "task.tables=small"}}};
+  return {
+#ifdef MRROC_REX
+      {"rex_drive", {"--plan", "pivot"}},
+#endif
+      {"press", {}},
+      {"edge_follow", {}},
+      {"weigh", {}},
+      {"manual", {"--words", words}},
+      {"drawing", {}},
+      {"visual_servo", {"--set", "cameras.profile=fast"}},
+      {"rubik", {"--scramble", "U'", "--eyes", "none", "--set", "task.tables=small"}}};
 }
 
 nlohmann::json check(const fs::path& run) {

@@ -35,7 +35,7 @@ const std::vector<
         {"plan", [](const std::string&, bool) { return bench::run_plan_group(); }},
         {"operator", [](const std::string&, bool) { return bench::run_operator_group(); }},
         {"rubik", [](const std::string&, bool resume) { return bench::run_rubik_group(resume); }},
-        {"rex", [](const std::string&, bool) { return bench::run_rex_group(); }},
+        {"rex", [](const std::string& plots, bool) { return bench::run_rex_group(plots); }},
         {"mutation", [](const std::string&, bool resume) { return bench::run_mutation_group(resume); }},
     };
 
@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
           .type_name("[FILE]")
           .value_optional();
   line.flag("--resume", resume, "leaves out groups whose figures are in the file already");
-  line.option("--plots", plots, "draws pictures of the groups servo and pen_state there (gnuplot)")
+  line.option("--plots", plots, "draws pictures of the groups servo, pen_state and rex there (gnuplot)")
       .type_name("DIR");
   try {
     if (const auto help = line.parse_or_help(argc, argv, {"./run bench servo --plots plots"})) {

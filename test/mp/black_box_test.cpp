@@ -17,6 +17,7 @@
 #include "base/link/event_log.hpp"
 #include "mrroc/agent_report_t.hpp"
 #include "mrroc/effector_reply_t.hpp"
+#include "mrroc/platform_reply_t.hpp"
 #include "test/base/link/buses.hpp"
 
 namespace mrroc::mp {

@@ -1,0 +1,106 @@
+// Trackers and estimators of the platform against each other: one is exchanged, nothing else changes (paper REX, sec. 1).
+#include <fmt/core.h>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "base/fault.hpp"
+#include "base/gnuplot_text.hpp"
+#include "bench/figures.hpp"
+#include "bench/run_summary.hpp"
+#include "bench/task_process.hpp"
+#include "mp/gnuplot.hpp"
+
+namespace mrroc::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array kTrackers{"nmpc", "kinematic"};
+constexpr std::array kEstimators{"mhe", "ekf"};
+constexpr std::array kGrounds{"nominal", "slippery", "ice_right"};
+
+/// What a pair of algorithms reaches on one ground.
+struct Reached {
+  std::string algorithms, ground;
+  double track{}, estimate{};  ///< [mm] rms; NaN: the run did not end well
+};
+
+Reached drive(const std::string& tracker, const std::string& estimator, const std::string& ground) {
+  const ScratchFolder scratch;
+  const fs::path folder = scratch.path() / "run";
+  TaskProcess task("rex_drive", {"--processes", "one", "--tracker", tracker, "--estimator", estimator,
+                                 "--ground", ground, "--run-dir", folder.string()});
+  task.wait();
+  const nlohmann::json figures = needed_summary(folder).value("figures", nlohmann::json::object());
+  const auto number = [&](const char* key) {
+    const nlohmann::json value = figures.value(key, nlohmann::json());
+    return value.is_number() ? value.get<double>() : std::nan("");
+  };
+  return {tracker + ", " + estimator, ground, number("track_rms_mm"), number("estimate_rms_mm")};
+}
+
+/// Bars: a group per ground, one bar per pair of algorithms.
+void plot(const fs::path& folder, const std::vector<Reached>& all) {
+  fs::create_directories(folder);
+  std::ofstream table(folder / "algorithms.csv");
+  table << "ground";
+  for (const char* tracker : kTrackers)
+    for (const char* estimator : kEstimators)
+      table << fmt::format(",track {0} {1},estimate {0} {1}", tracker, estimator);
+  for (const char* ground : kGrounds) {
+    table << "\n" << ground;
+    for (const Reached& r : all)
+      if (r.ground == ground) table << fmt::format(",{:.3f},{:.3f}", r.track, r.estimate);
+  }
+  table << "\n";
+  std::ofstream script(folder / "algorithms.gp");
+  script << gnuplot_head("algorithms.png", 1000, 800)
+         << "set style data histograms\nset style histogram clustered gap 1.5\nset style fill solid 0.85 "
+            "border -1\n"
+            "set xtics nomirror\nset yrange [0:*]\nset key outside bottom center horizontal\nset multiplot "
+            "layout 2,1\n";
+  for (const auto& [title, first] :
+       {std::pair{"true place against the reference", 2}, {"true place against the estimate", 3}}) {
+    script << fmt::format("set title {}\nset ylabel 'mm rms'\nplot ", gnuplot_quoted(title));
+    int column = first;
+    std::size_t colour = 0;
+    for (const char* tracker : kTrackers)
+      for (const char* estimator : kEstimators) {
+        script << fmt::format(
+            "{}'algorithms.csv' every ::1 using {}:xtic(1) title {} lc rgb '{}'", colour > 0 ? ", " : "",
+            column, gnuplot_quoted(fmt::format("{}, {}", tracker, estimator)), curve_colour(colour));
+        column += 2;
+        ++colour;
+      }
+    script << "\n";
+  }
+  script << "unset multiplot\n";
+  script.close();
+  if (!table || !script) throw FaultError(FaultCode::cannot_write, (folder / "algorithms.gp").string());
+  if (const auto result = mp::run_gnuplot(folder, "algorithms.gp"); result == mp::GnuplotResult::failed)
+    throw FaultError(FaultCode::internal_error,
+                     "gnuplot did not draw algorithms.gp; see gnuplot.log beside it");
+}
+
+}  // namespace
+
+Figures rex_algorithm_figures(const fs::path& plots) {
+  std::vector<Reached> all;
+  Figures figures;
+  for (const char* tracker : kTrackers)
+    for (const char* estimator : kEstimators)
+      for (const char* ground : kGrounds) {
+        const Reached& r = all.emplace_back(drive(tracker, estimator, ground));
+        const std::string key = fmt::format("{}_{}_{}", tracker, estimator, ground);
+        figures.push_back(
+            {"track_rms_mm_" + key, r.track, "mm", fmt::format("{} on {} ground", r.algorithms, ground)});
+        figures.push_back({"estimate_rms_mm_" + key, r.estimate, "mm", "  of its estimate"});
+      }
+  if (!plots.empty()) plot(plots, all);
+  return figures;
+}
+
+}  // namespace mrroc::bench
