@@ -80,6 +80,25 @@ TEST(RexDrive, ABlockedWheelEndsTheRunWithItsName) {
   EXPECT_NE(ended.all().find("wheel_blocked"), std::string::npos) << ended.all();
 }
 
+TEST(RexDrive, DrivesThoughEveryThirdCommandIsLost) {
+  if (kSanitized) GTEST_SKIP() << "too long";
+  const Folder folder;
+  const Ended ended = run(
+      folder, "rex_drive",
+      words({drive_along(folder), {"--processes", "one", "--set", "platforms.rex.command_link.loss=0.3"}}));
+  ASSERT_EQ(ended.status, 0) << ended.all();
+  EXPECT_LE(figure(summary(folder / "run"), "track_max_mm"), 60);
+}
+
+TEST(RexDrive, ASilenceOfTheControlSubsystemEndsTheRun) {
+  const Folder folder(false);
+  const Ended ended = run(
+      folder, "rex_drive",
+      words({drive_along(folder), {"--processes", "one", "--set", "platforms.rex.command_link.loss=0.8"}}));
+  EXPECT_EQ(ended.status, 1) << ended.all();
+  EXPECT_TRUE(ended.last_err().starts_with("error: peer_silent: ")) << ended.all();
+}
+
 class RexDriveWithADeath : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(RexDriveWithADeath, EndsAndNamesTheProcess) {

@@ -85,13 +85,13 @@ TEST(DriveConfig, MotionCaptureMeasuresAsOftenAsTheMapAgentHasPatienceFor) {
 TEST(DriveConfig, ACurveThatIsNotFreeIsRefusedWithItsPoint) {
   // Both legs are free, and the curve of the way through their common point is beyond them.
   const Config c = config_with({"room.furniture=false", "room.walls=[-1, -2, 3, 2]"});
-  const PlanList list = parse_plans("start 0 -0.5 0\n1.2 -0.5\n2.4 0\n2.4 1\n0 1\n", "my.txt");
+  const PlanList list = parse_plans("start 0 -0.5 0\n1.2 -0.9\n2.44 0\n2.44 1\n0 1\n", "my.txt");
   try {
     std::ignore = examine(list, c);
     ADD_FAILURE();
   } catch (const FaultError& e) {
     EXPECT_EQ(e.fault().code, FaultCode::bad_plan);
-    EXPECT_NE(std::string(e.what()).find("my.txt:4: (2.4, 1), the curve to this point"), std::string::npos)
+    EXPECT_NE(std::string(e.what()).find("my.txt:4: (2.44, 1), the curve to this point"), std::string::npos)
         << e.what();
   }
 }
