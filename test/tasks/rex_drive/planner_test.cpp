@@ -60,7 +60,7 @@ TEST(Planner, DrivesEveryBuiltInPlanSlowlyAndAsFastAsTheDriverAllows) {
     for (const double speed : {0.3, 0.6, 0.8, 0.95}) {
       SCOPED_TRACE(std::string(name) + " at " + std::to_string(speed));
       PlannerParameters k;
-      if (speed > 0.7) k.route = {.lateral = 1.6, .acceleration = 0.6, .turn_rate = 2.2};
+      if (speed > 0.7) k.route = {.lateral = 1.6, .acceleration = 0.6, .turn_rate = 2.1};
       const PlanList plans = built_in_plan(name);
       std::vector<std::int32_t> iterations;
       expect_drivable(to_messages(plans, speed), plans.start, k, iterations);
