@@ -26,13 +26,6 @@ struct PlatformType {
 /// @return every platform, in the order of their registration; they live to the end of the program
 [[nodiscard]] std::span<const PlatformType* const> platforms();
 
-/// @return the platform with that name, or null
-[[nodiscard]] inline const PlatformType* find_platform(std::string_view name) {
-  for (const PlatformType* type : platforms())
-    if (type->name == name) return type;
-  return nullptr;
-}
-
 /// @return the program that is the driver of this type
 [[nodiscard]] std::string driver_program(const PlatformType& type);
 

@@ -25,11 +25,11 @@ struct PlatformAnswer {
 struct PlatformView {
   std::int64_t step;           ///< of the last reading
   DriverState state;           ///< of the automaton
-  const Fault& fault;          ///< that stands; code none: there is none
+  const Fault& fault;          ///< that stands, fatal or not yet told; code none: there is none
   bool position_known;         ///< the platform's
   bool at_rest;                ///< the platform
   bool follows;                ///< the tracker drives it
-  const FragmentQueue& queue;  ///< its fragments
+  const FragmentQueue& queue;  ///< fragments that it has taken and not yet finished
   const Observer& observer;    ///< its estimate
   const Follower& follower;    ///< its tracker
   const Reference& reference;  ///< where it is to be

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <cstring>
 #include <new>
@@ -63,9 +61,6 @@ void check(std::span<const Stage> stages, int iterations) {
     if (s.n_x < 0 || s.n_u < 0) refuse(k, "a size is negative");
     if (s.n_x == 0 && k > 0) refuse(k, "it has no state; only the first one may have none");
     if (!ascends(s.bounded_u, s.n_u)) refuse(k, "bounded_u are no ascending indices of its controls");
-    if (!ascends(s.bounded_x, s.n_x)) refuse(k, "bounded_x are no ascending indices of its states");
-    if (!ascends(s.soft_x, static_cast<int>(s.bounded_x.size())))
-      refuse(k, "soft_x are no ascending positions in bounded_x");
     // HPIPM as it comes with CasADi 3.8.2 says of such stages that they are solved, and gives wrong points.
     if (s.n_x == 1 && s.n_u % 4 == 3)
       refuse(k,
@@ -92,8 +87,8 @@ struct OcpQp::Solver {
     d_ocp_qp_dim_create(N, &dim, memory.block(d_ocp_qp_dim_memsize(N)));
     set_sizes();
     d_ocp_qp_create(&dim, &qp, memory.block(d_ocp_qp_memsize(&dim)));
-    for (int k = 0; k <= N; ++k) set_indices(k);
-    for (const Stage& stage : stages) prices.resize(std::max(prices.size(), stage.soft_x.size()));
+    for (int k = 0; k <= N; ++k)
+      d_ocp_qp_set_idxbu(k, given(stages[static_cast<std::size_t>(k)].bounded_u), &qp);
     d_ocp_qp_sol_create(&dim, &sol, memory.block(d_ocp_qp_sol_memsize(&dim)));
     d_ocp_qp_ipm_arg_create(&dim, &arg, memory.block(d_ocp_qp_ipm_arg_memsize(&dim)));
     d_ocp_qp_ipm_arg_set_default(ROBUST, &arg);
@@ -102,27 +97,14 @@ struct OcpQp::Solver {
   }
 
   void set_sizes() {
-    std::array<std::vector<int>, 6> n;
+    std::vector<int> n_x, n_u, bounded;
     for (const Stage& s : stages) {
-      const std::array sizes{static_cast<std::size_t>(s.n_x),
-                             static_cast<std::size_t>(s.n_u),
-                             s.bounded_x.size(),
-                             s.bounded_u.size(),
-                             std::size_t{0},
-                             s.soft_x.size()};
-      for (std::size_t i = 0; i < n.size(); ++i) n[i].push_back(static_cast<int>(sizes[i]));
+      n_x.push_back(s.n_x);
+      n_u.push_back(s.n_u);
+      bounded.push_back(static_cast<int>(s.bounded_u.size()));
     }
-    d_ocp_qp_dim_set_all(n[0].data(), n[1].data(), n[2].data(), n[3].data(), n[4].data(), n[5].data(), &dim);
-  }
-
-  // In HPIPM's own order of bounds, those of the controls come first.
-  void set_indices(int k) {
-    const Stage& s = stages[static_cast<std::size_t>(k)];
-    d_ocp_qp_set_idxbu(k, given(s.bounded_u), &qp);
-    d_ocp_qp_set_idxbx(k, given(s.bounded_x), &qp);
-    std::vector<int> soft = s.soft_x;
-    for (int& i : soft) i += static_cast<int>(s.bounded_u.size());
-    d_ocp_qp_set_idxs(k, soft.data(), &qp);
+    std::vector<int> none(stages.size());  // bounds of states, general constraints, soft bounds
+    d_ocp_qp_dim_set_all(n_x.data(), n_u.data(), none.data(), bounded.data(), none.data(), none.data(), &dim);
   }
 
   [[nodiscard]] const Stage* stage(int k) const noexcept {
@@ -138,7 +120,6 @@ struct OcpQp::Solver {
 
   Memory memory;
   std::vector<Stage> stages;
-  std::vector<double> prices;  // of one stage, to be given to HPIPM
   bool bad_data{};
   d_ocp_qp_dim dim{};
   d_ocp_qp qp{};
@@ -190,27 +171,6 @@ void OcpQp::bounds_u(int k, View lower, View upper) noexcept {
   if (!solver_->fits(is(lower, n, 1) && is(upper, n, 1))) return;
   d_ocp_qp_set_lbu(k, given(lower), &solver_->qp);
   d_ocp_qp_set_ubu(k, given(upper), &solver_->qp);
-}
-
-void OcpQp::bounds_x(int k, View lower, View upper) noexcept {
-  const Stage* s = solver_->stage(k);
-  if (!solver_->fits(s != nullptr)) return;
-  const auto n = static_cast<Eigen::Index>(s->bounded_x.size());
-  if (!solver_->fits(is(lower, n, 1) && is(upper, n, 1))) return;
-  d_ocp_qp_set_lbx(k, given(lower), &solver_->qp);
-  d_ocp_qp_set_ubx(k, given(upper), &solver_->qp);
-}
-
-void OcpQp::soft_price(int k, double linear, double quadratic) noexcept {
-  const Stage* s = solver_->stage(k);
-  if (!solver_->fits(s != nullptr)) return;
-  std::vector<double>& prices = solver_->prices;
-  std::fill(prices.begin(), prices.end(), quadratic);
-  d_ocp_qp_set_Zl(k, prices.data(), &solver_->qp);
-  d_ocp_qp_set_Zu(k, prices.data(), &solver_->qp);
-  std::fill(prices.begin(), prices.end(), linear);
-  d_ocp_qp_set_zl(k, prices.data(), &solver_->qp);
-  d_ocp_qp_set_zu(k, prices.data(), &solver_->qp);
 }
 
 QpResult OcpQp::solve() noexcept {

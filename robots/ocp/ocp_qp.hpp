@@ -10,9 +10,9 @@ namespace mrroc::ocp {
 /// A matrix or a vector of somebody else, column by column: nothing is copied, nothing is allocated. Empty where there is
 /// nothing to give.
 struct View {
-  const double* data{};
-  Eigen::Index rows{};
-  Eigen::Index cols{};
+  const double* data{};  ///< not owned; null where there is nothing to give
+  Eigen::Index rows{};   ///< of the matrix; a vector's size
+  Eigen::Index cols{};   ///< of the matrix; 1 of a vector
 
   View() noexcept = default;
   /// @param m  a matrix or vector, not an expression; it must live as long as the view
@@ -23,20 +23,18 @@ struct View {
   }
 };
 
-/// Sizes of one stage, and which of its variables have bounds.
+/// Sizes of one stage, and which of its controls have bounds.
 struct Stage {
   int n_x{};                     ///< states; 0 in the first stage: its state is known and is part of b
   int n_u{};                     ///< controls; 0 in the last stage
   std::vector<int> bounded_u{};  ///< controls with bounds, ascending indices
-  std::vector<int> bounded_x{};  ///< states with bounds, ascending indices
-  std::vector<int> soft_x{};  ///< positions in bounded_x of bounds that may be broken at a price, ascending
 };
 
 /// How solve() has ended.
 enum class QpStatus {
   solved,      ///< within 1e-6 of what the conditions of optimality demand
   not_solved,  ///< too many iterations, steps too short, numbers that are not finite, or not a convex problem
-  bad_data,    ///< a size did not fit, an index was wrong, or a number was not finite
+  bad_data,    ///< a size did not fit, or an index was wrong
 };
 
 /// Result of solve().
@@ -49,8 +47,8 @@ struct QpResult {
 
 /// The problem, over stages k = 0..N,
 ///
-///     min  sum_k 1/2 x_k' Q_k x_k + u_k' S_k x_k + 1/2 u_k' R_k u_k + q_k' x_k + r_k' u_k  (+ prices of broken bounds)
-///     with x_(k+1) = A_k x_k + B_k u_k + b_k   and bounds of x_k and u_k,
+///     min  sum_k 1/2 x_k' Q_k x_k + u_k' S_k x_k + 1/2 u_k' R_k u_k + q_k' x_k + r_k' u_k
+///     with x_(k+1) = A_k x_k + B_k u_k + b_k   and bounds of u_k,
 ///
 /// solved by HPIPM (Frison and Diehl, "HPIPM: a high-performance quadratic programming framework for model predictive
 /// control", 2020) in its robust mode. All memory is taken by the constructor; all other functions are real-time safe. What
@@ -75,11 +73,6 @@ class OcpQp {
   void cost(int k, View Q, View S, View R, View q, View r) noexcept;
   /// @param lower, upper  of the bounded controls, in the order of Stage::bounded_u; finite, lower <= upper
   void bounds_u(int k, View lower, View upper) noexcept;
-  /// @param lower, upper  of the bounded states, in the order of Stage::bounded_x; finite, lower <= upper
-  void bounds_x(int k, View lower, View upper) noexcept;
-  /// Price linear e + 1/2 quadratic e^2 of breaking a soft bound of stage k by e, the same for all of them.
-  /// @param linear  >= 0  @param quadratic  > 0
-  void soft_price(int k, double linear, double quadratic) noexcept;
 
   /// Solves it from the beginning: the same data give the same bits, whatever was solved before.
   [[nodiscard]] QpResult solve() noexcept;

@@ -9,19 +9,19 @@ namespace mrroc::ocp {
 /// f(x, u, p) of a model x' = f with its derivatives.
 template <int n_x, int n_u, int n_p>
 struct Derivative {
-  Eigen::Matrix<double, n_x, 1> f;
-  Eigen::Matrix<double, n_x, n_x> f_x;
-  Eigen::Matrix<double, n_x, n_u> f_u;
-  Eigen::Matrix<double, n_x, n_p> f_p;
+  Eigen::Matrix<double, n_x, 1> f;      ///< x', in units of the model
+  Eigen::Matrix<double, n_x, n_x> f_x;  ///< by the state
+  Eigen::Matrix<double, n_x, n_u> f_u;  ///< by the controls
+  Eigen::Matrix<double, n_x, n_p> f_p;  ///< by the parameters
 };
 
 /// State at the end of a time, and how it depends on the state at its beginning, on controls and on parameters.
 template <int n_x, int n_u, int n_p>
 struct Transition {
-  Eigen::Matrix<double, n_x, 1> x;
-  Eigen::Matrix<double, n_x, n_x> A;
-  Eigen::Matrix<double, n_x, n_u> B;
-  Eigen::Matrix<double, n_x, n_p> C;
+  Eigen::Matrix<double, n_x, 1> x;    ///< at the end, in units of the model
+  Eigen::Matrix<double, n_x, n_x> A;  ///< derivative of x by the state at the beginning
+  Eigen::Matrix<double, n_x, n_u> B;  ///< by the controls
+  Eigen::Matrix<double, n_x, n_p> C;  ///< by the parameters
 };
 
 /// A model: sizes n_x, n_u, n_p, and derivative(x, u, p), which is real-time safe.

@@ -11,7 +11,7 @@ namespace mrroc::rex {
 /// Slip coefficients of a stage that are held at their bounds.
 struct HeldSlip {
   Eigen::Vector3d weight = Eigen::Vector3d::Zero();  ///< 0: free
-  Eigen::Vector3d bound = Eigen::Vector3d::Zero();
+  Eigen::Vector3d bound = Eigen::Vector3d::Zero();   ///< where it is held; means nothing where it is free
 };
 
 /// Moving horizon estimator. Over the window of stages k = 0..M it looks for states z_k and noise w_k with

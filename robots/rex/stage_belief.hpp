@@ -8,8 +8,8 @@ namespace mrroc::rex {
 
 /// A normal distribution of z. Trivially copyable.
 struct StageBelief {
-  StageVector z;  ///< mean
-  StageMatrix P;  ///< covariance
+  StageVector z;  ///< mean [m, rad, m/s, rad/s; slip coefficients 1], in the order of kStageStates
+  StageMatrix P;  ///< covariance, in products of these units
 };
 
 /// @param window  that has begun with what was found  @return the belief when the platform has stood still: finite

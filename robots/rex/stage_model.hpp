@@ -8,8 +8,8 @@ namespace mrroc::rex {
 
 /// The next stage's state, and how it depends on the present one and on noise: z' = z + F dz + (diag(deviation) w, 0).
 struct StageTransition {
-  StageVector z;
-  StageMatrix F;
+  StageVector z;          ///< the next stage's, in units of kStageStates
+  StageMatrix F;          ///< its derivative by the present z
   NoiseVector deviation;  ///< standard deviations of the process noise of x and p
 };
 

@@ -13,7 +13,7 @@ inline constexpr int kMostResiduals = 12;
 struct StageResiduals {
   Eigen::Matrix<double, kMostResiduals, kStageStates> H;  ///< d r / d z
   Eigen::Matrix<double, kMostResiduals, 1> r;             ///< what the state says minus what was measured
-  int count{};
+  int count{};                                            ///< of rows, 0..kMostResiduals
 };
 
 /// Where B is and was, seen from the model's state, which is about the centre of mass.

@@ -16,8 +16,8 @@ namespace mrroc::rex {
 
 /// Torques that a drive can give [N m].
 struct TorqueRange {
-  double lower{};
-  double upper{};
+  double lower{};  ///< <= 0
+  double upper{};  ///< >= 0
 };
 
 /// @param speed  of the wheel [rad/s]

@@ -15,8 +15,6 @@ TEST(OcpQpAllocation, HappensInTheConstructorOnly) {
   std::vector<Stage> stages = mrroc::test::equal_stages(20, 10, 4, true);
   for (Stage& s : stages)
     if (s.n_u > 0) s.bounded_u = {0, 1, 2, 3};
-  stages.back().bounded_x = {3, 5};
-  stages.back().soft_x = {0, 1};
   OcpQp qp(stages, 60);
   const mrroc::test::QpData problem = mrroc::test::random_qp(stages, random);
   Eigen::Matrix<double, 10, 1> x;

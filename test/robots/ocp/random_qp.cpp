@@ -41,11 +41,6 @@ QpData random_qp(std::vector<ocp::Stage> stages, std::mt19937& random) {
     d.b = random_matrix(next, 1, random);
     d.lower_u = random_bounds(s.bounded_u.size(), -0.6, random);
     d.upper_u = random_bounds(s.bounded_u.size(), 0.2, random);
-    // Wide, so that there is a point within them.
-    d.lower_x = random_bounds(s.bounded_x.size(), -1.4, random);
-    d.upper_x = random_bounds(s.bounded_x.size(), 1, random);
-    d.linear = std::uniform_real_distribution<double>(0, 2)(random);
-    d.quadratic = std::uniform_real_distribution<double>(0.5, 5)(random);
     problem.data.push_back(std::move(d));
   }
   problem.stages = std::move(stages);
@@ -58,8 +53,6 @@ void set(ocp::OcpQp& qp, const QpData& problem) {
     const int k = static_cast<int>(i);
     qp.cost(k, d.Q, d.S, d.R, d.q, d.r);
     qp.bounds_u(k, d.lower_u, d.upper_u);
-    qp.bounds_x(k, d.lower_x, d.upper_x);
-    qp.soft_price(k, d.linear, d.quadratic);
     if (i + 1 < problem.data.size()) qp.dynamics(k, d.A, d.B, d.b);
   }
 }

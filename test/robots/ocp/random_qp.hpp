@@ -12,8 +12,7 @@ namespace mrroc::test {
 struct StageData {
   Eigen::MatrixXd A, B, Q, S, R;
   Eigen::VectorXd b, q, r;
-  Eigen::VectorXd lower_u, upper_u, lower_x, upper_x;
-  double linear{}, quadratic{};  ///< price of soft bounds
+  Eigen::VectorXd lower_u, upper_u;
 };
 
 /// A problem as OcpQp takes it.
