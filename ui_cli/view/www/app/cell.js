@@ -182,7 +182,7 @@ export class Cell {
   look_into_room(from_above) {
     const {lower, upper} = this.room, size = this.room_size();
     const middle = new Vector3((lower[0] + upper[0]) / 2, (lower[1] + upper[1]) / 2, 0);
-    this.look_at(middle, from_above ? new Vector3(0, -0.01, size) : new Vector3(-0.25, -0.7, 0.62).multiplyScalar(size));
+    this.look_at(middle, from_above ? new Vector3(0, -0.01, size) : new Vector3(-0.2, -0.86, 0.76).multiplyScalar(size));
     this.sun.target.position.copy(middle);
     this.sun.position.copy(middle).add(new Vector3(1.8, -2.2, 4.5).multiplyScalar(this.reach));
   }

@@ -9,7 +9,8 @@ const kPoints = 21;                     // of reference and horizon
 const kMostMarks = 1000;                // points of plans that are drawn
 const kEllipse = Math.sqrt(5.991);      // standard deviations within which 95 % of two normal numbers are
 const kColours = {estimate: 0xe8702a, truth: 0x2f6fdb, reference: 0x2f9e5b, horizon: 0xb03a9c, plan: 0x2f9e5b, other: 0x8f98a4};
-const ghost = new MeshStandardMaterial({color: kColours.truth, transparent: true, opacity: 0.3, depthWrite: false});
+/** Paint of the body where it really is: on the one where it is estimated to be. */
+const ghost = new MeshStandardMaterial({color: kColours.truth, transparent: true, opacity: 0.14, depthWrite: false});
 
 /** The way that a track tells, up to an instant. */
 class Way {

@@ -27,8 +27,8 @@ function estimation(source) {
 const true_slip = ({track, truth}) => (row, k) => truth?.mix(track.time(row), 4 + k, 1, [0])?.[0] ?? NaN;
 
 export const kPlatformCharts = [
-  {title: 'Tracking error', hint: 'distance from the reference: of where the platform is, and of where it is estimated to be', unit: 'mm', series: ['true', 'seen'], least: 10, places: 1, value: tracking},
-  {title: 'Estimation error', hint: 'distance of the estimate from the truth, and the longer half axis of its 95 % ellipse', unit: 'mm', series: ['error', '95 %'], least: 10, places: 1, value: estimation},
-  {title: 'Slip', hint: 'friction along and across the wheels and its split left and right, as estimated with 2 standard deviations; dashed: what is true', unit: '-', series: ['along', 'across', 'split'], wide: 76, least: 0.2, places: 2, value: at('mu_x'), spread: at('sd_mu_x', 2), truth: true_slip},
+  {title: 'Tracking error', hint: 'distance from the reference: of where the platform is, and of where it is estimated to be', unit: 'mm', series: ['true', 'seen'], wide: 76, least: 10, places: 1, value: tracking},
+  {title: 'Estimation error', hint: 'distance of the estimate from the truth, and the longer half axis of its 95 % ellipse', unit: 'mm', series: ['error', '95 %'], wide: 76, least: 10, places: 1, value: estimation},
+  {title: 'Slip', hint: 'friction along and across the wheels and its split left and right, as estimated with 2 standard deviations; dashed: what is true', unit: '-', series: ['along', 'across', 'split'], wide: 84, least: 0.2, places: 2, value: at('mu_x'), spread: at('sd_mu_x', 2), truth: true_slip},
   {title: 'Torque', hint: 'commanded, of the wheels front left, front right, rear left, rear right', unit: 'N m', series: ['FL', 'FR', 'RL', 'RR'], least: 1, places: 1, value: at('tau0')},
 ];
