@@ -41,7 +41,11 @@ void decoded(std::span<const std::uint8_t> bytes, Take take) {
 }  // namespace
 
 Listener::Listener(Record& record, Scene scene, std::string session, std::int64_t session_id)
-    : record_(record), scene_(std::move(scene)), session_(std::move(session)), session_id_(session_id) {
+    : record_(record),
+      platforms_(record),
+      scene_(std::move(scene)),
+      session_(std::move(session)),
+      session_id_(session_id) {
   for (const ArmScene& a : scene_.arms) arms_[a.name].scene = a;
 }
 
@@ -79,9 +83,28 @@ bool Listener::is_new(std::string_view channel, std::span<const std::uint8_t> by
   return true;
 }
 
+bool Listener::take_of_platform(std::string_view name, std::span<const std::uint8_t> bytes) {
+  const auto add = [&](const auto& platform) {
+    return [this, &platform](const auto& m) { platforms_.take(platform, m); };
+  };
+  if (const auto platform = before(name, ".telemetry")) {
+    decoded<platform_telemetry_t>(bytes, add(*platform));
+  } else if (const auto of = before(name, ".truth"); of && *of != "object" && *of != "cube") {
+    decoded<platform_truth_t>(bytes, add(*of));
+  } else if (const auto link = before(name, ".plan")) {
+    const std::string to = link->substr(link->rfind('.') + 1);
+    decoded<plan_t>(bytes, [&](const auto& m) { platforms_.take(to, m, t_); });
+  } else {
+    return false;
+  }
+  return true;
+}
+
 void Listener::take(std::string_view name, std::span<const std::uint8_t> bytes) {
-  if (const auto arm = before(name, ".reply")) {
-    decoded<effector_reply_t>(bytes, [&](const auto& m) { take_reply(*arm, m); });
+  if (take_of_platform(name, bytes)) return;
+  if (const auto effector = before(name, ".reply")) {
+    decoded<effector_reply_t>(bytes, [&](const auto& m) { take_reply(*effector, m); });
+    decoded<platform_reply_t>(bytes, [&](const auto& m) { take_reply(*effector, m); });
   } else if (const auto of = before(name, ".report")) {
     decoded<agent_report_t>(bytes, [&](const auto& m) { arms_[*of].m = m.m; });
   } else if (const auto process = before(name, ".console")) {
@@ -118,6 +141,13 @@ void Listener::take_reply(const std::string& name, const effector_reply_t& m) {
   *next = arm.new_sheet ? -1.0F : writes ? 1.0F : 0.0F;
   arm.new_sheet = false;
   record_.add(name, row);
+}
+
+void Listener::take_reply(const std::string& name, const platform_reply_t& m) {
+  Arm& agent = arms_[name];
+  t_ = static_cast<double>(m.step) * kStep;
+  take_refusal(name, agent, m.fault);
+  platforms_.take(name, m, agent.m);
 }
 
 void Listener::take_refusal(const std::string& name, Arm& arm, const fault_t& fault) {

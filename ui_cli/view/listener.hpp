@@ -17,14 +17,17 @@
 #include "mrroc/effector_reply_t.hpp"
 #include "mrroc/hand_order_t.hpp"
 #include "mrroc/object_truth_t.hpp"
+#include "mrroc/platform_reply_t.hpp"
 #include "mrroc/task_status_t.hpp"
+#include "ui_cli/view/platform_track.hpp"
 #include "ui_cli/view/record.hpp"
 #include "ui_cli/view/scene.hpp"
 
 namespace mrroc::view {
 
 /// Listens to every channel of one session. What it makes of them, in the record:
-///   tracks  one per arm from ARM.reply (samples.hpp); "object" from object.truth; "cube" from cube.truth
+///   tracks  one per arm from ARM.reply (samples.hpp); "object" from object.truth; "cube" from cube.truth; those of a
+///           platform from PLATFORM.reply, .telemetry and .truth, and from the link .PLATFORM.plan of its coordinator
 ///   lines   {t [s], process, code, text, fault: 0 or 1} from *.console, and what a driver refused
 ///   values  "status" (ui::status_json), "behaviours" {agent: {m: name}} with "" for the coordinator, "frames" {camera:
 ///           number}, "count" {messages, lost, refused: what the record had no room for}
@@ -62,7 +65,10 @@ class Listener final : public link::Sink {
   void lose(std::int64_t messages);
   [[nodiscard]] bool is_new(std::string_view channel, std::span<const std::uint8_t> bytes);
   void take(std::string_view name, std::span<const std::uint8_t> bytes);
+  /// @return whether it was something that a platform, or its coordinator, tells
+  bool take_of_platform(std::string_view name, std::span<const std::uint8_t> bytes);
   void take_reply(const std::string& name, const effector_reply_t& m);
+  void take_reply(const std::string& name, const platform_reply_t& m);
   void take_refusal(const std::string& name, Arm& arm, const fault_t& fault);
   void take_status(const task_status_t& m);
   void name_behaviour(const std::string& agent, int m, const std::string& name);
@@ -73,6 +79,7 @@ class Listener final : public link::Sink {
   void log(const std::string& process, std::int32_t code, const std::string& text);
 
   Record& record_;
+  PlatformTracks platforms_;
   Scene scene_;
   std::string session_;
   std::int64_t session_id_;

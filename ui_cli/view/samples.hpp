@@ -29,4 +29,27 @@ inline constexpr std::size_t kCubeColumns = 22;
 /// Name of the cube's track.
 inline constexpr std::string_view kCubeTrack = "cube";
 
+// Of a platform there are four tracks: "platform:NAME", "telemetry:NAME", "truth:NAME" and "plan:NAME".
+
+/// A platform's row, one per reply of its driver. t: of the newest reading in the estimate [s]; m: behaviour of its
+/// agent; sent: of the reading with which the reply was made, which its telemetry tells too [s]; x..w: where it is
+/// estimated on the map and how fast, along B [m], [rad], [m/s], [rad/s]; th0..th3: turned by its wheels [rad]; xx xy
+/// yy: covariance of x and y [m^2]; mu_x..sd_split: slip with standard deviations; tau0..tau3: torques of its wheels
+/// [N m]; fragment, iteration, remaining: what it drives, 0 for none.
+inline constexpr std::array<std::string_view, 29> kPlatformColumns{
+    "t",       "m",        "sent", "x",    "y",    "phi",  "vx",       "vy",        "w",        "th0",
+    "th1",     "th2",      "th3",  "xx",   "xy",   "yy",   "mu_x",     "mu_y",      "split",    "sd_mu_x",
+    "sd_mu_y", "sd_split", "tau0", "tau1", "tau2", "tau3", "fragment", "iteration", "remaining"};
+
+/// The row of "telemetry:NAME": t of the reading [s]; x y phi of 21 points of the reference from now on [m], [rad]; as
+/// many where the tracker expects the platform.
+inline constexpr std::size_t kTelemetryColumns = 127;
+
+/// The row of "truth:NAME", one per macrostep of the simulator: t [s]; x y phi of B on the map [m], [rad]; what its
+/// wheels stand on, as slip coefficients: mu_x mu_y split.
+inline constexpr std::size_t kTruthColumns = 7;
+
+/// The row of "plan:NAME", one per point of a plan when it comes: t [s]; number of the plan; x y [m].
+inline constexpr std::size_t kPlanColumns = 4;
+
 }  // namespace mrroc::view

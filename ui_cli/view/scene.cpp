@@ -67,6 +67,18 @@ Json json_of(const ArmScene& a) {
           {"plate", {{"shape", a.plate}, {"size", numbers(a.plate_size)}, {"distance", a.plate_distance}}}};
 }
 
+Json json_of(const Room& room) {
+  Json j{{"lower", room.lower}, {"upper", room.upper}, {"obstacles", Json::array()}};
+  for (const Obstacle& o : room.obstacles) j["obstacles"].push_back(o.corner);
+  return j;
+}
+
+void read_platforms(const Config& config, Scene& scene) {
+  for (const std::string& name : config.texts("platforms.order", std::vector<std::string>{}))
+    scene.platforms.push_back({name, config.text("platforms." + name + ".model", name)});
+  if (!scene.platforms.empty()) scene.room = read_room(config);
+}
+
 }  // namespace
 
 Scene read_scene(const Config& config) {
@@ -74,6 +86,7 @@ Scene read_scene(const Config& config) {
   const auto names = config.texts("robots.order", std::vector<std::string>{});
   for (std::size_t k = 0; k < names.size(); ++k)
     scene.arms.push_back(read_arm(config, names[k], usual_place(k, names.size())));
+  read_platforms(config, scene);
   for (const std::string& name : config.texts("cameras.order", std::vector<std::string>{})) {
     const Config camera = config.section("cameras." + name);
     scene.cameras.push_back({name, camera.integer("width", 640), camera.integer("height", 480)});
@@ -98,7 +111,9 @@ std::string scene_json(const Scene& scene, const SceneFrame& frame) {
          {"pictures", frame.pictures},
          {"note", frame.note},
          {"columns", kArmColumns},
+         {"platform_columns", kPlatformColumns},
          {"arms", Json::array()},
+         {"platforms", Json::array()},
          {"cameras", Json::array()},
          {"cube", {{"held_by", scene.cube_held_by}}},
          {"object",
@@ -107,6 +122,9 @@ std::string scene_json(const Scene& scene, const SceneFrame& frame) {
            {"size", numbers(scene.object_size)},
            {"square", scene.object_square}}}};
   for (const ArmScene& a : scene.arms) j["arms"].push_back(json_of(a));
+  for (const PlatformScene& p : scene.platforms)
+    j["platforms"].push_back({{"name", p.name}, {"model", p.model}});
+  if (!scene.platforms.empty()) j["room"] = json_of(scene.room);
   for (const CameraScene& c : scene.cameras)
     j["cameras"].push_back({{"name", c.name}, {"width", c.width}, {"height", c.height}});
   return j.dump(-1, ' ', true, Json::error_handler_t::replace);

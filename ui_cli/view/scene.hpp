@@ -7,6 +7,7 @@
 
 #include "base/config.hpp"
 #include "base/pose.hpp"
+#include "base/room_config.hpp"
 
 namespace mrroc::view {
 
@@ -24,6 +25,12 @@ struct ArmScene {
   double plate_distance{};  ///< of its middle from the sheet's centre along y [m]
 };
 
+/// One platform.
+struct PlatformScene {
+  std::string name;   ///< key in the configuration, also on its channels
+  std::string model;  ///< its description is robots/MODEL/MODEL.urdf
+};
+
 /// One camera.
 struct CameraScene {
   std::string name;  ///< key in the configuration
@@ -34,6 +41,8 @@ struct CameraScene {
 /// Everything that does not move by itself.
 struct Scene {
   std::vector<ArmScene> arms;            ///< as robots.order has them
+  std::vector<PlatformScene> platforms;  ///< as platforms.order has them
+  Room room;                             ///< in which they drive; meaningless without one
   std::vector<CameraScene> cameras;      ///< as cameras.order has them
   std::string cube_held_by;              ///< name of an arm; empty: there is no cube
   std::string object;                    ///< what the cameras look for: "none", "chessboard", "apriltag", ...
@@ -63,7 +72,8 @@ struct SceneFrame {
   std::string note{};                   ///< what a person should know about it, may be empty
 };
 
-/// @return JSON: the fields of both under their names; poses are six numbers, `columns` names those of an arm's track
+/// @return JSON: the fields of both under their names; poses are six numbers, `columns` names those of an arm's track,
+///         `platform_columns` those of a platform's; without a platform there is no `room`
 [[nodiscard]] std::string scene_json(const Scene& scene, const SceneFrame& frame);
 
 }  // namespace mrroc::view

@@ -6,7 +6,9 @@ import {
 import {Cube} from './cube.js';
 import {object, put, table, tool} from './furniture.js';
 import {Sheet} from './ink.js';
+import {Platform} from './platform.js';
 import {Robot} from './robot.js';
+import {room} from './room.js';
 import {theme} from './theme.js';
 
 Object3D.DEFAULT_UP.set(0, 0, 1);
@@ -41,12 +43,13 @@ export class Cell {
     this.orbit = new OrbitControls(this.camera, canvas);
     this.orbit.maxPolarAngle = 0.53 * Math.PI;
     this.orbit.minDistance = 0.15;
-    this.orbit.maxDistance = 14;
     this.orbit.addEventListener('change', () => { this.dirty = true; });
     this.light();
+    this.reach_out(1);
     this.things = new Group();
     this.scene.add(this.things);
     this.arms = new Map();
+    this.platforms = new Map();
     this.dirty = true;
     this.recolour();
   }
@@ -57,14 +60,24 @@ export class Cell {
     this.sun.shadow.mapSize.set(...(this.slow ? [1024, 1024] : [2048, 2048]));
     this.sun.shadow.bias = -0.0004;
     this.sun.shadow.normalBias = 0.01;
-    Object.assign(this.sun.shadow.camera, {left: -2.6, right: 2.6, top: 2.6, bottom: -2.6, near: 0.5, far: 12});
     this.floor = new Mesh(new PlaneGeometry(60, 60), new MeshStandardMaterial({roughness: 0.95}));
     this.floor.receiveShadow = true;
     this.scene.add(this.sky, this.sun, this.sun.target, this.floor);
   }
+  /** @param times  how much farther than over the usual cell light and sight go */
+  reach_out(times) {
+    this.reach = times;
+    const half = 2.6 * times;
+    Object.assign(this.sun.shadow.camera, {left: -half, right: half, top: half, bottom: -half, near: 0.5, far: 12 * times});
+    this.sun.shadow.camera.updateProjectionMatrix();
+    this.orbit.maxDistance = 14 * times;
+    this.camera.far = 60 * times;
+    this.camera.updateProjectionMatrix();
+    this.floor.scale.set(times, times, 1);
+  }
   recolour() {
     this.scene.background = new Color(theme.sky);
-    this.scene.fog = new Fog(theme.sky, 7, 18);
+    this.scene.fog = new Fog(theme.sky, 7 * this.reach, 18 * this.reach);
     this.floor.material.color.set(theme.floor);
     this.sky.intensity = theme.dark ? 0.9 : 1.5;
     if (this.grid) { this.scene.remove(this.grid); dispose(this.grid); }
@@ -82,6 +95,7 @@ export class Cell {
     this.scene.add(this.things);
     this.arms.clear();
     for (const arm of scene.arms) this.add_arm(arm, scene, descriptions);
+    this.add_platforms(scene, descriptions);
     const home = this.arms.get(scene.object.arm);
     this.object = scene.object.kind === 'none' || !home ? null : object(scene.object);
     if (this.object) home.base.add(this.object);
@@ -89,6 +103,19 @@ export class Cell {
     if (this.cube) this.cube.rest_in(this.arms.get(scene.cube.held_by));
     this.look('cell');
   }
+  add_platforms(scene, descriptions) {
+    this.platforms.clear();
+    this.room = scene.room;
+    if (this.room) this.things.add(room(this.room));
+    this.reach_out(this.room ? Math.max(1, this.room_size() / 5) : 1);
+    this.recolour();
+    for (const description of scene.platforms) {
+      const platform = new Platform(description, descriptions[description.model]);
+      this.platforms.set(description.name, platform);
+      this.things.add(platform.root);
+    }
+  }
+  room_size() { return Math.hypot(...[0, 1].map((k) => this.room.upper[k] - this.room.lower[k])); }
   add_arm(arm, scene, descriptions) {
     const base = put(new Group(), arm.place), sheet = new Sheet(arm.paper);
     const {group, texture} = table(arm, sheet, -arm.place[2]);
@@ -116,6 +143,7 @@ export class Cell {
       if (known) entry.tool.open(track.mix(t, column.gap, 1, gap)[0]);
       if (entry.sheet.show(track, column, t)) entry.texture.needsUpdate = true;
     }
+    for (const platform of this.platforms.values()) platform.show(history, t);
     this.show_object(history.tracks.get('object'), t);
     this.cube?.show(history.tracks.get('cube'), t, this.things);
     this.dirty = true;
@@ -128,9 +156,11 @@ export class Cell {
     const n = track.mix(t, 3, 12, new Float64Array(12));
     this.object.matrix.set(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11], 0, 0, 0, 1);
   }
-  /** @param view  'cell', 'cube', 'top', or the name of an arm */
+  /** @param view  'cell', 'cube', 'top', or the name of an arm or a platform */
   look(view) {
     if (view === 'cube' && this.cube) return this.look_at(this.cube.place(), new Vector3(0.3, -0.14, 0.16));
+    if (this.platforms.has(view)) return this.look_after(this.platforms.get(view).place);
+    if (this.room && !this.arms.size) return this.look_into_room(view === 'top');
     const bases = [...this.arms.values()].map((e) => e.base.position);
     const middle = bases.reduce((sum, p) => sum.add(p), new Vector3()).divideScalar(bases.length || 1);
     const spread = bases.length > 1 ? bases[0].distanceTo(bases[bases.length - 1]) : 0;
@@ -143,6 +173,18 @@ export class Cell {
     this.sun.target.position.copy(middle).setX(middle.x + 0.4);
     this.sun.position.copy(this.sun.target.position).add(new Vector3(1.8, -2.2, 4.5));
     this.dirty = true;
+  }
+  /** From behind a platform, to the left. */
+  look_after(place) {
+    const phi = place.rotation.z + Math.PI - 0.5;
+    this.look_at(place.position.clone().setZ(0.2), new Vector3(2 * Math.cos(phi), 2 * Math.sin(phi), 1.2));
+  }
+  look_into_room(from_above) {
+    const {lower, upper} = this.room, size = this.room_size();
+    const middle = new Vector3((lower[0] + upper[0]) / 2, (lower[1] + upper[1]) / 2, 0);
+    this.look_at(middle, from_above ? new Vector3(0, -0.01, size) : new Vector3(-0.2, -0.86, 0.76).multiplyScalar(size));
+    this.sun.target.position.copy(middle);
+    this.sun.position.copy(middle).add(new Vector3(1.8, -2.2, 4.5).multiplyScalar(this.reach));
   }
   look_at(target, from) {
     this.orbit.target.copy(target);

@@ -1,6 +1,7 @@
-// One strip chart: a few quantities of an arm over time, on the colours of its behaviours.
+// One strip chart: a few quantities of an arm or a platform over time, on the colours of its behaviours.
 import {colour_of, fixed, label, nice_step, prepare, theme} from './theme.js';
 
+const kColours = ['x', 'y', 'z', 'accent'];  // of the series
 const kLeft = 46, kRight = 8, kTop = 20, kBottom = 16;
 
 /**
@@ -35,7 +36,7 @@ function thinned(track, begin, end, width, value, count, since) {
 }
 
 export class Chart {
-  /** @param about  {title, hint, unit, places, series: [names], least: smallest height of the axis, biased: before the first behaviour it says nothing, value(track, column, first_row) -> (row, k)} */
+  /** @param about  {title, hint, unit, places, series: [names], least: smallest height of the axis, biased: before the first behaviour it says nothing, value(source, first_row) -> (row, k), and where there are such: spread(source) -> half the height of a band around it, truth(source) -> what is dashed, wide: room of a name in the legend} */
   constructor(about) {
     this.about = about;
     this.canvas = document.createElement('canvas');
@@ -45,30 +46,35 @@ export class Chart {
     this.element.className = 'chart';
     this.element.append(this.canvas);
   }
-  /** @param window  {begin, end, now}  @param with_time  whether the numbers of the time stand below */
-  draw(track, column, bands, window, with_time) {
+  /** @param source  {track, column: numbers of its columns by name, and of a platform telemetry and truth}  @param window  {begin, end, now}  @param with_time  whether the numbers of the time stand below */
+  draw(source, bands, window, with_time) {
+    const {track} = source;
     const {c, width, height} = prepare(this.canvas);
     const {begin, end, now} = window, bottom = height - (with_time ? kBottom : 4);
     const plot = {x: kLeft, y: kTop, w: width - kLeft - kRight, h: bottom - kTop};
     if (plot.h < 12 || plot.w < 20) return;
     const x = (t) => plot.x + (plot.w * (t - begin)) / (end - begin);
-    const value = track && track.rows ? this.about.value(track, column, Math.max(0, track.find(begin))) : null;
+    const value = track && track.rows ? this.about.value(source, Math.max(0, track.find(begin))) : null;
     const since = this.about.biased ? bands.find((band) => band.m)?.begin : undefined;
-    const drawn = value ? thinned(track, begin, end, plot.w, value, this.about.series.length, since) : {lines: [], low: 0, high: 0};
+    const lines_of = (what) => (value ? thinned(track, begin, end, plot.w, what, this.about.series.length, since) : {lines: [], low: 0, high: 0});
+    const drawn = lines_of(value), band = this.band(source, value, lines_of), truth = this.about.truth ? lines_of(this.about.truth(source)).lines : [];
     const range = this.range(drawn);
     const y = (v) => plot.y + plot.h * (1 - (v - range.low) / (range.high - range.low));
     this.tint(c, plot, x, bands, begin, end);
     this.axes(c, plot, {begin, end, x, y, range}, with_time ? bottom : 0);
     c.save();
     c.beginPath(); c.rect(plot.x, plot.y - 1, plot.w, plot.h + 2); c.clip();
-    drawn.lines.forEach((line, k) => {
-      c.strokeStyle = theme[['x', 'y', 'z'][k]];
-      c.lineWidth = 1.5;
-      c.lineJoin = 'round';
-      c.beginPath();
-      line.forEach(([t, v], i) => (i ? c.lineTo(x(t), y(v)) : c.moveTo(x(t), y(v))));
-      c.stroke();
-    });
+    const path = (line) => { c.beginPath(); line.forEach(([t, v], i) => (i ? c.lineTo(x(t), y(v)) : c.moveTo(x(t), y(v)))); };
+    c.globalAlpha = 0.15;
+    band.forEach((line, k) => { c.fillStyle = theme[kColours[k]]; path(line); c.fill(); });
+    c.globalAlpha = 1;
+    c.lineJoin = 'round';
+    for (const [lines, width, dash] of [[drawn.lines, 1.5, []], [truth, 1, [4, 3]]]) {
+      c.lineWidth = width;
+      c.setLineDash(dash);
+      lines.forEach((line, k) => { c.strokeStyle = theme[kColours[k]]; path(line); c.stroke(); });
+    }
+    c.setLineDash([]);
     c.restore();
     if (now >= begin && now <= end) {
       c.strokeStyle = theme.cursor; c.lineWidth = 1; c.globalAlpha = 0.6;
@@ -76,6 +82,13 @@ export class Chart {
       c.globalAlpha = 1;
     }
     this.legend(c, width, value, track ? track.find(now) : -1);
+  }
+  /** @return of each series the outline of what it may be */
+  band(source, value, lines_of) {
+    if (!this.about.spread || !value) return [];
+    const spread = this.about.spread(source);
+    const [upper, lower] = [1, -1].map((side) => lines_of((row, k) => value(row, k) + side * spread(row, k)).lines);
+    return upper.map((line, k) => [...line, ...lower[k].reverse()]);
   }
   range({low, high}) {
     if (!(low <= high)) [low, high] = [0, 0];
@@ -119,14 +132,14 @@ export class Chart {
     c.font = '11px system-ui, "DejaVu Sans", sans-serif';
     c.fillStyle = theme.dim;
     c.fillText(`[${this.about.unit}]`, 6 + title, 9);
-    const column = 66;
+    const column = this.about.wide || 66;
     this.about.series.forEach((name, k) => {
       const at = width - kRight - column * (this.about.series.length - k);
-      c.textAlign = 'left'; c.fillStyle = theme[['x', 'y', 'z'][k]];
+      c.textAlign = 'left'; c.fillStyle = theme[kColours[k]];
       c.fillRect(at + 8, 8, 8, 3);
       c.fillText(name, at + 20, 9);
       c.textAlign = 'right'; c.fillStyle = theme.text;
-      c.fillText(value && row >= 0 ? fixed(value(row, k), this.about.places) : '-', at + column, 9);
+      c.fillText(value && row >= 0 && Number.isFinite(value(row, k)) ? fixed(value(row, k), this.about.places) : '-', at + column, 9);
     });
   }
 }

@@ -8,6 +8,7 @@ export class Track {
     this.data = new Float32Array(width * 1024);
   }
   append(numbers) {
+    if (numbers.length % this.width) return;  // of something else that has this name
     const needed = this.rows * this.width + numbers.length;
     if (needed > this.data.length) {
       const larger = new Float32Array(Math.max(needed, 2 * this.data.length));
@@ -43,9 +44,18 @@ export class Track {
     }
     return into;
   }
+  /** @return x, y, phi of columns from.. at that instant, turned the shorter way, or null before the first row */
+  pose(t, from) {
+    const pose = this.mix(t, from, 3, [0, 0, 0]), row = this.find(t);
+    if (!pose) return null;
+    const next = Math.min(row + 1, this.rows - 1), span = this.time(next) - this.time(row);
+    const phi = this.at(row, from + 2), turn = this.at(next, from + 2) - phi;
+    pose[2] = phi + (span > 0 ? Math.min(1, (t - this.time(row)) / span) : 0) * Math.atan2(Math.sin(turn), Math.cos(turn));
+    return pose;
+  }
 }
 
-/** Stretches of time in which an arm had one behaviour. */
+/** Stretches of time in which an arm or a platform had one behaviour. */
 class Bands {
   constructor() { this.list = []; this.read = 0; }
   extend(track, column) {
@@ -67,10 +77,15 @@ function floats(base64) {
 
 // Columns of the tracks that are no arm's.
 const kWidths = {object: 15, cube: 22};
+// Columns of the tracks that a platform has besides its own, which are named KIND:PLATFORM.
+const kPlatformWidths = {telemetry: 127, truth: 7, plan: 4};
+const kPlatform = 'platform:';
 
 const kNothing = {
-  source: 'none', task: '', session: '', folder: '', note: '', pictures: [], columns: [], arms: [], cameras: [], cube: {held_by: ''}, object: {kind: 'none'},
+  source: 'none', task: '', session: '', folder: '', note: '', pictures: [], columns: [], platform_columns: [], arms: [], platforms: [], cameras: [], cube: {held_by: ''}, object: {kind: 'none'},
 };
+
+const is_effector = (name) => !(name in kWidths) && !name.includes(':');
 
 export class History {
   constructor() { this.begin(kNothing); }
@@ -80,31 +95,40 @@ export class History {
     this.bands = new Map();
     this.lines = [];
     this.values = {};
-    this.column = Object.fromEntries((scene.columns || []).map((name, k) => [name, k]));
+    this.platforms = new Set();  // names of those that have told something
+    [this.column, this.platform_column] = [scene.columns, scene.platform_columns].map((names) => Object.fromEntries((names || []).map((name, k) => [name, k])));
+  }
+  width(name) {
+    if (name.startsWith(kPlatform)) return this.scene.platform_columns.length;
+    return kWidths[name] || kPlatformWidths[name.split(':')[0]] || this.scene.columns.length;
   }
   /** @param news  what the stream brings */
   take(news) {
-    for (const [name, text] of Object.entries(news.tracks || {})) {
-      const is_arm = !(name in kWidths);
-      if (!this.tracks.has(name)) this.tracks.set(name, new Track(kWidths[name] || this.scene.columns.length));
+    for (const [full, text] of Object.entries(news.tracks || {})) {
+      const is_platform = full.startsWith(kPlatform), name = is_platform ? full.slice(kPlatform.length) : full;
+      if (this.tracks.has(name) && this.platforms.has(name) !== is_platform) continue;  // arm and platform of one name
+      if (is_platform) this.platforms.add(name);
+      if (!this.tracks.has(name)) this.tracks.set(name, new Track(this.width(full)));
       const track = this.tracks.get(name);
       track.append(floats(text));
-      if (!is_arm) continue;
+      if (!is_effector(name)) continue;
       if (!this.bands.has(name)) this.bands.set(name, new Bands());
-      this.bands.get(name).extend(track, this.column.m);
+      this.bands.get(name).extend(track, this.columns_of(name).m);
     }
     this.lines.push(...(news.lines || []));
     Object.assign(this.values, news.values || {});
   }
-  get arms() { return [...this.tracks.keys()].filter((name) => !(name in kWidths)); }
-  get rows() { return this.arms.reduce((sum, name) => sum + this.tracks.get(name).rows, 0); }
-  get begin_time() { return Math.min(...this.arms.map((a) => this.tracks.get(a).first), this.end_time); }
-  get end_time() { return Math.max(0, ...this.arms.map((a) => this.tracks.get(a).last)); }
-  /** @return behaviour of an arm at t, 0 when there is none */
+  /** Names of the arms and platforms that have told something. */
+  get effectors() { return [...this.tracks.keys()].filter(is_effector); }
+  columns_of(name) { return this.platforms.has(name) ? this.platform_column : this.column; }
+  get rows() { return this.effectors.reduce((sum, name) => sum + this.tracks.get(name).rows, 0); }
+  get begin_time() { return Math.min(...this.effectors.map((a) => this.tracks.get(a).first), this.end_time); }
+  get end_time() { return Math.max(0, ...this.effectors.map((a) => this.tracks.get(a).last)); }
+  /** @return behaviour of an arm or a platform at t, 0 when there is none */
   behaviour(arm, t) {
     const track = this.tracks.get(arm);
     const row = track ? track.find(t) : -1;
-    return row < 0 ? 0 : track.at(row, this.column.m);
+    return row < 0 ? 0 : track.at(row, this.columns_of(arm).m);
   }
   /** @return what the arm calls it, or else the coordinator, whose orders it copies */
   name_of(arm, m) {

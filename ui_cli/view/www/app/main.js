@@ -32,7 +32,7 @@ async function begin(scene) {
   pictures.reset();
   offered = '';
   changed = true;
-  const models = [...new Set(scene.arms.map((a) => a.model))].filter((model) => !descriptions[model]);
+  const models = [...new Set([...scene.arms, ...scene.platforms].map((e) => e.model))].filter((model) => !descriptions[model]);
   await Promise.all(models.map(async (model) => {
     const answer = await fetch(`api/robot/${model}.urdf`);
     if (answer.ok) descriptions[model] = await answer.text();
@@ -55,13 +55,14 @@ function sheet_figure({arm: {name}, sheet}) {
 }
 
 function offer_arms() {
-  const names = history.arms.length ? history.arms : history.scene.arms.map((a) => a.name);
+  const names = history.effectors.length ? history.effectors : history.scene.arms.map((a) => a.name);
   if (offered === names.join()) return;
   offered = names.join();
   if (!names.includes(arm)) arm = names[0] || '';
   arms.offer(names.map((name, k) => [name, name, `charts of ${name} (${k + 1})`]), arm);
-  const places = history.scene.arms.map((a) => [a.name, a.name, `the sheet of ${a.name}`]);
-  views.offer(places.length ? [['cell', 'cell', 'the whole cell'], ...places, ...(history.scene.cube.held_by ? [['cube', 'cube', 'the cube']] : []), ['top', 'top', 'from above']] : [], 'cell');
+  const {scene} = history;
+  const places = [...scene.arms.map((a) => [a.name, a.name, `the sheet of ${a.name}`]), ...scene.platforms.map((p) => [p.name, p.name, `the platform ${p.name}`])];
+  views.offer(places.length ? [scene.arms.length ? ['cell', 'cell', 'the whole cell'] : ['cell', 'room', 'the whole room'], ...places, ...(scene.cube.held_by ? [['cube', 'cube', 'the cube']] : []), ['top', 'top', 'from above']] : [], 'cell');
 }
 
 function show_controls() {
@@ -113,7 +114,7 @@ addEventListener('keydown', (event) => {
   };
   if (event.target.tagName === 'SELECT' || event.ctrlKey || event.metaKey || event.altKey) return;
   const key = keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
-  if (key) { key(); event.preventDefault(); } else if (history.arms[Number(event.key) - 1]) { arm = history.arms[Number(event.key) - 1]; arms.press(arm); } else return;
+  if (key) { key(); event.preventDefault(); } else if (history.effectors[Number(event.key) - 1]) { arm = history.effectors[Number(event.key) - 1]; arms.press(arm); } else return;
   changed = true;
 });
 new ResizeObserver(() => { changed = true; }).observe(by_id('charts'));

@@ -56,17 +56,32 @@ export function show_header(history, connected, arm, t) {
   document.title = scene.task ? `${scene.task} - viewer` : 'viewer';
 }
 
-/** Position and force of every arm, over the picture. */
+const kDegrees = 180 / Math.PI;
+
+/** @return rows of a table, [[what, numbers as text, unit]], or nothing where a track does not tell yet */
+function arm_readings(history, name, t) {
+  const n = history.tracks.get(name).mix(t, history.column.x, 12, new Float64Array(12));
+  return n && [['E', [0, 1, 2].map((k) => fixed(1000 * n[k], 1)), 'mm'], ['F', [6, 7, 8].map((k) => fixed(n[k], 2)), 'N']];
+}
+
+function platform_readings(history, name, t) {
+  const column = history.platform_column, track = history.tracks.get(name), p = track.pose(t, column.x);
+  const v = track.mix(t, column.vx, 3, new Float64Array(3));
+  return p && [
+    ['x y', [fixed(1000 * p[0], 0), fixed(1000 * p[1], 0)], 'mm'], ['phi', ['', fixed(kDegrees * Math.atan2(Math.sin(p[2]), Math.cos(p[2])), 1)], 'deg'],
+    ['v', ['', fixed(v[0], 2)], 'm/s'], ['w', ['', fixed(v[2], 2)], 'rad/s'],
+  ];
+}
+
+/** Position and force of every arm, place and speed of every platform, over the picture. */
 export function show_readout(history, t) {
-  const column = history.column, n = new Float64Array(12);
-  by_id('readout').replaceChildren(...history.arms.map((name) => {
+  by_id('readout').replaceChildren(...history.effectors.map((name) => {
     const card = element('div', undefined, 'card'), table = element('table');
-    const known = history.tracks.get(name).mix(t, column.x, 12, n);
+    const rows = (history.platforms.has(name) ? platform_readings : arm_readings)(history, name, t);
     card.append(element('b', name), table);
-    const rows = [['E', [0, 1, 2].map((k) => fixed(1000 * n[k], 1)), 'mm'], ['F', [6, 7, 8].map((k) => fixed(n[k], 2)), 'N']];
-    for (const [what, values, unit] of rows) {
+    for (const [what, values, unit] of rows || []) {
       const row = element('tr');
-      row.append(element('td', what), ...values.map((v) => element('td', known ? v : '-')), element('td', unit, 'unit'));
+      row.append(element('td', what), ...values.map((v) => element('td', v)), element('td', unit, 'unit'));
       table.append(row);
     }
     return card;
@@ -99,7 +114,7 @@ export class Messages {
 /** What stands in the place of a picture when there is nothing to draw. */
 export function show_empty(history, connected) {
   const place = by_id('empty'), {scene, values} = history;
-  place.hidden = scene.arms.length > 0 || history.rows > 0;
+  place.hidden = scene.arms.length > 0 || scene.platforms.length > 0 || history.rows > 0;
   if (place.hidden) return;
   const line = (...parts) => { const p = element('div', undefined, 'dim'); p.append(...parts); return p; };
   if (!connected) {
@@ -111,6 +126,6 @@ export function show_empty(history, connected) {
       special ? line(why) : line('Start a task in another terminal, for example ', element('code', './run drawing --speed 1')),
       line('A run that is over: ', element('code', 'ui_cli view runs/FOLDER')));
   } else {
-    place.replaceChildren(element('strong', 'The cell is not known'), line(scene.note || 'The configuration names no arm.'));
+    place.replaceChildren(element('strong', 'The cell is not known'), line(scene.note || 'The configuration names no arm and no platform.'));
   }
 }

@@ -1,7 +1,8 @@
 // A robot from its URDF: the boxes and cylinders of its links, moved by its joints.
 import {BoxGeometry, CylinderGeometry, Group, Mesh, MeshStandardMaterial, Quaternion, RoundedBoxGeometry, Vector3} from '../vendor/three.js';
 
-const kDark = new Set(['base', 'track', 'carriage', 'wrist', 'tool', 'wrist_body']);
+const kDark = new Set(['base', 'track', 'carriage', 'wrist', 'tool', 'wrist_body', 'mast']);
+const kWheel = /^(front|rear)_(left|right)$/;
 export const paint = {
   orange: new MeshStandardMaterial({color: 0xe8702a, roughness: 0.45, metalness: 0.08}),
   dark: new MeshStandardMaterial({color: 0x4b535e, roughness: 0.6}),
@@ -33,7 +34,8 @@ function link_group(element) {
   const group = new Group();
   group.name = element.getAttribute('name');
   for (const visual of element.querySelectorAll(':scope > visual')) {
-    const mesh = new Mesh(solid(visual.querySelector('geometry')), kDark.has(group.name) ? paint.dark : paint.orange);
+    const tyre = kWheel.test(group.name) && visual.querySelector('cylinder');
+    const mesh = new Mesh(solid(visual.querySelector('geometry')), tyre || kDark.has(group.name) ? paint.dark : paint.orange);
     place(mesh, visual.querySelector('origin'));
     mesh.castShadow = mesh.receiveShadow = true;
     group.add(mesh);

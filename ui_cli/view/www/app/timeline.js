@@ -1,4 +1,4 @@
-// The time-line: behaviours of every arm as coloured bands, messages as ticks, and the instant that is shown.
+// The time-line: behaviours of every arm and platform as coloured bands, messages as ticks, and the instant that is shown.
 import {colour_of, label, nice_step, prepare, theme} from './theme.js';
 
 const kLeft = 64, kRight = 14, kTop = 14, kBottom = 20;
@@ -36,8 +36,9 @@ export class Timeline {
     return begin + ((x - kLeft) / (this.canvas.clientWidth - kLeft - kRight)) * (end - begin);
   }
   lanes(height) {
-    const arms = this.history.scene.arms.map((a) => a.name).filter((a) => this.history.bands.has(a));
-    const names = arms.length ? arms : this.history.arms;
+    const {scene, bands, effectors} = this.history;
+    const known = [...scene.arms, ...scene.platforms].map((e) => e.name).filter((name) => bands.has(name));
+    const names = known.length ? known : effectors;
     const room = (height - kTop - kBottom) / Math.max(1, names.length), thick = Math.min(26, room - 4);
     return names.map((name, k) => ({name, y: kTop + k * room + (room - thick) / 2, h: thick}));
   }
