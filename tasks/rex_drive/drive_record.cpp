@@ -36,6 +36,16 @@ bool add_truth(const std::vector<platform_truth_t>& truths, int n_s, DriveRow& r
 
 }  // namespace
 
+void DriveMessages::cut_after(std::int64_t macrostep) {
+  const auto cut = [macrostep](auto& kept) {
+    std::erase_if(kept, [macrostep](const auto& m) { return m.header.stamp > macrostep; });
+  };
+  cut(replies);
+  cut(telemetry);
+  cut(truths);
+  cut(poses);
+}
+
 DriveTable join(const DriveMessages& messages, double dt, int n_s) {
   DriveTable table;
   auto telemetry = messages.telemetry.begin();
@@ -75,7 +85,7 @@ void DriveRecord::collect(std::int64_t plan) {
   link::take_all(*reply_in_, messages_.replies);
   link::take_all(*telemetry_in_, messages_.telemetry);
   link::take_all(*truth_in_, messages_.truths);
-  if (const map_report_t* const m = pose_in_->newest()) rejected_ = m->rejected;
+  link::take_all(*pose_in_, messages_.poses);
   collect_fragments(plan);
 }
 

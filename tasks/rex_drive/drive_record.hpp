@@ -15,6 +15,11 @@ struct DriveMessages {
   std::vector<platform_reply_t> replies;        ///< of the driver
   std::vector<platform_telemetry_t> telemetry;  ///< of the driver
   std::vector<platform_truth_t> truths;         ///< of the simulation; none: the platform is real
+  std::vector<map_report_t> poses;              ///< of the map agent
+
+  /// Forgets what is stamped with a later macrostep: how much of the end comes before MP looks for the last time differs
+  /// from run to run.
+  void cut_after(std::int64_t macrostep);
 };
 
 /// @return a row for every reply that has a telemetry of its reading and a truth about it
@@ -33,8 +38,6 @@ class DriveRecord {
   [[nodiscard]] const DriveMessages& messages() const { return messages_; }
   /// @return the fragments, in their order
   [[nodiscard]] const FragmentTable& fragments() const { return fragments_; }
-  /// @return positions that the map agent did not believe, so far
-  [[nodiscard]] std::int32_t rejected() const { return rejected_; }
 
  private:
   void collect_fragments(std::int64_t plan);
@@ -47,7 +50,6 @@ class DriveRecord {
   DriveMessages messages_;
   FragmentTable fragments_;
   std::int64_t commands_until_{-1};  // stamp
-  std::int32_t rejected_{};
 };
 
 }  // namespace mrroc::rex_drive

@@ -5,8 +5,8 @@
 
 #include "base/agent_images.hpp"
 #include "base/platform_transmission.hpp"
-#include "tasks/rex_drive/planner/trajgen.hpp"
 #include "tasks/rex_drive/plan/proc.hpp"
+#include "tasks/rex_drive/planner/trajgen.hpp"
 
 namespace mrroc::rex_drive {
 

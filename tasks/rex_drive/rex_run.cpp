@@ -41,6 +41,7 @@ Outcome RexRun::execute() {
     o = Outcome::faulted;
   }
   if (o == Outcome::terminated) {
+    ended_in_ = x.i - latency::kMotionToReport;
     links_.send(std::vector<Order>(kAgents, Order{.finished = true}));
     run_.board().set_progress(1, "done");
   }
@@ -115,9 +116,11 @@ void RexRun::show(const Motion<Ontology>& motion, const X& x) {
 DriveResults RexRun::results() const {
   DriveResults r;
   if (record_) {
-    r.table = join(record_->messages(), k_.dt, k_.n_s);
+    DriveMessages messages = record_->messages();
+    if (ended_in_ > 0) messages.cut_after(ended_in_);
+    r.table = join(messages, k_.dt, k_.n_s);
     r.fragments = record_->fragments();
-    r.rejected = record_->rejected();
+    r.rejected = messages.poses.empty() ? 0 : messages.poses.back().rejected;
   }
   r.plans = k_.plans;
   r.acked_in = acked_ == static_cast<std::int64_t>(k_.plans.size()) ? acked_in_ : 0;

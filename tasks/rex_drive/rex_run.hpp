@@ -61,6 +61,8 @@ class RexRun final : public mp::CoordinatorRun {
   bool lost_{};              // the platform waits for its position
   std::int64_t acked_{};     // number of the plan whose ack came last
   std::int64_t acked_in_{};  // macrostep in which a_1 gave it
+  std::int64_t
+      ended_in_{};  // macrostep whose motion the last report was about; 0: the run did not come to its end
 };
 
 }  // namespace mrroc::rex_drive

@@ -3,6 +3,7 @@
 #include <csignal>
 
 #include <array>
+#include <fstream>
 
 #include "test/system/started_task.hpp"
 
@@ -18,6 +19,11 @@ std::vector<std::string> drive_along(const Folder& folder, const std::string& na
   return {"--plan", folder.write("plan.txt", kTwoLegs), "--run-dir", (folder / name).string()};
 }
 
+std::string bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 TEST(RexDrive, DrivesAPlanWithTheSameBitsInOneProcessAndInSeveral) {
   if (!multicast()) GTEST_SKIP() << "no multicast";
   const Folder folder;
@@ -30,6 +36,8 @@ TEST(RexDrive, DrivesAPlanWithTheSameBitsInOneProcessAndInSeveral) {
   }
   EXPECT_NE(told[0].at("log_hash"), "0000000000000000");
   EXPECT_EQ(told[0].at("log_hash"), told[1].at("log_hash"));
+  EXPECT_EQ(told[0].at("figures"), told[1].at("figures"));
+  EXPECT_EQ(bytes_of(folder / "one" / "platform.csv"), bytes_of(folder / "separate" / "platform.csv"));
   EXPECT_LE(figure(told[0], "track_rms_mm"), 15);
   EXPECT_LE(figure(told[0], "estimate_rms_mm"), 12);
   EXPECT_EQ(figure(told[0], "solver_failures"), 0);

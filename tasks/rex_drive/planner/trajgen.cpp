@@ -108,7 +108,8 @@ std::int32_t traj_to_steps(const Trajectory& traj) {
 }
 
 std::int32_t traj_to_notify(const Trajectory& traj, double lead) {
-  return std::max(0, traj_to_steps(traj) - static_cast<std::int32_t>(std::lround(lead / kPlatformPeriod)));
+  const std::int32_t steps = traj_to_steps(traj);
+  return std::clamp(steps - static_cast<std::int32_t>(std::lround(lead / kPlatformPeriod)), 0, steps - 1);
 }
 
 }  // namespace mrroc::rex_drive

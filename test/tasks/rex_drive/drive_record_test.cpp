@@ -49,6 +49,14 @@ TEST(DriveRecord, LeavesOutWhatHasNoTruthOrNoTelemetry) {
   EXPECT_TRUE(join(m, 0.002, 10).empty());
 }
 
+TEST(DriveRecord, HasTheSameRowsHoweverMuchOfTheEndHasCome) {
+  DriveMessages early = messages(20), late = messages(23);
+  early.cut_after(18);
+  late.cut_after(18);
+  ASSERT_EQ(join(early, 0.002, 10).size(), 17U) << "a reply is stamped one macrostep later than its reading";
+  EXPECT_EQ(join(late, 0.002, 10).size(), 17U);
+}
+
 TEST(DriveRecord, BetweenTwoTruthsThePlatformMovesEvenly) {
   DriveMessages m = messages(20);
   for (auto& reply : m.replies) reply.estimate.step += 5;
