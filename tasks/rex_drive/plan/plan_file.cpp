@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -180,8 +181,11 @@ PlanList load_plans(const std::filesystem::path& file) {
 }
 
 std::string to_text(const PlanList& plans) {
+  std::string name = plans.name;  // of a file, which may have anything in it
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
   std::string text =
-      fmt::format("# {}\nstart {} {} {}\n", plans.name, plans.start.x, plans.start.y, plans.start.phi);
+      fmt::format("# {}\nstart {} {} {}\n", name, plans.start.x, plans.start.y, plans.start.phi);
   for (const MapPoints& plan : plans.plans) {
     if (&plan != &plans.plans.front()) text += "plan\n";
     for (const MapPoint& p : plan) text += fmt::format("{} {}\n", p.x, p.y);

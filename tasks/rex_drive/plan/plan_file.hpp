@@ -56,7 +56,7 @@ inline constexpr std::size_t kMostPoints = 10'000;
 /// Reads a plan file. @throws FaultError  bad_plan: missing, a folder, too large, empty; as parse_plans()
 [[nodiscard]] PlanList load_plans(const std::filesystem::path& file);
 
-/// @return the text of a plan file with these plans
+/// @return the text of a plan file with these plans; control characters in their name become question marks
 [[nodiscard]] std::string to_text(const PlanList& plans);
 
 /// Says what is in the way of the platform on the straight line between two points; empty: nothing.
