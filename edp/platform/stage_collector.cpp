@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "edp/platform/wheel_load.hpp"
 
 namespace mrroc::edp {
 namespace {
@@ -10,8 +11,6 @@ namespace {
 bool is_finite(const PerWheel& numbers) {
   return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); });
 }
-
-double sum(const PerWheel& numbers) { return std::accumulate(numbers.begin(), numbers.end(), 0.); }
 
 PerWheel mean(const PerWheel& total, int n) {
   PerWheel result{};
@@ -45,12 +44,6 @@ void StageCollector::command(const PlatformDrive& drive) noexcept {
     torque_sum_[k] += std::clamp(-platform_->brake * speed[k], -platform_->max_torque, platform_->max_torque);
 }
 
-PerWheel StageCollector::load() const noexcept {
-  const PerWheel measured = mean(load_sum_, loads_);
-  const double weight = sum(static_load_);
-  return std::abs(sum(measured) - weight) <= kLoadError * weight ? measured : static_load_;
-}
-
 StageReading StageCollector::take(std::int64_t step) noexcept {
   StageReading stage;
   stage.step = step;
@@ -59,7 +52,7 @@ StageReading StageCollector::take(std::int64_t step) noexcept {
   stage.imu_valid = reading_.imu_valid;
   stage.yaw = reading_.imu_valid ? reading_.yaw : 0;
   stage.yaw_rate = reading_.imu_valid ? reading_.yaw_rate : 0;
-  stage.load = load();
+  stage.load = believed_load(mean(load_sum_, loads_), static_load_);
   stage.torque = mean(torque_sum_, commands_);
   stage.enabled = !braked_;
   load_sum_ = torque_sum_ = {};

@@ -12,8 +12,6 @@ class StageCollector {
  public:
   /// Readings of the IMU that are absent in succession, from which it counts as silent.
   static constexpr int kImuSilent = 3;
-  /// The sum of the load cells may differ so much from the weight, as a share; beyond, the loads at rest are used.
-  static constexpr double kLoadError = 0.2;
 
   /// @param platform  lives longer than this object  @param dt  duration of a step [s]
   StageCollector(const PlatformProperties& platform, double dt) noexcept
@@ -26,7 +24,7 @@ class StageCollector {
   /// @param step  of the stage  @return the measurements of the stage that ends with the last reading. The next one begins
   [[nodiscard]] StageReading take(std::int64_t step) noexcept;
 
-  /// @param load  of the wheels at rest [N]
+  /// @param load  of the wheels at rest [N], used where the cells are not to be believed (edp/platform/wheel_load.hpp)
   void set_static_load(const PerWheel& load) noexcept { static_load_ = load; }
   /// @return whether the IMU has been absent for kImuSilent readings
   [[nodiscard]] bool imu_silent() const noexcept { return imu_absent_ >= kImuSilent; }
@@ -36,8 +34,6 @@ class StageCollector {
   [[nodiscard]] const PlatformReading& reading() const noexcept { return reading_; }
 
  private:
-  [[nodiscard]] PerWheel load() const noexcept;
-
   const PlatformProperties* platform_;
   WheelMeter wheels_;
   PlatformReading reading_{};

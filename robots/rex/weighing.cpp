@@ -34,11 +34,4 @@ Load weigh(const PerWheel& load) noexcept {
   return {mass, centre, load};
 }
 
-PerWheel believed_load(const PerWheel& measured, const Load& weighed) noexcept {
-  constexpr double kDoubt = 0.2;
-  const double weight = weighed.mass * kGravity;
-  const bool believed = possible(measured) && std::abs(sum(measured) - weight) <= kDoubt * weight;
-  return believed ? measured : weighed.wheel;
-}
-
 }  // namespace mrroc::rex
