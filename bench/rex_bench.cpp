@@ -188,8 +188,12 @@ Figures same_bits_figures() {
 
 Figures run_rex_group() {
   Figures all;
-  for (const auto measure : {ground_figures, plan_figures, friction_figures, same_bits_figures,
-                             rex_planner_figures, plant_figures}) {
+  for (const auto measure :
+       {ground_figures, plan_figures, friction_figures, same_bits_figures, rex_planner_figures,
+#ifdef MRROC_REX
+        rex_kernel_figures,
+#endif
+        plant_figures}) {
     const Figures some = measure();
     all.insert(all.end(), some.begin(), some.end());
   }
