@@ -28,7 +28,7 @@ TEST(WheelLoad, OfACellThatTellsWhatNoGroundGivesIsNotBelieved) {
 }
 
 TEST(WheelLoad, OfAStageIsTheMeanThatIsBelieved) {
-  const PlatformProperties platform{.increments_per_turn = 4000, .max_torque = 20};
+  const PlatformProperties platform{.name = "any", .increments_per_turn = 4000, .max_torque = 20};
   StageCollector sensors(platform, 0.002);
   sensors.set_static_load(kAtRest);
   const auto stage = [&](const PerWheel& first, const PerWheel& second) {
