@@ -199,6 +199,9 @@ Figures run_rex_group(const fs::path& plots) {
   add(friction_figures());
   add(same_bits_figures());
   add(rex_planner_figures());
+#ifdef MRROC_REX
+  add(rex_kernel_figures());
+#endif
   add(rex_algorithm_figures(plots));
   add(plant_figures());
   return all;

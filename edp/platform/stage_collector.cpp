@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include "edp/platform/load_check.hpp"
+#include "edp/platform/wheel_load.hpp"
 
 namespace mrroc::edp {
 namespace {
@@ -45,12 +44,6 @@ void StageCollector::command(const PlatformDrive& drive) noexcept {
     torque_sum_[k] += std::clamp(-platform_->brake * speed[k], -platform_->max_torque, platform_->max_torque);
 }
 
-PerWheel StageCollector::load() const noexcept {
-  const PerWheel measured = mean(load_sum_, loads_);
-  const double weight = std::accumulate(static_load_.begin(), static_load_.end(), 0.);
-  return is_credible(measured, weight) ? measured : static_load_;
-}
-
 StageReading StageCollector::take(std::int64_t step) noexcept {
   StageReading stage;
   stage.step = step;
@@ -59,7 +52,7 @@ StageReading StageCollector::take(std::int64_t step) noexcept {
   stage.imu_valid = reading_.imu_valid;
   stage.yaw = reading_.imu_valid ? reading_.yaw : 0;
   stage.yaw_rate = reading_.imu_valid ? reading_.yaw_rate : 0;
-  stage.load = load();
+  stage.load = believed_load(mean(load_sum_, loads_), static_load_);
   stage.torque = mean(torque_sum_, commands_);
   stage.enabled = !braked_;
   load_sum_ = torque_sum_ = {};

@@ -21,11 +21,10 @@ class StageCollector {
   void measure(const PlatformReading& reading) noexcept;
   /// The step's command.
   void command(const PlatformDrive& drive) noexcept;
-  /// @param step  of the stage  @return the measurements of the stage that ends with the last reading, with the loads at rest
-  ///              instead of loads that are not credible. The next one begins
+  /// @param step  of the stage  @return the measurements of the stage that ends with the last reading. The next one begins
   [[nodiscard]] StageReading take(std::int64_t step) noexcept;
 
-  /// @param load  of the wheels at rest [N]
+  /// @param load  of the wheels at rest [N], used where the cells are not to be believed (edp/platform/wheel_load.hpp)
   void set_static_load(const PerWheel& load) noexcept { static_load_ = load; }
   /// @return whether the IMU has been absent for kImuSilent readings
   [[nodiscard]] bool imu_silent() const noexcept { return imu_absent_ >= kImuSilent; }
@@ -35,8 +34,6 @@ class StageCollector {
   [[nodiscard]] const PlatformReading& reading() const noexcept { return reading_; }
 
  private:
-  [[nodiscard]] PerWheel load() const noexcept;
-
   const PlatformProperties* platform_;
   WheelMeter wheels_;
   PlatformReading reading_{};

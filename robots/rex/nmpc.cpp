@@ -135,11 +135,12 @@ bool Nmpc::improve() noexcept {
 edp::TrackerResult Nmpc::result(const PlanarPose& centre) const noexcept {
   edp::TrackerResult r;
   for (std::size_t k = 0; k < X_.size(); ++k) r.horizon[k] = pose_of(X_[k], centre);
-  for (std::size_t k = 0; k < U_.size(); ++k) Torques::Map(r.torques[k].data()) = U_[k];
+  // Bounds of the programme hold to within its accuracy only.
+  for (std::size_t k = 0; k < U_.size(); ++k)
+    Torques::Map(r.torques[k].data()) = U_[k].cwiseMax(-kMaxTorque).cwiseMin(kMaxTorque);
   // The solution stands still while time goes on without a new one.
   const int behind = static_cast<int>(failures_ * kPlatformPeriod / kInterval);
   r.torque = r.torques[static_cast<std::size_t>(std::min(behind, kIntervals - 1))];
-  for (double& torque : r.torque) torque = std::clamp(torque, -kMaxTorque, kMaxTorque);
   return r;
 }
 

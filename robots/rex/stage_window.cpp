@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edp/platform/wheel_load.hpp"
 #include "robots/rex/parameters.hpp"
 
 namespace mrroc::rex {
@@ -58,7 +59,7 @@ WindowStage StageWindow::stage_of(const edp::StageReading& reading) const noexce
   stage.torque = vector_of(reading.torque);
   stage.torque_known = reading.enabled && possible(stage.torque, kMostTorque);
   if (!possible(stage.torque, kMostTorque)) stage.torque.setZero();
-  stage.load = vector_of(believed_load(reading.load, weighed_));
+  stage.load = vector_of(edp::believed_load(reading.load, weighed_.wheel));
   stage.theta = vector_of(reading.theta);
   if (!stage.theta.allFinite()) stage.theta = size_ > 0 ? newest().theta : Wheels::Zero();
   stage.wheel_speed = vector_of(reading.theta_dot);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "edp/platform/load_check.hpp"
 #include "robots/rex/parameters.hpp"
 
 namespace mrroc::rex {
@@ -33,10 +32,6 @@ Load weigh(const PerWheel& load) noexcept {
   }
   if (std::abs(centre.x) > kHalfBase / 2 || std::abs(centre.y) > kHalfTrack / 2) return empty();
   return {mass, centre, load};
-}
-
-PerWheel believed_load(const PerWheel& measured, const Load& weighed) noexcept {
-  return edp::is_credible(measured, weighed.mass * kGravity) ? measured : weighed.wheel;
 }
 
 }  // namespace mrroc::rex

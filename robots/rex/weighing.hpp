@@ -12,9 +12,4 @@ namespace mrroc::rex {
 ///         the centre further than half the way to the wheels. Real-time safe
 [[nodiscard]] Load weigh(const PerWheel& load) noexcept;
 
-/// @param measured  means of the load cells while the platform moves [N]  @param weighed  the platform at rest
-/// @return forces on the wheels for the model: the measured ones, or those at rest when the cells are not to be believed:
-///         not finite, negative, or their sum differs from the weight by more than 20 %. Real-time safe
-[[nodiscard]] PerWheel believed_load(const PerWheel& measured, const Load& weighed) noexcept;
-
 }  // namespace mrroc::rex

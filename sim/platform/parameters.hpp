@@ -57,7 +57,7 @@ struct PlatformParameters {
   double load_time{0.01};   ///< within which they do [s]
   double motor_lag{0.004};  ///< time constant of a drive's torque [s]
   double ripple{0.01};      ///< amplitude of the torque over the turn of a wheel, as a share of it
-  PlanarPose start;         ///< of B on M after reset()
+  PlanarPose start;         ///< of B on M at the beginning
   ImuParameters imu;        ///< its IMU
   LoadCellParameters load_cells;  ///< one per wheel
   PlatformFaults faults;          ///< what breaks

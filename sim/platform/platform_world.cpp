@@ -61,10 +61,6 @@ PlatformWorld::~PlatformWorld() = default;
 PlatformWorld::PlatformWorld(PlatformWorld&&) noexcept = default;
 PlatformWorld& PlatformWorld::operator=(PlatformWorld&&) noexcept = default;
 
-void PlatformWorld::reset(std::uint64_t seed) {
-  impl_ = std::make_unique<Impl>(PlatformWorldParameters(impl_->p), seed);
-}
-
 int PlatformWorld::platforms() const { return static_cast<int>(impl_->platforms.size()); }
 std::int64_t PlatformWorld::steps() const { return impl_->steps; }
 

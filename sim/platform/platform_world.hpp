@@ -18,18 +18,16 @@ inline constexpr std::size_t kMostPlatforms = 2;
 /// The simulation. Single-threaded and deterministic: the same parameters, seed and calls give the same bits.
 class PlatformWorld {
  public:
+  /// Platforms at rest where they start, encoders and yaws zero, step 0.
   /// @throws std::invalid_argument  a parameter is out of range; the text says which
   explicit PlatformWorld(const PlatformWorldParameters& parameters, std::uint64_t seed = 1);
   ~PlatformWorld();
   PlatformWorld(PlatformWorld&&) noexcept;
   PlatformWorld& operator=(PlatformWorld&&) noexcept;
 
-  /// Starts anew: platforms at rest where they start, encoders and yaws zero, step 0.
-  void reset(std::uint64_t seed);
-
   /// @return number of platforms
   [[nodiscard]] int platforms() const;
-  /// @return steps since reset
+  /// @return steps so far
   [[nodiscard]] std::int64_t steps() const;
 
   /// Advances by kPlatformPeriod / kPlatformSteps.
@@ -38,7 +36,7 @@ class PlatformWorld {
   void step(std::span<const PlatformDrive> drives);
 
   /// @param platform  0..platforms()-1
-  /// @return what its sensors measured in the last step; after reset that of the platform at rest, step 0
+  /// @return what its sensors measured in the last step; before the first that of the platform at rest, step 0
   [[nodiscard]] const PlatformReading& reading(int platform) const;
   /// @return the reading of motion capture that becomes visible in this step, if one does
   [[nodiscard]] const std::optional<CapturedPose>& motion_capture(int platform) const;

@@ -256,12 +256,30 @@ TEST(PlatformMessages, AMeasurementHasACovarianceAndARotation) {
   EXPECT_FALSE(is_proper(to_message(estimate)));
 }
 
-TEST(PlatformMessages, AnyBytesAreLookedAtWithoutHarm) {
-  const auto look = [](const auto& m) { std::ignore = is_proper(m); };
-  with_random_bytes<platform_reply_t>(look);
-  with_random_bytes<odometry_reading_t>(look);
-  with_random_bytes<map_report_t>(look);
-  with_random_bytes<plan_t>(look);
+/// Looks at messages of random bytes, which say that there is something: those that are proper are finite.
+template <class M>
+void expect_proper_ones_finite() {
+  const std::vector<Field> numbers = numbers_of<M>();
+  with_random_bytes<M>([&](M m) {
+    if constexpr (requires { m.motion.valid; }) m.motion.valid = 1;
+    if constexpr (requires { m.pose.valid; }) m.pose.valid = 1;
+    if constexpr (requires { m.seen; }) m.seen = 1;
+    if (!is_proper(m)) return;
+    const auto bytes = bytes_of(m);
+    for (const Field& f : numbers) ASSERT_TRUE(std::isfinite(number_in(bytes, f))) << f.name;
+  });
+}
+
+TEST(PlatformMessages, OfAnyBytesThoseThatAreProperAreFinite) {
+  expect_proper_ones_finite<platform_reply_t>();
+  expect_proper_ones_finite<platform_telemetry_t>();
+  expect_proper_ones_finite<platform_drive_t>();
+  expect_proper_ones_finite<odometry_reading_t>();
+  expect_proper_ones_finite<motion_capture_t>();
+  expect_proper_ones_finite<map_report_t>();
+  expect_proper_ones_finite<platform_estimate_t>();
+  expect_proper_ones_finite<plan_t>();
+  expect_proper_ones_finite<platform_truth_t>();
 }
 
 }  // namespace

@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
-#include <ctime>
 #include <limits>
 #include <memory>
 #include <string>
@@ -25,23 +23,6 @@ class EstimatorContract : public testing::TestWithParam<std::string> {
 };
 
 INSTANTIATE_TEST_SUITE_P(Rex, EstimatorContract, testing::Values("mhe", "ekf"), name_of);
-
-/// Does nothing, to see how long the rest takes.
-class NoEstimator final : public edp::Estimator {
- public:
-  void begin(const edp::StandingStill& /*found*/) noexcept override {}
-  void add(const edp::StageReading& /*reading*/) noexcept override {}
-  bool add(const OdometryReading& /*odometry*/) noexcept override { return true; }
-  bool add(const MapPose& /*pose*/) noexcept override { return true; }
-  edp::EstimatorResult step() noexcept override { return {}; }
-};
-
-template <class Work>
-double cpu_seconds(const Work& work) {
-  const std::clock_t start = std::clock();
-  work();
-  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-}
 
 TEST_P(EstimatorContract, AnswerNotOkBeforeTheyHaveBegun) {
   estimator->add(edp::StageReading{.step = 10});
@@ -157,18 +138,6 @@ TEST_P(EstimatorContract, AllocateNothingBetweenBeginAndEnd) {
     std::ignore = estimator->step();
   }
   EXPECT_EQ(counter.count(), 0);
-}
-
-// Told, not demanded: the machine may be busy.
-TEST_P(EstimatorContract, TellTheirComputingTime) {
-  Trial trial{.drive = winding(0.6, 0.9)};
-  trial.duration = 10;
-  const double with = cpu_seconds([&] { std::ignore = drive(*estimator, trial); });
-  NoEstimator none;
-  const double without = cpu_seconds([&] { std::ignore = drive(none, trial); });
-  const double milliseconds = 1e3 * (with - without) / (trial.duration / kPlatformPeriod);
-  RecordProperty("cpu_ms_per_step", std::to_string(milliseconds));
-  std::printf("%s: %.3f ms CPU per step\n", GetParam().c_str(), milliseconds);
 }
 
 }  // namespace

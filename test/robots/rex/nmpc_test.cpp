@@ -1,10 +1,14 @@
 // Model predictive control of Rex in closed loops with a plant of another structure, its state known.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 #include <random>
 
+#include "edp/platform/follower.hpp"
 #include "robots/rex/nmpc.hpp"
+#include "robots/rex/rex.hpp"
 #include "robots/rex/wheels.hpp"
 #include "test/robots/rex/course.hpp"
 
@@ -90,6 +94,23 @@ TEST(Nmpc, TorquesAreOnesThatTheDrivesCanGiveAtTheirSpeed) {
     const auto r = nmpc.step(x, {}, standing_load(kMass, {}), horizon(away, 0));
     for (const double torque : r.torque) EXPECT_LT(torque, 0.01);
   }
+}
+
+TEST(Nmpc, TorquesAtTheLimitCanAllBeUsed) {
+  edp::Follower follower(std::make_unique<Nmpc>(), platform().properties());
+  Plant plant({});
+  follower.begin(perfect(plant, {}));
+  double largest = 0;
+  for (int i = 0; i < 50; ++i) {
+    // As far away as a reference may be, in front and behind.
+    const PlanarPose p{plant.p().x + (i % 10 < 5 ? 5 : -5), plant.p().y, 0};
+    const Course there{[p](double) { return PathPoint{p, 0, 0}; }, 1};
+    EXPECT_FALSE(follower.step(perfect(plant, {}), {}, plant.load(), horizon(there, 0))) << i;
+    for (const double torque : follower.torque()) largest = std::max(largest, std::abs(torque));
+    plant.step(follower.torque(), kPlatformPeriod);
+  }
+  EXPECT_EQ(follower.failures(), 0);
+  EXPECT_GT(largest, 0.99 * kMaxTorque);
 }
 
 TEST(Nmpc, SpeedAtTheEndOfTheHorizonStaysNearItsLimit) {

@@ -54,15 +54,5 @@ TEST(Weighing, WhatNoPlatformWeighsIsTakenForTheEmptyOne) {
   expect_empty(weigh({1e308, 1e308, 1e308, 1e308}));
 }
 
-TEST(Weighing, MeasuredLoadsAreBelievedWithinAFifthOfTheWeight) {
-  const Load weighed = weigh(standing_load(44, {0.04, 0, 0}));
-  const PerWheel wandered{130, 120, 95, 80};
-  EXPECT_EQ(believed_load(wandered, weighed), wandered);
-  EXPECT_EQ(believed_load({130, 120, 95, 0}, weighed), weighed.wheel);
-  EXPECT_EQ(believed_load({230, 120, 95, 80}, weighed), weighed.wheel);
-  EXPECT_EQ(believed_load({230, 220, 95, -80}, weighed), weighed.wheel);
-  EXPECT_EQ(believed_load({130, 120, std::numeric_limits<double>::quiet_NaN(), 80}, weighed), weighed.wheel);
-}
-
 }  // namespace
 }  // namespace mrroc::rex::test

@@ -51,10 +51,8 @@ TEST(PlatformWorld, EqualSeedsGiveEqualBits) {
   PlatformWorld one(usual_world(), 5), other(usual_world(), 5);
   const auto first = hashes(one, 1);
   EXPECT_EQ(hashes(other, 1), first);
-  other.reset(5);
-  EXPECT_EQ(hashes(other, 1), first) << "after reset";
-  other.reset(6);
-  EXPECT_NE(hashes(other, 1), first);
+  PlatformWorld different(usual_world(), 6);
+  EXPECT_NE(hashes(different, 1), first);
 }
 
 TEST(PlatformWorld, StartsAtRestWhereItIsTold) {

@@ -103,6 +103,13 @@ TEST(PlanFile, WhatIsWrittenIsReadAgain) {
   }
 }
 
+TEST(PlanFile, ANameWithLinesInItIsStillOneComment) {
+  PlanList list = parse_plans("1 0\n2 0\n", "my\n3 0\r\x1b.txt");
+  const std::string text = to_text(list);
+  EXPECT_TRUE(text.starts_with("# my?3 0??.txt\n")) << text;
+  EXPECT_EQ(parse_plans(text, "again").points(), 2U);
+}
+
 TEST(PlanFile, LongPlansAreCutAndGoOn) {
   PlanList list;
   std::string text;
