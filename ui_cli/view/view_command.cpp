@@ -26,7 +26,8 @@ using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 
 constexpr const char* kAbout =
-    "Shows a running task, or a run folder, as a web page on this host: arms, sheets with ink, camera "
+    "Shows a running task, or a run folder, as a web page on this host: arms, platforms, sheets with ink, "
+    "camera "
     "pictures, forces\n"
     "and poses over time, behaviours, messages. The page only shows; orders are given with ui_cli.";
 
