@@ -146,9 +146,9 @@ class Drive {
     const auto plans = rex_drive::to_messages(lap(), kWanted);
     const auto way = rex_drive::survey(plans, driver_.estimate().estimate.p, {});
     if (way.missed) fail();
-    for (const rex_drive::Trajectory& piece : way.found) {
+    for (const rex_drive::FoundTrajectory& piece : way.found) {
       for (int k = 0; driver_.reply().notified < driver_.reply().accepted; ++k) go_on(k);
-      hand_over(piece);
+      hand_over(piece.trajectory);
     }
     for (int k = 0; driver_.state() == DriverState::executing; ++k) go_on(k);
   }

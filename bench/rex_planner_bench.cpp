@@ -52,7 +52,7 @@ double plan_joint_speed(std::mt19937& random) {
     }
     const std::vector<Plan> plans = to_messages(list, kWanted);
     const PlannerSurvey first = survey({plans[0]}, {}, {});
-    if (!first.missed) sum += 100 * first.found.back().knot.back().v / kWanted;
+    if (!first.missed) sum += 100 * first.found.back().trajectory.knot.back().v / kWanted;
   }
   return sum / kWays;
 }
