@@ -122,6 +122,7 @@ TEST_F(AgentLinksTest, InLockStepNothingGoesOnWithoutOneOfTheImages) {
     pose.reset();
     estimate.reset();
     process.reset();
+    own = std::make_unique<link::test::OneByOneBus>(hub.open());  // a bus knows its inboxes to its end
     make(ClockKind::step, others_wanted, std::chrono::milliseconds(50));
     if (missing != 0) order(1);
     if (missing != 1) tell(1);
