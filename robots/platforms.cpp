@@ -29,7 +29,7 @@ std::string driver_program(const PlatformType& type) {
 }
 
 std::vector<std::string> read_platform_order(const Config& config) {
-  const auto keys = config.texts("platforms.order", std::vector<std::string>{});
+  auto keys = config.texts("platforms.order", std::vector<std::string>{});
   const auto arms = config.texts("robots.order", std::vector<std::string>{});
   const auto refuse = [](const std::string& text) {
     throw FaultError(FaultCode::bad_configuration, "platforms.order: " + text);

@@ -13,7 +13,7 @@ namespace mrroc::edp {
 namespace {
 
 /// Numbers of a point, and of the axes in faults.
-enum PointAxis : std::uint8_t { kX, kY, kPhi, kV, kW };
+constexpr int kX = 0, kY = 1, kPhi = 2, kV = 3, kW = 4;
 
 /// Whole turns are no reason to count on for ever: 150 of them.
 constexpr double kMostTurned = 1000;  // [rad]

@@ -120,9 +120,11 @@ void Observer::add_map(std::int64_t now) noexcept {
 }
 
 std::optional<Fault> Observer::step(const StageReading& stage, std::int64_t now) noexcept {
-  if (!add_stages(stage))
+  if (!add_stages(stage)) {
+    const std::int64_t missed = (stage.step - last_stage_.step) / kPlatformSteps;
     return make_fault(FaultCode::estimate_lost, "stages missed in succession", -1,
-                      static_cast<double>((stage.step - last_stage_.step) / kPlatformSteps), kMissed);
+                      static_cast<double>(missed), kMissed);
+  }
   add_odometry(now);
   add_map(now);
   const EstimatorResult result = estimator_->step();
