@@ -119,15 +119,17 @@ void Nmpc::price(int k, const State& reference) noexcept {
 }
 
 bool Nmpc::improve() noexcept {
-  std::array<State, kHorizonPoints - 1> dX;
-  std::array<Torques, kHorizonPoints - 1> dU;
+  std::array<State, kHorizonPoints - 1> step_of_x;
+  std::array<Torques, kHorizonPoints - 1> step_of_u;
   for (int k = 0; k < kIntervals; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    if (!qp_.u(k, dU[i]) || !qp_.x(k + 1, dX[i]) || !dU[i].allFinite() || !dX[i].allFinite()) return false;
+    if (!qp_.u(k, step_of_u[i]) || !qp_.x(k + 1, step_of_x[i]) || !step_of_u[i].allFinite() ||
+        !step_of_x[i].allFinite())
+      return false;
   }
-  for (std::size_t i = 0; i < dX.size(); ++i) {
-    X_[i + 1] += dX[i];
-    U_[i] += dU[i];
+  for (std::size_t i = 0; i < step_of_x.size(); ++i) {
+    X_[i + 1] += step_of_x[i];
+    U_[i] += step_of_u[i];
   }
   return true;
 }

@@ -33,8 +33,8 @@ robots::PlatformType make_type() {
 }  // namespace
 
 const robots::PlatformType& type() {
-  static const robots::PlatformType kType = make_type();
-  return kType;
+  static const robots::PlatformType made = make_type();
+  return made;
 }
 
 }  // namespace mrroc::rex

@@ -71,8 +71,8 @@ class Rex final : public edp::Platform {
 }  // namespace
 
 const edp::Platform& platform() {
-  static const Rex kRex;
-  return kRex;
+  static const Rex rex;
+  return rex;
 }
 
 }  // namespace mrroc::rex

@@ -18,7 +18,6 @@
 namespace mrroc::sim {
 namespace {
 
-using link::Group;
 using link::Phase;
 using Clock = link::Process::Clock;
 

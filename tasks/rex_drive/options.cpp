@@ -21,13 +21,13 @@ struct Ground {
   std::vector<std::string> settings{};
 };
 const std::array<Ground, 4>& grounds() {
-  static const std::array<Ground, 4> kGrounds{{
+  static const std::array<Ground, 4> list{{
       {"nominal"},
       {"slippery", {"sim.ground.friction=[0.35, 0.3]"}},
       {"ice_right", {"sim.ground.patches.ice.area=[-3, -2, 3, 0]", "sim.ground.patches.ice.scale=0.5"}},
       {"smooth", {"sim.ground.model=\"smooth\""}},
   }};
-  return kGrounds;
+  return list;
 }
 
 bool is_ground(std::string_view name) {

@@ -63,7 +63,7 @@ struct Input {
   std::function<void(X&)> change;
 };
 const std::vector<Input>& inputs() {
-  static const std::vector<Input> kInputs{
+  static const std::vector<Input> list{
       {{"c_c1[plan]", "x.c.plan"},
        [](X& x) {
          if (x.c.plan.empty()) x.c.plan = {{.at = {{9, 9, 0}}, .cruise = 0.5}};
@@ -109,7 +109,7 @@ const std::vector<Input>& inputs() {
       {{"T_x c_1,3[x^, y^, phi^]", "x.T.map"}, [](X& x) { x.T.map.pose.p.x += 0.1; }},
       {{"-", "x.T.variant"}, [](X& x) { x.T.variant = rex_drive::kPaused; }},
   };
-  return kInputs;
+  return list;
 }
 
 /// An output buffer.
@@ -126,7 +126,7 @@ Output of_memory(const char* paper, const char* here, Numbers (*value)(const Mem
           [value](const X& x) { return value(x.c); }};
 }
 const std::vector<Output>& outputs() {
-  static const std::vector<Output> kOutputs{
+  static const std::vector<Output> list{
       of_memory("c_c1[plan]", "y.c.plan", plan_of),
       of_memory("c_c1[traj]", "y.c.traj", traj_of),
       of_memory("c_c1[trajgen]", "y.c.trajgen", trajgen_of),
@@ -154,7 +154,7 @@ const std::vector<Output>& outputs() {
        [](const Y& y) { return Numbers{static_cast<double>(y.T.event)}; }},
       {"f_cT", {"T_y c_1,3[q~, q~']", "y.T.estimate"}, [](const Y& y) { return estimate_of(y.T.estimate); }},
   };
-  return kOutputs;
+  return list;
 }
 
 // --- images to try --------------------------------------------------------------------------------------------

@@ -45,8 +45,8 @@ struct Basis {
   }
 };
 const Basis& basis() {
-  static const Basis kValues;
-  return kValues;
+  static const Basis values;
+  return values;
 }
 
 /// Weight of a node in Simpson's rule over the whole horizon, T = 1.

@@ -16,18 +16,18 @@ namespace mrroc::sim {
 namespace {
 
 const robots::PlatformType& cart() {
-  static const robots::PlatformType kCart = [] {
+  static const robots::PlatformType made = [] {
     robots::PlatformType t;
     t.name = "cart";
     t.plant = test::ideal_platform().body;
     return t;
   }();
-  return kCart;
+  return made;
 }
 
 PlatformWorldParameters read(const Config& config, const std::vector<std::string>& keys = {"a"}) {
-  static const std::vector<const robots::PlatformType*> kTypes{&cart()};
-  return read_platform_world(config, keys, kTypes);
+  static const std::vector<const robots::PlatformType*> types{&cart()};
+  return read_platform_world(config, keys, types);
 }
 
 PlatformWorldParameters world(const std::string& text, const std::vector<std::string>& keys = {"a"}) {
