@@ -44,7 +44,7 @@ void examine(const MotionCapture& reading, std::int64_t i, MapMemory& c) {
 
 void remember(const PlatformEstimate& estimate, MapMemory& c) {
   if (estimate.step <= c.estimate.front().step) return;
-  std::ranges::rotate(c.estimate, c.estimate.end() - 1);
+  std::rotate(c.estimate.begin(), c.estimate.end() - 1, c.estimate.end());
   c.estimate.front() = estimate;
 }
 
