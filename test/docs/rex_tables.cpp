@@ -26,9 +26,11 @@ namespace {
 using rex_drive::Locomotion;
 
 // The name of a member or a function, which there must be.
+// NOLINTBEGIN(bugprone-macro-parentheses): a type and a member cannot stand in parentheses
 #define MRROC_MEMBER(type, path) (static_cast<void>(sizeof(std::declval<type&>().path)), #type "::" #path)
 #define MRROC_FIELD(type, path) (static_cast<void>(sizeof(std::declval<type&>().path)), #type "." #path)
 #define MRROC_FUNCTION(name) (static_cast<void>(sizeof(&name)), #name)
+// NOLINTEND(bugprone-macro-parentheses)
 
 // --- figures 3 and 4 --------------------------------------------------------------------------------------------
 
