@@ -25,15 +25,16 @@ ssize_t interrupted() {
 }  // namespace
 
 // What stands for the C library's.
+// NOLINTBEGIN(readability-inconsistent-declaration-parameter-name): its header has names of its own
 extern "C" ssize_t pread(int file, void* into, std::size_t size, off_t place) {
   const std::size_t now = allowed(size);
   return now == 0 && size > 0 ? interrupted() : ::syscall(SYS_pread64, file, into, now, place);
 }
-// NOLINTNEXTLINE(readability-inconsistent-declaration-parameter-name): the header has names of its own
 extern "C" ssize_t pwrite(int file, const void* from, std::size_t size, off_t place) {
   const std::size_t now = allowed(size);
   return now == 0 && size > 0 ? interrupted() : ::syscall(SYS_pwrite64, file, from, now, place);
 }
+// NOLINTEND(readability-inconsistent-declaration-parameter-name)
 
 namespace mrroc::link::test {
 

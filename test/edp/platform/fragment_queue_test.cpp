@@ -48,12 +48,11 @@ TEST(FragmentQueue, TimePassesThroughFragmentsWithoutAGap) {
     EXPECT_EQ(queue.iteration(), k % 10);
     EXPECT_EQ(queue.remaining(), 40 - k);
     EXPECT_NEAR(queue.at(0).p.x, point_at(all[n], k % 10 / 10.).p.x, kExact);
-    EXPECT_NEAR(queue.at(7.5).v,
-                k + 7.5 < 40 ? point_at(all[(static_cast<std::size_t>(k) * 2 + 15) / 20],
-                                        (k + 7.5 - 10 * ((k * 2 + 15) / 20)) / 10)
-                                   .v
-                             : 0,
-                kExact);
+    const int after = (k * 2 + 15) / 20;  // fragment in which the queue is 7.5 iterations later
+    EXPECT_NEAR(
+        queue.at(7.5).v,
+        k + 7.5 < 40 ? point_at(all[static_cast<std::size_t>(after)], (k + 7.5 - 10 * after) / 10).v : 0,
+        kExact);
     queue.advance(1);
   }
   EXPECT_TRUE(queue.empty());
