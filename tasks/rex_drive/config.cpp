@@ -73,7 +73,7 @@ OntologyParameters read_ontology(const Config& config) {
   const Config t = config.section("task");
   OntologyParameters k;
   k.think = t.integer<std::int64_t>("think", k.think, {0, 10'000}, "macrosteps from an ack to the next plan");
-  k.patience = macrosteps(t.number("position_patience", 30, {0, 3600}, "s, 0: for ever"));
+  k.timeout = macrosteps(t.number("position_timeout", 30, {0, 3600}, "s, 0: for ever"));
   return k;
 }
 
@@ -85,12 +85,12 @@ MapParameters read_map(const Config& config) {
   k.position_sd = noise[0];
   k.heading_sd = noise[1];
   k.rejections = m.integer("rejections", k.rejections, {1, 1000}, "in a row, which open the gate again");
-  k.patience = macrosteps(m.number("patience", 0.5, {0.1, 60}, "s"));
-  if (k.patience * k.n_s < k.capture.period)
-    throw FaultError(FaultCode::bad_configuration,
-                     fmt::format("map.patience: motion capture measures every {} steps, which is longer",
-                                 k.capture.period),
-                     "make map.patience longer, or motion_capture.period shorter");
+  k.timeout = macrosteps(m.number("timeout", 0.5, {0.1, 60}, "s"));
+  if (k.timeout * k.n_s < k.capture.period)
+    throw FaultError(
+        FaultCode::bad_configuration,
+        fmt::format("map.timeout: motion capture measures every {} steps, which is longer", k.capture.period),
+        "make map.timeout longer, or motion_capture.period shorter");
   return k;
 }
 

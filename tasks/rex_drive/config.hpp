@@ -26,7 +26,7 @@ inline constexpr double kReach = 0.55;
 /// @return [task] of a_2 @throws ConfigError
 [[nodiscard]] OntologyParameters read_ontology(const Config& config);
 /// @return [map] and [motion_capture] of a_3
-/// @throws ConfigError; FaultError bad_configuration: readings come less often than it has patience for
+/// @throws ConfigError; FaultError bad_configuration: readings come less often than its timeout
 [[nodiscard]] MapParameters read_map(const Config& config);
 
 /// The plans of a run and what the planner makes of them.

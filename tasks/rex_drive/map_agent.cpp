@@ -48,7 +48,7 @@ void remember(const PlatformEstimate& estimate, MapMemory& c) {
   c.estimate.front() = estimate;
 }
 
-bool lost(const MapMemory& c, std::int64_t i) { return i - c.plausible_in > c.k.patience; }
+bool lost(const MapMemory& c, std::int64_t i) { return i - c.plausible_in > c.k.timeout; }
 
 // --- f ---------------------------------------------------------------------------------------------------------
 

@@ -20,8 +20,8 @@ struct MapParameters {
   double drift_position{0.01};  ///< and as larger by this [m]
   double drift_heading{0.01};   ///< [rad]
   int rejections{5};            ///< in a row, which open the gate again
-  std::int64_t patience{25};  ///< without a plausible reading, after which the position is lost [macrosteps]
-  int n_s{10};                ///< steps of a macrostep
+  std::int64_t timeout{25};  ///< without a plausible reading, after which the position is lost [macrosteps]
+  int n_s{10};               ///< steps of a macrostep
 };
 
 /// Estimates of a_1 that are remembered.

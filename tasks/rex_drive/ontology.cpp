@@ -62,7 +62,7 @@ const Motion<Ontology> kComeToRest{ 3, "come to rest",     retain, watch,  nothi
 // clang-format on
 
 bool in_vain(const X& x) {
-  return x.c.k.patience > 0 && x.c.lost_in > 0 && x.i - x.c.lost_in >= x.c.k.patience;
+  return x.c.k.timeout > 0 && x.c.lost_in > 0 && x.i - x.c.lost_in >= x.c.k.timeout;
 }
 
 int point_of(const Report& report) { return report.sensor / kPointUnit; }

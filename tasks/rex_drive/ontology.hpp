@@ -17,8 +17,8 @@ inline constexpr std::size_t kMapAgent = 1;         ///< index of a_3
 
 /// Constant parameters of a_2.
 struct OntologyParameters {
-  std::int64_t think{10};       ///< after an ack until the next plan is sent [macrosteps]
-  std::int64_t patience{1500};  ///< for a platform that does not know its position [macrosteps]; 0: for ever
+  std::int64_t think{10};      ///< after an ack until the next plan is sent [macrosteps]
+  std::int64_t timeout{1500};  ///< for a platform that does not know its position [macrosteps]; 0: for ever
 };
 
 /// c_c2

@@ -36,7 +36,7 @@ Outcome RexRun::execute() {
   if (o == Outcome::terminated && in_vain(x)) {
     fault_ = {.code = FaultCode::position_lost,
               .value = seconds(x.i - x.c.lost_in),
-              .limit = seconds(x.c.k.patience),
+              .limit = seconds(x.c.k.timeout),
               .text = "seconds"};
     o = Outcome::faulted;
   }

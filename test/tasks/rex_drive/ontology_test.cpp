@@ -100,7 +100,7 @@ TEST(Ontology, GivesUpWhenThePositionIsLostForTooLong) {
   agents.stuck = 1;
   agents.lost_from = 100;
   X x;
-  x.c.k.patience = 200;
+  x.c.k.timeout = 200;
   EXPECT_EQ(execute(plans(2), agents, x), Outcome::terminated);
   EXPECT_TRUE(in_vain(x));
   EXPECT_NEAR(static_cast<double>(x.i), 300, 5);

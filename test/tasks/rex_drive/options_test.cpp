@@ -76,9 +76,9 @@ TEST(DriveConfig, MotionCaptureMeasuresAsOftenAsTheMapAgentHasPatienceFor) {
     std::ignore = read_map(config_with({"motion_capture.period=400"}));
     ADD_FAILURE();
   } catch (const FaultError& e) {
-    EXPECT_NE(std::string(e.what()).find("map.patience"), std::string::npos);
+    EXPECT_NE(std::string(e.what()).find("map.timeout"), std::string::npos);
   }
-  EXPECT_NO_THROW(std::ignore = read_map(config_with({"motion_capture.period=400", "map.patience=0.8"})));
+  EXPECT_NO_THROW(std::ignore = read_map(config_with({"motion_capture.period=400", "map.timeout=0.8"})));
   EXPECT_THROW(std::ignore = read_map(config_with({"motion_capture.latency=151"})), ConfigError);
 }
 
