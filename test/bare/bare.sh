@@ -51,6 +51,23 @@ mirrors() {
 # How this machine reaches them.
 apt_settings() { apt-config dump | grep -E '^Acquire::(https?::|Retries|ForceIPv[46]|Check-Valid-Until)' || true; }
 
+# How this machine reaches PyPI, as lines of pip.conf; `pip config list` gives what files and the environment say.
+pip_settings() {
+  echo '[global]'
+  { /usr/bin/python3 -m pip config list 2>/dev/null || true; } |
+    sed -nE "s/^(global|install|:env:)\.(index-url|extra-index-url|trusted-host|proxy|cert)='(.*)'$/\2 = \3/p" | sort -u -t = -k 1,1
+}
+
+# give_pip ROOT: those settings; the certificates that they name go along
+give_pip() {
+  local certificates
+  pip_settings >"$1/etc/pip.conf"
+  certificates=$(sed -n 's/^cert = //p' "$1/etc/pip.conf")
+  [[ -r $certificates ]] || return 0
+  cp "$certificates" "$1/etc/pip.crt"
+  sed -i 's|^cert = .*|cert = /etc/pip.crt|' "$1/etc/pip.conf"
+}
+
 # The root that all others are copies of; it is made once for the archives that this machine uses.
 make_pristine() {
   command -v mmdebstrap >/dev/null || not_here "mmdebstrap is not installed"
@@ -76,6 +93,7 @@ new_root() {
   rm -rf "$root"
   cp -a "$pristine" "$root"
   apt_settings >"$root/etc/apt/apt.conf.d/90mirror"
+  give_pip "$root"
   cp /etc/resolv.conf "$root/etc/resolv.conf"
   mount --bind "$root" "$root" # network namespaces want / to be a mount
   mount -t proc proc "$root/proc"
@@ -132,7 +150,7 @@ the_commands_of_the_readme_work() {
       -e 's/^[^ ]+ +[0-9]+ % \(.* of ([0-9]+ steps)\) \.\.\. ([0-9]+ s)$/  building: \1, \2/p' "$log"
     awk -v begun="$begun" -v cache="${cache:+with what the compiler has in its cache}" '
       / m = 1 / { printf "fresh_clone_s %.0f %s\n", $1 - begun, cache; exit }' "$log"
-    sed -nE 's/^[^ ]+ (skipped: .*|.*: [0-9]+ passed, [0-9]+ failed, .*)$/  \1/p' "$log"
+    sed -nE 's/^[^ ]+ (.*PyPI did not give it .*|skipped: .*|.*: [0-9]+ passed, [0-9]+ failed, .*)$/  \1/p' "$log"
     $tests || break
   done < <(commands_of_the_readme)
   ((n > 0)) || broken "the README begins with no commands"

@@ -89,7 +89,8 @@ TEST_P(TypedCommands, Work) {
         << trial.script << "\nended with " << status << ":\n"
         << said();
   }
-  if (lacks) GTEST_SKIP() << "some commands need what this host lacks: multicast, Chromium, git or dpkg-dev";
+  if (lacks)
+    GTEST_SKIP() << "some commands need what this host lacks: multicast, Chromium, git, dpkg-dev or PyPI";
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, TypedCommands, ::testing::ValuesIn(documents()), named);

@@ -119,6 +119,8 @@ finish() {
 }
 trap finish EXIT
 
+# Without PyPI all is built but this one.
+! grep -qw rex_drive "$place/typed" || need rex_drive
 [[ -d $clone ]] || make_clone
 cd "$clone"
 # shellcheck source=/dev/null
