@@ -161,10 +161,7 @@ void Driver::begin_macrostep(const HardwareReading& reading) noexcept {
   if (!protocol_.owner()) fire(Event::abandoned);
   if (state_ == DriverState::executing || state_ == DriverState::jogging) {
     // A motor that leaves its limit switch must not return towards it.
-    if (leaving_ != 0)
-      generator_.stop();
-    else
-      generator_.finish();
+    leaving_ != 0 ? generator_.stop() : generator_.finish();
   }
   fire(Event::silence);
 }

@@ -156,6 +156,22 @@ TEST(Oscillation, TheWayToTheFirstExtremumIsNoSwing) {
   }
 }
 
+TEST(Oscillation, AForceThatJumpsAndCreepsBackSwingsAsOftenAsItJumps) {
+  constexpr int kHalf = 20;  // steps: 12.5 Hz
+  OscillationObserver observer({}, kDt);
+  std::optional<Fault> fault;
+  double swing = 8;
+  for (int k = 0; k < 20 * kHalf && !fault; ++k) {
+    if (k % kHalf == 0) swing *= -1.1;
+    Wrench F;
+    F[Axis::z] = 60 + swing / 2 * (1 - 0.002 * (k % kHalf));
+    fault = observer.step(F, kAll);
+  }
+  ASSERT_TRUE(fault);
+  const std::string text(fault->text.view());
+  EXPECT_NEAR(std::stod(text.substr(text.find(" at ") + 4)), 12.5, 0.2) << text;
+}
+
 TEST(Oscillation, SmallSwingsMustGrowByATenthAndLargeOnesHardlyDecay) {
   for (const Axis axis : kAxes) {
     const double least = axis < Axis::ax ? 2 : 0.2;

@@ -131,6 +131,20 @@ TEST(Encoders, MotorIsWhereItWasPlusWhatItTurned) {
   EXPECT_LT((encoders.motors(reading) - expected).cwiseAbs().maxCoeff(), 1e-12);
 }
 
+TEST(Encoders, ANewZeroOfAMotorTakesThePlaceOfTheOldOne) {
+  const FakeArm arm;
+  Encoders encoders(arm);
+  HardwareReading reading{};
+  reading.encoder[2] = 500;
+  encoders.synchronise(reading, AxisVector::Constant(FakeArm::kAxes, 0.3));
+  AxisVector expected = encoders.motors(reading);
+  expected[2] = -0.7;
+  for (int again = 0; again < 2; ++again) {
+    encoders.set_zero(2, 500, -0.7);
+    EXPECT_EQ(encoders.motors(reading), expected) << "other motors stay where they are";
+  }
+}
+
 TEST(Encoders, CounterThatWrapsAroundIsNoJump) {
   HardwareReading reading{};
   std::array<std::int32_t, kMaxAxes> before{};
