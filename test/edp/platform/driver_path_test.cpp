@@ -1,6 +1,8 @@
 // A platform on its way: the times of a macrostep, joints between fragments, ends, pauses and stops.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "test/edp/platform/platform_rig.hpp"
 
 namespace mrroc::edp::test {
@@ -61,6 +63,19 @@ TEST_F(Driving, RepliesHaveTheEstimateOfTheMacrostepsBeginning) {
     EXPECT_EQ(reply.iteration, k + 1);
     EXPECT_EQ(reply.remaining, 49 - k);
   }
+}
+
+TEST_F(Driving, TelemetryHasTheReferenceFromNowToTheHorizon) {
+  Way way = rig.way();
+  hand({way.next(0.5, 0, 50), way.next(0.5, 0, 100)});
+  rig.wait(60);
+  const auto apart = [](const PlanarPose& a, const PlanarPose& b) {
+    return std::hypot(a.x - b.x, a.y - b.y);
+  };
+  const auto& reference = rig.driver.telemetry().reference;
+  EXPECT_LT(apart(reference.front(), rig.driver.wanted().p), 0.5 * kPlatformPeriod + 1e-6);
+  for (std::size_t k = 1; k < reference.size(); ++k)
+    EXPECT_NEAR(apart(reference[k], reference[k - 1]), 0.5 * 0.05, 1e-3) << k;
 }
 
 TEST_F(Driving, FollowsFragmentsWithoutADipAtTheirJoints) {
