@@ -83,6 +83,16 @@ TEST(ConfigBounds, BracketsMayBeNestedSoDeep) {
   }
 }
 
+TEST(ConfigBounds, WhatFollowsATextAtOnceCounts) {
+  std::string lists, tables;
+  for (int k = 0; k < 2 * kDeepestBrackets; ++k) {
+    lists += "x" + std::to_string(k) + " = [\"a\"]\n";
+    tables += "y" + std::to_string(k) + " = {a='b'}\n";
+  }
+  EXPECT_EQ(error_of(lists), "") << "every bracket is closed";
+  EXPECT_EQ(error_of(tables), "");
+}
+
 TEST(ConfigBounds, DotsAndBracketsInTextsAndCommentsAreNoDepth) {
   const std::string many = parts(500) + std::string(100, '[');
   for (const std::string& text :

@@ -42,6 +42,12 @@ TEST(ConfigDump, LoadsBackIdentically) {
   EXPECT_EQ(again.tables("robots"), cfg.tables("robots"));
 }
 
+TEST(ConfigDump, KeepsTablesWithoutKeys) {
+  const Config cfg = Config::parse("[robots.arm1]\n[robots.arm2]\nmodel = 'irb6'\n", "");
+  const Config again = Config::parse(cfg.dump(), "dump");
+  EXPECT_EQ(again.tables("robots"), (std::vector<std::string>{"arm1", "arm2"}));
+}
+
 TEST(ConfigDump, KeepsEveryBitOfRandomNumbers) {
   std::mt19937_64 random(2);
   for (int k = 0; k < 2000; ++k) {

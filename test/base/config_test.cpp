@@ -172,6 +172,15 @@ TEST(ConfigErrors, NameTheMissingKey) {
             "robots.toml: the key 'robots.arm1.weight' is missing, it must be a number, 0 to 100 N");
 }
 
+TEST(ConfigErrors, OfAKeyThatLayersLackNameTheLowestFile) {
+  const auto missing = [](Config lower) {
+    lower.overlay(Config::parse("b = 2\n", "upper.toml"));
+    return error_of([&] { (void)lower.number("c", Config::kRequired); });
+  };
+  EXPECT_TRUE(missing(Config::parse("a = 1\n", "lower.toml")).starts_with("lower.toml:"));
+  EXPECT_TRUE(missing({}).starts_with("upper.toml:"));
+}
+
 TEST(ConfigErrors, NameFileLineAndNearestKeyOfAnUnknownOne) {
   const Config cfg = Config::parse("\n[sim.paper]\nstifness = 1e4\n", "a.toml");
   (void)cfg.number("sim.paper.stiffness", 1e4);

@@ -240,6 +240,17 @@ TEST(Queue, OfOneSenderTakesNoNumberThatNoneGives) {
   EXPECT_EQ(queue.take()->id, 5);
 }
 
+TEST(Queue, OfOneSenderTakesNumbersAsLargeAsALongRunGives) {
+  DirectBus bus;
+  Queue<M> queue(bus, kRoute, kSession);
+  for (std::int64_t k = 1; k <= 5; ++k) {
+    bus.deliver(kRoute.channel, encoded(kSession, k * kMostSkipped, 0, k));
+    const auto m = queue.take();
+    ASSERT_TRUE(m);
+    EXPECT_EQ(m->id, k);
+  }
+}
+
 TEST(Channel, ANumberThatJumpsIsRefusedAndTheLinkGoesOn) {
   Ends e;
   e.out.publish(message(1), 1);

@@ -8,20 +8,21 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <vector>
 
 #include "base/link/transmission_link.hpp"
 #include "base/msg/message_type.hpp"
+#include "test/base/msg/brought_back.hpp"
 #include "test/base/msg/wire.hpp"
 
 namespace mrroc {
 namespace {
 
 using test::bytes_of;
+using test::expect_all_back;
+using test::type_of_message;
 using test::with_random_bytes;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -31,32 +32,6 @@ static_assert(link::Transmitted<Plan> && link::Transmitted<MapReport> &&
               link::Transmitted<PlatformEstimate> && link::Transmitted<MotionCapture> &&
               link::Transmitted<OdometryReading> && link::Transmitted<PlatformTelemetry> &&
               link::Transmitted<PlatformTruth>);
-
-template <class M>
-const MessageType& type_of_message() {
-  return *type_of(bytes_of(M{}));
-}
-
-/// @return whether the field is a yes or no, which any number but 0 says
-bool is_flag(const Field& f) {
-  constexpr std::array<std::string_view, 3> kEnumerators{"instruction", "verdict", "state"};
-  return f.kind == FieldKind::int8 && std::ranges::find(kEnumerators, f.name) == kEnumerators.end();
-}
-
-/// Every field of the message but the header comes back from the value that it was converted to.
-template <class M>
-void expect_all_back(const M& m) {
-  const auto sent = bytes_of(m), back = bytes_of(to_message(from_message(m)));
-  for (const Field& f : type_of_message<M>().fields) {
-    if (f.name.starts_with("header.") || f.name == "begun" || f.name == "last") continue;
-    if (is_flag(f))
-      ASSERT_EQ(number_in(sent, f) != 0, number_in(back, f) != 0) << f.name;
-    else
-      ASSERT_TRUE(std::ranges::equal(std::span(sent).subspan(f.offset, f.size),
-                                     std::span(back).subspan(f.offset, f.size)))
-          << f.name;
-  }
-}
 
 /// @return the numbers of kind float64 of which any, when it is not finite, makes the message improper
 template <class M>

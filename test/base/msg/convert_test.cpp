@@ -7,14 +7,17 @@
 #include <random>
 
 #include "base/link/decode.hpp"
+#include "test/base/msg/brought_back.hpp"
 #include "test/base/msg/wire.hpp"
 
 namespace mrroc {
 namespace {
 
 using test::bytes_of;
+using test::expect_all_back;
 using test::expect_round_trip;
 using test::sent;
+using test::with_random_bytes;
 
 std::mt19937_64 random_bits(1);
 
@@ -251,6 +254,25 @@ TEST(Convert, EverythingElseSurvivesTheWire) {
     fill(hardware.S_F_m.v);
     expect_round_trip(hardware, [](const hardware_state_t& m) { return from_message(m); });
   }
+}
+
+TEST(Convert, MessagesBringBackWhateverWasSent) {
+  const auto no_fault = [](auto m) {
+    m.fault = fault_t{};
+    return m;
+  };
+  with_random_bytes<step_sample_t>([](const step_sample_t& m) { expect_all_back(m); });
+  with_random_bytes<arm_command_t>([](const arm_command_t& m) { expect_all_back(m); });
+  with_random_bytes<robot_model_t>([](const robot_model_t& m) { expect_all_back(m); });
+  with_random_bytes<effector_command_t>([](const effector_command_t& m) { expect_all_back(m); });
+  with_random_bytes<effector_reply_t>([&](const effector_reply_t& m) { expect_all_back(no_fault(m)); });
+  with_random_bytes<agent_order_t>([](const agent_order_t& m) { expect_all_back(m); });
+  with_random_bytes<agent_report_t>([&](const agent_report_t& m) { expect_all_back(no_fault(m)); });
+  with_random_bytes<sensor_reading_t>([](const sensor_reading_t& m) { expect_all_back(m); });
+  with_random_bytes<sensor_setting_t>([](const sensor_setting_t& m) { expect_all_back(m); });
+  with_random_bytes<camera_reading_t>([](const camera_reading_t& m) { expect_all_back(m); });
+  with_random_bytes<hardware_command_t>([](const hardware_command_t& m) { expect_all_back(m); });
+  with_random_bytes<hardware_state_t>([](const hardware_state_t& m) { expect_all_back(m); });
 }
 
 TEST(Convert, AFaultWithAnUnknownCodeIsAnInternalError) {
