@@ -25,7 +25,7 @@ TEST(Fingers, ThePalmLiesOnTheCube) {
       const Pose T_EC = cube_in_hand(fingers, static_cast<Face>(k));
       const double back = T_EC.p.z() - kEdge / 2;  // of the face that lies on the palm
       EXPECT_NEAR(-back, gripper_with(fingers).palm, 1.1e-3);
-      EXPECT_LE(-back, gripper_with(fingers).palm);
+      EXPECT_LE(-back, gripper_with(fingers).palm + 1e-12);
     }
 }
 

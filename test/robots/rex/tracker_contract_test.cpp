@@ -2,8 +2,10 @@
 // allocates, torques stay within the limit.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <random>
@@ -71,6 +73,12 @@ class Tracker : public ::testing::TestWithParam<std::string_view> {
   std::mt19937 random_{7};
 };
 
+/// @param numbers  of nothing but doubles
+template <class Numbers>
+auto bits_of(const Numbers& numbers) {
+  return std::bit_cast<std::array<std::uint64_t, sizeof(Numbers) / sizeof(double)>>(numbers);
+}
+
 TEST_P(Tracker, EqualInputsGiveEqualBits) {
   const auto a = make();
   const auto b = make();
@@ -79,10 +87,8 @@ TEST_P(Tracker, EqualInputsGiveEqualBits) {
   const Tracked second = track(*b, figure_eight(20.4), {});
   ASSERT_EQ(first.results.size(), second.results.size());
   for (std::size_t i = 0; i < first.results.size(); ++i) {
-    ASSERT_EQ(std::memcmp(&first.results[i].torque, &second.results[i].torque, sizeof(PerWheel)), 0) << i;
-    ASSERT_EQ(
-        std::memcmp(&first.results[i].horizon, &second.results[i].horizon, sizeof(first.results[i].horizon)),
-        0);
+    ASSERT_EQ(bits_of(first.results[i].torque), bits_of(second.results[i].torque)) << i;
+    ASSERT_EQ(bits_of(first.results[i].horizon), bits_of(second.results[i].horizon)) << i;
   }
 }
 
