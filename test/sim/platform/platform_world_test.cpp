@@ -22,7 +22,6 @@ using test::drive;
 using test::ideal_platform;
 using test::ideal_world;
 using test::run;
-using test::turning;
 
 /// A world as a run has it: noise, lag, ripple, furniture.
 PlatformWorldParameters usual_world() {
