@@ -98,7 +98,7 @@ bool PacedCommand::ends_within(double pace) const { return done_ + pace > 1 + kR
 
 void PacedCommand::begin(const EffectorCommand& command) {
   before_ = now_;
-  left_ = std::max(0.0, 1 - done_);
+  left_ = 1 - done_;
   if (left_ < kRounding) left_ = 0;
   now_ = command;
   done_ = 0;

@@ -41,7 +41,7 @@ class PacedCommand {
   EffectorCommand before_, now_;
   double left_{};  // of the one before, when this one began
   double done_{1};
-  bool sent_{}, whole_{true};
+  bool sent_{}, whole_{};
   PoseNumbers start_{};  // of the way to a pose
   bool started_{};
   HeldShares held_{};

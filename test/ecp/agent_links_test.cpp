@@ -5,8 +5,12 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -15,6 +19,7 @@
 #include "base/msg/convert.hpp"
 #include "base/msg/convert_platform.hpp"
 #include "ecp/agent_shell.hpp"
+#include "test/base/link/answered_bus.hpp"
 #include "test/base/link/led.hpp"
 #include "test/base/link/one_by_one_bus.hpp"
 
@@ -135,6 +140,31 @@ TEST_F(AgentLinksTest, InLockStepNothingGoesOnWithoutOneOfTheImages) {
   }
 }
 
+TEST_F(AgentLinksTest, TheFaultNamesTheChannelThatIsSilentOrBringsSomethingElse) {
+  for (const std::string missing : {"map.order", "rex.map.estimate"})
+    for (const bool other : {false, true}) {
+      links.reset();
+      pose.reset();
+      estimate.reset();
+      process.reset();
+      own = std::make_unique<link::test::OneByOneBus>(hub.open());
+      make(ClockKind::step, {}, std::chrono::milliseconds(100));
+      if (missing == "map.order")
+        tell(1);
+      else
+        order(1);
+      link::Outbox<supervisor_t> stranger(*others, process->route(missing), 1);
+      if (other) stranger.publish({}, 1);
+      try {
+        std::ignore = links->begin();
+        ADD_FAILURE() << missing;
+      } catch (const FaultError& e) {
+        EXPECT_EQ(e.fault().code, other ? FaultCode::malformed_message : FaultCode::peer_silent) << missing;
+        EXPECT_NE(e.fault().text.view().find(missing), std::string_view::npos) << e.fault().text.view();
+      }
+    }
+}
+
 TEST_F(AgentLinksTest, SensorsAreJudgedAtTheFirstStepOfTheMacrostepInWhichTheyWereRead) {
   std::vector<std::pair<std::int64_t, std::int64_t>> judged;
   link::OtherLinks wanted;
@@ -229,6 +259,43 @@ TEST_F(AgentShell, RunsTheProgramUntilTheTaskIsFinished) {
     }
   }
   EXPECT_TRUE(await([this] { return state() == link::ProcessState::done; }));
+}
+
+TEST(AgentShellStays, UntilTheSystemHasEndedWhateverItHasDone) {
+  link::MemoryHub hub;
+  const std::unique_ptr<link::Bus> others = hub.open();
+  std::function<void()> answer;
+  link::test::AnsweredBus own(hub.open(), [&] { answer(); });
+  link::NodeContext m;
+  m.session = "stays";
+  m.name = "ecp-map";
+  m.roster = {"mp", m.name};
+  link::Process process(own, m);
+  link::Outbox<agent_order_t> orders(*others, process.route("map.order"), 1);
+  link::Outbox<supervisor_t> supervisor(*others, process.route("supervisor"), 1);
+  link::Queue<agent_report_t> reports(*others, process.route("map.report"), 1);
+  link::Queue<process_status_t> status(*others, process.route("ecp-map.status"), 1);
+  const auto say = [&](Phase phase) {
+    supervisor_t word{};
+    word.phase = static_cast<int>(phase);
+    supervisor.publish(word, 0);
+  };
+  bool done = false;
+  int waits = 0;  // after it was done
+  answer = [&] {
+    while (others->wait(std::chrono::milliseconds(0))) {
+    }
+    while (const auto r = reports.take())
+      orders.publish(to_message(Order{.finished = r->header.stamp > 3}), r->header.stamp);
+    while (const auto s = status.take())
+      done = done || s->state == static_cast<int>(link::ProcessState::done);
+    if (done && ++waits == 3) say(Phase::finished);
+  };
+  say(Phase::running);
+  run_agent<Agent>(process, {.agent = "map"}, [](Agent::X& x, AgentPort<Agent>& port) {
+    return move(Motion<Agent>{1, "locate", nothing, nothing, nothing, nothing, say_macrostep, over}, x, port);
+  });
+  EXPECT_EQ(waits, 3) << "a peer may still need a message repeated";
 }
 
 }  // namespace

@@ -107,6 +107,46 @@ TEST(EffectorClient, LatenessThatASuccessEndsIsForgottenHoweverOftenItComes) {
   EXPECT_FALSE(client.fault());
 }
 
+TEST(EffectorClient, AfterAnySuccessesTheFaultComesWithTheLastOfAsManyFailuresInARowAsAreAgreed) {
+  std::mt19937_64 random(1);
+  for (const int late_attempts : {0, 1, 2, 3, 7, 50}) {
+    const int agreed = late_attempts == 0 ? EffectorClient::kAttempts : late_attempts;
+    EffectorClient client(kSession, late_attempts);
+    std::int64_t i = 1, number = 0;
+    const auto fail = [&] {
+      EffectorReply unseen;
+      unseen.session = kSession;
+      unseen.macrostep = i + 1;
+      unseen.expected = number;
+      client.see(unseen);
+      i += 2;
+      if (!client.fault()) client.next({}, i);
+    };
+    for (int success = 0; success < 20; ++success) {
+      client.next({.instruction = Instruction::set}, i);
+      ++number;
+      const int failures = std::uniform_int_distribution(0, agreed - 1)(random);
+      for (int k = 0; k < failures; ++k) fail();
+      ASSERT_FALSE(client.fault()) << failures << " of " << agreed;
+      EffectorReply executed;
+      executed.session = kSession;
+      executed.macrostep = ++i;
+      executed.verdict = Verdict::executed;
+      executed.number = number;
+      executed.expected = number + 1;
+      client.see(executed);
+      ASSERT_TRUE(client.settled());
+    }
+    client.next({.instruction = Instruction::set}, i);
+    ++number;
+    int failures = 0;
+    for (; !client.fault() && failures < 2 * agreed; ++failures) fail();
+    EXPECT_EQ(failures, agreed) << late_attempts;
+    ASSERT_TRUE(client.fault());
+    EXPECT_EQ(client.fault()->value, static_cast<double>(number));
+  }
+}
+
 TEST(EffectorClient, AReplyAfterSkippedMacrostepsSaysWhatHasBeenExecuted) {
   EffectorClient client(kSession, 50);
   for (std::int64_t i = 1; i <= 3; ++i) client.next({.instruction = Instruction::set}, i);

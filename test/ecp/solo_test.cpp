@@ -17,6 +17,8 @@
 #include "base/link/memory_bus.hpp"
 #include "base/link/text.hpp"
 #include "base/msg/convert.hpp"
+#include "ecp/generators/polynomials.hpp"
+#include "test/base/link/answered_bus.hpp"
 
 namespace mrroc::ecp {
 namespace {
@@ -30,28 +32,6 @@ const Config kConfig = Config::parse(
     "speed = 0.3\n[robots.arm1.tool]\npose = [0, 0, 0.25, 0, 0, 0]\nweight = 7\nmass_centre = [0, 0.01, "
     "0.05]\n",
     "test");
-
-/// A bus on which others answer whenever somebody waits for them.
-class AnsweredBus final : public link::Bus {
- public:
-  AnsweredBus(std::unique_ptr<link::Bus> whole, std::function<void()> answer)
-      : whole_(std::move(whole)), answer_(std::move(answer)) {}
-  void publish(const link::Route& route, std::span<const std::uint8_t> bytes) override {
-    whole_->publish(route, bytes);
-  }
-  void subscribe(const link::Route& route, link::Sink& sink) override { whole_->subscribe(route, sink); }
-  void subscribe_all(const std::string& prefix, link::Sink& sink) override {
-    whole_->subscribe_all(prefix, sink);
-  }
-  bool wait(std::chrono::milliseconds timeout) override {
-    answer_();
-    return whole_->wait(timeout);
-  }
-
- private:
-  std::unique_ptr<link::Bus> whole_;
-  std::function<void()> answer_;
-};
 
 /// The process of an agent in this thread; driver, sensor, coordinator and supervisor answer while it waits.
 class Room {
@@ -73,6 +53,7 @@ class Room {
   }
   void run(const link::NodeMain& body) {
     body(*process, kConfig, {.arm = "arm1"});
+    stayed = over_;
     serve();
   }
   /// @return the commands to the arm by their macrosteps: speeds along x, which say whether the arm was commanded at all
@@ -95,6 +76,7 @@ class Room {
   };
   std::int64_t refused{};  ///< macrostep whose command is refused
   std::int64_t stopped{};  ///< macrostep in which the system stops
+  bool stayed{};           ///< the process came to its end after the system
   std::vector<effector_command_t> sent;
   std::vector<agent_report_t> told;
 
@@ -113,7 +95,8 @@ class Room {
     }
     while (const auto s = status->take()) {
       last = *s;
-      if (s->state >= static_cast<int>(ProcessState::done)) say(Phase::finished);
+      over_ = s->state >= static_cast<int>(ProcessState::done);
+      if (over_) say(Phase::finished);
     }
     while (const auto c = commands->take()) {
       sent.push_back(*c);
@@ -143,12 +126,12 @@ class Room {
 
   link::MemoryHub hub_;
   int done_{};
-  bool finished_{};
+  bool finished_{}, over_{};
 
  public:
-  AnsweredBus own{hub_.open(), [this] {
-                    if (status) serve();
-                  }};
+  link::test::AnsweredBus own{hub_.open(), [this] {
+                                if (status) serve();
+                              }};
   std::unique_ptr<link::Bus> others = hub_.open();
   std::optional<link::Process> process;
   std::optional<link::Outbox<effector_reply_t>> replies;
@@ -185,6 +168,7 @@ TEST(Solo, PreparesTheEffectorWaitsForTheStartExecutesItsRowsOnceAndReleasesTheE
   ASSERT_EQ(room.macrosteps_of(Instruction::release).size(), 1U);
   EXPECT_EQ(room.sent.back().instruction, static_cast<int>(Instruction::release));
   EXPECT_EQ(room.last.state, static_cast<int>(ProcessState::done));
+  EXPECT_TRUE(room.stayed) << "a peer may still need a message repeated";
 }
 
 TEST(Solo, ReportsTheBehaviourAndAtLastThatItsWorkIsDone) {
@@ -312,6 +296,25 @@ TEST(Rows, ADriverThatHasFailedIsReportedThoughNothingWasCommanded) {
   x.e.state = DriverState::faulted;
   x.e.verdict = Verdict::executed;
   EXPECT_EQ(report_of(x, 1).verdict, Verdict::executed) << "an old fault that has been told";
+}
+
+/// Memory of an agent that follows a path.
+struct Way {
+  Trajectory path;
+};
+struct Follower : ArmAgent<Way> {};
+
+TEST(Rows, APathEndsWithItsLastMacrostepAndHasEndedInAllThatFollow) {
+  const std::vector<Knot> knots{{.t = 0, .pose = Coordinates::Zero(6)},
+                                {.t = 0.1, .pose = Coordinates::Ones(6)}};
+  Follower::X x;
+  x.c.path = Trajectory(linear_spline(knots), {.space = Representation::joints}, {});
+  x.i_0 = 30;
+  const std::int64_t end = x.c.path.macrosteps();
+  for (std::int64_t k = 0; k <= 3 * end; ++k) {
+    x.i = x.i_0 + k;
+    EXPECT_EQ(path_ends(x), k >= end) << k;
+  }
 }
 
 constexpr TaskFrameCommand kFrame{.z = u(-0.1)};

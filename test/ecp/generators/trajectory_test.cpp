@@ -111,6 +111,28 @@ TEST(Space, NearestCoordinatesAreTheSamePoseAndDoNotJumpAtPi) {
   }
 }
 
+TEST(Space, NearestCoordinatesAreThePoseInTheNumbersThatAreNearToThoseBefore) {
+  RandomList random(11);
+  for (int k = 0; k < 500; ++k)
+    for (const Representation space : {Representation::xyz_euler_zyz, Representation::xyz_angle_axis}) {
+      const Pose T{rotation_from_angle_axis(Vector3(random.pose(3, 1.8))), Vector3(random.pose(3, 1))};
+      const Coordinates plain = axes_from_numbers(numbers_from_pose(space, T), 6);
+      // Any numbers of the pose, and others near to them.
+      Coordinates any = plain;
+      if (space == Representation::xyz_euler_zyz) {
+        if (random.whole(0, 1) == 1) any.tail<3>() = Vector3(any[3] + pi, -any[4], any[5] - pi);
+        for (int a = 3; a < 6; ++a) any[a] += 2 * pi * random.whole(-3, 3);
+      } else {
+        any.tail<3>() += 2 * pi * random.whole(-3, 3) * Vector3(any.tail<3>()).normalized();
+      }
+      const Coordinates before = any + random.pose(6, 0.3);
+      const Coordinates near = nearest_coordinates(space, plain, before);
+      const Pose same = *pose_from_numbers(space, numbers_from_axes(near));
+      EXPECT_NEAR((same.R - T.R).norm(), 0, 1e-9) << k;
+      EXPECT_LE((near - before).norm(), (any - before).norm() + 1e-9) << k;
+    }
+}
+
 TEST(Space, LimitsAreTheOriginalsUnlessOthersAreGiven) {
   const MotionLimits motors = default_limits(Representation::motors, 7),
                      joints = default_limits(Representation::joints, 3);
