@@ -231,8 +231,7 @@ void OperatorCommandServer::obey(OperatorOrder order, std::int64_t i) {
       break;
   }
   const std::string by = order == OperatorOrder::stop ? stop_by_ : std::string(kOperator);
-  if (record_.is_open())
-    record_ << i << ' ' << to_string(order) << (by == kOperator ? "" : "  # " + by) << '\n' << std::flush;
+  record_ << i << ' ' << to_string(order) << (by == kOperator ? "" : "  # " + by) << '\n' << std::flush;
   process_.log(fmt::format("{}: {} in macrostep {}", by, to_string(order), i));
 }
 

@@ -11,7 +11,6 @@ std::optional<std::chrono::seconds> WaitNotice::look(Clock::time_point now, doub
     since_ = now;
     since_s_ = sim_s;
     next_ = kFirst;
-    return std::nullopt;
   }
   const auto waited = std::chrono::floor<std::chrono::seconds>(now - since_);
   if (waited < next_ || (!stands && sim_s - since_s_ < kLongest)) return std::nullopt;

@@ -4,10 +4,16 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "base/msg/convert.hpp"
 #include "base/text_file.hpp"
+#include "test/base/link/buses.hpp"
 
 namespace mrroc::mp {
 namespace {
@@ -37,6 +43,71 @@ TEST(CoordinatedRun, AnnouncesABehaviourWhenItBeginsAndNotInEachOfItsMacrosteps)
   EXPECT_EQ(count(told, "m = 1  press"), 2) << told;
   EXPECT_EQ(count(told, "m = 2  let go"), 1) << told;
   std::filesystem::remove_all(folder);
+}
+
+/// A coordinator's links in this thread, with nobody at their other ends.
+class CoordinatedLinksTest : public ::testing::Test {
+ protected:
+  CoordinatedLinksTest() {
+    write_text_file(folder_ / "operator.script", "");
+    run.emplace("test", process, folder_, arms);
+    links.emplace(*run, CoordinatedParameters{.arms = arms, .n_s = 25});
+  }
+  ~CoordinatedLinksTest() override {
+    links.reset();
+    run.reset();
+    std::filesystem::remove_all(folder_);
+  }
+  static link::NodeContext context() {
+    link::NodeContext m;
+    m.session = "coordinated";
+    m.name = "mp";
+    m.roster = {"mp"};
+    return m;
+  }
+
+ private:
+  std::filesystem::path folder_{[] {
+    std::string pattern = (std::filesystem::temp_directory_path() / "coordinated_run_test.XXXXXX").string();
+    return std::filesystem::path(::mkdtemp(pattern.data()));
+  }()};
+
+ protected:
+  const std::vector<std::string> arms{"arm1", "arm2"};
+  link::test::DirectBus bus;
+  link::Process process{bus, context()};
+  std::optional<TaskRun> run;
+  std::optional<CoordinatedLinks> links;
+};
+
+TEST_F(CoordinatedLinksTest, TheFirstBehaviourWaitsForTheStartAndTheOthersRun) {
+  const std::vector<Report> reports(arms.size());
+  for (const int m : {0, 1, 2, 0, 7}) {
+    links->observe(m, "behaviour", "it ends", reports);
+    EXPECT_EQ(run->command_server().needed(), m == 0 ? "start" : "") << m;
+    if (m == 0) {
+      EXPECT_FALSE(run->command_server().give(OperatorOrder::pause)) << "there is nothing to pause";
+    }
+    EXPECT_EQ(run->board().m(), m);
+    EXPECT_EQ(run->board().behaviour(), "behaviour");
+    EXPECT_EQ(run->board().until(), "it ends");
+  }
+  EXPECT_TRUE(run->command_server().give(OperatorOrder::pause));
+}
+
+TEST_F(CoordinatedLinksTest, TheEndIsToldToEveryArmWithACommandThatADriverCanExecute) {
+  std::vector<std::unique_ptr<link::Inbox<agent_order_t>>> orders;
+  for (const std::string& arm : arms) orders.push_back(process.inbox<agent_order_t>(arm + ".order"));
+  links->finish();
+  for (const auto& in : orders) {
+    ASSERT_TRUE(in->newest());
+    const Order order = from_message(*in->newest());
+    EXPECT_TRUE(order.finished);
+    EXPECT_EQ(order.m, 0);
+    EXPECT_EQ(order.arm.n_s, 25);
+    EXPECT_EQ(order.arm.n_Q, 24) << "the reply of the step before the last one";
+  }
+  EXPECT_EQ(run->board().progress(), 1);
 }
 
 }  // namespace

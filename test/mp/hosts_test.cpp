@@ -68,12 +68,14 @@ TEST(Hosts, RefusesWhatCannotBeMeant) {
                              Words{"far=a", "far=b"}, Words{"far=a", "near=b"}})
     EXPECT_EQ(refusal(far, given).first, FaultCode::bad_usage) << given.back();
   const std::string unknown = refusal("[hosts.far]\nprocesses = ['wrld']\n", {"far=ssh far"}).second;
-  EXPECT_NE(unknown.find("no process wrld; it has simulator, edp-arm1, ecp-arm1"), std::string::npos)
+  EXPECT_NE(
+      unknown.find("hosts.far.processes: the task has no process wrld; it has simulator, edp-arm1, ecp-arm1"),
+      std::string::npos)
       << unknown;
   const std::string twice =
       refusal("[hosts.a]\nprocesses = ['simulator']\n[hosts.b]\nprocesses = ['simulator']\n", {"a=x", "b=y"})
           .second;
-  EXPECT_NE(twice.find("another host already"), std::string::npos) << twice;
+  EXPECT_NE(twice.find("hosts.b.processes: simulator has another host already"), std::string::npos) << twice;
 }
 
 }  // namespace

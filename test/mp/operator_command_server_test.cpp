@@ -161,6 +161,31 @@ TEST_F(CommandServer, OrdersTakeEffectInTheMacrostepInWhichTheyAreTaken) {
   EXPECT_TRUE(fixture.command_server.stop_ordered());
 }
 
+TEST_F(CommandServer, EachOrderHasItsOwnEffectAndNoOther) {
+  for (const OperatorOrder o : kOperatorOrders)
+    for (const bool paused : {false, true}) {
+      CommandServerFixture fixture;
+      OperatorCommandServer& server = fixture.command_server;
+      server.set_state(TaskState::running, true);
+      if (paused) {
+        ASSERT_TRUE(server.give(pause));
+        ASSERT_TRUE(server.take(4).paused);
+      }
+      server.set_state(o == start ? TaskState::waiting_for_start
+                       : paused   ? TaskState::paused
+                                  : TaskState::running,
+                       true);
+      if (!server.give(o)) continue;
+      const OperatorImage image = server.take(5);
+      EXPECT_EQ(image.started, o == start) << to_string(o);
+      EXPECT_EQ(image.paused, o == pause || (paused && o != resume)) << to_string(o);
+      EXPECT_EQ(image.trigger, o == trigger ? 1 : 0) << to_string(o);
+      EXPECT_EQ(server.stop_ordered(), o == stop) << to_string(o);
+      EXPECT_EQ(server.stop_accepted(), o == stop) << to_string(o);
+      EXPECT_EQ(server.emergency(), o == emergency_stop) << to_string(o);
+    }
+}
+
 TEST_F(CommandServer, KnowsWhenOnlyAPersonCanGoOn) {
   CommandServerFixture fixture;
   EXPECT_FALSE(fixture.command_server.waits_for_a_person()) << "the task is starting by itself";

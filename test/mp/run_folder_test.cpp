@@ -86,6 +86,17 @@ TEST_F(RunFolder, ASummaryThatIsThereStaysWholeWhenAnotherCannotBeWritten) {
   EXPECT_EQ(nlohmann::json::parse(in).at("task"), "first");
 }
 
+TEST_F(RunFolder, ASummaryThatIsWrittenInPartIsNotLeft) {
+  Summary s;
+  s.task = "first";
+  write_summary(folder_, s);
+  fs::create_symlink("/dev/full", folder_ / "summary.json.new");
+  EXPECT_EQ(code_of([&] { write_summary(folder_, s); }), FaultCode::cannot_write);
+  EXPECT_FALSE(fs::is_symlink(folder_ / "summary.json.new"));
+  std::ifstream in(folder_ / "summary.json");
+  EXPECT_EQ(nlohmann::json::parse(in).at("task"), "first");
+}
+
 TEST_F(RunFolder, WithoutAWishItGetsANameThatIsFree) {
   std::vector<fs::path> names;
   for (int k = 0; k < 5; ++k) {

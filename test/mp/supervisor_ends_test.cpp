@@ -135,6 +135,22 @@ TEST_F(SupervisorEnds, PartsMayEndOneAfterTheOtherWhenTheTaskIsOver) {
   EXPECT_FALSE(supervisor->fault());
 }
 
+TEST_F(SupervisorEnds, TheLastMacrostepsOfSlowRobotsAreWaitedForBesides) {
+  begin({{"one", {}, {}, {}}}, {.finish = 50ms}, false, 10s);
+  run();
+  mp_is_done();
+  const auto own_duties = mp->on_service;
+  const Watch watch;
+  mp->on_service = [&] {
+    own_duties();
+    process_status_t m{};
+    m.state = static_cast<int>(ProcessState::done);
+    if (watch.passed() > 300ms) own.at("one")->publish(m, 0);
+  };
+  supervisor->end();
+  EXPECT_FALSE(supervisor->fault());
+}
+
 TEST_F(SupervisorEnds, AfterAStopTheRobotsAreWaitedForUntilTheyRestOrTheirDriversHaveDoneTheirWork) {
   const auto drives = [](process_status_t& m) { m.effector = 1; };
   for (const bool rests : {true, false}) {

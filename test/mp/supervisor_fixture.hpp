@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -36,8 +37,9 @@ class SupervisorFixture : public ::testing::Test {
     std::filesystem::remove_all(folder);
   }
 
-  /// Makes everything anew.
-  void begin(const std::vector<NodeSpec>& nodes, const SupervisorTimes& times = {}, bool replayed = false) {
+  /// Makes everything anew. @param macrostep  how long one lasts
+  void begin(const std::vector<NodeSpec>& nodes, const SupervisorTimes& times = {}, bool replayed = false,
+             std::chrono::microseconds macrostep = {}) {
     supervisor.reset();
     mp.reset();
     own.clear();
@@ -48,6 +50,7 @@ class SupervisorFixture : public ::testing::Test {
     m.name = "mp";
     m.roster = {"mp"};
     m.replayed = replayed;
+    m.macrostep = macrostep;
     for (const NodeSpec& p : nodes) m.roster.push_back(p.name);
     mp.emplace(*bus, m);
     words.emplace(*bus, mp->route("supervisor"), 1);
