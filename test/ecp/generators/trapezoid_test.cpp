@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <kdl/velocityprofile_trap.hpp>
+#include <optional>
 
 #include "base/fault.hpp"
 #include "test/ecp/generators/random_list.hpp"
@@ -80,6 +82,48 @@ TEST(Trapezoid, NeverExceedsTheLimitsBetweenMacrosteps) {
   }
   EXPECT_GT(fast, 1000);
   EXPECT_GT(hard, 1000);
+}
+
+/// @return the farthest way in the time T between two speeds; nothing when it is too short to change from one to the other
+std::optional<double> farthest(double v0, double v1, double v, double a, double T) {
+  if (T < std::abs(v1 - v0) / a) return {};
+  const double peak = std::min(v, (v0 + v1 + a * T) / 2);
+  const double up = (peak - v0) / a, down = (peak - v1) / a;
+  return (v0 + peak) / 2 * up + peak * (T - up - down) + (peak + v1) / 2 * down;
+}
+
+TEST(Trapezoid, NoSectionCouldBeAMacrostepShorterBetweenTheSpeedsAtItsEnds) {
+  constexpr double kFine = 0.001;  // short: a speed that is a little too low costs little time
+  RandomList random(6);
+  int passed = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const Case c = random_case(random);
+    const Trapezoid curve(c.from, c.list, joint_limits(), kFine);
+    const auto time = [&](std::size_t via) { return static_cast<double>(curve.arrivals()[via]) * kFine; };
+    const auto speed = [&](double t) -> Coordinates {
+      constexpr double h = 1e-8;
+      return (curve.at(t + h) - curve.at(t - h)) / (2 * h);
+    };
+    for (std::size_t via = 0; via < c.list.size(); ++via) {
+      const double begin = via == 0 ? 0 : time(via - 1), T = time(via) - begin;
+      if (T <= kFine) continue;
+      const Coordinates from = via == 0 ? c.from : c.list[via - 1].pose;
+      const bool last = via + 1 == c.list.size();
+      const Coordinates v0 = via == 0 ? Coordinates(Coordinates::Zero(6)) : speed(begin);
+      const Coordinates v1 = last ? Coordinates(Coordinates::Zero(6)) : speed(time(via));
+      passed += v0.norm() > 0.1 && v1.norm() > 0.1 ? 1 : 0;
+      bool slowest = false;  // there is an axis that needs all of the time
+      for (int axis = 0; axis < 6; ++axis) {
+        const double d = c.list[via].pose[axis] - from[axis], sense = d < 0 ? -1 : 1;
+        const double v = c.list[via].velocity * joint_limits().velocity[axis];
+        const double a = c.list[via].acceleration * joint_limits().acceleration[axis];
+        const auto way = farthest(sense * v0[axis], sense * v1[axis], v, a, T - kFine);
+        slowest = slowest || !way || *way < sense * d + 1e-6;
+      }
+      EXPECT_TRUE(slowest) << "case " << k << ", section " << via;
+    }
+  }
+  EXPECT_GT(passed, 50);
 }
 
 TEST(Trapezoid, AMotionOfOneAxisTakesTheTimeThatKdlSays) {
