@@ -86,6 +86,7 @@ int main(int argc, char** argv) {
                     "./run rex_drive --ground slippery --tracker kinematic"},
        .instead_of_config = {"--plan", "--speed-mps", "--tracker", "--estimator", "--ground"},
        .found = [&](mp::TaskOptions&) { return rex_drive::settings_of(d.options); },
+       .typed = rex_drive::options_of_keys(),
        .complete = [&](Config& config, const mp::TaskOptions& o) { complete(d, config, o); },
        .prepare = [&](const launch::Setup& s) { prepare(d, s); },
        .words = [&](const launch::Setup&) { return words(d); },
