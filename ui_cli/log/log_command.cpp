@@ -171,8 +171,10 @@ void add_commands(CommandLine& line, Words& w) {
   runs(compare, [&w](std::ostream& out, std::ostream&) {
     return report_comparison(compare_runs(RunRecord(w.run), RunRecord(w.other)), w.json, out);
   });
-  CommandLine& check_command =
-      line.subcommand("check", "Recompute from the log what every process decided, and name what differs");
+  CommandLine& check_command = line.subcommand(
+      "check",
+      "Recompute from the log what agents and receptors decided, and name what differs; not drivers, "
+      "simulator and cameras");
   check_command.option("run", w.runs, "run folders").required().type_name("RUN...");
   runs(check_command, [&w](std::ostream& out, std::ostream&) { return check(w, out); });
 }
