@@ -17,9 +17,9 @@ enum class DriveCase {
   other       ///< anything else
 };
 
-/// @param config  of a run, all of which has been read
-/// @param read    reads what simulator and driver read of a configuration: their keys are compared, defaults and all
+/// @param run   the configuration of a run, all of which has been read
+/// @param read  reads what simulator and driver read of a configuration: their keys are compared, defaults and all
 /// @return the kind of that run
-[[nodiscard]] DriveCase drive_case(const Config& config, const std::function<void(const Config&)>& read);
+[[nodiscard]] DriveCase drive_case(const Config& run, const std::function<void(const Config&)>& read);
 
 }  // namespace mrroc::rex_drive

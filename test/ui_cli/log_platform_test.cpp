@@ -1,4 +1,6 @@
 // `ui_cli log show` and `log plot` of a platform, of which the run has an agent without an effector beside it.
+#include <cmath>
+
 #include "base/msg/convert_platform.hpp"
 #include "test/ui_cli/run_folder.hpp"
 #include "ui_cli/log/log_plot.hpp"
