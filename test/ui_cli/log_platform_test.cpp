@@ -83,8 +83,7 @@ TEST_F(DrivenRun, IsToldInThePlatformsWords) {
       << out_.str();
   EXPECT_FALSE(has(out_.str(), "x y z")) << out_.str();
   EXPECT_FALSE(has(out_.str(), " N\n")) << out_.str();
-  for (const std::string& line : lines())
-    EXPECT_FALSE(has(line, " map ") && has(line, " mm")) << line;
+  for (const std::string& line : lines()) EXPECT_FALSE(has(line, " map ") && has(line, " mm")) << line;
 }
 
 TEST_F(DrivenRun, HasNoDriverOfAnAgentWithoutAnEffector) {
