@@ -23,6 +23,7 @@ std::string located(const ConfigPlace& place, const std::string& text) {
 /// What is to be corrected; empty: as for every wrong configuration.
 std::string remedy_of(const ConfigPlace& place) {
   if (place.file.starts_with("--set ")) return "correct that --set option";
+  if (place.file.starts_with("--")) return "correct that option";
   return place.line > 0 ? "correct that file" : "";
 }
 

@@ -18,10 +18,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// An error of a value that an option has set names the option, not the key that it stands for.
+/// @param found  KEY=VALUE of all options
+ConfigError as_typed(const ConfigError& e, const Task& task, const std::vector<std::string>& found) {
+  const auto option = task.typed.find(e.key());
+  const std::string& set = e.place().file;
+  const auto is = [&set](const std::string& setting) { return set == "--set " + setting; };
+  if (option == task.typed.end() || std::ranges::none_of(found, is)) return e;
+  const std::string value = set.substr(set.find('=') + 1);
+  const std::string wrong = std::string(e.what()).substr(set.size() + 2);  // behind ": "
+  return {{fmt::format("{} {}", option->second, value)}, e.key(), wrong};
+}
+
 /// @return the configuration, from which all parts of the run have read what they need
-Setup prepare(const Task& task, mp::TaskOptions options) {
+Setup read_setup(const Task& task, mp::TaskOptions options, const std::vector<std::string>& found) {
   Setup s;
-  const std::vector<std::string> found = task.found ? task.found(options) : std::vector<std::string>{};
   s.config = load_task_config(options, task.config, task.name, found);
   options.seed = seed_of(s.config);
   if (task.complete) task.complete(s.config, options);
@@ -67,6 +78,15 @@ std::vector<std::string> effectors_of(const Task& task) {
   std::vector<std::string> keys = keys_of(task.arms);
   std::ranges::move(keys_of(task.platforms), std::back_inserter(keys));
   return keys;
+}
+
+Setup prepare(const Task& task, mp::TaskOptions options) {
+  const std::vector<std::string> found = task.found ? task.found(options) : std::vector<std::string>{};
+  try {
+    return read_setup(task, std::move(options), found);
+  } catch (const ConfigError& e) {
+    throw as_typed(e, task, found);
+  }
 }
 
 int run(const Task& task, const mp::TaskOptions& asked) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -49,6 +50,8 @@ struct Task {
   /// Finds out what the user need not say. The configuration of an earlier run has all of it.
   /// @return KEY=VALUE, over the task's file, below the user's @throws FaultError
   std::function<std::vector<std::string>(mp::TaskOptions&)> found{};
+  /// Options by the keys that `found` sets for them: an error of such a value names what the user typed.
+  std::map<std::string, std::string> typed{};
   /// Sets keys that depend on what the rest of the configuration says.
   std::function<void(Config&, const mp::TaskOptions&)> complete{};
   /// Reads everything that the task will read of the configuration and of files: what is wrong is told before anything

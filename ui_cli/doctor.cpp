@@ -74,6 +74,22 @@ Finding packages(const Host& h) {
   return {"packages", Verdict::limited, found, fmt::format("apt-get install{}    (as root)", packages)};
 }
 
+Finding platform(const Host& h) {
+  switch (h.rex) {
+    case RexParts::complete:
+      return {"platform", Verdict::good, "Rex is built in, with its model by CasADi and the solver HPIPM",
+              ""};
+    case RexParts::left_out:
+      return {"platform", Verdict::limited, "Rex is not part of this build: there is no task rex_drive",
+              "./run rex_drive    takes CasADi from PyPI and builds it; see docs/install.md"};
+    case RexParts::not_loaded:
+      break;
+  }
+  return {"platform", Verdict::limited,
+          "the driver of Rex does not start: HPIPM or BLASFEO is not where it was",
+          "build again, or install again"};
+}
+
 Finding disk(const Host& h) {
   const std::string found =
       fmt::format("{:.1f} GB free in {}", static_cast<double>(h.free_bytes) / 1e9, h.folder.string());
@@ -129,8 +145,8 @@ std::string json_of(const std::vector<Finding>& findings) {
 }  // namespace
 
 std::vector<Finding> examine(const Host& h) {
-  return {multicast(h), buffers(h),  clocks(h), cores(h),
-          real_time(h), packages(h), disk(h),   authentication(h)};
+  return {multicast(h), buffers(h),  clocks(h), cores(h),         real_time(h),
+          packages(h),  platform(h), disk(h),   authentication(h)};
 }
 
 int run_doctor(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {

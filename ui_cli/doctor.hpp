@@ -10,6 +10,13 @@
 
 namespace mrroc::ui {
 
+/// What there is of the platform Rex, whose kernel needs CasADi when it is built and HPIPM when it runs.
+enum class RexParts : std::uint8_t {
+  complete,    ///< its driver starts
+  left_out,    ///< this build has none
+  not_loaded,  ///< its driver is there and does not start: a library is missing
+};
+
 /// Properties of a host that are checked.
 struct Host {
   bool multicast{};                    ///< a process can hear its own messages
@@ -20,6 +27,7 @@ struct Host {
   int real_time_priority{};            ///< highest permitted of SCHED_FIFO, 0: none
   bool memory_lock{};                  ///< all of a process may be kept in RAM
   std::vector<std::string> missing;    ///< of kNeeded, what is not installed
+  RexParts rex{};                      ///< beside this program
   std::filesystem::path folder;        ///< where runs/ would go
   std::int64_t free_bytes{};           ///< there
   std::filesystem::path sessions{};    ///< where sessions and their keys are

@@ -18,7 +18,9 @@
 #include "base/link/private_folder.hpp"
 #include "base/link/real_time.hpp"
 #include "base/link/session.hpp"
+#include "base/program.hpp"
 #include "ui_cli/doctor.hpp"
+#include "ui_cli/log/subprocess.hpp"
 
 namespace mrroc::ui {
 namespace {
@@ -43,6 +45,14 @@ bool loadable(const char* library) {
   void* const handle = ::dlopen(library, RTLD_LAZY);
   if (handle) ::dlclose(handle);
   return handle != nullptr;
+}
+
+/// The loader's complaint about a library would stand before the findings: it is swallowed.
+RexParts look_at_rex() {
+  const fs::path driver = program_folder() / "edp_rex";
+  if (::access(driver.c_str(), X_OK) != 0) return RexParts::left_out;
+  const Finished help = run_program("sh", {"-c", "exec \"$0\" --help 2>&1", driver.string()});
+  return help.status == 0 ? RexParts::complete : RexParts::not_loaded;
 }
 
 std::int64_t latest_wake_us() {
@@ -118,6 +128,7 @@ Host look_at_host() {
   h.memory_lock = permitted.memory_lock;
   for (const Needed& n : kNeeded)
     if (!(n.library ? loadable(n.name) : installed(n.name))) h.missing.emplace_back(n.name);
+  h.rex = look_at_rex();
   std::error_code failed;
   h.folder = fs::current_path(failed);
   const fs::space_info space = fs::space(h.folder, failed);

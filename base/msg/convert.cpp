@@ -1,4 +1,5 @@
 #include "base/msg/convert.hpp"
+#include "base/msg/copy.hpp"
 #include "base/msg/finite.hpp"
 #include "base/msg/pose_rows.hpp"
 
@@ -8,11 +9,6 @@ namespace mrroc {
 namespace {
 
 using RowMajorMatrix6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
-
-template <class From, class To>
-void copy(const From& from, To& to) {
-  std::copy(std::begin(from), std::end(from), std::begin(to));
-}
 
 template <std::size_t N>
 void put(std::int8_t (&field)[N], const FixedText<N>& text) {

@@ -1,20 +1,18 @@
 #include "base/msg/convert_platform.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 
 #include "base/msg/convert.hpp"
+#include "base/msg/copy.hpp"
 #include "base/msg/finite.hpp"
 
 namespace mrroc {
 namespace {
 
-template <class From, class To>
-void copy(const From& from, To& to) {
-  std::copy(std::begin(from), std::end(from), std::begin(to));
-}
+using mrroc::copy;  // beside these
 void copy(const PlanarPose& p, double (&numbers)[3]) { copy(std::array{p.x, p.y, p.phi}, numbers); }
 void copy(const PlanarVelocity& v, double (&numbers)[3]) { copy(std::array{v.vx, v.vy, v.w}, numbers); }
 void copy(const Slip& s, double (&numbers)[3]) { copy(std::array{s.mu_x, s.mu_y, s.split}, numbers); }

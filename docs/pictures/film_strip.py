@@ -3,7 +3,7 @@
 
 Usage: film_strip.py PROGRAMS RUN PICTURE VIEW SHARE...
 PROGRAMS  folder of ui_cli, build/release/bin
-VIEW      a button of the page: cell, top, an arm such as arm1, or cube, which is followed
+VIEW      a button of the page: cell or room, top, an arm such as arm1, a platform such as rex, or cube, which is followed
 SHARE     instants as shares of the run, each a picture of the strip: 0.1 0.4 0.7 0.95"""
 
 import base64
@@ -75,8 +75,9 @@ def instant(page, share: float, view: str):
     time.sleep(1.5)
     look(page, view)
     time.sleep(0.5)
+    taken = picture(page)  # before the words: they change with the frame
     shown = page.value("[document.querySelector('#clock').textContent, document.querySelector('#behaviour').textContent]")
-    return picture(page), f"{shown[0].split(' of ')[0].strip()}   {shown[1]}".strip()
+    return taken, f"{shown[0].split(' of ')[0].strip()}   {shown[1]}".strip()
 
 
 def main():

@@ -43,11 +43,11 @@ void check_ways(const PlanList& list, const PlannerSurvey& survey, const Room& r
     }
 }
 
-double wanted_speed(const Config& config) {
+}  // namespace
+
+double read_speed(const Config& config) {
   return config.number("task.speed", 0.6, {0.05, PathLimits{}.speed}, "m/s");
 }
-
-}  // namespace
 
 Parameters read_parameters(const Config& config) {
   // The grid of the platform's kernels is one of these macrosteps.
@@ -111,7 +111,7 @@ Itinerary examine(const PlanList& list, const Config& config) {
   });
   Itinerary it;
   it.list = list;
-  it.plans = to_messages(list, wanted_speed(config));
+  it.plans = to_messages(list, read_speed(config));
   const Parameters k = read_parameters(config);
   it.survey = survey(it.plans, list.start, k.planner);
   if (const auto& missed = it.survey.missed)

@@ -23,6 +23,8 @@ inline constexpr double kReach = 0.55;
 
 /// @return [task] of a_1 @throws ConfigError
 [[nodiscard]] Parameters read_parameters(const Config& config);
+/// @return speed wanted between the points, task.speed [m/s] @throws ConfigError
+[[nodiscard]] double read_speed(const Config& config);
 /// @return [task] of a_2 @throws ConfigError
 [[nodiscard]] OntologyParameters read_ontology(const Config& config);
 /// @return [map] and [motion_capture] of a_3

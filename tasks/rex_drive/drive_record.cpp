@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "base/link/take_all.hpp"
 #include "tasks/rex_drive/keys.hpp"
@@ -34,6 +35,11 @@ bool add_truth(const std::vector<platform_truth_t>& truths, int n_s, DriveRow& r
   return true;
 }
 
+double pace_in(const std::vector<CommandedPace>& paces, std::int64_t macrostep) {
+  const auto found = std::ranges::lower_bound(paces, macrostep, {}, &CommandedPace::macrostep);
+  return found != paces.end() && found->macrostep == macrostep ? found->pace : 1;
+}
+
 }  // namespace
 
 void DriveMessages::cut_after(std::int64_t macrostep) {
@@ -44,6 +50,20 @@ void DriveMessages::cut_after(std::int64_t macrostep) {
   cut(telemetry);
   cut(truths);
   cut(poses);
+  std::erase_if(paces, [macrostep](const CommandedPace& p) { return p.macrostep > macrostep; });
+}
+
+void DriveMessages::add_rest(const link::LogReader& log, const std::string& platform) {
+  const auto add = [&log](auto& kept, const std::string& channel) {
+    using Message = typename std::remove_reference_t<decltype(kept)>::value_type;
+    const std::int64_t last = kept.empty() ? -1 : kept.back().header.stamp;
+    for (const auto& [stamp, m] : log.messages<Message>(channel))
+      if (stamp > last) kept.push_back(m);
+  };
+  add(replies, platform + ".reply");
+  add(telemetry, platform + ".telemetry");
+  add(truths, platform + ".truth");
+  add(poses, pose_channel());
 }
 
 DriveTable join(const DriveMessages& messages, double dt, int n_s) {
@@ -64,6 +84,7 @@ DriveTable join(const DriveMessages& messages, double dt, int n_s) {
     row.slip = reply.slip;
     row.slip_sd = reply.slip_sd;
     row.torque = reply.torque;
+    row.pace = pace_in(messages.paces, step / n_s);
     row.executing = reply.executing;
     row.remaining = reply.remaining;
     row.at_rest = reply.at_rest;
@@ -86,13 +107,14 @@ void DriveRecord::collect(std::int64_t plan) {
   link::take_all(*telemetry_in_, messages_.telemetry);
   link::take_all(*truth_in_, messages_.truths);
   link::take_all(*pose_in_, messages_.poses);
-  collect_fragments(plan);
+  collect_commands(plan);
 }
 
-void DriveRecord::collect_fragments(std::int64_t plan) {
+void DriveRecord::collect_commands(std::int64_t plan) {
   while (const platform_command_t* const m = command_in_->next(commands_until_ + 1)) {
     commands_until_ = m->header.stamp;
     const PlatformCommand command = from_message(*m);
+    messages_.paces.push_back({commands_until_, command.pace});
     const std::int64_t last = fragments_.empty() ? 0 : fragments_.back().fragment.number;
     // A fragment that was lost on its way is handed over again.
     if (command.instruction == Instruction::set && command.fragment.number > last)

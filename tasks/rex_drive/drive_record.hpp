@@ -4,11 +4,18 @@
 #include <string>
 #include <vector>
 
+#include "base/link/log_reader.hpp"
 #include "base/link/process.hpp"
 #include "base/msg/convert_platform.hpp"
 #include "tasks/rex_drive/drive_table.hpp"
 
 namespace mrroc::rex_drive {
+
+/// Pace that was commanded for a macrostep.
+struct CommandedPace {
+  std::int64_t macrostep{};  ///< in which it is obeyed
+  double pace{1};            ///< PlatformCommand::pace
+};
 
 /// Messages of a run, in the order of their stamps.
 struct DriveMessages {
@@ -16,10 +23,14 @@ struct DriveMessages {
   std::vector<platform_telemetry_t> telemetry;  ///< of the driver
   std::vector<platform_truth_t> truths;         ///< of the simulation; none: the platform is real
   std::vector<map_report_t> poses;              ///< of the map agent
+  std::vector<CommandedPace> paces;             ///< of the commands; the paces of others are 1
 
   /// Forgets what is stamped with a later macrostep: how much of the end comes before MP looks for the last time differs
   /// from run to run.
   void cut_after(std::int64_t macrostep);
+  /// Adds what came later than the messages here: MP does not listen while a platform that was stopped comes to rest.
+  /// @param log  of the run @param platform  key
+  void add_rest(const link::LogReader& log, const std::string& platform);
 };
 
 /// @return a row for every reply that has a telemetry of its reading and a truth about it
@@ -40,7 +51,7 @@ class DriveRecord {
   [[nodiscard]] const FragmentTable& fragments() const { return fragments_; }
 
  private:
-  void collect_fragments(std::int64_t plan);
+  void collect_commands(std::int64_t plan);
 
   std::unique_ptr<link::Inbox<platform_command_t>> command_in_;
   std::unique_ptr<link::Inbox<platform_reply_t>> reply_in_;

@@ -22,6 +22,7 @@ struct DriveRow {
   Slip slip;                       ///< estimated
   Slip slip_sd{0, 0, 0};           ///< standard deviations
   PerWheel torque{};               ///< commanded [N m]
+  double pace{1};                  ///< of the fragment's time as commanded, 0 stands .. 1 as planned
   std::int64_t executing{};        ///< number of the fragment under way; 0: none
   std::int32_t remaining{};        ///< iterations to the end of what has been handed over
   bool at_rest{};                  ///< the driver says so
@@ -47,6 +48,23 @@ using FragmentTable = std::vector<FragmentRow>;  ///< in the order of their numb
 
 /// Friction of the ground below the wheels, in the form of the estimate.
 [[nodiscard]] Slip true_slip(const PlatformTruth& truth);
+
+/// Columns of the table of write_drive_table(), as gnuplot counts them: the first of each group.
+namespace column {
+enum : int {
+  x_d = 2,         ///< reference: x, y, phi
+  x = 5,           ///< true: x, y, phi
+  v_x = 8,         ///< true: vx, vy, w
+  x_e = 11,        ///< estimate: x, y, phi
+  mu_x = 18,       ///< estimated: mu_x, mu_y, split
+  sd_mu_x = 21,    ///< their standard deviations
+  true_mu_x = 24,  ///< true: mu_x, mu_y, split
+  tau = 27,        ///< torques of the wheels
+  load = 31,       ///< their loads
+  track = 35,      ///< distance from the reference [mm]
+  estimate = 36    ///< distance from the estimate [mm]
+};
+}  // namespace column
 
 /// Writes a row per macrostep; numbers are SI, angles rad. @throws FaultError cannot_write
 void write_drive_table(const std::filesystem::path& file, const DriveTable& table);

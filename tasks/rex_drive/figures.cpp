@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string_view>
 
 #include "base/statistics.hpp"
 
@@ -100,6 +101,14 @@ std::optional<double> friction_found(const DriveTable& table) {
   return found->t - (before + 1)->t;
 }
 
+/// Whether the platform was told to be slower than planned shortly before that time [s].
+bool is_slowed(const DriveTable& table, double t) {
+  constexpr double kSettles = 1;  // [s] from full pace until the speed is the planned one
+  const auto slows = [t](const DriveRow& row) { return row.t <= t && row.t > t - kSettles && row.pace < 1; };
+  return std::ranges::any_of(table, slows);
+}
+
+/// A joint near a pause is not judged: the pause slows the platform, not the joint.
 void of_joints(const DriveResults& r, mp::Figures& figures) {
   const std::vector<Stay> times = stays(r.fragments, r.table);
   std::optional<double> least, least_of_plans;
@@ -108,12 +117,10 @@ void of_joints(const DriveResults& r, mp::Figures& figures) {
   };
   for (std::size_t k = 0; k + 1 < r.fragments.size(); ++k) {
     const double planned = r.fragments[k].fragment.knot.back().v;
-    if (planned > kMoves) take(least, 100 * times[k].speed / planned);
-    const std::int64_t plan = r.fragments[k].plan;
-    if (plan == r.fragments[k + 1].plan || plan < 1 || plan > static_cast<std::int64_t>(r.plans.size()))
-      continue;
-    const Plan& sent = r.plans[static_cast<std::size_t>(plan - 1)];
-    if (sent.ahead > 0) take(least_of_plans, 100 * times[k].speed / sent.speed);
+    if (planned <= kMoves || is_slowed(r.table, times[k].ended)) continue;
+    const double share = 100 * times[k].speed / planned;
+    take(least, share);
+    if (r.fragments[k].plan != r.fragments[k + 1].plan) take(least_of_plans, share);
   }
   set(figures, "joint_speed_pct", least);
   set(figures, "plan_joint_speed_pct", least_of_plans);
@@ -157,7 +164,44 @@ void of_counts(const DriveResults& r, mp::Figures& figures) {
     figures["planner_iterations_p95"] = static_cast<double>(sorted[sorted.size() * 95 / 100]);
 }
 
+/// What is wanted of a figure at most.
+struct Most {
+  std::string_view key;
+  double high;
+};
+
+std::vector<Most> wanted_of(DriveCase drive) {
+  switch (drive) {
+    case DriveCase::fast:
+      return {{"track_rms_mm", 15}, {"track_max_mm", 100}};
+    case DriveCase::slippery:
+    case DriveCase::ice_right:
+      return {{"track_rms_mm", 15}};
+    case DriveCase::smooth:
+      return {{"friction_err", 0.02}, {"split_err", 0.02}};
+    case DriveCase::usual:
+    case DriveCase::other:
+      break;
+  }
+  return {};
+}
+
+/// Whether something is wanted of the figure in every drive.
+bool is_of_every_drive(std::string_view key) {
+  return key == "planner_iterations_p95" || key == "solver_failures" || key == "stop_steps_max";
+}
+
 }  // namespace
+
+std::vector<mp::FigureInfo> figures_of_case(DriveCase drive) {
+  std::vector<mp::FigureInfo> infos(kFigures.begin(), kFigures.end());
+  if (drive == DriveCase::usual) return infos;
+  for (mp::FigureInfo& info : infos)
+    if (!is_of_every_drive(info.key)) info = {.key = info.key, .words = info.words, .unit = info.unit};
+  for (const Most& most : wanted_of(drive))
+    std::ranges::find(infos, most.key, &mp::FigureInfo::key)->high = most.high;
+  return infos;
+}
 
 mp::Figures figures_of(const DriveResults& results) {
   mp::Figures figures;

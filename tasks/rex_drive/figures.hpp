@@ -4,12 +4,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/room_config.hpp"
 #include "mp/figure_table.hpp"
+#include "tasks/rex_drive/drive_case.hpp"
 #include "tasks/rex_drive/drive_table.hpp"
+#include "tasks/rex_drive/ground_area.hpp"
 
 namespace mrroc::rex_drive {
 
-/// What the figures are made of.
+/// What figures and pictures are made of.
 struct DriveResults {
   DriveTable table;         ///< a row per macrostep
   FragmentTable fragments;  ///< a row per fragment
@@ -17,6 +20,8 @@ struct DriveResults {
   std::int64_t acked_in{};  ///< macrostep in which a_1 gave the last plan's ack; 0: it did not
   std::int32_t rejected{};  ///< readings of the motion capture that the map agent did not believe
   std::vector<std::int32_t> iterations;  ///< of the planner's search, one per fragment
+  Room room;                             ///< in which it drove
+  std::vector<GroundArea> areas;         ///< of its ground
 };
 
 /// @return figures; those that a run cannot have are missing. "While it drives" is while a fragment is under way, and true
@@ -27,8 +32,9 @@ struct DriveResults {
 ///   ellipse_95_pct                    how often the true place is within the estimate's 95 % ellipse
 ///   friction_err, split_err           mean of the second half against the mean of what is true
 ///   friction_found_s                  after the ground changes by a quarter: until the estimate is within 10 %
-///   joint_speed_pct                   least true speed at the end of a fragment that is passed at speed, of the planned one
-///   plan_joint_speed_pct              the same where one plan goes on into the next, of the speed that was wanted
+///   joint_speed_pct                   least true speed at the end of a fragment that is passed at speed, of the planned one;
+///                                     not within a second after a pause
+///   plan_joint_speed_pct              the same where one plan goes on into the next
 ///   ack_before_rest_s                 from the last ack until the platform stands
 ///   speed_mean_mps, speed_max_mps     true, while it drives
 ///   drive_s, way_m                    time and way, while it drives
@@ -36,7 +42,7 @@ struct DriveResults {
 ///   map_rejected, late_map, solver_failures   counts
 [[nodiscard]] mp::Figures figures_of(const DriveResults& results);
 
-/// In the order of the table.
+/// In the order of the table, with what is wanted of a drive like the built-in one (DriveCase::usual).
 inline constexpr std::array kFigures{
     mp::FigureInfo{
         .key = "track_rms_mm", .words = "distance from the reference", .unit = "mm rms", .high = 10},
@@ -55,7 +61,7 @@ inline constexpr std::array kFigures{
                    .low = 90},
     mp::FigureInfo{.key = "plan_joint_speed_pct",
                    .words = "least speed between plans",
-                   .unit = "% of the wanted",
+                   .unit = "% of the planned",
                    .low = 85},
     mp::FigureInfo{.key = "ack_before_rest_s", .words = "last ack before it stands", .unit = "s", .low = 0.5},
     mp::FigureInfo{.key = "speed_mean_mps", .words = "speed", .unit = "m/s"},
@@ -67,6 +73,13 @@ inline constexpr std::array kFigures{
     mp::FigureInfo{.key = "map_rejected", .words = "positions not believed", .unit = ""},
     mp::FigureInfo{.key = "late_map", .words = "positions that came too late", .unit = ""},
     mp::FigureInfo{.key = "solver_failures", .words = "failures of solvers", .unit = "", .high = 0},
+    mp::FigureInfo{
+        .key = "stop_steps_max", .words = "steps until the platform was at rest", .unit = "", .high = 300},
 };
+
+/// @return kFigures with what is wanted of such a drive, which is less than of the usual one: the more the ground or the
+///         speed asks of the platform, the farther it may be from its reference; of DriveCase::other nothing is wanted but that
+///         planner and solvers do their work
+[[nodiscard]] std::vector<mp::FigureInfo> figures_of_case(DriveCase drive);
 
 }  // namespace mrroc::rex_drive

@@ -1,6 +1,7 @@
 // The platform's task: a skid-steering platform drives through the points of plans.
 #include <fmt/format.h>
 
+#include "base/room_config.hpp"
 #include "launch/task.hpp"
 #include "tasks/rex_drive/config.hpp"
 #include "tasks/rex_drive/figures.hpp"
@@ -54,11 +55,17 @@ std::unique_ptr<mp::CoordinatorRun> make_coordinator(const Drive& d, mp::TaskRun
   return std::make_unique<rex_drive::RexRun>(run, std::move(k));
 }
 
+std::vector<launch::CellPlatform> platforms() { return {{rex_drive::kPlatform, "rex"}}; }
+
 void make_results(launch::Results& r) {
-  const rex_drive::DriveResults results = r.coordinator_as<rex_drive::RexRun>().results();
+  rex_drive::DriveResults results = r.coordinator_as<rex_drive::RexRun>().results(r.folder);
+  results.room = read_room(r.setup.config);
+  results.areas = rex_drive::read_areas(r.setup.config);
   rex_drive::write_drive_table(r.folder / "platform.csv", results.table);
   rex_drive::write_fragment_table(r.folder / "fragments.csv", results.fragments, results.table);
-  r.add(rex_drive::figures_of(results), rex_drive::kFigures);
+  const auto read = [](const Config& config) { launch::check_cell(config, {}, platforms()); };
+  r.add(rex_drive::figures_of(results),
+        rex_drive::figures_of_case(rex_drive::drive_case(r.setup.config, read)));
   if (!results.table.empty()) r.pictures = rex_drive::plots(results);
 }
 
@@ -72,13 +79,14 @@ int main(int argc, char** argv) {
                 "slip of\n"
                 "its wheels.",
        .config = rex_drive::config(),
-       .platforms = {{rex_drive::kPlatform, "rex"}},
+       .platforms = platforms(),
        .ecp = rex_drive::run_ecp,
        .options = [&](CommandLine& line) { rex_drive::add_drive_options(line, d.options); },
        .examples = {"./run rex_drive --plan slalom", "./run rex_drive --plan my_points.txt --speed-mps 0.4",
                     "./run rex_drive --ground slippery --tracker kinematic"},
        .instead_of_config = {"--plan", "--speed-mps", "--tracker", "--estimator", "--ground"},
        .found = [&](mp::TaskOptions&) { return rex_drive::settings_of(d.options); },
+       .typed = rex_drive::options_of_keys(),
        .complete = [&](Config& config, const mp::TaskOptions& o) { complete(d, config, o); },
        .prepare = [&](const launch::Setup& s) { prepare(d, s); },
        .words = [&](const launch::Setup&) { return words(d); },

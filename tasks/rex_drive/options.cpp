@@ -15,6 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kPlanKey = "task.plan";
+constexpr const char* kSpeedKey = "task.speed";
+constexpr const char* kTrackerKey = "platforms.rex.tracker";
+constexpr const char* kEstimatorKey = "platforms.rex.estimator";
+
 /// A kind of ground, with what it sets.
 struct Ground {
   std::string_view name;
@@ -44,6 +49,13 @@ std::string in_quotes(std::string_view text) {
     escaped += c;
   }
   return '"' + escaped + '"';
+}
+
+/// A shell makes an empty word of a variable that is not set. @throws FaultError bad_usage
+void refuse_empty(const char* option, const std::optional<std::string>& word) {
+  if (word && word->empty())
+    throw FaultError(FaultCode::bad_usage, fmt::format("{}: the word behind it is empty", option),
+                     "give one, or leave the option out");
 }
 
 std::vector<std::string> settings_of_ground(const std::string& name) {
@@ -82,20 +94,31 @@ void add_drive_options(CommandLine& line, DriveOptions& o) {
 }
 
 std::vector<std::string> settings_of(const DriveOptions& o) {
+  refuse_empty("--plan", o.plan);
+  refuse_empty("--tracker", o.tracker);
+  refuse_empty("--estimator", o.estimator);
+  refuse_empty("--ground", o.ground);
   std::vector<std::string> settings;
-  if (!o.plan.empty())
-    settings.push_back("task.plan=" +
-                       in_quotes(is_built_in(o.plan) ? o.plan : fs::absolute(o.plan).string()));
-  if (o.speed) settings.push_back(fmt::format("task.speed={}", *o.speed));
-  if (!o.tracker.empty()) settings.push_back(fmt::format("platforms.rex.tracker={}", in_quotes(o.tracker)));
-  if (!o.estimator.empty())
-    settings.push_back(fmt::format("platforms.rex.estimator={}", in_quotes(o.estimator)));
-  if (!o.ground.empty()) std::ranges::move(settings_of_ground(o.ground), std::back_inserter(settings));
+  const auto set = [&settings](const char* key, const std::string& value) {
+    settings.push_back(fmt::format("{}={}", key, value));
+  };
+  if (o.plan) set(kPlanKey, in_quotes(is_built_in(*o.plan) ? *o.plan : fs::absolute(*o.plan).string()));
+  if (o.speed) set(kSpeedKey, fmt::format("{}", *o.speed));
+  if (o.tracker) set(kTrackerKey, in_quotes(*o.tracker));
+  if (o.estimator) set(kEstimatorKey, in_quotes(*o.estimator));
+  if (o.ground) std::ranges::move(settings_of_ground(*o.ground), std::back_inserter(settings));
   return settings;
 }
 
+std::map<std::string, std::string> options_of_keys() {
+  return {{kPlanKey, "--plan"},
+          {kSpeedKey, "--speed-mps"},
+          {kTrackerKey, "--tracker"},
+          {kEstimatorKey, "--estimator"}};
+}
+
 void complete_drive(Config& config, const DriveOptions& o, PlanList& plans) {
-  if (!o.ground.empty() && !is_ground(o.ground)) config.overlay(Config::load(o.ground));
+  if (o.ground && !is_ground(*o.ground)) config.overlay(Config::load(*o.ground));
   const std::string key = "sim.platforms.rex.start";
   if (config.has(key)) {
     const auto [x, y, phi] = config.numbers<3>(key, std::nullopt, {-100, 100}, "m, rad: x, y, phi of B");

@@ -113,14 +113,26 @@ void RexRun::show(const Motion<Ontology>& motion, const X& x) {
                             (seen & kOdometrySeen) != 0 ? "seen" : "none"));
 }
 
-DriveResults RexRun::results() const {
+DriveMessages RexRun::messages(const std::filesystem::path& folder) const {
+  DriveMessages all = record_->messages();
+  if (ended_in_ > 0) {
+    all.cut_after(ended_in_);
+    return all;
+  }
+  try {
+    all.add_rest(link::LogReader(folder), kPlatform);
+  } catch (const FaultError&) {  // bad_log, which the run tells: there is what MP has heard
+  }
+  return all;
+}
+
+DriveResults RexRun::results(const std::filesystem::path& folder) const {
   DriveResults r;
   if (record_) {
-    DriveMessages messages = record_->messages();
-    if (ended_in_ > 0) messages.cut_after(ended_in_);
-    r.table = join(messages, k_.dt, k_.n_s);
+    const DriveMessages heard = messages(folder);
+    r.table = join(heard, k_.dt, k_.n_s);
     r.fragments = record_->fragments();
-    r.rejected = messages.poses.empty() ? 0 : messages.poses.back().rejected;
+    r.rejected = heard.poses.empty() ? 0 : heard.poses.back().rejected;
   }
   r.plans = k_.plans;
   r.acked_in = acked_ == static_cast<std::int64_t>(k_.plans.size()) ? acked_in_ : 0;

@@ -1,6 +1,7 @@
 // MP of the task: the ontology agent a_2, with a record of all events.
 #pragma once
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -36,8 +37,10 @@ class RexRun final : public mp::CoordinatorRun {
 
   Outcome execute() override;
   [[nodiscard]] const Fault& fault() const override { return fault_ ? fault_ : links_.fault(); }
-  /// @return what the figures are made of; without rows when nothing was written down
-  [[nodiscard]] DriveResults results() const;
+  /// @param folder  of the run, whose log has ended
+  /// @return what the figures are made of, up to the rest of the platform also after a stop; without rows when nothing was
+  ///         written down
+  [[nodiscard]] DriveResults results(const std::filesystem::path& folder) const;
 
  private:
   using X = Ontology::X;
@@ -46,6 +49,7 @@ class RexRun final : public mp::CoordinatorRun {
   void announce(const Motion<Ontology>& motion, const X& x);
   void report_position(const X& x);
   void note_ack(const X& x);
+  [[nodiscard]] DriveMessages messages(const std::filesystem::path& folder) const;
   [[nodiscard]] std::string progress_text(const X& x) const;
   [[nodiscard]] double progress(const X& x) const;
   [[nodiscard]] double seconds(std::int64_t macrosteps) const;

@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 #include <csignal>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
+#include <sstream>
 
 #include "test/system/started_task.hpp"
 
@@ -12,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Two legs with a corner between them.
-constexpr const char* kTwoLegs = "0 0\n0.7 0\n1.2 0.3\n1.4 0.9\n";
+/// Two legs with a curve between them; a shorter way where every step takes long.
+constexpr const char* kTwoLegs = kSanitized ? "0 0\n0.5 0\n0.9 0.2\n" : "0 0\n0.7 0\n1.2 0.3\n1.4 0.9\n";
 
 std::vector<std::string> drive_along(const Folder& folder, const std::string& name = "run") {
   return {"--plan", folder.write("plan.txt", kTwoLegs), "--run-dir", (folder / name).string()};
@@ -22,6 +25,23 @@ std::vector<std::string> drive_along(const Folder& folder, const std::string& na
 std::string bytes_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A column of a table with a line of names.
+std::vector<double> column_of(const fs::path& file, const std::string& name) {
+  std::ifstream in(file);
+  std::string line, cell;
+  std::getline(in, line);
+  std::istringstream names(line);
+  int at = 0;
+  while (std::getline(names, cell, ',') && cell != name) ++at;
+  std::vector<double> values;
+  while (std::getline(in, line)) {
+    std::istringstream cells(line);
+    for (int k = 0; k <= at; ++k) std::getline(cells, cell, ',');
+    values.push_back(std::stod(cell));
+  }
+  return values;
 }
 
 TEST(RexDrive, DrivesAPlanWithTheSameBitsInOneProcessAndInSeveral) {
@@ -44,11 +64,10 @@ TEST(RexDrive, DrivesAPlanWithTheSameBitsInOneProcessAndInSeveral) {
 }
 
 TEST(RexDrive, DrivesOnWithoutTheMapForAWhile) {
-  if (kSanitized) GTEST_SKIP() << "too long";
   const Folder folder;
   const Ended ended =
       run(folder, "rex_drive",
-          words({drive_along(folder), {"--processes", "one", "--set", "motion_capture.lost=[3, 5]"}}));
+          words({drive_along(folder), {"--processes", "one", "--set", "motion_capture.lost=[2, 3]"}}));
   ASSERT_EQ(ended.status, 0) << ended.all();
   const nlohmann::json told = summary(folder / "run");
   EXPECT_EQ(told.at("outcome"), "done");
@@ -56,7 +75,6 @@ TEST(RexDrive, DrivesOnWithoutTheMapForAWhile) {
 }
 
 TEST(RexDrive, DoesNotBelieveAMapWithOutliers) {
-  if (kSanitized) GTEST_SKIP() << "too long";
   const Folder folder;
   const Ended ended =
       run(folder, "rex_drive",
@@ -68,28 +86,61 @@ TEST(RexDrive, DoesNotBelieveAMapWithOutliers) {
 }
 
 TEST(RexDrive, StandsDuringAPauseAndComesToTheEndOfItsPlan) {
-  if (kSanitized) GTEST_SKIP() << "too long";
   const Folder folder;
-  const std::string script = folder.write("orders", "3 start\n150 pause\n300 resume\n");
+  const std::string script = folder.write("orders", "3 start\n100 pause\n150 resume\n");
   const Ended ended =
       run(folder, "rex_drive", words({drive_along(folder), {"--processes", "one", "--script", script}}));
   ASSERT_EQ(ended.status, 0) << ended.all();
   EXPECT_LE(figure(summary(folder / "run"), "track_max_mm"), 60);
 }
 
+TEST(RexDrive, TablesOfAStoppedRunReachToTheRestOfThePlatform) {
+  const Folder folder(false);
+  const Ended ended =
+      run(folder, "rex_drive", words({drive_along(folder), {"--processes", "one", "--max-time", "2.5"}}));
+  EXPECT_EQ(ended.status, 1) << ended.all();
+  const fs::path table = folder / "run" / "platform.csv";
+  EXPECT_LT(std::abs(column_of(table, "vx").back()), 0.01);
+  EXPECT_GT(std::ranges::max(column_of(table, "vx")), 0.3) << "it was on its way";
+  EXPECT_NE(ended.all().find("steps until the platform was at rest"), std::string::npos) << ended.all();
+}
+
+TEST(RexDrive, FiguresAreJudgedWhereTheyAreMeant) {
+  const Folder folder;
+  const auto told_of = [&](const char* name, const std::vector<std::string>& more) {
+    return run(folder, "rex_drive", words({drive_along(folder, name), {"--processes", "one"}, more})).all();
+  };
+  const std::string slippery = told_of("slippery", {"--ground", "slippery"});
+  EXPECT_NE(slippery.find("<= 15"), std::string::npos) << slippery;
+  EXPECT_EQ(slippery.find("<= 40"), std::string::npos) << slippery;
+  const std::string kinematic = told_of("kinematic", {"--tracker", "kinematic"});
+  EXPECT_EQ(kinematic.find("<= 10"), std::string::npos) << kinematic;
+}
+
+TEST(RexDrive, ErrorsNameTheOptionThatWasTyped) {
+  const Folder folder(false);
+  const auto error_of = [&](const std::vector<std::string>& words) {
+    const Ended ended = run(folder, "rex_drive", words);
+    EXPECT_EQ(ended.status, 2) << ended.all();
+    return ended.last_err();
+  };
+  EXPECT_NE(error_of({"--speed-mps", "9"}).find("--speed-mps 9: "), std::string::npos);
+  EXPECT_NE(error_of({"--tracker", "guess"}).find("--tracker "), std::string::npos);
+  EXPECT_NE(error_of({"--set", "task.speed=9"}).find("--set task.speed=9: "), std::string::npos);
+  EXPECT_NE(error_of({"--plan", ""}).find("--plan: "), std::string::npos);
+}
+
 TEST(RexDrive, ABlockedWheelEndsTheRunWithItsName) {
-  if (kSanitized) GTEST_SKIP() << "too long";
   const Folder folder(false);
   const Ended ended = run(folder, "rex_drive",
                           words({drive_along(folder),
                                  {"--processes", "one", "--set", "sim.platforms.rex.faults.wheel=2", "--set",
-                                  "sim.platforms.rex.faults.wheel_blocked=[1500, 100000]"}}));
+                                  "sim.platforms.rex.faults.wheel_blocked=[1000, 100000]"}}));
   EXPECT_EQ(ended.status, 1) << ended.all();
   EXPECT_NE(ended.all().find("wheel_blocked"), std::string::npos) << ended.all();
 }
 
 TEST(RexDrive, DrivesThoughEveryThirdCommandIsLost) {
-  if (kSanitized) GTEST_SKIP() << "too long";
   const Folder folder;
   const Ended ended = run(
       folder, "rex_drive",
@@ -99,11 +150,11 @@ TEST(RexDrive, DrivesThoughEveryThirdCommandIsLost) {
 }
 
 TEST(RexDrive, ASilenceOfTheControlSubsystemEndsTheRun) {
-  if (kSanitized) GTEST_SKIP() << "too long";
   const Folder folder(false);
   const Ended ended = run(folder, "rex_drive",
-                          {"--plan", "square", "--run-dir", (folder / "run").string(), "--processes", "one",
-                           "--set", "platforms.rex.command_link.loss=0.5", "--max-time", "60"});
+                          words({drive_along(folder),
+                                 {"--processes", "one", "--set", "platforms.rex.command_link.loss=0.3",
+                                  "--set", "platforms.rex.silence=3"}}));
   EXPECT_EQ(ended.status, 3) << ended.all();
   EXPECT_NE(ended.last_err().find("peer_silent"), std::string::npos) << ended.all();
 }
@@ -111,7 +162,7 @@ TEST(RexDrive, ASilenceOfTheControlSubsystemEndsTheRun) {
 class RexDriveWithADeath : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(RexDriveWithADeath, EndsAndNamesTheProcess) {
-  if (kSanitized || !multicast()) GTEST_SKIP() << "no multicast, or too slow";
+  if (!multicast()) GTEST_SKIP() << "no multicast";
   const Folder folder(false);
   const std::string part = GetParam();
   Started task(folder, "rex_drive",

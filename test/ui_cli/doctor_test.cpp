@@ -66,6 +66,8 @@ TEST(Doctor, SaysWhatToTypeForEverythingThatIsNotWell) {
              "apt-get install gnuplot-nox "},
         Case{"packages", [](Host& h) { h.missing = {"libEGL.so.1"}; }, Verdict::limited,
              "apt-get install libegl1"},
+        Case{"platform", [](Host& h) { h.rex = RexParts::left_out; }, Verdict::limited, "./run rex_drive"},
+        Case{"platform", [](Host& h) { h.rex = RexParts::not_loaded; }, Verdict::limited, "build again"},
         Case{"sessions",
              [](Host& h) { h.sessions_refused = "cannot use /tmp/mrroc-1: it is not a directory"; },
              Verdict::bad, "XDG_RUNTIME_DIR"},

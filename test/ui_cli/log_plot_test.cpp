@@ -182,7 +182,7 @@ TEST_F(PlottedRun, OnlyTheAxesThatTheArmHasAreDrawn) {
 }
 
 TEST_F(PlottedRun, BehavioursHaveTheirNamesAtTheirTimes) {
-  for (const std::string& what : ui::plot_subjects()) {
+  for (const std::string& what : ui::arm_subjects()) {
     const std::string s = script({write("r")}, {.what = what});
     EXPECT_TRUE(has(s, "'1 approach'")) << what;
     EXPECT_TRUE(has(s, "'2 settle'")) << what;
@@ -262,7 +262,10 @@ TEST_F(PlottedRun, TheCommandTakesRunsThenWhatAndItsOptions) {
   };
   EXPECT_TRUE(has(said({}), "RUN (the run folder) is missing"));
   EXPECT_TRUE(has(said({"force"}), "RUN (the run folder) is missing"));
-  EXPECT_TRUE(has(said({one.string(), two.string()}), "WHAT (force, pose, motors or behaviours) is missing"));
+  EXPECT_TRUE(
+      has(said({one.string(), two.string()}),
+          "WHAT (force, pose, motors, behaviours of arms, path, error, torques, slip, speeds, behaviours of "
+          "platforms) is missing"));
   EXPECT_TRUE(has(said({one.string(), "forces"}), "'forces' cannot be drawn")) << err_.str();
   EXPECT_TRUE(has(said({one.string(), "force", "--from", "x"}), "--from")) << err_.str();
   if (std::system("gnuplot --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";

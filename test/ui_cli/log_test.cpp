@@ -319,8 +319,7 @@ TEST_F(RunFolder, AWordThatIsMissingIsNamedWithALineToType) {
   EXPECT_NE(said_of({"compare", "one"}).find("B (another) is missing;" + whole + "compare runs/"),
             std::string::npos)
       << err_.str();
-  EXPECT_NE(said_of({"plot", "one"}).find("WHAT (force, pose, motors or behaviours) is missing;" + whole),
-            std::string::npos)
+  EXPECT_NE(said_of({"plot", "one"}).find("behaviours of platforms) is missing;" + whole), std::string::npos)
       << err_.str();
   EXPECT_NE(said_of({}).find("a command is missing; there are show, csv, plot, compare and check;" + whole),
             std::string::npos)

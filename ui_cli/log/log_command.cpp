@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -20,6 +21,7 @@
 #include "ui_cli/log/log_plot.hpp"
 #include "ui_cli/log/log_show.hpp"
 #include "ui_cli/log/log_whole.hpp"
+#include "ui_cli/log/platform_fields.hpp"
 
 namespace mrroc::ui {
 namespace {
@@ -60,7 +62,7 @@ int write_table(const Words& w, std::ostream& out, std::ostream& err) {
 /// @throws FaultError bad_usage
 std::vector<std::string> runs_to_plot(const Words& w, PlotOptions& plot) {
   std::vector<std::string> runs = w.plotted;
-  const auto& subjects = plot_subjects();
+  const std::vector<std::string> subjects = plot_subjects();
   const bool says_what = !runs.empty() && std::ranges::find(subjects, runs.back()) != subjects.end();
   if (says_what) {
     plot.what = runs.back();
@@ -73,7 +75,10 @@ std::vector<std::string> runs_to_plot(const Words& w, PlotOptions& plot) {
     throw FaultError(FaultCode::bad_usage,
                      fmt::format("'{}' cannot be drawn, and is no run folder", runs.back()),
                      "plots: " + joined(subjects, ", "));
-  throw FaultError(FaultCode::bad_usage, "WHAT (force, pose, motors or behaviours) is missing", whole);
+  throw FaultError(FaultCode::bad_usage,
+                   fmt::format("WHAT ({} of arms, {} of platforms) is missing", joined(arm_subjects(), ", "),
+                               joined(platform_subjects(), ", ")),
+                   whole);
 }
 
 int draw(const Words& w, std::ostream& out, std::ostream& err) {
@@ -149,18 +154,22 @@ void add_commands(CommandLine& line, Words& w) {
   csv.option("--output", w.output, "file instead of the standard output").type_name("FILE");
   runs(csv, [&w](std::ostream& out, std::ostream& err) { return write_table(w, out, err); });
   CommandLine& plot = line.subcommand(
-      "plot", "Draw force, pose, motors or behaviours over time; of several runs over one another");
-  plot.option("run", w.plotted,
-              "run folders, then force, pose, motors or behaviours; that may be left out with --fields")
+      "plot",
+      "Draw force, pose, motors or behaviours of arms over time, path, error, torques, slip, speeds or "
+      "behaviours of platforms; of several runs over one another");
+  plot.option("run", w.plotted, "run folders, then what is drawn; that may be left out with --fields")
       .type_name("RUN... WHAT");
   plot.option("--fields", w.plot.fields,
               "only these: F_x..F_z [N], N_x..N_z [N m]; since the first reading shown x y z [mm], rx ry rz "
               "[deg] and "
               "turned[k] [rad]; T_0E[k] [m, rad], gripper [mm], motors[k], joints[k] [rad, m], "
-              "current_mean[k] [A], m")
+              "current_mean[k] [A], m. Of platforms as in platform.csv: x_d x x_e, track estimate, tau_FL.., "
+              "mu_x true_mu_x.., vx vx_e..")
       .delimiter(',')
       .type_name("F,F...");
-  plot.option("--arm", w.plot.arms, "only this arm, or these").delimiter(',').type_name("ARM,ARM...");
+  plot.option("--arm", w.plot.arms, "only this arm or platform, or these")
+      .delimiter(',')
+      .type_name("ARM,ARM...");
   plot.option("--from", w.plot.from, "simulated time").type_name("S");
   plot.option("--to", w.plot.to, "simulated time").type_name("S");
   plot.option("--output", w.output, "PNG file (default RUN/plots/log-WHAT.png)").type_name("FILE");
@@ -171,8 +180,10 @@ void add_commands(CommandLine& line, Words& w) {
   runs(compare, [&w](std::ostream& out, std::ostream&) {
     return report_comparison(compare_runs(RunRecord(w.run), RunRecord(w.other)), w.json, out);
   });
-  CommandLine& check_command =
-      line.subcommand("check", "Recompute from the log what every process decided, and name what differs");
+  CommandLine& check_command = line.subcommand(
+      "check",
+      "Recompute from the log what agents and receptors decided, and name what differs; not drivers, "
+      "simulator and cameras");
   check_command.option("run", w.runs, "run folders").required().type_name("RUN...");
   runs(check_command, [&w](std::ostream& out, std::ostream&) { return check(w, out); });
 }
@@ -180,8 +191,10 @@ void add_commands(CommandLine& line, Words& w) {
 }  // namespace
 
 std::vector<std::string> log_words() {
-  return {"show",      "csv",    "plot", "compare", "check",    "force", "pose",     "motors", "behaviours",
-          "--channel", "--from", "--to", "--m",     "--fields", "--arm", "--output", "--json"};
+  std::vector<std::string> words{"show", "csv", "plot",     "compare", "check",    "--channel", "--from",
+                                 "--to", "--m", "--fields", "--arm",   "--output", "--json"};
+  std::ranges::move(plot_subjects(), std::back_inserter(words));
+  return words;
 }
 
 int run_log(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "base/fault.hpp"
 #include "base/joined.hpp"
 #include "base/text_file.hpp"
 #include "base/time_chart.hpp"
 #include "ui_cli/log/behaviour_names.hpp"
+#include "ui_cli/log/platform_fields.hpp"
 #include "ui_cli/log/subprocess.hpp"
 
 namespace mrroc::ui {
@@ -17,14 +19,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Data of a run and one of its arms.
+/// Data of a run and one of its arms or platforms.
 struct Track {
   const RunRecord* run;
-  ArmReadings readings;
+  std::unique_ptr<Readings> readings;
   BehaviourNames names;
 };
 
-/// An arm, and what each run that has it tells of it.
+/// An arm or a platform, and what each run that has it tells of it.
 struct Arm {
   std::string key;
   std::vector<Track> tracks;
@@ -42,30 +44,73 @@ std::string legend_of(const std::vector<RunRecord>& runs, const RunRecord& run) 
   return gnuplot_literal(same > 1 ? run.folder().string() : name_of(run));
 }
 
-std::vector<Arm> arms_of(const std::vector<RunRecord>& runs, const std::vector<std::string>& wanted) {
+const char* name_of(Effector effector) { return effector == Effector::platform ? "platform" : "arm"; }
+
+const std::vector<std::string>& subjects_of(Effector effector) {
+  return effector == Effector::platform ? platform_subjects() : arm_subjects();
+}
+
+std::vector<std::string> keys_of(const RunRecord& run, Effector effector) {
+  std::vector<std::string> keys = run.agents();
+  std::erase_if(keys, [&](const std::string& key) { return run.effector_of(key) != effector; });
+  return keys;
+}
+
+/// @return whether arms or platforms are drawn: those of which it can be drawn, and of both the arms
+Effector drawn_of(const std::vector<RunRecord>& runs, const std::string& what) {
+  const auto has = [&what](Effector e) {
+    return what.empty() || std::ranges::find(subjects_of(e), what) != subjects_of(e).end();
+  };
+  const auto moves_none = [](const RunRecord& run) { return keys_of(run, Effector::arm).empty(); };
+  if (!has(Effector::arm)) return Effector::platform;
+  return has(Effector::platform) && std::ranges::all_of(runs, moves_none) ? Effector::platform
+                                                                          : Effector::arm;
+}
+
+/// The run has nothing of the kind that is to be drawn. @throws FaultError bad_log
+[[noreturn]] void refuse_run(const RunRecord& run, Effector effector) {
+  const Effector other = effector == Effector::arm ? Effector::platform : Effector::arm;
+  const std::vector<std::string> others = keys_of(run, other);
+  throw FaultError(FaultCode::bad_log,
+                   fmt::format("the log of {} tells of no {}", run.folder().string(), name_of(effector)),
+                   others.empty() ? ""
+                                  : fmt::format("of its {} {} there are {}", name_of(other),
+                                                joined(others, ", "), joined(subjects_of(other), ", ")));
+}
+
+std::unique_ptr<Readings> read(const RunRecord& run, const std::string& key, Effector effector) {
+  if (effector == Effector::platform) return std::make_unique<PlatformReadings>(run, key);
+  return std::make_unique<ArmReadings>(run, key);
+}
+
+std::vector<Arm> arms_of(const std::vector<RunRecord>& runs, Effector effector,
+                         const std::vector<std::string>& wanted) {
   std::vector<Arm> arms;
   for (const RunRecord& run : runs) {
-    const std::vector<std::string> there = run.arms();
-    if (there.empty())
-      throw FaultError(FaultCode::bad_log,
-                       fmt::format("the log of {} tells of no arm", run.folder().string()));
+    const std::vector<std::string> there = keys_of(run, effector);
+    if (there.empty()) refuse_run(run, effector);
     for (const std::string& arm : wanted)
       if (std::ranges::find(there, arm) == there.end())
-        throw FaultError(FaultCode::bad_usage, fmt::format("{} has no arm '{}'", run.folder().string(), arm),
-                         "arms: " + joined(there, ", "));
+        throw FaultError(FaultCode::bad_usage,
+                         fmt::format("{} has no {} '{}'", run.folder().string(), name_of(effector), arm),
+                         fmt::format("{}s: {}", name_of(effector), joined(there, ", ")));
     for (const std::string& key : there) {
       if (!wanted.empty() && std::ranges::find(wanted, key) == wanted.end()) continue;
       auto arm = std::ranges::find(arms, key, &Arm::key);
       if (arm == arms.end()) arm = arms.insert(arms.end(), Arm{key, {}});
-      arm->tracks.push_back({&run, ArmReadings(run, key), BehaviourNames(run)});
+      arm->tracks.push_back({&run, read(run, key, effector), BehaviourNames(run)});
     }
   }
   return arms;
 }
 
+const std::string& label_of(const PlotField& field) {
+  return field.legend.empty() ? field.name : field.legend;
+}
+
 std::size_t axes_of(const Arm& arm) {
   std::size_t axes = 0;
-  for (const Track& t : arm.tracks) axes = std::max(axes, t.readings.axes());
+  for (const Track& t : arm.tracks) axes = std::max(axes, t.readings->axes());
   return axes;
 }
 
@@ -84,7 +129,7 @@ AxisRange times_of(const std::vector<Arm>& arms, const std::vector<PlotField>& f
   for (const Arm& arm : arms)
     for (const Track& track : arm.tracks)
       for (const PlotField& f : fields) {
-        const auto [first, last] = track.readings.extent(f);
+        const auto [first, last] = track.readings->extent(f);
         whole.add(first);
         whole.add(last);
       }
@@ -132,9 +177,9 @@ class Picture {
   void add_panel(const Arm& arm, const std::vector<PlotField>& fields) {
     const PlotField& one = fields.front();
     ChartPanel panel;
-    const std::string what = several() ? fmt::format("{}, {}", one.name, one.quantity) : one.quantity;
+    const std::string what = several() ? fmt::format("{}, {}", label_of(one), one.quantity) : one.quantity;
     panel.title = fmt::format("{}: {}", gnuplot_literal(arm.key), what);
-    panel.y_label = several() || fields.size() == 1 ? one.name : one.subject;
+    panel.y_label = several() || fields.size() == 1 ? label_of(one) : one.subject;
     if (!one.unit.empty()) panel.y_label += fmt::format(" [{}]", one.unit);
     std::size_t colour = 0;
     for (const Track& track : arm.tracks) {
@@ -142,7 +187,7 @@ class Picture {
       std::vector<std::vector<Sample>> columns;
       std::vector<std::string> names;
       for (const PlotField& f : fields) {
-        columns.push_back(track.readings.samples(f, chart_.from, chart_.to));
+        columns.push_back(track.readings->samples(f, chart_.from, chart_.to));
         names.push_back(f.name);
         for (const Sample& s : columns.back()) panel.y.add(s.y);
       }
@@ -152,7 +197,7 @@ class Picture {
       for (std::size_t k = 0; k < fields.size(); ++k)
         panel.curves.push_back(
             {.source = fmt::format("${} skip 1 using 1:{}", name, k + 2),
-             .title = several() ? legend_of(runs_, *track.run) : fields[k].name,
+             .title = several() ? legend_of(runs_, *track.run) : label_of(fields[k]),
              .colour = std::string(curve_colour(several() ? run : colour++)),
              .style = one.source == FieldSource::behaviour ? CurveStyle::steps : CurveStyle::lines,
              .width = 1.4});
@@ -193,7 +238,7 @@ class Picture {
   void finish(const Arm& arm, const PlotField& one, ChartPanel& panel) {
     const Track& first = arm.tracks.front();
     panel.bands = behaviour_bands(*first.run, first.names, arm.key);
-    const double biased = first.readings.biased_at();
+    const double biased = first.readings->biased_at();
     if (one.source == FieldSource::force && biased > chart_.from && biased < chart_.to) {
       std::erase_if(panel.bands, [&](const TimeBand& b) { return b.to <= biased; });
       if (!panel.bands.empty()) panel.bands.front().from = std::max(panel.bands.front().from, biased);
@@ -229,13 +274,23 @@ class Picture {
 
 }  // namespace
 
+std::vector<std::string> plot_subjects() {
+  std::vector<std::string> all = arm_subjects();
+  for (const std::string& subject : platform_subjects())
+    if (std::ranges::find(all, subject) == all.end()) all.push_back(subject);
+  return all;
+}
+
 std::string plot_script(const std::vector<RunRecord>& runs, const PlotOptions& o,
                         const std::string& picture) {
   check_times(o);
-  const std::vector<Arm> arms = arms_of(runs, o.arms);
+  const Effector effector = drawn_of(runs, o.what);
+  const std::vector<Arm> arms = arms_of(runs, effector, o.arms);
   std::size_t axes = 0;
   for (const Arm& arm : arms) axes = std::max(axes, axes_of(arm));
-  const std::vector<PlotField> fields = chosen_fields(plot_fields(o.what, axes), o.fields);
+  const std::vector<PlotField> known =
+      effector == Effector::platform ? platform_fields(o.what) : plot_fields(o.what, axes);
+  const std::vector<PlotField> fields = chosen_fields(known, o.fields);
   if (fields.empty()) throw FaultError(FaultCode::bad_log, fmt::format("the log has nothing of {}", o.what));
   Picture to(runs, times_of(arms, fields, o));
   std::vector<std::string> quantities;

@@ -14,16 +14,20 @@ namespace mrroc::ui {
 struct PlotOptions {
   std::string what;                   ///< one of plot_subjects(); empty: fields say it all
   std::vector<std::string> fields{};  ///< see chosen_fields(); empty: the usual ones of `what`
-  std::vector<std::string> arms{};    ///< empty: all
+  std::vector<std::string> arms{};    ///< or platforms; empty: all
   double from{-std::numeric_limits<double>::infinity()};  ///< shown simulated time [s]
   double to{std::numeric_limits<double>::infinity()};     ///< the same
 };
 
-/// One run: a chart for each arm and quantity, a curve for each field. Several: a chart for each arm and field, a curve
-/// for each run.
+/// @return what can be drawn, of arms and of platforms
+[[nodiscard]] std::vector<std::string> plot_subjects();
+
+/// One run: a chart for each arm or platform and quantity, a curve for each field. Several: a chart for each of them and field, a
+/// curve for each run.
 /// @param picture  as the script is to call it
 /// @return a gnuplot script with all its data, so that the picture can be drawn again from one file
-/// @throws FaultError bad_usage: no such field or arm, no such time; bad_log: no arm or no reading in a log
+/// @throws FaultError bad_usage: no such field or arm, no such time; bad_log: no arm or platform, of which that
+///         can be drawn, or no reading in a log
 [[nodiscard]] std::string plot_script(const std::vector<RunRecord>& runs, const PlotOptions& options,
                                       const std::string& picture);
 

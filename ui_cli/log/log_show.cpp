@@ -6,12 +6,14 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <ostream>
 
 #include "base/counted.hpp"
 #include "base/fault.hpp"
 #include "base/link/text.hpp"
 #include "base/msg/convert.hpp"
+#include "base/msg/convert_platform.hpp"
 #include "mrroc/console_t.hpp"
 #include "mrroc/operator_image_t.hpp"
 #include "mrroc/process_status_t.hpp"
@@ -37,7 +39,7 @@ class Story {
   explicit Story(const RunRecord& run) : run_(run), names_(run) {}
 
   std::vector<Line> lines() {
-    for (const std::string& arm : run_.arms()) add_arm(arm);
+    for (const std::string& agent : run_.agents()) add_agent(agent);
     add_operator();
     for (const link::LoggedMessage& m : run_.log().messages())
       if (m.channel.ends_with(".console"))
@@ -53,25 +55,43 @@ class Story {
     return fmt::format("m = {}{}{}", m, known.empty() ? "" : ", ", known);
   }
 
-  void add_arm(const std::string& arm) {
+  void add_agent(const std::string& agent) {
+    const Effector effector = run_.effector_of(agent);
     std::optional<Report> before;
-    for (const auto& [stamp, message] : run_.log().messages<agent_report_t>(arm + ".report")) {
+    for (const auto& [stamp, message] : run_.log().messages<agent_report_t>(agent + ".report")) {
       const Report r = from_message(message);
-      if (!before || r.m != before->m) add(stamp, arm, "behaviour " + name(arm, r.m));
-      if (!before || r.driver_state != before->driver_state)
-        add(stamp, arm, fmt::format("driver {}", to_string(r.driver_state)));
+      if (!before || r.m != before->m) add(stamp, agent, "behaviour " + name(agent, r.m));
+      if (effector != Effector::none && (!before || r.driver_state != before->driver_state))
+        add(stamp, agent, fmt::format("driver {}", to_string(r.driver_state)));
       const bool wrong = r.verdict == Verdict::refused || r.verdict == Verdict::failed;
       if (wrong && (!before || r.fault.code != before->fault.code || before->verdict != r.verdict))
-        add(stamp, arm,
+        add(stamp, agent,
             fmt::format("command {}: {}", r.verdict == Verdict::refused ? "refused" : "failed",
                         describe(r.fault)));
       before = r;
-      lines_.push_back({stamp, arm,
-                        fmt::format("m {:2}  {:11}  x y z {:8.2f} {:8.2f} {:8.2f} mm  F {:7.2f} {:7.2f} "
-                                    "{:7.2f} N",
-                                    r.m, to_string(r.driver_state), 1e3 * r.T_0E[0], 1e3 * r.T_0E[1],
-                                    1e3 * r.T_0E[2], r.F_a[Axis::x], r.F_a[Axis::y], r.F_a[Axis::z]),
-                        false});
+      if (effector == Effector::arm) lines_.push_back({stamp, agent, arm_line(r), false});
+      if (effector == Effector::none) lines_.push_back({stamp, agent, fmt::format("m {:2}", r.m), false});
+    }
+    if (effector == Effector::platform) add_platform(agent);
+  }
+
+  static std::string arm_line(const Report& r) {
+    return fmt::format("m {:2}  {:11}  x y z {:8.2f} {:8.2f} {:8.2f} mm  F {:7.2f} {:7.2f} {:7.2f} N", r.m,
+                       to_string(r.driver_state), 1e3 * r.T_0E[0], 1e3 * r.T_0E[1], 1e3 * r.T_0E[2],
+                       r.F_a[Axis::x], r.F_a[Axis::y], r.F_a[Axis::z]);
+  }
+
+  void add_platform(const std::string& key) {
+    constexpr double kDegrees = 180 / std::numbers::pi;
+    for (const auto& [stamp, message] : run_.log().messages<platform_reply_t>(key + ".reply")) {
+      const PlatformReply r = from_message(message);
+      const auto& [x, y, phi] = r.estimate.p;
+      std::string line = fmt::format("{:11}  ", to_string(r.state));
+      if (r.position_known)
+        line += fmt::format("x y {:8.1f} {:8.1f} mm  phi {:6.1f} deg  v {:6.3f} m/s  mu {:5.2f} {:5.2f}  ",
+                            1e3 * x, 1e3 * y, kDegrees * phi, r.estimate.v.vx, r.slip.mu_x, r.slip.mu_y);
+      line += r.executing > 0 ? fmt::format("fragment {}", r.executing) : "no fragment";
+      lines_.push_back({stamp, key, line, false});
     }
   }
 

@@ -114,7 +114,7 @@ bool is_called(const PlotField& f, const std::string& word) {
 
 bool of_axis(const PlotField& f) { return f.source >= FieldSource::turned; }
 
-const std::vector<std::string>& plot_subjects() {
+const std::vector<std::string>& arm_subjects() {
   static const std::vector<std::string> names{"force", "pose", "motors", "behaviours"};
   return names;
 }
@@ -213,9 +213,10 @@ std::vector<Sample> ArmReadings::readings(const PlotField& field, double from, d
   return samples;
 }
 
-std::pair<double, double> ArmReadings::extent(const PlotField& field) const {
+std::pair<double, double> Readings::extent(const PlotField& field) const {
   constexpr double kEver = std::numeric_limits<double>::infinity();
-  const std::vector<Sample> all = readings(field, -kEver, kEver);
+  std::vector<Sample> all = readings(field, -kEver, kEver);
+  std::erase_if(all, [](const Sample& s) { return !std::isfinite(s.y); });
   if (all.empty()) return {std::nan(""), std::nan("")};
   return {all.front().t, all.back().t};
 }

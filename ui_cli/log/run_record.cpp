@@ -41,6 +41,8 @@ RunRecord::RunRecord(const fs::path& folder) : folder_(link::checked_run_folder(
   const Config config = Config::load((folder_ / "config.toml").string());
   step_s_ = config.number("time.dt", 0.002, {1e-4, 1}, "s");
   macrostep_s_ = step_s_ * config.integer("time.n_s", 10, {1, 1000}, "steps");
+  platforms_ = config.texts("platforms.order", std::vector<std::string>{});
+  arms_ = config.texts("robots.order", std::vector<std::string>{});
   const fs::path file = folder_ / "processes.json";
   std::ifstream in(file);
   if (!in) return;
@@ -57,7 +59,13 @@ RunRecord::RunRecord(const fs::path& folder) : folder_(link::checked_run_folder(
   }
 }
 
-std::vector<std::string> RunRecord::arms() const {
+Effector RunRecord::effector_of(const std::string& agent) const {
+  if (std::ranges::find(platforms_, agent) != platforms_.end()) return Effector::platform;
+  const bool is_arm = platforms_.empty() || std::ranges::find(arms_, agent) != arms_.end();
+  return is_arm ? Effector::arm : Effector::none;
+}
+
+std::vector<std::string> RunRecord::agents() const {
   constexpr std::string_view kReport = ".report";
   std::set<std::string> keys;
   for (const link::LoggedMessage& m : log_.messages()) {

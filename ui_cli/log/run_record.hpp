@@ -18,6 +18,9 @@ struct LoggedProcess {
   std::vector<std::string> arguments;  ///< beyond those that every node gets
 };
 
+/// What an agent moves.
+enum class Effector : std::uint8_t { arm, platform, none };
+
 /// A run folder.
 class RunRecord {
  public:
@@ -37,8 +40,10 @@ class RunRecord {
   [[nodiscard]] const std::string& task() const { return task_; }
   /// @return what ran; empty when the folder does not tell
   [[nodiscard]] const std::vector<LoggedProcess>& processes() const { return processes_; }
-  /// @return keys of the arms, in order: those of which there are agents' reports
-  [[nodiscard]] std::vector<std::string> arms() const;
+  /// @return keys of the agents, in order: those of which there are reports
+  [[nodiscard]] std::vector<std::string> agents() const;
+  /// @return what the agent moves; an agent of a log without platforms is one of an arm
+  [[nodiscard]] Effector effector_of(const std::string& agent) const;
 
   /// @return simulated time that the message is for [s], or nothing: its stamp is no time
   [[nodiscard]] std::optional<double> time_of(const link::LoggedMessage& m) const;
@@ -51,6 +56,8 @@ class RunRecord {
   std::string clock_{"step"};
   std::string task_;
   std::vector<LoggedProcess> processes_;
+  std::vector<std::string> platforms_;  // keys
+  std::vector<std::string> arms_;       // those of the configuration
 };
 
 /// @throws FaultError bad_usage when the log has no such channel, naming the nearest

@@ -109,7 +109,7 @@ class Reader {
       if (begun_) fail("a plan has no points", "give two at least, or leave its line 'plan' out");
       return;
     }
-    if (points_.size() == 1) fail("a plan has one point only", "give two at least");
+    if (points_.size() == 1) refuse_single();
     const std::size_t n = points_.size(), parts = (n + kPointsOfPlan - 1) / kPointsOfPlan;
     for (std::size_t part = 0; part < parts; ++part) {
       const auto at = [&](std::size_t k) {
@@ -118,6 +118,16 @@ class Reader {
       add_plan({at(part), at(part + 1)});
     }
     points_.clear();
+  }
+
+  /// A way has a beginning and an end.
+  [[noreturn]] void refuse_single() const {
+    const bool first = list_.plans.empty();
+    const double x = first ? list_.start.x : list_.plans.back().back().x;
+    const double y = first ? list_.start.y : list_.plans.back().back().y;
+    fail("a plan has one point only, and a way has two at least",
+         fmt::format("write '{:g} {:g}', where {}, on the line before it", x, y,
+                     first ? "the platform stands" : "the plan before ends"));
   }
 
   void add_plan(MapPoints points) {
@@ -173,6 +183,8 @@ std::size_t PlanList::points() const {
 
 PlanList parse_plans(std::string_view text, const std::string& name) {
   if (text.find('\0') != std::string_view::npos) refuse(name, 0, "this is not a text", kFormat);
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   Reader reader(name);
   while (!text.empty()) {
     const std::size_t end = text.find('\n');

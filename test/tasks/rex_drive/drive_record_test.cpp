@@ -40,6 +40,16 @@ TEST(DriveRecord, JoinsWhatIsOfTheSameReading) {
   EXPECT_NEAR(table[4].t, 0.1, 1e-12);
 }
 
+TEST(DriveRecord, TellsThePaceOfTheMacrostepOfTheReading) {
+  DriveMessages m = messages(20);
+  m.paces = {{3, 1}, {4, 0.7}, {6, 0}};
+  const DriveTable table = join(m, 0.002, 10);
+  EXPECT_EQ(table[2].pace, 1);
+  EXPECT_EQ(table[3].pace, 0.7);
+  EXPECT_EQ(table[4].pace, 1) << "a command that was not heard says nothing";
+  EXPECT_EQ(table[5].pace, 0);
+}
+
 TEST(DriveRecord, LeavesOutWhatHasNoTruthOrNoTelemetry) {
   DriveMessages m = messages(20);
   m.truths.erase(m.truths.begin() + 5);

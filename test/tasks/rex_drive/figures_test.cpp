@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 
 #include "tasks/rex_drive/plots.hpp"
 #include "test/tasks/rex_drive/synthetic_drive.hpp"
@@ -48,6 +50,45 @@ TEST(RexFigures, ASlowJointShows) {
   const mp::Figures f = figures_of(r);
   EXPECT_NEAR(value(f, "joint_speed_pct"), 40, 1e-9);
   EXPECT_NEAR(value(f, "plan_joint_speed_pct"), 40, 1e-9);
+}
+
+TEST(RexFigures, AJointNearAPauseIsNotJudged) {
+  DriveResults r = synthetic_drive();
+  for (DriveRow& row : r.table) {
+    if (row.t > 1.5 && row.t < 1.8) row.pace = 0.5;
+    if (row.t > 1.5 && row.t < 2.1) row.truth.v.vx = 0.2;
+  }
+  mp::Figures f = figures_of(r);
+  EXPECT_EQ(f.count("joint_speed_pct"), 0U);
+  EXPECT_EQ(f.count("plan_joint_speed_pct"), 0U);
+  for (DriveRow& row : r.table) row.pace = row.t < 0.9 || row.t > 2.1 ? 0 : 1;
+  f = figures_of(r);
+  EXPECT_NEAR(value(f, "joint_speed_pct"), 40, 1e-9) << "the pauses are long before it and behind it";
+}
+
+TEST(RexFigures, AJointOfPlansIsJudgedByTheSpeedPlannedThere) {
+  DriveResults r = synthetic_drive();
+  for (Plan& plan : r.plans) plan.speed = 2 * kSpeed;  // wanted, which a curve at the joint does not allow
+  EXPECT_NEAR(value(figures_of(r), "plan_joint_speed_pct"), 100, 1e-9);
+}
+
+TEST(RexFigures, OfDrivesThatDifferDifferentThingsAreWanted) {
+  const auto wanted = [](DriveCase drive, const char* key) {
+    const auto infos = figures_of_case(drive);
+    return mp::wanted(*std::ranges::find(infos, std::string_view(key), &mp::FigureInfo::key));
+  };
+  EXPECT_EQ(wanted(DriveCase::usual, "track_rms_mm"), "<= 10");
+  EXPECT_EQ(wanted(DriveCase::usual, "joint_speed_pct"), ">= 90");
+  EXPECT_EQ(wanted(DriveCase::fast, "track_max_mm"), "<= 100");
+  for (const DriveCase ground : {DriveCase::slippery, DriveCase::ice_right}) {
+    EXPECT_EQ(wanted(ground, "track_rms_mm"), "<= 15");
+    EXPECT_EQ(wanted(ground, "track_max_mm"), "");
+  }
+  EXPECT_EQ(wanted(DriveCase::smooth, "split_err"), "<= 0.02");
+  for (const mp::FigureInfo& info : figures_of_case(DriveCase::other))
+    EXPECT_EQ(mp::wanted(info).empty(), info.key != "planner_iterations_p95" &&
+                                            info.key != "solver_failures" && info.key != "stop_steps_max")
+        << info.key;
 }
 
 TEST(RexFigures, AChangeOfTheGroundIsFoundWhenTheEstimateIsNear) {
@@ -95,6 +136,22 @@ TEST(RexPlots, ReadTheColumnsThatTheTableHas) {
     EXPECT_TRUE(script.find("platform.csv") != std::string::npos ||
                 script.find("fragments.csv") != std::string::npos);
   }
+}
+
+TEST(RexPlots, ShowTheRoomAndItsGround) {
+  DriveResults r = synthetic_drive();
+  r.room = built_in_room();
+  r.areas = {{.lower = {-3, -2}, .upper = {3, 0}, .scale = 0.5, .from = 7}};
+  const std::string path = plots(r).front().second;
+  EXPECT_NE(path.find("friction x 0.5 from 7 s on"), std::string::npos);
+  const auto polygons = [&path] {
+    std::size_t n = 0;
+    for (std::size_t at = path.find("polygon"); at != std::string::npos; at = path.find("polygon", at + 1))
+      ++n;
+    return n;
+  };
+  EXPECT_EQ(polygons(), r.room.obstacles.size());
+  EXPECT_NE(path.find("set xrange [-3.1:3.1]"), std::string::npos);
 }
 
 }  // namespace

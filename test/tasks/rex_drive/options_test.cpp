@@ -31,12 +31,31 @@ TEST(DriveOptions, BecomeKeysOfTheConfiguration) {
 
 TEST(DriveOptions, AnUnknownGroundIsTold) {
   try {
-    std::ignore = settings_of({.plan = "", .speed = {}, .tracker = "", .estimator = "", .ground = "glue"});
+    std::ignore = settings_of({.ground = "glue"});
     ADD_FAILURE();
   } catch (const FaultError& e) {
     EXPECT_EQ(e.fault().code, FaultCode::bad_usage);
     EXPECT_NE(e.remedy().find("slippery"), std::string_view::npos);
   }
+}
+
+TEST(DriveOptions, AnEmptyWordIsNotTheDefault) {
+  for (const DriveOptions& o : {DriveOptions{.plan = ""}, DriveOptions{.tracker = ""},
+                                DriveOptions{.estimator = ""}, DriveOptions{.ground = ""}})
+    try {
+      std::ignore = settings_of(o);
+      ADD_FAILURE();
+    } catch (const FaultError& e) {
+      EXPECT_EQ(e.fault().code, FaultCode::bad_usage);
+      EXPECT_NE(std::string(e.what()).find("empty"), std::string::npos);
+    }
+}
+
+TEST(DriveOptions, EveryKeyThatIsSetHasItsOption) {
+  const auto options = options_of_keys();
+  for (const std::string& setting :
+       settings_of({.plan = "slalom", .speed = 0.4, .tracker = "kinematic", .estimator = "ekf"}))
+    EXPECT_TRUE(options.contains(setting.substr(0, setting.find('=')))) << setting;
 }
 
 TEST(DriveOptions, ThePlatformStandsWhereThePlanBegins) {
@@ -59,8 +78,7 @@ TEST(DriveOptions, ThePlansBeginWhereTheConfigurationLetsThePlatformStand) {
 }
 
 TEST(DriveOptions, NamesOfAlgorithmsAreWhateverThePlatformHas) {
-  const Config c = config_with(
-      settings_of({.plan = "", .speed = {}, .tracker = "mine", .estimator = "a \"b\"", .ground = ""}));
+  const Config c = config_with(settings_of({.tracker = "mine", .estimator = "a \"b\""}));
   EXPECT_EQ(c.text("platforms.rex.tracker", ""), "mine");
   EXPECT_EQ(c.text("platforms.rex.estimator", ""), "a \"b\"");
 }

@@ -36,6 +36,31 @@ TEST(PlanFile, HasPointsCommentsStartAndPlans) {
   EXPECT_EQ(list.plans[1].back(), (MapPoint{2, 1, 8}));
 }
 
+TEST(PlanFile, AMarkOfTheByteOrderBeforeTheTextIsLeftOut) {
+  const PlanList list = parse_plans("\xEF\xBB\xBFstart 0 0 1\n0 0\n1 0\n", "my.txt");
+  EXPECT_EQ(list.start.phi, 1);
+  EXPECT_EQ(list.plans[0].size(), 2U);
+  EXPECT_NE(error_of("0 0\n\xEF\xBB\xBF"
+                     "1 0\n"),
+            "");
+}
+
+TEST(PlanFile, SaysOfASinglePointWhereTheWayToItBegins) {
+  const auto remedy_of = [](const std::string& text) {
+    try {
+      std::ignore = parse_plans(text, "my.txt");
+    } catch (const FaultError& e) {
+      return std::string(e.remedy());
+    }
+    return std::string("it is driven");
+  };
+  EXPECT_EQ(remedy_of("start 0.5 1 0\n1 1\n"),
+            "write '0.5 1', where the platform stands, on the line before it");
+  EXPECT_EQ(remedy_of("0 0\n1 0\nplan\n1 1\n"),
+            "write '1 0', where the plan before ends, on the line before it");
+  EXPECT_EQ(remedy_of("start 0.5 1 0\n0.5 1\n1 1\n"), "it is driven");
+}
+
 TEST(PlanFile, BeginsAtTheOriginUnlessItSaysOtherwise) {
   const PlanList list = parse_plans("0 0\n1 0\n", "my.txt");
   EXPECT_EQ(list.start.x, 0);
@@ -52,7 +77,7 @@ TEST(PlanFile, SaysWhatIsWrongAndInWhichLine) {
   EXPECT_EQ(error_of("0 0\n1e999 1\n"), "my.txt:2: 1e999 is beyond 1000 m");
   EXPECT_EQ(error_of("0 0\nstart 0 0 0\n1 0\n"), "my.txt:2: 'start' is not the first line");
   EXPECT_EQ(error_of("start 0 0\n1 0\n"), "my.txt:1: a number is missing");
-  EXPECT_EQ(error_of("0 0\n"), "my.txt:1: a plan has one point only");
+  EXPECT_EQ(error_of("0 0\n"), "my.txt:1: a plan has one point only, and a way has two at least");
   EXPECT_EQ(error_of("# nothing\n"), "my.txt:1: there is no point in it");
   EXPECT_EQ(error_of(""), "my.txt: there is no point in it");
   EXPECT_EQ(error_of("0 0\n1 0\nplan\nplan\n"), "my.txt:4: a plan has no points");

@@ -27,6 +27,7 @@ BIN = Path(sys.argv[1])
 IN_OWN_NETWORK = "MRROC_IN_OWN_NETWORK"
 ORANGE = "r > 150 && g > 50 && g < 150 && b < 90"
 BLUE = "b > 180 && r < 90"
+GREEN = "g > 110 && r < 90 && b < 120"
 INK = "r < 100 && g < 105 && b < 120"
 DARK = "r < 50 && g < 55 && b < 65"
 
@@ -209,6 +210,32 @@ def start_beside_a_task(page):
     check(True, "it ends when no task runs and nobody looks")
 
 
+def look_at_a_platform(page, folder: Path):
+    if not (BIN / "rex_drive").exists():
+        return print("left out: the platform Rex is not part of this build")
+    plan = Path(folder.parent) / "plan.txt"
+    plan.write_text("0 0\n0.6 0\n1.2 0.3\n")
+    subprocess.run([BIN / "rex_drive", "--processes", "one", "--plan", plan, "--run-dir", folder], check=True, capture_output=True)
+    viewer = Viewer(str(folder))
+    go_anew(page, viewer.url)
+    page.wait("Number(document.querySelector('#clock')?.dataset.rows) > 100")
+    page.wait("[...document.querySelectorAll('#views button')].some(b => b.textContent === 'rex')")
+    time.sleep(1)
+    page.click("#timeline", 0.6, 0.4)
+    time.sleep(1)
+    room = page.share("#stage", ORANGE)
+    check(room > 0.001, f"the platform is drawn {room}")
+    check(page.share("#stage", GREEN) > 0.0002, "the points of its plan are drawn")
+    check(page.share("#charts", BLUE) > 0.001, "the charts have its curves")
+    check("rex" in page.value("document.querySelector('#readout').innerText"), "its place is told")
+    page.value("[...document.querySelectorAll('#views button')].find(b => b.textContent === 'rex').click()")
+    time.sleep(1.5)
+    near = page.share("#stage", ORANGE)
+    check(near > 1.5 * room, f"it can be looked at from near {room} {near}")
+    check(not page.errors, f"the page complains of nothing {page.errors}")
+    viewer.end()
+
+
 def answers(url: str) -> bool:
     try:
         return urllib.request.urlopen(url, timeout=5).status == 200
@@ -228,6 +255,7 @@ def main():
         follow_a_task(page, Path(home) / "live")
         attach_late(page, Path(home) / "late")
         start_beside_a_task(page)
+        look_at_a_platform(page, Path(home) / "drive")
 
 
 main()

@@ -1,0 +1,57 @@
+#include "tasks/rex_drive/drive_case.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "tasks/rex_drive/config.hpp"
+#include "tasks/rex_drive/options.hpp"
+
+namespace mrroc::rex_drive {
+namespace {
+
+using Values = std::map<std::string, std::string>;
+
+/// What platform, ground, sensors and kernels are made of; not where the platform stands at the beginning.
+Values plant_of(const Config& config) {
+  constexpr std::array<std::string_view, 4> kPlant{"sim.ground.", "sim.platforms.", "motion_capture.",
+                                                   "platforms.rex."};
+  Values values;
+  for (const ConfigParameter& p : config.parameters()) {
+    const auto begins = [&p](std::string_view table) { return p.key.starts_with(table); };
+    if (std::ranges::any_of(kPlant, begins) && !p.key.ends_with(".start")) values.emplace(p.key, p.value);
+  }
+  return values;
+}
+
+/// Whether a run may go faster than with the built-in configuration.
+bool is_fast(const Config& run, const Config& usual) {
+  const RouteLimits is = read_parameters(run).planner.route, was = read_parameters(usual).planner.route;
+  return read_speed(run) > read_speed(usual) || is.lateral > was.lateral ||
+         is.acceleration > was.acceleration || is.turn_rate > was.turn_rate;
+}
+
+}  // namespace
+
+DriveCase drive_case(const Config& run, const std::function<void(const Config&)>& read) {
+  constexpr std::array<std::pair<const char*, DriveCase>, 4> kGrounds{{{"nominal", DriveCase::usual},
+                                                                       {"slippery", DriveCase::slippery},
+                                                                       {"ice_right", DriveCase::ice_right},
+                                                                       {"smooth", DriveCase::smooth}}};
+  const Values plant = plant_of(run);
+  for (const auto& [ground, drive] : kGrounds) {
+    DriveOptions options;
+    options.ground = ground;
+    Config config = Config::parse(rex_drive::config(), "rex_drive.toml");
+    for (const std::string& setting : settings_of(options)) config.set(setting);
+    read(config);
+    if (plant_of(config) != plant) continue;
+    return drive == DriveCase::usual && is_fast(run, config) ? DriveCase::fast : drive;
+  }
+  return DriveCase::other;
+}
+
+}  // namespace mrroc::rex_drive

@@ -1,0 +1,25 @@
+// What kind of drive a run is: what is wanted of its figures depends on it.
+#pragma once
+#include <functional>
+
+#include "base/config.hpp"
+
+namespace mrroc::rex_drive {
+
+/// Drives of which different things are wanted. All but `other` are with the platform, its sensors and its kernels (NMPC and
+/// MHE) as they are built in.
+enum class DriveCase {
+  usual,      ///< on the usual ground, as fast as the built-in configuration says or slower
+  fast,       ///< on the usual ground, faster
+  slippery,   ///< on the ground of this name, at any speed
+  ice_right,  ///< the same
+  smooth,     ///< the same
+  other       ///< anything else
+};
+
+/// @param run   the configuration of a run, all of which has been read
+/// @param read  reads what simulator and driver read of a configuration: their keys are compared, defaults and all
+/// @return the kind of that run
+[[nodiscard]] DriveCase drive_case(const Config& run, const std::function<void(const Config&)>& read);
+
+}  // namespace mrroc::rex_drive

@@ -1,0 +1,125 @@
+#include "tasks/rex_drive/path_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "base/gnuplot_text.hpp"
+
+namespace mrroc::rex_drive {
+namespace {
+
+constexpr const char* kWallColour = "#667080";
+constexpr const char* kObstacleColour = "#c3cad4";
+constexpr const char* kGroundColour = "#dbe9f6";
+constexpr const char* kTextColour = "#333a45";
+constexpr const char* kEllipseColour = "#e8a374";
+constexpr double kLarger = 10;  // ellipses are drawn so many times as large
+
+/// The 95 % ellipse of an estimate. @return lines of a data block
+std::string ellipse(const PlatformEstimate& e) {
+  constexpr double kRadius = 2.4477;  // of 95 % in a plane
+  constexpr int kCorners = 24;
+  const double a = e.covariance[0], b = e.covariance[1], d = e.covariance[4];
+  if (!(a > 0) || !(a * d > b * b)) return {};
+  const double l11 = std::sqrt(a), l21 = b / l11, l22 = std::sqrt(d - l21 * l21);
+  std::string data;
+  for (int corner = 0; corner <= kCorners; ++corner) {
+    const double s = 2 * std::numbers::pi * corner / kCorners;
+    const double u = kLarger * kRadius * std::cos(s), w = kLarger * kRadius * std::sin(s);
+    data += fmt::format("{:.4f},{:.4f}\n", e.p.x + l11 * u, e.p.y + l21 * u + l22 * w);
+  }
+  return data + "\n";
+}
+
+/// Few ellipses, and none while the platform stands: they would hide the way.
+std::string ellipses(const DriveTable& table) {
+  constexpr double kApart = 2;  // [s]
+  std::string data = "$ellipses << EOD\n";
+  double last = -kApart;
+  for (const DriveRow& row : table) {
+    if (row.executing == 0 || row.t < last + kApart) continue;
+    data += ellipse(row.estimate);
+    last = row.t;
+  }
+  return data + "NaN,NaN\nEOD\n";
+}
+
+std::string plan_points(const std::vector<Plan>& plans) {
+  std::string data = "$plan << EOD\n";
+  for (const Plan& plan : plans)
+    for (std::int32_t k = 0; k < plan.n; ++k) {
+      const auto& [px, py] = plan.point[static_cast<std::size_t>(k)];
+      data += fmt::format("{:.4f},{:.4f}\n", px, py);
+    }
+  return data + "NaN,NaN\nEOD\n";
+}
+
+std::string rectangle(const RoomPoint& lower, const RoomPoint& upper, const std::string& style) {
+  return fmt::format("set object rectangle from {},{} to {},{} {} behind\n", lower[0], lower[1], upper[0],
+                     upper[1], style);
+}
+
+std::string ground(const std::vector<GroundArea>& areas) {
+  std::string s;
+  for (const GroundArea& area : areas) {
+    s += rectangle(area.lower, area.upper,
+                   fmt::format("fillcolor rgb '{}' fillstyle solid 1 noborder", kGroundColour));
+    const std::string since = area.from > 0 ? fmt::format(" from {:g} s on", area.from) : "";
+    s += fmt::format(
+        "set label 'friction x {:.3g}{}' at {},{} left offset character 0.6,-0.9 font 'sans,10' textcolor rgb "
+        "'{}' front\n",
+        area.scale, since, area.lower[0], area.upper[1], kTextColour);
+  }
+  return s;
+}
+
+std::string walls(const Room& room) {
+  std::string s =
+      rectangle(room.lower, room.upper, fmt::format("fillstyle empty border lc rgb '{}' lw 2", kWallColour));
+  for (const Obstacle& obstacle : room.obstacles) {
+    std::string corners;
+    for (const auto& [px, py] : obstacle.corner) corners += fmt::format("{},{} to ", px, py);
+    const auto& [px, py] = obstacle.corner.front();
+    s += fmt::format("set object polygon from {}{},{} fillcolor rgb '{}' fillstyle solid 1 noborder behind\n",
+                     corners, px, py, kObstacleColour);
+  }
+  return s;
+}
+
+/// Where the platform stood at the beginning, and which way it looked.
+std::string start(const PlanarPose& p) {
+  constexpr double kLength = 0.25;  // [m]
+  return fmt::format(
+      "set arrow from {:.4f},{:.4f} to {:.4f},{:.4f} head filled size 0.08,20 lw 2 lc rgb '{}' front\n", p.x,
+      p.y, p.x + kLength * std::cos(p.phi), p.y + kLength * std::sin(p.phi), kReferenceColour);
+}
+
+std::string way(int column, double width, std::string_view colour, const char* title) {
+  return fmt::format("'platform.csv' skip 1 using {}:{} with lines lw {} lc rgb '{}' title '{}', \\\n  ",
+                     column, column + 1, width, colour, title);
+}
+
+}  // namespace
+
+std::string path_script(const DriveResults& r) {
+  constexpr double kRoom = 0.1;  // around the walls [m]
+  std::string s = gnuplot_head("plots/path.png", 1200, 900);
+  s += ellipses(r.table) + plan_points(r.plans);
+  s += "set title 'Rex: the way, seen from above' font 'sans:Bold,14' textcolor rgb '#1b2a41'\n"
+       "set size ratio -1\nset xlabel 'x [m]'\nset ylabel 'y [m]'\nset key below\n";
+  s += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", r.room.lower[0] - kRoom,
+                   r.room.upper[0] + kRoom, r.room.lower[1] - kRoom, r.room.upper[1] + kRoom);
+  s += ground(r.areas) + walls(r.room);
+  if (!r.table.empty()) s += start(r.table.front().truth.p);
+  s += "plot " + way(column::x_d, 5, kObstacleColour, "reference");
+  s += fmt::format(
+      "$ellipses using 1:2 with lines lw 0.7 lc rgb '{}' title '95 % ellipse, times {:g}', \\\n  ",
+      kEllipseColour, kLarger);
+  s += way(column::x, 1.6, curve_colour(0), "true") + way(column::x_e, 1, curve_colour(1), "estimate");
+  s += fmt::format("$plan using 1:2 with points pt 7 ps 0.9 lc rgb '{}' title 'plan'\n", kReferenceColour);
+  return s;
+}
+
+}  // namespace mrroc::rex_drive
