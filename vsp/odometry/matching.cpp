@@ -13,7 +13,7 @@ constexpr int kLevels = 4;                // besides the picture itself
 constexpr double kClosed = 0.7;           // how far from its beginning a circle may end [pixel]
 constexpr double kLeastDisparity = 1;     // [pixel]
 constexpr double kMostRowDifference = 1;  // [pixel]
-const cv::Size window(15, 15);            // what is compared [pixel]
+const cv::Size window(13, 13);            // what is compared [pixel]
 
 using Pixels = std::vector<cv::Point2f>;
 using Found = std::vector<std::uint8_t>;
