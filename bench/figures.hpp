@@ -45,6 +45,9 @@ Figures run_pen_state_group(const std::filesystem::path& plots);
 Figures run_robustness_group();
 /// The trajectory planner of a platform on 1,000 random plans. Takes some seconds.
 Figures rex_planner_figures();
+/// Visual odometry in 20 rooms: its drift and its work. Takes two minutes.
+/// @throws FaultError no_renderer
+Figures rex_odometry_figures();
 /// Kernels of the platform Rex along a figure eight, in process. Takes some seconds. Only where that platform is built.
 /// @throws FaultError internal_error: it is not followed to its end
 Figures rex_kernel_figures();
@@ -68,7 +71,7 @@ Figures run_plan_group();
 /// @throws FaultError start_failed, cannot_write
 Figures run_rubik_group(bool resume);
 /// The platform's task on named grounds and plans, in 100 plants that its driver does not know, with adaptation and
-/// without; its planner, its kernels. Takes an hour.
+/// without; its planner, its odometry, its kernels. Takes an hour.
 /// @throws FaultError start_failed; internal_error: a run on a named ground did not end well
 /// @param plots folder for the picture algorithms.png and its table; empty: none
 Figures run_rex_group(const std::filesystem::path& plots);

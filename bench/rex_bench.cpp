@@ -199,6 +199,7 @@ Figures run_rex_group(const fs::path& plots) {
   add(friction_figures());
   add(same_bits_figures());
   add(rex_planner_figures());
+  add(rex_odometry_figures());
 #ifdef MRROC_REX
   add(rex_kernel_figures());
 #endif

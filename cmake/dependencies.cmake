@@ -16,7 +16,7 @@ pkg_check_modules(httplib REQUIRED IMPORTED_TARGET cpp-httplib)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 # Only the virtual receptors link OpenCV and AprilTag. OpenCV's own CMake package asks for everything that it has, and
 # comes with Qt and MPI.
-foreach(module core imgproc imgcodecs videoio calib3d)
+foreach(module core imgproc imgcodecs video videoio calib3d)
   find_library(MRROC_OPENCV_${module} opencv_${module} REQUIRED)
   if(NOT TARGET opencv_${module})
     find_path(MRROC_OPENCV_HEADERS opencv2/core.hpp PATH_SUFFIXES opencv4 REQUIRED)

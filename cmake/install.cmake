@@ -54,7 +54,7 @@ endif()
 # What the libraries' users link, and what a run calls.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libeigen3-dev, libfmt-dev, liblcm-dev, libglib2.0-dev, libsodium-dev, libbullet-dev, liburdfdom-dev, \
 liborocos-kdl-dev, libtomlplusplus-dev, nlohmann-json3-dev, libpugixml-dev, libncurses-dev, \
-libopencv-core-dev, libopencv-imgproc-dev, libopencv-imgcodecs-dev, libopencv-videoio-dev, libopencv-calib3d-dev, \
+libopencv-core-dev, libopencv-imgproc-dev, libopencv-imgcodecs-dev, libopencv-video-dev, libopencv-videoio-dev, libopencv-calib3d-dev, \
 libapriltag-dev")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++, cmake, gnuplot-nox, libegl-mesa0, libgl1-mesa-dri, python3-numpy")
 include(CPack)

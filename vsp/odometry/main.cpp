@@ -1,0 +1,3 @@
+#include "vsp/odometry/recorded_pairs.hpp"
+
+int main(int argc, char** argv) { return mrroc::vsp::odometry_main(argc, argv); }
