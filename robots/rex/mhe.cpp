@@ -2,9 +2,11 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "robots/rex/estimate.hpp"
+#include "robots/rex/parameters.hpp"
 
 namespace mrroc::rex {
 namespace {
@@ -27,6 +29,27 @@ StageMatrix root(const StageMatrix& P) noexcept {
   const Eigen::LLT<StageMatrix> llt(P);
   if (llt.info() == Eigen::Success) return llt.matrixL();
   return P.diagonal().cwiseAbs().cwiseSqrt().asDiagonal();
+}
+
+/// @return largest change of a wheel's slip in a step [m/s]
+double slip_change(const StageVector& change) noexcept {
+  double most = 0;
+  for (std::size_t i = 0; i < kWheels; ++i) {
+    const double s_x = change[kVelocity] - kWheelY[i] * change[kTurnRate] -
+                       kWheelRadius * change[kWheelSpeed + static_cast<int>(i)];
+    const double s_y = change[kVelocity + 1] + kWheelX[i] * change[kTurnRate];
+    most = std::max(most, std::hypot(s_x, s_y));
+  }
+  return most;
+}
+
+/// @return the step, shortened to that change of slip [m/s] but for the speeds of the wheels
+StageVector shortened(const StageVector& step, double most) noexcept {
+  const double change = slip_change(step);
+  if (change <= most) return step;
+  StageVector part = most / change * step;
+  part.segment<4>(kWheelSpeed) = step.segment<4>(kWheelSpeed);
+  return part;
 }
 
 }  // namespace
@@ -134,7 +157,7 @@ void Mhe::improve(edp::Health& health) noexcept {
   } while (solved && health.iterations == 1 && hold_slip());
   health.solver_failed = !solved;
   for (int k = 0; k < kWindowStages && solved; ++k)
-    z(k) = contained(z(k) + change_[static_cast<std::size_t>(k)]);
+    z(k) = contained(z(k) + shortened(change_[static_cast<std::size_t>(k)], kMostSlipChange));
 }
 
 // The QP's states are corrections of z, so that the arrival cost is that of z_0 = zbar + root(P) w.

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "robots/ocp/ocp_qp.hpp"
+#include "robots/rex/parameters.hpp"
 #include "robots/rex/stage_belief.hpp"
 
 namespace mrroc::rex {
@@ -24,7 +25,13 @@ struct HeldSlip {
 ///
 /// Slip coefficients stay within SlipBounds: where the step takes one beyond its bound, it is held there and the step is
 /// computed once more. That is one iteration of an active set method, and nearly always none is needed; an interior point
-/// method takes ten times as long for the same. When the QP is not solved, the states are kept as the model predicts them.
+/// method takes ten times as long for the same.
+///
+/// Friction saturates with slip, and Gauss-Newton steps into saturation and back overshoot, as Newton's do on arctan: from a
+/// slip s above v_s to -s^3 / v_s^2. The step of a stage is therefore shortened where slip would change by more than
+/// kMostSlipChange; only speeds of wheels, which are measured, change by all of it.
+///
+/// When the QP is not solved, the states are kept as the model predicts them.
 class Mhe final : public edp::Estimator {
  public:
   /// Takes all memory. @throws std::bad_alloc
@@ -37,6 +44,8 @@ class Mhe final : public edp::Estimator {
   edp::EstimatorResult step() noexcept override;
 
  private:
+  /// Of the slip of a wheel's contact in one step [m/s].
+  static constexpr double kMostSlipChange = kSlipSpeed;
   static constexpr auto kStages = static_cast<std::size_t>(kWindowStages);
 
   [[nodiscard]] StageVector& z(int k) noexcept { return z_[static_cast<std::size_t>(k)]; }
