@@ -7,8 +7,9 @@
 namespace mrroc::rex {
 namespace {
 
-double deviation(const StageBelief& belief, int index) noexcept {
-  return std::sqrt(std::max(belief.P(index, index), 0.0));
+/// @param structure  standard deviation of what the belief does not know of: that the ground is another than the model
+double deviation(const StageBelief& belief, int index, double structure) noexcept {
+  return std::sqrt(std::max(belief.P(index, index), 0.0) + structure * structure);
 }
 
 }  // namespace
@@ -27,8 +28,10 @@ edp::EstimatorResult result_of(const StageBelief& belief, const StageWindow& win
   Eigen::Vector4d::Map(result.estimate.theta_dot.data()) = x.segment<4>(kWheelSpeed);
   Eigen::Matrix3d::Map(result.estimate.covariance.data()) = pose_covariance(belief, window.centre());
   result.slip = {belief.z[kSlipIndex], belief.z[kSlipIndex + 1], belief.z[kSlipIndex + 2]};
-  result.slip_sd = {deviation(belief, kSlipIndex), deviation(belief, kSlipIndex + 1),
-                    deviation(belief, kSlipIndex + 2)};
+  const double share = window.noise().slip_structure;
+  result.slip_sd = {deviation(belief, kSlipIndex, share * result.slip.mu_x),
+                    deviation(belief, kSlipIndex + 1, share * result.slip.mu_y),
+                    deviation(belief, kSlipIndex + 2, share * result.slip.split)};
   result.mass = window.weighed().mass;
   result.centre = centre;
   result.health = health;

@@ -17,17 +17,25 @@ struct EstimatorNoise {
   double velocity_process{0.0212};  ///< of vx and vy [m/s] and of w [rad/s]
   double wheel_process{0.0566};     ///< of the wheels' speeds [rad/s]
   double braked_wheel_process{
-      1};  ///< of the wheels' speeds while the drives brake: their torque is only believed
-  double slip_process{2.83e-3};  ///< of mu_x, mu_y and split while the platform moves; none at rest
-  double rest_speed{0.02};       ///< below it the platform is at rest [m/s]
+      1};                     ///< of the wheels' speeds while the drives brake: their torque is only believed
+  double slip_process{0.01};  ///< of mu_x, mu_y and split while the wheels slide; none at rest
+  double rolling_slip_process{0.03};  ///< of them while the wheels roll
+  double rest_speed{0.02};            ///< below it the platform is at rest [m/s]
+  /// The wheels slide where s^2 / (s^2 + v_s^2) is above it, 0..1; s is the root mean square of their slips, at 0.9 three
+  /// times v_s.
+  double sliding{0.9};
+  /// Standard deviation, as a share of them, by which slip coefficients are wrong on a ground of another structure; part of
+  /// what is told, not of the filter.
+  double slip_structure{0.05};
 };
 
 /// Standard deviations of what is known at the beginning.
 struct EstimatorPrior {
   double velocity{0.0316};  ///< of vx, vy [m/s], w [rad/s]
   double wheel_speed{0.1};  ///< [rad/s]
-  double friction{0.3};     ///< of mu_x and mu_y; also the most that they get later
-  double split{0.2};        ///< also the most that it gets later
+  double friction{0.3};     ///< of mu_x and mu_y
+  double split{0.2};        ///< of the split of left and right
+  double most_slip{0.2};    ///< the most that process noise makes of mu_x, mu_y and split later
   double pose{0.003};       ///< of x, y [m] and phi [rad]: at least
 };
 

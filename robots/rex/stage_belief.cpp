@@ -52,10 +52,10 @@ void correct(StageBelief& belief, const StageResiduals& at, const StageVector& l
 
 void predict(StageBelief& belief, const StageTransition& to, const StageVector& linearised) noexcept {
   constexpr double kRounding = 1e-10;  // keeps P positive
-  const StageVector most = standing_variances();
+  constexpr double kMost = EstimatorPrior{}.most_slip;
   NoiseVector variance = to.deviation.cwiseAbs2();
   for (int i = kSlipIndex; i < kSlipIndex + 3; ++i)
-    if (belief.P(i, i) >= most[i]) variance[i] = 0;
+    if (belief.P(i, i) >= kMost * kMost) variance[i] = 0;
   belief.z = contained(to.z + to.F * difference(belief.z, linearised));
   const StageMatrix FP = to.F * belief.P;
   belief.P.noalias() = FP * to.F.transpose();

@@ -21,7 +21,8 @@ struct StageBelief {
 /// @param at, linearised  residuals and the state for which they were made
 void correct(StageBelief& belief, const StageResiduals& at, const StageVector& linearised) noexcept;
 
-/// Goes to the next stage. Slip coefficients do not become less certain than they were at the beginning. Real-time safe.
+/// Goes to the next stage. Noise does not make slip coefficients less certain than EstimatorPrior::most_slip. Real-time
+/// safe.
 /// @param to, linearised  transition and the state for which it was made
 void predict(StageBelief& belief, const StageTransition& to, const StageVector& linearised) noexcept;
 

@@ -16,9 +16,10 @@ struct StageTransition {
 /// @param z  of `from`  @param from, to  neighbours in the window: what led to `to` stands there; behind a picture the
 ///                clone becomes the pose of `from`
 /// @param weighed  the platform at rest
-/// @return the state of `to`; finite when z is within contained(). At rest and while the drives brake, slip coefficients get
-///         no noise and nothing is said to depend on them: else a platform that stands for minutes would find that the
-///         ground holds it well. Real-time safe
+/// @return the state of `to`; finite when z is within contained(). Only where the wheels slide
+///         does anything depend on slip coefficients: below that, forces tell of mu / v_s alone, and v_s, which is the
+///         model's own, would be learnt as friction. Rolling wheels do not see the ground, which may become another one:
+///         the coefficients have more noise then. At rest and while the drives brake they have none. Real-time safe
 [[nodiscard]] StageTransition transition(const StageVector& z, const WindowStage& from, const WindowStage& to,
                                          const Load& weighed, const EstimatorNoise& noise) noexcept;
 

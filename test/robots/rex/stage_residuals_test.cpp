@@ -119,6 +119,7 @@ TEST(StageResiduals, WhatWasNotMeasuredSaysNothing) {
 TEST(StageModel, SlopesAreThoseOfDifferences) {
   std::mt19937 random(2);
   const Load weighed = weigh(standing_load(44, {0.04, 0, 0}));
+  const EstimatorNoise noise{.sliding = 0};  // it learns of the ground at any slip
   WindowStage from = still_stage();
   WindowStage to = still_stage();
   to.torque << 3, -2, 4, 1;
@@ -129,9 +130,9 @@ TEST(StageModel, SlopesAreThoseOfDifferences) {
       z[6 + k] = (z[3] - kWheelY[static_cast<std::size_t>(k)] * z[5]) / kWheelRadius + 0.01 * z[6 + k];
     z[4] *= 0.05;
     const auto next = [&](const StageVector& at) {
-      return StageVector(transition(at, from, to, weighed, EstimatorNoise{}).z);
+      return StageVector(transition(at, from, to, weighed, noise).z);
     };
-    const StageMatrix F = transition(z, from, to, weighed, EstimatorNoise{}).F;
+    const StageMatrix F = transition(z, from, to, weighed, noise).F;
     EXPECT_LT((F - slope_of<kStageStates>(next, z)).norm(), 0.01 * F.norm());
   }
 }
@@ -156,9 +157,9 @@ TEST(StageModel, NothingIsLearntOfTheGroundAtRestOrWhileBraking) {
   z.segment<3>(kSlipIndex) << 0.7, 0.6, 0;
   const auto learns = [&](const WindowStage& to) {
     const StageTransition next = transition(z, still_stage(), to, weighed, EstimatorNoise{});
-    const bool noisy = next.deviation[kSlipIndex] > 0;
-    EXPECT_EQ((next.F.block<10, 3>(0, kSlipIndex).isZero()), !noisy);
-    return noisy;
+    const bool depends = !next.F.block<10, 3>(0, kSlipIndex).isZero();
+    EXPECT_EQ(next.deviation[kSlipIndex], depends ? EstimatorNoise{}.slip_process : 0);
+    return depends;
   };
   EXPECT_FALSE(learns(still_stage()));
   z[3] = 0.5;
@@ -167,6 +168,19 @@ TEST(StageModel, NothingIsLearntOfTheGroundAtRestOrWhileBraking) {
   z[3] = 0;
   z[5] = 0.5;
   EXPECT_TRUE(learns(still_stage())) << "a turn on the spot";
+}
+
+TEST(StageModel, RollingWheelsForgetTheGroundAndLearnNothing) {
+  StageVector z = StageVector::Zero();
+  z.segment<3>(kSlipIndex) << 0.7, 0.6, 0;
+  z[kVelocity] = 0.6;
+  z.segment<4>(kWheelSpeed).setConstant((0.6 + 2 * kSlipSpeed) / kWheelRadius);
+  const auto next = [&] { return transition(z, still_stage(), still_stage(), weigh({}), EstimatorNoise{}); };
+  EXPECT_TRUE((next().F.block<10, 3>(0, kSlipIndex).isZero()));
+  EXPECT_EQ(next().deviation[kSlipIndex], EstimatorNoise{}.rolling_slip_process);
+  z.segment<4>(kWheelSpeed).setConstant((0.6 + 4 * kSlipSpeed) / kWheelRadius);
+  EXPECT_FALSE((next().F.block<10, 3>(0, kSlipIndex).isZero()));
+  EXPECT_EQ(next().deviation[kSlipIndex], EstimatorNoise{}.slip_process);
 }
 
 }  // namespace
