@@ -14,6 +14,12 @@ constexpr double kLeastFriction = 0.02;
 constexpr double kMostFriction = 2;
 constexpr double kMostSplit = 0.9;
 
+/// @return the estimate, but no more friction than the nominal one: rolling wheels tell of friction by slip alone, and a ground
+///         that is stiffer than the model looks like one that holds better
+Slip believed(const Slip& estimate, const Slip& nominal) noexcept {
+  return {std::min(estimate.mu_x, nominal.mu_x), std::min(estimate.mu_y, nominal.mu_y), estimate.split};
+}
+
 template <class... Numbers>
 bool are_finite(Numbers... numbers) {
   return (std::isfinite(numbers) && ...);
@@ -87,6 +93,7 @@ void Observer::begin(const StandingStill& found) noexcept {
   last_stage_.step = found.step;
   last_stage_.theta = found.theta;
   adapting_ = known_ = false;
+  slip_ = nominal_;
   failed_ = inconsistent_ = 0;
 }
 
@@ -142,6 +149,7 @@ std::optional<Fault> Observer::step(const StageReading& stage, std::int64_t now)
 void Observer::adapt() noexcept {
   const double sd = largest(result_.slip_sd);
   adapting_ = adapt_ && is_usable(result_.slip) && sd < (adapting_ ? kUncertain : kCertain);
+  slip_ = adapting_ ? believed(result_.slip, nominal_) : nominal_;
 }
 
 std::optional<Fault> Observer::judge() noexcept {

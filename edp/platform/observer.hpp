@@ -46,8 +46,8 @@ class Observer {
   [[nodiscard]] bool known() const noexcept { return known_; }
   /// @return of the newest step whose result can be used
   [[nodiscard]] const EstimatorResult& result() const noexcept { return result_; }
-  /// @return slip that the tracker is to use
-  [[nodiscard]] const Slip& slip() const noexcept { return adapting_ ? result_.slip : nominal_; }
+  /// @return slip that the tracker is to use: friction is at most the nominal one
+  [[nodiscard]] const Slip& slip() const noexcept { return slip_; }
   /// @return whether that is the estimated one
   [[nodiscard]] bool adapting() const noexcept { return adapting_; }
   /// @return of the newest step, whether it could be used or not
@@ -71,6 +71,7 @@ class Observer {
   std::unique_ptr<Estimator> estimator_;
   bool adapt_;
   Slip nominal_;
+  Slip slip_{nominal_};
   EstimatorResult result_{};
   Health health_{};
   StageReading last_stage_{};

@@ -17,7 +17,7 @@ class WheelSupervision {
   static constexpr double kStands = 0.05;
   static constexpr double kTurns = 0.5;
   /// An encoder is wrong when it stands although its wheel is to turn and the other one of its side does, or when it
-  /// differs from the estimate by more than kResidual [rad/s], eight standard deviations, for so many iterations.
+  /// differs from the estimate by more than kResidual [rad/s], sixteen of its standard deviations, for so many iterations.
   static constexpr int kWrong = 10;
   static constexpr double kResidual = 0.8;
   /// No wheel turns faster, as a multiple of PlatformProperties::max_wheel_speed.

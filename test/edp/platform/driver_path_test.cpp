@@ -298,6 +298,19 @@ TEST_F(Driving, TheEstimatedSlipIsUsedOnceItIsCertain) {
   EXPECT_FALSE(rig.wait(1).adapting);
 }
 
+TEST(DrivingFixed, NoMoreFrictionThanTheNominalOneIsCountedOn) {
+  PlatformDriverParameters p = PlatformRig::parameters();
+  p.nominal = {0.45, 0.6, 0};
+  PlatformRig rig(p);
+  ASSERT_TRUE(rig.synchronise());
+  rig.platform.faults.slip_sd = 0.01;
+  rig.macrostep(rig.set(rig.way().next(0.3, 0, 50)));
+  ASSERT_TRUE(rig.wait(5).adapting);
+  EXPECT_EQ(FakeTracker::used.mu_x, 0.45) << "0.5 are estimated";
+  EXPECT_EQ(FakeTracker::used.mu_y, 0.4);
+  EXPECT_EQ(FakeTracker::used.split, 0.1);
+}
+
 TEST(DrivingFixed, WithoutAdaptationTheNominalSlipIsUsed) {
   PlatformDriverParameters p = PlatformRig::parameters();
   p.adapt = false;
