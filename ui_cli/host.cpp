@@ -20,7 +20,7 @@
 #include "base/link/session.hpp"
 #include "base/program.hpp"
 #include "ui_cli/doctor.hpp"
-#include "ui_cli/log/subprocess.hpp"
+#include "ui_cli/subprocess.hpp"
 
 namespace mrroc::ui {
 namespace {

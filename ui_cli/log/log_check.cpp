@@ -9,7 +9,7 @@
 #include "base/counted.hpp"
 #include "base/fault.hpp"
 #include "base/program.hpp"
-#include "ui_cli/log/subprocess.hpp"
+#include "ui_cli/subprocess.hpp"
 
 namespace mrroc::ui {
 namespace {

@@ -123,36 +123,12 @@ void add_run(CommandLine& command, Words& w) {
   command.option("run", w.run, "the run folder").required().type_name("RUN");
 }
 
-void add_commands(CommandLine& line, Words& w) {
-  const auto runs = [&w](CommandLine& command, std::function<int(std::ostream&, std::ostream&)> what) {
-    command.flag("--json", w.json, "print JSON");
-    command.when_given([&w, what = std::move(what)] { w.command = what; });
-  };
-  CommandLine& show =
-      line.subcommand("show", "Tell a run: a line per macrostep, change, order, refusal and message");
-  add_run(show, w);
-  show.option("--channel", w.show.channel, "every message of this channel instead").type_name("C");
-  show.option("--from", w.show.from, "simulated time").type_name("S");
-  show.option("--to", w.show.to, "simulated time").type_name("S");
-  show.flag("--m", w.show.changes, "only what changes: behaviours, states, orders, faults, messages");
-  runs(show, [&w](std::ostream& out, std::ostream& err) {
-    w.show.json = w.json;
-    if (w.show.from > w.show.to)
-      throw FaultError(FaultCode::bad_usage,
-                       fmt::format("--from {:g} is after --to {:g}", w.show.from, w.show.to),
-                       "give the earlier time first");
-    const RunRecord run(w.run);
-    warn_of_damage(run, err);
-    show_log(run, w.show, out);
-    return 0;
-  });
-  CommandLine& csv =
-      line.subcommand("csv", "Write a channel as a table; without a channel: list the channels");
-  add_run(csv, w);
-  csv.option("channel", w.what, "such as arm1.reply").type_name("CHANNEL");
-  csv.option("--fields", w.fields, "only these, such as F_a,T_0E").delimiter(',').type_name("F,F...");
-  csv.option("--output", w.output, "file instead of the standard output").type_name("FILE");
-  runs(csv, [&w](std::ostream& out, std::ostream& err) { return write_table(w, out, err); });
+void runs(CommandLine& command, Words& w, std::function<int(std::ostream&, std::ostream&)> what) {
+  command.flag("--json", w.json, "print JSON");
+  command.when_given([&w, what = std::move(what)] { w.command = what; });
+}
+
+void add_plot(CommandLine& line, Words& w) {
   CommandLine& plot = line.subcommand(
       "plot",
       "Draw force, pose, motors or behaviours of arms over time, path, error, torques, slip, speeds or "
@@ -173,11 +149,40 @@ void add_commands(CommandLine& line, Words& w) {
   plot.option("--from", w.plot.from, "simulated time").type_name("S");
   plot.option("--to", w.plot.to, "simulated time").type_name("S");
   plot.option("--output", w.output, "PNG file (default RUN/plots/log-WHAT.png)").type_name("FILE");
-  runs(plot, [&w](std::ostream& out, std::ostream& err) { return draw(w, out, err); });
+  runs(plot, w, [&w](std::ostream& out, std::ostream& err) { return draw(w, out, err); });
+}
+
+void add_commands(CommandLine& line, Words& w) {
+  CommandLine& show =
+      line.subcommand("show", "Tell a run: a line per macrostep, change, order, refusal and message");
+  add_run(show, w);
+  show.option("--channel", w.show.channel, "every message of this channel instead").type_name("C");
+  show.option("--from", w.show.from, "simulated time").type_name("S");
+  show.option("--to", w.show.to, "simulated time").type_name("S");
+  show.flag("--m", w.show.changes, "only what changes: behaviours, states, orders, faults, messages");
+  runs(show, w, [&w](std::ostream& out, std::ostream& err) {
+    w.show.json = w.json;
+    if (w.show.from > w.show.to)
+      throw FaultError(FaultCode::bad_usage,
+                       fmt::format("--from {:g} is after --to {:g}", w.show.from, w.show.to),
+                       "give the earlier time first");
+    const RunRecord run(w.run);
+    warn_of_damage(run, err);
+    show_log(run, w.show, out);
+    return 0;
+  });
+  CommandLine& csv =
+      line.subcommand("csv", "Write a channel as a table; without a channel: list the channels");
+  add_run(csv, w);
+  csv.option("channel", w.what, "such as arm1.reply").type_name("CHANNEL");
+  csv.option("--fields", w.fields, "only these, such as F_a,T_0E").delimiter(',').type_name("F,F...");
+  csv.option("--output", w.output, "file instead of the standard output").type_name("FILE");
+  runs(csv, w, [&w](std::ostream& out, std::ostream& err) { return write_table(w, out, err); });
+  add_plot(line, w);
   CommandLine& compare = line.subcommand("compare", "Find the first message in which two runs differ");
   compare.option("a", w.run, "a run folder").required().type_name("A");
   compare.option("b", w.other, "another").required().type_name("B");
-  runs(compare, [&w](std::ostream& out, std::ostream&) {
+  runs(compare, w, [&w](std::ostream& out, std::ostream&) {
     return report_comparison(compare_runs(RunRecord(w.run), RunRecord(w.other)), w.json, out);
   });
   CommandLine& check_command = line.subcommand(
@@ -185,7 +190,7 @@ void add_commands(CommandLine& line, Words& w) {
       "Recompute from the log what agents and receptors decided, and name what differs; not drivers, "
       "simulator and cameras");
   check_command.option("run", w.runs, "run folders").required().type_name("RUN...");
-  runs(check_command, [&w](std::ostream& out, std::ostream&) { return check(w, out); });
+  runs(check_command, w, [&w](std::ostream& out, std::ostream&) { return check(w, out); });
 }
 
 }  // namespace

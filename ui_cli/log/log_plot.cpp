@@ -12,7 +12,7 @@
 #include "base/time_chart.hpp"
 #include "ui_cli/log/behaviour_names.hpp"
 #include "ui_cli/log/platform_fields.hpp"
-#include "ui_cli/log/subprocess.hpp"
+#include "ui_cli/subprocess.hpp"
 
 namespace mrroc::ui {
 namespace {

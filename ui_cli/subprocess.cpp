@@ -1,4 +1,4 @@
-#include "ui_cli/log/subprocess.hpp"
+#include "ui_cli/subprocess.hpp"
 
 #include <fcntl.h>
 #include <spawn.h>
