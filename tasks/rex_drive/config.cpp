@@ -64,6 +64,14 @@ Parameters read_parameters(const Config& config) {
       t.integer("planning", k.planner.planning, {0, 100}, "macrosteps that a fragment takes");
   k.planner.lead =
       t.number("lead", k.planner.lead, {0, 6}, "s before its end that a fragment asks for the next");
+  if (k.planner.lead < k.planner.planning * kPlatformPeriod)
+    throw FaultError(
+        FaultCode::bad_configuration,
+        fmt::format(
+            "task.lead: {:g} s before its end a fragment asks for the next one, which takes {:g} s to be "
+            "planned; it would come too late to go on at speed",
+            k.planner.lead, k.planner.planning * kPlatformPeriod),
+        "make task.lead longer, or task.planning shorter");
   k.grip = t.number("grip", k.grip, {0.05, 1}, "share of the friction that a curve may need");
   k.lost = t.number("position_lost", k.lost, {0.01, 10}, "m, standard deviation");
   return k;

@@ -83,6 +83,7 @@ class Reader {
       const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
       if (word.empty() || end != word.data() + word.size() || error == std::errc::invalid_argument)
         fail(word.empty() ? "a number is missing" : fmt::format("'{:.40}' is not a number", word), remedy);
+      if (error == std::errc() && std::isnan(value)) fail("a number is not finite", remedy);
       if (error != std::errc() || !std::isfinite(value) || std::abs(value) > kFarthest)
         fail(fmt::format("{:.40} is beyond {} m", word, kFarthest), "give metres on the map");
     }

@@ -89,6 +89,14 @@ TEST(DriveConfig, RefusesWhatTheKernelsCannotDo) {
   EXPECT_NO_THROW(std::ignore = read_parameters(config_with({})));
 }
 
+TEST(DriveConfig, AFragmentIsAskedForEarlyEnoughToBePlanned) {
+  for (const std::vector<std::string>& late :
+       {std::vector<std::string>{"task.lead=0"}, {"task.lead=0.08"}, {"task.planning=100"}})
+    EXPECT_THROW(std::ignore = read_parameters(config_with(late)), FaultError) << late.front();
+  EXPECT_NO_THROW(std::ignore = read_parameters(config_with({"task.lead=0.1"})));
+  EXPECT_NO_THROW(std::ignore = read_parameters(config_with({"task.lead=0", "task.planning=0"})));
+}
+
 TEST(DriveConfig, MotionCaptureMeasuresAsOftenAsTheMapAgentHasPatienceFor) {
   try {
     std::ignore = read_map(config_with({"motion_capture.period=400"}));

@@ -71,7 +71,7 @@ TEST(PlanFile, SaysWhatIsWrongAndInWhichLine) {
   EXPECT_EQ(error_of("0 0\n1 zero\n"), "my.txt:2: 'zero' is not a number");
   EXPECT_EQ(error_of("0 0\n1\n"), "my.txt:2: a number is missing");
   EXPECT_EQ(error_of("0 0\n1 2 3\n"), "my.txt:2: '3' is too much");
-  EXPECT_EQ(error_of("0 0\nnan 2\n"), "my.txt:2: nan is beyond 1000 m");
+  EXPECT_EQ(error_of("0 0\nnan 2\n"), "my.txt:2: a number is not finite");
   EXPECT_EQ(error_of("0 0\n1 inf\n"), "my.txt:2: inf is beyond 1000 m");
   EXPECT_EQ(error_of("0 0\n1e9 1\n"), "my.txt:2: 1e9 is beyond 1000 m");
   EXPECT_EQ(error_of("0 0\n1e999 1\n"), "my.txt:2: 1e999 is beyond 1000 m");
