@@ -68,7 +68,8 @@ std::string ground(const std::vector<GroundArea>& areas) {
                    fmt::format("fillcolor rgb '{}' fillstyle solid 1 noborder", kGroundColour));
     const std::string since = area.from > 0 ? fmt::format(" from {:g} s on", area.from) : "";
     s += fmt::format(
-        "set label 'friction x {:.3g}{}' at {},{} left offset character 0.6,-0.9 font 'sans,10' textcolor rgb "
+        "set label 'friction x {:.3g}{}' at {},{} left offset character 0.6,-0.9 font 'sans,10' textcolor "
+        "rgb "
         "'{}' front\n",
         area.scale, since, area.lower[0], area.upper[1], kTextColour);
   }
