@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 /// An error of a value that an option has set names the option, not the key that it stands for.
 /// @param found  KEY=VALUE of all options
-ConfigError as_typed(const ConfigError& e, const Task& task, const std::vector<std::string>& found) {
+ConfigError naming_option(const ConfigError& e, const Task& task, const std::vector<std::string>& found) {
   const auto option = task.typed.find(e.key());
   const std::string& set = e.place().file;
   const auto is = [&set](const std::string& setting) { return set == "--set " + setting; };
@@ -85,7 +85,7 @@ Setup prepare(const Task& task, mp::TaskOptions options) {
   try {
     return read_setup(task, std::move(options), found);
   } catch (const ConfigError& e) {
-    throw as_typed(e, task, found);
+    throw naming_option(e, task, found);
   }
 }
 

@@ -48,7 +48,8 @@ inline constexpr double kSamePoint = 0.05;
 /// Most points of all plans of a run.
 inline constexpr std::size_t kMostPoints = 10'000;
 
-/// Reads plans from the text of a file; a UTF-8 byte order mark before it is left out. A plan of more than kPointsOfPlan points is cut into several of the same size.
+/// Reads plans from the text of a file; a UTF-8 byte order mark before it is left out. A plan of more than
+/// kPointsOfPlan points is cut into several of the same size.
 /// @param name  of the file, for errors
 /// @throws FaultError  bad_plan with the line: no two numbers, not finite, beyond 1 km, too few or too many points, points that are
 ///         all the same, `start` elsewhere than in the first line
