@@ -12,6 +12,7 @@
 #include <iterator>
 
 #include "base/fault.hpp"
+#include "test/open_files.hpp"
 
 namespace mrroc::mp {
 namespace {
@@ -72,12 +73,9 @@ TEST_F(Room, WhereFilesMayNotGrowSoFarARunGoesWithout) {
 }
 
 TEST_F(Room, NoFileStaysOpenForIt) {
-  const auto open = [] {
-    return std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator());
-  };
-  const auto before = open();
+  const auto before = test::open_files();
   const RoomReserve reserve(folder_);
-  EXPECT_EQ(open(), before);
+  EXPECT_EQ(test::open_files(), before);
 }
 
 TEST_F(Room, ThatCannotBeTakenIsSaidWithItsFile) {
