@@ -42,6 +42,7 @@ TEST_F(Room, IsReallyTakenAndGivenBack) {
   ASSERT_EQ(::stat((folder_ / RoomReserve::kFile).c_str(), &file), 0);
   EXPECT_GE(static_cast<std::uintmax_t>(file.st_blocks) * 512, RoomReserve::kSize)
       << "a hole promises nothing";
+  EXPECT_EQ(file.st_mode & 0777, 0600) << "for its user alone";
   reserve.release();
   EXPECT_TRUE(fs::is_empty(folder_));
   reserve.release();
