@@ -138,6 +138,8 @@ class Equivalents:
         counted = COUNTED.search(mutant.before)
         if counted and mutant.after == mutant.before.replace(counted[0], counted[0].replace(" < ", " != ", 1)):
             return "a counter that grows by one from zero meets its bound"
+        if mutant.before.endswith(" = true;") and mutant.after == mutant.before[: -len(" = true;")] + "+= true;":
+            return "what true is added to is true"
         if mutant.after == mutant.before.replace(" = ", "+= ", 1) and self.finds_zero(mutant):
             return "what has just been made is zero"
         for e in self.entries:

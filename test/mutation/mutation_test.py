@@ -144,6 +144,16 @@ class Tiny(unittest.TestCase):
         (self.root / "base" / "reply.hpp").unlink()
         (self.root / "base" / "made.cpp").unlink()
 
+    def test_what_true_is_added_to_is_true(self):
+        listed = mutants.Equivalents(self.root, HERE / "equivalent.toml")
+
+        def why(before, after):
+            return listed.why(mutants.Mutant("base/area.cpp", 1, before, after, "by hand"))
+
+        self.assertIsNotNone(why("  taken_ = true;", "  taken_+= true;"))
+        self.assertIsNone(why("  taken_ = true;", "  taken_ = false;"))
+        self.assertIsNone(why("  taken_ = false;", "  taken_+= false;"))
+
     def test_a_listed_equivalent_is_told_from_an_equal_line_by_the_line_before(self):
         file = self.folder / "equivalent.toml"
         file.write_text('[[mutant]]\nfile = "base/area.cpp"\nline = "}"\nbehind = "return x;"\n'

@@ -300,6 +300,9 @@ TEST(TouchedPlaneExact, GoesThroughItsOnlyPoint) {
     plane.add(p, 0.002);
     EXPECT_EQ(plane.depth(p), p.z()) << run;
     EXPECT_EQ(plane.depth(p + Vector3(0.1, -0.2, 3)), p.z()) << run;
+    TouchedPlane fresh({});
+    fresh.add(p, 0.002);
+    EXPECT_EQ(plane.deviation(p + Vector3(0.1, -0.2, 3)), fresh.deviation(p + Vector3(0.1, -0.2, 3))) << run;
     plane.forget();
   }
 }
