@@ -243,6 +243,43 @@ TEST(Legs, OfATurnOnTheSpotHaveTheLeastJerk) {
   EXPECT_NEAR(plan_leg({}, to(0, 0, 0, 0), {}).trajectory.duration, kPlatformPeriod, 1e-12) << "one at least";
 }
 
+// Limits hold for curves to either side, and are reached in some.
+TEST(Legs, ToTheRightAreThoseToTheLeftInAMirror) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<> any(0, 1);
+  PlannerParameters k;
+  k.path = {.speed = 1.1, .turn_rate = 0.9, .lateral = 0.6};
+  int found = 0, slower = 0, limited = 0;
+  for (int run = 0; run < 200; ++run) {
+    const double phi = 0.1 + 1.2 * any(random), r = 0.5 + any(random);
+    const double v0 = any(random), v1 = any(random);
+    const PlanPoint left{.at = {{r * std::sin(phi), r * (1 - std::cos(phi)), phi}, v1, v1 / r}, .cruise = 1};
+    PlanPoint right = left;
+    right.at.p.y *= -1;
+    right.at.p.phi *= -1;
+    right.at.w *= -1;
+    const Leg a = plan_leg({{}, v0, v0 / r}, left, k), b = plan_leg({{}, v0, -v0 / r}, right, k);
+    ASSERT_EQ(a.found, b.found) << run;
+    if (!a.found) continue;
+    ++found;
+    ASSERT_EQ(a.trajectory.duration, b.trajectory.duration) << run;
+    slower += std::abs(a.trajectory.knot.back().v - v1) > 1e-3;
+    for (std::size_t n = 0; n < kFragmentKnots; ++n) {
+      const PathPoint &p = a.trajectory.knot[n], &q = b.trajectory.knot[n];
+      EXPECT_NEAR(p.p.x, q.p.x, 1e-6);
+      EXPECT_NEAR(p.p.y, -q.p.y, 1e-6);
+      EXPECT_NEAR(p.v, q.v, 1e-6);
+      EXPECT_NEAR(p.w, -q.w, 1e-6);
+      EXPECT_LE(std::abs(q.v * q.w), 0.6 + 1e-9);
+      EXPECT_LE(std::abs(q.w), 0.9 + 1e-9);
+      limited += std::abs(q.v * q.w) > 0.5;
+    }
+  }
+  EXPECT_GT(found, 50);
+  EXPECT_GT(slower, 10);
+  EXPECT_GT(limited, 10);
+}
+
 TEST(Legs, ThatAreLongerThanAFragmentAreNotFound) {
   EXPECT_FALSE(plan_leg({}, to(20, 0, 0, 0.5), {}).found);
   const double most = 0.5 * (kLongest - 0.5 / 0.6);
