@@ -258,6 +258,17 @@ TEST_F(ArmLinksTest, TellsItsMacrostepAndNoStepOfItsOwn) {
   }
 }
 
+TEST_F(ArmLinksTest, WhereTheSystemEndsBeforeItHasBegunNothingIsSent) {
+  begin(ClockKind::step);
+  all(1);
+  say(Phase::finished);
+  while (own->wait(std::chrono::milliseconds(0))) {
+  }
+  EXPECT_EQ(links->begin(), Outcome::aborted);
+  EXPECT_EQ(sent().header.stamp, 0);
+  EXPECT_FALSE(reports->take());
+}
+
 TEST_F(ArmLinksTest, AStopEndsItInTheAgreedMacrostep) {
   begin(ClockKind::step);
   all(1);
