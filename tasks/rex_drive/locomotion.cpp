@@ -63,7 +63,7 @@ RouteLimits route_limits(const X& x) {
   constexpr double kGravity = 9.81;
   RouteLimits limits = x.c.k.planner.route;
   const double friction = x.e.slip.mu_y * (1 - std::abs(x.e.slip.split));
-  if (friction > 0) limits.lateral = std::min(limits.lateral, x.c.k.grip * kGravity * friction);
+  limits.lateral = std::min(limits.lateral, x.c.k.grip * kGravity * friction);
   return limits;
 }
 
