@@ -34,12 +34,11 @@ double uncertainty(const PlatformEstimate& estimate) {
 }
 bool position_lost(const X& x) { return uncertainty(x.e.estimate) > x.c.k.lost; }
 
-/// Memory that goes on: the pace follows the operator's pause, and the platform waits while it does not know where it is.
+/// Memory that goes on: the pace follows the operator's pause, and the platform waits while it does not know where it is. The
+/// driver goes to it evenly; told its end at once, the tracker sees the standstill come.
 Memory go_on(const X& x) {
   Memory c = x.c;
-  const bool stands = x.T.variant == kPaused || position_lost(x);
-  const double change = 1.0 / x.c.k.ramp;
-  c.pace = std::clamp(c.pace + (stands ? -change : change), 0.0, 1.0);
+  c.pace = x.T.variant == kPaused || position_lost(x) ? 0 : 1;
   return c;
 }
 

@@ -22,7 +22,7 @@ TEST(Pace, GoesToItsTargetAtItsRateAndStaysThere) {
     EXPECT_NEAR(pace.now(), std::min(1.0, 0.1 * k), 1e-12);
   }
   pace.go_to(0.5, Pace::kStop);
-  EXPECT_NEAR(pace.after(4), 0.8, 1e-12);
+  EXPECT_NEAR(pace.after(4), 1 - 4. / 15, 1e-12);
   EXPECT_EQ(pace.after(11), 0.5);
   pace.set(0.25);
   EXPECT_EQ(pace.now(), 0.25);

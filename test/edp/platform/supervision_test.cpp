@@ -57,7 +57,7 @@ TEST(WheelSupervision, AWheelThatStandsUnderTorqueIsBlocked) {
   }
 }
 
-// In a turn to the left, w > 0, the left wheels go back: v - w 0.5 m and v + w 0.5 m; from 0.1 m/s a wheel is to turn.
+// In a turn to the left, w > 0, the left wheels go back: v - w 0.5 m and v + w 0.5 m; from 0.06 m/s a wheel is to turn.
 TEST(WheelSupervision, WhichWheelsAreToTurnIsToldByTheWay) {
   const auto blocked = [](std::size_t wheel, double v, double w) {
     StageReading s = turning(0);
@@ -67,11 +67,11 @@ TEST(WheelSupervision, WhichWheelsAreToTurnIsToldByTheWay) {
   for (std::size_t k = 0; k < kWheels; ++k) {
     const bool left = k % 2 == 0;
     EXPECT_FALSE(blocked(k, 0, 0)) << k;
-    EXPECT_FALSE(blocked(k, 0.0999, 0)) << k;
-    EXPECT_TRUE(blocked(k, 0.1001, 0)) << k;
-    EXPECT_TRUE(blocked(k, -0.1001, 0)) << k;
-    EXPECT_TRUE(blocked(k, 0, 0.201)) << k;
-    EXPECT_FALSE(blocked(k, 0, 0.199)) << k;
+    EXPECT_FALSE(blocked(k, 0.0599, 0)) << k;
+    EXPECT_TRUE(blocked(k, 0.0601, 0)) << k;
+    EXPECT_TRUE(blocked(k, -0.0601, 0)) << k;
+    EXPECT_TRUE(blocked(k, 0, 0.121)) << k;
+    EXPECT_FALSE(blocked(k, 0, 0.119)) << k;
     EXPECT_EQ(blocked(k, 0.3, 0.5), !left) << k;
     EXPECT_EQ(blocked(k, 0.3, -0.5), left) << k;
   }
@@ -84,7 +84,7 @@ TEST(WheelSupervision, AnEncoderThatStandsWhileTheOtherOneOfItsSideTurnsIsWrong)
       if (other == k) continue;
       StageReading s = turning(0.2);
       s.theta_dot[k] = 0.01;
-      s.theta_dot[other] = -0.501;
+      s.theta_dot[other] = -0.301;
       const auto [after, fault] = judged(s, believed(s), kForwards);
       EXPECT_EQ(after, other == kBeside[k] ? WheelSupervision::kWrong : 0) << k << ' ' << other;
       if (after == 0) continue;
@@ -92,7 +92,7 @@ TEST(WheelSupervision, AnEncoderThatStandsWhileTheOtherOneOfItsSideTurnsIsWrong)
       EXPECT_EQ(fault.axis, static_cast<int>(k));
       EXPECT_EQ(fault.value, 0.01);
       EXPECT_EQ(fault.limit, WheelSupervision::kTurns);
-      s.theta_dot[other] = 0.5;
+      s.theta_dot[other] = 0.3;
       EXPECT_EQ(judged(s, believed(s), kForwards).first, 0) << "the very speed";
       s.theta_dot[other] = 1;
       s.torque[k] = 7;

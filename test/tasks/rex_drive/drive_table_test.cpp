@@ -127,10 +127,10 @@ TEST_F(DriveTableTest, AFragmentUnderWayAtTheEndHasNotEnded) {
 TEST_F(DriveTableTest, TellsOfEveryFragmentWhenItWasHandedOverBegunAndEnded) {
   write_fragment_table(file(), three_fragments(), rows({0, 1, 2, 2, 0}));
   EXPECT_EQ(text(),
-            "number,plan,steps,notify,handed_s,begun_s,ended_s,v_end,v_end_true\n"
-            "1,4,50,10,0.00,0.10,0.20,0.0000,2.0000\n"
-            "2,4,51,11,2.00,0.20,0.40,0.2500,4.0000\n"
-            "3,4,52,12,4.00,nan,nan,0.5000,nan\n");
+            "number,plan,steps,notify,handed_s,begun_s,ended_s,v_end,v_end_true,ready_s\n"
+            "1,4,50,10,0.00,0.10,0.20,0.0000,2.0000,nan\n"
+            "2,4,51,11,2.00,0.20,0.40,0.2500,4.0000,nan\n"
+            "3,4,52,12,4.00,nan,nan,0.5000,nan,nan\n");
 }
 
 TEST(Drive, ErrorsAreDistancesFromTheTruePlace) {
