@@ -130,7 +130,8 @@ double distance(const MotionCapture& reading, const PlatformEstimate& estimate, 
 
 double distance(const MotionCapture& reading, const MotionCapture& before, const MapMemory& c) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  if (!before.seen) return kFar;
+  const std::int64_t age = reading.step - before.step;
+  if (!before.seen || age > kCarried * c.k.capture.period) return kFar;
   PlanarPose p = before.p;
   std::int64_t at = before.step;
   for (auto e = c.estimate.rbegin(); e != c.estimate.rend() && at < reading.step; ++e) {
@@ -142,7 +143,7 @@ double distance(const MotionCapture& reading, const MotionCapture& before, const
     at = until;
   }
   if (at < reading.step) return kFar;
-  const double t = seconds(reading.step - before.step);
+  const double t = seconds(age);
   Matrix3 S = 2 * matrix_of(covariance_of(c.k));
   const double position = squared(t * c.k.drift_speed), heading = squared(t * c.k.drift_rate);
   S.diagonal() += Eigen::Vector3d(position, position, heading);
