@@ -40,7 +40,9 @@ inline constexpr int kMaxFragmentSteps = 320;
 struct Fragment {
   std::int64_t number{};  ///< 1, 2, 3...; 0: there is none
   std::int32_t steps{};   ///< duration [iterations of kPlatformPeriod], 1..kMaxFragmentSteps
-  std::int32_t notify{};  ///< iteration after which the driver is ready for the next one, 0 <= notify < steps
+  /// Iteration after which the driver is ready for the next one, -kMaxFragmentSteps <= notify < steps. A negative one lies
+  /// before the fragment's beginning: where fragments are short, several are handed over ahead.
+  std::int32_t notify{};
   std::array<PathPoint, kFragmentKnots> knot{};  ///< from the beginning to the end
 };
 

@@ -71,13 +71,10 @@ Figures run_plan_group();
 /// @throws FaultError start_failed, cannot_write
 Figures run_rubik_group(bool resume);
 /// The platform's task on named grounds and plans, in 100 plants that its driver does not know, with adaptation and
-/// without; its planner, its odometry, its kernels. Takes an hour.
+/// without; its planner, its odometry, its kernels. Takes half an hour.
 /// @throws FaultError start_failed; internal_error: a run on a named ground did not end well
 /// @param plots folder for the picture algorithms.png and its table; empty: none
 Figures run_rex_group(const std::filesystem::path& plots);
-/// Trackers and estimators of the platform against each other on three grounds; part of the group rex.
-/// @throws FaultError cannot_write, internal_error
-Figures rex_algorithm_figures(const std::filesystem::path& plots);
 /// Small errors in the framework, one at a time, and whether a test notices them: a sample of all areas. Takes hours.
 /// @param resume  what the last sample has found is not tried again
 /// @throws FaultError start_failed: a test fails without an error, or universalmutator cannot be installed

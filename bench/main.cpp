@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
   line.option("group", groups,
               "edp, servo, stability, vision, drawing, pen_state, robustness, solver, cube, plan, operator, "
               "rubik, rex, mutation "
-              "(default: all but rubik, rex and mutation, which take an hour or more)")
+              "(default: all but rubik, rex and mutation, which take half an hour or more)")
       .one_of(group_names());
   const Option to =
       line.option("--json", json.file,

@@ -8,9 +8,7 @@
 
 #include "base/fault.hpp"
 #include "base/gnuplot_text.hpp"
-#include "bench/figures.hpp"
-#include "bench/run_summary.hpp"
-#include "bench/task_process.hpp"
+#include "bench/rex_drives.hpp"
 #include "mp/gnuplot.hpp"
 
 namespace mrroc::bench {
@@ -24,22 +22,14 @@ constexpr std::array kGrounds{"nominal", "slippery", "ice_right"};
 
 /// What a pair of algorithms reaches on one ground.
 struct Reached {
-  std::string algorithms, ground;
+  std::string tracker, estimator, ground;
   double track{}, estimate{};  ///< [mm] rms; NaN: the run did not end well
 };
 
-Reached drive(const std::string& tracker, const std::string& estimator, const std::string& ground) {
-  const ScratchFolder scratch;
-  const fs::path folder = scratch.path() / "run";
-  TaskProcess task("rex_drive", {"--processes", "one", "--tracker", tracker, "--estimator", estimator,
-                                 "--ground", ground, "--run-dir", folder.string()});
-  task.wait();
-  const nlohmann::json figures = needed_summary(folder).value("figures", nlohmann::json::object());
-  const auto number = [&](const char* key) {
-    const nlohmann::json value = figures.value(key, nlohmann::json());
-    return value.is_number() ? value.get<double>() : std::nan("");
-  };
-  return {tracker + ", " + estimator, ground, number("track_rms_mm"), number("estimate_rms_mm")};
+double number(const nlohmann::json& summary, const char* key) {
+  const nlohmann::json value =
+      summary.value("figures", nlohmann::json::object()).value(key, nlohmann::json());
+  return value.is_number() ? value.get<double>() : std::nan("");
 }
 
 /// Bars: a group per ground, one bar per pair of algorithms.
@@ -85,22 +75,39 @@ void plot(const fs::path& folder, const std::vector<Reached>& all) {
                      "gnuplot did not draw algorithms.gp; see gnuplot.log beside it");
 }
 
-}  // namespace
-
-Figures rex_algorithm_figures(const fs::path& plots) {
+/// All pairs of algorithms on all grounds, in the order of the drives.
+std::vector<Reached> pairs() {
   std::vector<Reached> all;
-  Figures figures;
   for (const char* tracker : kTrackers)
     for (const char* estimator : kEstimators)
-      for (const char* ground : kGrounds) {
-        const Reached& r = all.emplace_back(drive(tracker, estimator, ground));
-        const std::string key = fmt::format("{}_{}_{}", tracker, estimator, ground);
-        figures.push_back(
-            {"track_rms_mm_" + key, r.track, "mm", fmt::format("{} on {} ground", r.algorithms, ground)});
-        figures.push_back({"estimate_rms_mm_" + key, r.estimate, "mm", "  of its estimate"});
-      }
+      for (const char* ground : kGrounds) all.push_back({tracker, estimator, ground});
+  return all;
+}
+
+Figures figures_of_pairs(const fs::path& plots, Summaries runs) {
+  std::vector<Reached> all = pairs();
+  Figures figures;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    Reached& r = all[k];
+    r.track = number(runs[k], "track_rms_mm");
+    r.estimate = number(runs[k], "estimate_rms_mm");
+    const std::string key = fmt::format("{}_{}_{}", r.tracker, r.estimator, r.ground);
+    figures.push_back({"track_rms_mm_" + key, r.track, "mm",
+                       fmt::format("{}, {} on {} ground", r.tracker, r.estimator, r.ground)});
+    figures.push_back({"estimate_rms_mm_" + key, r.estimate, "mm", "  of its estimate"});
+  }
   if (!plots.empty()) plot(plots, all);
   return figures;
+}
+
+}  // namespace
+
+RexPart rex_algorithms(const fs::path& plots) {
+  RexPart part{.drives = {}, .figures = [plots](Summaries runs) { return figures_of_pairs(plots, runs); }};
+  for (const Reached& r : pairs())
+    part.drives.push_back(
+        {.more = {"--tracker", r.tracker, "--estimator", r.estimator, "--ground", r.ground}});
+  return part;
 }
 
 }  // namespace mrroc::bench

@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -10,19 +11,16 @@
 
 #include "base/fault.hpp"
 #include "bench/figures.hpp"
-#include "bench/run_summary.hpp"
-#include "bench/task_process.hpp"
+#include "bench/rex_drives.hpp"
 #include "bench/vision.hpp"
 
 namespace mrroc::bench {
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::json;
-using Arguments = std::vector<std::string>;
-
-constexpr int kSeeds = 5;
-constexpr int kPlants = 100;
+constexpr std::array kHardGrounds{"slippery", "ice_right"};
+constexpr std::size_t kSeeds = 5;
+constexpr std::size_t kPlants = 100;
 constexpr double kWorse = 2;  // [mm] rms, with which adaptation counts as harmful
 
 Arguments operator+(Arguments a, const Arguments& b) {
@@ -30,18 +28,10 @@ Arguments operator+(Arguments a, const Arguments& b) {
   return a;
 }
 
-/// One run to its end. @return its summary
-json drive(std::uint32_t seed, const Arguments& more, const std::string& processes = "separate") {
-  const ScratchFolder scratch;
-  const fs::path folder = scratch.path() / "run";
-  TaskProcess task("rex_drive", Arguments{"--seed", std::to_string(seed), "--processes", processes,
-                                          "--run-dir", folder.string()} +
-                                    more);
-  task.wait();
-  return needed_summary(folder);
+/// Drives of seeds 1 to kSeeds.
+void add_seeds(std::vector<RexDrive>& drives, const Arguments& more, bool timed = false) {
+  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) drives.push_back({seed, more, timed});
 }
-
-bool done(const json& summary) { return summary.at("outcome") == "done"; }
 
 /// @throws FaultError internal_error: the run did not end well, or has no such figure
 double figure(const json& summary, const std::string& key) {
@@ -51,81 +41,94 @@ double figure(const json& summary, const std::string& key) {
   return value.get<double>();
 }
 
-/// Runs of seeds 1 to kSeeds.
-class Runs {
- public:
-  explicit Runs(const Arguments& arguments) {
-    for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) summaries_.push_back(drive(seed, arguments));
-  }
-  [[nodiscard]] double most(const std::string& key) const { return std::ranges::max(all(key)); }
-  [[nodiscard]] double least(const std::string& key) const { return std::ranges::min(all(key)); }
-  [[nodiscard]] double pace() const {
-    std::vector<double> paces;
-    for (const json& s : summaries_) paces.push_back(s.at("real_time_factor").get<double>());
-    return quantile(paces, 0.5);
-  }
+std::vector<double> all(Summaries runs, const std::string& key) {
+  std::vector<double> values;
+  for (const json& s : runs) values.push_back(figure(s, key));
+  return values;
+}
+double most(Summaries runs, const std::string& key) { return std::ranges::max(all(runs, key)); }
+double least(Summaries runs, const std::string& key) { return std::ranges::min(all(runs, key)); }
 
- private:
-  [[nodiscard]] std::vector<double> all(const std::string& key) const {
-    std::vector<double> values;
-    for (const json& s : summaries_) values.push_back(figure(s, key));
-    return values;
-  }
-  std::vector<json> summaries_;
-};
+/// @return the runs that add_seeds() has added as the k-th, from 0
+Summaries seeds(Summaries runs, std::size_t k) { return runs.subspan(k * kSeeds, kSeeds); }
 
-Figures ground_figures() {
-  const Runs nominal({});
+double pace(Summaries runs) {
+  std::vector<double> paces;
+  for (const json& s : runs) paces.push_back(s.at("real_time_factor").get<double>());
+  return quantile(paces, 0.5);
+}
+
+Figures ground_figures(Summaries runs) {
+  const Summaries nominal = seeds(runs, 0);
   Figures f{
-      {"track_rms_mm", nominal.most("track_rms_mm"), "mm", "figure eight, worst of five seeds, wanted <= 10"},
-      {"track_max_mm", nominal.most("track_max_mm"), "mm", "  at most, wanted <= 40"},
-      {"estimate_rms_mm", nominal.most("estimate_rms_mm"), "mm", "  error of the estimate, wanted <= 8"},
-      {"ellipse_95_pct", nominal.least("ellipse_95_pct"), "%", "  truth within its ellipse, wanted >= 80"},
-      {"joint_speed_pct", nominal.least("joint_speed_pct"), "%", "  speed between fragments, wanted >= 90"},
-      {"plan_joint_speed_pct", nominal.least("plan_joint_speed_pct"), "%",
+      {"track_rms_mm", most(nominal, "track_rms_mm"), "mm",
+       "figure eight, worst of five seeds, wanted <= 10"},
+      {"track_max_mm", most(nominal, "track_max_mm"), "mm", "  at most, wanted <= 40"},
+      {"estimate_rms_mm", most(nominal, "estimate_rms_mm"), "mm", "  error of the estimate, wanted <= 8"},
+      {"ellipse_95_pct", least(nominal, "ellipse_95_pct"), "%", "  truth within its ellipse, wanted >= 80"},
+      {"joint_speed_pct", least(nominal, "joint_speed_pct"), "%", "  speed between fragments, wanted >= 90"},
+      {"plan_joint_speed_pct", least(nominal, "plan_joint_speed_pct"), "%",
        "  speed between plans, wanted >= 85"},
-      {"ack_before_rest_s", nominal.least("ack_before_rest_s"), "s", "  ack before it stands, wanted >= 0.5"},
-      {"real_time_factor", nominal.pace(), "", "  wanted >= 5"}};
-  for (const std::string ground : {"slippery", "ice_right"}) {
-    const Runs runs({"--ground", ground});
+      {"ack_before_rest_s", least(nominal, "ack_before_rest_s"), "s",
+       "  ack before it stands, wanted >= 0.5"},
+      {"real_time_factor", pace(nominal), "", "  wanted >= 5"}};
+  for (std::size_t k = 0; k < kHardGrounds.size(); ++k) {
+    const Summaries hard = seeds(runs, k + 1);
+    const std::string ground = kHardGrounds[k];
     f.push_back(
-        {"track_rms_mm_" + ground, runs.most("track_rms_mm"), "mm", "ground " + ground + ", wanted <= 15"});
-    f.push_back({"track_max_mm_" + ground, runs.most("track_max_mm"), "mm", "  at most"});
+        {"track_rms_mm_" + ground, most(hard, "track_rms_mm"), "mm", "ground " + ground + ", wanted <= 15"});
+    f.push_back({"track_max_mm_" + ground, most(hard, "track_max_mm"), "mm", "  at most"});
   }
+  f.push_back({"log_hash_differences", nominal.front().at("log_hash") == runs.back().at("log_hash") ? 0. : 1.,
+               "", "one process against separate ones, wanted 0"});
   return f;
 }
 
-Figures plan_figures() {
-  return {{"track_rms_fast_mm",
-           Runs({"--speed-mps", "1.3", "--set", "task.lateral=1.7", "--set", "task.turn_rate=2.1"})
-               .most("track_rms_mm"),
-           "mm", "figure eight at 1.3 m/s where curves allow it, wanted <= 15"},
-          {"corner_max_mm",
-           Runs({"--plan", "corner", "--speed-mps", "0.8", "--set", "task.lateral=1.7", "--set",
-                 "task.turn_rate=2.1"})
-               .most("track_max_mm"),
-           "mm", "corner at 0.8 m/s, wanted <= 100"},
-          {"pivot_rms_mm", Runs({"--plan", "pivot"}).most("pivot_rms_mm"), "mm",
-           "turn on the spot, wanted <= 10"}};
+RexPart grounds() {
+  RexPart part{.drives = {}, .figures = ground_figures};
+  add_seeds(part.drives, {}, true);
+  for (const char* ground : kHardGrounds) add_seeds(part.drives, {"--ground", ground});
+  part.drives.push_back({.seed = 1});  // as the first one, but in one process
+  return part;
+}
+
+RexPart plans() {
+  const Arguments fast{"--set", "task.lateral=1.7", "--set", "task.turn_rate=2.1"};
+  RexPart part{
+      .drives = {}, .figures = [](Summaries runs) {
+        return Figures{
+            {"track_rms_fast_mm", most(seeds(runs, 0), "track_rms_mm"), "mm",
+             "figure eight at 1.3 m/s where curves allow it, wanted <= 15"},
+            {"corner_max_mm", most(seeds(runs, 1), "track_max_mm"), "mm", "corner at 0.8 m/s, wanted <= 100"},
+            {"pivot_rms_mm", most(seeds(runs, 2), "pivot_rms_mm"), "mm", "turn on the spot, wanted <= 10"}};
+      }};
+  add_seeds(part.drives, Arguments{"--speed-mps", "1.3"} + fast);
+  add_seeds(part.drives, Arguments{"--plan", "corner", "--speed-mps", "0.8"} + fast);
+  add_seeds(part.drives, {"--plan", "pivot"});
+  return part;
+}
+
+Figures friction_figures(Summaries runs) {
+  const Summaries grounds = runs.first(runs.size() - kSeeds), halved = runs.last(kSeeds);
+  return {{"friction_err", most(grounds, "friction_err"), "", "three smooth grounds, worst, wanted <= 0.02"},
+          {"split_err", most(grounds, "split_err"), "", "  wanted <= 0.02"},
+          {"friction_found_s", most(halved, "friction_found_s"), "s",
+           "after it halves in a curve, wanted <= 1.5"}};
 }
 
 /// What the estimator finds where the ground has its own structure.
-Figures friction_figures() {
-  double friction = 0, split = 0;
+RexPart frictions() {
+  RexPart part{.drives = {}, .figures = friction_figures};
+  const Arguments smooth{"--ground", "smooth"};
   for (const Arguments& ground : {Arguments{}, Arguments{"--set", "sim.ground.friction=[0.35, 0.3]"},
                                   Arguments{"--set", "sim.ground.patches.right.area=[-3, -2, 3, 0]", "--set",
-                                            "sim.ground.patches.right.scale=0.5"}}) {
-    const Runs runs(Arguments{"--ground", "smooth"} + ground);
-    friction = std::max(friction, runs.most("friction_err"));
-    split = std::max(split, runs.most("split_err"));
-  }
+                                            "sim.ground.patches.right.scale=0.5"}})
+    add_seeds(part.drives, smooth + ground);
   // The whole ground, while the platform is in a curve.
-  const Runs halved({"--ground", "smooth", "--set", "sim.ground.patches.half.area=[-3, -2, 3, 2]", "--set",
-                     "sim.ground.patches.half.scale=0.5", "--set", "sim.ground.patches.half.from=7"});
-  return {{"friction_err", friction, "", "three smooth grounds, worst, wanted <= 0.02"},
-          {"split_err", split, "", "  wanted <= 0.02"},
-          {"friction_found_s", halved.most("friction_found_s"), "s",
-           "after it halves in a curve, wanted <= 1.5"}};
+  add_seeds(part.drives, smooth + Arguments{"--set", "sim.ground.patches.half.area=[-3, -2, 3, 2]", "--set",
+                                            "sim.ground.patches.half.scale=0.5", "--set",
+                                            "sim.ground.patches.half.from=7"});
+  return part;
 }
 
 /// A plant that the driver does not know.
@@ -160,14 +163,12 @@ Arguments random_plant(std::uint32_t seed) {
 /// Those of a plant that end well have a figure; one that does not is worse than any.
 double track_rms(const json& summary) { return done(summary) ? figure(summary, "track_rms_mm") : HUGE_VAL; }
 
-Figures plant_figures() {
+/// @param runs  of each plant with adaptation, and without
+Figures plant_figures(Summaries runs) {
   int ended = 0, worse = 0;
   std::vector<double> rms, gain;
-  for (std::uint32_t seed = 1; seed <= kPlants; ++seed) {
-    const Arguments plant = random_plant(seed);
-    const double adapting = track_rms(drive(seed, plant, "one"));
-    const double fixed =
-        track_rms(drive(seed, plant + Arguments{"--set", "platforms.rex.adapt=false"}, "one"));
+  for (std::size_t k = 0; k < runs.size(); k += 2) {
+    const double adapting = track_rms(runs[k]), fixed = track_rms(runs[k + 1]);
     ended += std::isfinite(adapting) ? 1 : 0;
     worse += adapting > fixed + kWorse ? 1 : 0;
     rms.push_back(adapting);
@@ -183,29 +184,28 @@ Figures plant_figures() {
            "  what adaptation gains, median"}};
 }
 
-Figures same_bits_figures() {
-  const json separate = drive(1, {}), one = drive(1, {}, "one");
-  return {{"log_hash_differences", separate.at("log_hash") == one.at("log_hash") ? 0. : 1., "",
-           "one process against separate ones, wanted 0"}};
+RexPart plants() {
+  RexPart part{.drives = {}, .figures = plant_figures};
+  for (std::uint32_t seed = 1; seed <= kPlants; ++seed) {
+    const Arguments plant = random_plant(seed);
+    part.drives.push_back({seed, plant});
+    part.drives.push_back({seed, plant + Arguments{"--set", "platforms.rex.adapt=false"}});
+  }
+  return part;
 }
 
 }  // namespace
 
-Figures run_rex_group(const fs::path& plots) {
-  Figures all;
-  const auto add = [&](const Figures& some) { all.insert(all.end(), some.begin(), some.end()); };
-  add(ground_figures());
-  add(plan_figures());
-  add(friction_figures());
-  add(same_bits_figures());
-  add(rex_planner_figures());
+Figures run_rex_group(const std::filesystem::path& plots) {
+  // Computing times first, while nothing else runs.
+  Figures figures = rex_planner_figures();
+  const auto add = [&](const Figures& some) { figures.insert(figures.end(), some.begin(), some.end()); };
   add(rex_odometry_figures());
 #ifdef MRROC_REX
   add(rex_kernel_figures());
 #endif
-  add(rex_algorithm_figures(plots));
-  add(plant_figures());
-  return all;
+  add(figures_of({grounds(), plans(), frictions(), rex_algorithms(plots), plants()}));
+  return figures;
 }
 
 }  // namespace mrroc::bench

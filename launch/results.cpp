@@ -29,6 +29,11 @@ void make_tables(Results& r, const std::function<void(Results&)>& of_task) {
   if (of_task) of_task(r);
 }
 
+bool is_always(const std::vector<mp::FigureInfo>& known, std::string_view key) {
+  const auto info = std::ranges::find(known, key, &mp::FigureInfo::key);
+  return info != known.end() && info->always;
+}
+
 }  // namespace
 
 void make_results(Results& r, const std::function<void(Results&)>& of_task) {
@@ -40,11 +45,14 @@ void make_results(Results& r, const std::function<void(Results&)>& of_task) {
 }
 
 mp::Ending ending_of(const Results& r) {
-  const mp::Figures& figures = r.summary.figures;
-  mp::Ending ending{
-      .folder = r.folder, .pictures = mp::pictures_in(r.folder), .verdict = mp::judge(figures, r.known)};
+  mp::Figures figures = r.summary.figures;
+  mp::Ending ending{.folder = r.folder,
+                    .pictures = mp::pictures_in(r.folder),
+                    .verdict = mp::judge(figures, r.known),
+                    .only = r.only};
+  if (r.summary.stopped) std::erase_if(figures, [&](const auto& f) { return !is_always(r.known, f.first); });
   if (!figures.empty()) ending.figures = mp::figure_table(figures, r.known, r.columns, !r.summary.fault);
-  ending.figures += r.remarks;
+  if (!r.summary.stopped) ending.figures += r.remarks;
   return ending;
 }
 

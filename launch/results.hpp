@@ -29,6 +29,7 @@ struct Results {
   std::vector<mp::FigureInfo> known{};      ///< gets what the figures mean, in the order of the table
   std::vector<std::string_view> columns{};  ///< gets the headings of figures with several numbers
   std::string remarks{};                    ///< gets lines that stand below the table of figures
+  std::string only{};                       ///< gets what alone is wanted, where that is little: Ending::only
   /// Gets the pictures: names and gnuplot scripts, see mp::draw().
   std::vector<std::pair<std::string, std::string>> pictures{};
 

@@ -46,7 +46,7 @@ std::string row(const FigureInfo& info, const Figure& figure, std::size_t column
     cells += fmt::format(" {:>9}", k < x.size() ? cell(x[k]) : "");
   const std::string words(info.words);
   std::string line = fmt::format(kRow, info.unit.empty() ? words : fmt::format("{} [{}]", words, info.unit),
-                                 cells, wanted(info), judged ? verdict(info, x) : "");
+                                 cells, wanted(info), judged || info.always ? verdict(info, x) : "");
   line.erase(line.find_last_not_of(" \n") + 1);
   return line + "\n";
 }

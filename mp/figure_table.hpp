@@ -17,6 +17,7 @@ struct FigureInfo {
   std::string_view unit;                                 ///< such as "mm"; empty: a number
   double low{-std::numeric_limits<double>::infinity()};  ///< wanted at least
   double high{std::numeric_limits<double>::infinity()};  ///< wanted at most
+  bool always{};  ///< it is told and judged also when the run did not come to its end
 };
 
 /// A figure and what it means, in the order of the table.
@@ -53,7 +54,7 @@ struct FigureVerdict {
 /// finite number could not be measured and is shown as "-"
 /// @param known    in the order of the table
 /// @param columns  headings for figures with several numbers; a single number stands in the first column
-/// @param judged   whether the run came to its end; if not, figures are only shown
+/// @param judged   whether the run came to its end; if not, figures are only shown, but for FigureInfo::always
 /// @return lines, each ended by a line feed; the last column says "ok" or "NOT OK" where something is wanted
 [[nodiscard]] std::string figure_table(const std::map<std::string, Figure>& figures,
                                        std::span<const FigureInfo> known,

@@ -1,6 +1,5 @@
 #include "mp/gnuplot.hpp"
 
-#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,36 +11,17 @@
 #include <string>
 #include <system_error>
 
+#include "base/spawn_actions.hpp"
+
 namespace mrroc::mp {
 namespace {
-
-// Sets the child's standard streams and its folder.
-class FileActions {
- public:
-  FileActions(const std::string& folder, const std::string& log) {
-    posix_spawn_file_actions_init(&actions_);
-    posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str());
-    posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_APPEND,
-                                     0644);
-    posix_spawn_file_actions_adddup2(&actions_, STDOUT_FILENO, STDERR_FILENO);
-  }
-  ~FileActions() { posix_spawn_file_actions_destroy(&actions_); }
-  FileActions(const FileActions&) = delete;
-  FileActions& operator=(const FileActions&) = delete;
-
-  [[nodiscard]] const posix_spawn_file_actions_t* get() const { return &actions_; }
-
- private:
-  posix_spawn_file_actions_t actions_{};
-};
 
 std::mutex mutex;  // guards both:
 bool allowed = true;
 pid_t running = 0;  // the child, not waited for yet: its number is nobody else's. 0: none
 
 /// @return 0, or why it could not be started, as errno
-int start(const std::string& script, const FileActions& actions) {
+int start(const std::string& script, const SpawnActions& actions) {
   std::string program = "gnuplot", argument = script;
   const std::array<char*, 3> argv{program.data(), argument.data(), nullptr};
   return posix_spawnp(&running, program.c_str(), actions.get(), nullptr, argv.data(), environ);
@@ -68,7 +48,8 @@ void allow_gnuplot(bool now) {
 
 GnuplotResult run_gnuplot(const std::filesystem::path& folder, const std::filesystem::path& script) {
   const std::filesystem::path log = script.parent_path() / "gnuplot.log";
-  const FileActions actions(folder.string(), log.string());
+  SpawnActions actions(folder.string());
+  actions.append_outputs(log.string());
   pid_t child = 0;
   {
     const std::lock_guard lock(mutex);

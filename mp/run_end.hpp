@@ -17,8 +17,11 @@ namespace mrroc::mp {
 
 /// Figures that any run may have.
 inline constexpr std::array kRunFigures{
-    FigureInfo{
-        .key = "stop_steps_max", .words = "steps until the arms were at rest", .unit = "", .high = 100},
+    FigureInfo{.key = "stop_steps_max",
+               .words = "steps until the arms were at rest",
+               .unit = "",
+               .high = 100,
+               .always = true},
     FigureInfo{.key = "late_periods", .words = "late periods of all processes", .unit = ""},
     FigureInfo{.key = "log_gaps", .words = "messages that the log missed", .unit = "", .low = 0, .high = 0},
     FigureInfo{.key = "log_left_out", .words = "messages after the end of the log", .unit = ""}};

@@ -28,7 +28,7 @@ std::string ending_text(const Summary& s, const Ending& ending, const TaskOption
                                  : s.fault ? "ended with a fault"
                                            : "done",
                                  s.sim_s, s.wall_s, s.wall_s > 0 ? s.sim_s / s.wall_s : 0);
-  if (!s.stopped) text += ending.figures;
+  text += ending.figures;
   for (const RecoverableFault& recovered : s.survived)
     text += fmt::format("fault at {:.2f} s, after which the task went on: {}\n", recovered.sim_s,
                         describe(recovered.fault));
@@ -42,7 +42,8 @@ std::string ending_text(const Summary& s, const Ending& ending, const TaskOption
 
 int print_ending(const Summary& summary, const Ending& ending, const TaskOptions& options) {
   print(stdout, ending_text(summary, ending, options));
-  const std::string verdict = summary.fault ? "" : to_string(ending.verdict);
+  std::string verdict = summary.fault ? "" : to_string(ending.verdict);
+  if (!verdict.empty() && !ending.only.empty()) verdict = ending.only + ": " + verdict;
   const bool failed = options.strict && !verdict.empty() && !ending.verdict.missed.empty();
   if (summary.fault) print(stderr, error_line(*summary.fault, options.session) + "\n");
   if (failed)

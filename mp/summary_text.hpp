@@ -16,9 +16,10 @@ struct Ending {
   std::string figures{};                          ///< lines, see figure_table()
   std::vector<std::filesystem::path> pictures{};  ///< of the run
   FigureVerdict verdict{};                        ///< on the figures of a run that came to its end
+  std::string only{};  ///< says that little is wanted of the run, and what; it stands before the verdict
 };
 
-/// @return how the run ended and how long it took, then figures and pictures - not those of a run that was stopped,
+/// @return how the run ended and how long it took, then figures and pictures - no pictures of a run that was stopped,
 ///         which are in its folder - and what there is to see in the viewer that was asked for
 [[nodiscard]] std::string ending_text(const Summary& summary, const Ending& ending,
                                       const TaskOptions& options);

@@ -9,6 +9,7 @@
 #include "base/command_hint.hpp"
 #include "base/counted.hpp"
 #include "base/fault.hpp"
+#include "base/joined.hpp"
 
 namespace mrroc::ui {
 namespace {
@@ -75,18 +76,17 @@ Finding packages(const Host& h) {
 }
 
 Finding platform(const Host& h) {
-  switch (h.rex) {
-    case RexParts::complete:
-      return {"platform", Verdict::good, "Rex is built in, with its model by CasADi and the solver HPIPM",
-              ""};
-    case RexParts::left_out:
-      return {"platform", Verdict::limited, "Rex is not part of this build: there is no task rex_drive",
-              "./run rex_drive    takes CasADi from PyPI and builds it; see docs/install.md"};
-    case RexParts::not_loaded:
-      break;
-  }
+  if (h.platforms.empty())
+    return {"platform", Verdict::limited, "there is none in this build, and no task rex_drive",
+            "./run rex_drive    takes CasADi from PyPI and builds Rex; see docs/install.md"};
+  std::vector<std::string> built, silent;
+  for (const BuiltPlatform& p : h.platforms) (p.starts ? built : silent).push_back(p.name);
+  if (silent.empty())
+    return {"platform", Verdict::good,
+            fmt::format("built in, and its driver starts: {}", joined(built, ", ")), ""};
   return {"platform", Verdict::limited,
-          "the driver of Rex does not start: HPIPM or BLASFEO is not where it was",
+          fmt::format("the driver does not start of: {}; a library, such as HPIPM, is not where it was",
+                      joined(silent, ", ")),
           "build again, or install again"};
 }
 

@@ -10,30 +10,29 @@
 
 namespace mrroc::ui {
 
-/// What there is of the platform Rex, whose kernel needs CasADi when it is built and HPIPM when it runs.
-enum class RexParts : std::uint8_t {
-  complete,    ///< its driver starts
-  left_out,    ///< this build has none
-  not_loaded,  ///< its driver is there and does not start: a library is missing
+/// A platform whose driver this build has. A kernel may need libraries that no package brings: that of Rex HPIPM.
+struct BuiltPlatform {
+  std::string name;  ///< of its type
+  bool starts{};     ///< its driver does; otherwise a library is missing
 };
 
 /// Properties of a host that are checked.
 struct Host {
-  bool multicast{};                    ///< a process can hear its own messages
-  std::int64_t receive_buffer{};       ///< largest that a socket may have, net.core.rmem_max [bytes]
-  std::int64_t clock_resolution_ns{};  ///< of the monotonic clock
-  std::int64_t latest_wake_us{};       ///< worst of a hundred sleeps of 1 ms: how much too late it ended
-  int cores{};                         ///< that this process may use
-  int real_time_priority{};            ///< highest permitted of SCHED_FIFO, 0: none
-  bool memory_lock{};                  ///< all of a process may be kept in RAM
-  std::vector<std::string> missing;    ///< of kNeeded, what is not installed
-  RexParts rex{};                      ///< beside this program
-  std::filesystem::path folder;        ///< where runs/ would go
-  std::int64_t free_bytes{};           ///< there
-  std::filesystem::path sessions{};    ///< where sessions and their keys are
-  std::string sessions_note{};         ///< why that is not the usual folder; empty: it is
-  std::string sessions_refused{};      ///< why it cannot be used; empty: it can
-  double tag_us{};                     ///< time to make the tag of a command and to check it [us]
+  bool multicast{};                      ///< a process can hear its own messages
+  std::int64_t receive_buffer{};         ///< largest that a socket may have, net.core.rmem_max [bytes]
+  std::int64_t clock_resolution_ns{};    ///< of the monotonic clock
+  std::int64_t latest_wake_us{};         ///< worst of a hundred sleeps of 1 ms: how much too late it ended
+  int cores{};                           ///< that this process may use
+  int real_time_priority{};              ///< highest permitted of SCHED_FIFO, 0: none
+  bool memory_lock{};                    ///< all of a process may be kept in RAM
+  std::vector<std::string> missing;      ///< of kNeeded, what is not installed
+  std::vector<BuiltPlatform> platforms;  ///< their drivers are beside this program
+  std::filesystem::path folder;          ///< where runs/ would go
+  std::int64_t free_bytes{};             ///< there
+  std::filesystem::path sessions{};      ///< where sessions and their keys are
+  std::string sessions_note{};           ///< why that is not the usual folder; empty: it is
+  std::string sessions_refused{};        ///< why it cannot be used; empty: it can
+  double tag_us{};                       ///< time to make the tag of a command and to check it [us]
 };
 
 /// Something that runs use, and the packages that bring it.

@@ -48,11 +48,18 @@ bool loadable(const char* library) {
 }
 
 /// The loader's complaint about a library would stand before the findings: it is swallowed.
-RexParts look_at_rex() {
-  const fs::path driver = program_folder() / "edp_rex";
-  if (::access(driver.c_str(), X_OK) != 0) return RexParts::left_out;
-  const Finished help = run_program("sh", {"-c", "exec \"$0\" --help 2>&1", driver.string()});
-  return help.status == 0 ? RexParts::complete : RexParts::not_loaded;
+bool starts(const fs::path& driver) {
+  return run_program("sh", {"-c", "exec \"$0\" --help 2>&1", driver.string()}).status == 0;
+}
+
+std::vector<BuiltPlatform> built_platforms() {
+  std::vector<BuiltPlatform> found;
+  std::istringstream names(MRROC_PLATFORMS);
+  for (std::string name; names >> name;) {
+    const fs::path driver = program_folder() / ("edp_" + name);
+    if (::access(driver.c_str(), X_OK) == 0) found.push_back({name, starts(driver)});
+  }
+  return found;
 }
 
 std::int64_t latest_wake_us() {
@@ -128,7 +135,7 @@ Host look_at_host() {
   h.memory_lock = permitted.memory_lock;
   for (const Needed& n : kNeeded)
     if (!(n.library ? loadable(n.name) : installed(n.name))) h.missing.emplace_back(n.name);
-  h.rex = look_at_rex();
+  h.platforms = built_platforms();
   std::error_code failed;
   h.folder = fs::current_path(failed);
   const fs::space_info space = fs::space(h.folder, failed);

@@ -8,27 +8,10 @@
 #include <array>
 #include <cerrno>
 
+#include "base/spawn_actions.hpp"
+
 namespace mrroc::ui {
 namespace {
-
-/// Sets the child's standard streams and its folder.
-class FileActions {
- public:
-  FileActions(const std::string& folder, int out) {
-    posix_spawn_file_actions_init(&actions_);
-    if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str());
-    posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions_, out, STDOUT_FILENO);
-  }
-  ~FileActions() { posix_spawn_file_actions_destroy(&actions_); }
-  FileActions(const FileActions&) = delete;
-  FileActions& operator=(const FileActions&) = delete;
-
-  [[nodiscard]] const posix_spawn_file_actions_t* get() const { return &actions_; }
-
- private:
-  posix_spawn_file_actions_t actions_{};
-};
 
 std::string read_all(int from) {
   std::string text;
@@ -53,7 +36,8 @@ Finished run_program(const std::filesystem::path& program, const std::vector<std
   Finished finished{-1, {}};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) return finished;
   pid_t child = 0;
-  const FileActions actions(folder.string(), ends[1]);
+  SpawnActions actions(folder.string());
+  actions.send_output(ends[1]);
   const int error = posix_spawnp(&child, argv[0], actions.get(), nullptr, argv.data(), environ);
   ::close(ends[1]);
   if (error == 0) {

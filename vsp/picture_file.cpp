@@ -116,6 +116,13 @@ Image read_picture(const fs::path& file, int channels) {
   return to_image(decoded);
 }
 
+void check_size(const Image& picture, const std::string& name, const CameraModel& camera) {
+  if (picture.width == camera.width && picture.height == camera.height) return;
+  refuse(name, "it is " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
+                   ", the camera's pictures are " + std::to_string(camera.width) + " x " +
+                   std::to_string(camera.height));
+}
+
 void write_picture(const fs::path& file, const ImageView& picture) {
   std::vector<unsigned char> bytes;
   const fs::path part = file.string() + ".part";

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/camera.hpp"
 #include "base/image.hpp"
 
 namespace mrroc::vsp {
@@ -14,6 +15,10 @@ namespace mrroc::vsp {
 /// @param channels  1 or 3, of the result
 /// @throws FaultError bad_picture: missing, empty, cut short, not a picture, or larger than 8192 pixels
 Image read_picture(const std::filesystem::path& file, int channels = 3);
+
+/// @param name  of the picture, for the error
+/// @throws FaultError bad_picture: it is of another size than the camera's pictures
+void check_size(const Image& picture, const std::string& name, const CameraModel& camera);
 
 /// Writes a PNG file as a whole.
 /// @throws FaultError cannot_write

@@ -125,16 +125,17 @@ std::optional<PlanarPoses> planar_pose(const CameraModel& camera, std::span<cons
   if (minima.empty()) return std::nullopt;
   std::ranges::sort(minima, {}, &PlanarPose::rms_px);
   PlanarPoses result{minima.front(), std::nullopt, false};
-  if (minima.size() < 2) return result;
-  const PlanarPose& other = minima[1];
-  const double angle = angle_axis_from_rotation(result.best.T_CG.R.transpose() * other.T_CG.R).norm();
-  if (angle < parameters.same_angle) return result;
-  result.other = other;
+  const auto other = std::ranges::find_if(minima, [&](const PlanarPose& p) {
+    return angle_axis_from_rotation(result.best.T_CG.R.transpose() * p.T_CG.R).norm() >=
+           parameters.same_angle;
+  });
+  if (other == minima.end()) return result;
+  result.other = *other;
   const auto n = static_cast<double>(points.size());
   const auto squares = [n](const PlanarPose& p) { return n * p.rms_px * p.rms_px; };
   const double variance =
       std::max(squares(result.best) / (2 * n - 6), parameters.noise_px * parameters.noise_px);
-  result.ambiguous = squares(other) - squares(result.best) < parameters.significance * variance;
+  result.ambiguous = squares(*other) - squares(result.best) < parameters.significance * variance;
   return result;
 }
 

@@ -12,6 +12,7 @@
 #include "base/fault.hpp"
 #include "base/joined.hpp"
 #include "vsp/picture_file.hpp"
+#include "vsp/recorded_status.hpp"
 
 namespace mrroc::vsp {
 namespace {
@@ -91,10 +92,7 @@ void run_recorded(const RecordedTool& tool, const RecordedRun& run, std::FILE* o
   SourcePicture picture;
   for (std::int64_t k = 0; source.next(picture); ++k) {
     const Image& image = picture.image;
-    if (image.width != camera.width || image.height != camera.height)
-      throw FaultError(FaultCode::bad_picture,
-                       fmt::format("{}: it is {} x {}, the camera's pictures are {} x {}", picture.name,
-                                   image.width, image.height, camera.width, camera.height));
+    check_size(image, picture.name, camera);
     RecordedAnswer answer = detect(image.view(), k, picture.name);
     answer.line["t"] = picture.t;
     fmt::print(out, "{}\n", answer.line.dump());
@@ -124,15 +122,7 @@ int recorded_main(int argc, char** argv, const RecordedTool& tool, const link::N
             "  --annotate FOLDER           for pictures with the detection drawn in\n"
             "  --strip FILE.png            all of them side by side\n\nAs a part of a system:",
         body);
-  try {
-    return run(tool, argc, argv);
-  } catch (const FaultError& e) {
-    fmt::print(stderr, "{}\n", e.error_line());
-    return exit_status(e.fault().code);
-  } catch (const std::exception& e) {  // of OpenCV
-    fmt::print(stderr, "{}\n", FaultError(FaultCode::bad_picture, e.what()).error_line());
-    return exit_status(FaultCode::bad_picture);
-  }
+  return recorded_status([&] { return run(tool, argc, argv); });
 }
 
 void run_recorded(const ImageReceptor& receptor, const RecordedRun& run, std::FILE* out) {

@@ -13,11 +13,11 @@ int image_of(const std::array<std::array<Face, M>, N>& slots, std::size_t slot, 
   std::array<Face, M> wanted;
   std::ranges::transform(slots[slot], wanted.begin(), [&map](Face f) { return map[number(f)]; });
   std::ranges::sort(wanted);
-  for (std::size_t k = 0;; ++k) {
-    std::array<Face, M> faces = slots[k];
+  const auto image = std::ranges::find_if(slots, [&wanted](std::array<Face, M> faces) {
     std::ranges::sort(faces);
-    if (faces == wanted) return static_cast<int>(k);
-  }
+    return faces == wanted;
+  });
+  return static_cast<int>(image - slots.begin());
 }
 
 template <std::size_t N, std::size_t M>

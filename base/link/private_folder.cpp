@@ -30,9 +30,7 @@ std::string unusable(const fs::path& path, std::string_view why) {
 }
 
 [[noreturn]] void cannot_use(const fs::path& path, const std::string& why, std::string_view remedy = {}) {
-  const std::string what = unusable(path, why);
-  if (remedy.empty()) throw FaultError(FaultCode::cannot_write, what);
-  throw FaultError(FaultCode::cannot_write, what, std::string(remedy));
+  throw FaultError(FaultCode::cannot_write, unusable(path, why), std::string(remedy));
 }
 
 /// @return the process that holds a lock on the file, as the kernel's list tells: "process 12 (press)"

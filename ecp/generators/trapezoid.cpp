@@ -42,7 +42,7 @@ struct Task {
   ///         would have to turn round
   [[nodiscard]] std::optional<double> speed_for(double T) const {
     double low = std::max(0.0, (v0 + v1 - a * T) / 2);
-    double high = peak().value_or(0);
+    double high = peak().value();  // there is a shortest time
     if (way(v0, low, v1, a, T) > d) return {};
     for (int k = 0; k < 200 && low < high; ++k) {
       const double middle = (low + high) / 2;
@@ -74,9 +74,9 @@ class Trapezoid::Planner {
     }
   }
 
+  /// @param arrivals  empty
   std::vector<Section> plan(std::vector<long>& arrivals) {
     std::vector<Section> sections;
-    arrivals.clear();
     for (std::size_t k = 0; k < list_.size();) {
       const std::optional<Planned> done = plan_section(k);
       if (done) {

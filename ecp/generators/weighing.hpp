@@ -29,7 +29,7 @@ struct WeighingPlan {
   int settling{50};            ///< macrosteps at rest before anything is measured
   Pose T_WE;                   ///< tool that is set when all is done: the task frame is the wrist meanwhile
   int readings{100};           ///< macrosteps over which F_a is averaged
-  Pacing pacing{.dt = 0.002, .n_s = 10, .n_Q = 9};  ///< of the agent's macrosteps
+  Pacing pacing;               ///< of the agent's macrosteps
 };
 
 /// Memory of the weighing, a part of the memory c_c of an agent under the name `weighing`.

@@ -192,7 +192,8 @@ void PlatformDriver::estimate_state() noexcept {
   if (const std::optional<Fault> wrong = supervision_.step(stage_, observer_.result().estimate, wanted))
     return trip(*wrong);
   if (state_ == DriverState::holding) settle();
-  if (state_ == DriverState::ready || (state_ == DriverState::holding && braked_ && stopped_))
+  // After a stop it rests where it stands, and does not go back to where it was to stand.
+  if (state_ == DriverState::ready || (state_ == DriverState::holding && stopped_))
     queue_.hold_at(observer_.result().estimate.p);
 }
 

@@ -121,6 +121,8 @@ class PlatformDriver {
   [[nodiscard]] std::optional<Fault> check(const PlatformCommand& command) const noexcept;
   [[nodiscard]] std::optional<Fault> check_state(PlatformEvent event) const noexcept;
   bool note(const PlatformCommand& command) noexcept;
+  void begin_session(const PlatformCommand& command) noexcept;
+  [[nodiscard]] std::int64_t next_fragment() const noexcept;  // its number, of the owner or of a new session
   void start_on(const Fragment& fragment) noexcept;
 
   void fire(PlatformEvent event) noexcept { state_ = transition(state_, event).next; }

@@ -54,12 +54,8 @@ bool PlatformDriver::note(const PlatformCommand& command) noexcept {
 }
 
 std::optional<Fault> PlatformDriver::execute(const PlatformCommand& command) noexcept {
-  if (!protocol_.owner()) {  // a new session begins
-    if (queue_.empty()) queue_.forget_numbers();
-    newest_message_ = command.macrostep;
-    wanted_pace_ = is_pace(command.pace) ? command.pace : 1;
-  }
   if (std::optional<Fault> wrong = check(command)) return wrong;
+  if (!protocol_.owner()) begin_session(command);
   if (command.instruction == Instruction::set) start_on(command.fragment);
   if (command.instruction == Instruction::synchro) {
     synchronisation_.start();
@@ -67,6 +63,16 @@ std::optional<Fault> PlatformDriver::execute(const PlatformCommand& command) noe
     fire(PlatformEvent::synchro);
   }
   return {};
+}
+
+void PlatformDriver::begin_session(const PlatformCommand& command) noexcept {
+  if (queue_.empty()) queue_.forget_numbers();
+  newest_message_ = command.macrostep;
+  wanted_pace_ = is_pace(command.pace) ? command.pace : 1;
+}
+
+std::int64_t PlatformDriver::next_fragment() const noexcept {
+  return !protocol_.owner() && queue_.empty() ? 1 : queue_.accepted() + 1;
 }
 
 void PlatformDriver::start_on(const Fragment& fragment) noexcept {
@@ -82,7 +88,7 @@ std::optional<Fault> PlatformDriver::check(const PlatformCommand& command) const
   if (std::optional<Fault> wrong = check_state(PlatformEvent::fragment)) return wrong;
   if (fault_) return fault_;  // nobody knows yet why it has been stopped
   if (std::optional<Fault> wrong = check_fragment(command.fragment, *platform_)) return wrong;
-  return check_join(command.fragment, queue_);
+  return check_join(command.fragment, next_fragment(), queue_);
 }
 
 std::optional<Fault> PlatformDriver::check_state(PlatformEvent event) const noexcept {

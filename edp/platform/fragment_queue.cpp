@@ -28,7 +28,12 @@ void FragmentQueue::push(const Fragment& fragment) noexcept {
 }
 
 void FragmentQueue::note() noexcept {
-  if (time_ >= front().notify - kRounding) notified_ = front().number;
+  double begun = time_;  // iterations since the beginning of the fragment, negative before it
+  for (std::size_t k = 0; k < count_ && (k == 0 || !full()); ++k) {
+    if (begun < fragment(k).notify - kRounding) return;
+    notified_ = std::max(notified_, fragment(k).number);
+    begun -= fragment(k).steps;
+  }
 }
 
 void FragmentQueue::advance(double iterations) noexcept {

@@ -39,7 +39,8 @@ class FragmentQueue {
 
   /// @return number of the last fragment taken; 0: none
   [[nodiscard]] std::int64_t accepted() const noexcept { return accepted_; }
-  /// @return number of the last fragment that has reached its notify; 0: none
+  /// @return number of the last fragment that has reached its notify, as all before it have; 0: none. One that does so before
+  ///         its beginning waits until there is room for the next one
   [[nodiscard]] std::int64_t notified() const noexcept { return notified_; }
   /// @return number of the fragment under way; 0: none
   [[nodiscard]] std::int64_t executing() const noexcept { return empty() ? 0 : front().number; }

@@ -97,8 +97,10 @@ ValidationError check_instruction(const PlatformCommand& command) noexcept {
 ValidationError check_fragment(const Fragment& fragment, const PlatformProperties& platform) noexcept {
   if (fragment.steps < 1 || fragment.steps > kMaxFragmentSteps)
     return bad("steps, from 1", -1, fragment.steps, kMaxFragmentSteps);
-  if (fragment.notify < 0 || fragment.notify >= fragment.steps)
-    return bad("notify, from 0 to steps - 1", -1, fragment.notify, fragment.steps - 1);
+  if (fragment.notify < -kMaxFragmentSteps)
+    return bad("notify, from", -1, fragment.notify, -kMaxFragmentSteps);
+  if (fragment.notify >= fragment.steps)
+    return bad("notify, to steps - 1", -1, fragment.notify, fragment.steps - 1);
   for (const PathPoint& knot : fragment.knot) {
     if (ValidationError wrong = check_numbers(knot)) return wrong;
     if (ValidationError wrong = check_speeds(knot.v, knot.w, platform, kRounding)) return wrong;
@@ -106,8 +108,8 @@ ValidationError check_fragment(const Fragment& fragment, const PlatformPropertie
   return check_between(fragment, platform);
 }
 
-ValidationError check_join(const Fragment& fragment, const FragmentQueue& queue) noexcept {
-  if (const std::int64_t next = queue.accepted() + 1; fragment.number != next)
+ValidationError check_join(const Fragment& fragment, std::int64_t next, const FragmentQueue& queue) noexcept {
+  if (fragment.number != next)
     return bad("number of the fragment", -1, static_cast<double>(fragment.number), static_cast<double>(next));
   if (queue.full())
     return bad("fragments that wait, with this one", -1, FragmentQueue::kCapacity + 1,

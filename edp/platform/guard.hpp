@@ -30,7 +30,9 @@ inline constexpr JoinTolerance kStart{0.10, 0.15, 0.1, 0.2};
                                              const PlatformProperties& platform) noexcept;
 
 /// Whether a fragment goes on from what has been taken: its number, room for it, its beginning.
-[[nodiscard]] ValidationError check_join(const Fragment& fragment, const FragmentQueue& queue) noexcept;
+/// @param next  number that it must have
+[[nodiscard]] ValidationError check_join(const Fragment& fragment, std::int64_t next,
+                                         const FragmentQueue& queue) noexcept;
 
 /// @param now  step of the newest reading
 /// @return whether a map pose can be used: measured not later than now, finite, with a covariance

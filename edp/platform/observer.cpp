@@ -89,9 +89,7 @@ std::optional<MapPose> Observer::take_map(std::int64_t now) noexcept {
 
 void Observer::begin(const StandingStill& found) noexcept {
   estimator_->begin(found);
-  last_stage_ = {};
-  last_stage_.step = found.step;
-  last_stage_.theta = found.theta;
+  last_stage_ = {.step = found.step, .theta = found.theta};
   adapting_ = known_ = false;
   slip_ = nominal_;
   failed_ = inconsistent_ = 0;

@@ -10,8 +10,8 @@ class Pace {
  public:
   /// Change of the pace in an iteration: a pause is as quick as the control subsystem's, ten macrosteps.
   static constexpr double kChange = 0.1;
-  /// The same when the platform is stopped: 2 m/s^2 at 0.8 m/s.
-  static constexpr double kStop = 0.05;
+  /// The same when the platform is stopped: 2 m/s^2 at 0.6 m/s. With the brakes' run-out it is at rest in 300 steps.
+  static constexpr double kStop = 1. / 15;
 
   /// @param target  pace to go to, 0 stands .. 1 as planned  @param rate  change in an iteration, > 0
   void go_to(double target, double rate = kChange) noexcept {

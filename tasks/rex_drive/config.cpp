@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/closest_match.hpp"
 #include "base/room_config.hpp"
 #include "tasks/rex_drive/plan/built_in_plans.hpp"
 
@@ -16,8 +17,14 @@ std::int64_t macrosteps(double seconds) { return std::llround(seconds / kPlatfor
 /// What is wrong with a way that has so much room beside it; empty: nothing.
 std::string obstructed(double free) {
   if (free >= kReach) return {};
-  if (free < 0) return "it leads out of the room";
-  return fmt::format("it passes a wall or an obstacle at {:.2f} m, the platform needs {} m", free, kReach);
+  if (free < 0) return "not inside the room";
+  return fmt::format("{:.2f} m from a wall or an obstacle, the platform needs {} m", free, kReach);
+}
+
+LegCheck way_check(const Room& room) {
+  return [room](const MapPoint& from, const MapPoint& to) {
+    return obstructed(clearance(room, {from.x, from.y}, {to.x, to.y}));
+  };
 }
 
 /// @param plan   number of a plan of the list
@@ -105,18 +112,24 @@ MapParameters read_map(const Config& config) {
 PlanList read_plan_list(const Config& config) {
   const std::string plan = config.text("task.plan", "figure_eight");
   const auto names = built_in_plan_names();
-  if (std::ranges::find(names, plan) != names.end()) return built_in_plan(plan);
+  if (is_built_in(plan)) return built_in_plan(plan);
   if (std::filesystem::exists(plan)) return load_plans(plan);
+  const std::string near =
+      closest_match(std::filesystem::path(plan).filename().string(), WordSet(names.begin(), names.end()));
   throw FaultError(FaultCode::bad_plan,
-                   fmt::format("{}: there is no such file, nor a plan of this name", plan),
+                   fmt::format("{}: there is no such file, nor a plan of this name{}", plan,
+                               near.empty() ? "" : fmt::format("; did you mean '{}'?", near)),
                    fmt::format("give a file of points, or one of: {}", fmt::join(names, ", ")));
+}
+
+void examine_start(const PlanList& list, const Config& config) {
+  check_start(list, way_check(read_room(config)));
 }
 
 Itinerary examine(const PlanList& list, const Config& config) {
   const Room room = read_room(config);
-  check_legs(list, [&](const MapPoint& from, const MapPoint& to) {
-    return obstructed(clearance(room, {from.x, from.y}, {to.x, to.y}));
-  });
+  check_start(list, way_check(room));
+  check_legs(list, way_check(room));
   Itinerary it;
   it.list = list;
   it.plans = to_messages(list, read_speed(config));

@@ -41,7 +41,9 @@ struct Itinerary {
 /// @return the plans that `task.plan` names: built-in ones or a file
 /// @throws ConfigError; FaultError bad_plan
 [[nodiscard]] PlanList read_plan_list(const Config& config);
-/// Examines plans: their legs in the room, whether there are trajectories, and the curves of these in the room.
+/// Examines where the platform begins. @throws ConfigError; FaultError bad_plan: it does not fit in there
+void examine_start(const PlanList& list, const Config& config);
+/// Examines plans: where they begin, their legs in the room, whether there are trajectories, and the curves of these in the room.
 /// @param list  as read_plan_list() gives it @throws ConfigError; FaultError bad_plan, path_not_found
 [[nodiscard]] Itinerary examine(const PlanList& list, const Config& config);
 

@@ -9,6 +9,7 @@
 
 #include "tasks/rex_drive/config.hpp"
 #include "tasks/rex_drive/options.hpp"
+#include "tasks/rex_drive/plan/built_in_plans.hpp"
 
 namespace mrroc::rex_drive {
 namespace {
@@ -49,7 +50,9 @@ DriveCase drive_case(const Config& run, const std::function<void(const Config&)>
     for (const std::string& setting : settings_of(options)) config.set(setting);
     read(config);
     if (plant_of(config) != plant) continue;
-    return drive == DriveCase::usual && is_fast(run, config) ? DriveCase::fast : drive;
+    if (drive != DriveCase::usual) return drive;
+    if (is_fast(run, config)) return DriveCase::fast;
+    return is_built_in(run.text("task.plan", "figure_eight")) ? DriveCase::usual : DriveCase::own_plan;
   }
   return DriveCase::other;
 }

@@ -9,8 +9,9 @@ namespace mrroc::rex_drive {
 /// Drives of which different things are wanted. All but `other` are with the platform, its sensors and its kernels (NMPC and
 /// MHE) as they are built in.
 enum class DriveCase {
-  usual,      ///< on the usual ground, as fast as the built-in configuration says or slower
-  fast,       ///< on the usual ground, faster
+  usual,      ///< a built-in plan on the usual ground, as fast as the built-in configuration says or slower
+  own_plan,   ///< the same with a plan of the user's
+  fast,       ///< any plan on the usual ground, faster
   slippery,   ///< on the ground of this name, at any speed
   ice_right,  ///< the same
   smooth,     ///< the same

@@ -86,6 +86,7 @@ DriveTable join(const DriveMessages& messages, double dt, int n_s) {
     row.torque = reply.torque;
     row.pace = pace_in(messages.paces, step / n_s);
     row.executing = reply.executing;
+    row.notified = reply.notified;
     row.remaining = reply.remaining;
     row.at_rest = reply.at_rest;
     row.solver_failures = reply.solver_failures;

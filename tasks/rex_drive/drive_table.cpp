@@ -71,13 +71,14 @@ void write_drive_table(const std::filesystem::path& file, const DriveTable& tabl
 
 void write_fragment_table(const std::filesystem::path& file, const FragmentTable& fragments,
                           const DriveTable& table) {
-  std::string text = "number,plan,steps,notify,handed_s,begun_s,ended_s,v_end,v_end_true\n";
+  std::string text = "number,plan,steps,notify,handed_s,begun_s,ended_s,v_end,v_end_true,ready_s\n";
   const std::vector<Stay> times = stays(fragments, table);
   for (std::size_t k = 0; k < fragments.size(); ++k) {
     const auto& [fragment, handed_in, plan] = fragments[k];
-    text += fmt::format("{},{},{},{},{:.2f},{:.2f},{:.2f},{:.4f},{:.4f}\n", fragment.number, plan,
-                        fragment.steps, fragment.notify, static_cast<double>(handed_in) * kPlatformPeriod,
-                        times[k].begun, times[k].ended, fragment.knot.back().v, times[k].speed);
+    text +=
+        fmt::format("{},{},{},{},{:.2f},{:.2f},{:.2f},{:.4f},{:.4f},{:.2f}\n", fragment.number, plan,
+                    fragment.steps, fragment.notify, static_cast<double>(handed_in) * kPlatformPeriod,
+                    times[k].begun, times[k].ended, fragment.knot.back().v, times[k].speed, times[k].ready);
   }
   write_text_file(file, text);
 }
@@ -89,8 +90,10 @@ std::vector<Stay> stays(const FragmentTable& fragments, const DriveTable& table)
         std::ranges::find(fragments, number, [](const FragmentRow& f) { return f.fragment.number; });
     return found == fragments.end() ? nullptr : &result[static_cast<std::size_t>(found - fragments.begin())];
   };
-  std::int64_t before = 0;
+  std::int64_t before = 0, ready = 0;
   for (const DriveRow& row : table) {
+    for (; ready < row.notified; ++ready)
+      if (Stay* const notified = stay_of(ready + 1)) notified->ready = row.t;
     if (row.executing == before) continue;
     if (Stay* const ended = stay_of(before)) {
       ended->ended = row.t;

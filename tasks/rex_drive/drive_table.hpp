@@ -14,16 +14,18 @@ namespace mrroc::rex_drive {
 
 /// One macrostep of the platform. Everything is of the same reading.
 struct DriveRow {
-  std::int64_t step{};             ///< of the reading
-  double t{};                      ///< simulated time of it [s]
-  PlanarPose reference;            ///< where B is to be
-  PlatformTruth truth;             ///< what is true
-  PlatformEstimate estimate;       ///< what the estimator says
-  Slip slip;                       ///< estimated
-  Slip slip_sd{0, 0, 0};           ///< standard deviations
-  PerWheel torque{};               ///< commanded [N m]
-  double pace{1};                  ///< of the fragment's time as commanded, 0 stands .. 1 as planned
-  std::int64_t executing{};        ///< number of the fragment under way; 0: none
+  std::int64_t step{};        ///< of the reading
+  double t{};                 ///< simulated time of it [s]
+  PlanarPose reference;       ///< where B is to be
+  PlatformTruth truth;        ///< what is true
+  PlatformEstimate estimate;  ///< what the estimator says
+  Slip slip;                  ///< estimated
+  Slip slip_sd{0, 0, 0};      ///< standard deviations
+  PerWheel torque{};          ///< commanded [N m]
+  double pace{1};             ///< of the fragment's time as commanded, 0 stands .. 1 as planned
+  std::int64_t executing{};   ///< number of the fragment under way; 0: none
+  std::int64_t
+      notified{};  ///< number of the last one for which the driver has said that it is ready; 0: none
   std::int32_t remaining{};        ///< iterations to the end of what has been handed over
   bool at_rest{};                  ///< the driver says so
   std::int32_t solver_failures{};  ///< so far
@@ -68,12 +70,14 @@ enum : int {
 
 /// Writes a row per macrostep; numbers are SI, angles rad. @throws FaultError cannot_write
 void write_drive_table(const std::filesystem::path& file, const DriveTable& table);
-/// Writes a row per fragment: when it was handed over, begun and ended, and the speeds at its end. @throws as before
+/// Writes a row per fragment: when it was handed over, begun and ended, the speeds at its end, and when the driver was ready
+/// for the next one. @throws as before
 void write_fragment_table(const std::filesystem::path& file, const FragmentTable& fragments,
                           const DriveTable& table);
 
 /// When the driver executed a fragment; not a number: it did not.
 struct Stay {
+  double ready{std::numeric_limits<double>::quiet_NaN()};  ///< it was ready for the next one: notify [s]
   double begun{std::numeric_limits<double>::quiet_NaN()};  ///< [s]
   double ended{std::numeric_limits<double>::quiet_NaN()};  ///< [s]
   double speed{std::numeric_limits<double>::quiet_NaN()};  ///< true speed at its end [m/s]

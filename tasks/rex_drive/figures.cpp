@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -84,21 +85,34 @@ void of_friction(const DriveTable& table, mp::Figures& figures) {
   set(figures, "split_err", std::abs(split.mean() - true_split.mean()));
 }
 
-/// Time from the first large change of the ground until the estimate is near what it is then [s].
+/// Whether the ground changes by a quarter between two rows.
+bool ground_changes(const DriveRow& before, const DriveRow& after) {
+  constexpr double kChange = 0.25;
+  const Slip was = true_slip(before.truth), is = true_slip(after.truth);
+  return std::abs(is.mu_x - was.mu_x) > kChange * was.mu_x ||
+         std::abs(is.mu_y - was.mu_y) > kChange * was.mu_y || std::abs(is.split - was.split) > kChange;
+}
+
+/// Whether the estimate of the slip is within a tenth of what is true.
+bool slip_is_found(const DriveRow& row) {
+  constexpr double kNear = 0.1;
+  const Slip is = true_slip(row.truth);
+  return std::abs(row.slip.mu_x - is.mu_x) <= kNear * is.mu_x &&
+         std::abs(row.slip.mu_y - is.mu_y) <= kNear * is.mu_y && std::abs(row.slip.split - is.split) <= kNear;
+}
+
+/// Time from the first large change of the ground until the estimate is near what is true, and stays so to the next large
+/// change or the end of the drive [s]; nothing when it is not.
 std::optional<double> friction_found(const DriveTable& table) {
-  constexpr double kChange = 0.25, kFound = 0.1;
-  const auto is = [](const DriveRow& row) { return true_slip(row.truth).mu_x; };
-  const auto changes = [&](const DriveRow& a, const DriveRow& b) {
-    return std::abs(is(b) - is(a)) > kChange * is(a);
-  };
-  const auto before = std::ranges::adjacent_find(table, changes);
+  const auto before = std::ranges::adjacent_find(table, ground_changes);
   if (before == table.end()) return {};
-  const auto near = [&](const DriveRow& row) {
-    return std::abs(row.slip.mu_x - is(row)) <= kFound * is(row);
-  };
-  const auto found = std::find_if(before + 1, table.end(), near);
-  if (found == table.end()) return {};
-  return found->t - (before + 1)->t;
+  const auto begin = before + 1;
+  auto end = std::adjacent_find(begin, table.end(), ground_changes);
+  if (end != table.end()) ++end;
+  const auto is_far = [](const DriveRow& row) { return drives(row) && !slip_is_found(row); };
+  const auto found = std::find_if(std::reverse_iterator(end), std::reverse_iterator(begin), is_far).base();
+  if (std::none_of(found, end, drives)) return {};
+  return found->t - begin->t;
 }
 
 /// Whether the platform was told to be slower than planned shortly before that time [s].
@@ -154,10 +168,10 @@ void of_way(const DriveTable& table, mp::Figures& figures) {
 
 void of_counts(const DriveResults& r, mp::Figures& figures) {
   figures["map_rejected"] = static_cast<double>(r.rejected);
-  if (!r.table.empty()) {
-    figures["late_map"] = static_cast<double>(r.table.back().late_map);
-    figures["solver_failures"] = static_cast<double>(r.table.back().solver_failures);
-  }
+  if (!r.table.empty()) figures["solver_failures"] = static_cast<double>(r.table.back().solver_failures);
+  // A position from before the estimator began may come when it works: that is no late one of the drive.
+  if (const auto first = std::ranges::find_if(r.table, drives); first != r.table.end())
+    figures["late_map"] = static_cast<double>(r.table.back().late_map - first->late_map);
   std::vector<std::int32_t> sorted = r.iterations;
   std::ranges::sort(sorted);
   if (!sorted.empty())
@@ -180,6 +194,7 @@ std::vector<Most> wanted_of(DriveCase drive) {
     case DriveCase::smooth:
       return {{"friction_err", 0.02}, {"split_err", 0.02}};
     case DriveCase::usual:
+    case DriveCase::own_plan:
     case DriveCase::other:
       break;
   }
@@ -191,16 +206,28 @@ bool is_of_every_drive(std::string_view key) {
   return key == "planner_iterations_p95" || key == "solver_failures" || key == "stop_steps_max";
 }
 
+/// Whether the figure depends on the lengths of a plan's legs.
+bool is_of_joints(std::string_view key) {
+  return key == "joint_speed_pct" || key == "plan_joint_speed_pct" || key == "ack_before_rest_s";
+}
+
 }  // namespace
 
 std::vector<mp::FigureInfo> figures_of_case(DriveCase drive) {
   std::vector<mp::FigureInfo> infos(kFigures.begin(), kFigures.end());
   if (drive == DriveCase::usual) return infos;
-  for (mp::FigureInfo& info : infos)
-    if (!is_of_every_drive(info.key)) info = {.key = info.key, .words = info.words, .unit = info.unit};
+  for (mp::FigureInfo& info : infos) {
+    const bool kept = drive == DriveCase::own_plan ? !is_of_joints(info.key) : is_of_every_drive(info.key);
+    if (!kept) info = {.key = info.key, .words = info.words, .unit = info.unit};
+  }
   for (const Most& most : wanted_of(drive))
     std::ranges::find(infos, most.key, &mp::FigureInfo::key)->high = most.high;
   return infos;
+}
+
+std::string wanted_only(DriveCase drive) {
+  if (drive != DriveCase::other) return {};
+  return "nothing is wanted of this drive but few iterations of the planner and no failure of a solver";
 }
 
 mp::Figures figures_of(const DriveResults& results) {

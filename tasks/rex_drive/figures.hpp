@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "base/room_config.hpp"
@@ -31,7 +32,8 @@ struct DriveResults {
 ///   estimate_rms_mm                   true place against the estimate, while it drives
 ///   ellipse_95_pct                    how often the true place is within the estimate's 95 % ellipse
 ///   friction_err, split_err           mean of the second half against the mean of what is true
-///   friction_found_s                  after the ground changes by a quarter: until the estimate is within 10 %
+///   friction_found_s                  after the ground changes by a quarter: until the estimates along, across and of the split
+///                                     are within 10 % and stay there until it changes again, or the drive ends
 ///   joint_speed_pct                   least true speed at the end of a fragment that is passed at speed, of the planned one;
 ///                                     not within a second after a pause
 ///   plan_joint_speed_pct              the same where one plan goes on into the next
@@ -39,7 +41,8 @@ struct DriveResults {
 ///   speed_mean_mps, speed_max_mps     true, while it drives
 ///   drive_s, way_m                    time and way, while it drives
 ///   planner_iterations_p95            of the search for a fragment
-///   map_rejected, late_map, solver_failures   counts
+///   late_map                          positions older than the estimator's window, from the begin of the drive on
+///   map_rejected, solver_failures     counts
 [[nodiscard]] mp::Figures figures_of(const DriveResults& results);
 
 /// In the order of the table, with what is wanted of a drive like the built-in one (DriveCase::usual).
@@ -73,13 +76,19 @@ inline constexpr std::array kFigures{
     mp::FigureInfo{.key = "map_rejected", .words = "positions not believed", .unit = ""},
     mp::FigureInfo{.key = "late_map", .words = "positions that came too late", .unit = ""},
     mp::FigureInfo{.key = "solver_failures", .words = "failures of solvers", .unit = "", .high = 0},
-    mp::FigureInfo{
-        .key = "stop_steps_max", .words = "steps until the platform was at rest", .unit = "", .high = 300},
+    mp::FigureInfo{.key = "stop_steps_max",
+                   .words = "steps until the platform was at rest",
+                   .unit = "",
+                   .high = 300,
+                   .always = true},
 };
 
+/// @return says of a drive of which little is wanted what that is; empty of others
+[[nodiscard]] std::string wanted_only(DriveCase drive);
+
 /// @return kFigures with what is wanted of such a drive, which is less than of the usual one: the more the ground or the
-///         speed asks of the platform, the farther it may be from its reference; of DriveCase::other nothing is wanted but that
-///         planner and solvers do their work
+///         speed asks of the platform, the farther it may be from its reference; what happens between fragments depends on the
+///         user's plan; of DriveCase::other nothing is wanted but that planner and solvers do their work
 [[nodiscard]] std::vector<mp::FigureInfo> figures_of_case(DriveCase drive);
 
 }  // namespace mrroc::rex_drive

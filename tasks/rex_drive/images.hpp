@@ -15,7 +15,6 @@ struct Parameters {
   PlannerParameters planner;  ///< of the trajectory planner
   double grip{0.4};           ///< share of the estimated friction that a curve may need
   double lost{0.2};           ///< standard deviation of the position above which the platform waits [m]
-  int ramp{10};               ///< macrosteps from full pace to standstill
 };
 
 /// c_c1
@@ -30,7 +29,7 @@ struct Memory {
   PathPoint end;                     ///< where that one ends
   std::int64_t before_plan{};        ///< number of the last fragment handed over before the plan was taken
   std::vector<std::int32_t> points;  ///< of this plan, to which its fragments lead, in their order
-  double pace{1};                    ///< of the fragments' time: 0 stands
+  double pace{1};                    ///< to which the fragments' time is to go: 0 stands
 };
 
 /// Order::variant of the coordinator while the operator has a pause.

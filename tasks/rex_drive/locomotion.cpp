@@ -34,12 +34,11 @@ double uncertainty(const PlatformEstimate& estimate) {
 }
 bool position_lost(const X& x) { return uncertainty(x.e.estimate) > x.c.k.lost; }
 
-/// Memory that goes on: the pace follows the operator's pause, and the platform waits while it does not know where it is.
+/// Memory that goes on: the pace follows the operator's pause, and the platform waits while it does not know where it is. The
+/// driver goes to it evenly; told its end at once, the tracker sees the standstill come.
 Memory go_on(const X& x) {
   Memory c = x.c;
-  const bool stands = x.T.variant == kPaused || position_lost(x);
-  const double change = 1.0 / x.c.k.ramp;
-  c.pace = std::clamp(c.pace + (stands ? -change : change), 0.0, 1.0);
+  c.pace = x.T.variant == kPaused || position_lost(x) ? 0 : 1;
   return c;
 }
 
@@ -64,7 +63,7 @@ RouteLimits route_limits(const X& x) {
   constexpr double kGravity = 9.81;
   RouteLimits limits = x.c.k.planner.route;
   const double friction = x.e.slip.mu_y * (1 - std::abs(x.e.slip.split));
-  if (friction > 0) limits.lateral = std::min(limits.lateral, x.c.k.grip * kGravity * friction);
+  limits.lateral = std::min(limits.lateral, x.c.k.grip * kGravity * friction);
   return limits;
 }
 

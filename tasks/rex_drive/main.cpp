@@ -1,6 +1,7 @@
 // The platform's task: a skid-steering platform drives through the points of plans.
 #include <fmt/format.h>
 
+#include "base/counted.hpp"
 #include "base/room_config.hpp"
 #include "launch/task.hpp"
 #include "tasks/rex_drive/config.hpp"
@@ -40,8 +41,9 @@ void prepare(Drive& d, const launch::Setup& s) {
 }
 
 std::string words(const Drive& d) {
-  return fmt::format("{}: {} points in {} plans, {:.0f} s", d.plans.name, d.plans.points(),
-                     d.plans.plans.size(), d.itinerary.survey.duration);
+  return fmt::format("{}: {} in {}, planned to take {:.0f} s", d.plans.name,
+                     counted(d.plans.points(), "point"), counted(d.plans.plans.size(), "plan"),
+                     d.itinerary.survey.duration);
 }
 
 std::unique_ptr<mp::CoordinatorRun> make_coordinator(const Drive& d, mp::TaskRun& run,
@@ -64,8 +66,9 @@ void make_results(launch::Results& r) {
   rex_drive::write_drive_table(r.folder / "platform.csv", results.table);
   rex_drive::write_fragment_table(r.folder / "fragments.csv", results.fragments, results.table);
   const auto read = [](const Config& config) { launch::check_cell(config, {}, platforms()); };
-  r.add(rex_drive::figures_of(results),
-        rex_drive::figures_of_case(rex_drive::drive_case(r.setup.config, read)));
+  const rex_drive::DriveCase drive = rex_drive::drive_case(r.setup.config, read);
+  r.add(rex_drive::figures_of(results), rex_drive::figures_of_case(drive));
+  r.only = rex_drive::wanted_only(drive);
   if (!results.table.empty()) r.pictures = rex_drive::plots(results);
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/command_line.hpp"
 #include "base/fault.hpp"
+#include "tasks/rex_drive/config.hpp"
 #include "tasks/rex_drive/plan/built_in_plans.hpp"
 
 namespace mrroc::rex_drive {
@@ -37,9 +38,6 @@ const std::array<Ground, 4>& grounds() {
 
 bool is_ground(std::string_view name) {
   return std::ranges::find(grounds(), name, &Ground::name) != grounds().end();
-}
-bool is_built_in(std::string_view plan) {
-  return std::ranges::find(built_in_plan_names(), plan) != built_in_plan_names().end();
 }
 
 std::string in_quotes(std::string_view text) {
@@ -123,7 +121,9 @@ void complete_drive(Config& config, const DriveOptions& o, PlanList& plans) {
   if (config.has(key)) {
     const auto [x, y, phi] = config.numbers<3>(key, std::nullopt, {-100, 100}, "m, rad: x, y, phi of B");
     plans.start = {x, y, wrap_angle(phi)};
+    plans.start_line = 0;
   } else {
+    examine_start(plans, config);  // the simulator would name the key, which nobody has written
     config.set(fmt::format("{}=[{}, {}, {}]", key, plans.start.x, plans.start.y, plans.start.phi));
   }
 }

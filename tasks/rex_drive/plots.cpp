@@ -90,15 +90,20 @@ std::string torques_script(const DriveResults& r) {
 
 std::string handover_script(const DriveResults& r) {
   const std::string file = "'fragments.csv' skip 1 using ";
+  const auto points = [&](const char* columns, const char* title, std::size_t colour) {
+    ChartCurve p = curve(file + columns, title, colour);
+    p.style = CurveStyle::points;
+    return p;
+  };
   TimeChart c = chart(r, "handover", "Rex: fragments, when they are handed over and executed");
   c.panels = {panel(r, "number of the fragment", "fragment"),
+              panel(r, "length of the fragment, and when it asks for the next one", "iterations"),
               panel(r, "speed, and at the ends of fragments", "v [m/s]")};
-  ChartCurve handed = curve(file + "5:1", "handed over", 1), begun = curve(file + "6:1", "begun", 0);
-  handed.style = begun.style = CurveStyle::points;
-  ChartCurve planned = curve(file + "7:8", "planned at the end", 1);
-  planned.style = CurveStyle::points;
-  c.panels[0].curves = {handed, begun};
-  c.panels[1].curves = {curve(of_drive(fmt::format("1:{}", +column::v_x)), "true", 2), planned};
+  c.panels[0].curves = {points("5:1", "handed over", 1), points("6:1", "begun", 0),
+                        points("10:1", "notify: ready for the next", 3)};
+  c.panels[1].curves = {points("6:3", "steps", 0), points("6:4", "notify", 3)};
+  c.panels[2].curves = {curve(of_drive(fmt::format("1:{}", +column::v_x)), "true", 2),
+                        points("7:8", "planned at the end", 1)};
   if (r.acked_in > 0)
     c.panels[0].marks = {{.letter = "a",
                           .t = static_cast<double>(r.acked_in) * kPlatformPeriod,

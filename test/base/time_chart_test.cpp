@@ -116,6 +116,20 @@ TEST(TimeChart, ALineStandsWhereABehaviourBeginsUnlessOneStandsThereAlready) {
   EXPECT_TRUE(has(s, "set arrow from first 7, graph 0 to first 7, graph 1 nohead"));
 }
 
+// One pixel per second: lines stand eight pixels apart at least, and words have three pixels to either side.
+TEST(TimeChart, LinesAndWordsNeedTheirRoomToThePixel) {
+  TimeChart c = chart();
+  c.left = 100;
+  c.to = 1072;
+  c.panels[0].bands = {{0, 100, 1, "a"},       {100, 108, 0, "b"},       {108, 115, 0, "c"},
+                       {115, 155, 0, "words"}, {155, 194.9, 0, "never"}, {194.9, 1072, 0, ""}};
+  const std::string s = time_chart_script(c);
+  EXPECT_EQ(numbers_behind(s, "set arrow from first "), (std::vector<double>{100, 108, 155, 194.9}));
+  EXPECT_TRUE(has(s, "set label 'words' at first 135,")) << "34 and 6 pixels of 40";
+  EXPECT_FALSE(has(s, "set label 'never'"));
+  EXPECT_TRUE(has(s, "'without a number:  b,  c,  never'"));
+}
+
 TEST(TimeChart, TheLaneOfBehavioursHasNoGapsAndTwoColoursInTurn) {
   TimeChart c = chart();
   c.panels[0].bands = {

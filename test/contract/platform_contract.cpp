@@ -9,9 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#ifndef MRROC_SANITIZED
 #include "test/heap.hpp"
-#endif
 
 namespace mrroc::contract {
 
@@ -141,15 +139,6 @@ bool equal_bits(const Result& a, const Result& b) {
     return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
   });
 }
-
-#ifdef MRROC_SANITIZED
-/// A sanitizer has a heap of its own.
-struct Heap {
-  [[nodiscard]] static long count() { return 0; }
-};
-#else
-using Heap = test::AllocationCounter;
-#endif
 
 }  // namespace
 
@@ -309,7 +298,7 @@ TEST_P(PlatformContract, TrackersGiveEqualBitsForEqualInputsAndTorquesWithinTheL
 TEST_P(PlatformContract, StepsTakeNoMemory) {
   for (const std::string_view kind : platform_->estimators()) {
     const auto estimator = platform_->estimator(kind);
-    const Heap heap;
+    const test::AllocationCounter heap;
     estimator->begin(standing());
     for (int stage = 1; stage <= 60; ++stage) {
       estimator->add(random_stage(stage));
@@ -321,7 +310,7 @@ TEST_P(PlatformContract, StepsTakeNoMemory) {
   }
   for (const std::string_view kind : platform_->trackers()) {
     const auto tracker = platform_->tracker(kind);
-    const Heap heap;
+    const test::AllocationCounter heap;
     for (int k = 0; k < 60; ++k) {
       const EstimatorResult x = random_state();
       if (k % 20 == 0) tracker->begin(x);

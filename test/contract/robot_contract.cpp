@@ -7,9 +7,7 @@
 #include <set>
 #include <string>
 
-#ifndef MRROC_SANITIZED
 #include "test/heap.hpp"
-#endif
 
 namespace mrroc::contract {
 
@@ -306,7 +304,6 @@ TEST_P(RobotContract, AnswersTheSameTwice) {
     }
 }
 
-#ifndef MRROC_SANITIZED
 TEST_P(RobotContract, NeverAllocates) {
   for (const Robot* robot : models_) {
     const AxisVector q = random_joints(*robot), m = random_motors(*robot);
@@ -327,6 +324,5 @@ TEST_P(RobotContract, NeverAllocates) {
     EXPECT_EQ(heap.count(), 0);
   }
 }
-#endif
 
 }  // namespace mrroc::contract

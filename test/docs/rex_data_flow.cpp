@@ -86,12 +86,17 @@ const std::vector<Input>& inputs() {
       {{"c_c1[new]", "x.c.new_plan"}, [](X& x) { x.c.new_plan = !x.c.new_plan; }},
       {{"-", "x.c.taken"}, [](X& x) { x.c.taken += 1; }},
       {{"-", "x.c.handed"}, [](X& x) { x.c.handed += 1; }},
-      {{"-", "x.c.end"}, [](X& x) { x.c.end.p.y += 0.3; }},
+      {{"-", "x.c.end"},
+       [](X& x) {
+         x.c.end.p.y += 0.3;
+         x.c.end.v = 0.4 - x.c.end.v;
+       }},
       {{"-", "x.c.pace"}, [](X& x) { x.c.pace = 0.3; }},
       {{"e_x c_1,1[q~, q~']", "x.e.estimate"},
        [](X& x) {
          x.e.estimate.p.x += 0.1;
          x.e.estimate.step += 10;
+         x.e.estimate.covariance[0] += 1;
        }},
       {{"e_x c_1,1[ready]", "x.e.notified"}, [](X& x) { x.e.notified -= 1; }},
       {{"-", "x.e.remaining"}, [](X& x) { x.e.remaining = 500 - x.e.remaining; }},
@@ -233,6 +238,8 @@ std::vector<X> images() {
       under_way.c.traj = fragments(planned);
       under_way.c.trajgen = planning(under_way, done);
       add_variants(all, under_way);
+      for (rex_drive::Trajectory& t : under_way.c.traj) t.knot.front().v = 0;  // it begins at rest
+      if (planned > 0) add_variants(all, under_way);
     }
   return all;
 }

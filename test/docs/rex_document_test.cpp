@@ -44,6 +44,18 @@ TEST(RexDocument, DataFlowsHaveWhatTheAlgorithmsOfThePaperRead) {
       EXPECT_TRUE(reads(2, output, input)) << output << ", " << input;
 }
 
+TEST(RexDocument, DataFlowsHaveWhatThePaceAndTheHandoverDependOn) {
+  for (const int m : {1, 2, 3}) {
+    EXPECT_TRUE(reads(m, "y.c.pace", "x.e.estimate")) << "a position that is not known well enough";
+    EXPECT_TRUE(reads(m, "y.c.pace", "x.T.variant"));
+    EXPECT_EQ(made_of(m, "y.e.pace"), std::vector<std::string>{"x.c.pace"});
+  }
+  for (const char* output : {"y.c.handed", "y.c.traj", "y.e.fragment.knot"})
+    for (const char* input : {"x.c.end", "x.e.remaining"})
+      EXPECT_TRUE(reads(2, output, input))
+          << output << ", " << input << ": a fragment from rest waits for it";
+}
+
 TEST(RexDocument, WhatComesThroughIsRoutedInEveryBehaviour) {
   for (const int m : {1, 2, 3}) {
     EXPECT_EQ(made_of(m, "y.e.map"), std::vector<std::string>{"x.T.map"}) << m;

@@ -117,6 +117,17 @@ TEST_F(AgentLinksTest, EveryMacrostepHasItsOwnOrderAndEstimate) {
   }
 }
 
+TEST_F(AgentLinksTest, WhereTheSystemEndsBeforeItHasBegunNothingIsSent) {
+  make(ClockKind::step);
+  all(1);
+  say(Phase::finished);
+  while (own->wait(std::chrono::milliseconds(0))) {
+  }
+  EXPECT_EQ(links->begin(), Outcome::aborted);
+  EXPECT_TRUE(heard(*reports).empty());
+  EXPECT_TRUE(heard(*poses).empty());
+}
+
 TEST_F(AgentLinksTest, InLockStepNothingGoesOnWithoutOneOfTheImages) {
   for (int missing = 0; missing < 3; ++missing) {
     link::OtherLinks others_wanted;

@@ -197,6 +197,78 @@ TEST_F(ArmLinksTest, WithTheWallClockTheNewestReplySetsThePace) {
   EXPECT_EQ(status.newest()->macrostep, 10);
 }
 
+TEST_F(ArmLinksTest, TheSensorsSettingGoesOutInEveryMacrostepAndStaysUntilAnotherOne) {
+  begin(ClockKind::step);
+  link::Queue<link::MessageOf<SensorSetting>> settings(*others, process->route("arm1.sensor.setting"), 1);
+  all(1);
+  ASSERT_EQ(links->begin(), Outcome::terminated);
+  SensorSetting setting;
+  setting.value[0] = 7;
+  links->set_sensor(setting);
+  links->send({}, {});
+  links->send({}, {});
+  while (others->wait(std::chrono::milliseconds(0))) {
+  }
+  const double expected[]{0, 7, 7};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto m = settings.take();
+    ASSERT_TRUE(m) << k;
+    EXPECT_EQ(m->header.stamp, k == 0 ? 1 : 2);
+    EXPECT_EQ(from_message(*m).value[0], expected[k]) << k;
+  }
+}
+
+TEST_F(ArmLinksTest, AtItsEndReleasesTheArmReportsThatItIsReadyAndEndsItsSetting) {
+  begin(ClockKind::step);
+  link::Queue<link::MessageOf<SensorSetting>> settings(*others, process->route("arm1.sensor.setting"), 1);
+  all(1);
+  ASSERT_EQ(links->begin(), Outcome::terminated);
+  links->end();
+  effector_command_t last = sent();
+  EXPECT_EQ(last.instruction, static_cast<int>(Instruction::keep));
+  last = sent();
+  EXPECT_EQ(last.instruction, static_cast<int>(Instruction::release));
+  EXPECT_EQ(last.header.stamp, 2);
+  EXPECT_FALSE(reports->take()->ready);
+  const auto report = reports->take();
+  ASSERT_TRUE(report);
+  EXPECT_TRUE(report->ready);
+  EXPECT_EQ(report->header.stamp, 2);
+  std::int64_t stamp = 0;
+  while (const auto m = settings.take()) stamp = m->header.stamp;
+  EXPECT_EQ(stamp, link::kEndOfLink);
+}
+
+TEST_F(ArmLinksTest, TellsItsMacrostepAndNoStepOfItsOwn) {
+  for (const ClockKind clock : {ClockKind::step, ClockKind::wall}) {
+    begin(clock);
+    link::Queue<process_status_t> status(*others, process->route("ecp-arm1.status"), 1);
+    all(1);
+    ASSERT_EQ(links->begin(), Outcome::terminated);
+    all(2);
+    ASSERT_EQ(links->wait(), Outcome::terminated);
+    process->report_done();
+    while (others->wait(std::chrono::milliseconds(0))) {
+    }
+    std::optional<process_status_t> last;
+    while (const auto m = status.take()) last = m;
+    ASSERT_TRUE(last);
+    EXPECT_EQ(last->macrostep, 2);
+    EXPECT_EQ(last->step, 0);
+  }
+}
+
+TEST_F(ArmLinksTest, WhereTheSystemEndsBeforeItHasBegunNothingIsSent) {
+  begin(ClockKind::step);
+  all(1);
+  say(Phase::finished);
+  while (own->wait(std::chrono::milliseconds(0))) {
+  }
+  EXPECT_EQ(links->begin(), Outcome::aborted);
+  EXPECT_EQ(sent().header.stamp, 0);
+  EXPECT_FALSE(reports->take());
+}
+
 TEST_F(ArmLinksTest, AStopEndsItInTheAgreedMacrostep) {
   begin(ClockKind::step);
   all(1);

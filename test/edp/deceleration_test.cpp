@@ -46,6 +46,19 @@ TEST(Deceleration, StoppingWayIsTheSumOfAllSteps) {
   }
 }
 
+TEST(Deceleration, WaysOfAStopAreTheSumsOfItsSpeeds) {
+  for (int n = 1; n <= kMaxStopSteps; ++n)
+    for (int k = 0; k <= n + 1; ++k) {
+      double way = 0, left = 0;
+      for (int j = 1; j <= n; ++j) (j <= k ? way : left) += remaining_speed(j, n);
+      if (k <= n) {
+        EXPECT_NEAR(way_of_stop(k, n), way, 1e-12) << k << ' ' << n;
+      }
+      EXPECT_NEAR(remaining_way(k, n), k < n ? left / remaining_speed(k, n) : 0, 1e-9) << k << ' ' << n;
+      EXPECT_TRUE(k < n || remaining_way(k, n) == 0);
+    }
+}
+
 TEST(Deceleration, AMotionThatBrakesBeforeItsGoalReachesItHalfAStopAfterItsMacrostepRoundedDown) {
   for (int n_s = 1; n_s <= 500; ++n_s)
     for (int n = 1; n <= std::min(2 * n_s, kMaxStopSteps); ++n)

@@ -21,6 +21,15 @@ EffectorReply get_model(Rig& rig, Representation tool = Representation::frame) {
   return rig.macrostep(c);
 }
 
+TEST(RobotModel, ARobotHasOneKinematicModelUnlessItSaysOtherwise) {
+  const FakeArm arm;
+  EXPECT_EQ(arm.model(), 0);
+  EXPECT_EQ(arm.models(), 1);
+  EXPECT_EQ(arm.with_model(0), &arm);
+  EXPECT_EQ(arm.with_model(1), nullptr);
+  EXPECT_EQ(arm.with_model(-1), nullptr);
+}
+
 TEST(RobotModel, ToolIsToldInEachOfItsRepresentations) {
   const Pose T_WE{rotation_from_angle_axis({0.1, -0.7, 0.4}), {0.01, -0.02, 0.2}};
   for (const Representation set :

@@ -69,6 +69,13 @@ TEST(FigureTable, ARunThatDidNotComeToItsEndIsNotJudged) {
   EXPECT_NE(table.find("<= 0.5"), std::string::npos) << table;
 }
 
+TEST(FigureTable, AFigureOfTheStopIsJudgedInARunThatDidNotComeToItsEnd) {
+  const std::vector<FigureInfo> known{
+      {.key = "stop", .words = "steps", .unit = "", .high = 100, .always = true}};
+  EXPECT_NE(figure_table({{"stop", 101.}}, known, {}, false).find("NOT OK"), std::string::npos);
+  EXPECT_EQ(figure_table({{"stop", 100.}}, known, {}, false).find("NOT OK"), std::string::npos);
+}
+
 TEST(FigureTable, AFigureWithMoreNumbersThanHeadingsDoesNotReachIntoWhatIsWanted) {
   const std::vector<FigureInfo> known{{.key = "P", .words = "mass centre", .unit = "m"},
                                       {.key = "w", .words = "weight", .unit = "N", .high = 3}};

@@ -12,6 +12,7 @@
 #include <iterator>
 
 #include "base/fault.hpp"
+#include "test/open_files.hpp"
 
 namespace mrroc::mp {
 namespace {
@@ -41,6 +42,7 @@ TEST_F(Room, IsReallyTakenAndGivenBack) {
   ASSERT_EQ(::stat((folder_ / RoomReserve::kFile).c_str(), &file), 0);
   EXPECT_GE(static_cast<std::uintmax_t>(file.st_blocks) * 512, RoomReserve::kSize)
       << "a hole promises nothing";
+  EXPECT_EQ(file.st_mode & 0777, 0600) << "for its user alone";
   reserve.release();
   EXPECT_TRUE(fs::is_empty(folder_));
   reserve.release();
@@ -72,12 +74,9 @@ TEST_F(Room, WhereFilesMayNotGrowSoFarARunGoesWithout) {
 }
 
 TEST_F(Room, NoFileStaysOpenForIt) {
-  const auto open = [] {
-    return std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator());
-  };
-  const auto before = open();
+  const auto before = test::open_files();
   const RoomReserve reserve(folder_);
-  EXPECT_EQ(open(), before);
+  EXPECT_EQ(test::open_files(), before);
 }
 
 TEST_F(Room, ThatCannotBeTakenIsSaidWithItsFile) {

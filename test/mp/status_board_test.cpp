@@ -156,6 +156,9 @@ TEST(StatusBoard, WhatWasSetCanBeAsked) {
   EXPECT_EQ(s.board.behaviour(), "draw");
   EXPECT_EQ(s.board.until(), "the stroke has ended");
   EXPECT_EQ(s.board.progress(), 0.5);
+  s.board.set_behaviour(4, "lift", "the pen is up");
+  EXPECT_EQ(s.board.until(), "the pen is up");
+  s.board.set_behaviour(3, "draw", "the stroke has ended");
   const std::string before = s.board.watched();
   s.board.set_time(99, 9);
   EXPECT_EQ(s.board.watched(), before);

@@ -32,9 +32,9 @@ TEST(EndingText, ARunThatIsDoneTellsItsFiguresAndPictures) {
             "\ndone: 8.0 s simulated in 2.0 s (4.0 x real time)\n  force held [N]  4\npicture: force.png\n");
 }
 
-TEST(EndingText, ARunThatWasStoppedTellsNoFigures) {
+TEST(EndingText, ARunThatWasStoppedTellsNoPictures) {
   EXPECT_EQ(ending_text(summary(Fault{.code = FaultCode::emergency_stop}, true), kEnding, {}),
-            "\nstopped: 8.0 s simulated in 2.0 s (4.0 x real time)\n");
+            "\nstopped: 8.0 s simulated in 2.0 s (4.0 x real time)\n  force held [N]  4\n");
 }
 
 TEST(EndingText, ARunThatEndedWithAFaultTellsHowFarItCame) {
@@ -99,6 +99,18 @@ TEST(PrintedEnding, FiguresAsWantedAreToldAndNoErrorEither) {
   EXPECT_EQ(p.status, 0);
   EXPECT_NE(p.out.find("\ndone; all 9 figures are as wanted\nrun folder"), std::string::npos) << p.out;
   EXPECT_EQ(p.err, "");
+}
+
+TEST(PrintedEnding, WhatAloneIsWantedStandsBeforeTheVerdict) {
+  Ending ending = kEnding;
+  ending.verdict = {.judged = 1, .missed = {}};
+  ending.only = "nothing is wanted of this run but its end";
+  ::testing::internal::CaptureStdout();
+  EXPECT_EQ(print_ending(summary(), ending, {}), 0);
+  const std::string out = ::testing::internal::GetCapturedStdout();
+  EXPECT_NE(out.find("\ndone; nothing is wanted of this run but its end: the figure is as wanted\n"),
+            std::string::npos)
+      << out;
 }
 
 TEST(PrintedEnding, ARunThatDidNotComeToItsEndIsNotJudged) {

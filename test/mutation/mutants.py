@@ -13,6 +13,8 @@ import re
 import tomllib
 from collections.abc import Iterator
 
+from fresh import Fresh
+
 APART = "{\u200b-"
 HERE = pathlib.Path(__file__).resolve().parent
 BUILT_IN = ["universal.rules", "c_like.rules", "cpp.rules"]
@@ -114,6 +116,7 @@ class Equivalents:
 
     def __init__(self, root: pathlib.Path, file: pathlib.Path = HERE / "equivalent.toml"):
         self.root = root
+        self.fresh = Fresh(root)
         with open(file, "rb") as f:
             self.entries = tomllib.load(f).get("mutant", [])
 
@@ -127,11 +130,18 @@ class Equivalents:
             if lines[n] == entry["line"] and (behind is None or lines[n - 1] == behind)
         ]
 
+    def finds_zero(self, mutant: Mutant) -> bool:
+        return self.fresh.is_same((self.root / mutant.file).read_text().splitlines(), mutant.number)
+
     def why(self, mutant: Mutant) -> str | None:
         """The reason, or None for a mutant that counts."""
         counted = COUNTED.search(mutant.before)
         if counted and mutant.after == mutant.before.replace(counted[0], counted[0].replace(" < ", " != ", 1)):
             return "a counter that grows by one from zero meets its bound"
+        if mutant.before.endswith(" = true;") and mutant.after == mutant.before[: -len(" = true;")] + "+= true;":
+            return "what true is added to is true"
+        if mutant.after == mutant.before.replace(" = ", "+= ", 1) and self.finds_zero(mutant):
+            return "what has just been made is zero"
         for e in self.entries:
             becomes = e["becomes"] if isinstance(e["becomes"], list) else [e["becomes"]]
             if e["file"] == mutant.file and mutant.after.strip() in becomes and mutant.number in self.places(e):

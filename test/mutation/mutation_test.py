@@ -118,6 +118,42 @@ class Tiny(unittest.TestCase):
         self.assertIsNone(why("1", "!="))
         self.assertIsNone(why("0", "<="))
 
+    def test_what_is_added_to_a_number_that_has_just_been_made_is_equivalent(self):
+        (self.root / "base" / "reply.hpp").write_text("struct Reply {\n  int number{};\n  int rate{50};\n  Other other{};\n};\n")
+        for body, same in [("  Reply r;\n  r.number = x;", True),
+                           ("  Reply r;\n  r.rate = y;\n  r.number = x;", True),
+                           ("  answer_t r{};\n  r.number = x;", True),
+                           ("  answer_t r;\n  r.number = x;", False),
+                           ("  Reply r;\n  r.rate = x;", False),
+                           ("  Reply r;\n  r.other = x;", False),
+                           ("  Unknown r;\n  r.number = x;", False),
+                           ("  Reply r;\n  r.number = y;\n  r.number = x;", False),
+                           ("  Reply r;\n  fill(r);\n  r.number = x;", False),
+                           ("  Reply r;\n  for (int y : all) {\n  r.number = x;", False),
+                           ("  Reply r;\n}\nvoid g() {\n  r.number = x;", False),
+                           ("  return r;\n  r.number = x;", False)]:
+            text = "void f() {\n" + body + "\n}\n"
+            (self.root / "base" / "made.cpp").write_text(text)
+            before = text.split("\n")[-3]
+            number = max(k for k, line in enumerate(text.split("\n"), 1) if line == before)
+            listed = mutants.Equivalents(self.root, HERE / "equivalent.toml")
+            made = mutants.Mutant("base/made.cpp", number, before, before.replace(" = ", "+= "), "by hand")
+            self.assertEqual(listed.why(made) is not None, same, body)
+            other = mutants.Mutant("base/made.cpp", number, before, before.replace(" = ", "-= "), "by hand")
+            self.assertIsNone(listed.why(other), body)
+        (self.root / "base" / "reply.hpp").unlink()
+        (self.root / "base" / "made.cpp").unlink()
+
+    def test_what_true_is_added_to_is_true(self):
+        listed = mutants.Equivalents(self.root, HERE / "equivalent.toml")
+
+        def why(before, after):
+            return listed.why(mutants.Mutant("base/area.cpp", 1, before, after, "by hand"))
+
+        self.assertIsNotNone(why("  taken_ = true;", "  taken_+= true;"))
+        self.assertIsNone(why("  taken_ = true;", "  taken_ = false;"))
+        self.assertIsNone(why("  taken_ = false;", "  taken_+= false;"))
+
     def test_a_listed_equivalent_is_told_from_an_equal_line_by_the_line_before(self):
         file = self.folder / "equivalent.toml"
         file.write_text('[[mutant]]\nfile = "base/area.cpp"\nline = "}"\nbehind = "return x;"\n'

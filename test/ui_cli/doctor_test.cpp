@@ -29,6 +29,7 @@ Host healthy() {
           .real_time_priority = 40,
           .memory_lock = true,
           .missing = {},
+          .platforms = {{"rex", true}, {"other", true}},
           .folder = "/runs",
           .free_bytes = 50'000'000'000};
 }
@@ -66,8 +67,8 @@ TEST(Doctor, SaysWhatToTypeForEverythingThatIsNotWell) {
              "apt-get install gnuplot-nox "},
         Case{"packages", [](Host& h) { h.missing = {"libEGL.so.1"}; }, Verdict::limited,
              "apt-get install libegl1"},
-        Case{"platform", [](Host& h) { h.rex = RexParts::left_out; }, Verdict::limited, "./run rex_drive"},
-        Case{"platform", [](Host& h) { h.rex = RexParts::not_loaded; }, Verdict::limited, "build again"},
+        Case{"platform", [](Host& h) { h.platforms.clear(); }, Verdict::limited, "./run rex_drive"},
+        Case{"platform", [](Host& h) { h.platforms[1].starts = false; }, Verdict::limited, "build again"},
         Case{"sessions",
              [](Host& h) { h.sessions_refused = "cannot use /tmp/mrroc-1: it is not a directory"; },
              Verdict::bad, "XDG_RUNTIME_DIR"},
@@ -84,6 +85,15 @@ TEST(Doctor, SaysWhatToTypeForEverythingThatIsNotWell) {
         EXPECT_EQ(other.verdict, Verdict::good) << c.what << " makes " << other.what << " ill";
       }
   }
+}
+
+TEST(Doctor, NamesThePlatformsWhoseDriversDoNotStart) {
+  Host host = healthy();
+  EXPECT_NE(finding(host, "platform").found.find("rex, other"), std::string::npos);
+  host.platforms[1].starts = false;
+  const std::string found = finding(host, "platform").found;
+  EXPECT_NE(found.find("other"), std::string::npos) << found;
+  EXPECT_EQ(found.find("rex"), std::string::npos) << found;
 }
 
 TEST(Doctor, SaysWhatSignaturesDoNotProtectFrom) {

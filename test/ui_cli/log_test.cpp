@@ -1,4 +1,8 @@
 // The commands for run folders, on a small folder made here.
+#include <fmt/core.h>
+
+#include <random>
+
 #include "base/file_content.hpp"
 #include "test/docs/json_table.hpp"
 #include "test/ui_cli/run_folder.hpp"
@@ -6,6 +10,7 @@
 #include "ui_cli/log/log_compare.hpp"
 #include "ui_cli/log/log_csv.hpp"
 #include "ui_cli/log/log_show.hpp"
+#include "ui_cli/log/log_whole.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -148,6 +153,36 @@ TEST_F(RunFolder, WhoeverReadsALogThatIsCutOffIsWarned) {
   fs::remove(a_ / "processes.json");
   ASSERT_EQ(run({"show", a_.string()}), 0);
   EXPECT_EQ(err_.str(), "") << "who ran is not known";
+}
+
+TEST_F(RunFolder, ALogThatHasNotWhatWasSentIsDamaged) {
+  tell_channels(a_, "edp-arm1", "arm1.report");
+  EXPECT_EQ(ui::damage_of(ui::RunRecord(a_)), "");
+  const link::LogReader before(a_);
+  const auto damage_with = [&](const auto& change) {
+    {
+      link::EventLog to(a_ / link::kEventLog, 1);
+      for (link::LoggedMessage m : before.messages())
+        if (m.channel != "arm1.report" || change(m)) to.receive("s." + m.channel, m.bytes);
+    }
+    return ui::damage_of(ui::RunRecord(a_));
+  };
+  EXPECT_EQ(damage_with([](const auto&) { return true; }), "");
+  std::mt19937 random(1);
+  for (int trial = 0; trial < 20; ++trial) {
+    const auto number = std::uniform_int_distribution<std::int64_t>(1, kMacrosteps)(random);
+    const auto is_it = [&](const link::LoggedMessage& m) {
+      return link::header_of(m.bytes).number == number;
+    };
+    EXPECT_EQ(damage_with([&](link::LoggedMessage& m) {
+                if (is_it(m))
+                  m.bytes[std::uniform_int_distribution<std::size_t>(48, m.bytes.size() - 1)(random)] ^= 1;
+                return true;
+              }),
+              "arm1.report has not the bytes that edp-arm1 sent");
+    EXPECT_EQ(damage_with([&](const link::LoggedMessage& m) { return !is_it(m); }),
+              fmt::format("arm1.report has {} messages, edp-arm1 sent {}", kMacrosteps - 1, kMacrosteps));
+  }
 }
 
 TEST_F(RunFolder, CompareNamesTheFirstMessageThatDiffersAndTheFigures) {

@@ -7,11 +7,13 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "base/fault.hpp"
+#include "base/hash.hpp"
 #include "base/link/event_log.hpp"
 #include "base/link/process.hpp"
 #include "base/link/text.hpp"
@@ -82,17 +84,24 @@ class RunFolder : public ::testing::Test {
     return folder;
   }
 
-  /// Adds a process to a run of session 1, which has come to its end and has sent on that channel.
+  /// Adds a process to a run of session 1, which has come to its end and has sent what is logged on that channel.
   static void tell_channels(const fs::path& folder, const std::string& process, const std::string& channel) {
     Json run = Json::parse(std::ifstream(folder / "processes.json"));
     run["processes"].push_back({{"name", process}, {"program", "vsp"}, {"arguments", Json::array()}});
     std::ofstream(folder / "processes.json") << run;
     const link::LogReader before(folder);
     link::EventLog to(folder / link::kEventLog, 1);
-    for (const link::LoggedMessage& m : before.messages()) to.receive("s." + m.channel, m.bytes);
+    Hash hash;
     process_status_t done{};
+    for (const link::LoggedMessage& m : before.messages()) {
+      to.receive("s." + m.channel, m.bytes);
+      if (m.channel != channel) continue;
+      ++done.hash[0].count;
+      hash.add(std::span(m.bytes).subspan(16));  // without LCM's fingerprint and the session
+    }
     done.state = static_cast<std::int32_t>(link::ProcessState::done);
     done.n_hashes = 1;
+    done.hash[0].hash = static_cast<std::int64_t>(hash.value());
     link::put_text(done.hash[0].channel, "." + channel);
     log(to, process + ".status", done, 1, 1, kMacrosteps);
   }

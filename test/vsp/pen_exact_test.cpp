@@ -266,6 +266,30 @@ TEST_F(PenExact, ASensorThatJumpedIsAsNew) {
   }
 }
 
+// Of forces within forty steps, after a jump that is at rest for five: what was before it is no past of the pen.
+TEST_F(PenExact, ForcesFromBeforeAJumpAreNoPartOfAnImpact) {
+  PenStateParameters k = exact();
+  k.impact_time = 40 * kDt;
+  k.tremor_period = 20 * kDt;
+  settle(k);
+  for (int n = 0; n < 60; ++n) go(0, n % 2 == 0 ? 20 : -20);
+  sample_.T_0E[2] += 1;
+  ASSERT_EQ(go(0, -20, 6), above_paper);
+  ASSERT_EQ(go(8, -20, 3), lowering) << "no force has risen";
+  EXPECT_EQ(go(8, -19 + kLittle), paper_surface) << "and no tremor hides it";
+}
+
+TEST_F(PenExact, AStopCountsNothingFromBeforeAJump) {
+  lower();
+  go(8, -5, 2);
+  sample_.T_0E[2] += 1;
+  go(0, 0);
+  ASSERT_EQ(go(0.5, 0, 6), above_paper) << "it never goes up";
+  ASSERT_EQ(go(5, 0), lowering);
+  EXPECT_EQ(go(2, 0.25), lowering) << "a force of 0.25, not of 5.25";
+  EXPECT_EQ(go(2, 0.75), paper_surface);
+}
+
 // From its first point every sheet is level there.
 TEST(TouchedPlaneExact, GoesThroughItsOnlyPoint) {
   TouchedPlane plane({});
@@ -276,6 +300,9 @@ TEST(TouchedPlaneExact, GoesThroughItsOnlyPoint) {
     plane.add(p, 0.002);
     EXPECT_EQ(plane.depth(p), p.z()) << run;
     EXPECT_EQ(plane.depth(p + Vector3(0.1, -0.2, 3)), p.z()) << run;
+    TouchedPlane fresh({});
+    fresh.add(p, 0.002);
+    EXPECT_EQ(plane.deviation(p + Vector3(0.1, -0.2, 3)), fresh.deviation(p + Vector3(0.1, -0.2, 3))) << run;
     plane.forget();
   }
 }

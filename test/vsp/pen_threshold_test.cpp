@@ -45,6 +45,22 @@ TEST(TrendOfAnySignal, IsTheMeanOfTheMeansOfT) {
   }
 }
 
+TEST(TrendOfAnySignal, HasForgottenEverythingWhenItBeginsAnew) {
+  Trend trend(7);
+  for (int k = 0; k < 10; ++k) trend.add(k * k);
+  trend.begin(3);
+  EXPECT_EQ(trend.rate(), 0);
+  EXPECT_EQ(trend.value(), 3);
+  Trend fresh(7);
+  fresh.begin(3);
+  for (int k = 0; k < 20; ++k) {
+    trend.add(k % 5);
+    fresh.add(k % 5);
+    ASSERT_EQ(trend.value(), fresh.value());
+    ASSERT_EQ(trend.rate(), fresh.rate());
+  }
+}
+
 TEST(TrendOfAnySignal, HasAtLeastOneSampleAndAtMostThoseThatFit) {
   Trend none(0), many(Trend::kMost + 5), most(Trend::kMost);
   for (Trend* const t : {&none, &many, &most}) t->begin(0);

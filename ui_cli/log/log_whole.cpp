@@ -46,7 +46,9 @@ std::string damage_of(const RunRecord& run) {
       if (status.state != static_cast<int>(link::ProcessState::done)) continue;
       ended = true;
       for (int k = 0; k < std::min<int>(status.n_hashes, static_cast<int>(std::size(status.hash))); ++k) {
-        const std::string channel = link::get_text(status.hash[k].channel);
+        std::string channel =
+            link::get_text(status.hash[k].channel);  // behind the session's name: a dot first
+        channel.erase(0, 1);
         const auto found = sent.find(channel);
         if (found == sent.end()) continue;
         const auto count = static_cast<std::int64_t>(found->second.messages.size());

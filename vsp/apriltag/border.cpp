@@ -152,33 +152,34 @@ Vector2 meeting(const Line& a, const Line& b) {
   return {(a.d * b.n.y() - b.d * a.n.y()) / det, (b.d * a.n.x() - a.d * b.n.x()) / det};
 }
 
+// Locates the edges on lines across those of corners that are roughly known.
+std::optional<Border> located_near(const cv::Mat& grey, const Corners& c, const Corners& rough) {
+  Border border{c, 0, 0};
+  const Vector2 middle = 0.25 * (c[0] + c[1] + c[2] + c[3]);
+  std::array<Line, 4> lines;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if ((c[(k + 1) % 4] - c[k]).norm() < 12) return std::nullopt;
+    const Edge edge(grey, c[k], c[(k + 1) % 4], middle);
+    const auto line = edge.line();
+    if (!line) return std::nullopt;
+    lines[k] = *line;
+    border.sigma = std::max(border.sigma, line->sigma);
+    border.blur = std::max(border.blur, edge.blur());
+  }
+  const auto [faint, strong] = std::ranges::minmax(lines, {}, &Line::contrast);
+  if (faint.contrast < kAlike * strong.contrast) return std::nullopt;
+  for (std::size_t k = 0; k < 4; ++k) {
+    border.corners[k] = meeting(lines[(k + 3) % 4], lines[k]);
+    if (!((border.corners[k] - rough[k]).norm() <= 4)) return std::nullopt;
+  }
+  return border;
+}
+
 }  // namespace
 
 std::optional<Border> locate_border(const cv::Mat& grey, const Corners& rough) {
-  Border border{rough, 0, 0};
-  for (int round = 0; round < 2; ++round) {
-    const Corners& c = border.corners;
-    const Vector2 middle = 0.25 * (c[0] + c[1] + c[2] + c[3]);
-    std::array<Line, 4> lines;
-    border.blur = 0;
-    border.sigma = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      if ((c[(k + 1) % 4] - c[k]).norm() < 12) return std::nullopt;
-      const Edge edge(grey, c[k], c[(k + 1) % 4], middle);
-      const auto line = edge.line();
-      if (!line) return std::nullopt;
-      lines[k] = *line;
-      border.sigma = std::max(border.sigma, line->sigma);
-      border.blur = std::max(border.blur, edge.blur());
-    }
-    const auto [faint, strong] = std::ranges::minmax(lines, {}, &Line::contrast);
-    if (faint.contrast < kAlike * strong.contrast) return std::nullopt;
-    for (std::size_t k = 0; k < 4; ++k) {
-      border.corners[k] = meeting(lines[(k + 3) % 4], lines[k]);
-      if (!((border.corners[k] - rough[k]).norm() <= 4)) return std::nullopt;
-    }
-  }
-  return border;
+  const auto first = located_near(grey, rough, rough);
+  return first ? located_near(grey, first->corners, rough) : std::nullopt;
 }
 
 }  // namespace mrroc::vsp

@@ -12,6 +12,7 @@
 #include "base/pose.hpp"
 #include "vsp/odometry/config.hpp"
 #include "vsp/picture_file.hpp"
+#include "vsp/recorded_status.hpp"
 
 namespace mrroc::vsp {
 namespace {
@@ -31,10 +32,7 @@ std::string key_of_platform(const Config& config, const RecordedPairs& run) {
 
 Image picture_of(const std::filesystem::path& file, const CameraModel& camera) {
   Image picture = read_picture(file, 1);
-  if (picture.width != camera.width || picture.height != camera.height)
-    throw FaultError(FaultCode::bad_picture,
-                     fmt::format("{}: it is {} x {}, the camera's pictures are {} x {}", file.string(),
-                                 picture.width, picture.height, camera.width, camera.height));
+  check_size(picture, file.string(), camera);
   return picture;
 }
 
@@ -110,15 +108,7 @@ void run_recorded_pairs(const RecordedPairs& run, std::FILE* out) {
 }
 
 int odometry_main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const FaultError& e) {
-    fmt::print(stderr, "{}\n", e.error_line());
-    return exit_status(e.fault().code);
-  } catch (const std::exception& e) {  // of OpenCV
-    fmt::print(stderr, "{}\n", FaultError(FaultCode::bad_picture, e.what()).error_line());
-    return exit_status(FaultCode::bad_picture);
-  }
+  return recorded_status([&] { return run(argc, argv); });
 }
 
 }  // namespace mrroc::vsp

@@ -85,6 +85,10 @@ std::span<const std::string_view> built_in_plan_names() {
   return kNames;
 }
 
+bool is_built_in(std::string_view plan) {
+  return std::ranges::find(built_in_plan_names(), plan) != built_in_plan_names().end();
+}
+
 PlanList built_in_plan(std::string_view name) {
   const auto found = std::ranges::find(kBuiltIn, name, &BuiltIn::name);
   if (found == kBuiltIn.end()) throw std::out_of_range("no built-in plan " + std::string(name));

@@ -15,6 +15,9 @@ namespace mrroc::rex_drive {
 /// there_and_back: 1.5 m straight on, half a turn on the spot, and back.
 [[nodiscard]] std::span<const std::string_view> built_in_plan_names();
 
+/// @return whether it is one of them
+[[nodiscard]] bool is_built_in(std::string_view plan);
+
 /// @param name  one of built_in_plan_names() @throws std::out_of_range  of another one
 [[nodiscard]] PlanList built_in_plan(std::string_view name);
 

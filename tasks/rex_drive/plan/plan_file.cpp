@@ -42,6 +42,12 @@ std::string_view next_word(std::string_view& text) {
   return word;
 }
 
+/// What std::from_chars() reads of a number with a sign.
+std::string_view without_plus(std::string_view number) {
+  const bool plus = number.starts_with('+') && !number.starts_with("+-");
+  return plus ? number.substr(1) : number;
+}
+
 /// Reads the lines of a plan file one after another.
 class Reader {
  public:
@@ -80,7 +86,8 @@ class Reader {
     std::array<double, N> values{};
     for (double& value : values) {
       const std::string_view word = next_word(text);
-      const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+      const std::string_view digits = without_plus(word);
+      const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
       if (word.empty() || end != word.data() + word.size() || error == std::errc::invalid_argument)
         fail(word.empty() ? "a number is missing" : fmt::format("'{:.40}' is not a number", word), remedy);
       if (error == std::errc() && std::isnan(value)) fail("a number is not finite", remedy);
@@ -95,6 +102,7 @@ class Reader {
     if (begun_) fail("'start' is not the first line", "put it before the first point");
     const auto [x, y, phi] = numbers<3>(rest, "'start' has three numbers, x and y in metres and phi in rad");
     list_.start = {x, y, wrap_angle(phi)};
+    list_.start_line = line_;
   }
 
   void take_point(std::string_view line) {
@@ -212,6 +220,13 @@ std::string to_text(const PlanList& plans) {
   return text;
 }
 
+void check_start(const PlanList& plans, const LegCheck& check) {
+  const MapPoint start{plans.start.x, plans.start.y, plans.start_line};
+  if (const std::string wrong = check(start, start); !wrong.empty())
+    refuse(plans.name, start.line, fmt::format("the start ({:g}, {:g}): {}", start.x, start.y, wrong),
+           "begin in free space");
+}
+
 void check_legs(const PlanList& plans, const LegCheck& check) {
   MapPoint at{plans.start.x, plans.start.y, 0};
   const auto look = [&](const MapPoint& to) {
@@ -221,7 +236,6 @@ void check_legs(const PlanList& plans, const LegCheck& check) {
              "move the points into free space");
     at = to;
   };
-  look(at);
   for (const MapPoints& plan : plans.plans)
     for (const MapPoint& p : plan) look(p);
 }

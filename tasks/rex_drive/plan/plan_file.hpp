@@ -35,6 +35,7 @@ using MapPoints = std::vector<MapPoint>;
 struct PlanList {
   std::string name{};              ///< of the file or of the built-in plan, for the operator
   PlanarPose start{};              ///< where the platform stands at the beginning
+  int start_line{};                ///< of the file, which says so; 0: none
   std::vector<MapPoints> plans{};  ///< at least one, each with 1..kPointsOfPlan points
 
   /// @return the points of all of them
@@ -63,7 +64,9 @@ inline constexpr std::size_t kMostPoints = 10'000;
 /// Says what is in the way of the platform on the straight line between two points; empty: nothing.
 /// @param to  the same as `from`: whether the platform can stand there
 using LegCheck = std::function<std::string(const MapPoint& from, const MapPoint& to)>;
-/// Looks at the start and at every leg. @throws FaultError  bad_plan with the line of the point at the end of a leg that is not free
+/// Looks at the start. @throws FaultError  bad_plan with its line: it is not free
+void check_start(const PlanList& plans, const LegCheck& check);
+/// Looks at every leg. @throws FaultError  bad_plan with the line of the point at the end of a leg that is not free
 void check_legs(const PlanList& plans, const LegCheck& check);
 
 /// @param speed  wanted [m/s]

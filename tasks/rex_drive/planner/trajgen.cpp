@@ -109,7 +109,7 @@ std::int32_t traj_to_steps(const Trajectory& traj) {
 
 std::int32_t traj_to_notify(const Trajectory& traj, double lead) {
   const std::int32_t steps = traj_to_steps(traj);
-  return std::clamp(steps - static_cast<std::int32_t>(std::lround(lead / kPlatformPeriod)), 0, steps - 1);
+  return std::min(steps - static_cast<std::int32_t>(std::lround(lead / kPlatformPeriod)), steps - 1);
 }
 
 }  // namespace mrroc::rex_drive

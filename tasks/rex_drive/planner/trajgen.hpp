@@ -67,7 +67,8 @@ struct Trajgen {
 
 /// trajToSteps: iterations that its execution takes.
 [[nodiscard]] std::int32_t traj_to_steps(const Trajectory& traj);
-/// trajToNotify: iteration after which the effector driver is to say that it is ready. @param lead  [s]
+/// trajToNotify: iteration after which the effector driver is to say that it is ready; of a trajectory that is shorter than the
+/// lead it is negative, before its beginning. @param lead  [s], at most kMaxFragmentSteps iterations
 [[nodiscard]] std::int32_t traj_to_notify(const Trajectory& traj, double lead);
 
 }  // namespace mrroc::rex_drive

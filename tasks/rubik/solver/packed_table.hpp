@@ -14,18 +14,16 @@ struct PackedLayout {
   static constexpr int kPerByte = 8 / Bits;  ///< entries in a byte
   /// The largest entry; also what an entry begins with.
   static constexpr unsigned kMask = (1U << Bits) - 1;
-  /// Bytes that must be readable behind the last row.
-  static constexpr std::size_t kSlack = 8;
 
   int rows;     ///< of a page
   int columns;  ///< entries of a row
 
-  /// Bytes of a row, of a page, and of a table with its slack.
+  /// Bytes of a row, of a page, and of a table.
   [[nodiscard]] constexpr std::size_t row_bytes() const {
     return (static_cast<std::size_t>(columns) + kPerByte - 1) / kPerByte;
   }
   [[nodiscard]] constexpr std::size_t page_bytes() const { return row_bytes() * rows; }
-  [[nodiscard]] constexpr std::size_t bytes(int pages) const { return page_bytes() * pages + kSlack; }
+  [[nodiscard]] constexpr std::size_t bytes(int pages) const { return page_bytes() * pages; }
 };
 
 /// @return entry number column of the row that begins there
@@ -48,11 +46,16 @@ template <int Bits, class Found>
 inline void for_each_packed(const std::uint8_t* row, int columns, unsigned value, Found&& found) {
   static_assert(std::endian::native == std::endian::little);
   constexpr std::uint64_t kOnes = ~std::uint64_t{0} / PackedLayout<Bits>::kMask;
+  constexpr int kPerByte = PackedLayout<Bits>::kPerByte;
   constexpr int kPerWord = 64 / Bits;
   const std::uint64_t pattern = kOnes * value;
   for (int first = 0; first < columns; first += kPerWord) {
     std::uint64_t word = 0;
-    std::memcpy(&word, row + first / PackedLayout<Bits>::kPerByte, sizeof word);
+    // The next row may be another thread's: no byte of it is read.
+    if (columns - first >= kPerWord)
+      std::memcpy(&word, row + first / kPerByte, sizeof word);
+    else
+      std::memcpy(&word, row + first / kPerByte, (columns - first + kPerByte - 1) / kPerByte);
     word ^= pattern;
     word |= word >> 1;
     if constexpr (Bits == 4) word |= word >> 2;

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "base/fault.hpp"
+#include "test/open_files.hpp"
 
 namespace mrroc::link {
 namespace {
@@ -37,6 +38,18 @@ bool exists(pid_t pid) { return ::kill(pid, 0) == 0; }
 bool await_gone(pid_t pid) {
   for (int k = 0; k < 1000 && exists(pid); ++k) std::this_thread::sleep_for(10ms);
   return !exists(pid);
+}
+
+TEST(Child, LeavesNoFileOpenInItsOwner) {
+  const auto before = mrroc::test::open_files();
+  {
+    Child child("/bin/sh", {"-c", "cat > /dev/null"}, {}, "a text");
+    EXPECT_EQ(mrroc::test::open_files(), before) << "while it runs";
+    EXPECT_TRUE(await_end(child));
+  }
+  EXPECT_THROW(Child("/no/such/program", {}), FaultError);
+  EXPECT_THROW(Child("/bin/true", {}, {}, std::string(10'000'000, 'x')), FaultError);
+  EXPECT_EQ(mrroc::test::open_files(), before);
 }
 
 TEST(Child, TellsHowItEnded) {

@@ -15,6 +15,7 @@
 #include "mrroc/operator_order_t.hpp"
 #include "mrroc/sensor_reading_t.hpp"
 #include "test/base/link/buses.hpp"
+#include "test/open_files.hpp"
 
 namespace mrroc::link {
 namespace {
@@ -46,6 +47,15 @@ class LogFile : public ::testing::Test {
   const fs::path folder_ = new_folder();
   const fs::path file_ = folder_ / "events.lcmlog";
 };
+
+TEST_F(LogFile, IsClosedWithItsLog) {
+  const auto before = mrroc::test::open_files();
+  {
+    EventLog log(file_, kSession);
+    EXPECT_EQ(mrroc::test::open_files(), before + 1);
+  }
+  EXPECT_EQ(mrroc::test::open_files(), before);
+}
 
 TEST_F(LogFile, EndsAtItsBoundAndKeepsTheEndInMemory) {
   constexpr std::uintmax_t kLimit = 10'000;

@@ -1,6 +1,7 @@
 #include "base/link/frame_store.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,6 +14,7 @@
 
 #include "base/fault.hpp"
 #include "test/base/link/short_transfers.hpp"
+#include "test/open_files.hpp"
 
 namespace mrroc::link {
 namespace {
@@ -85,6 +87,93 @@ TEST_F(FrameStore, GivesWholePicturesThoughTheKernelMovesAFewBytesAtATimeAndIsIn
     }
     EXPECT_GT(test::ShortTransfers::calls(), 12 * image_size() / most);
   }
+}
+
+TEST_F(FrameStore, OneFrameMayBeReadFromStoresOfDifferentSizes) {
+  const FrameStoreShape other{5, 4, 1, 2};
+  FrameStoreName second = name_;
+  second.camera = "eih";
+  FrameWriter writer(name_, shape_), small(second, other);
+  FrameReader reader = FrameReader::open(name_).value(), small_reader = FrameReader::open(second).value();
+  Frame frame;
+  for (int k = 0; k < 5; ++k) {
+    const Image image = picture(k, shape_), little = picture(k, other);
+    ASSERT_EQ(reader.read(writer.write(k, k, 0, image.view()), k, frame), FrameFate::read);
+    EXPECT_EQ(frame.image, image);
+    ASSERT_EQ(small_reader.read(small.write(k, k, 0, little.view()), k, frame), FrameFate::read);
+    EXPECT_EQ(frame.image, little);
+  }
+}
+
+TEST_F(FrameStore, LeavesNoFileOpen) {
+  const auto before = mrroc::test::open_files();
+  {
+    FrameWriter writer(name_, shape_);
+    FrameReader reader = FrameReader::open(name_).value();
+    EXPECT_EQ(mrroc::test::open_files(), before + 2);
+    FrameReader moved = std::move(reader);
+    reader = FrameReader::open(name_).value();
+    EXPECT_EQ(mrroc::test::open_files(), before + 3);
+    moved = std::move(reader);
+    EXPECT_THROW(FrameWriter(name_, shape_), FaultError);
+    std::filesystem::resize_file(name_.path(), 20'000);
+    EXPECT_THROW(std::ignore = FrameReader::open(name_), FaultError);
+  }
+  EXPECT_EQ(mrroc::test::open_files(), before);
+}
+
+TEST_F(FrameStore, WhatOthersHaveInTheFolderStays) {
+  const std::string user = std::to_string(::geteuid());
+  for (const char* const name : {"frames", "mrroc-frames-", "mrroc-frames-999999.s.7.sac"})
+    std::ofstream(name_.directory / name) << "text";
+  std::ofstream(name_.directory / ("mrroc-frames-" + user + ".s.7.dead")) << "text";
+  { const FrameWriter writer(name_, shape_); }
+  EXPECT_EQ(files(), 3U) << "and its own dead one does not";
+}
+
+TEST_F(FrameStore, APictureThatIsBeingWrittenIsNone) {
+  FrameWriter writer(name_, shape_);
+  FrameReader reader = FrameReader::open(name_).value();
+  const int slot = writer.write(0, 0, 0, picture(0, shape_).view());
+  Frame frame;
+  const auto with_sequence = [&](char sequence) {
+    std::fstream file(name_.path(), std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(4096);
+    file.put(sequence);
+    file.close();
+    return reader.read(slot, 0, frame);
+  };
+  EXPECT_EQ(with_sequence(2), FrameFate::read);
+  EXPECT_EQ(with_sequence(3), FrameFate::overwritten);
+  EXPECT_EQ(with_sequence(0), FrameFate::overwritten) << "nothing was written";
+  EXPECT_EQ(with_sequence(4), FrameFate::read);
+}
+
+TEST_F(FrameStore, ThatFindsNoRoomIsRefusedAndNotLeft) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{10'000, 10'000};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+    try {
+      const FrameWriter writer(name_, shape_);
+      ::_exit(1);
+    } catch (const FaultError& e) {
+      const std::string why = "cannot use " + name_.path().string() + ": File too large";
+      ::_exit(e.fault().code == FaultCode::cannot_write && e.what() == why ? 0 : 2);
+    }
+  }
+  int status = -1;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(files(), 0U);
+}
+
+TEST_F(FrameStore, OfAnotherUserIsRefused) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can give a file away";
+  const FrameWriter writer(name_, shape_);
+  ASSERT_EQ(::chown(name_.path().c_str(), 65534, 65534), 0);
+  EXPECT_EQ(code_of([&] { std::ignore = FrameReader::open(name_); }), FaultCode::malformed_message);
 }
 
 TEST_F(FrameStore, KeepsAsManyPicturesAsItHasSlots) {

@@ -299,6 +299,10 @@ TEST_F(LogCheck, AProcessBeyondTheLogIsNotChecked) {
     process.inbox<agent_order_t>("drive", Group::servo_state);
   });
   EXPECT_EQ(v.not_checked, "the servo links are not in the log");
+  const LogVerdict w = check_process(LogReader(file()), "edp", ClockKind::step, [](Process& process) {
+    process.outbox<agent_order_t>("drive", Group::servo_command);
+  });
+  EXPECT_EQ(w.not_checked, "the servo links are not in the log");
 }
 
 TEST_F(LogCheck, WhatIsNotSentAgainAfterADifferenceComesSecond) {

@@ -2,14 +2,18 @@
 #include "base/link/private_folder.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <tuple>
 
 #include "base/fault.hpp"
+#include "test/open_files.hpp"
 
 namespace mrroc::link {
 namespace {
@@ -128,6 +132,78 @@ TEST_F(PrivateFolder, OfAnotherUserIsRefused) {
   ASSERT_EQ(::chown(made.c_str(), 65534, 65534), 0);
   EXPECT_EQ(refusal(made), "cannot use " + made.string() + ": it belongs to another user");
   EXPECT_TRUE(is_anothers(made));
+}
+
+TEST_F(PrivateFolder, NoFileOfItStaysOpen) {
+  const auto before = mrroc::test::open_files();
+  std::string why;
+  const fs::path path = file("text", 0600);
+  EXPECT_TRUE(read_own_file(path, OwnFile::secret, why));
+  EXPECT_FALSE(read_own_file(folder_, OwnFile::secret, why));
+  EXPECT_FALSE(write_own_file(path, "other", why));
+  EXPECT_TRUE(write_own_file(folder_ / "new", "other", why));
+  {
+    const FolderLock lock(folder_, std::chrono::milliseconds(20));
+    EXPECT_EQ(mrroc::test::open_files(), before + 1);
+    EXPECT_THROW(FolderLock(folder_, std::chrono::milliseconds(20)), FaultError);
+    EXPECT_EQ(mrroc::test::open_files(), before + 1);
+  }
+  EXPECT_EQ(mrroc::test::open_files(), before);
+  EXPECT_NO_THROW(FolderLock(folder_, std::chrono::milliseconds(20))) << "it was given back";
+}
+
+TEST_F(PrivateFolder, AFileThatFindsNoRoomIsNotLeftByHalf) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{1000, 1000};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+    std::string part, none;
+    const bool half = write_own_file(folder_ / "half", std::string(1001, 'x'), part);
+    const bool whole = write_own_file(folder_ / "whole", std::string(1000, 'x'), none);
+    ::_exit(!half && part == "the disk is full" && whole && none.empty() ? 0 : 1);
+  }
+  int status = -1;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "half"));
+  EXPECT_EQ(fs::file_size(folder_ / "whole"), 1000U);
+}
+
+TEST_F(PrivateFolder, ALockThatIsHeldIsToldWithItsHolder) {
+  const FolderLock lock(folder_);
+  std::string name;
+  std::getline(std::ifstream("/proc/self/comm"), name);
+  const auto begun = std::chrono::steady_clock::now();
+  try {
+    const FolderLock second(folder_, std::chrono::milliseconds(50));
+    ADD_FAILURE() << "it was given twice";
+  } catch (const FaultError& e) {
+    EXPECT_GE(std::chrono::steady_clock::now() - begun, std::chrono::milliseconds(50));
+    EXPECT_EQ(e.fault().code, FaultCode::cannot_write);
+    EXPECT_EQ(e.what(), "cannot use " + (folder_ / ".lock").string() + ": process " +
+                            std::to_string(::getpid()) + " (" + name + ") has held it for 0.05 s");
+    EXPECT_EQ(e.remedy(), "end that process");
+  }
+  try {
+    const FolderLock nowhere(folder_ / "no");
+    ADD_FAILURE() << "there is no such folder";
+  } catch (const FaultError& e) {
+    EXPECT_EQ(e.fault().code, FaultCode::cannot_write);
+    EXPECT_EQ(e.what(), "cannot use " + (folder_ / "no" / ".lock").string() + ": No such file or directory");
+    EXPECT_NE(e.remedy(), "end that process");
+  }
+}
+
+TEST_F(PrivateFolder, WhetherOneCouldBeMadeIsToldWithoutMakingIt) {
+  EXPECT_EQ(why_no_private_folder(folder_), "");
+  EXPECT_EQ(why_no_private_folder(folder_ / "new"), "");
+  EXPECT_EQ(why_no_private_folder(folder_ / "new" / "newer"), "");
+  EXPECT_FALSE(fs::exists(folder_ / "new"));
+  const fs::path text = file("text", 0600);
+  EXPECT_EQ(why_no_private_folder(text), "cannot use " + text.string() + ": it is not a directory");
+  EXPECT_EQ(why_no_private_folder(text / "a" / "b"),
+            "cannot use " + (text / "a" / "b").string() + ": it cannot be made in " + text.string());
 }
 
 }  // namespace

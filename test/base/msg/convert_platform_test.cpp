@@ -231,6 +231,103 @@ TEST(PlatformMessages, AMeasurementHasACovarianceAndARotation) {
   EXPECT_FALSE(is_proper(to_message(estimate)));
 }
 
+constexpr std::int64_t kLargestStep = 1'000'000'000'000;
+
+/// @param field  of a proper message, a step: 0 to kLargestStep
+template <class M, class Field>
+void expect_step(const M& good, Field field) {
+  for (const std::int64_t step : {std::int64_t{0}, std::int64_t{1}, kLargestStep}) {
+    M m = good;
+    field(m) = step;
+    EXPECT_TRUE(is_proper(m)) << step;
+  }
+  for (const std::int64_t step : {std::int64_t{-1}, kLargestStep + 1}) {
+    M m = good;
+    field(m) = step;
+    EXPECT_FALSE(is_proper(m)) << step;
+  }
+}
+
+TEST(PlatformMessages, StepsAreCountedFromZeroToTheLargestThatIsBelieved) {
+  expect_step(
+      to_message(PlatformReply{}), [](auto& m) -> auto& { return m.step; });
+  expect_step(
+      to_message(PlatformReply{}), [](auto& m) -> auto& { return m.estimate.step; });
+  expect_step(
+      to_message(PlatformTelemetry{}), [](auto& m) -> auto& { return m.step; });
+  expect_step(
+      to_message(MotionCapture{.step = 50, .seen = true, .p = {1, 2, 3}}),
+      [](auto& m) -> auto& { return m.step; });
+  expect_step(
+      to_message(MapReport{.pose = a_pose()}), [](auto& m) -> auto& { return m.pose.step; });
+  expect_step(
+      to_message(PlatformEstimate{}), [](auto& m) -> auto& { return m.estimate.step; });
+}
+
+TEST(PlatformMessages, AMotionGoesForwardsInTime) {
+  const auto proper = [](std::int64_t before, std::int64_t step) {
+    OdometryReading r = a_motion();
+    r.step_before = before;
+    r.step = step;
+    return is_proper(to_message(r));
+  };
+  EXPECT_TRUE(proper(0, 1));
+  EXPECT_FALSE(proper(1, 1));
+  EXPECT_FALSE(proper(2, 1));
+  EXPECT_FALSE(proper(-1, 1));
+  EXPECT_TRUE(proper(kLargestStep - 1, kLargestStep));
+  EXPECT_FALSE(proper(kLargestStep, kLargestStep + 1));
+}
+
+TEST(PlatformMessages, NothingIsCountedBelowZero) {
+  PlatformTelemetry telemetry;
+  telemetry.tracker_iterations = -1;
+  EXPECT_FALSE(is_proper(to_message(telemetry)));
+  telemetry = {};
+  telemetry.estimator_iterations = -1;
+  EXPECT_FALSE(is_proper(to_message(telemetry)));
+  MapReport map{.pose = a_pose()};
+  map.rejected = -1;
+  EXPECT_FALSE(is_proper(to_message(map)));
+  for (const std::size_t k : {0U, 4U, 8U}) {
+    PlatformEstimate estimate;
+    estimate.covariance[k] = -1e-9;
+    EXPECT_FALSE(is_proper(to_message(estimate))) << k;
+    estimate.covariance[k] = 0;
+    EXPECT_TRUE(is_proper(to_message(estimate))) << k;
+  }
+}
+
+TEST(PlatformMessages, NumbersOfWhatIsNotThereAreNotLookedAt) {
+  OdometryReading odometry;
+  odometry.step = -5;
+  odometry.A[0] = kNaN;
+  EXPECT_TRUE(is_proper(to_message(odometry)));
+  MapReport map;
+  map.pose.step = -5;
+  map.pose.p.x = kNaN;
+  EXPECT_TRUE(is_proper(to_message(map)));
+  MotionCapture capture;
+  capture.p.x = kNaN;
+  EXPECT_TRUE(is_proper(to_message(capture)));
+  capture.step = -1;
+  EXPECT_FALSE(is_proper(to_message(capture))) << "when nothing was seen is known all the same";
+}
+
+// Of unequal deviations, 10 and 0.1: their product is 1.
+TEST(PlatformMessages, ACovarianceIsSymmetricToAMillionthOfItsDeviations) {
+  const auto proper = [](double one, double other) {
+    MapReport map{.pose = a_pose()};
+    map.pose.covariance = {100, one, 0, other, 0.01, 0, 0, 0, 1};
+    return is_proper(to_message(map));
+  };
+  EXPECT_TRUE(proper(0.5, 0.5));
+  EXPECT_TRUE(proper(0.5 + 0.9e-6, 0.5));
+  EXPECT_TRUE(proper(0.5, 0.5 + 0.9e-6));
+  EXPECT_FALSE(proper(0.5 + 1.1e-6, 0.5));
+  EXPECT_FALSE(proper(0.5, 0.5 + 1.1e-6));
+}
+
 /// Looks at messages of random bytes, which say that there is something: those that are proper are finite.
 template <class M>
 void expect_proper_ones_finite() {

@@ -169,6 +169,37 @@ TEST(AtPace, ScalesEveryVelocityAndNothingElse) {
   }
 }
 
+TEST(AtPace, OnlyGuardedAxesThatMoveHoldAForce) {
+  const TaskFrameCommand frame{
+      .x = g(0, 5, 0.0025), .y = u(0.01), .z = g(0.01, 5, 0.0025), .ay = c(0.01, 5, 0.0025)};
+  HeldShares before;
+  for (const Axis a : kAxes) before[a] = 0.7;
+  for (const double force : {0.0, 3.0, -3.0}) {
+    Wrench F_a;
+    for (const Axis a : kAxes) F_a[a] = force;
+    for (const double pace : {0.0, 0.5}) {
+      const HeldShares held = held_shares(frame, F_a, before, pace);
+      for (const Axis a : kAxes)
+        EXPECT_EQ(held[a], a != Axis::z || force <= 0 ? 0 : pace == 0 ? 0.7 : 0.75) << force << ' ' << pace;
+    }
+  }
+}
+
+// From 0.15 of the force at which it settles an axis has contact, from 0.8 on it is settled.
+TEST(AtPace, TheShareHeldIsThatOfTheForceBetweenContactAndRest) {
+  const TaskFrameCommand frame{.z = g(0.5, 5, 0.5)};
+  const auto held = [&](double force) {
+    Wrench F_a;
+    F_a[Axis::z] = force;
+    return held_shares(frame, F_a, {}, 0.5)[Axis::z];
+  };
+  EXPECT_EQ(held(0.149), 0);
+  EXPECT_EQ(held(0.15), 0.15);
+  EXPECT_EQ(held(0.799), 0.799);
+  EXPECT_EQ(held(0.8), 1);
+  EXPECT_EQ(held(2), 1);
+}
+
 /// @return velocity of a guarded axis that settles at 4 N, in a pause that found it with that force [of the whole one]
 double kept_at(double force, double in_the_pause) {
   PacedCommand command;

@@ -196,6 +196,19 @@ TEST_F(Driving, AStopComesToRestOnTheWayWhateverTheReason) {
   }
 }
 
+TEST_F(Driving, AStoppedPlatformDoesNotGoBackToWhereItWasToStand) {
+  Way way = rig.way();
+  hand({way.next(0.8, 0, 60), way.next(0.8, 0, 200)});
+  rig.wait(80);
+  rig.driver.drop_owner();
+  while (rig.driver.state() != DriverState::holding) rig.quiet();
+  rig.ground.v = 0.1;  // it slides on
+  double slowest = 0;
+  rig.after_each_step = [&] { slowest = std::min(slowest, rig.ground.v); };
+  for (int k = 0; k < 60; ++k) rig.quiet();
+  EXPECT_GT(slowest, -0.01);
+}
+
 TEST_F(Driving, SilenceIsToldAndAMotionRefusedUntilThen) {
   Way way = rig.way();
   hand({way.next(0.5, 0, 50), way.next(0.5, 0, 200)});
@@ -225,6 +238,27 @@ TEST_F(Driving, AnotherSessionBeginsWithItsOwnNumbersAfterAStop) {
   const PlatformReply reply = rig.macrostep(c);
   EXPECT_EQ(reply.verdict, Verdict::executed) << reply.fault.text.view();
   EXPECT_EQ(reply.accepted, 1);
+}
+
+TEST_F(Driving, ASessionWhoseFirstFragmentIsRefusedHasNotBegun) {
+  Way way = rig.way();
+  hand({way.next(0.5, 0, 20), way.next(0, 0, 20)});
+  ASSERT_TRUE(rig.reach(DriverState::holding));
+  rig.driver.drop_owner();
+  ASSERT_EQ(rig.quiet().accepted, 2);
+  PlatformCommand c = rig.set(rig.way().next(0.2, 0, 20));
+  c.session = 8;
+  c.number = 1;
+  c.fragment.number = 3;  // it goes on from the session before
+  const PlatformReply refused = rig.macrostep(c);
+  EXPECT_EQ(refused.verdict, Verdict::refused);
+  EXPECT_EQ(refused.fault.limit, 1) << "the number that is expected";
+  EXPECT_EQ(refused.accepted, 2);
+  EXPECT_EQ(refused.notified, 2);
+  c.fragment.number = 1;
+  c.number = refused.expected;
+  c.session = 9;
+  EXPECT_EQ(rig.macrostep(c).accepted, 1);
 }
 
 TEST_F(Driving, ARefusedFragmentChangesNothing) {

@@ -77,6 +77,35 @@ TEST(FragmentQueue, AFragmentWithNotifyZeroIsNotifiedAtOnce) {
   EXPECT_EQ(queue.notified(), 1);
 }
 
+TEST(FragmentQueue, ANegativeNotifyComesBeforeTheFragmentBegins) {
+  FragmentQueue queue = queue_at(kOrigin);
+  Way way(kOrigin);
+  queue.push(way.next(0.2, 0, 10, -5));
+  EXPECT_EQ(queue.notified(), 1) << "nothing is before it";
+  queue.push(way.next(0.2, 0, 10, -5));
+  queue.push(way.next(0.2, 0, 10, -15));
+  for (int k = 0; k < 30; ++k) {
+    EXPECT_EQ(queue.notified(), k < 5 ? 1 : 3) << k << ", the third one waits for the second";
+    queue.advance(1);
+  }
+}
+
+TEST(FragmentQueue, WhatIsFullAsksForNothingBeforeThereIsRoom) {
+  FragmentQueue queue = queue_at(kOrigin);
+  Way way(kOrigin);
+  for (std::int64_t k = 1; k <= 7; ++k) {
+    queue.push(way.next(0.2, 0, 2, -kMaxFragmentSteps));
+    EXPECT_EQ(queue.notified(), k);
+  }
+  queue.push(way.next(0.2, 0, 2, -kMaxFragmentSteps));
+  ASSERT_TRUE(queue.full());
+  EXPECT_EQ(queue.notified(), 7);
+  queue.advance(1);
+  EXPECT_EQ(queue.notified(), 7);
+  queue.advance(1);
+  EXPECT_EQ(queue.notified(), 8);
+}
+
 TEST(FragmentQueue, HeadingGoesOnThroughWholeTurns) {
   constexpr double kTurn = 2 * std::numbers::pi;
   for (const int turns : {-3, -1, 1, 20}) {
@@ -189,9 +218,9 @@ TEST(Reference, SlowsDownAsThePaceWill) {
   pace.go_to(0, Pace::kStop);
   const Reference r = reference_ahead(queue, pace, 0.05);
   EXPECT_NEAR(r[0].v, 0.8, kExact);
-  EXPECT_NEAR(r[4].v, 0.4, kExact);  // 10 iterations of 20
-  EXPECT_NEAR(r[8].v, 0, kExact);
-  EXPECT_NEAR(std::hypot(r[20].p.x - 1, r[20].p.y - 2), 0.8 * 0.4 / 2, 1e-6);
+  EXPECT_NEAR(r[4].v, 0.8 / 3, kExact);  // 10 iterations of 15
+  EXPECT_NEAR(r[6].v, 0, kExact);
+  EXPECT_NEAR(std::hypot(r[20].p.x - 1, r[20].p.y - 2), 0.8 * 0.3 / 2, 1e-6);
 }
 
 TEST(Reference, IsDrawnToWithinItsDistanceOfTheEstimate) {

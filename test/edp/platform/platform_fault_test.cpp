@@ -101,6 +101,36 @@ TEST_F(Malfunction, AnEncoderThatStandsStillIsFound) {
   EXPECT_EQ(rig.driver.fault().axis, 2);
 }
 
+/// A wheel that stands while the platform is to be slow.
+struct SlowMalfunction : testing::Test {
+  PlatformRig rig;
+  void SetUp() override {
+    ASSERT_TRUE(rig.synchronise());
+    Way way = rig.way();
+    for (int k = 0; k < 6; ++k) rig.macrostep(rig.set(way.next(kSlowest, 0, 300)));
+    rig.wait(300);
+    ASSERT_EQ(rig.driver.state(), DriverState::executing);
+  }
+  static constexpr double kSlowest = 0.05;  // [m/s], of a plan
+};
+
+TEST_F(SlowMalfunction, ABlockedWheelIsFound) {
+  rig.ground.blocked[1] = true;
+  rig.wait(300);
+  EXPECT_EQ(rig.driver.fault().code, FaultCode::wheel_blocked);
+}
+
+TEST_F(SlowMalfunction, AnEncoderThatStandsStillIsFound) {
+  rig.ground.encoder_stuck[2] = true;
+  rig.wait(300);
+  EXPECT_EQ(rig.driver.state(), DriverState::faulted);
+  EXPECT_EQ(rig.driver.fault().axis, 2);
+}
+
+TEST_F(SlowMalfunction, NothingIsFoundOfAPlatformThatIsAsItShouldBe) {
+  EXPECT_EQ(rig.wait(600).state, DriverState::executing);
+}
+
 TEST_F(Malfunction, AnEncoderThatContradictsTheEstimateIsFound) {
   rig.platform.faults.wheels_elsewhere = true;
   EXPECT_EQ(rig.wait(9).state, DriverState::executing);

@@ -22,6 +22,11 @@ struct Expected {
   double limit;
 };
 
+/// Joins a fragment of the session whose fragments are in the queue.
+ValidationError check_next(const Fragment& fragment, const FragmentQueue& queue) {
+  return check_join(fragment, queue.accepted() + 1, queue);
+}
+
 void expect(const ValidationError& wrong, const Expected& expected) {
   ASSERT_TRUE(wrong);
   EXPECT_EQ(wrong->code, FaultCode::bad_fragment) << wrong->text.view();
@@ -55,10 +60,20 @@ TEST_F(FragmentGuard, StepsAndNotifyAreWithinTheirBounds) {
     f.steps = steps;
     expect(check(f), {-1, static_cast<double>(steps), 320});
   }
-  for (const std::int32_t notify : {-1, 100, 101, std::numeric_limits<std::int32_t>::max()}) {
+  for (const std::int32_t notify : {100, 101, std::numeric_limits<std::int32_t>::max()}) {
     Fragment f = good;
     f.notify = notify;
     expect(check(f), {-1, static_cast<double>(notify), 99});
+  }
+  for (const std::int32_t notify : {-321, std::numeric_limits<std::int32_t>::min()}) {
+    Fragment f = good;
+    f.notify = notify;
+    expect(check(f), {-1, static_cast<double>(notify), -320});
+  }
+  for (const std::int32_t notify : {-320, -1, 0, 99}) {
+    Fragment f = good;
+    f.notify = notify;
+    EXPECT_FALSE(check(f)) << notify;
   }
 }
 
@@ -107,11 +122,11 @@ TEST_F(FragmentGuard, HugeNumbersAreRefused) {
 TEST(JoinGuard, NumbersFollowOneAnother) {
   FragmentQueue queue;
   Fragment f = Way(kOrigin).next(0.2, 0, 10);
-  EXPECT_FALSE(check_join(f, queue));
+  EXPECT_FALSE(check_next(f, queue));
   queue.push(f);
   for (const std::int64_t number : {0, 1, 3, -7}) {
     f.number = number;
-    expect(check_join(f, queue), {-1, static_cast<double>(number), 2});
+    expect(check_next(f, queue), {-1, static_cast<double>(number), 2});
   }
 }
 
@@ -120,10 +135,10 @@ TEST(JoinGuard, ThereIsRoomForEight) {
   Way way(kOrigin);
   for (int k = 0; k < 8; ++k) {
     const Fragment f = way.next(0.2, 0, 10);
-    EXPECT_FALSE(check_join(f, queue));
+    EXPECT_FALSE(check_next(f, queue));
     queue.push(f);
   }
-  expect(check_join(way.next(0.2, 0, 10), queue), {-1, 9, 8});
+  expect(check_next(way.next(0.2, 0, 10), queue), {-1, 9, 8});
 }
 
 /// Moves the beginning of a fragment along one axis.
@@ -144,9 +159,9 @@ TEST(JoinGuard, AFragmentBeginsWhereTheOneBeforeEnds) {
       const double limit = limits[static_cast<std::size_t>(axis)];
       Fragment f = next;
       shift(f, axis, side * limit * 0.99);
-      EXPECT_FALSE(check_join(f, queue));
+      EXPECT_FALSE(check_next(f, queue));
       shift(f, axis, side * limit * 0.02);
-      expect(check_join(f, queue), {axis, side * limit * 1.01, limit});
+      expect(check_next(f, queue), {axis, side * limit * 1.01, limit});
     }
 }
 
@@ -154,9 +169,9 @@ TEST(JoinGuard, FromRestItMayBeginFartherAway) {
   FragmentQueue queue;
   queue.hold_at({1, 1, 3.1});
   Fragment f = Way({{1.09, 0.91, -3.1}, 0, 0}).next(0.5, 0, 50);
-  EXPECT_FALSE(check_join(f, queue)) << "headings differ by the shortest turn";
+  EXPECT_FALSE(check_next(f, queue)) << "headings differ by the shortest turn";
   shift(f, 0, 0.02);
-  expect(check_join(f, queue), {0, 0.11, 0.10});
+  expect(check_next(f, queue), {0, 0.11, 0.10});
 }
 
 TEST(CommandGuard, PlatformsHaveNoGet) {

@@ -58,7 +58,8 @@ void damage(PlatformCommand& c, std::mt19937_64& random) {
       f.steps = static_cast<std::int32_t>(random() % 2 == 0 ? -odd() : kMaxFragmentSteps + odd());
       break;
     case 7:
-      f.notify = static_cast<std::int32_t>(random() % 2 == 0 ? -odd() : f.steps + odd() - 1);
+      f.notify =
+          static_cast<std::int32_t>(random() % 2 == 0 ? -kMaxFragmentSteps - odd() : f.steps + odd() - 1);
       break;
     case 8:
       for (PathPoint& moved : f.knot) moved.p.x += 0.2;

@@ -14,11 +14,8 @@
 
 #include "robots/rex/model.hpp"
 #include "robots/rex/rex.hpp"
-#include "test/robots/rex/course.hpp"
-
-#ifndef MRROC_SANITIZED
 #include "test/heap.hpp"
-#endif
+#include "test/robots/rex/course.hpp"
 
 namespace mrroc::rex::test {
 namespace {
@@ -121,7 +118,6 @@ TEST_P(Tracker, WhatIsNotFiniteIsToldAsAFailureAndForgotten) {
   EXPECT_FALSE(step(*tracker, in).health.solver_failed);
 }
 
-#ifndef MRROC_SANITIZED
 TEST_P(Tracker, NoStepAllocates) {
   const auto tracker = make();
   const Input in = random_input(random_);
@@ -136,7 +132,6 @@ TEST_P(Tracker, NoStepAllocates) {
   }
   EXPECT_EQ(count, 0);
 }
-#endif
 
 INSTANTIATE_TEST_SUITE_P(Rex, Tracker,
                          ::testing::ValuesIn(platform().trackers().begin(), platform().trackers().end()),

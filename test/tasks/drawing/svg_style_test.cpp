@@ -163,6 +163,7 @@ TEST(SvgSizes, ARadiusOfARectangleStandsForBothAndIsAtMostHalfASide) {
 
 TEST(SvgSizes, TheCornersOfARoundRectangleHaveBothRadii) {
   const Drawing d = on_page("<rect x='20' y='35' width='60' height='30' rx='15' ry='5'/>");
+  EXPECT_EQ(d.at(0).front(), d.at(0).back()) << "closed, whatever was rounded";
   const NearestPoint outline(d[0]);
   const double r = std::sqrt(0.5);
   for (const double sx : {-1., 1.})

@@ -56,8 +56,15 @@ TEST(DriveCase, IsFastWithMoreThanTheBuiltInSpeeds) {
   EXPECT_EQ(case_of({"task.speed=0.8", "sim.ground.friction=[0.35, 0.3]"}), DriveCase::slippery);
 }
 
-TEST(DriveCase, DoesNotDependOnThePlanAndWhereItBegins) {
+TEST(DriveCase, IsTheUsualOneOfEveryBuiltInPlanWhereverItBegins) {
   EXPECT_EQ(case_of({"task.plan=slalom", "sim.platforms.rex.start=[1, 0, 0]"}), DriveCase::usual);
+}
+
+TEST(DriveCase, IsNotTheUsualOneWithAPlanOfTheUsers) {
+  EXPECT_EQ(case_of({"task.plan=\"/somewhere/points.txt\""}), DriveCase::own_plan);
+  EXPECT_EQ(case_of({"task.plan=\"/somewhere/points.txt\"", "task.speed=0.8"}), DriveCase::fast);
+  EXPECT_EQ(case_of({"task.plan=\"/somewhere/points.txt\"", "platforms.rex.tracker=kinematic"}),
+            DriveCase::other);
 }
 
 }  // namespace

@@ -42,8 +42,8 @@ class DriverModel {
   [[nodiscard]] bool fits(const Fragment& f) const {
     const PathPoint& begin = f.knot.front();
     const PathPoint end = queue_.empty() ? PathPoint{end_.p} : queue_.back().knot.back();
-    return f.number == reply_.accepted + 1 && queue_.size() < 8 && f.notify >= 0 && f.notify < f.steps &&
-           std::hypot(begin.p.x - end.p.x, begin.p.y - end.p.y) < 0.02 &&
+    return f.number == reply_.accepted + 1 && queue_.size() < 8 && f.notify >= -kMaxFragmentSteps &&
+           f.notify < f.steps && std::hypot(begin.p.x - end.p.x, begin.p.y - end.p.y) < 0.02 &&
            std::abs(wrap_angle(begin.p.phi - end.p.phi)) < 0.03 && std::abs(begin.v - end.v) < 0.1 &&
            std::abs(begin.w - end.w) < 0.2;
   }
@@ -60,7 +60,12 @@ class DriverModel {
     note();
   }
   void note() {
-    if (!queue_.empty() && time_ >= queue_.front().notify) reply_.notified = queue_.front().number;
+    double begun = time_;
+    for (std::size_t k = 0; k < queue_.size() && (k == 0 || queue_.size() < 8); ++k) {
+      if (begun < queue_[k].notify) return;
+      reply_.notified = queue_[k].number;
+      begun -= queue_[k].steps;
+    }
   }
   void pass(double pace) {
     time_ += pace;

@@ -39,6 +39,15 @@ TEST(RexFigures, AreWhatTheRowsTell) {
   EXPECT_EQ(f.count("friction_found_s"), 0U);
 }
 
+TEST(RexFigures, APositionOfBeforeTheDriveIsNoLateOne) {
+  DriveResults r = synthetic_drive();
+  r.table.front().executing = 0;
+  for (DriveRow& row : r.table) row.late_map = 1;
+  EXPECT_EQ(value(figures_of(r), "late_map"), 0);
+  r.table.back().late_map = 3;
+  EXPECT_EQ(value(figures_of(r), "late_map"), 2);
+}
+
 TEST(RexFigures, AnEstimateFarAwayIsOutsideOfItsEllipse) {
   EXPECT_EQ(value(figures_of(synthetic_drive(0.1)), "ellipse_95_pct"), 0);
 }
@@ -79,6 +88,10 @@ TEST(RexFigures, OfDrivesThatDifferDifferentThingsAreWanted) {
   };
   EXPECT_EQ(wanted(DriveCase::usual, "track_rms_mm"), "<= 10");
   EXPECT_EQ(wanted(DriveCase::usual, "joint_speed_pct"), ">= 90");
+  EXPECT_EQ(wanted(DriveCase::own_plan, "track_rms_mm"), "<= 10");
+  EXPECT_EQ(wanted(DriveCase::own_plan, "estimate_rms_mm"), "<= 8");
+  for (const char* key : {"joint_speed_pct", "plan_joint_speed_pct", "ack_before_rest_s"})
+    EXPECT_EQ(wanted(DriveCase::own_plan, key), "") << key;
   EXPECT_EQ(wanted(DriveCase::fast, "track_max_mm"), "<= 100");
   for (const DriveCase ground : {DriveCase::slippery, DriveCase::ice_right}) {
     EXPECT_EQ(wanted(ground, "track_rms_mm"), "<= 15");
@@ -91,14 +104,71 @@ TEST(RexFigures, OfDrivesThatDifferDifferentThingsAreWanted) {
         << info.key;
 }
 
-TEST(RexFigures, AChangeOfTheGroundIsFoundWhenTheEstimateIsNear) {
+TEST(RexFigures, OfADriveWithoutWishesItIsSaidWhatAloneIsWanted) {
+  EXPECT_NE(wanted_only(DriveCase::other).find("nothing is wanted of this drive but"), std::string::npos);
+  for (const DriveCase drive : {DriveCase::usual, DriveCase::own_plan, DriveCase::fast, DriveCase::smooth})
+    EXPECT_EQ(wanted_only(drive), "");
+}
+
+/// A drive whose ground is half as rough from 1 s on, which is found at 1.6 s.
+DriveResults drive_onto_ice() {
   DriveResults r = synthetic_drive();
   for (DriveRow& row : r.table) {
     if (row.t >= 1)
       for (auto& friction : row.truth.friction) friction = {0.35, 0.3};
-    if (row.t >= 1.6) row.slip.mu_x = 0.36;
+    if (row.t >= 1.6) row.slip = {0.36, 0.29, 0.02};
   }
+  return r;
+}
+
+TEST(RexFigures, AChangeOfTheGroundIsFoundWhenTheEstimateIsNear) {
+  EXPECT_NEAR(value(figures_of(drive_onto_ice()), "friction_found_s"), 0.6, 0.021);
+}
+
+TEST(RexFigures, AChangeOfTheGroundIsNotFoundWhileAnyOfItIsFar) {
+  for (const auto coefficient : {&Slip::mu_x, &Slip::mu_y, &Slip::split}) {
+    DriveResults r = drive_onto_ice();
+    for (DriveRow& row : r.table)
+      if (row.t >= 1.6 && row.t < 2.2) row.slip.*coefficient += 0.15;
+    EXPECT_NEAR(value(figures_of(r), "friction_found_s"), 1.2, 0.021);
+  }
+}
+
+TEST(RexFigures, AChangeOfTheGroundIsFoundWhenTheEstimateStaysNear) {
+  DriveResults r = drive_onto_ice();
+  for (DriveRow& row : r.table)
+    if (row.t >= 3 && row.t < 3.1) row.slip.mu_x = 0.5;
+  EXPECT_NEAR(value(figures_of(r), "friction_found_s"), 2.1, 0.021) << "it was near before, and left again";
+  for (DriveRow& row : r.table)
+    if (row.t >= 3.5) row.slip.mu_x = 0.5;
+  EXPECT_EQ(figures_of(r).count("friction_found_s"), 0U) << "it is far to the end of the drive";
+}
+
+TEST(RexFigures, TheNextChangeOfTheGroundEndsTheSearch) {
+  DriveResults r = drive_onto_ice();
+  for (DriveRow& row : r.table)
+    if (row.t >= 2.5)
+      for (auto& friction : row.truth.friction) friction = {0.7, 0.6};
   EXPECT_NEAR(value(figures_of(r), "friction_found_s"), 0.6, 0.021);
+}
+
+TEST(RexFigures, AChangeAcrossOrOfTheSplitIsAChangeOfTheGround) {
+  DriveResults across = synthetic_drive(), split = synthetic_drive();
+  for (DriveRow& row : across.table)
+    if (row.t >= 1)
+      for (auto& friction : row.truth.friction) friction[1] = 0.4;
+  EXPECT_EQ(figures_of(across).count("friction_found_s"), 0U);
+  for (DriveRow& row : across.table)
+    if (row.t >= 2) row.slip.mu_y = 0.4;
+  EXPECT_NEAR(value(figures_of(across), "friction_found_s"), 1, 0.021);
+  for (DriveRow& row : split.table) {
+    if (row.t >= 1) {
+      for (const std::size_t left : {0U, 2U}) row.truth.friction[left][0] = 0.98;
+      for (const std::size_t right : {1U, 3U}) row.truth.friction[right][0] = 0.42;
+    }
+    if (row.t >= 1.5) row.slip.split = 0.38;
+  }
+  EXPECT_NEAR(value(figures_of(split), "friction_found_s"), 0.5, 0.021);
 }
 
 TEST(RexFigures, OfARunWithoutRowsAreFew) {
@@ -123,7 +193,7 @@ TEST(RexTables, HaveARowPerMacrostepAndPerFragment) {
   for (const std::string& row : rows)
     EXPECT_EQ(std::ranges::count(row, ','), std::ranges::count(rows[0], ','));
   ASSERT_EQ(fragments.size(), 3U);
-  EXPECT_EQ(fragments[1], "1,1,100,46,0.20,0.00,2.00,0.5000,0.5000");
+  EXPECT_EQ(fragments[1], "1,1,100,46,0.20,0.00,2.00,0.5000,0.5000,0.92");
   std::filesystem::remove(folder / "rex_platform.csv");
   std::filesystem::remove(folder / "rex_fragments.csv");
 }
@@ -136,6 +206,23 @@ TEST(RexPlots, ReadTheColumnsThatTheTableHas) {
     EXPECT_TRUE(script.find("platform.csv") != std::string::npos ||
                 script.find("fragments.csv") != std::string::npos);
   }
+}
+
+TEST(RexPlots, TheHandoverShowsStepsAndNotifyOfEachFragmentAndWhenTheDriverIsReady) {
+  const auto pictures = plots(synthetic_drive());
+  const std::string script =
+      std::ranges::find(pictures, "handover", [](const auto& p) { return p.first; })->second;
+  for (const char* curve : {"'fragments.csv' skip 1 using 10:1", "'fragments.csv' skip 1 using 6:3",
+                            "'fragments.csv' skip 1 using 6:4"})
+    EXPECT_NE(script.find(curve), std::string::npos) << curve;
+}
+
+TEST(RexTables, TellWhenTheDriverWasReadyForTheNextFragmentIfItWas) {
+  DriveResults r = synthetic_drive();
+  for (DriveRow& row : r.table) row.notified = std::min<std::int64_t>(row.notified, 1);
+  const std::vector<Stay> times = stays(r.fragments, r.table);
+  EXPECT_NEAR(times[0].ready, 0.92, 1e-9);
+  EXPECT_TRUE(std::isnan(times[1].ready));
 }
 
 TEST(RexPlots, ShowTheRoomAndItsGround) {

@@ -5,6 +5,7 @@
 #include <deque>
 #include <random>
 
+#include "base/latency.hpp"
 #include "tasks/rex_drive/plan/built_in_plans.hpp"
 #include "test/tasks/rex_drive/driver_model.hpp"
 #include "test/tasks/rex_drive/random_plans.hpp"
@@ -172,17 +173,225 @@ TEST(Report, WithoutAFaultTheVerdictIsThatOfTheDriver) {
   EXPECT_EQ(kBehaviours[1].f_cT(x).verdict, Verdict::executed);
 }
 
+/// An image of which everything that is told is something.
+X telling_image() {
+  X x = idle_image();
+  x.e.state = DriverState::holding;
+  x.e.estimate.p = {1.5, -0.5, 0.25};
+  x.e.estimate.v = {0.1, 0.2, 0.3};
+  x.c.handed = x.e.notified = 6;
+  return x;
+}
+
+TEST(Report, TellsStateAndPlaceOfThePlatformInEveryBehaviour) {
+  const X x = telling_image();
+  int m = 0;
+  for (const auto* behaviour :
+       {&kWaitForStart, &kBehaviours[0], &kBehaviours[1], &kBehaviours[2], &kGiveUp}) {
+    const Said said = behaviour->f_cT(x);
+    EXPECT_EQ(said.m, m);
+    EXPECT_EQ(behaviour->m, m++);
+    EXPECT_EQ(said.driver_state, DriverState::holding);
+    EXPECT_TRUE(said.ready);
+    EXPECT_TRUE(said.position_known);
+    EXPECT_EQ(said.T_0E, (std::array<double, 6>{1.5, -0.5, 0, 0, 0, 0.25}));
+    EXPECT_EQ(said.estimate.p.y, -0.5);
+    EXPECT_EQ(said.sensor, kStands);
+    EXPECT_EQ(said.event, 0);
+  }
+}
+
+TEST(Report, AnUnknownPositionIsNoEstimate) {
+  X x = telling_image();
+  x.e.position_known = false;
+  const Said said = kBehaviours[1].f_cT(x);
+  EXPECT_FALSE(said.ready);
+  EXPECT_FALSE(said.position_known);
+  EXPECT_EQ(said.estimate.p.x, 0);
+  EXPECT_EQ(said.T_0E[0], 1.5);
+}
+
+TEST(Report, GivingUpIsAFailureForWantOfAPath) {
+  const Said said = kGiveUp.f_cT(telling_image());
+  EXPECT_EQ(said.verdict, Verdict::failed);
+  EXPECT_EQ(said.fault.code, FaultCode::path_not_found);
+  EXPECT_FALSE(kGiveUp.f_tau(telling_image())) << "for ever";
+}
+
+TEST(Report, TheSensorIsASumOfWhatIsSeenAndWhereThePlatformIs) {
+  const auto told = [](auto change) {
+    X x = telling_image();
+    change(x);
+    return kBehaviours[0].f_cT(x).sensor;
+  };
+  EXPECT_EQ(told([](X& x) { x.T.map.pose.valid = true; }), kMapSeen + kStands);
+  EXPECT_EQ(told([](X& x) { x.V.valid = true; }), kOdometrySeen + kStands);
+  EXPECT_EQ(told([](X& x) { x.e.at_rest = false; }), 0);
+  EXPECT_EQ(told([](X& x) { x.e.remaining = 1; }), 0);
+  EXPECT_EQ(told([](X& x) { x.e.notified = 5; }), 0);
+  // 0.2 m from above, from either axis.
+  for (const std::size_t k : {0U, 4U}) {
+    EXPECT_EQ(told([k](X& x) { x.e.estimate.covariance[k] = 0.199 * 0.199; }), kStands) << k;
+    EXPECT_EQ(told([k](X& x) { x.e.estimate.covariance[k] = 0.201 * 0.201; }), kStands + kPositionLost) << k;
+  }
+  EXPECT_EQ(told([](X& x) { x.e.estimate.covariance[0] = x.e.estimate.covariance[4] = 0.15 * 0.15; }),
+            kStands + kPositionLost);
+  EXPECT_EQ(told([](X& x) { x.e.estimate.covariance[0] = -1; }), kStands) << "rounding made it negative";
+}
+
+// Fragments 4 and 5 were handed over before the plan; 6 leads to the plan's second point, 7 and 8 to its fourth.
+TEST(Report, ThePointUnderWayIsThatOfTheFragmentThatIsExecuted) {
+  X x = telling_image();
+  x.c.before_plan = 5;
+  x.c.points = {1, 3, 3};
+  const int expected[]{0, 0, 2, 4, 4, 0, 0};
+  for (int k = 0; k < 7; ++k) {
+    x.e.executing = 4 + k;
+    EXPECT_EQ(kBehaviours[1].f_cT(x).sensor, kStands + kPointUnit * expected[k]) << x.e.executing;
+  }
+}
+
+TEST(Algorithm4, ANewPlanHasNoPointsAndBeginsBehindTheFragmentsHandedOver) {
+  X x = telling_image();
+  x.c.points = {0, 1};
+  x.c.end = {{1.5, -0.5, 0.25}, 0, 0};
+  x.c.before_plan = 2;
+  x.T.desired = straight_plan(3);
+  const Memory c = take_plan(x);
+  EXPECT_EQ(c.before_plan, 6);
+  EXPECT_TRUE(c.points.empty());
+  EXPECT_EQ(c.handed, 6);
+  x.c.taken = 3;
+  EXPECT_EQ(take_plan(x).points.size(), 2U) << "the plan that was";
+  EXPECT_EQ(take_plan(x).before_plan, 2);
+}
+
+// A fragment comes in time while more macrosteps of the last one are left than it takes: planning, start, messages and a reserve.
+TEST(Algorithm4, AFragmentThatComesInTimeBeginsAtTheSpeedOfTheLastOnesEnd) {
+  X x = telling_image();
+  x.c.end = {{2, 1, 0.5}, 0.6, 0.1};
+  x.T.desired = straight_plan(2);
+  const int needed =
+      x.c.k.planner.planning + 1 + static_cast<int>(latency::kMessage + latency::kCommandToReply) + 10;
+  x.e.remaining = needed;
+  EXPECT_EQ(take_plan(x).trajgen.at.v, 0);
+  EXPECT_EQ(take_plan(x).trajgen.at.p.phi, 0.5);
+  x.e.remaining = needed + 1;
+  EXPECT_EQ(take_plan(x).trajgen.at.v, 0.6);
+}
+
+// --- slippery ground ------------------------------------------------------------------------------------------
+
+TEST(Algorithm4, OnSlipperyGroundCurvesAreSlowerAndNowhereFaster) {
+  const auto speeds = [](double mu_y, double split) {
+    X x = idle_image();
+    x.T.desired = {.number = 1, .n = 3, .point = {{{1, 0}, {2, 0.3}, {3, 1}}}, .speed = 1.2};
+    x.e.slip.mu_y = mu_y;
+    x.e.slip.split = split;
+    double sum = 0;
+    for (const PlanPoint& point : take_plan(x).plan) sum += point.at.v;
+    return sum;
+  };
+  const double usual = speeds(0.6, 0);
+  EXPECT_GT(usual, 0);
+  EXPECT_EQ(speeds(100, 0), usual);
+  EXPECT_LT(speeds(0.05, 0), 0.9 * usual);
+  EXPECT_LT(speeds(0.02, 0), speeds(0.05, 0));
+  EXPECT_NEAR(speeds(0.1, 0.5), speeds(0.05, 0), 1e-12) << "the side that slips more";
+  EXPECT_NEAR(speeds(0.1, -0.5), speeds(0.05, 0), 1e-12);
+}
+
+// --- when fragments are handed over ---------------------------------------------------------------------------
+
+X with_fragment(double ends_before, double begins) {
+  X x = idle_image();
+  Trajectory t;
+  t.duration = 1;
+  t.index = 4;
+  t.knot.front().v = begins;
+  t.knot.back() = {{3, 2, 1}, 0.5, 0.2};
+  x.c.traj.push_back(t);
+  x.c.end.v = ends_before;
+  x.e.remaining = 10;
+  return x;
+}
+
+TEST(Algorithm7, AFragmentFromRestWaitsForTheEndOfOneAtSpeed) {
+  for (const double v : {0.3, -0.3}) EXPECT_EQ(fragment(with_fragment(v, 0)).instruction, Instruction::keep);
+  EXPECT_EQ(fragment(with_fragment(0, 0)).instruction, Instruction::set);
+  EXPECT_EQ(fragment(with_fragment(0.3, 0.3)).instruction, Instruction::set);
+  X x = with_fragment(0.3, 0);
+  x.e.remaining = 0;
+  EXPECT_EQ(fragment(x).instruction, Instruction::set) << "it has ended";
+}
+
+TEST(Algorithm6, WhatIsHandedOverIsRememberedAndNothingElseWhileItWaits) {
+  const Memory handed = plan_and_hand_over(with_fragment(0, 0));
+  EXPECT_EQ(handed.handed, 1);
+  EXPECT_EQ(handed.end.p.x, 3);
+  EXPECT_EQ(handed.end.v, 0.5);
+  EXPECT_EQ(handed.points, (std::vector<std::int32_t>{4}));
+  EXPECT_TRUE(handed.traj.empty());
+  const Memory waits = plan_and_hand_over(with_fragment(0.3, 0));
+  EXPECT_EQ(waits.handed, 0);
+  EXPECT_EQ(waits.end.v, 0.3);
+  EXPECT_EQ(waits.traj.size(), 1U);
+  EXPECT_TRUE(waits.points.empty());
+}
+
+TEST(Behaviours, EndWhenTheirConditionHolds) {
+  X x = idle_image();
+  EXPECT_FALSE(kWaitForStart.f_tau(x));
+  EXPECT_FALSE(kBehaviours[0].f_tau(x));
+  EXPECT_TRUE(kBehaviours[1].f_tau(x)) << "nothing is left to hand over";
+  EXPECT_FALSE(kBehaviours[2].f_tau(x));
+  X started = x;
+  started.T.m = 1;
+  EXPECT_TRUE(kWaitForStart.f_tau(started));
+  X later = x;
+  later.i = 1;
+  EXPECT_TRUE(kBehaviours[2].f_tau(later));
+  X planned = x;
+  planned.c.new_plan = true;
+  EXPECT_TRUE(kBehaviours[0].f_tau(planned));
+  EXPECT_FALSE(kBehaviours[1].f_tau(planned));
+  X busy = x;
+  busy.c.trajgen.busy = true;
+  EXPECT_FALSE(kBehaviours[1].f_tau(busy));
+  busy.c.trajgen.failed = true;
+  EXPECT_TRUE(kBehaviours[1].f_tau(busy)) << "in vain";
+  EXPECT_FALSE(kBehaviours[1].f_tau(image_with(1)));
+  X points = x;
+  points.c.plan.resize(1);
+  EXPECT_FALSE(kBehaviours[1].f_tau(points));
+  for (X any : {x, started, planned, busy, points, image_with(1)}) {
+    any.T.finished = true;
+    EXPECT_TRUE(kWaitForStart.f_tau(any));
+    for (const auto& behaviour : kBehaviours) EXPECT_TRUE(behaviour.f_tau(any)) << behaviour.name;
+  }
+}
+
+TEST(Behaviours, KeepTheirMemoryAtTheirEntry) {
+  X x = telling_image();
+  x.c.taken = 3;
+  for (const auto* behaviour :
+       {&kWaitForStart, &kBehaviours[0], &kBehaviours[1], &kBehaviours[2], &kGiveUp}) {
+    EXPECT_EQ(behaviour->f_entry(x).taken, 3);
+    EXPECT_EQ(behaviour->f_entry(x).handed, 6);
+  }
+}
+
 TEST(Pace, FollowsThePauseAndStandsWhileThePositionIsUncertain) {
   X x = idle_image();
   x.T.variant = kPaused;
-  for (int k = 0; k < 10; ++k) x.c = plan_and_hand_over(x);
-  EXPECT_NEAR(x.c.pace, 0, 1e-12);
+  EXPECT_EQ(plan_and_hand_over(x).pace, 0) << "at once: the driver is the one that goes to it evenly";
   x.T.variant = 0;
+  EXPECT_EQ(plan_and_hand_over(x).pace, 1);
   x.e.estimate.covariance[0] = 0.3 * 0.3;
   EXPECT_EQ(plan_and_hand_over(x).pace, 0);
   EXPECT_NE(kBehaviours[1].f_cT(x).sensor & kPositionLost, 0);
   x.e.estimate.covariance[0] = 1e-4;
-  EXPECT_NEAR(plan_and_hand_over(x).pace, 0.1, 1e-12);
+  EXPECT_EQ(plan_and_hand_over(x).pace, 1);
 }
 
 // --- the loop with a driver -----------------------------------------------------------------------------------
@@ -193,7 +402,8 @@ struct Drive {
   PlanarPose start;
   std::int64_t think{10};
   int longest{20'000};
-  std::vector<std::int64_t> acks{};  // macrosteps
+  std::vector<std::int64_t> acks{};      // macrosteps
+  std::function<void(const X&)> look{};  // in every macrostep
 
   ModelPort run(std::function<PlatformCommand(const PlatformCommand&)> delay = {}) {
     std::int64_t acked_in = 0;
@@ -201,6 +411,7 @@ struct Drive {
     ModelPort* self = nullptr;
     ModelPort port([&](X& x) {
       x.T.m = 1;
+      if (look) look(x);
       const bool acked = next > 0 && self->said.event == plans[next - 1].number;
       if (acked && acked_in == 0) acks.push_back(acked_in = x.i);
       if (next == 0 || (acked && x.i - acked_in >= think && next < plans.size())) {
@@ -240,6 +451,29 @@ TEST(Locomotion, PlansThatGoOnAreOneWayWithoutARest) {
   for (std::size_t k = 0; k + 1 < taken.size(); ++k)
     EXPECT_GT(taken[k].knot.back().v, 0.85 * 0.6) << "at the end of fragment " << taken[k].number;
   EXPECT_EQ(taken.back().knot.back().v, 0);
+}
+
+/// Straight on in plans of 12 points each, which are 0.2 m apart.
+std::vector<Plan> short_legs() {
+  PlanList list;
+  list.plans.resize(3);
+  for (int k = 0; k < 36; ++k) list.plans[static_cast<std::size_t>(k / 12)].push_back({0.2 * (k + 1), 0, 0});
+  return to_messages(list, 0.6);
+}
+
+TEST(Locomotion, ShortFragmentsAreHandedOverAheadOfTheHorizon) {
+  constexpr int kHorizon = 50, kOfEnds = 80;
+  Drive drive{short_legs(), {}};
+  std::vector<int> remaining;
+  drive.look = [&](const X& x) {
+    if (x.e.executing > 2 && x.e.accepted < 36) remaining.push_back(x.e.remaining);
+  };
+  const ModelPort port = drive.run();
+  EXPECT_EQ(port.driver.refused, 0);
+  ASSERT_EQ(port.driver.taken.size(), 36U);
+  ASSERT_GT(remaining.size(), 400U);
+  EXPECT_GE(*std::ranges::min_element(remaining), kHorizon - 5) << "the tracker would see an end, and brake";
+  EXPECT_LE(*std::ranges::max_element(remaining), kOfEnds) << "no more is handed over than is needed";
 }
 
 TEST(Locomotion, ALatePlanBeginsAtRest) {

@@ -77,6 +77,23 @@ TEST(DriveOptions, ThePlansBeginWhereTheConfigurationLetsThePlatformStand) {
   EXPECT_EQ(begin.p.x, 1);
 }
 
+TEST(DriveOptions, AStartOfThePlanAtAWallIsToldWithItsLineAndOneOfTheConfigurationLater) {
+  const std::string at_the_wall = "start 2.9 0 0\n1 0\n2 0\n";
+  Config c = config_with({});
+  PlanList plans = parse_plans(at_the_wall, "my.txt");
+  try {
+    complete_drive(c, {}, plans);
+    ADD_FAILURE();
+  } catch (const FaultError& e) {
+    EXPECT_EQ(e.fault().code, FaultCode::bad_plan);
+    EXPECT_TRUE(std::string(e.what()).starts_with("my.txt:1: the start (2.9, 0): 0.00 m from a wall"))
+        << e.what();
+  }
+  Config elsewhere = config_with({"sim.platforms.rex.start=[2.9, 0.5, 0]"});
+  complete_drive(elsewhere, {}, plans);
+  EXPECT_EQ(plans.start_line, 0) << "the simulator names the key";
+}
+
 TEST(DriveOptions, NamesOfAlgorithmsAreWhateverThePlatformHas) {
   const Config c = config_with(settings_of({.tracker = "mine", .estimator = "a \"b\""}));
   EXPECT_EQ(c.text("platforms.rex.tracker", ""), "mine");
@@ -140,7 +157,18 @@ TEST(DriveConfig, EveryBuiltInPlanCanBeDriven) {
 }
 
 TEST(DriveConfig, ANameThatIsNeitherPlanNorFileIsTold) {
-  EXPECT_THROW(std::ignore = read_plan_list(config_with({"task.plan=\"figure_nine\""})), FaultError);
+  const auto told = [](const std::string& plan) -> std::string {
+    try {
+      std::ignore = read_plan_list(config_with({"task.plan=\"" + plan + "\""}));
+      return {};
+    } catch (const FaultError& e) {
+      return e.what();
+    }
+  };
+  EXPECT_NE(told("figure_nine").find("there is no such file"), std::string::npos);
+  EXPECT_NE(told("/somewhere/slalon").find("did you mean 'slalom'?"), std::string::npos)
+      << "as the option writes it";
+  EXPECT_EQ(told("/somewhere/points.txt").find("did you mean"), std::string::npos);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "tasks/rex_drive/plan/plan_file.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -65,6 +66,17 @@ TEST(PlanFile, BeginsAtTheOriginUnlessItSaysOtherwise) {
   const PlanList list = parse_plans("0 0\n1 0\n", "my.txt");
   EXPECT_EQ(list.start.x, 0);
   EXPECT_EQ(list.start.phi, 0);
+}
+
+TEST(PlanFile, ANumberMayHaveASign) {
+  const PlanList list = parse_plans("start +0.5 -1 +1e-1\n+0.5 -0.25\n+1 +2\n", "my.txt");
+  EXPECT_EQ(list.start.x, 0.5);
+  EXPECT_EQ(list.start.phi, 0.1);
+  EXPECT_EQ(list.plans[0][0], (MapPoint{0.5, -0.25, 2}));
+  EXPECT_EQ(list.plans[0][1], (MapPoint{1, 2, 3}));
+  for (const char* word : {"+", "++1", "+-1", "-+1", "+nought"})
+    EXPECT_EQ(error_of(std::string("0 0\n1 ") + word + "\n"),
+              fmt::format("my.txt:2: '{}' is not a number", word));
 }
 
 TEST(PlanFile, SaysWhatIsWrongAndInWhichLine) {
@@ -191,6 +203,18 @@ TEST(PlanFile, ALegThatIsNotFreeIsToldWithItsLine) {
     ADD_FAILURE();
   } catch (const FaultError& e) {
     EXPECT_EQ(std::string(e.what()), "my.txt:3: the way from (2, 0) to (3, 0): a wall");
+  }
+}
+
+TEST(PlanFile, AStartThatIsNotFreeIsToldWithItsLine) {
+  const auto wall = [](const MapPoint& from, const MapPoint&) {
+    return from.x > 2.5 ? std::string("a wall") : "";
+  };
+  try {
+    check_start(parse_plans("# here\nstart 3 1 0\n1 0\n2 0\n", "my.txt"), wall);
+    ADD_FAILURE();
+  } catch (const FaultError& e) {
+    EXPECT_EQ(std::string(e.what()), "my.txt:2: the start (3, 1): a wall");
   }
 }
 

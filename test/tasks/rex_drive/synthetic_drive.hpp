@@ -38,6 +38,7 @@ inline DriveResults synthetic_drive(double error = 0.01) {
     row.estimate.covariance = {1e-4, 0, 0, 0, 1e-4, 0, 0, 0, 1e-4};
     row.slip = {0.69, 0.6, 0.02};
     row.executing = drives ? 1 + i / 100 : 0;
+    row.notified = i >= 146 ? 2 : i >= 46 ? 1 : 0;
     row.at_rest = i >= 205;
     r.table.push_back(row);
   }

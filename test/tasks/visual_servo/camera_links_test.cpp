@@ -193,6 +193,42 @@ TEST_F(CameraChannels, AReadingThatIsNotFiniteIsMalformed) {
   }
 }
 
+TEST_F(CameraChannels, AMacrostepsSamplesMayComeInSeveralMessages) {
+  begin();
+  const link::OtherLinks others = links->others();
+  step_samples_t m{};
+  m.macrostep = 1;
+  m.more = 1;
+  m.step = 5;
+  m.n = 5;
+  std::ranges::copy(samples(1, 5), m.sample);
+  samples_out->publish(m, 1);
+  EXPECT_FALSE(others.here(1, 10)) << "there are more";
+  m.more = 0;
+  m.step = 10;
+  std::ranges::copy(samples(6, 5), m.sample);
+  samples_out->publish(m, 2);
+  EXPECT_TRUE(others.here(1, 10));
+}
+
+TEST_F(CameraChannels, MoreOrLessSamplesThanAMessageHasAreCutOff) {
+  begin(ClockKind::wall);
+  tell_samples(1, 40, 32);
+  step_samples_t m{};
+  m.macrostep = 2;
+  m.step = 90;
+  m.n = 1000;
+  std::ranges::copy(samples(59, 32), m.sample);
+  samples_out->publish(m, 2);
+  m.n = -3;
+  samples_out->publish(m, 3);
+  sac->publish(reading(4), 4);
+  Arm::X seen;
+  seen.e.step = 100;
+  links->read(seen);
+  EXPECT_EQ(seen.V.camera[0].T_0E.p.x(), 80);
+}
+
 TEST_F(CameraChannels, TheRecordHasWhatWasSeenAndWhatWasDecided) {
   begin();
   tell_samples(1, 40, 32);
@@ -213,6 +249,13 @@ TEST_F(CameraChannels, TheRecordHasWhatWasSeenAndWhatWasDecided) {
   x.V.camera[0].reading.seen = false;
   x.V.camera[1].there = true;
   x.V.camera[1].reading.frame = 9;
+  y.c.e.R = rotation_from_angle_axis({0.1, 0.2, 0.3});
+  y.c.under_way.R = rotation_from_angle_axis({0.4, 0.5, 0.6});
+  y.c.track.known = true;
+  y.c.track.v = {1, 2, 3};
+  y.c.track.omega = {4, 5, 6};
+  y.c.track.P.setIdentity();
+  y.c.track.P *= 1e-12;
   links->report(motion, x, y, 8);
   const auto first = reports->take(), second = reports->take();
   ASSERT_TRUE(first && second);
@@ -234,6 +277,10 @@ TEST_F(CameraChannels, TheRecordHasWhatWasSeenAndWhatWasDecided) {
     EXPECT_EQ(first->T_dc[n], y.c.under_way.p[n]);
     EXPECT_EQ(first->e[n + 3], 0);
     EXPECT_EQ(first->v[n], 0);
+    EXPECT_NEAR(second->e[n + 3], 0.1 * (n + 1), 1e-12);
+    EXPECT_NEAR(second->T_dc[n + 3], 0.1 * (n + 4), 1e-12);
+    EXPECT_NEAR(second->v[n], n + 1, 1e-6);
+    EXPECT_NEAR(second->v[n + 3], n + 4, 1e-6);
   }
 }
 

@@ -67,7 +67,10 @@ TEST(Entrances, LeadIntoTheGroupWithTheLastTurnEitherWay) {
 TEST(Entrances, OfACubeInTheGroupTakeNoTurns) {
   const Tables& tables = test::small_tables();
   const CosetState solved = tables.state_of({});
-  EXPECT_EQ(tables.entrances.find(0, solved.flip_slice_class, solved.twist).size(), 1U);
+  const auto none = tables.entrances.find(0, solved.flip_slice_class, solved.twist);
+  ASSERT_EQ(none.size(), 1U);
+  EXPECT_EQ(none[0].pieces, Arrangement::of({}));
+  EXPECT_EQ(none[0].half_turn, 0);
   EXPECT_TRUE(tables.entrances.find(1, solved.flip_slice_class, solved.twist).empty());
 }
 

@@ -33,6 +33,7 @@ TEST(Coordination, AnEventThatIsStillSetEndsNothingMore) {
 TEST(Coordination, BothArmsChangeTogetherThroughAllSixBehaviours) {
   // The images of a whole turn; each arm reads what a_0 sent in the macrostep before, as over the links.
   std::array<SteppedArm, 2> arms;
+  EXPECT_EQ(arms[0].m(), 0) << "no step yet";
   std::array<Arm::X, 2> x;
   x[0].e.gripper = x[1].e.gripper = 0.074;
   Coordination a_0, sent;

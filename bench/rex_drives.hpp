@@ -1,0 +1,46 @@
+// Drives of the platform's task, and the figures that are made of them.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bench/figures.hpp"
+
+namespace mrroc::bench {
+
+using Arguments = std::vector<std::string>;         ///< of a program
+using Summaries = std::span<const nlohmann::json>;  ///< summary.json of runs
+
+/// A run of the platform's task to its end.
+struct RexDrive {
+  std::uint32_t seed{1};
+  Arguments more{};  ///< further arguments
+  bool timed{};  ///< its time is measured: it has the machine for itself, and its processes are separate ones
+};
+
+/// A part of the group rex.
+struct RexPart {
+  std::vector<RexDrive> drives;
+  std::function<Figures(Summaries)> figures;  ///< of the summaries of its drives, in their order
+};
+
+/// Runs all drives: first those whose time is measured, one after another; then all others several at a time, each in one
+/// process. The bits of a run depend neither on the processes nor on what runs beside it. Tells on the standard error how far
+/// it is.
+/// @return figures of all parts, in their order
+/// @throws FaultError start_failed, peer_silent; internal_error: a run left no summary; what the parts throw
+Figures figures_of(const std::vector<RexPart>& parts);
+
+/// Trackers and estimators of the platform against each other on three grounds.
+/// @param plots  folder for the picture algorithms.png and its table; empty: none
+/// @return the part; its figures throw FaultError cannot_write, internal_error
+[[nodiscard]] RexPart rex_algorithms(const std::filesystem::path& plots);
+
+/// @return whether the run did what it should
+[[nodiscard]] bool done(const nlohmann::json& summary);
+
+}  // namespace mrroc::bench
