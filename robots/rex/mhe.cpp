@@ -126,7 +126,8 @@ void Mhe::linearise() noexcept {
   for (int k = 0; k < kWindowStages; ++k)
     residuals_[static_cast<std::size_t>(k)] = window_.residuals_at(k, z(k));
   for (; linearised_ < kNewest; ++linearised_)
-    transitions_[static_cast<std::size_t>(linearised_)] = window_.transition_from(linearised_, z(linearised_));
+    transitions_[static_cast<std::size_t>(linearised_)] =
+        window_.transition_from(linearised_, z(linearised_));
 }
 
 void Mhe::improve(edp::Health& health) noexcept {

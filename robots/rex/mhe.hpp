@@ -64,9 +64,9 @@ class Mhe final : public edp::Estimator {
   void update_covariance() noexcept;
 
   StageWindow window_;
-  StageBelief arrival_{};               // of the oldest stage, before its own measurements
+  StageBelief arrival_{};                               // of the oldest stage, before its own measurements
   StageMatrix arrival_root_ = StageMatrix::Identity();  // L with L L' = P of it
-  std::array<StageVector, kStages> z_;  // estimates of the stages
+  std::array<StageVector, kStages> z_;                  // estimates of the stages
   std::array<StageResiduals, kStages> residuals_;
   std::array<StageTransition, kStages> transitions_;  // the last one means nothing
   std::array<HeldSlip, kStages> held_;
