@@ -140,11 +140,10 @@ void Mhe::improve(edp::Health& health) noexcept {
     ++health.iterations;
   } while (solved && health.iterations == 1 && hold_slip());
   health.solver_failed = !solved;
-  if (solved) go();
+  if (solved) line_search();
 }
 
-// Where halving does not help either, the shortest step is taken.
-void Mhe::go() noexcept {
+void Mhe::line_search() noexcept {
   constexpr int kHalvings = 2;
   const double before = cost();
   const std::array<StageVector, kStages> from = z_;

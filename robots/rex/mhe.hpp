@@ -27,7 +27,7 @@ struct HeldSlip {
 /// method takes ten times as long for the same. When the QP is not solved, the states are kept as the model predicts them.
 ///
 /// Friction saturates with slip, and whole steps into saturation and back overshoot, as Newton's do on arctan: where the
-/// ground changes, step after step would lead further away. A step that makes the sum larger is therefore halved.
+/// ground changes, step after step would lead further away. A step that makes the sum larger is therefore halved, at most twice.
 class Mhe final : public edp::Estimator {
  public:
   /// Takes all memory. @throws std::bad_alloc
@@ -47,12 +47,12 @@ class Mhe final : public edp::Estimator {
   void leave() noexcept;
   /// Filters over a window that is not full.
   void fill() noexcept;
-  /// Linearises where the states are, but for what already is.
+  /// Linearises the transitions and residuals that are not up to date.
   void linearise() noexcept;
   /// Solves the QP and corrects the states.
   void improve(edp::Health& health) noexcept;
-  /// Goes along what the QP says: all of it, or the largest half or quarter that does not cost more than staying.
-  void go() noexcept;
+  /// Takes the QP's step: all of it, or half of it where the sum would become larger, or else a quarter.
+  void line_search() noexcept;
   /// @return what is minimised, for the states as they were linearised last and the arrival cost of set_dynamics()
   [[nodiscard]] double cost() const noexcept;
   void set_dynamics() noexcept;

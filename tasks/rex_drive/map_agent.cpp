@@ -37,22 +37,28 @@ PlanarCovariance covariance_of(const MapParameters& k) {
   return {position, 0, 0, 0, position, 0, 0, 0, squared(k.heading_sd)};
 }
 
-/// @return whether the reading goes on from an older one
-bool continues(const MapMemory& c, const MotionCapture& before, const MotionCapture& reading) {
-  return distance(reading, before, c) <= kGate;
+/// @return whether the reading goes on from the newest one that was believed, not long ago
+bool goes_on(const MotionCapture& reading, const MapMemory& c) {
+  return reading.step - c.believed.step <= kCarried * c.k.capture.period &&
+         distance(reading, c.believed, c) <= kGate;
+}
+
+/// @return whether the reading agrees with the newest one that was rejected; two that cannot be compared agree
+bool agrees(const MotionCapture& reading, const MapMemory& c) {
+  const double d = distance(reading, c.rejected, c);
+  return c.rejected.seen && (d <= kGate || std::isinf(d));
 }
 
 /// @return whether the reading may be passed on: it fits the estimate, there is none, or it goes on from readings that were
 ///         believed, or from as many as open the gate
-bool is_plausible(const MapMemory& c, const MotionCapture& reading) {
+bool is_plausible(const MotionCapture& reading, const MapMemory& c) {
   const PlatformEstimate estimate = estimate_at(c, reading.step);
-  return estimate.step == 0 || distance(reading, estimate, c.k) <= kGate ||
-         continues(c, c.believed, reading) ||
-         (c.rejected_in_a_row >= c.k.rejections && continues(c, c.rejected, reading));
+  return estimate.step == 0 || distance(reading, estimate, c.k) <= kGate || goes_on(reading, c) ||
+         (c.rejected_in_a_row >= c.k.rejections && agrees(reading, c));
 }
 
 void reject(const MotionCapture& reading, MapMemory& c) {
-  c.rejected_in_a_row = continues(c, c.rejected, reading) ? c.rejected_in_a_row + 1 : 1;
+  c.rejected_in_a_row = agrees(reading, c) ? c.rejected_in_a_row + 1 : 1;
   c.rejected = reading;
   ++c.report.rejected;
 }
@@ -61,7 +67,7 @@ void reject(const MotionCapture& reading, MapMemory& c) {
 void examine(const MotionCapture& reading, std::int64_t i, MapMemory& c) {
   c.looked_at = reading.step;
   if (!reading.seen) return;
-  if (!is_plausible(c, reading)) return reject(reading, c);
+  if (!is_plausible(reading, c)) return reject(reading, c);
   c.rejected_in_a_row = 0;
   c.rejected = {};
   c.believed = reading;
@@ -131,7 +137,7 @@ double distance(const MotionCapture& reading, const PlatformEstimate& estimate, 
 double distance(const MotionCapture& reading, const MotionCapture& before, const MapMemory& c) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   const std::int64_t age = reading.step - before.step;
-  if (!before.seen || age > kCarried * c.k.capture.period) return kFar;
+  if (!before.seen || age <= 0) return kFar;
   PlanarPose p = before.p;
   std::int64_t at = before.step;
   for (auto e = c.estimate.rbegin(); e != c.estimate.rend() && at < reading.step; ++e) {

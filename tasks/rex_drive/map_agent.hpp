@@ -77,10 +77,9 @@ struct MapAgent {
                               const MapParameters& k);
 /// @param before  an older reading
 /// @return the same distance of a reading from where an older one and the speeds of a_1 since then lead: what the estimate
-///         is wrong by does not matter. Infinite: the older one was not seen or is older than kCarried periods, or a_1's
-///         speeds since then are not remembered
+///         is wrong by does not matter. Infinite: the older one was not seen, or a_1's speeds since then are not remembered
 [[nodiscard]] double distance(const MotionCapture& reading, const MotionCapture& before, const MapMemory& c);
-/// Periods of the motion capture system over which a reading is carried on by speeds.
+/// Periods of the motion capture system over which a reading that was believed is carried on.
 inline constexpr std::int64_t kCarried = 3;
 /// Beyond this a reading is implausible: 99.9 % of all are nearer, chi-squared with three degrees of freedom.
 inline constexpr double kGate = 16.266;

@@ -108,6 +108,24 @@ TEST(MapAgent, BelievesAMapThatHasJumpedAfterTwoRejectionsThatAgree) {
   EXPECT_EQ(jumped->rejected, 2);
 }
 
+// One reading in 20: between two of them lies more than a_1's estimates that are remembered.
+TEST(MapAgent, BelievesAMapThatHasJumpedHoweverRarelyItIsSeen) {
+  for (const std::int64_t every : {2, 4, 20}) {
+    Circle circle(5);
+    std::vector<X> images;
+    for (std::int64_t i = 1; i < 1200; ++i) {
+      images.push_back(circle.image(i, i > 200 ? PlanarPose{0.4, 0, 0} : PlanarPose{}));
+      images.back().V.seen = images.back().V.step / 50 % every == 0;
+    }
+    const auto told = run(images);
+    const auto jumped = std::find_if(told.begin(), told.end(), [](const MapReport& r) {
+      return r.pose.valid && r.pose.p.x - Circle::at(r.pose.step).x > 0.3;
+    });
+    ASSERT_NE(jumped, told.end()) << every;
+    EXPECT_EQ(jumped->rejected, 2) << every;
+  }
+}
+
 TEST(MapAgent, WrongReadingsInARowThatDisagreeOpenNoGate) {
   Circle circle(6);
   std::vector<X> images;
