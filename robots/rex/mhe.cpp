@@ -44,6 +44,7 @@ void Mhe::begin(const edp::StandingStill& found) noexcept {
   arrival_ = standing_belief(found, window_);
   z(0) = arrival_.z;
   newest_ = arrival_;
+  linearised_ = 0;
   steps_to_covariance_ = 0;
   inconsistent_ = false;
 }
@@ -57,11 +58,16 @@ void Mhe::add(const edp::StageReading& reading) noexcept {
     case Entry::restart:
       arrival_ = newest_;
       z(0) = newest_.z;
+      linearised_ = 0;
       return;
     case Entry::next:
       break;
   }
-  if (shifts) std::move(z_.begin() + 1, z_.end(), z_.begin());
+  if (shifts) {
+    std::move(z_.begin() + 1, z_.end(), z_.begin());
+    std::move(transitions_.begin() + 1, transitions_.end(), transitions_.begin());
+    linearised_ = std::max(linearised_ - 1, 0);
+  }
   const int before = window_.size() - 2;
   z(before + 1) = contained(window_.transition_from(before, z(before)).z);
 }
@@ -75,6 +81,7 @@ void Mhe::leave() noexcept {
 bool Mhe::add(const OdometryReading& odometry) noexcept {
   const int picture = window_.add(odometry);
   if (picture < 0) return false;
+  linearised_ = std::min(linearised_, picture);
   for (int k = picture + 1; k < window_.size(); ++k) {
     z(k).segment<3>(kCloneIndex) = z(picture).segment<3>(kPose);
     if (window_[k].picture) break;
@@ -116,11 +123,11 @@ void Mhe::fill() noexcept {
 }
 
 void Mhe::linearise() noexcept {
-  for (int k = 0; k < kWindowStages; ++k) {
-    const auto at = static_cast<std::size_t>(k);
-    residuals_[at] = window_.residuals_at(k, z(k));
-    if (k < kNewest) transitions_[at] = window_.transition_from(k, z(k));
-  }
+  for (int k = 0; k < kWindowStages; ++k)
+    residuals_[static_cast<std::size_t>(k)] = window_.residuals_at(k, z(k));
+  for (; linearised_ < kNewest; ++linearised_)
+    transitions_[static_cast<std::size_t>(linearised_)] =
+        window_.transition_from(linearised_, z(linearised_));
 }
 
 void Mhe::improve(edp::Health& health) noexcept {
@@ -133,15 +140,42 @@ void Mhe::improve(edp::Health& health) noexcept {
     ++health.iterations;
   } while (solved && health.iterations == 1 && hold_slip());
   health.solver_failed = !solved;
-  for (int k = 0; k < kWindowStages && solved; ++k)
-    z(k) = contained(z(k) + change_[static_cast<std::size_t>(k)]);
+  if (solved) line_search();
+}
+
+void Mhe::line_search() noexcept {
+  constexpr int kHalvings = 2;
+  const double before = cost();
+  const std::array<StageVector, kStages> from = z_;
+  double share = 1;
+  for (int halvings = 0; halvings <= kHalvings; ++halvings, share /= 2) {
+    for (std::size_t k = 0; k < kStages; ++k) z_[k] = contained(from[k] + share * change_[k]);
+    linearised_ = 0;
+    linearise();
+    if (cost() <= before) return;
+  }
+}
+
+// Clones have no noise: their gaps are no part of it.
+double Mhe::cost() const noexcept {
+  const StageVector error = difference(z_[0], arrival_.z);
+  double sum = arrival_root_.triangularView<Eigen::Lower>().solve(error).squaredNorm();
+  for (std::size_t k = 0; k < kStages; ++k) {
+    sum += residuals_[k].r.head(residuals_[k].count).squaredNorm();
+    if (k + 1 == kStages) break;
+    const StageVector gap = difference(z_[k + 1], transitions_[k].z);
+    for (int i = 0; i < kStageNoises; ++i)
+      if (const double deviation = transitions_[k].deviation[i]; deviation > 0)
+        sum += gap[i] * gap[i] / (deviation * deviation);
+  }
+  return sum;
 }
 
 // The QP's states are corrections of z, so that the arrival cost is that of z_0 = zbar + root(P) w.
 void Mhe::set_dynamics() noexcept {
-  const StageMatrix L = root(arrival_.P);
+  arrival_root_ = root(arrival_.P);
   const StageVector error = difference(arrival_.z, z(0));
-  qp_.dynamics(0, {}, L, error);
+  qp_.dynamics(0, {}, arrival_root_, error);
   for (int k = 0; k < kNewest; ++k) {
     const StageTransition& to = transitions_[static_cast<std::size_t>(k)];
     ShootingNoise B = ShootingNoise::Zero();

@@ -25,6 +25,9 @@ struct HeldSlip {
 /// Slip coefficients stay within SlipBounds: where the step takes one beyond its bound, it is held there and the step is
 /// computed once more. That is one iteration of an active set method, and nearly always none is needed; an interior point
 /// method takes ten times as long for the same. When the QP is not solved, the states are kept as the model predicts them.
+///
+/// Friction saturates with slip, and whole steps into saturation and back overshoot, as Newton's do on arctan: where the
+/// ground changes, step after step would lead further away. A step that makes the sum larger is therefore halved, at most twice.
 class Mhe final : public edp::Estimator {
  public:
   /// Takes all memory. @throws std::bad_alloc
@@ -44,9 +47,14 @@ class Mhe final : public edp::Estimator {
   void leave() noexcept;
   /// Filters over a window that is not full.
   void fill() noexcept;
+  /// Linearises the transitions and residuals that are not up to date.
   void linearise() noexcept;
   /// Solves the QP and corrects the states.
   void improve(edp::Health& health) noexcept;
+  /// Takes the QP's step: all of it, or half of it where the sum would become larger, or else a quarter.
+  void line_search() noexcept;
+  /// @return what is minimised, for the states as they were linearised last and the arrival cost of set_dynamics()
+  [[nodiscard]] double cost() const noexcept;
   void set_dynamics() noexcept;
   void set_costs() noexcept;
   /// @return whether the solution is one, all of its numbers finite
@@ -56,14 +64,16 @@ class Mhe final : public edp::Estimator {
   void update_covariance() noexcept;
 
   StageWindow window_;
-  StageBelief arrival_{};               // of the oldest stage, before its own measurements
-  std::array<StageVector, kStages> z_;  // estimates of the stages
+  StageBelief arrival_{};                               // of the oldest stage, before its own measurements
+  StageMatrix arrival_root_ = StageMatrix::Identity();  // L with L L' = P of it
+  std::array<StageVector, kStages> z_;                  // estimates of the stages
   std::array<StageResiduals, kStages> residuals_;
   std::array<StageTransition, kStages> transitions_;  // the last one means nothing
   std::array<HeldSlip, kStages> held_;
   std::array<StageVector, kStages> change_;  // what the QP says
   ocp::OcpQp qp_;
   StageBelief newest_{};
+  int linearised_{};  // transitions, from the oldest on, that are those of the states
   int steps_to_covariance_{};
   bool inconsistent_{};  // since the last step
 };

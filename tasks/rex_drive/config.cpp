@@ -99,7 +99,8 @@ MapParameters read_map(const Config& config) {
   const auto noise = m.numbers<2>("noise", {{k.position_sd, k.heading_sd}}, {1e-4, 1}, "m, rad");
   k.position_sd = noise[0];
   k.heading_sd = noise[1];
-  k.rejections = m.integer("rejections", k.rejections, {1, 1000}, "in a row, which open the gate again");
+  k.rejections = m.integer("rejections", k.rejections, {1, 1000},
+                           "in a row that agree with each other, which open the gate again");
   k.timeout = macrosteps(m.number("timeout", 0.5, {0.1, 60}, "s"));
   if (k.timeout * k.n_s < k.capture.period)
     throw FaultError(

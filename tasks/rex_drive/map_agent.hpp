@@ -19,7 +19,9 @@ struct MapParameters {
   double trust{2};              ///< the estimate's standard deviations are taken as so many times as large
   double drift_position{0.01};  ///< and as larger by this [m]
   double drift_heading{0.01};   ///< [rad]
-  int rejections{5};            ///< in a row, which open the gate again
+  double drift_speed{0.15};     ///< standard deviation of the estimate's speed [m/s]
+  double drift_rate{0.1};       ///< and of its turn rate [rad/s]
+  int rejections{2};            ///< in a row that agree with each other, which open the gate again
   std::int64_t timeout{25};  ///< without a plausible reading, after which the position is lost [macrosteps]
   int n_s{10};               ///< steps of a macrostep
 };
@@ -32,7 +34,9 @@ struct MapMemory {
   MapParameters k;                                        ///< constant during a run
   std::array<PlatformEstimate, kEstimatesKept> estimate;  ///< newest first; step 0: none
   std::int64_t looked_at{-1};   ///< step of the newest reading that has been examined
-  int rejected_in_a_row{};      ///< readings
+  MotionCapture believed;       ///< the newest reading that was plausible; not seen: none
+  MotionCapture rejected;       ///< the newest one that was not; not seen: none since a plausible one
+  int rejected_in_a_row{};      ///< readings up to that one that agree with each other
   std::int64_t plausible_in{};  ///< macrostep of the last plausible reading; 0: none yet
   MapReport report;             ///< what is said
 };
@@ -71,6 +75,12 @@ struct MapAgent {
 /// @return squared Mahalanobis distance of the reading from the estimate, with the uncertainties of both
 [[nodiscard]] double distance(const MotionCapture& reading, const PlatformEstimate& estimate,
                               const MapParameters& k);
+/// @param before  an older reading
+/// @return the same distance of a reading from where an older one and the speeds of a_1 since then lead: what the estimate
+///         is wrong by does not matter. Infinite: the older one was not seen, or a_1's speeds since then are not remembered
+[[nodiscard]] double distance(const MotionCapture& reading, const MotionCapture& before, const MapMemory& c);
+/// Periods of the motion capture system over which a reading that was believed is carried on.
+inline constexpr std::int64_t kCarried = 3;
 /// Beyond this a reading is implausible: 99.9 % of all are nearer, chi-squared with three degrees of freedom.
 inline constexpr double kGate = 16.266;
 

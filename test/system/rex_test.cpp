@@ -85,6 +85,21 @@ TEST(RexDrive, DoesNotBelieveAMapWithOutliers) {
   EXPECT_LE(figure(told, "track_max_mm"), 60);
 }
 
+// On ice below the right wheels, a turn on the spot and a way back: left and right change sides.
+TEST(RexDrive, KnowsWhereItIsWhenTheGroundChanges) {
+  for (const char* seed : {"1", "2"}) {
+    const Folder folder;
+    const Ended ended = run(folder, "rex_drive",
+                            {"--plan", "there_and_back", "--ground", "ice_right", "--processes", "one",
+                             "--seed", seed, "--run-dir", (folder / "run").string()});
+    ASSERT_EQ(ended.status, 0) << ended.all();
+    const nlohmann::json told = summary(folder / "run");
+    EXPECT_EQ(figure(told, "map_rejected"), 0) << "all of its positions are good";
+    EXPECT_LE(figure(told, "track_rms_mm"), 15);
+    EXPECT_GE(figure(told, "ellipse_95_pct"), 75);
+  }
+}
+
 TEST(RexDrive, StandsDuringAPauseAndComesToTheEndOfItsPlan) {
   const Folder folder;
   const std::string script = folder.write("orders", "3 start\n100 pause\n150 resume\n");
