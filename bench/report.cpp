@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <ctime>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -20,9 +21,12 @@ void Report::resume() {
   if (!stream) return;
   const Json old = Json::parse(stream, nullptr, false);
   try {
-    for (const Json& group : old.at("groups"))
-      groups_.emplace_back(group.at("name").get<std::string>(),
-                           group.at("figures").get<std::map<std::string, double>>());
+    for (const Json& group : old.at("groups")) {
+      auto& [name, values] =
+          groups_.emplace_back(group.at("name").get<std::string>(), std::map<std::string, double>{});
+      for (const auto& [key, value] : group.at("figures").items())
+        values[key] = value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+    }
   } catch (const Json::exception&) {
     throw FaultError(FaultCode::bad_usage, file_.string() + " is not a report of the benchmarks");
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <string>
@@ -33,12 +34,15 @@ void add_seeds(std::vector<RexDrive>& drives, const Arguments& more, bool timed 
   for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) drives.push_back({seed, more, timed});
 }
 
-/// @throws FaultError internal_error: the run did not end well, or has no such figure
+constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
+
+/// @return kNotMeasured: the run has no such figure
+/// @throws FaultError internal_error: it did not end well
 double figure(const json& summary, const std::string& key) {
-  const json value = summary.at("figures").value(key, json());
-  if (!done(summary) || !value.is_number())
+  if (!done(summary))
     throw FaultError(FaultCode::internal_error, fmt::format("rex_drive: no {} could be measured", key));
-  return value.get<double>();
+  const json value = summary.at("figures").value(key, json());
+  return value.is_number() ? value.get<double>() : kNotMeasured;
 }
 
 std::vector<double> all(Summaries runs, const std::string& key) {
@@ -46,8 +50,18 @@ std::vector<double> all(Summaries runs, const std::string& key) {
   for (const json& s : runs) values.push_back(figure(s, key));
   return values;
 }
-double most(Summaries runs, const std::string& key) { return std::ranges::max(all(runs, key)); }
-double least(Summaries runs, const std::string& key) { return std::ranges::min(all(runs, key)); }
+bool is_measured(const std::vector<double>& values) {
+  return std::ranges::none_of(values, [](double x) { return std::isnan(x); });
+}
+/// @return the worst of the runs; kNotMeasured when one of them has no such figure
+double most(Summaries runs, const std::string& key) {
+  const std::vector<double> values = all(runs, key);
+  return is_measured(values) ? std::ranges::max(values) : kNotMeasured;
+}
+double least(Summaries runs, const std::string& key) {
+  const std::vector<double> values = all(runs, key);
+  return is_measured(values) ? std::ranges::min(values) : kNotMeasured;
+}
 
 /// @return the runs that add_seeds() has added as the k-th, from 0
 Summaries seeds(Summaries runs, std::size_t k) { return runs.subspan(k * kSeeds, kSeeds); }
@@ -161,7 +175,10 @@ Arguments random_plant(std::uint32_t seed) {
 }
 
 /// Those of a plant that end well have a figure; one that does not is worse than any.
-double track_rms(const json& summary) { return done(summary) ? figure(summary, "track_rms_mm") : HUGE_VAL; }
+double track_rms(const json& summary) {
+  const double rms = done(summary) ? figure(summary, "track_rms_mm") : kNotMeasured;
+  return std::isnan(rms) ? HUGE_VAL : rms;
+}
 
 /// @param runs  of each plant with adaptation, and without
 Figures plant_figures(Summaries runs) {

@@ -107,7 +107,7 @@ void PlatformDriver::begin_macrostep(const PlatformReading& reading) noexcept {
     hold(false);
   }
   if (state_ == DriverState::decelerating) {
-    pace_.go_to(0, Pace::kStop);
+    pace_.go_to(0, Pace::stop_rate(queue_.at(0).v));
     if (queue_.empty() || pace_.now() == 0) {
       queue_.drop();
       fire(PlatformEvent::stood);

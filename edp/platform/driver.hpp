@@ -37,8 +37,8 @@ namespace mrroc::edp {
 ///
 /// The table in edp/platform/automaton.hpp says which command is legal in which state, and what follows from it. The drives
 /// brake (short-circuited motors) in not_synchronised, homing, ready and faulted; in executing and decelerating they follow
-/// the tracker. In holding the tracker keeps the platform at the last point until it rests there, or has been stopped and
-/// rests; then the drives brake, until the platform is to move or has been pushed away.
+/// the tracker. In holding the tracker keeps the platform at the last point until it rests there; then the drives brake, until
+/// the platform is to move or has been pushed away. One that has been stopped has no such point: it is to rest where it is.
 ///
 /// SYNCHRO is executed at once in its macrostep, and goes on over the following ones: the replies tell its end by the state
 /// ready. SET hands a fragment over. A refused command changes nothing. What is not numbered in a command of the owner - pace,
@@ -59,7 +59,7 @@ class PlatformDriver {
   static constexpr double kHeldPosition = 0.02;  // [m]
   static constexpr double kHeldHeading = 0.03;   // [rad]
   /// After a stop the drives brake once the platform has rested for so many macrosteps, or after the second number of them:
-  /// short-circuited motors are quicker than a tracker that makes up for the last millimetres.
+  /// short-circuited motors end a slide, which the tracker, for which the platform is where it is to be, does not.
   static constexpr int kStoppedRest = 3;
   static constexpr int kStoppedMost = 4;
   /// An estimated speed below which the platform rests.

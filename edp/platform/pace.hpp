@@ -3,15 +3,24 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/platform_command.hpp"
+
 namespace mrroc::edp {
 
 /// Goes from its present value to its target at a constant rate; time is counted in iterations. Real-time safe.
 class Pace {
  public:
-  /// Change of the pace in an iteration: a pause is as quick as the control subsystem's, ten macrosteps.
+  /// Change of the pace in an iteration: a pause, which the control subsystem says at once, takes ten of them.
   static constexpr double kChange = 0.1;
-  /// The same when the platform is stopped: 2 m/s^2 at 0.6 m/s. With the brakes' run-out it is at rest in 300 steps.
+  /// The same at most when the platform is stopped, and its deceleration at most [m/s^2]: what tyres can give on slippery
+  /// ground, too. Up to 0.6 m/s the first one is less; with the brakes' run-out the platform is at rest in 300 steps then.
   static constexpr double kStop = 1. / 15;
+  static constexpr double kDeceleration = 2;
+
+  /// @param v  planned speed [m/s]  @return change of the pace in an iteration, with which the platform is stopped
+  [[nodiscard]] static double stop_rate(double v) noexcept {
+    return std::min(kStop, kDeceleration * kPlatformPeriod / std::max(std::abs(v), 1e-3));
+  }
 
   /// @param target  pace to go to, 0 stands .. 1 as planned  @param rate  change in an iteration, > 0
   void go_to(double target, double rate = kChange) noexcept {

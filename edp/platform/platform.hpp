@@ -62,7 +62,7 @@ struct Health {
 /// Result of an estimator's step.
 struct EstimatorResult {
   PlatformEstimate estimate;  ///< of the newest stage
-  Slip slip;                  ///< estimated
+  Slip slip;                  ///< estimated: mu_x, mu_y > 0, |split| < 1
   Slip slip_sd{0, 0, 0};      ///< standard deviations
   double mass{};              ///< weighed at SYNCHRO [kg]
   PlanarPose centre;          ///< centre of mass in B, weighed; phi is not used

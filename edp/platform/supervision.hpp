@@ -13,7 +13,7 @@ class WheelSupervision {
   /// A wheel is blocked when it stands under a larger torque [N m], although it is to turn, for so many iterations.
   static constexpr double kTorque = 6;
   static constexpr int kBlocked = 15;
-  /// Below the first speed a wheel stands, above the second it is to turn [rad/s]: Rex rolls at 0.05 m/s with 0.33 rad/s.
+  /// Below the first speed a wheel stands, above the second it is to turn [rad/s]: a wheel of 0.15 m rolls at 0.05 m/s with 0.33.
   static constexpr double kStands = 0.05;
   static constexpr double kTurns = 0.3;
   /// An encoder is wrong when it stands although its wheel is to turn and the other one of its side does, or when it

@@ -38,11 +38,11 @@ std::string name_of(const PlanList& list, std::int64_t plan, std::int32_t index)
 }
 
 /// Looks at the curves that are driven, which are not quite the legs. @throws FaultError  bad_plan
-void check_ways(const PlanList& list, const PlannerSurvey& survey, const Room& room) {
+void check_ways(const PlanList& list, const PlannerSurvey& survey, const LegCheck& wrong_with) {
   for (const auto& [plan, t] : survey.found)
     for (std::size_t k = 1; k < t.knot.size(); ++k) {
       const PlanarPose &from = t.knot[k - 1].p, &to = t.knot[k].p;
-      const std::string wrong = obstructed(clearance(room, {from.x, from.y}, {to.x, to.y}));
+      const std::string wrong = wrong_with({from.x, from.y}, {to.x, to.y});
       if (!wrong.empty())
         throw FaultError(FaultCode::bad_plan,
                          fmt::format("{}, the curve to this point: {}", name_of(list, plan, t.index), wrong),
@@ -128,9 +128,9 @@ void examine_start(const PlanList& list, const Config& config) {
 }
 
 Itinerary examine(const PlanList& list, const Config& config) {
-  const Room room = read_room(config);
-  check_start(list, way_check(room));
-  check_legs(list, way_check(room));
+  const LegCheck wrong_with = way_check(read_room(config));
+  check_start(list, wrong_with);
+  check_legs(list, wrong_with);
   Itinerary it;
   it.list = list;
   it.plans = to_messages(list, read_speed(config));
@@ -140,7 +140,7 @@ Itinerary examine(const PlanList& list, const Config& config) {
     throw FaultError(FaultCode::path_not_found,
                      fmt::format("{}: the planner finds no trajectory to this point",
                                  name_of(list, missed->plan, missed->point)));
-  check_ways(list, it.survey, room);
+  check_ways(list, it.survey, wrong_with);
   return it;
 }
 

@@ -117,7 +117,8 @@ std::optional<double> friction_found(const DriveTable& table) {
 
 /// Whether the platform was told to be slower than planned shortly before that time [s].
 bool is_slowed(const DriveTable& table, double t) {
-  constexpr double kSettles = 1;  // [s] from full pace until the speed is the planned one
+  // [s] from the end of a pause: the driver goes to full pace in 0.2 s, and the speed is the planned one a second later.
+  constexpr double kSettles = 1.2;
   const auto slows = [t](const DriveRow& row) { return row.t <= t && row.t > t - kSettles && row.pace < 1; };
   return std::ranges::any_of(table, slows);
 }
@@ -203,7 +204,7 @@ std::vector<Most> wanted_of(DriveCase drive) {
 
 /// Whether something is wanted of the figure in every drive.
 bool is_of_every_drive(std::string_view key) {
-  return key == "planner_iterations_p95" || key == "solver_failures" || key == "stop_steps_max";
+  return key == "planner_iterations_p95" || key == "solver_failures";
 }
 
 /// Whether the figure depends on the lengths of a plan's legs.
@@ -218,7 +219,7 @@ std::vector<mp::FigureInfo> figures_of_case(DriveCase drive) {
   if (drive == DriveCase::usual) return infos;
   for (mp::FigureInfo& info : infos) {
     const bool kept = drive == DriveCase::own_plan ? !is_of_joints(info.key) : is_of_every_drive(info.key);
-    if (!kept) info = {.key = info.key, .words = info.words, .unit = info.unit};
+    if (!kept) info = {.key = info.key, .words = info.words, .unit = info.unit, .always = info.always};
   }
   for (const Most& most : wanted_of(drive))
     std::ranges::find(infos, most.key, &mp::FigureInfo::key)->high = most.high;

@@ -32,16 +32,17 @@ struct DriveResults {
 ///   estimate_rms_mm                   true place against the estimate, while it drives
 ///   ellipse_95_pct                    how often the true place is within the estimate's 95 % ellipse
 ///   friction_err, split_err           mean of the second half against the mean of what is true
-///   friction_found_s                  after the ground changes by a quarter: until the estimates along, across and of the split
-///                                     are within 10 % and stay there until it changes again, or the drive ends
+///   friction_found_s                  after the ground changes by a quarter: until the estimates along and across
+///                                     are within 10 %, the split within 0.1, and stay there until it changes again, or
+///                                     the drive ends
 ///   joint_speed_pct                   least true speed at the end of a fragment that is passed at speed, of the planned one;
-///                                     not within a second after a pause
+///                                     not within 1.2 s after a pause
 ///   plan_joint_speed_pct              the same where one plan goes on into the next
 ///   ack_before_rest_s                 from the last ack until the platform stands
 ///   speed_mean_mps, speed_max_mps     true, while it drives
 ///   drive_s, way_m                    time and way, while it drives
 ///   planner_iterations_p95            of the search for a fragment
-///   late_map                          positions older than the estimator's window, from the begin of the drive on
+///   late_map                          positions older than the estimator's window, from the beginning of the drive on
 ///   map_rejected, solver_failures     counts
 [[nodiscard]] mp::Figures figures_of(const DriveResults& results);
 
@@ -88,7 +89,8 @@ inline constexpr std::array kFigures{
 
 /// @return kFigures with what is wanted of such a drive, which is less than of the usual one: the more the ground or the
 ///         speed asks of the platform, the farther it may be from its reference; what happens between fragments depends on the
-///         user's plan; of DriveCase::other nothing is wanted but that planner and solvers do their work
+///         user's plan; that a stop is short is wanted where the ground can do it and the speed is the usual one; of
+///         DriveCase::other nothing is wanted but that planner and solvers do their work
 [[nodiscard]] std::vector<mp::FigureInfo> figures_of_case(DriveCase drive);
 
 }  // namespace mrroc::rex_drive

@@ -30,6 +30,7 @@ struct Memory {
   std::int64_t before_plan{};        ///< number of the last fragment handed over before the plan was taken
   std::vector<std::int32_t> points;  ///< of this plan, to which its fragments lead, in their order
   double pace{1};                    ///< to which the fragments' time is to go: 0 stands
+  bool lost{};                       ///< the platform waits for its position
 };
 
 /// Order::variant of the coordinator while the operator has a pause.

@@ -32,13 +32,19 @@ List list_add_last_del_first(const List& list, const Trajectory& data) {
 double uncertainty(const PlatformEstimate& estimate) {
   return std::sqrt(std::max(0.0, estimate.covariance[0] + estimate.covariance[4]));
 }
-bool position_lost(const X& x) { return uncertainty(x.e.estimate) > x.c.k.lost; }
+/// Whether the platform does not know where it is. It does again when it is clearly better, so that it does not stop and go
+/// in turns.
+bool position_lost(const X& x) {
+  constexpr double kFound = 0.8;
+  return uncertainty(x.e.estimate) > (x.c.lost ? kFound : 1) * x.c.k.lost;
+}
 
 /// Memory that goes on: the pace follows the operator's pause, and the platform waits while it does not know where it is. The
 /// driver goes to it evenly; told its end at once, the tracker sees the standstill come.
 Memory go_on(const X& x) {
   Memory c = x.c;
-  c.pace = x.T.variant == kPaused || position_lost(x) ? 0 : 1;
+  c.lost = position_lost(x);
+  c.pace = x.T.variant == kPaused || c.lost ? 0 : 1;
   return c;
 }
 
@@ -58,11 +64,11 @@ PathPoint beginning(const X& x) {
   return {x.c.end.p};
 }
 
-/// Limits of a plan: on slippery ground curves are slower.
+/// Limits of a plan: on slippery ground curves are slower, and possible whatever is estimated.
 RouteLimits route_limits(const X& x) {
-  constexpr double kGravity = 9.81;
+  constexpr double kGravity = 9.81, kLeastFriction = 0.01;
   RouteLimits limits = x.c.k.planner.route;
-  const double friction = x.e.slip.mu_y * (1 - std::abs(x.e.slip.split));
+  const double friction = std::max(kLeastFriction, x.e.slip.mu_y * (1 - std::abs(x.e.slip.split)));
   limits.lateral = std::min(limits.lateral, x.c.k.grip * kGravity * friction);
   return limits;
 }

@@ -133,6 +133,8 @@ bool is_finite(const Result& result) {
   return std::ranges::all_of(numbers(result), [](double x) { return std::isfinite(x); });
 }
 
+bool makes_sense(const Slip& slip) { return slip.mu_x > 0 && slip.mu_y > 0 && std::abs(slip.split) < 1; }
+
 template <class Result>
 bool equal_bits(const Result& a, const Result& b) {
   return std::ranges::equal(numbers(a), numbers(b), [](double x, double y) {
@@ -181,6 +183,7 @@ TEST_P(PlatformContract, AStandingPlatformIsEstimatedToStand) {
       ASSERT_LT(std::abs(r.estimate.p.phi), 0.02) << kind << ", stage " << stage;
       ASSERT_LT(std::hypot(r.estimate.v.vx, r.estimate.v.vy), 0.02) << kind << ", stage " << stage;
       ASSERT_NEAR(r.mass, 400 / 9.81, 0.1) << kind << ": it was weighed";
+      ASSERT_TRUE(makes_sense(r.slip)) << kind << ", stage " << stage;
       const PlanarCovariance& C = r.estimate.covariance;
       ASSERT_TRUE(C[0] > 0 && C[4] > 0 && C[8] > 0) << kind;
       ASSERT_NEAR(C[1], C[3], 1e-9);
@@ -224,6 +227,7 @@ TEST_P(PlatformContract, EstimatorsGiveEqualBitsForEqualInputsAndNothingThatIsNo
       const EstimatorResult r = one->step();
       ASSERT_TRUE(equal_bits(r, other->step())) << kind << ", stage " << stage;
       ASSERT_TRUE(is_finite(r) || !r.health.ok) << kind << ", stage " << stage;
+      ASSERT_TRUE(makes_sense(r.slip) || !r.health.ok) << kind << ", stage " << stage;
       ASSERT_LE(r.health.iterations, kMostIterations) << kind;
     }
   }

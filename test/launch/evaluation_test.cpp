@@ -104,6 +104,23 @@ TEST_F(EvaluationTest, ARunThatEndedWithAFaultHasFiguresAndNoResult) {
   EXPECT_EQ(r.pictures.size(), 1U);
 }
 
+TEST_F(EvaluationTest, ARunThatWasStoppedTellsNoFiguresButThoseThatAreAlwaysTold) {
+  Results& r = run(50);
+  r.known.push_back({.key = "rest", .words = "until it rested", .unit = "", .high = 100, .always = true});
+  summary_.figures["rest"] = 70.0;
+  const auto tells = [&r](const char* words) {
+    return ending_of(r).figures.find(words) != std::string::npos;
+  };
+  for (const char* words : {"until it rested", "rows of the first arm", "found"}) EXPECT_TRUE(tells(words));
+  summary_.stopped = true;
+  EXPECT_TRUE(tells("until it rested"));
+  EXPECT_FALSE(tells("rows of the first arm"));
+  EXPECT_FALSE(tells("found")) << "the task's remarks";
+  summary_.figures.erase("rest");
+  EXPECT_EQ(ending_of(r).figures, "");
+  EXPECT_TRUE(summary_.figures.contains("rows")) << "it is in summary.json";
+}
+
 TEST_F(EvaluationTest, OfARunInWhichNoArmMovedThereIsNoPicture) {
   const Results& r = run(0);
   EXPECT_EQ(std::get<double>(summary_.figures.at("rows")), 0);

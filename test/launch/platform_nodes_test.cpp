@@ -60,7 +60,8 @@ TEST(PlatformNodes, WhatIsWrongIsRefusedWithItsKey) {
            {"motion_capture.latency", "[motion_capture]\nlatency = 200"},
            {"platforms.rex.friction", "[platforms.rex]\nfriction = [0.7]"},
            {"time.n_s", "[time]\nn_s = 20"},
-           {"sim.platforms.rex.start", "[sim.platforms.rex]\nstart = [9, 0, 0]"}}) {
+           {"sim.platforms.rex.start", "[sim.platforms.rex]\nstart = [9, 0, 0]"},
+           {"sim.platforms.rex.start", "[sim.platforms.rex]\nstart = [2.9, 0.5, 0]"}}) {
     try {
       check_cell(config_with(text), {}, kPlatforms);
       ADD_FAILURE() << text << " was taken";

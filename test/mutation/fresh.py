@@ -9,7 +9,7 @@ import re
 
 FOLDERS = ["base", "ecp", "edp", "mp", "vsp", "robots", "tasks"]
 ASSIGNMENT = re.compile(r"^\s*(\w+)\.((?:\w+)(?:\.\w+|\[[^\]]+\])*) = ([^=;]+);$")
-LOOP = re.compile(r"\b(for|while|do)\b")
+LOOP = re.compile(r"\b(for|while|do)\b|\[[&=]")  # also a lambda, which may be called in one
 NUMBER = re.compile(r"^(?:(?:std::)?u?int(?:8|16|32|64)?(?:_t)?|unsigned|bool|char|float|double|(?:std::)?size_t|std::string)$")
 
 
@@ -62,7 +62,7 @@ class Fresh:
             made = re.match(rf"\s*(?:mrroc::)?([\w:]+) {variable}(\{{\}})?;", line)
             if made and made[1] not in ("return", "auto"):
                 return self.begins_with_zero(made[1], bool(made[2]), path)
-            touched = re.search(rf"(?<![\w.]){variable}(?!\w)(?!\.)", line) or f"{variable}.{path}" in line
+            touched = re.search(rf"(?<![\w.]){variable}(?:(?![\w.])|(?:\.\w+)+\()", line) or f"{variable}.{path}" in line
             if touched or not re.match(r"\s+\S|\s*$", line) or LOOP.search(line):
                 return False
         return False

@@ -129,6 +129,10 @@ class Tiny(unittest.TestCase):
                            ("  Unknown r;\n  r.number = x;", False),
                            ("  Reply r;\n  r.number = y;\n  r.number = x;", False),
                            ("  Reply r;\n  fill(r);\n  r.number = x;", False),
+                           ("  Reply r;\n  r.reset(x);\n  r.number = y;", False),
+                           ("  Reply r;\n  r.other.reset(x);\n  r.number = y;", False),
+                           ("  Reply r;\n  const auto add = [&] {\n  r.number = x;", False),
+                           ("  Reply r;\n  const auto add = [=]() mutable {\n  r.number = x;", False),
                            ("  Reply r;\n  for (int y : all) {\n  r.number = x;", False),
                            ("  Reply r;\n}\nvoid g() {\n  r.number = x;", False),
                            ("  return r;\n  r.number = x;", False)]:

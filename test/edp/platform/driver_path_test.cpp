@@ -196,16 +196,46 @@ TEST_F(Driving, AStopComesToRestOnTheWayWhateverTheReason) {
   }
 }
 
+TEST_F(Driving, AStopAtSpeedDeceleratesByNoMoreThanTyresCanGive) {
+  Way way = rig.way();
+  hand({way.next(1, 0, 60), way.next(1, 0, 200)});
+  rig.wait(80);
+  rig.driver.drop_owner();
+  rig.quiet();
+  ASSERT_EQ(rig.driver.state(), DriverState::decelerating);
+  double before = 1;
+  int macrosteps = 0;
+  for (; rig.driver.state() == DriverState::decelerating; ++macrosteps) {
+    rig.quiet();
+    EXPECT_LE(before - rig.driver.wanted().v, Pace::kDeceleration * kPlatformPeriod + 1e-9) << macrosteps;
+    before = rig.driver.wanted().v;
+  }
+  EXPECT_NEAR(macrosteps, 25, 1) << "1 m/s with 2 m/s^2";
+}
+
 TEST_F(Driving, AStoppedPlatformDoesNotGoBackToWhereItWasToStand) {
   Way way = rig.way();
   hand({way.next(0.8, 0, 60), way.next(0.8, 0, 200)});
   rig.wait(80);
   rig.driver.drop_owner();
-  while (rig.driver.state() != DriverState::holding) rig.quiet();
-  rig.ground.v = 0.1;  // it slides on
+  rig.ground.push = 3;  // it slides on
+  PlanarPose to_stand_at;
+  while (rig.driver.state() != DriverState::holding) {
+    to_stand_at = rig.driver.wanted().p;
+    rig.quiet();
+  }
+  rig.ground.push = 0;
+  int held = 0;
   double slowest = 0;
   rig.after_each_step = [&] { slowest = std::min(slowest, rig.ground.v); };
-  for (int k = 0; k < 60; ++k) rig.quiet();
+  for (int k = 0; k < 60; ++k) {
+    rig.quiet();
+    const PlanarPose &wanted = rig.driver.wanted().p, &is = rig.driver.estimate().estimate.p;
+    EXPECT_GT(std::hypot(wanted.x - to_stand_at.x, wanted.y - to_stand_at.y), 0.03) << k;
+    EXPECT_LT(std::hypot(wanted.x - is.x, wanted.y - is.y), 1e-12) << k << ": it is to stand where it is";
+    held += rig.last.enabled ? 1 : 0;
+  }
+  EXPECT_GE(held, 2) << "the tracker had time to go back";
   EXPECT_GT(slowest, -0.01);
 }
 

@@ -83,7 +83,7 @@ TEST(FragmentQueue, ANegativeNotifyComesBeforeTheFragmentBegins) {
   queue.push(way.next(0.2, 0, 10, -5));
   EXPECT_EQ(queue.notified(), 1) << "nothing is before it";
   queue.push(way.next(0.2, 0, 10, -5));
-  queue.push(way.next(0.2, 0, 10, -15));
+  queue.push(way.next(0.2, 0, 10, -19));  // due at 1
   for (int k = 0; k < 30; ++k) {
     EXPECT_EQ(queue.notified(), k < 5 ? 1 : 3) << k << ", the third one waits for the second";
     queue.advance(1);

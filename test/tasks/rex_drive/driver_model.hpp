@@ -1,37 +1,39 @@
 // A model of a platform's effector driver as a_1 sees it, and a port to it: commands are executed a macrostep after they
 // were decided, replies read a macrostep after that.
 #pragma once
-#include <algorithm>
 #include <cmath>
-#include <deque>
 #include <functional>
 #include <vector>
 
 #include "base/motion.hpp"
+#include "edp/platform/fragment_queue.hpp"
 #include "tasks/rex_drive/images.hpp"
 
 namespace mrroc::rex_drive {
 
-/// Takes fragments, lets their time pass, counts notify. The platform is always exactly where the reference is.
+/// Takes fragments into the driver's queue and lets their time pass. The platform is always exactly where the reference is.
 class DriverModel {
  public:
   PlatformReply step(const PlatformCommand& command) {
     reply_.verdict = Verdict::none;
     if (command.instruction == Instruction::set) take(command.fragment);
-    if (!queue_.empty()) pass(command.pace);
-    reply_.executing = queue_.empty() ? 0 : queue_.front().number;
-    double remaining = -time_;
-    for (const Fragment& f : queue_) remaining += f.steps;
-    reply_.remaining = queue_.empty() ? 0 : static_cast<std::int32_t>(std::ceil(remaining - 1e-9));
+    if (!queue_.empty()) queue_.advance(command.pace);
+    reply_.accepted = queue_.accepted();
+    reply_.notified = queue_.notified();
+    reply_.executing = queue_.executing();
+    reply_.remaining = queue_.remaining();
     reply_.at_rest = queue_.empty();
     reply_.state = queue_.empty() ? DriverState::holding : DriverState::executing;
     reply_.position_known = true;
-    reply_.estimate.p = queue_.empty() ? end_.p : point_at(queue_.front(), time_ / queue_.front().steps).p;
+    reply_.estimate.p = queue_.at(0).p;
     return reply_;
   }
 
   /// Stands there; before the first step.
-  void stand_at(const PlanarPose& p) { end_.p = reply_.estimate.p = p; }
+  void stand_at(const PlanarPose& p) {
+    queue_.hold_at(p);
+    reply_.estimate.p = p;
+  }
 
   /// Fragments that were taken, in their order.
   std::vector<Fragment> taken;
@@ -41,8 +43,8 @@ class DriverModel {
  private:
   [[nodiscard]] bool fits(const Fragment& f) const {
     const PathPoint& begin = f.knot.front();
-    const PathPoint end = queue_.empty() ? PathPoint{end_.p} : queue_.back().knot.back();
-    return f.number == reply_.accepted + 1 && queue_.size() < 8 && f.notify >= -kMaxFragmentSteps &&
+    const PathPoint end = queue_.end();
+    return f.number == queue_.accepted() + 1 && !queue_.full() && f.notify >= -kMaxFragmentSteps &&
            f.notify < f.steps && std::hypot(begin.p.x - end.p.x, begin.p.y - end.p.y) < 0.02 &&
            std::abs(wrap_angle(begin.p.phi - end.p.phi)) < 0.03 && std::abs(begin.v - end.v) < 0.1 &&
            std::abs(begin.w - end.w) < 0.2;
@@ -53,34 +55,11 @@ class DriverModel {
       ++refused;
       return;
     }
-    if (queue_.empty()) time_ = 0;
-    queue_.push_back(f);
+    queue_.push(f);
     taken.push_back(f);
-    reply_.accepted = f.number;
-    note();
-  }
-  void note() {
-    double begun = time_;
-    for (std::size_t k = 0; k < queue_.size() && (k == 0 || queue_.size() < 8); ++k) {
-      if (begun < queue_[k].notify) return;
-      reply_.notified = queue_[k].number;
-      begun -= queue_[k].steps;
-    }
-  }
-  void pass(double pace) {
-    time_ += pace;
-    note();
-    while (!queue_.empty() && time_ >= queue_.front().steps - 1e-9) {
-      time_ -= queue_.front().steps;
-      end_ = queue_.front().knot.back();
-      queue_.pop_front();
-      note();
-    }
   }
 
-  std::deque<Fragment> queue_;
-  double time_{};
-  PathPoint end_;
+  edp::FragmentQueue queue_;
   PlatformReply reply_;
 };
 

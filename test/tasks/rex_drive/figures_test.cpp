@@ -70,9 +70,11 @@ TEST(RexFigures, AJointNearAPauseIsNotJudged) {
   mp::Figures f = figures_of(r);
   EXPECT_EQ(f.count("joint_speed_pct"), 0U);
   EXPECT_EQ(f.count("plan_joint_speed_pct"), 0U);
-  for (DriveRow& row : r.table) row.pace = row.t < 0.9 || row.t > 2.1 ? 0 : 1;
+  for (DriveRow& row : r.table) row.pace = row.t < 0.79 || row.t > 2.1 ? 0 : 1;
   f = figures_of(r);
   EXPECT_NEAR(value(f, "joint_speed_pct"), 40, 1e-9) << "the pauses are long before it and behind it";
+  for (DriveRow& row : r.table) row.pace = row.t < 0.85 ? 0 : 1;
+  EXPECT_EQ(figures_of(r).count("joint_speed_pct"), 0U) << "1.15 s after a pause";
 }
 
 TEST(RexFigures, AJointOfPlansIsJudgedByTheSpeedPlannedThere) {
@@ -99,9 +101,20 @@ TEST(RexFigures, OfDrivesThatDifferDifferentThingsAreWanted) {
   }
   EXPECT_EQ(wanted(DriveCase::smooth, "split_err"), "<= 0.02");
   for (const mp::FigureInfo& info : figures_of_case(DriveCase::other))
-    EXPECT_EQ(mp::wanted(info).empty(), info.key != "planner_iterations_p95" &&
-                                            info.key != "solver_failures" && info.key != "stop_steps_max")
+    EXPECT_EQ(mp::wanted(info).empty(), info.key != "planner_iterations_p95" && info.key != "solver_failures")
         << info.key;
+}
+
+TEST(RexFigures, AStopIsJudgedWhereGroundAndSpeedAllowItAndToldOfEveryDrive) {
+  for (const DriveCase drive : {DriveCase::usual, DriveCase::own_plan, DriveCase::fast, DriveCase::slippery,
+                                DriveCase::ice_right, DriveCase::smooth, DriveCase::other}) {
+    const auto infos = figures_of_case(drive);
+    const auto stop = std::ranges::find(infos, std::string_view("stop_steps_max"), &mp::FigureInfo::key);
+    ASSERT_NE(stop, infos.end());
+    const bool judged = drive == DriveCase::usual || drive == DriveCase::own_plan;
+    EXPECT_EQ(mp::wanted(*stop), judged ? "<= 300" : "") << static_cast<int>(drive);
+    EXPECT_TRUE(stop->always) << static_cast<int>(drive);
+  }
 }
 
 TEST(RexFigures, OfADriveWithoutWishesItIsSaidWhatAloneIsWanted) {

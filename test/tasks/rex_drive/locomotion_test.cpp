@@ -301,6 +301,24 @@ TEST(Algorithm4, OnSlipperyGroundCurvesAreSlowerAndNowhereFaster) {
   EXPECT_NEAR(speeds(0.1, -0.5), speeds(0.05, 0), 1e-12);
 }
 
+TEST(Algorithm4, WithoutAnyFrictionInTheEstimateCurvesAreAsOnTheMostSlipperyGround) {
+  const auto route = [](double mu_y, double split) {
+    X x = idle_image();
+    x.T.desired = {.number = 1, .n = 3, .point = {{{1, 0}, {2, 0.3}, {3, 1}}}, .speed = 1.2};
+    x.e.slip.mu_y = mu_y;
+    x.e.slip.split = split;
+    return take_plan(x).plan;
+  };
+  const Route least = route(0.01, 0);
+  EXPECT_GT(least[1].at.v, 0);
+  for (const auto& [mu_y, split] : {std::pair{0., 0.}, {0.6, 1.}, {0.6, 1.5}, {0.6, -1.5}, {-0.1, 0.}}) {
+    const Route other = route(mu_y, split);
+    ASSERT_EQ(other.size(), least.size()) << mu_y << ' ' << split;
+    for (std::size_t k = 0; k < least.size(); ++k)
+      EXPECT_EQ(other[k].at.v, least[k].at.v) << mu_y << ' ' << split << ", point " << k;
+  }
+}
+
 // --- when fragments are handed over ---------------------------------------------------------------------------
 
 X with_fragment(double ends_before, double begins) {
@@ -394,6 +412,24 @@ TEST(Pace, FollowsThePauseAndStandsWhileThePositionIsUncertain) {
   EXPECT_EQ(plan_and_hand_over(x).pace, 1);
 }
 
+// It waits from 0.2 m on, and goes on below 0.16 m.
+TEST(Pace, APositionThatIsHardlyBetterIsStillLost) {
+  X x = idle_image();
+  const auto goes_on = [&x](double sd) {
+    x.e.estimate.covariance[0] = sd * sd;
+    const bool told = (kBehaviours[1].f_cT(x).sensor & kPositionLost) == 0;
+    x.c = plan_and_hand_over(x);
+    EXPECT_EQ(told, x.c.pace == 1) << sd << ": a_2 is told what the platform does";
+    return told;
+  };
+  EXPECT_TRUE(goes_on(0.199));
+  EXPECT_FALSE(goes_on(0.201));
+  EXPECT_FALSE(goes_on(0.199));
+  EXPECT_FALSE(goes_on(0.161));
+  EXPECT_TRUE(goes_on(0.159));
+  EXPECT_TRUE(goes_on(0.199));
+}
+
 // --- the loop with a driver -----------------------------------------------------------------------------------
 
 /// Drives plans as a_2 would: the next one `think` macrosteps after the ack. @return the port, to look at
@@ -472,7 +508,7 @@ TEST(Locomotion, ShortFragmentsAreHandedOverAheadOfTheHorizon) {
   EXPECT_EQ(port.driver.refused, 0);
   ASSERT_EQ(port.driver.taken.size(), 36U);
   ASSERT_GT(remaining.size(), 400U);
-  EXPECT_GE(*std::ranges::min_element(remaining), kHorizon - 5) << "the tracker would see an end, and brake";
+  EXPECT_GE(*std::ranges::min_element(remaining), kHorizon) << "the tracker would see an end, and brake";
   EXPECT_LE(*std::ranges::max_element(remaining), kOfEnds) << "no more is handed over than is needed";
 }
 

@@ -91,7 +91,8 @@ TEST(DriveOptions, AStartOfThePlanAtAWallIsToldWithItsLineAndOneOfTheConfigurati
   }
   Config elsewhere = config_with({"sim.platforms.rex.start=[2.9, 0.5, 0]"});
   complete_drive(elsewhere, {}, plans);
-  EXPECT_EQ(plans.start_line, 0) << "the simulator names the key";
+  EXPECT_EQ(plans.start_line, 0) << "no line of the plan is named, but by check_cell() the key";
+  EXPECT_EQ(plans.start.x, 2.9);
 }
 
 TEST(DriveOptions, NamesOfAlgorithmsAreWhateverThePlatformHas) {
