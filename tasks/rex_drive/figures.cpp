@@ -101,18 +101,25 @@ bool slip_is_found(const DriveRow& row) {
          std::abs(row.slip.mu_y - is.mu_y) <= kNear * is.mu_y && std::abs(row.slip.split - is.split) <= kNear;
 }
 
-/// Time from the first large change of the ground until the estimate is near what is true, and stays so to the next large
-/// change or the end of the drive [s]; nothing when it is not.
+/// Time from the first large change of the ground until the estimate is near what is true, and stays so for a second, or to
+/// the next large change or the end of the drive [s]; nothing when it does not.
 std::optional<double> friction_found(const DriveTable& table) {
+  constexpr double kStays = 1;
   const auto before = std::ranges::adjacent_find(table, ground_changes);
   if (before == table.end()) return {};
   const auto begin = before + 1;
   auto end = std::adjacent_find(begin, table.end(), ground_changes);
   if (end != table.end()) ++end;
-  const auto is_far = [](const DriveRow& row) { return drives(row) && !slip_is_found(row); };
-  const auto found = std::find_if(std::reverse_iterator(end), std::reverse_iterator(begin), is_far).base();
-  if (std::none_of(found, end, drives)) return {};
-  return found->t - begin->t;
+  std::optional<double> found;
+  for (auto row = begin; row != end && !(found && row->t - *found >= kStays); ++row) {
+    if (!drives(*row)) continue;
+    if (!slip_is_found(*row))
+      found.reset();
+    else if (!found)
+      found = row->t;
+  }
+  if (found) *found -= begin->t;
+  return found;
 }
 
 /// Whether the platform was told to be slower than planned shortly before that time [s].

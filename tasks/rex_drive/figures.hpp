@@ -33,8 +33,8 @@ struct DriveResults {
 ///   ellipse_95_pct                    how often the true place is within the estimate's 95 % ellipse
 ///   friction_err, split_err           mean of the second half against the mean of what is true
 ///   friction_found_s                  after the ground changes by a quarter: until the estimates along and across
-///                                     are within 10 %, the split within 0.1, and stay there until it changes again, or
-///                                     the drive ends
+///                                     are within 10 %, the split within 0.1, and stay there for a second, or until it
+///                                     changes again or the drive ends
 ///   joint_speed_pct                   least true speed at the end of a fragment that is passed at speed, of the planned one;
 ///                                     not within 1.2 s after a pause
 ///   plan_joint_speed_pct              the same where one plan goes on into the next

@@ -150,10 +150,14 @@ TEST(RexFigures, AChangeOfTheGroundIsNotFoundWhileAnyOfItIsFar) {
 TEST(RexFigures, AChangeOfTheGroundIsFoundWhenTheEstimateStaysNear) {
   DriveResults r = drive_onto_ice();
   for (DriveRow& row : r.table)
-    if (row.t >= 3 && row.t < 3.1) row.slip.mu_x = 0.5;
-  EXPECT_NEAR(value(figures_of(r), "friction_found_s"), 2.1, 0.021) << "it was near before, and left again";
+    if (row.t >= 2.2 && row.t < 2.3) row.slip.mu_x = 0.5;
+  EXPECT_NEAR(value(figures_of(r), "friction_found_s"), 1.3, 0.021) << "it was near before, and left again";
+  DriveResults late = r;
+  for (DriveRow& row : late.table)
+    if (row.t >= 3.4) row.slip.mu_x = 0.5;
+  EXPECT_NEAR(value(figures_of(late), "friction_found_s"), 1.3, 0.021) << "it has stayed for a second";
   for (DriveRow& row : r.table)
-    if (row.t >= 3.5) row.slip.mu_x = 0.5;
+    if (row.t >= 2.8) row.slip.mu_x = 0.5;
   EXPECT_EQ(figures_of(r).count("friction_found_s"), 0U) << "it is far to the end of the drive";
 }
 
