@@ -6,6 +6,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "base/fault.hpp"
@@ -101,6 +102,9 @@ class Reader {
   void take_start(std::string_view rest) {
     if (begun_) fail("'start' is not the first line", "put it before the first point");
     const auto [x, y, phi] = numbers<3>(rest, "'start' has three numbers, x and y in metres and phi in rad");
+    constexpr double kTurn = 2 * std::numbers::pi;
+    if (std::abs(phi) > kTurn)
+      fail(fmt::format("phi {} is more than a turn", phi), "give it in rad, not in degrees");
     list_.start = {x, y, wrap_angle(phi)};
     list_.start_line = line_;
   }

@@ -89,6 +89,9 @@ TEST(PlanFile, SaysWhatIsWrongAndInWhichLine) {
   EXPECT_EQ(error_of("0 0\n1e999 1\n"), "my.txt:2: 1e999 is beyond 1000 m");
   EXPECT_EQ(error_of("0 0\nstart 0 0 0\n1 0\n"), "my.txt:2: 'start' is not the first line");
   EXPECT_EQ(error_of("start 0 0\n1 0\n"), "my.txt:1: a number is missing");
+  EXPECT_EQ(error_of("start 0 0 180\n1 0\n"), "my.txt:1: phi 180 is more than a turn");
+  EXPECT_EQ(error_of("start 0 0 -6.29\n1 0\n"), "my.txt:1: phi -6.29 is more than a turn");
+  EXPECT_EQ(error_of("start 0 0 6.28\n1 0\n2 0\n"), "");
   EXPECT_EQ(error_of("0 0\n"), "my.txt:1: a plan has one point only, and a way has two at least");
   EXPECT_EQ(error_of("# nothing\n"), "my.txt:1: there is no point in it");
   EXPECT_EQ(error_of(""), "my.txt: there is no point in it");
