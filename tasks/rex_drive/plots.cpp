@@ -115,11 +115,12 @@ std::string handover_script(const DriveResults& r) {
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> plots(const DriveResults& results) {
-  return {{"path", path_script(results)},
-          {"error", error_script(results)},
-          {"slip", slip_script(results)},
-          {"torques", torques_script(results)},
-          {"handover", handover_script(results)}};
+  std::vector<std::pair<std::string, std::string>> scripts{{"path", path_script(results)},
+                                                           {"error", error_script(results)},
+                                                           {"slip", slip_script(results)},
+                                                           {"torques", torques_script(results)}};
+  if (!results.fragments.empty()) scripts.emplace_back("handover", handover_script(results));
+  return scripts;
 }
 
 }  // namespace mrroc::rex_drive

@@ -225,6 +225,14 @@ TEST(RexPlots, ReadTheColumnsThatTheTableHas) {
   }
 }
 
+TEST(RexPlots, ADriveWithoutFragmentsHasNoHandover) {
+  DriveResults r = synthetic_drive();
+  r.fragments.clear();
+  const auto pictures = plots(r);
+  EXPECT_EQ(pictures.size(), 4U);
+  EXPECT_TRUE(std::ranges::none_of(pictures, [](const auto& p) { return p.first == "handover"; }));
+}
+
 TEST(RexPlots, TheHandoverShowsStepsAndNotifyOfEachFragmentAndWhenTheDriverIsReady) {
   const auto pictures = plots(synthetic_drive());
   const std::string script =
