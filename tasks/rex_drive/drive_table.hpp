@@ -14,18 +14,17 @@ namespace mrroc::rex_drive {
 
 /// One macrostep of the platform. Everything is of the same reading.
 struct DriveRow {
-  std::int64_t step{};        ///< of the reading
-  double t{};                 ///< simulated time of it [s]
-  PlanarPose reference;       ///< where B is to be
-  PlatformTruth truth;        ///< what is true
-  PlatformEstimate estimate;  ///< what the estimator says
-  Slip slip;                  ///< estimated
-  Slip slip_sd{0, 0, 0};      ///< standard deviations
-  PerWheel torque{};          ///< commanded [N m]
-  double pace{1};             ///< of the fragment's time as commanded, 0 stands .. 1 as planned
-  std::int64_t executing{};   ///< number of the fragment under way; 0: none
-  std::int64_t
-      notified{};  ///< number of the last one for which the driver has said that it is ready; 0: none
+  std::int64_t step{};             ///< of the reading
+  double t{};                      ///< simulated time of it [s]
+  PlanarPose reference;            ///< where B is to be
+  PlatformTruth truth;             ///< what is true
+  PlatformEstimate estimate;       ///< what the estimator says
+  Slip slip;                       ///< estimated
+  Slip slip_sd{0, 0, 0};           ///< standard deviations
+  PerWheel torque{};               ///< commanded [N m]
+  double pace{1};                  ///< of the fragment's time as commanded, 0 stands .. 1 as planned
+  std::int64_t executing{};        ///< number of the fragment under way; 0: none
+  std::int64_t notified{};         ///< number of the last one that has reached its notify; 0: none
   std::int32_t remaining{};        ///< iterations to the end of what has been handed over
   bool at_rest{};                  ///< the driver says so
   std::int32_t solver_failures{};  ///< so far
