@@ -47,7 +47,7 @@ std::string damage_of(const RunRecord& run) {
       ended = true;
       for (int k = 0; k < std::min<int>(status.n_hashes, static_cast<int>(std::size(status.hash))); ++k) {
         std::string channel = link::get_text(status.hash[k].channel);
-        channel.erase(0, 1);  // a dot, behind which the session's name is left out
+        channel.erase(0, 1);  // the dot behind the session's name, which is left out
         const auto found = sent.find(channel);
         if (found == sent.end()) continue;
         const auto count = static_cast<std::int64_t>(found->second.messages.size());
