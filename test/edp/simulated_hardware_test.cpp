@@ -16,11 +16,18 @@ class SimulatedHardwareTest : public ::testing::Test {
   void begin(ClockKind clock, double dt = 0.002) {
     link::NodeContext m{.session = "s", .session_id = 1, .name = "edp", .roster = {"mp", "edp", "world"}};
     m.clock = clock;
-    process.emplace(bus, m);
+    // A run of its own: what speaks through a process ends before it, and what listens with its bus.
+    hardware.reset();
+    states.reset();
+    commands.reset();
+    supervisor.reset();
+    process.reset();
+    bus.emplace();
+    process.emplace(*bus, m);
     hardware.emplace(*process, "arm1", "world", dt);
-    states.emplace(bus, process->route("arm1.hardware_state", link::Group::servo_state), 1);
-    commands.emplace(bus, process->route("arm1.hardware_command", link::Group::servo_command), 1);
-    supervisor.emplace(bus, process->route("supervisor"), 1);
+    states.emplace(*bus, process->route("arm1.hardware_state", link::Group::servo_state), 1);
+    commands.emplace(*bus, process->route("arm1.hardware_command", link::Group::servo_command), 1);
+    supervisor.emplace(*bus, process->route("supervisor"), 1);
     say(link::Phase::running);
   }
   void say(link::Phase phase, std::int64_t dead = 0) {
@@ -37,7 +44,7 @@ class SimulatedHardwareTest : public ::testing::Test {
     states->publish(m, step);
   }
 
-  link::test::DirectBus bus;
+  std::optional<link::test::DirectBus> bus;
   std::optional<link::Process> process;
   std::optional<SimulatedHardware> hardware;
   std::optional<link::Outbox<hardware_state_t>> states;

@@ -200,7 +200,8 @@ TEST_F(Operated, PausesInTheTeachInLeaveNoNodesHoweverTheHandTrembles) {
 }
 
 TEST_F(Operated, AttendedTaskWaitsForStartAndTriggers) {
-  Started drawing(folder_, "drawing", task({"--processes", "separate", "--attended"}));
+  // At this speed the hand draws for longer than any order takes.
+  Started drawing(folder_, "drawing", task({"--processes", "separate", "--attended", "--speed", "2"}));
   ASSERT_TRUE(drawing.await_line("m = 0  wait for start")) << drawing.end().all();
   EXPECT_EQ(order("pause").status, 1) << "nothing to pause yet";
   EXPECT_EQ(order("resume").status, 1);

@@ -138,7 +138,9 @@ TEST(Supervision, APausedRunWhoseAgentHangsObeysEveryKindOfStop) {
 TEST(Supervision, AnOrderMayFollowTheOneBeforeAtOnce) {
   if (!multicast()) GTEST_SKIP() << "no multicast here";
   const Folder folder;
-  Started task(folder, "press", press(folder, "run", {"--speed", "1", "--attended"}));
+  // Slowly enough for the run to outlast all orders.
+  const std::string speed = kSanitized ? "0.1" : "0.5";
+  Started task(folder, "press", press(folder, "run", {"--speed", speed, "--attended"}));
   ASSERT_TRUE(task.await_line("waits for the operator"));
   while (run(folder, "ui_cli", {"status"}).all().find(to_string(TaskState::waiting_for_start)) ==
          std::string::npos)
