@@ -14,16 +14,9 @@ namespace {
 
 std::int64_t macrosteps(double seconds) { return std::llround(seconds / kPlatformPeriod); }
 
-/// What is wrong with a way that has so much room beside it; empty: nothing.
-std::string obstructed(double free) {
-  if (free >= kReach) return {};
-  if (free < 0) return "not inside the room";
-  return fmt::format("{:.2f} m from a wall or an obstacle, the platform needs {} m", free, kReach);
-}
-
 LegCheck way_check(const Room& room) {
   return [room](const MapPoint& from, const MapPoint& to) {
-    return obstructed(clearance(room, {from.x, from.y}, {to.x, to.y}));
+    return obstruction(room, {from.x, from.y}, {to.x, to.y}, kReach);
   };
 }
 
