@@ -108,11 +108,10 @@ PlanList read_plan_list(const Config& config) {
   const auto names = built_in_plan_names();
   if (is_built_in(plan)) return built_in_plan(plan);
   if (std::filesystem::exists(plan)) return load_plans(plan);
-  const std::string near =
-      closest_match(std::filesystem::path(plan).filename().string(), WordSet(names.begin(), names.end()));
   throw FaultError(FaultCode::bad_plan,
                    fmt::format("{}: there is no such file, nor a plan of this name{}", plan,
-                               near.empty() ? "" : fmt::format("; did you mean '{}'?", near)),
+                               did_you_mean(std::filesystem::path(plan).filename().string(),
+                                            WordSet(names.begin(), names.end()))),
                    fmt::format("give a file of points, or one of: {}", fmt::join(names, ", ")));
 }
 

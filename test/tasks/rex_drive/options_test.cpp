@@ -39,6 +39,20 @@ TEST(DriveOptions, AnUnknownGroundIsTold) {
   }
 }
 
+TEST(DriveOptions, OfAGroundThatIsNotKnownTheNearestIsNamed) {
+  const auto error_of = [](const std::string& ground) {
+    try {
+      std::ignore = settings_of({.ground = ground});
+    } catch (const FaultError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(error_of("ice").find("did you mean 'ice_right'?"), std::string::npos) << error_of("ice");
+  EXPECT_NE(error_of("slipery").find("did you mean 'slippery'?"), std::string::npos);
+  EXPECT_EQ(error_of("concrete").find("did you mean"), std::string::npos);
+}
+
 TEST(DriveOptions, AnEmptyWordIsNotTheDefault) {
   for (const DriveOptions& o : {DriveOptions{.plan = ""}, DriveOptions{.tracker = ""},
                                 DriveOptions{.estimator = ""}, DriveOptions{.ground = ""}})
