@@ -22,7 +22,7 @@ struct DriveResults {
   std::int32_t rejected{};  ///< readings of the motion capture that the map agent did not believe
   std::vector<std::int32_t> iterations;  ///< of the planner's search, one per fragment
   Room room;                             ///< in which it drove
-  std::vector<GroundArea> areas;         ///< of its ground
+  DriveGround ground;                    ///< on which it drove
 };
 
 /// @return figures; those that a run cannot have are missing. "While it drives" is while a fragment is under way, and true
