@@ -94,7 +94,7 @@ TEST(DriveOptions, ThePlansBeginWhereTheConfigurationLetsThePlatformStand) {
 TEST(DriveOptions, AStartThatIsNotFreeNamesWhatItStandsInOrHowFarTheWallsGo) {
   const auto error_of = [](const std::string& start) {
     Config c = config_with({});
-    PlanList plans = parse_plans("start " + start + "\n1 0\n", "my.txt");
+    PlanList plans = parse_plans("start " + start + "\n1 0\n2 0\n", "my.txt");
     try {
       complete_drive(c, {}, plans);
     } catch (const FaultError& e) {
