@@ -120,6 +120,39 @@ TEST(RexDrive, TablesOfAStoppedRunReachToTheRestOfThePlatform) {
   EXPECT_NE(ended.all().find("steps until the platform was at rest"), std::string::npos) << ended.all();
 }
 
+/// @return steps from an order to rest, on the way of `more`
+double steps_to_rest(const std::string& order, int macrostep, const std::vector<std::string>& more) {
+  const Folder folder(false);
+  const std::string script =
+      folder.write("orders", "3 start\n" + std::to_string(macrostep) + " " + order + "\n");
+  const Ended ended =
+      run(folder, "rex_drive",
+          words({{"--processes", "one", "--script", script, "--run-dir", (folder / "run").string()}, more}));
+  EXPECT_EQ(ended.status, 1) << ended.all();
+  return figure(summary(folder / "run"), "stop_steps_max");
+}
+
+TEST(RexDrive, AnEmergencyStopIsAtRestBeforeAStopIs) {
+  for (const int macrostep : {250, 320, 390}) {
+    const double stopped = steps_to_rest("stop", macrostep, {}),
+                 braked = steps_to_rest("e-stop", macrostep, {});
+    EXPECT_GT(stopped, 100) << macrostep << ": it was on its way";
+    EXPECT_LE(stopped, 300) << macrostep;
+    EXPECT_GT(braked, 50) << macrostep;
+    EXPECT_LT(braked, stopped) << macrostep;
+  }
+}
+
+// 1.3 m/s where curves allow it, on ground with half the friction: the fastest that a plan may be driven.
+TEST(RexDrive, AStopAtSpeedOnSlipperyGroundIsBounded) {
+  for (const int macrostep : {170, 200, 230})
+    EXPECT_LE(steps_to_rest("stop", macrostep,
+                            {"--ground", "slippery", "--speed-mps", "1.3", "--set", "task.lateral=1.7",
+                             "--set", "task.turn_rate=2.1"}),
+              400)
+        << macrostep;
+}
+
 TEST(RexDrive, FiguresAreJudgedWhereTheyAreMeant) {
   const Folder folder;
   const auto told_of = [&](const char* name, const std::vector<std::string>& more) {
