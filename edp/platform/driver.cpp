@@ -111,7 +111,7 @@ void PlatformDriver::begin_macrostep(const PlatformReading& reading) noexcept {
     hold(false);
   }
   if (state_ == DriverState::decelerating) {
-    pace_.go_to(0, Pace::stop_rate(queue_.at(0).v));
+    pace_.go_to(0, Pace::rate(queue_.at(0).v, Pace::kStop));
     if (queue_.empty() || pace_.now() == 0) {
       queue_.drop();
       fire(PlatformEvent::stood);
@@ -119,7 +119,7 @@ void PlatformDriver::begin_macrostep(const PlatformReading& reading) noexcept {
     }
   }
   if (state_ != DriverState::executing) return;
-  pace_.go_to(wanted_pace_);
+  pace_.go_to(wanted_pace_, Pace::rate(queue_.at(0).v, Pace::kChange));
   commanded_until_ = reading.step + kPlatformSteps;
 }
 

@@ -7,7 +7,6 @@
 #include "base/platform_command.hpp"
 #include "base/platform_hardware.hpp"
 #include "edp/platform/automaton.hpp"
-#include "edp/platform/wheel_brake.hpp"
 #include "edp/platform/follower.hpp"
 #include "edp/platform/fragment_queue.hpp"
 #include "edp/platform/observer.hpp"
@@ -19,6 +18,7 @@
 #include "edp/platform/stage_collector.hpp"
 #include "edp/platform/supervision.hpp"
 #include "edp/platform/synchronisation.hpp"
+#include "edp/platform/wheel_brake.hpp"
 #include "edp/protocol.hpp"
 #include "edp/standstill_detector.hpp"
 
