@@ -91,6 +91,18 @@ void append(MessageType& type, const Member& m, std::span<const MessageType> kno
   }
 }
 
+/// Reads what the line of the header says: "... // time: FIELD [UNIT]", or "... // time: none".
+void read_time(MessageType& type, const std::string& line) {
+  static const std::regex pattern(R"(.*// time: (none|(\S+) \[(steps|macrosteps)\])\s*)");
+  std::smatch found;
+  if (!std::regex_match(line, found, pattern))
+    throw FaultError(FaultCode::internal_error,
+                     fmt::format("{}: '{}' does not tell the time that a message is for", type.name, line));
+  if (found[1] == "none") return;
+  type.time = found[2];
+  type.time_unit = found[3] == "steps" ? TimeUnit::steps : TimeUnit::macrosteps;
+}
+
 /// Definitions in an order in which each is made of those before it.
 std::vector<MessageType> parse_all() {
   std::vector<MessageType> known;
@@ -140,8 +152,8 @@ MessageType parse_message_type(std::string_view package_text, std::span<const Me
   MessageType type;
   type.size = kFingerprint;
   std::istringstream lines{std::string(package_text)};
-  for (std::string line; std::getline(lines, line);) {
-    line = line.substr(0, line.find("//"));
+  for (std::string whole; std::getline(lines, whole);) {
+    const std::string line = whole.substr(0, whole.find("//"));
     const auto begin = line.find_first_not_of(" \t\r");
     if (begin == std::string::npos || line.substr(begin).starts_with("package") || line[begin] == '}')
       continue;
@@ -150,9 +162,14 @@ MessageType parse_message_type(std::string_view package_text, std::span<const Me
       words >> type.name >> type.name;
       type.name = type.name.substr(0, type.name.find('{'));
     } else if (line[begin] != '{') {
-      append(type, parse_member(line), known);
+      const Member member = parse_member(line);
+      if (member.type == "header_t") read_time(type, whole);
+      append(type, member, known);
     }
   }
+  if (!type.time.empty() && !type.field(type.time))
+    throw FaultError(FaultCode::internal_error,
+                     fmt::format("{} has no field '{}' that could tell its time", type.name, type.time));
   return type;
 }
 

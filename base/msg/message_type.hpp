@@ -20,12 +20,17 @@ struct Field {
   std::size_t size{};    ///< [bytes]
 };
 
+/// Unit in which a message tells the simulated time that it is for. none: it is for no time.
+enum class TimeUnit : std::uint8_t { none, steps, macrosteps };
+
 /// One type of messages.
 struct MessageType {
   std::string name;            ///< "agent_order_t"
   std::int64_t fingerprint{};  ///< LCM's, at the beginning of every message on the wire
   std::size_t size{};          ///< of a message on the wire, fingerprint included [bytes]
   std::vector<Field> fields;   ///< all of them, arrays and nested messages taken apart, in their order
+  TimeUnit time_unit{};        ///< of the field `time`
+  std::string time;            ///< name of the field that tells the simulated time; empty: it is for no time
 
   /// @return the field with that name, or null
   [[nodiscard]] const Field* field(std::string_view field_name) const;
@@ -33,8 +38,10 @@ struct MessageType {
 
 /// @param package_text  a definition: lines of a .lcm file with fields of fixed size
 /// @param known         types that it may be made of
-/// @return the type, without its fingerprint
-/// @throws FaultError internal_error when a line is no field of fixed size or a type is not known
+/// @return the type, without its fingerprint. The line of the header ends with "// time: FIELD [UNIT]", such as
+///         "header.stamp [macrosteps]" or "motion.step [steps]", or with "// time: none"
+/// @throws FaultError internal_error when a line is no field of fixed size, a type is not known, or the type has a header
+///         whose line does not tell the time
 [[nodiscard]] MessageType parse_message_type(std::string_view package_text,
                                              std::span<const MessageType> known);
 

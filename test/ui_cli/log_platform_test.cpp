@@ -1,6 +1,7 @@
 // `ui_cli log show` and `log plot` of a platform, of which the run has an agent without an effector beside it.
 #include <cmath>
 
+#include "base/link/log_reader.hpp"
 #include "base/msg/convert_platform.hpp"
 #include "test/ui_cli/run_folder.hpp"
 #include "ui_cli/log/log_plot.hpp"
@@ -84,6 +85,37 @@ TEST_F(DrivenRun, IsToldInThePlatformsWords) {
   EXPECT_FALSE(has(out_.str(), "x y z")) << out_.str();
   EXPECT_FALSE(has(out_.str(), " N\n")) << out_.str();
   for (const std::string& line : lines()) EXPECT_FALSE(has(line, " map ") && has(line, " mm")) << line;
+}
+
+TEST_F(DrivenRun, EveryChannelOfAPlatformHasTheTimeThatItsMessagesAreFor) {
+  {
+    const link::LogReader before(run_);
+    link::EventLog to(run_ / link::kEventLog, 1);
+    for (const link::LoggedMessage& m : before.messages()) to.receive("s." + m.channel, m.bytes);
+    motion_capture_t seen{};
+    seen.step = 150;
+    log(to, "rex.motion_capture", seen, 1, 4, 3);
+    odometry_reading_t pair{};
+    pair.motion.step_before = 200;
+    pair.motion.step = 240;
+    log(to, "rex.odometry", pair, 1, 7, 6);
+    platform_reading_t reading{};
+    log(to, "rex.hardware_state", reading, 1, 71, 70);
+    platform_drive_t drive{};
+    log(to, "rex.hardware_command", drive, 1, 71, 70);
+  }
+  const auto first_time_of = [&](const std::string& channel) {
+    EXPECT_EQ(run({"csv", run_.string(), channel}), 0) << err_.str();
+    return lines().at(1).substr(0, lines().at(1).find(','));
+  };
+  EXPECT_EQ(first_time_of("rex.motion_capture"), "0.3");
+  EXPECT_EQ(first_time_of("rex.odometry"), "0.48");
+  EXPECT_EQ(first_time_of("rex.hardware_state"), "0.14");
+  EXPECT_EQ(first_time_of("rex.hardware_command"), "0.14");
+  for (const char* const channel : {"rex.truth", "rex.reply", "rex.telemetry", "rex.report"})
+    EXPECT_EQ(first_time_of(channel), "0.02") << channel;
+  ASSERT_EQ(run({"show", run_.string(), "--channel", "rex.motion_capture", "--from", "0.31"}), 0);
+  EXPECT_EQ(out_.str(), "");
 }
 
 TEST_F(DrivenRun, HasNoDriverOfAnAgentWithoutAnEffector) {

@@ -28,13 +28,6 @@ std::string plain_name(const fs::path& file, const std::string& name) {
                    fmt::format("{}: '{}' is not the plain name of a program", file.string(), name));
 }
 
-/// Channels whose stamp counts something else than macrosteps; they tell the step themselves.
-constexpr std::array kPictures{".frame", ".chessboard", ".apriltag", ".truth"};
-
-bool ends_with_any(std::string_view channel, std::span<const char* const> ends) {
-  return std::ranges::any_of(ends, [&](std::string_view e) { return channel.ends_with(e); });
-}
-
 }  // namespace
 
 RunRecord::RunRecord(const fs::path& folder) : folder_(link::checked_run_folder(folder)), log_(folder_) {
@@ -78,17 +71,11 @@ std::vector<std::string> RunRecord::agents() const {
 }
 
 std::optional<double> RunRecord::time_of(const link::LoggedMessage& m) const {
-  if (by_wall_clock(m.channel) && m.channel != "task_status" && !m.channel.ends_with(".console"))
+  const MessageType* const type = type_of(m.bytes);
+  if (!type || type->time_unit == TimeUnit::none || link::header_of(m.bytes).stamp == link::kEndOfLink)
     return std::nullopt;
-  if (ends_with_any(m.channel, kPictures)) {
-    const MessageType* const type = type_of(m.bytes);
-    const Field* const step = type ? type->field("step") : nullptr;
-    if (!step) return std::nullopt;
-    return number_in(m.bytes, *step) * step_s_;
-  }
-  const std::int64_t stamp = link::header_of(m.bytes).stamp;
-  if (stamp == link::kEndOfLink) return std::nullopt;
-  return static_cast<double>(stamp) * macrostep_s_;
+  return number_in(m.bytes, *type->field(type->time)) *
+         (type->time_unit == TimeUnit::steps ? step_s_ : macrostep_s_);
 }
 
 void check_channel(const RunRecord& run, const std::string& channel) {
@@ -102,10 +89,10 @@ void check_channel(const RunRecord& run, const std::string& channel) {
 }
 
 bool by_wall_clock(std::string_view channel) {
-  constexpr std::array kEnds{".status", ".console"};
   constexpr std::array<std::string_view, 6> kWhole{"supervisor", "task_status",  "answer",
                                                    "operator",   "manual.words", "manual.answer"};
-  return ends_with_any(channel, kEnds) || std::ranges::find(kWhole, channel) != kWhole.end();
+  return channel.ends_with(".status") || channel.ends_with(".console") ||
+         std::ranges::find(kWhole, channel) != kWhole.end();
 }
 
 std::string message_text(const link::LoggedMessage& m) {

@@ -45,7 +45,8 @@ class RunRecord {
   /// @return what the agent moves; an agent of a log without platforms is one of an arm
   [[nodiscard]] Effector effector_of(const std::string& agent) const;
 
-  /// @return simulated time that the message is for [s], or nothing: its stamp is no time
+  /// @return simulated time that the message is for [s], or nothing: it is for none, ends its link, or is of
+  ///         another version. Its definition says how it tells the time
   [[nodiscard]] std::optional<double> time_of(const link::LoggedMessage& m) const;
 
  private:

@@ -124,6 +124,25 @@ TEST(MessageType, TextsEndWithTheFirstZeroAndStayPrintable) {
   EXPECT_EQ(type_of(status)->field("agent[4]"), nullptr);
 }
 
+TEST(MessageType, EveryMessageOfAChannelTellsItsTimeOrThatItHasNone) {
+  for (const MessageType& type : message_types()) {
+    if (!type.field("header.stamp")) continue;
+    EXPECT_EQ(type.time.empty(), type.time_unit == TimeUnit::none) << type.name;
+    EXPECT_TRUE(type.time.empty() || type.field(type.time)) << type.name;
+  }
+  const auto with = [](const std::string& comment) {
+    return "struct a_t {\n header_t header;" + comment + "\n int64_t step;\n}";
+  };
+  const auto parsed = [&](const std::string& comment) {
+    return parse_message_type(with(comment), message_types());
+  };
+  EXPECT_EQ(parsed("  // time: header.stamp [macrosteps]").time_unit, TimeUnit::macrosteps);
+  EXPECT_EQ(parsed("  // time: step [steps]").time, "step");
+  EXPECT_EQ(parsed("  // time: none").time_unit, TimeUnit::none);
+  for (const char* const forgotten : {"", "  // first", "  // time: step", "  // time: steps [steps]"})
+    EXPECT_THROW(static_cast<void>(parsed(forgotten)), FaultError) << forgotten;
+}
+
 TEST(MessageType, WhatHasNoFixedSizeIsRefused) {
   EXPECT_THROW(static_cast<void>(parse_message_type("struct a_t {\n string s;\n b_t c;\n}", {})), FaultError);
   EXPECT_THROW(static_cast<void>(parse_message_type("struct a_t {\n double x[n];\n}", {})), FaultError);
