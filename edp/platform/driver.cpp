@@ -39,6 +39,8 @@ const PlatformProperties& checked(const PlatformProperties& q) {
   demand(q.increments_per_turn > 0, "increments_per_turn must be positive");
   demand(q.max_torque > 0 && q.max_wheel_speed > 0 && q.brake >= 0,
          "max_torque and max_wheel_speed must be positive, and brake not negative");
+  demand(q.braking_torque >= 0 && q.braking_torque <= q.max_torque,
+         "braking_torque must not be negative, and at most max_torque");
   demand(q.max_speed > 0 && q.max_turn_rate > 0 && q.max_lateral_acceleration > 0,
          "max_speed, max_turn_rate and max_lateral_acceleration must be positive");
   demand(q.horizon_period > 0, "horizon_period must be positive");
@@ -68,7 +70,8 @@ PlatformDriver::PlatformDriver(const Platform& platform, const PlatformDriverPar
       observer_(platform.estimator(chosen(platform.estimators(), parameters.estimator, "estimator")),
                 parameters),
       follower_(platform.tracker(chosen(platform.trackers(), parameters.tracker, "tracker")), *platform_),
-      supervision_(*platform_) {}
+      supervision_(*platform_),
+      wheel_brake_(*platform_, kStep) {}
 
 PlatformDrive PlatformDriver::step(const PlatformReading& reading) noexcept {
   if (at_boundary()) begin_macrostep(reading);
@@ -86,6 +89,7 @@ PlatformDrive PlatformDriver::step(const PlatformReading& reading) noexcept {
     enabled_ = followed_;
     torque_ = followed_ ? follower_.torque() : PerWheel{};
   }
+  brake();
   if (iota_ == kReplies) answer();
   const PlatformDrive command = drive();
   sensors_.command(command);
@@ -107,7 +111,7 @@ void PlatformDriver::begin_macrostep(const PlatformReading& reading) noexcept {
     hold(false);
   }
   if (state_ == DriverState::decelerating) {
-    pace_.go_to(0, Pace::stop_rate(queue_.at(0).v));
+    pace_.go_to(0, Pace::rate(queue_.at(0).v, Pace::kStop));
     if (queue_.empty() || pace_.now() == 0) {
       queue_.drop();
       fire(PlatformEvent::stood);
@@ -115,7 +119,7 @@ void PlatformDriver::begin_macrostep(const PlatformReading& reading) noexcept {
     }
   }
   if (state_ != DriverState::executing) return;
-  pace_.go_to(wanted_pace_);
+  pace_.go_to(wanted_pace_, Pace::rate(queue_.at(0).v, Pace::kChange));
   commanded_until_ = reading.step + kPlatformSteps;
 }
 
@@ -147,6 +151,7 @@ void PlatformDriver::end_macrostep() noexcept {
 
 void PlatformDriver::reset() noexcept {
   reset_pending_ = false;
+  wheel_brake_.end();
   fault_ = {};
   fire(position_known_ ? PlatformEvent::reset : PlatformEvent::reset_unknown);
 }
@@ -210,7 +215,10 @@ void PlatformDriver::settle() noexcept {
   ++held_;
   const bool long_enough =
       stopped_ ? rest_ >= kStoppedRest || held_ >= kStoppedMost : rest_ >= p_.brake_after;
-  if (!braked_ && long_enough) braked_ = true;
+  if (!braked_ && long_enough) {
+    braked_ = true;
+    if (stopped_) wheel_brake_.begin();
+  }
   if (braked_ && !stopped_ && !within(2)) hold(false);
 }
 
@@ -219,6 +227,7 @@ void PlatformDriver::follow() noexcept {
   const bool followed = followed_;
   followed_ = engaged();
   if (!followed_) return;
+  wheel_brake_.end();
   const EstimatorResult& x = observer_.result();
   if (!followed) follower_.begin(x);
   const Reference near = drawn_near(reference_, x.estimate.p);
@@ -245,6 +254,14 @@ void PlatformDriver::answer() noexcept {
   if (!answer_.replay && reply_.fault.code == fault_.code) fault_told_ = true;
 }
 
+void PlatformDriver::brake() noexcept {
+  const bool brakes = wheel_brake_.engaged();
+  const PerWheel torque = wheel_brake_.step(sensors_.wheels().increments());
+  if (!brakes) return;
+  torque_ = torque;
+  enabled_ = wheel_brake_.engaged();
+}
+
 PlatformDrive PlatformDriver::drive() noexcept {
   PlatformDrive command;
   command.step = step_;
@@ -255,12 +272,17 @@ PlatformDrive PlatformDriver::drive() noexcept {
 }
 
 void PlatformDriver::trip(const Fault& fault) noexcept {
+  const bool drives_brake = enabled_ && fault.code == FaultCode::emergency_stop;
   fire(PlatformEvent::trip);
   queue_.drop();
   pace_.set(0);
   enabled_ = followed_ = false;
   torque_ = {};
   begun_ = position_known_;
+  if (drives_brake)
+    wheel_brake_.begin();
+  else
+    wheel_brake_.end();
   fail(fault);
 }
 

@@ -18,6 +18,7 @@
 #include "edp/platform/stage_collector.hpp"
 #include "edp/platform/supervision.hpp"
 #include "edp/platform/synchronisation.hpp"
+#include "edp/platform/wheel_brake.hpp"
 #include "edp/protocol.hpp"
 #include "edp/standstill_detector.hpp"
 
@@ -48,7 +49,8 @@ namespace mrroc::edp {
 /// a platform that moves comes to rest on its way, and what was left of it is dropped. Silence is told as a fault
 /// (peer_silent); SET is refused with it until it has been told and the platform holds.
 ///
-/// A malfunction is a fatal fault: the drives brake, the fragments are dropped, and only reset leads on.
+/// A malfunction is a fatal fault: the drives brake, the fragments are dropped, and only reset leads on. So is an emergency
+/// stop; but nothing is broken then, and the drives brake by torques until the wheels stand (edp/platform/wheel_brake.hpp).
 ///
 /// take() and step() are real-time safe: no allocation, no lock, no exception, bounded.
 class PlatformDriver {
@@ -59,7 +61,7 @@ class PlatformDriver {
   static constexpr double kHeldPosition = 0.02;  // [m]
   static constexpr double kHeldHeading = 0.03;   // [rad]
   /// After a stop the drives brake once the platform has rested for so many macrosteps, or after the second number of them:
-  /// short-circuited motors end a slide, which the tracker, for which the platform is where it is to be, does not.
+  /// that ends a slide, which the tracker, for which the platform is where it is to be, does not.
   static constexpr int kStoppedRest = 3;
   static constexpr int kStoppedMost = 4;
   /// An estimated speed below which the platform rests.
@@ -137,6 +139,7 @@ class PlatformDriver {
   void follow() noexcept;
   void settle() noexcept;
   void answer() noexcept;
+  void brake() noexcept;
   [[nodiscard]] PlatformDrive drive() noexcept;
   void fail(const Fault& fault) noexcept;
   [[nodiscard]] bool moves() const noexcept {
@@ -153,6 +156,7 @@ class PlatformDriver {
   Observer observer_;
   Follower follower_;
   WheelSupervision supervision_;
+  WheelBrake wheel_brake_;
   FragmentQueue queue_;
   Pace pace_;
   BasicProtocol<PlatformEffector> protocol_;

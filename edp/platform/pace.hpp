@@ -10,16 +10,17 @@ namespace mrroc::edp {
 /// Goes from its present value to its target at a constant rate; time is counted in iterations. Real-time safe.
 class Pace {
  public:
-  /// Change of the pace in an iteration: a pause, which the control subsystem says at once, takes ten of them.
+  /// Change of the pace in an iteration at most, when a pause begins or ends: the control subsystem says it at once.
   static constexpr double kChange = 0.1;
-  /// The same at most when the platform is stopped, and its deceleration at most [m/s^2]: what tyres can give on slippery
-  /// ground, too. Up to 0.6 m/s the first one is less; with the brakes' run-out the platform is at rest in 300 steps then.
+  /// The same when the platform is stopped.
   static constexpr double kStop = 1. / 15;
-  static constexpr double kDeceleration = 2;
+  /// What the speed changes by at most, up and down [m/s^2]: what tyres can give on slippery ground, too. Up to 0.6 m/s a stop is
+  /// gentler; with the brakes' run-out the platform is at rest in 300 steps then.
+  static constexpr double kAcceleration = 2;
 
-  /// @param v  planned speed [m/s]  @return change of the pace in an iteration, with which the platform is stopped
-  [[nodiscard]] static double stop_rate(double v) noexcept {
-    return std::min(kStop, kDeceleration * kPlatformPeriod / std::max(std::abs(v), 1e-3));
+  /// @param v  planned speed [m/s]  @param most  kChange or kStop  @return change of the pace in an iteration
+  [[nodiscard]] static double rate(double v, double most) noexcept {
+    return std::min(most, kAcceleration * kPlatformPeriod / std::max(std::abs(v), 1e-3));
   }
 
   /// @param target  pace to go to, 0 stands .. 1 as planned  @param rate  change in an iteration, > 0

@@ -19,6 +19,7 @@ struct PlatformProperties {
   double increments_per_turn{};       ///< of a wheel's encoder
   double max_torque{};                ///< of a drive, at the wheel [N m]
   double brake{};                     ///< torque of a short-circuited motor against its speed [N m s/rad]
+  double braking_torque{};            ///< of a drive that brakes while it moves, at the wheel [N m]; 0: never
   double max_wheel_speed{};           ///< [rad/s]
   double max_speed{};                 ///< |v| of a fragment [m/s]
   double max_turn_rate{};             ///< |w| of a fragment [rad/s]

@@ -45,9 +45,9 @@ void WheelMeter::step(const PlatformReading& reading) noexcept {
   for (std::size_t k = 0; k < kWheels; ++k)
     increments_[k] = static_cast<std::int32_t>(static_cast<std::uint32_t>(reading.encoder[k]) -
                                                static_cast<std::uint32_t>(encoder_[k]));
-  const std::int64_t steps =
-      std::clamp<std::int64_t>(reading.step - step_, 1, static_cast<std::int64_t>(kReadings));
-  for (std::int64_t k = 1; k <= steps; ++k) {
+  const std::int64_t steps = std::max<std::int64_t>(reading.step - step_, 1);
+  for (std::int64_t k = std::max<std::int64_t>(steps - static_cast<std::int64_t>(kReadings), 0) + 1;
+       k <= steps; ++k) {
     PerWheel count = before;
     for (std::size_t w = 0; w < kWheels; ++w)
       count[w] += increments_[w] * static_cast<double>(k) / static_cast<double>(steps);

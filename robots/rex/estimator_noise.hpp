@@ -31,10 +31,11 @@ struct EstimatorPrior {
   double pose{0.003};       ///< of x, y [m] and phi [rad]: at least
 };
 
-/// Ranges of the slip coefficients.
+/// Ranges of the slip coefficients. Wheels that hardly slip tell of the ground's stiffness alone: on a straight a stiff one looks
+/// like one of any friction, and in the next curve the estimate would have to come down from there. No tyre holds better.
 struct SlipBounds {
   double least_friction{0.05};  ///< of mu_x and mu_y
-  double most_friction{1.5};    ///< of mu_x and mu_y
+  double most_friction{1.0};    ///< of mu_x and mu_y
   double most_split{0.8};       ///< of |split|
 };
 

@@ -42,9 +42,8 @@ Mhe::Mhe(const EstimatorNoise& noise) : window_(noise), qp_(stages(), kIteration
 void Mhe::begin(const edp::StandingStill& found) noexcept {
   window_.begin(found);
   arrival_ = standing_belief(found, window_);
-  z(0) = arrival_.z;
+  z_.set(0, arrival_.z);
   newest_ = arrival_;
-  linearised_ = 0;
   steps_to_covariance_ = 0;
   inconsistent_ = false;
 }
@@ -57,33 +56,30 @@ void Mhe::add(const edp::StageReading& reading) noexcept {
       return;
     case Entry::restart:
       arrival_ = newest_;
-      z(0) = newest_.z;
-      linearised_ = 0;
+      z_.set(0, newest_.z);
       return;
     case Entry::next:
       break;
   }
-  if (shifts) {
-    std::move(z_.begin() + 1, z_.end(), z_.begin());
-    std::move(transitions_.begin() + 1, transitions_.end(), transitions_.begin());
-    linearised_ = std::max(linearised_ - 1, 0);
-  }
+  if (shifts) z_.shift();
   const int before = window_.size() - 2;
-  z(before + 1) = contained(window_.transition_from(before, z(before)).z);
+  z_.set(before + 1, contained(window_.transition_from(before, z_[before]).z));
 }
 
 void Mhe::leave() noexcept {
-  correct(arrival_, window_.residuals_at(0, z(0)), z(0));
-  predict(arrival_, window_.transition_from(0, z(0)), z(0));
+  correct(arrival_, window_.residuals_at(0, z_[0]), z_[0]);
+  predict(arrival_, window_.transition_from(0, z_[0]), z_[0]);
 }
 
 // Behind the new picture, up to the next one, the clone is another pose.
 bool Mhe::add(const OdometryReading& odometry) noexcept {
   const int picture = window_.add(odometry);
   if (picture < 0) return false;
-  linearised_ = std::min(linearised_, picture);
+  z_.renew(picture);
   for (int k = picture + 1; k < window_.size(); ++k) {
-    z(k).segment<3>(kCloneIndex) = z(picture).segment<3>(kPose);
+    StageVector z = z_[k];
+    z.segment<3>(kCloneIndex) = z_[picture].segment<3>(kPose);
+    z_.set(k, z);
     if (window_[k].picture) break;
   }
   return true;
@@ -93,7 +89,7 @@ bool Mhe::add(const MapPose& pose) noexcept {
   const int k = window_.add(pose);
   if (k < 0) return false;
   const Eigen::Matrix3d covariance = pose_covariance(newest_, window_.centre());
-  inconsistent_ = inconsistent_ || beyond_ellipse(window_[k], z(k), covariance, window_.centre());
+  inconsistent_ = inconsistent_ || beyond_ellipse(window_[k], z_[k], covariance, window_.centre());
   return true;
 }
 
@@ -102,9 +98,9 @@ edp::EstimatorResult Mhe::step() noexcept {
   edp::Health health{.inconsistent = inconsistent_};
   inconsistent_ = false;
   if (window_.full()) {
-    linearise();
+    z_.linearise(window_);
     improve(health);
-    newest_.z = z(kNewest);
+    newest_.z = z_[kNewest];
     update_covariance();
   } else {
     fill();
@@ -117,17 +113,9 @@ void Mhe::fill() noexcept {
   newest_ = arrival_;
   for (int k = 0; k < window_.size(); ++k) {
     correct(newest_, window_.residuals_at(k, newest_.z), newest_.z);
-    z(k) = newest_.z;
-    if (k + 1 < window_.size()) predict(newest_, window_.transition_from(k, z(k)), z(k));
+    z_.set(k, newest_.z);
+    if (k + 1 < window_.size()) predict(newest_, window_.transition_from(k, z_[k]), z_[k]);
   }
-}
-
-void Mhe::linearise() noexcept {
-  for (int k = 0; k < kWindowStages; ++k)
-    residuals_[static_cast<std::size_t>(k)] = window_.residuals_at(k, z(k));
-  for (; linearised_ < kNewest; ++linearised_)
-    transitions_[static_cast<std::size_t>(linearised_)] =
-        window_.transition_from(linearised_, z(linearised_));
 }
 
 void Mhe::improve(edp::Health& health) noexcept {
@@ -140,47 +128,19 @@ void Mhe::improve(edp::Health& health) noexcept {
     ++health.iterations;
   } while (solved && health.iterations == 1 && hold_slip());
   health.solver_failed = !solved;
-  if (solved) line_search();
-}
-
-void Mhe::line_search() noexcept {
-  constexpr int kHalvings = 2;
-  const double before = cost();
-  const std::array<StageVector, kStages> from = z_;
-  double share = 1;
-  for (int halvings = 0; halvings <= kHalvings; ++halvings, share /= 2) {
-    for (std::size_t k = 0; k < kStages; ++k) z_[k] = contained(from[k] + share * change_[k]);
-    linearised_ = 0;
-    linearise();
-    if (cost() <= before) return;
-  }
-}
-
-// Clones have no noise: their gaps are no part of it.
-double Mhe::cost() const noexcept {
-  const StageVector error = difference(z_[0], arrival_.z);
-  double sum = arrival_root_.triangularView<Eigen::Lower>().solve(error).squaredNorm();
-  for (std::size_t k = 0; k < kStages; ++k) {
-    sum += residuals_[k].r.head(residuals_[k].count).squaredNorm();
-    if (k + 1 == kStages) break;
-    const StageVector gap = difference(z_[k + 1], transitions_[k].z);
-    for (int i = 0; i < kStageNoises; ++i)
-      if (const double deviation = transitions_[k].deviation[i]; deviation > 0)
-        sum += gap[i] * gap[i] / (deviation * deviation);
-  }
-  return sum;
+  if (solved) z_.take(change_, window_, arrival_, arrival_root_);
 }
 
 // The QP's states are corrections of z, so that the arrival cost is that of z_0 = zbar + root(P) w.
 void Mhe::set_dynamics() noexcept {
   arrival_root_ = root(arrival_.P);
-  const StageVector error = difference(arrival_.z, z(0));
+  const StageVector error = difference(arrival_.z, z_[0]);
   qp_.dynamics(0, {}, arrival_root_, error);
   for (int k = 0; k < kNewest; ++k) {
-    const StageTransition& to = transitions_[static_cast<std::size_t>(k)];
+    const StageTransition& to = z_.transition(k);
     ShootingNoise B = ShootingNoise::Zero();
     B.diagonal() = to.deviation;
-    const StageVector gap = difference(to.z, z(k + 1));
+    const StageVector gap = difference(to.z, z_[k + 1]);
     qp_.dynamics(k + 1, to.F, B, gap);
   }
 }
@@ -189,13 +149,13 @@ void Mhe::set_costs() noexcept {
   constexpr double kDefinite = 1e-6;
   for (int k = 0; k < kWindowStages; ++k) {
     const auto at = static_cast<std::size_t>(k);
-    const int count = residuals_[at].count;
-    const auto H = residuals_[at].H.topRows(count);
+    const StageResiduals& residuals = z_.residuals(k);
+    const auto H = residuals.H.topRows(residuals.count);
     StageMatrix Q = H.transpose().lazyProduct(H);
-    StageVector q = H.transpose().lazyProduct(residuals_[at].r.head(count));
+    StageVector q = H.transpose().lazyProduct(residuals.r.head(residuals.count));
     Q.diagonal().array() += kDefinite;
     Q.diagonal().segment<3>(kSlipIndex) += held_[at].weight;
-    q.segment<3>(kSlipIndex) += held_[at].weight.cwiseProduct(z(k).segment<3>(kSlipIndex) - held_[at].bound);
+    q.segment<3>(kSlipIndex) += held_[at].weight.cwiseProduct(z_[k].segment<3>(kSlipIndex) - held_[at].bound);
     qp_.cost(k + 1, Q, {}, {}, q, {});
   }
 }
@@ -214,7 +174,7 @@ bool Mhe::hold_slip() noexcept {
   bool any = false;
   for (int k = 0; k < kWindowStages; ++k) {
     const auto at = static_cast<std::size_t>(k);
-    const StageVector there = z(k) + change_[at];
+    const StageVector there = z_[k] + change_[at];
     const Eigen::Vector3d bound = contained(there).segment<3>(kSlipIndex);
     for (int i = 0; i < 3; ++i) {
       if (bound[i] == there[kSlipIndex + i]) continue;
@@ -233,9 +193,9 @@ void Mhe::update_covariance() noexcept {
   steps_to_covariance_ = kEvery - 1;
   StageBelief belief = arrival_;
   for (int k = 0; k < kWindowStages; ++k) {
-    belief.z = z(k);
-    correct(belief, residuals_[static_cast<std::size_t>(k)], z(k));
-    if (k < kNewest) predict(belief, transitions_[static_cast<std::size_t>(k)], z(k));
+    belief.z = z_[k];
+    correct(belief, z_.residuals(k), z_[k]);
+    if (k < kNewest) predict(belief, z_.transition(k), z_[k]);
   }
   newest_.P = belief.P;
 }

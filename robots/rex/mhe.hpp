@@ -4,7 +4,7 @@
 #include <array>
 
 #include "robots/ocp/ocp_qp.hpp"
-#include "robots/rex/stage_belief.hpp"
+#include "robots/rex/window_states.hpp"
 
 namespace mrroc::rex {
 
@@ -42,19 +42,12 @@ class Mhe final : public edp::Estimator {
  private:
   static constexpr auto kStages = static_cast<std::size_t>(kWindowStages);
 
-  [[nodiscard]] StageVector& z(int k) noexcept { return z_[static_cast<std::size_t>(k)]; }
   /// Takes the oldest stage's measurements into the arrival cost, before it leaves.
   void leave() noexcept;
   /// Filters over a window that is not full.
   void fill() noexcept;
-  /// Linearises the transitions and residuals that are not up to date.
-  void linearise() noexcept;
   /// Solves the QP and corrects the states.
   void improve(edp::Health& health) noexcept;
-  /// Takes the QP's step: all of it, or half of it where the sum would become larger, or else a quarter.
-  void line_search() noexcept;
-  /// @return what is minimised, for the states as they were linearised last and the arrival cost of set_dynamics()
-  [[nodiscard]] double cost() const noexcept;
   void set_dynamics() noexcept;
   void set_costs() noexcept;
   /// @return whether the solution is one, all of its numbers finite
@@ -66,14 +59,11 @@ class Mhe final : public edp::Estimator {
   StageWindow window_;
   StageBelief arrival_{};                               // of the oldest stage, before its own measurements
   StageMatrix arrival_root_ = StageMatrix::Identity();  // L with L L' = P of it
-  std::array<StageVector, kStages> z_;                  // estimates of the stages
-  std::array<StageResiduals, kStages> residuals_;
-  std::array<StageTransition, kStages> transitions_;  // the last one means nothing
+  WindowStates z_;                                      // estimates of the stages
   std::array<HeldSlip, kStages> held_;
-  std::array<StageVector, kStages> change_;  // what the QP says
+  WindowStates::Change change_;  // what the QP says
   ocp::OcpQp qp_;
   StageBelief newest_{};
-  int linearised_{};  // transitions, from the oldest on, that are those of the states
   int steps_to_covariance_{};
   bool inconsistent_{};  // since the last step
 };

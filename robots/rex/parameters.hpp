@@ -27,6 +27,8 @@ inline constexpr double kFullTorqueSpeed =
 inline constexpr double kMaxWheelSpeed = 18;  ///< at this one it has none any more [rad/s]
 /// Short-circuited, a motor holds against its speed with this [N m s/rad]: from 0.8 m/s the platform stops in 0.15 m.
 inline constexpr double kBrake = 1.5;
+/// A drive that brakes does it with that much: 3.7 m/s^2 and more, wheels that are not locked on the usual ground [N m].
+inline constexpr double kBrakingTorque = 8;
 inline constexpr double kTorqueConstant = 2;        ///< of a motor behind its gear [N m/A]
 inline constexpr double kIncrementsPerTurn = 4000;  ///< of the encoder, per turn of the wheel
 

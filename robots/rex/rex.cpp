@@ -48,6 +48,7 @@ class Rex final : public edp::Platform {
                                                          .increments_per_turn = kIncrementsPerTurn,
                                                          .max_torque = kMaxTorque,
                                                          .brake = kBrake,
+                                                         .braking_torque = kBrakingTorque,
                                                          .max_wheel_speed = kMaxWheelSpeed,
                                                          .max_speed = kMaxSpeed,
                                                          .max_turn_rate = kMaxTurnRate,

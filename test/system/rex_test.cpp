@@ -120,6 +120,51 @@ TEST(RexDrive, TablesOfAStoppedRunReachToTheRestOfThePlatform) {
   EXPECT_NE(ended.all().find("steps until the platform was at rest"), std::string::npos) << ended.all();
 }
 
+TEST(RexDrive, FindsHalfTheFrictionInACurve) {
+  const Folder folder;
+  const Ended ended =
+      run(folder, "rex_drive",
+          {"--processes", "one", "--ground", "smooth", "--set", "sim.ground.patches.half.area=[-3, -2, 3, 2]",
+           "--set", "sim.ground.patches.half.scale=0.5", "--set", "sim.ground.patches.half.from=7",
+           "--run-dir", (folder / "run").string()});
+  const nlohmann::json told = summary(folder / "run");
+  EXPECT_LE(figure(told, "friction_found_s"), 1.5) << ended.all();
+  EXPECT_LE(figure(told, "track_max_mm"), 20);
+}
+
+/// @return steps from an order to rest, on the way of `more`
+double steps_to_rest(const std::string& order, int macrostep, const std::vector<std::string>& more) {
+  const Folder folder(false);
+  const std::string script =
+      folder.write("orders", "3 start\n" + std::to_string(macrostep) + " " + order + "\n");
+  const Ended ended =
+      run(folder, "rex_drive",
+          words({{"--processes", "one", "--script", script, "--run-dir", (folder / "run").string()}, more}));
+  EXPECT_EQ(ended.status, 1) << ended.all();
+  return figure(summary(folder / "run"), "stop_steps_max");
+}
+
+TEST(RexDrive, AnEmergencyStopIsAtRestBeforeAStopIs) {
+  for (const int macrostep : {250, 320, 390}) {
+    const double stopped = steps_to_rest("stop", macrostep, {}),
+                 braked = steps_to_rest("e-stop", macrostep, {});
+    EXPECT_GT(stopped, 100) << macrostep << ": it was on its way";
+    EXPECT_LE(stopped, 300) << macrostep;
+    EXPECT_GT(braked, 50) << macrostep;
+    EXPECT_LT(braked, stopped) << macrostep;
+  }
+}
+
+// 1.3 m/s where curves allow it, on ground with half the friction: the fastest that a plan may be driven.
+TEST(RexDrive, AStopAtSpeedOnSlipperyGroundIsBounded) {
+  for (const int macrostep : {170, 230, 390})
+    EXPECT_LE(steps_to_rest("stop", macrostep,
+                            {"--ground", "slippery", "--speed-mps", "1.3", "--set", "task.lateral=1.7",
+                             "--set", "task.turn_rate=2.1"}),
+              380)
+        << macrostep;
+}
+
 TEST(RexDrive, FiguresAreJudgedWhereTheyAreMeant) {
   const Folder folder;
   const auto told_of = [&](const char* name, const std::vector<std::string>& more) {

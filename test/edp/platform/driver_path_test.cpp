@@ -207,10 +207,27 @@ TEST_F(Driving, AStopAtSpeedDeceleratesByNoMoreThanTyresCanGive) {
   int macrosteps = 0;
   for (; rig.driver.state() == DriverState::decelerating; ++macrosteps) {
     rig.quiet();
-    EXPECT_LE(before - rig.driver.wanted().v, Pace::kDeceleration * kPlatformPeriod + 1e-9) << macrosteps;
+    EXPECT_LE(before - rig.driver.wanted().v, Pace::kAcceleration * kPlatformPeriod + 1e-9) << macrosteps;
     before = rig.driver.wanted().v;
   }
   EXPECT_NEAR(macrosteps, 25, 1) << "1 m/s with 2 m/s^2";
+}
+
+TEST_F(Driving, APauseAndItsEndChangeTheSpeedByNoMoreThanTyresCanGive) {
+  Way way = rig.way();
+  hand({way.next(1, 0, 60), way.next(1, 0, 300), way.next(1, 0, 300)});
+  rig.wait(80);
+  for (const double pace : {0., 1.}) {
+    rig.pace = pace;
+    double before = rig.driver.wanted().v;
+    for (int k = 0; k < 60; ++k) {
+      rig.wait(1);
+      const double now = rig.driver.wanted().v;
+      EXPECT_LE(std::abs(now - before), Pace::kAcceleration * kPlatformPeriod + 1e-9) << k;
+      before = now;
+    }
+    EXPECT_NEAR(before, pace, 1e-9);
+  }
 }
 
 TEST_F(Driving, AStoppedPlatformDoesNotGoBackToWhereItWasToStand) {

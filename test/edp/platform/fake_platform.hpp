@@ -19,6 +19,7 @@ inline constexpr double kInertia = 2.5;      // [kg m^2]
 inline constexpr double kIncrements = 4000;  // per turn
 inline constexpr double kBrake = 5;          // [N m s/rad]
 inline constexpr double kMaxTorque = 20;     // [N m]
+inline constexpr double kBrakingTorque = 7;  // [N m]
 
 /// What goes wrong in the kernel, from now on.
 struct FakeFaults {
@@ -138,6 +139,7 @@ class FakePlatform : public Platform {
                        .increments_per_turn = kIncrements,
                        .max_torque = kMaxTorque,
                        .brake = kBrake,
+                       .braking_torque = kBrakingTorque,
                        .max_wheel_speed = 10,
                        .max_speed = 1,
                        .max_turn_rate = 2.5,

@@ -29,10 +29,12 @@ TEST(Pace, GoesToItsTargetAtItsRateAndStaysThere) {
   EXPECT_EQ(pace.after(50), 0.25) << "and keeps it";
 }
 
-TEST(Pace, AStopDeceleratesByNoMoreThanTyresCanGive) {
-  for (const double v : {0., 0.3, 0.59, -0.59}) EXPECT_EQ(Pace::stop_rate(v), Pace::kStop) << v;
-  for (const double v : {0.7, 1.3, 1.5, -1.3})
-    EXPECT_NEAR(Pace::stop_rate(v) * std::abs(v) / kPlatformPeriod, Pace::kDeceleration, 1e-12) << v;
+TEST(Pace, ItsRateChangesTheSpeedByNoMoreThanTyresCanGive) {
+  for (const double v : {0., 0.3, 0.59, -0.59}) EXPECT_EQ(Pace::rate(v, Pace::kStop), Pace::kStop) << v;
+  for (const double v : {0., 0.3, -0.39}) EXPECT_EQ(Pace::rate(v, Pace::kChange), Pace::kChange) << v;
+  for (const double most : {Pace::kStop, Pace::kChange})
+    for (const double v : {0.7, 1.3, 1.5, -1.3})
+      EXPECT_NEAR(Pace::rate(v, most) * std::abs(v) / kPlatformPeriod, Pace::kAcceleration, 1e-12) << v;
 }
 
 TEST(Pace, TimeThatPassesIsItsIntegral) {

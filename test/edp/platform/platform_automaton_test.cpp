@@ -100,7 +100,7 @@ TEST(PlatformAutomaton, AMalfunctionLeadsToFaultedFromEveryStateAndBrakes) {
   for (const DriverState state : kReached) {
     PlatformRig rig;
     lead_into(rig, state);
-    rig.driver.trip({.code = FaultCode::emergency_stop});
+    rig.driver.trip({.code = FaultCode::hardware_silent});
     EXPECT_EQ(rig.driver.state(), transition(state, PlatformEvent::trip).next);
     EXPECT_EQ(rig.driver.state(), DriverState::faulted);
     rig.step();

@@ -1,6 +1,8 @@
 // Malfunctions: each is found, told with its wheel or its figures, and stops the platform.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "test/edp/platform/platform_rig.hpp"
 
 namespace mrroc::edp::test {
@@ -164,6 +166,58 @@ TEST_F(Malfunction, LoadCellsThatAreWrongStopNothing) {
   }
 }
 
+// Short-circuited motors fade with the speed: from 0.5 m/s these would need 100 steps and more for the last millimetres.
+TEST_F(Malfunction, AnEmergencyStopBrakesByTorquesUntilTheWheelsStand) {
+  rig.driver.trip({.code = FaultCode::emergency_stop});
+  double fastest = rig.ground.v;
+  int braked = 0;
+  rig.after_each_step = [&] {
+    braked += rig.last.enabled ? 1 : 0;
+    for (const double torque : rig.last.torque) EXPECT_LE(std::abs(torque), kBrakingTorque);
+    EXPECT_LE(rig.ground.v, std::max(fastest, 0.01)) << "it does not drive on";
+    EXPECT_GT(rig.ground.v, -0.01) << "nor back";
+    fastest = rig.ground.v;
+  };
+  rig.step();
+  EXPECT_TRUE(rig.last.enabled) << "in the next step";
+  EXPECT_EQ(rig.last.torque[0], -kBrakingTorque);
+  while (!rig.driver.at_boundary()) rig.step();
+  const PlatformReply reply = rig.wait(30);
+  EXPECT_EQ(reply.state, DriverState::faulted);
+  EXPECT_EQ(reply.fault.code, FaultCode::emergency_stop);
+  EXPECT_GT(braked, 50);
+  EXPECT_LT(braked, 180);
+  EXPECT_FALSE(rig.last.enabled) << "then the motors are short-circuited";
+  EXPECT_LT(std::abs(rig.ground.v), 1e-3);
+}
+
+TEST_F(Malfunction, AnEmergencyStopOfABrokenPlatformIsLeftToItsBrakes) {
+  rig.ground.imu_silent = true;
+  rig.wait(1);
+  ASSERT_EQ(rig.driver.fault().code, FaultCode::sensor_silent);
+  rig.after_each_step = [this] { EXPECT_FALSE(rig.last.enabled); };
+  rig.driver.trip({.code = FaultCode::emergency_stop});
+  rig.wait(10);
+}
+
+TEST_F(Malfunction, WhatBreaksDuringAnEmergencyStopLeavesItToTheBrakes) {
+  rig.driver.trip({.code = FaultCode::emergency_stop});
+  rig.step();
+  ASSERT_TRUE(rig.last.enabled);
+  rig.driver.trip({.code = FaultCode::hardware_silent});
+  rig.after_each_step = [this] { EXPECT_FALSE(rig.last.enabled); };
+  for (int k = 0; k < 50; ++k) rig.step();
+}
+
+TEST_F(Malfunction, AnEmergencyStopDoesNotBrakeForEverWhenAWheelSeemsToTurn) {
+  rig.driver.trip({.code = FaultCode::emergency_stop});
+  rig.ground.push = 4 * kBrakingTorque / kRadius / kMass + 0.1;  // down a slope that the drives cannot hold
+  for (int k = 0; k < WheelBrake::kLongest - 1; ++k) rig.step();
+  EXPECT_TRUE(rig.last.enabled);
+  rig.step();
+  EXPECT_FALSE(rig.last.enabled);
+}
+
 TEST_F(Malfunction, OnlyResetLeadsOnFromWhereThePlatformIs) {
   rig.driver.trip({.code = FaultCode::emergency_stop});
   rig.wait(20);
@@ -219,6 +273,7 @@ TEST(PlatformDriverParameters, WhatMakesNoSenseIsRefusedByName) {
   refused([](P&, F& f) { f.q.wheel_radius = 0; }, "wheel_radius");
   refused([](P&, F& f) { f.q.increments_per_turn = 0; }, "increments_per_turn");
   refused([](P&, F& f) { f.q.max_torque = -1; }, "max_torque");
+  refused([](P&, F& f) { f.q.braking_torque = 21; }, "braking_torque");
   refused([](P&, F& f) { f.q.horizon_period = 0; }, "horizon_period");
 }
 

@@ -40,7 +40,7 @@ TEST(WheelMeter, SpeedDoesNotLagBehindAConstantAcceleration) {
     const double t = k * kStep;
     wheels.step(reading(k, 0.3 + 7 * t * t / 2));
     if (k > 30) {
-      EXPECT_NEAR(wheels.theta_dot()[0], 7 * t, 0.15) << k;
+      EXPECT_NEAR(wheels.theta_dot()[0], 7 * t, 0.25) << k;
     }
   }
 }
@@ -52,7 +52,23 @@ TEST(WheelMeter, SpeedIsLessDisturbedByWholeIncrementsThanADifference) {
     wheels.step(reading(k, 2.345 * k * kStep));
     if (k >= 30) squares += std::pow(wheels.theta_dot()[1] - 2.345, 2);
   }
-  EXPECT_LT(std::sqrt(squares / 1970), 0.05);
+  EXPECT_LT(std::sqrt(squares / 1970), 0.09) << "a difference: 0.3";
+}
+
+// Torques change in the third step of a macrostep: what was before tells little of the speed at its end.
+TEST(WheelMeter, SpeedAtABoundaryIsThatOfTheLastTorques) {
+  WheelMeter wheels(kIncrements, kStep);
+  double theta = 0.3, speed = 4;
+  for (int k = 0; k < 600; ++k) {
+    wheels.step(reading(k, theta));
+    if (k > 40 && k % kPlatformSteps == 0) {
+      EXPECT_NEAR(wheels.theta_dot()[0], speed, 0.4) << k;
+    }
+    const double acceleration =
+        (k - 2) / kPlatformSteps % 2 == 0 ? 50 : -50;  // [rad/s^2] of a wheel that slips
+    theta += (speed + acceleration * kStep / 2) * kStep;
+    speed += acceleration * kStep;
+  }
 }
 
 TEST(WheelMeter, CounterMayWrapAround) {

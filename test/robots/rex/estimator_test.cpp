@@ -149,7 +149,7 @@ TEST_P(Estimators, OdometryHoldsTheWay) {
 
 // Beyond them the platform holds better or worse than any ground that is believed in.
 TEST_P(Estimators, KeepSlipCoefficientsWithinTheirBounds) {
-  for (const Slip& ground : {Slip{1.7, 1.6, 0}, Slip{0.05, 0.04, 0}}) {
+  for (const Slip& ground : {Slip{1.2, 1.1, 0}, Slip{0.05, 0.04, 0}}) {
     Trial trial = winding_trial();
     trial.truth.friction = ground;
     const auto samples = drive(*estimator, trial);

@@ -106,7 +106,11 @@ TEST(Nmpc, TorquesAtTheLimitCanAllBeUsed) {
     const PlanarPose p{plant.p().x + (i % 10 < 5 ? 5 : -5), plant.p().y, 0};
     const Course there{[p](double) { return PathPoint{p, 0, 0}; }, 1};
     EXPECT_FALSE(follower.step(perfect(plant, {}), {}, plant.load(), horizon(there, 0))) << i;
-    for (const double torque : follower.torque()) largest = std::max(largest, std::abs(torque));
+    for (const PerWheel& planned : follower.result().torques)
+      for (const double torque : planned) {
+        largest = std::max(largest, std::abs(torque));
+        EXPECT_LE(std::abs(torque), kMaxTorque) << "to the last bit: " << i;
+      }
     plant.step(follower.torque(), kPlatformPeriod);
   }
   EXPECT_EQ(follower.failures(), 0);
