@@ -79,4 +79,9 @@ std::string closest_match(std::string_view word, const WordSet& candidates, cons
   return finished(word, orders);
 }
 
+std::string did_you_mean(std::string_view word, const WordSet& candidates) {
+  const std::string near = closest_match(word, candidates);
+  return near.empty() ? near : "; did you mean '" + near + "'?";
+}
+
 }  // namespace mrroc

@@ -18,7 +18,10 @@ using WordSet = std::set<std::string, std::less<>>;
 ///         most a third of the word's letters may differ, and two of a short word
 [[nodiscard]] std::string closest_match(std::string_view word, const WordSet& candidates);
 
-/// The same where some candidates do something that cannot be undone, such as to start a machine, and others only tell.
+/// @return the end of a sentence that says what there is not: "; did you mean 'NEAR'?"; empty when none is near
+[[nodiscard]] std::string did_you_mean(std::string_view word, const WordSet& candidates);
+
+/// closest_match() where some candidates do something that cannot be undone, such as to start a machine, and others only tell.
 /// @param orders  of these one is answered only when it has one slip, or is not finished, and no other candidate is as near
 [[nodiscard]] std::string closest_match(std::string_view word, const WordSet& candidates,
                                         const WordSet& orders);

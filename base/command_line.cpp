@@ -31,6 +31,17 @@ void add_options(const CLI::App& app, WordSet& known) {
   for (const std::string& name : long_options_of(app)) known.insert(name);
 }
 
+/// One of some words; of any other the nearest is told.
+struct OneOf : CLI::IsMember {
+  explicit OneOf(const std::vector<std::string>& words) : CLI::IsMember(words) {
+    func_ = [words, is = func_](std::string& word) {
+      std::string wrong = is(word);
+      if (!wrong.empty()) wrong += did_you_mean(word, WordSet(words.begin(), words.end()));
+      return wrong;
+    };
+  }
+};
+
 /// @return bad_usage for words that no command of the line knows, better than what CLI11 says where that is possible
 FaultError unknown_word(const CLI::App& app, const WordSet& orders, const CLI::Error& e) {
   const std::vector<std::string> words = app.remaining(true);
@@ -164,7 +175,7 @@ Option Option::delimiter(char between) const {
 }
 
 Option Option::one_of(const std::vector<std::string>& values) const {
-  held_->option.check(CLI::IsMember(values));
+  held_->option.check(OneOf(values));
   return *this;
 }
 
@@ -257,8 +268,7 @@ Option CommandLine::numbered(const std::string& name, const std::map<std::string
   std::vector<std::string> words;
   for (const auto& [word, number] : numbers) words.push_back(word);
   const auto told = [numbers, take](const std::string& word) { take(numbers.at(word)); };
-  return parts_->add(
-      parts_->app.add_option_function<std::string>(name, told, about)->check(CLI::IsMember(words)));
+  return parts_->add(parts_->app.add_option_function<std::string>(name, told, about)->check(OneOf(words)));
 }
 
 Option CommandLine::flag(const std::string& name, bool& value, const std::string& about) {

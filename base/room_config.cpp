@@ -158,4 +158,20 @@ double clearance(const Room& room, const RoomPoint& from, const RoomPoint& to) {
   return least;
 }
 
+std::string obstruction(const Room& room, const RoomPoint& from, const RoomPoint& to, double reach) {
+  double least = std::min(to_walls(room, from), to_walls(room, to));
+  if (least < 0)
+    return fmt::format("outside the room, whose walls are at x {:g} and {:g} m, y {:g} and {:g} m",
+                       room.lower[0], room.upper[0], room.lower[1], room.upper[1]);
+  std::string nearest = "a wall";
+  for (const Obstacle& obstacle : room.obstacles)
+    if (const double d = distance(obstacle.corner, from, to); d < least) {
+      least = d;
+      nearest = fmt::format("the obstacle '{}'", obstacle.name);
+    }
+  if (least >= reach) return {};
+  if (least == 0) return fmt::format("{} {}", from == to ? "in" : "through", nearest);
+  return fmt::format("{:.2f} m from {}, {:.2f} m are needed", least, nearest, reach);
+}
+
 }  // namespace mrroc

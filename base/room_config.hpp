@@ -53,4 +53,10 @@ inline constexpr std::size_t kMostCorners = 32;
 ///         leads out of the room
 [[nodiscard]] double clearance(const Room& room, const RoomPoint& from, const RoomPoint& to);
 
+/// @param reach  distance from walls and obstacles that is needed [m]
+/// @return what is wrong with the way, and of what, such as "in the obstacle 'bench'", "0.30 m from a wall, 0.55 m are
+///         needed"; empty: nothing
+[[nodiscard]] std::string obstruction(const Room& room, const RoomPoint& from, const RoomPoint& to,
+                                      double reach);
+
 }  // namespace mrroc

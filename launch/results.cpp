@@ -1,7 +1,5 @@
 #include "launch/results.hpp"
 
-#include <algorithm>
-
 #include "base/text_file.hpp"
 #include "mp/pictures.hpp"
 #include "mp/run_end.hpp"
@@ -30,8 +28,8 @@ void make_tables(Results& r, const std::function<void(Results&)>& of_task) {
 }
 
 bool is_always(const std::vector<mp::FigureInfo>& known, std::string_view key) {
-  const auto info = std::ranges::find(known, key, &mp::FigureInfo::key);
-  return info != known.end() && info->always;
+  const mp::FigureInfo* const info = mp::info_of(key, known);
+  return info && info->always;
 }
 
 }  // namespace
@@ -41,7 +39,7 @@ void make_results(Results& r, const std::function<void(Results&)>& of_task) {
   attempt(r.summary, [&] { mp::write_summary(r.folder, r.summary); });
   attempt(r.summary, [&] { mp::draw(r.folder, r.pictures); });
   for (const mp::FigureInfo& info : mp::kRunFigures)
-    if (std::ranges::find(r.known, info.key, &mp::FigureInfo::key) == r.known.end()) r.known.push_back(info);
+    if (!mp::info_of(info.key, r.known)) r.known.push_back(info);
 }
 
 mp::Ending ending_of(const Results& r) {

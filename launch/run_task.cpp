@@ -111,6 +111,8 @@ int run(const Task& task, const mp::TaskOptions& asked) {
   mp::write_text(folder / "config.toml", s.config.dump());
 
   mp::TaskRun run(task.name, options, folder, keys, nodes_of(task, s));
+  for (std::size_t k = task.arms.size(); k < keys.size(); ++k)
+    run.board().set_effector(k, EffectorKind::platform);
   held.reset();  // the run takes them
   mp::print_line(first_line(task, s, run.session()), options.session);
   const std::unique_ptr<mp::CoordinatorRun> coordinator = task.coordinator(run, s);

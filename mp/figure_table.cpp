@@ -53,6 +53,11 @@ std::string row(const FigureInfo& info, const Figure& figure, std::size_t column
 
 }  // namespace
 
+const FigureInfo* info_of(std::string_view key, std::span<const FigureInfo> known) {
+  const auto found = std::ranges::find(known, key, &FigureInfo::key);
+  return found == known.end() ? nullptr : &*found;
+}
+
 const Figure& figure(const TaskFigures& figures, std::string_view key) {
   for (const TaskFigure& f : figures)
     if (f.info.key == key) return f.value;
@@ -109,8 +114,7 @@ std::string figure_table(const std::map<std::string, Figure>& figures, std::span
     if (const auto figure = figures.find(std::string(info.key)); figure != figures.end())
       table += row(info, figure->second, width, judged);
   for (const auto& [key, figure] : figures)
-    if (std::ranges::find(known, key, &FigureInfo::key) == known.end())
-      table += row({.key = key, .words = key, .unit = {}}, figure, width, judged);
+    if (!info_of(key, known)) table += row({.key = key, .words = key, .unit = {}}, figure, width, judged);
   return table;
 }
 

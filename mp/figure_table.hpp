@@ -20,6 +20,9 @@ struct FigureInfo {
   bool always{};  ///< it is told and judged also when the run did not come to its end
 };
 
+/// @return the description of the figure with that key, or null: there is none
+[[nodiscard]] const FigureInfo* info_of(std::string_view key, std::span<const FigureInfo> known);
+
 /// A figure and what it means, in the order of the table.
 struct TaskFigure {
   FigureInfo info;  ///< what it means

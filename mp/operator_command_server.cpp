@@ -103,7 +103,7 @@ std::optional<std::string> OperatorCommandServer::refusal_reason(OperatorOrder o
     case OperatorOrder::emergency_stop:
       if (emergency_) return "the emergency stop has been pressed already";
       if (state_ < TaskState::ending) return std::nullopt;
-      return fmt::format("the task is {} already, its arms rest", to_string(state_));
+      return fmt::format("the task is {} already, and everything rests", to_string(state_));
   }
   return "there is no such order";
 }

@@ -56,6 +56,9 @@ void StatusBoard::set_time(std::int64_t macrostep, double sim_s) {
   macrostep_ = macrostep;
   status_.sim_time = sim_s;
 }
+void StatusBoard::set_effector(std::size_t agent, EffectorKind kind) {
+  if (agent < std::size(status_.effector)) status_.effector[agent] = static_cast<std::int8_t>(kind);
+}
 void StatusBoard::set_arm(std::size_t arm, const Report& report, std::string_view sensor_text) {
   status_.position_known[arm] = report.position_known ? 1 : 0;
   std::ranges::copy(report.T_0E, status_.T_0E[arm]);

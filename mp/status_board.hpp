@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/effector_kind.hpp"
 #include "base/link/process.hpp"
 #include "base/operator.hpp"
 #include "base/transmission.hpp"
@@ -32,6 +33,9 @@ class StatusBoard {
   void set_progress(double share, const std::string& text);
   /// @param macrostep  of the coordinator, 0: none yet  @param sim_s  simulated time [s]
   void set_time(std::int64_t macrostep, double sim_s);
+  /// An agent is told to have an arm unless this says that it has something else.
+  /// @param agent  one that the message has no room for is not told
+  void set_effector(std::size_t agent, EffectorKind kind);
   /// @param arm  below the number that the message has room for  @param sensor_text  name of the sensor's reading
   void set_arm(std::size_t arm, const Report& report, std::string_view sensor_text);
 

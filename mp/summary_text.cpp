@@ -36,7 +36,7 @@ std::string ending_text(const Summary& s, const Ending& ending, const TaskOption
     text += fmt::format("black box, the last 5 s of every process: {} in the run folder, such as {}\n",
                         counted(s.black_box.size(), "file"), s.black_box.front());
   for (const std::filesystem::path& picture : ending.pictures)
-    if (!s.stopped) text += fmt::format("picture: {}\n", picture.string());
+    text += fmt::format("picture: {}\n", picture.string());
   return command_hint(text + view_hint(s, ending, options), options.session);
 }
 

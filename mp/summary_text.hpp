@@ -19,8 +19,8 @@ struct Ending {
   std::string only{};  ///< says that little is wanted of the run, and what; it stands before the verdict
 };
 
-/// @return how the run ended and how long it took, then figures and pictures - no pictures of a run that was stopped,
-///         which are in its folder - and what there is to see in the viewer that was asked for
+/// @return how the run ended and how long it took, then figures and pictures,
+///         and what there is to see in the viewer that was asked for
 [[nodiscard]] std::string ending_text(const Summary& summary, const Ending& ending,
                                       const TaskOptions& options);
 

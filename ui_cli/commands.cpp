@@ -52,10 +52,10 @@ struct OrderHelp {
 constexpr std::array<OrderHelp, 6> kOrders{{
     {OperatorOrder::start, "Let a task begin that waits for its operator"},
     {OperatorOrder::pause,
-     "Let the arms come to rest and keep their forces; simulated time goes on, the task does not"},
+     "Let arms rest and keep their forces, platforms stand; simulated time goes on, the task does not"},
     {OperatorOrder::resume, "Go on after a pause"},
     {OperatorOrder::trigger, "End a behaviour that waits for the operator"},
-    {OperatorOrder::stop, "Stop the task for good; its arms come to rest"},
+    {OperatorOrder::stop, "Stop the task for good; everything comes to rest"},
     {OperatorOrder::emergency_stop, "Emergency stop: the drives brake in the next step, and the task ends"},
 }};
 

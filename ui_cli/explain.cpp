@@ -111,10 +111,8 @@ FaultError unknown(const std::string& word) {
   WordSet names;
   for (const FaultEntry& e : all_faults()) names.emplace(e.name);
   for (const StateEntry& s : kStates) names.emplace(s.name);
-  const std::string near = closest_match(lower(word), names);
   return {FaultCode::bad_usage,
-          fmt::format("there is no error and no state '{}'{}", word,
-                      near.empty() ? "" : fmt::format("; did you mean '{}'?", near)),
+          fmt::format("there is no error and no state '{}'{}", word, did_you_mean(lower(word), names)),
           "`ui_cli explain` lists all"};
 }
 

@@ -94,7 +94,7 @@ int put_task(Canvas& c, const Snapshot& s) {
   std::string wait;
   if (s.waits_for_trigger)
     wait = s.early.empty() ? "waits for your trigger: press t" : "press t later: " + s.early;
-  if (s.state == TaskState::paused) wait = "arms rest, forces stay: press r to go on";
+  if (s.state == TaskState::paused) wait = resting(s) + ": press r to go on";
   put_both(c, row++, s.ended_because.empty() ? "" : "after " + s.ended_because, Style::dim, wait,
            Style::warning);
   if (s.progress) {
@@ -163,10 +163,10 @@ void put_keys(Canvas& c, const View& v) {
 void put_help(Rows& rows) {
   constexpr std::array<std::string_view, 10> kHelp{
       "s  start    begins a task that waits for its operator",
-      "p  pause    the arms come to rest and keep their forces",
+      "p  pause    arms rest with their forces, platforms stand",
       "r  resume   goes on after a pause",
       "t  trigger  ends a behaviour that waits for you",
-      "x  stop     ends the task, the arms come to rest; asks",
+      "x  stop     ends the task, everything comes to rest; asks",
       "e  e-stop   the drives brake at once; in a text: Ctrl-E",
       "c  charts   F_z, F_x, F_y, or how far x, y, z have come",
       "m  manual   moves idle arms by hand, in the task `manual`",

@@ -63,17 +63,20 @@ void put_column(Canvas& c, int row, int end, std::string_view text, Style style 
 /// @param current  false: what was measured is over
 void put_agent(Canvas& c, int row, const AgentView& a, bool current) {
   const bool posed = current && a.position_known;
+  const bool arm = a.effector == EffectorKind::arm;
   c.put(row, 1, a.name.substr(0, kName - 1));
   for (int k = 0; k < 3; ++k) {
     const auto axis = static_cast<std::size_t>(k);
-    put_column(c, row, kName + (k + 1) * kNumber, posed ? fixed(1e3 * a.T_0E[axis], 1) : "-");
-    put_column(c, row, kRotation + (k + 1) * kAngle, posed ? fixed(a.T_0E[axis + 3], 3) : "-");
+    put_column(c, row, kName + (k + 1) * kNumber,
+               posed && (arm || k < 2) ? fixed(1e3 * a.T_0E[axis], 1) : "-");
+    put_column(c, row, kRotation + (k + 1) * kAngle,
+               posed && (arm || k == 2) ? fixed(a.T_0E[axis + 3], 3) : "-");
   }
-  put_column(c, row, kForce, current ? fixed(a.F_a[2], 2) : "-", Style::heading);
+  put_column(c, row, kForce, current && arm ? fixed(a.F_a[2], 2) : "-", Style::heading);
   c.put(row, kSensor, cut(current ? a.sensor : "", std::min(kRotation, c.size().columns) - kSensor));
   for (int k = 0; k < 2; ++k)
     put_column(c, row, kSideForce + (k + 1) * kNumber,
-               current ? fixed(a.F_a[static_cast<std::size_t>(k)], 2) : "-");
+               current && arm ? fixed(a.F_a[static_cast<std::size_t>(k)], 2) : "-");
 }
 
 void put_behaviour(Canvas& c, int row, const AgentView& a, bool current) {

@@ -16,6 +16,7 @@
 #include "base/instructions.hpp"
 #include "base/joined.hpp"
 #include "ui_cli/homing_progress.hpp"
+#include "ui_cli/layout.hpp"
 #include "ui_cli/manual_link.hpp"
 #include "ui_cli/manual_page.hpp"
 #include "ui_cli/manual_show.hpp"
@@ -72,6 +73,22 @@ struct Task {
   std::vector<ManualArm> arms;  ///< none: which there are is not known on this host
   ManualLink link;
 };
+
+/// A task that does not listen would be waited for until the patience is over.
+/// @param looks  nothing is to be moved: the arms of any task can be looked at
+/// @throws FaultError illegal_in_state
+void check_task(const Task& task, bool looks) {
+  const link::SessionInfo& session = task.session;
+  if (session.task.empty() || session.task == kManualTask) return;
+  const bool armless =
+      task.arms.empty() && std::filesystem::is_regular_file(session.run_folder / "config.toml");
+  if (looks && !armless) return;
+  throw FaultError(FaultCode::illegal_in_state,
+                   armless
+                       ? fmt::format("the task {} has no arms to move by hand or to look at", session.task)
+                       : fmt::format("the task {} moves its arms itself, not by hand", session.task),
+                   "instructions are for the task `manual`, `./run manual`; `ui_cli status` shows this one");
+}
 
 /// @param progress  is told when the instruction takes long, and then how far homing is; null: nothing is told
 /// @return the last answer: refused, taken when that is enough, done or failed
@@ -288,6 +305,7 @@ std::vector<std::string> manual_words() {
 void execute_manual(link::Bus& bus, const link::SessionInfo& session, const ManualRequest& request,
                     const Timeouts& timeouts, std::ostream& out) {
   Task task(bus, session, request, timeouts);
+  check_task(task, !request.show.empty());
   if (!request.save.empty()) return save(task, request, out);
   if (request.show == "all") return show_all(task, request.json, out);
   if (!request.show.empty()) return show_arm(look_at(task, request.show), request.show, request.json, out);

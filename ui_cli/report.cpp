@@ -24,6 +24,21 @@ std::string numbered(int m, const std::string& name) {
   return name.empty() ? fmt::format("m = {}", m) : fmt::format("m = {}, {}", m, name);
 }
 
+/// Place of a platform; pose and force of an arm.
+std::string where_is(const AgentView& a) {
+  const auto& T = a.T_0E;
+  const std::string x = a.position_known ? fixed(1e3 * T[0], 1) : "-",
+                    y = a.position_known ? fixed(1e3 * T[1], 1) : "-";
+  if (a.effector == EffectorKind::platform)
+    return fmt::format("x, y {} {} mm; heading {} rad", x, y, a.position_known ? fixed(T[5], 3) : "-");
+  const std::string pose =
+      a.position_known ? fmt::format("x, y, z {} {} {} mm; rotation {} {} {} rad", x, y, fixed(1e3 * T[2], 1),
+                                     fixed(T[3], 3), fixed(T[4], 3), fixed(T[5], 3))
+                       : "x, y, z - mm; rotation - rad";
+  return fmt::format("{}; F_x, F_y, F_z {} {} {} N", pose, fixed(a.F_a[0], 2), fixed(a.F_a[1], 2),
+                     fixed(a.F_a[2], 2));
+}
+
 }  // namespace
 
 std::string status_text(const Snapshot& s, std::string_view session) {
@@ -31,7 +46,7 @@ std::string status_text(const Snapshot& s, std::string_view session) {
   text += row("task", fmt::format("{}: {}{}", s.task, to_string(s.state),
                                   s.waits_for_trigger ? ", waits for a trigger" : ""));
   if (s.state == TaskState::paused)
-    text += row("pause", "arms rest and keep their forces; simulated time goes on, the task does not");
+    text += row("pause", resting(s) + "; simulated time goes on, the task does not");
   if (s.waits_for_trigger) text += row("trigger", s.early.empty() ? "may be given" : "early: " + s.early);
   text += row("behaviour", numbered(s.m, s.behaviour));
   text += row("after", s.ended_because);
@@ -42,15 +57,7 @@ std::string status_text(const Snapshot& s, std::string_view session) {
     text += row("progress", s.progress_text);
   text += row("time", fmt::format("{:.2f} s simulated, {:.1f} x real time", s.sim_time, s.speed));
   for (const AgentView& a : s.agents) {
-    const std::string pose =
-        a.position_known
-            ? fmt::format("x, y, z {} {} {} mm; rotation {} {} {} rad", fixed(1e3 * a.T_0E[0], 1),
-                          fixed(1e3 * a.T_0E[1], 1), fixed(1e3 * a.T_0E[2], 1), fixed(a.T_0E[3], 3),
-                          fixed(a.T_0E[4], 3), fixed(a.T_0E[5], 3))
-            : "x, y, z - mm; rotation - rad";
-    text += row(a.name,
-                fmt::format("{}; F_x, F_y, F_z {} {} {} N{}{}", pose, fixed(a.F_a[0], 2), fixed(a.F_a[1], 2),
-                            fixed(a.F_a[2], 2), a.sensor.empty() ? "" : "; ", a.sensor));
+    text += row(a.name, where_is(a) + (a.sensor.empty() ? "" : "; " + a.sensor));
     text += row("", numbered(a.m, a.behaviour));
     text += row("", a.ended_because.empty() ? "" : "after " + a.ended_because);
   }
@@ -88,6 +95,7 @@ std::string status_json(const Snapshot& s) {
   if (s.progress) j["progress"] = *s.progress;
   for (const AgentView& a : s.agents)
     j["agents"].push_back({{"name", a.name},
+                           {"effector", a.effector == EffectorKind::platform ? "platform" : "arm"},
                            {"m", a.m},
                            {"behaviour", a.behaviour},
                            {"ended_because", a.ended_because},

@@ -43,6 +43,7 @@ Snapshot snapshot(const task_status_t& m, const std::string& session) {
   s.progress_text = get_text(m.progress_text);
   for (int k = 0; k < count(m.n_agents, std::size(m.agent)); ++k) {
     AgentView a{.name = get_text(m.agent[k]),
+                .effector = enumerator(m.effector[k], EffectorKind::platform),
                 .m = m.agent_m[k],
                 .behaviour = get_text(m.agent_behaviour[k]),
                 .ended_because = get_text(m.agent_ended_because[k]),
@@ -60,6 +61,12 @@ Snapshot snapshot(const task_status_t& m, const std::string& session) {
   s.last_message = get_text(m.last_message);
   s.run_folder = get_text(m.run_folder);
   return s;
+}
+
+std::string resting(const Snapshot& s) {
+  const auto is_platform = [](const AgentView& a) { return a.effector == EffectorKind::platform; };
+  if (std::ranges::none_of(s.agents, is_platform)) return "arms rest and keep their forces";
+  return std::ranges::all_of(s.agents, is_platform) ? "platforms stand" : "arms keep forces, platforms stand";
 }
 
 }  // namespace mrroc::ui

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/effector_kind.hpp"
 #include "base/fault.hpp"
 #include "base/link/process.hpp"
 #include "base/operator.hpp"
@@ -15,14 +16,16 @@ namespace mrroc::ui {
 
 /// One embodied agent.
 struct AgentView {
-  std::string name;              ///< key of the arm
-  int m{};                       ///< its behaviour, 0: it has none, or one without a number
-  std::string behaviour;         ///< its name; empty: it has not told any
-  std::string ended_because;     ///< the behaviour before it, and why it ended; may be empty
-  bool position_known{};         ///< its motors have been synchronised; without it T_0E and F_a are zeros
-  std::array<double, 6> T_0E{};  ///< pose of E in the arm's base [m], angle-axis [rad]
-  std::array<double, 6> F_a{};   ///< adjusted force in E [N], [N m]
-  std::string sensor;            ///< reading of its virtual sensor, such as the pen's state; may be empty
+  std::string name;           ///< key of the arm or platform
+  EffectorKind effector{};    ///< what it has
+  int m{};                    ///< its behaviour, 0: it has none, or one without a number
+  std::string behaviour;      ///< its name; empty: it has not told any
+  std::string ended_because;  ///< the behaviour before it, and why it ended; may be empty
+  bool position_known{};      ///< its motors have been synchronised; without it T_0E and F_a are zeros
+  std::array<double, 6>
+      T_0E{};  ///< pose of E in the arm's base, of a platform on the map [m], angle-axis [rad]
+  std::array<double, 6> F_a{};  ///< adjusted force in E [N], [N m]
+  std::string sensor;           ///< reading of its virtual sensor, such as the pen's state; may be empty
 };
 
 /// One process.
@@ -62,6 +65,9 @@ struct Snapshot {
     return state != TaskState::ended && fault != FaultCode::emergency_stop;
   }
 };
+
+/// @return what a pause does with what the agents have: "arms rest and keep their forces", "platforms stand", or both
+[[nodiscard]] std::string resting(const Snapshot& s);
 
 /// @param m any bytes that have the size of a message
 Snapshot snapshot(const task_status_t& m, const std::string& session);

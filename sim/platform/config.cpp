@@ -136,12 +136,9 @@ void check_start(const PlatformWorldParameters& w, std::size_t k, const std::str
   const PlatformParameters& p = w.platforms[k];
   const double reach = std::hypot(p.body.length, p.body.width) / 2;
   const std::string where = "sim.platforms." + key + ".start";
-  const double free = clearance(w.room, {p.start.x, p.start.y}, {p.start.x, p.start.y});
-  if (free < reach)
-    refuse(where,
-           free < 0 ? "it is outside the room"
-                    : fmt::format("a wall or an obstacle is {:.2f} m from there; the platform needs {:.2f} m",
-                                  free, reach));
+  const RoomPoint there{p.start.x, p.start.y};
+  if (const std::string wrong = obstruction(w.room, there, there, reach); !wrong.empty())
+    refuse(where, "it is " + wrong);
   for (std::size_t other = 0; other < k; ++other) {
     const PlanarPose& q = w.platforms[other].start;
     if (std::hypot(q.x - p.start.x, q.y - p.start.y) < 2 * reach)

@@ -100,11 +100,8 @@ const Verb& verb_of(Reader& in) {
   if (found != kVerbs.end()) return *found;
   WordSet known;
   for (const Verb& v : kVerbs) known.insert(std::string(v.name));
-  const std::string near = closest_match(word, known);
   throw FaultError(
-      FaultCode::bad_usage,
-      fmt::format("there is no '{}'{}", shown(word),
-                  near.empty() ? "" : fmt::format("; did you mean '{}'?", near)),
+      FaultCode::bad_usage, fmt::format("there is no '{}'{}", shown(word), did_you_mean(word, known)),
       fmt::format("it is written `VERB ARM ...`, the verbs are {}", joined(kVerbs, ", ", &Verb::name)));
 }
 

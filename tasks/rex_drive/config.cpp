@@ -14,16 +14,9 @@ namespace {
 
 std::int64_t macrosteps(double seconds) { return std::llround(seconds / kPlatformPeriod); }
 
-/// What is wrong with a way that has so much room beside it; empty: nothing.
-std::string obstructed(double free) {
-  if (free >= kReach) return {};
-  if (free < 0) return "not inside the room";
-  return fmt::format("{:.2f} m from a wall or an obstacle, the platform needs {} m", free, kReach);
-}
-
 LegCheck way_check(const Room& room) {
   return [room](const MapPoint& from, const MapPoint& to) {
-    return obstructed(clearance(room, {from.x, from.y}, {to.x, to.y}));
+    return obstruction(room, {from.x, from.y}, {to.x, to.y}, kReach);
   };
 }
 
@@ -115,11 +108,10 @@ PlanList read_plan_list(const Config& config) {
   const auto names = built_in_plan_names();
   if (is_built_in(plan)) return built_in_plan(plan);
   if (std::filesystem::exists(plan)) return load_plans(plan);
-  const std::string near =
-      closest_match(std::filesystem::path(plan).filename().string(), WordSet(names.begin(), names.end()));
   throw FaultError(FaultCode::bad_plan,
                    fmt::format("{}: there is no such file, nor a plan of this name{}", plan,
-                               near.empty() ? "" : fmt::format("; did you mean '{}'?", near)),
+                               did_you_mean(std::filesystem::path(plan).filename().string(),
+                                            WordSet(names.begin(), names.end()))),
                    fmt::format("give a file of points, or one of: {}", fmt::join(names, ", ")));
 }
 

@@ -22,7 +22,7 @@ struct DriveResults {
   std::int32_t rejected{};  ///< readings of the motion capture that the map agent did not believe
   std::vector<std::int32_t> iterations;  ///< of the planner's search, one per fragment
   Room room;                             ///< in which it drove
-  std::vector<GroundArea> areas;         ///< of its ground
+  DriveGround ground;                    ///< on which it drove
 };
 
 /// @return figures; those that a run cannot have are missing. "While it drives" is while a fragment is under way, and true
@@ -31,7 +31,9 @@ struct DriveResults {
 ///   pivot_rms_mm                      the same during turns on the spot
 ///   estimate_rms_mm                   true place against the estimate, while it drives
 ///   ellipse_95_pct                    how often the true place is within the estimate's 95 % ellipse
-///   friction_err, split_err           mean of the second half against the mean of what is true
+///   friction_err                      mean of the second half against the mean of what is true
+///   split_err                         error in the second half, root of the mean square: over ground that differs left and
+///                                     right its sign changes with the direction
 ///   friction_found_s                  after the ground changes by a quarter: until the estimates along and across
 ///                                     are within 10 %, the split within 0.1, and stay there for a second, or until it
 ///                                     changes again or the drive ends

@@ -1,5 +1,6 @@
-// Rectangles in which the simulated ground has another friction, as pictures show them.
+// The simulated ground, and rectangles in which it has another friction, as pictures show them.
 #pragma once
+#include <array>
 #include <vector>
 
 #include "base/config.hpp"
@@ -15,8 +16,14 @@ struct GroundArea {
   double from{};      ///< since when [s]
 };
 
+/// The floor as it is simulated.
+struct DriveGround {
+  std::array<double, 2> friction{};  ///< along and across the wheels, where there is no area
+  std::vector<GroundArea> areas;     ///< with another friction; where some overlap, all their scales count
+};
+
 /// @param config  from which the simulator has read its ground
-/// @return [sim.ground.patches] @throws ConfigError
-[[nodiscard]] std::vector<GroundArea> read_areas(const Config& config);
+/// @return [sim.ground] @throws ConfigError
+[[nodiscard]] DriveGround read_ground(const Config& config);
 
 }  // namespace mrroc::rex_drive

@@ -62,7 +62,7 @@ std::vector<launch::CellPlatform> platforms() { return {{rex_drive::kPlatform, "
 void make_results(launch::Results& r) {
   rex_drive::DriveResults results = r.coordinator_as<rex_drive::RexRun>().results(r.folder);
   results.room = read_room(r.setup.config);
-  results.areas = rex_drive::read_areas(r.setup.config);
+  results.ground = rex_drive::read_ground(r.setup.config);
   rex_drive::write_drive_table(r.folder / "platform.csv", results.table);
   rex_drive::write_fragment_table(r.folder / "fragments.csv", results.fragments, results.table);
   const auto read = [](const Config& config) { launch::check_cell(config, {}, platforms()); };

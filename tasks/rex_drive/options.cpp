@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 
+#include "base/closest_match.hpp"
 #include "base/command_line.hpp"
 #include "base/fault.hpp"
 #include "tasks/rex_drive/config.hpp"
@@ -60,10 +61,12 @@ std::vector<std::string> settings_of_ground(const std::string& name) {
   const auto found = std::ranges::find(grounds(), name, &Ground::name);
   if (found != grounds().end()) return found->settings;
   if (fs::is_regular_file(name)) return {};
-  std::vector<std::string_view> names;
-  std::ranges::transform(grounds(), std::back_inserter(names), &Ground::name);
-  throw FaultError(FaultCode::bad_usage, fmt::format("--ground: there is no file and no ground '{}'", name),
-                   fmt::format("give one of {}, or a TOML file with [sim.ground]", fmt::join(names, ", ")));
+  WordSet names;
+  for (const Ground& ground : grounds()) names.emplace(ground.name);
+  throw FaultError(
+      FaultCode::bad_usage,
+      fmt::format("--ground: there is no file and no ground '{}'{}", name, did_you_mean(name, names)),
+      fmt::format("give one of {}, or a TOML file with [sim.ground]", fmt::join(names, ", ")));
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "base/gnuplot_text.hpp"
 
@@ -12,8 +14,6 @@ namespace {
 
 constexpr const char* kWallColour = "#667080";
 constexpr const char* kObstacleColour = "#c3cad4";
-constexpr const char* kGroundColour = "#dbe9f6";
-constexpr const char* kTextColour = "#333a45";
 constexpr const char* kEllipseColour = "#e8a374";
 constexpr double kLarger = 10;  // ellipses are drawn so many times as large
 
@@ -61,18 +61,63 @@ std::string rectangle(const RoomPoint& lower, const RoomPoint& upper, const std:
                      upper[1], style);
 }
 
-std::string ground(const std::vector<GroundArea>& areas) {
-  std::string s;
-  for (const GroundArea& area : areas) {
-    s += rectangle(area.lower, area.upper,
-                   fmt::format("fillcolor rgb '{}' fillstyle solid 1 noborder", kGroundColour));
+/// The colour of a floor with that friction: the more slippery, the more like ice. @param opacity  0..1
+std::string floor_colour(double friction, double opacity) {
+  constexpr double kRough = 0.8;
+  const double ice = std::clamp(1 - friction / kRough, 0.0, 1.0);
+  const auto part = [ice](int rough, int slippery) {
+    return static_cast<int>(std::lround(std::lerp(rough, slippery, ice)));
+  };
+  return fmt::format("#{:02x}{:02x}{:02x}{:02x}", static_cast<int>(std::lround(255 * (1 - opacity))),
+                     part(0xf6, 0x6f), part(0xf1, 0xb4), part(0xe7, 0xe8));
+}
+
+/// Something of the floor that has one friction, with its entry in the key.
+struct Floor {
+  RoomPoint lower, upper;
+  double scale;
+  std::string name;
+  double opacity;
+};
+
+std::vector<Floor> floors(const DriveResults& r) {
+  std::vector<Floor> all{{r.room.lower, r.room.upper, 1, "floor", 1}};
+  for (const GroundArea& area : r.ground.areas) {
+    constexpr double kOverOthers = 0.75;
     const std::string since = area.from > 0 ? fmt::format(" from {:g} s on", area.from) : "";
-    s += fmt::format(
-        "set label 'friction x {:.3g}{}' at {},{} left offset character 0.6,-0.9 font 'sans,10' textcolor "
-        "rgb "
-        "'{}' front\n",
-        area.scale, since, area.lower[0], area.upper[1], kTextColour);
+    const RoomPoint lower{std::max(area.lower[0], r.room.lower[0]), std::max(area.lower[1], r.room.lower[1])};
+    const RoomPoint upper{std::min(area.upper[0], r.room.upper[0]), std::min(area.upper[1], r.room.upper[1])};
+    if (lower[0] < upper[0] && lower[1] < upper[1])
+      all.push_back(
+          {lower, upper, area.scale, fmt::format("area x {:.3g}{}", area.scale, since), kOverOthers});
   }
+  return all;
+}
+
+std::string colour_of(const Floor& floor, const DriveGround& ground) {
+  return floor_colour(floor.scale * (ground.friction[0] + ground.friction[1]) / 2, floor.opacity);
+}
+
+std::string ground(const DriveResults& r) {
+  std::string s;
+  for (const Floor& floor : floors(r))
+    s += rectangle(floor.lower, floor.upper,
+                   fmt::format("fillcolor rgb '{}' fillstyle solid 1 noborder", colour_of(floor, r.ground)));
+  return s;
+}
+
+/// Entries of the key: areas of one name have one.
+std::string ground_key(const DriveResults& r) {
+  std::string s;
+  std::set<std::string> named;
+  for (const Floor& floor : floors(r))
+    if (named.insert(floor.name).second)
+      s += fmt::format(
+          "keyentry with boxes fillstyle solid 1 border lc rgb '{}' fillcolor rgb '{}' title '{}: friction "
+          "{:.3g} "
+          "along, {:.3g} across', \\\n  ",
+          kWallColour, colour_of(floor, r.ground), floor.name, floor.scale * r.ground.friction[0],
+          floor.scale * r.ground.friction[1]);
   return s;
 }
 
@@ -112,9 +157,9 @@ std::string path_script(const DriveResults& r) {
        "set size ratio -1\nset xlabel 'x [m]'\nset ylabel 'y [m]'\nset key below\n";
   s += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", r.room.lower[0] - kRoom,
                    r.room.upper[0] + kRoom, r.room.lower[1] - kRoom, r.room.upper[1] + kRoom);
-  s += ground(r.areas) + walls(r.room);
+  s += ground(r) + walls(r.room);
   if (!r.table.empty()) s += start(r.table.front().truth.p);
-  s += "plot " + way(column::x_d, 5, kObstacleColour, "reference");
+  s += "plot " + ground_key(r) + way(column::x_d, 5, kObstacleColour, "reference");
   s += fmt::format(
       "$ellipses using 1:2 with lines lw 0.7 lc rgb '{}' title '95 % ellipse, times {:g}', \\\n  ",
       kEllipseColour, kLarger);

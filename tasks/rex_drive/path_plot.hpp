@@ -6,7 +6,7 @@
 
 namespace mrroc::rex_drive {
 
-/// @return a gnuplot script that reads platform.csv, and writes plots/path.png: the room, patches of its ground, the plan's
+/// @return a gnuplot script that reads platform.csv, and writes plots/path.png: the room, its floor and areas tinted by their friction, the plan's
 ///         points, reference, true and estimated way, and ellipses of the estimate
 [[nodiscard]] std::string path_script(const DriveResults& results);
 

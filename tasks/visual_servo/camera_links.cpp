@@ -14,6 +14,7 @@ void write(const AngleAxisPose& from, double (&to)[6]) { std::copy_n(from.data()
 }  // namespace
 
 void EffectorPath::add(std::int64_t last, std::span<const step_sample_t> poses) {
+  if (poses.empty()) return;
   const std::int64_t first = last + 1 - static_cast<std::int64_t>(poses.size());
   if (end_ == 0 || first > end_) first_ = first;  // a gap: what was before is of no use
   for (std::size_t k = 0; k < poses.size(); ++k) {

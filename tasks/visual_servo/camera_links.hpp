@@ -28,7 +28,8 @@ class EffectorPath {
   /// Steps that are kept: the age of any reading that is believed.
   static constexpr std::int64_t kKept = kPosesKept;
 
-  /// @param last  step of the last pose @param poses  of steps in succession: x y z [m], angle-axis [rad]
+  /// @param last  step of the last pose @param poses  of steps in succession: x y z [m], angle-axis [rad];
+  /// without any the path stays as it is
   void add(std::int64_t last, std::span<const step_sample_t> poses);
   /// @return the pose of that step, or of the nearest one that is kept; identity when there is none
   [[nodiscard]] Pose at(std::int64_t step) const;

@@ -189,6 +189,8 @@ TEST(CommandLine, ValuesThatAreNotGivenStayAsTheyWere) {
 
 TEST(CommandLine, AValueThatIsNoneOfSeveralIsToldWithThem) {
   EXPECT_EQ(refusal({"--grain", "oats"}), "--grain: oats not in {rye,wheat}; look at `mill --help`");
+  EXPECT_EQ(refusal({"--grain", "wheet"}),
+            "--grain: wheet not in {rye,wheat}; did you mean 'wheat'?; look at `mill --help`");
   EXPECT_EQ(refusal({"--crust", "1"}), "--crust: 1 not in {hard,soft}; look at `mill --help`");
 }
 

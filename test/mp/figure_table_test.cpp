@@ -160,6 +160,12 @@ TEST(FigureTable, AFigureIsFoundByItsKey) {
   EXPECT_THROW(std::ignore = figure(figures, "c"), std::out_of_range);
 }
 
+TEST(FigureTable, WhatAFigureMeansIsFoundByItsKey) {
+  ASSERT_NE(info_of("skew", kKnown), nullptr);
+  EXPECT_EQ(info_of("skew", kKnown)->key, "skew");
+  EXPECT_EQ(info_of("skewed", kKnown), nullptr);
+}
+
 TEST(FigureVerdict, BoundsAreAsWantedAndWhatIsBeyondIsNot) {
   const auto missed = [](const char* key, double value) {
     return !judge({{key, value}}, kKnown).missed.empty();

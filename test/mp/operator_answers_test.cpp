@@ -56,7 +56,7 @@ TEST_F(CommandServerAnswers, ARefusalNamesTheStateAndWhatTheOrderNeeds) {
               state < TaskState::stopping ? "stop: not every process has confirmed it" : is + " already");
     EXPECT_EQ(said(emergency_stop), state < TaskState::ending ? std::string(to_string(emergency_stop)) +
                                                                     ": not every process has confirmed it"
-                                                              : is + " already, its arms rest");
+                                                              : is + " already, and everything rests");
   }
 }
 

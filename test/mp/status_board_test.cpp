@@ -56,6 +56,16 @@ TEST(StatusBoard, TellsTheBehaviourOfEveryAgentAndWhyTheOneBeforeEnded) {
   EXPECT_EQ(link::get_text(m.agent_ended_because[0]), "settle, ended after 38 macrosteps");
 }
 
+TEST(StatusBoard, TellsWhatKindOfEffectorAnAgentHas) {
+  System s;
+  s.board.set_effector(1, EffectorKind::platform);
+  s.board.set_effector(99, EffectorKind::platform);
+  s.board.publish();
+  const task_status_t m = s.told();
+  EXPECT_EQ(m.effector[0], static_cast<int>(EffectorKind::arm));
+  EXPECT_EQ(m.effector[1], static_cast<int>(EffectorKind::platform));
+}
+
 TEST(StatusBoard, SaysWhyTheCoordinatorsBehaviourEndedOrHowLongItLasted) {
   System s;
   s.board.set_time(10, 0.2);

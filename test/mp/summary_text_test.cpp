@@ -32,9 +32,10 @@ TEST(EndingText, ARunThatIsDoneTellsItsFiguresAndPictures) {
             "\ndone: 8.0 s simulated in 2.0 s (4.0 x real time)\n  force held [N]  4\npicture: force.png\n");
 }
 
-TEST(EndingText, ARunThatWasStoppedTellsNoPictures) {
-  EXPECT_EQ(ending_text(summary(Fault{.code = FaultCode::emergency_stop}, true), kEnding, {}),
-            "\nstopped: 8.0 s simulated in 2.0 s (4.0 x real time)\n  force held [N]  4\n");
+TEST(EndingText, ARunThatWasStoppedTellsThePicturesThatWereDrawnOfIt) {
+  EXPECT_EQ(
+      ending_text(summary(Fault{.code = FaultCode::emergency_stop}, true), kEnding, {}),
+      "\nstopped: 8.0 s simulated in 2.0 s (4.0 x real time)\n  force held [N]  4\npicture: force.png\n");
 }
 
 TEST(EndingText, ARunThatEndedWithAFaultTellsHowFarItCame) {

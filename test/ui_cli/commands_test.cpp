@@ -188,6 +188,30 @@ TEST_F(Commands, StatusInJsonHasTheDocumentedKeys) {
   EXPECT_EQ(j.at("last_message").at("code"), "none");
 }
 
+TEST_F(Commands, StatusOfAPlatformHasNoForcesAndAPauseFitsWhatThereIs) {
+  RunningTask task(*this, "one");
+  task.status.effector[0] = static_cast<std::int8_t>(EffectorKind::platform);
+  task.status.state = static_cast<int>(TaskState::paused);
+  task.status.T_0E[0][5] = 0.785;
+  task.start();
+  EXPECT_EQ(run({"status"}), 0) << error();
+  const std::string text = out_.str();
+  EXPECT_NE(text.find("arms keep forces, platforms stand;"), std::string::npos) << text;
+  EXPECT_NE(text.find(" mm; heading 0.785 rad"), std::string::npos) << text;
+  EXPECT_EQ(text.find("F_x"), text.rfind("F_x")) << "only of the arm\n" << text;
+  EXPECT_EQ(run({"status", "--json"}), 0) << error();
+  EXPECT_EQ(nlohmann::json::parse(out_.str()).at("agents").at(0).at("effector"), "platform");
+}
+
+TEST(Resting, FitsTheEffectorsOfTheTask) {
+  task_status_t m = drawing_status();
+  EXPECT_EQ(ui::resting(ui::snapshot(m, "s")), "arms rest and keep their forces");
+  m.effector[1] = static_cast<std::int8_t>(EffectorKind::platform);
+  EXPECT_EQ(ui::resting(ui::snapshot(m, "s")), "arms keep forces, platforms stand");
+  m.effector[0] = m.effector[1];
+  EXPECT_EQ(ui::resting(ui::snapshot(m, "s")), "platforms stand");
+}
+
 TEST_F(Commands, StatusTellsNoPoseBeforeHoming) {
   RunningTask task(*this, "one");
   task.status.position_known[0] = 0;

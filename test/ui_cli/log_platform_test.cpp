@@ -139,6 +139,46 @@ TEST_F(DrivenRun, HasFieldsFromTheFirstKnownPositionOn) {
   EXPECT_EQ(samples("vx_e").front().y, 0.49);
 }
 
+TEST_F(DrivenRun, ItsHeadingGoesOnWhereHalfATurnIsPassed) {
+  run_ = home_ / "turn";
+  fs::create_directories(run_);
+  fs::copy_file(home_ / "drive" / "config.toml", run_ / "config.toml");
+  {
+    link::EventLog to(run_ / link::kEventLog, 1);
+    log(to, "supervisor", supervisor_t{}, 1, 1, 0);
+    for (std::int64_t i = 1; i <= kMacrosteps; ++i) {
+      const double phi = 3 + 0.02 * static_cast<double>(i);
+      log(to, "rex.report", to_message(Report{.m = 2, .position_known = true}), 1, i, i);
+      PlatformReply reply;
+      reply.position_known = true;
+      reply.estimate.step = 10 * i;
+      reply.estimate.p.phi = wrap_angle(phi + 0.05);
+      log(to, "rex.reply", to_message(reply), 1, i, i);
+      PlatformTelemetry telemetry;
+      telemetry.reference[0].phi = wrap_angle(phi);
+      log(to, "rex.telemetry", to_message(telemetry), 1, i, i);
+      PlatformTruth truth;
+      truth.p.phi = wrap_angle(phi - 0.05);
+      log(to, "rex.truth", to_message(truth), 1, i, i);
+    }
+  }
+  constexpr double kDegrees = 180 / 3.14159265358979;
+  for (const auto& [name, offset] : {std::pair{"phi_d", 0.0}, {"phi_e", 0.05}, {"phi", -0.05}}) {
+    const auto all = samples(name);
+    ASSERT_EQ(all.size(), static_cast<std::size_t>(kMacrosteps)) << name;
+    for (std::size_t k = 0; k < all.size(); ++k)
+      EXPECT_NEAR(all[k].y, kDegrees * (3.02 + 0.02 * static_cast<double>(k) + offset), 1e-6) << name << k;
+  }
+}
+
+TEST_F(DrivenRun, ItsAxesNameQuantityAndUnit) {
+  const std::string path = script({.what = "path"});
+  EXPECT_TRUE(has(path, "'heading [deg]'")) << path;
+  EXPECT_TRUE(has(path, "'place on the map, x [m]'"));
+  EXPECT_FALSE(has(path, "path [deg]"));
+  EXPECT_TRUE(has(script({.what = "", .fields = {"phi_e"}}), "'heading [deg]'"));
+}
+
 TEST_F(DrivenRun, IsDrawnWithAPanelForEachQuantity) {
   for (const std::string& what : ui::platform_subjects())
     EXPECT_TRUE(has(script({.what = what}), "rex")) << what;

@@ -1,9 +1,12 @@
 // Instructions by hand from the terminal.
 #include "ui_cli/manual_command.hpp"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <atomic>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -93,6 +96,37 @@ std::string execute(std::vector<int> states, const std::vector<std::string>& arg
   if (heard) *heard = task.heard;
   if (all) *all = task.all;
   return result;
+}
+
+TEST(ManualCommand, OfATaskThatTakesNoInstructionsItIsToldAtOnceWhatItHas) {
+  const auto folder = std::filesystem::temp_directory_path() / fmt::format("no_arms.{}", ::getpid());
+  const auto error_of = [&](const std::string& config, const std::vector<std::string>& arguments) {
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "config.toml") << config;
+    link::MemoryHub hub;
+    const auto bus = hub.open();
+    std::ostringstream out;
+    try {
+      ui::execute_manual(*bus, {"m", 9, {}, "rex_drive", folder, 0}, ui::read_manual_words(arguments),
+                         {.repeat = 2ms, .give_up = 100ms}, out);
+    } catch (const FaultError& e) {
+      return std::string(e.error_line());
+    }
+    return out.str();
+  };
+  const std::string platform = "[robots]\norder = []\n[platforms]\norder = [\"rex\"]\n";
+  const std::string arm = "[robots]\norder = [\"arm1\"]\n";
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"home", "all"},
+                                                {"show", "rex"},
+                                                {"save", "rex", "x.txt"},
+                                                {"load", "x.txt"}})
+    EXPECT_TRUE(
+        error_of(platform, words).starts_with("error: illegal_in_state: the task rex_drive has no arms"))
+        << words.front() << ": " << error_of(platform, words);
+  EXPECT_TRUE(error_of(arm, {"home", "all"})
+                  .starts_with("error: illegal_in_state: the task rex_drive moves its arms"));
+  EXPECT_TRUE(error_of(arm, {"show", "arm1"}).starts_with("error: peer_silent")) << "it can be looked at";
+  std::filesystem::remove_all(folder);
 }
 
 TEST(ManualCommand, WaitsUntilItIsDoneAndKeepsNegativeNumbers) {

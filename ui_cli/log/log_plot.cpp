@@ -108,6 +108,13 @@ const std::string& label_of(const PlotField& field) {
   return field.legend.empty() ? field.name : field.legend;
 }
 
+/// @param alone  it is the only field on the axis
+/// @return what the axis is of; of a platform the quantity: its fields are reference, true and estimated values of that
+std::string axis_name(const PlotField& field, bool alone) {
+  if (field.of_platform) return field.quantity;
+  return alone ? label_of(field) : field.subject;
+}
+
 std::size_t axes_of(const Arm& arm) {
   std::size_t axes = 0;
   for (const Track& t : arm.tracks) axes = std::max(axes, t.readings->axes());
@@ -179,7 +186,7 @@ class Picture {
     ChartPanel panel;
     const std::string what = several() ? fmt::format("{}, {}", label_of(one), one.quantity) : one.quantity;
     panel.title = fmt::format("{}: {}", gnuplot_literal(arm.key), what);
-    panel.y_label = several() || fields.size() == 1 ? label_of(one) : one.subject;
+    panel.y_label = axis_name(one, several() || fields.size() == 1);
     if (!one.unit.empty()) panel.y_label += fmt::format(" [{}]", one.unit);
     std::size_t colour = 0;
     for (const Track& track : arm.tracks) {

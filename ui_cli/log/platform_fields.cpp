@@ -36,8 +36,8 @@ constexpr const char* kPlaceX = "place on the map, x";
 constexpr const char* kPlaceY = "place on the map, y";
 constexpr const char* kHeading = "heading";
 constexpr const char* kErrors = "distance of the true place";
-constexpr const char* kTorques = "commanded torques of the wheels";
-constexpr const char* kLoads = "loads of the wheels, as the driver uses them";
+constexpr const char* kTorques = "torques of the wheels";
+constexpr const char* kLoads = "loads of the wheels";
 constexpr const char* kAlong = "friction along the wheels";
 constexpr const char* kAcross = "friction across the wheels";
 constexpr const char* kSplit = "split left and right";
@@ -72,9 +72,9 @@ constexpr std::array kKinds{
     Kind{"path", "y_d", "reference", kPlaceY, "m", 1, true, [](const Row& r, std::size_t) { return r.reference.y; }},
     Kind{"path", "y", "true", kPlaceY, "m", 1, true, [](const Row& r, std::size_t) { return r.has_truth ? r.truth.p.y : kUnknown; }},
     Kind{"path", "y_e", "estimate", kPlaceY, "m", 1, true, [](const Row& r, std::size_t) { return r.reply.estimate.p.y; }},
-    Kind{"path", "phi_d", "reference", kHeading, "deg", kDegrees, true, [](const Row& r, std::size_t) { return wrap_angle(r.reference.phi); }},
-    Kind{"path", "phi", "true", kHeading, "deg", kDegrees, true, [](const Row& r, std::size_t) { return r.has_truth ? wrap_angle(r.truth.p.phi) : kUnknown; }},
-    Kind{"path", "phi_e", "estimate", kHeading, "deg", kDegrees, true, [](const Row& r, std::size_t) { return wrap_angle(r.reply.estimate.p.phi); }},
+    Kind{"path", "phi_d", "reference", kHeading, "deg", kDegrees, true, [](const Row& r, std::size_t) { return r.reference.phi; }},
+    Kind{"path", "phi", "true", kHeading, "deg", kDegrees, true, [](const Row& r, std::size_t) { return r.has_truth ? r.truth.p.phi : kUnknown; }},
+    Kind{"path", "phi_e", "estimate", kHeading, "deg", kDegrees, true, [](const Row& r, std::size_t) { return r.reply.estimate.p.phi; }},
     Kind{"error", "track", "from the reference", kErrors, "mm", 1e3, true, [](const Row& r, std::size_t) { return r.has_truth ? distance(r.truth.p, r.reference) : kUnknown; }},
     Kind{"error", "estimate", "from the estimate", kErrors, "mm", 1e3, true, [](const Row& r, std::size_t) { return r.has_truth ? distance(r.truth.p, r.reply.estimate.p) : kUnknown; }},
     Kind{"torques", "tau_FL", "front left", kTorques, "N m", 1, true, kTorque, 0},
@@ -106,6 +106,20 @@ constexpr std::array kKinds{
     Kind{"speeds", "theta_dot_RR", "rear right", kWheelSpeeds, "rad/s", 1, false, kWheelSpeed, 3},
     Kind{"behaviours", "m", "", "behaviours", "", 1, true, [](const Row& r, std::size_t) { return static_cast<double>(r.m); }}};
 // clang-format on
+
+/// @return the angle, turned around until it is the one nearest to another
+double near_to(double other, double angle) { return other + wrap_angle(angle - other); }
+
+/// Headings that go on where half a turn is passed, and of one row all on the same turn.
+void unwrap_headings(std::vector<Row>& rows) {
+  double before = 0;
+  for (Row& row : rows) {
+    row.reference.phi = near_to(before, row.reference.phi);
+    row.reply.estimate.p.phi = near_to(row.reference.phi, row.reply.estimate.p.phi);
+    row.truth.p.phi = near_to(row.reference.phi, row.truth.p.phi);
+    before = row.reference.phi;
+  }
+}
 
 }  // namespace
 
@@ -155,6 +169,7 @@ PlatformReadings::PlatformReadings(const RunRecord& run, const std::string& plat
     }
     rows_.push_back(row);
   }
+  unwrap_headings(rows_);
 }
 
 std::vector<Sample> PlatformReadings::readings(const PlotField& field, double from, double to) const {

@@ -11,7 +11,7 @@
 
 namespace mrroc::ui {
 
-/// What is known of a platform in one macrostep.
+/// What is known of a platform in one macrostep. Headings are not wrapped: they go on from row to row.
 struct PlatformRow {
   double t{};            ///< simulated time, as `log csv` has that of the reply [s]
   int m{};               ///< behaviour of its agent

@@ -148,10 +148,8 @@ std::vector<PlotField> chosen_fields(const std::vector<PlotField>& known,
       names.push_back(f.name);
       candidates.insert({f.name, f.alias.empty() ? f.name : f.alias});
     }
-    const std::string near = closest_match(word, candidates);
     throw FaultError(FaultCode::bad_usage,
-                     fmt::format("there is no field '{}' to draw{}", word,
-                                 near.empty() ? "" : fmt::format("; did you mean '{}'?", near)),
+                     fmt::format("there is no field '{}' to draw{}", word, did_you_mean(word, candidates)),
                      "fields: " + joined(names, ", "));
   }
   std::vector<PlotField> chosen;

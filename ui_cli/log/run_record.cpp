@@ -81,10 +81,9 @@ std::optional<double> RunRecord::time_of(const link::LoggedMessage& m) const {
 void check_channel(const RunRecord& run, const std::string& channel) {
   const auto channels = run.log().channels();
   if (std::ranges::find(channels, channel) != channels.end()) return;
-  const std::string near = closest_match(channel, WordSet(channels.begin(), channels.end()));
   throw FaultError(FaultCode::bad_usage,
                    fmt::format("the log has no channel '{}'{}", channel,
-                               near.empty() ? "" : fmt::format("; did you mean '{}'?", near)),
+                               did_you_mean(channel, WordSet(channels.begin(), channels.end()))),
                    "`ui_cli log csv RUN` lists them");
 }
 

@@ -58,10 +58,8 @@ NewPart part_named(const std::string& word) {
     if (word == to_string(part)) return part;
     known.emplace(to_string(part));
   }
-  const std::string near = closest_match(word, known);
   throw FaultError(FaultCode::bad_usage,
-                   fmt::format("there is no new '{}'{}", word,
-                               near.empty() ? "" : fmt::format("; did you mean '{}'?", near)),
+                   fmt::format("there is no new '{}'{}", word, did_you_mean(word, known)),
                    "give robot, platform, task or sensor, and a name");
 }
 

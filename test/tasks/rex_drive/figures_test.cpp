@@ -39,6 +39,12 @@ TEST(RexFigures, AreWhatTheRowsTell) {
   EXPECT_EQ(f.count("friction_found_s"), 0U);
 }
 
+TEST(RexFigures, ErrorsOfTheSplitDoNotCancelWhereTheirSignChanges) {
+  DriveResults r = synthetic_drive();
+  for (std::size_t k = 0; k < r.table.size(); ++k) r.table[k].slip.split = k % 2 == 0 ? 0.03 : -0.03;
+  EXPECT_NEAR(value(figures_of(r), "split_err"), 0.03, 1e-12);
+}
+
 TEST(RexFigures, APositionOfBeforeTheDriveIsNoLateOne) {
   DriveResults r = synthetic_drive();
   r.table.front().executing = 0;
@@ -250,12 +256,33 @@ TEST(RexTables, TellWhenTheDriverWasReadyForTheNextFragmentIfItWas) {
   EXPECT_TRUE(std::isnan(times[1].ready));
 }
 
+TEST(RexPlots, TintAWholeSlipperyFloorOtherwiseAndTellEqualAreasOnceInTheRoom) {
+  DriveResults r = synthetic_drive();
+  r.room = built_in_room();
+  const auto floor = [&r](double friction) {
+    r.ground.friction = {friction, friction};
+    const std::string path = plots(r).front().second;
+    const auto at = path.find("fillcolor rgb '");
+    return path.substr(at, 26);
+  };
+  EXPECT_NE(floor(0.7), floor(0.35));
+  r.ground.areas = {{.lower = {-9, -2}, .upper = {0, 0}, .scale = 0.5},
+                    {.lower = {1, 1}, .upper = {9, 9}, .scale = 0.5}};
+  const std::string path = plots(r).front().second;
+  EXPECT_EQ(path.find("area x 0.5: "), path.rfind("area x 0.5: "));
+  EXPECT_NE(path.find("rectangle from 1,1 to 3,2 "), std::string::npos) << "no farther than the walls";
+}
+
 TEST(RexPlots, ShowTheRoomAndItsGround) {
   DriveResults r = synthetic_drive();
   r.room = built_in_room();
-  r.areas = {{.lower = {-3, -2}, .upper = {3, 0}, .scale = 0.5, .from = 7}};
+  r.ground = {.friction = {0.7, 0.6},
+              .areas = {{.lower = {-3, -2}, .upper = {3, 0}, .scale = 0.5, .from = 7}}};
   const std::string path = plots(r).front().second;
-  EXPECT_NE(path.find("friction x 0.5 from 7 s on"), std::string::npos);
+  for (const char* part : {"title 'floor: friction 0.7 along, 0.6 across'",
+                           "title 'area x 0.5 from 7 s on: friction 0.35 along, 0.3 across'",
+                           "rectangle from -3,-2 to 3,2 fillcolor", "rectangle from -3,-2 to 3,0 fillcolor"})
+    EXPECT_NE(path.find(part), std::string::npos) << part;
   const auto polygons = [&path] {
     std::size_t n = 0;
     for (std::size_t at = path.find("polygon"); at != std::string::npos; at = path.find("polygon", at + 1))

@@ -39,6 +39,20 @@ TEST(DriveOptions, AnUnknownGroundIsTold) {
   }
 }
 
+TEST(DriveOptions, OfAGroundThatIsNotKnownTheNearestIsNamed) {
+  const auto error_of = [](const std::string& ground) {
+    try {
+      std::ignore = settings_of({.ground = ground});
+    } catch (const FaultError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(error_of("ice").find("did you mean 'ice_right'?"), std::string::npos) << error_of("ice");
+  EXPECT_NE(error_of("slipery").find("did you mean 'slippery'?"), std::string::npos);
+  EXPECT_EQ(error_of("concrete").find("did you mean"), std::string::npos);
+}
+
 TEST(DriveOptions, AnEmptyWordIsNotTheDefault) {
   for (const DriveOptions& o : {DriveOptions{.plan = ""}, DriveOptions{.tracker = ""},
                                 DriveOptions{.estimator = ""}, DriveOptions{.ground = ""}})
@@ -77,6 +91,28 @@ TEST(DriveOptions, ThePlansBeginWhereTheConfigurationLetsThePlatformStand) {
   EXPECT_EQ(begin.p.x, 1);
 }
 
+TEST(DriveOptions, AStartThatIsNotFreeNamesWhatItStandsInOrHowFarTheWallsGo) {
+  const auto error_of = [](const std::string& start) {
+    Config c = config_with({});
+    PlanList plans = parse_plans("start " + start + "\n1 0\n2 0\n", "my.txt");
+    try {
+      complete_drive(c, {}, plans);
+    } catch (const FaultError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(error_of("2.9 0 0").find("my.txt:1: the start (2.9, 0): in the obstacle 'bench'"),
+            std::string::npos);
+  EXPECT_NE(error_of("2.5 0 0").find("0.30 m from the obstacle 'bench', 0.55 m are needed"),
+            std::string::npos)
+      << error_of("2.5 0 0");
+  EXPECT_NE(error_of("0 1.8 0").find("0.20 m from a wall"), std::string::npos);
+  EXPECT_NE(error_of("5 0 0").find("outside the room, whose walls are at x -3 and 3 m, y -2 and 2 m"),
+            std::string::npos);
+  EXPECT_EQ(error_of("0 0 0"), "");
+}
+
 TEST(DriveOptions, AStartOfThePlanAtAWallIsToldWithItsLineAndOneOfTheConfigurationLater) {
   const std::string at_the_wall = "start 2.9 0 0\n1 0\n2 0\n";
   Config c = config_with({});
@@ -86,7 +122,7 @@ TEST(DriveOptions, AStartOfThePlanAtAWallIsToldWithItsLineAndOneOfTheConfigurati
     ADD_FAILURE();
   } catch (const FaultError& e) {
     EXPECT_EQ(e.fault().code, FaultCode::bad_plan);
-    EXPECT_TRUE(std::string(e.what()).starts_with("my.txt:1: the start (2.9, 0): 0.00 m from a wall"))
+    EXPECT_TRUE(std::string(e.what()).starts_with("my.txt:1: the start (2.9, 0): in the obstacle 'bench'"))
         << e.what();
   }
   Config elsewhere = config_with({"sim.platforms.rex.start=[2.9, 0.5, 0]"});

@@ -67,6 +67,17 @@ TEST(EffectorPath, ForgetsWhatWasBeforeAGap) {
   EXPECT_EQ(path.at(210).p.x(), 210);
 }
 
+TEST(EffectorPath, StaysAsItIsWithoutPoses) {
+  EffectorPath path;
+  path.add(50, {});
+  EXPECT_EQ(path.at(50).p, Vector3(0, 0, 0)) << "there is none yet";
+  path.add(120, samples(100, 21));
+  path.add(220, {});
+  EXPECT_EQ(path.at(150).p.x(), 120);
+  EXPECT_EQ(path.at(500).p.x(), 120);
+  EXPECT_EQ(path.at(5).p.x(), 100);
+}
+
 TEST(EffectorPath, KeepsAsManyStepsAsTheAgentRemembers) {
   EffectorPath path;
   path.add(300, samples(1, 300));
