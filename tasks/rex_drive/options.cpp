@@ -70,6 +70,10 @@ std::vector<std::string> settings_of_ground(const std::string& name) {
 
 void add_drive_options(CommandLine& line, DriveOptions& o) {
   line.option(
+          "--eyes", o.eyes,
+          "on: a pair of cameras sees the room, and visual odometry helps the estimator; off (default: on)")
+      .type_name("on|off");
+  line.option(
           "--plan", o.plan,
           fmt::format("Points to drive through, a file of lines 'x y', or one of {} (default: figure_eight)",
                       fmt::join(built_in_plan_names(), ", ")))
@@ -96,6 +100,8 @@ std::vector<std::string> settings_of(const DriveOptions& o) {
   refuse_empty("--tracker", o.tracker);
   refuse_empty("--estimator", o.estimator);
   refuse_empty("--ground", o.ground);
+  if (o.eyes && *o.eyes != "on" && *o.eyes != "off")
+    throw FaultError(FaultCode::bad_usage, fmt::format("--eyes: it is on or off, not '{}'", *o.eyes));
   std::vector<std::string> settings;
   const auto set = [&settings](const char* key, const std::string& value) {
     settings.push_back(fmt::format("{}={}", key, value));
@@ -104,6 +110,7 @@ std::vector<std::string> settings_of(const DriveOptions& o) {
   if (o.speed) set(kSpeedKey, fmt::format("{}", *o.speed));
   if (o.tracker) set(kTrackerKey, in_quotes(*o.tracker));
   if (o.estimator) set(kEstimatorKey, in_quotes(*o.estimator));
+  if (o.eyes == "off") settings.emplace_back("cameras.order=[]");
   if (o.ground) std::ranges::move(settings_of_ground(*o.ground), std::back_inserter(settings));
   return settings;
 }

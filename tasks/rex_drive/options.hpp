@@ -21,6 +21,7 @@ struct DriveOptions {
   std::optional<std::string> tracker{};    ///< of the virtual effector
   std::optional<std::string> estimator{};  ///< the same
   std::optional<std::string> ground{};     ///< a kind of ground or a file
+  std::optional<std::string> eyes{};       ///< on or off
 };
 
 /// Adds them to a program's command line.
