@@ -19,6 +19,8 @@ namespace mrroc::rex_drive {
 
 /// @return the task's built-in configuration, tasks/rex_drive/rex_drive.toml
 std::string_view config();
+/// @return the pair of cameras of `task.eyes`, tasks/rex_drive/eyes.toml
+std::string_view eyes();
 
 /// Farthest part of the platform from its middle, with a reserve [m].
 inline constexpr double kReach = 0.55;

@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 constexpr const char* kPlanKey = "task.plan";
 constexpr const char* kSpeedKey = "task.speed";
 constexpr const char* kTrackerKey = "platforms.rex.tracker";
+constexpr const char* kEyesKey = "task.eyes";
 constexpr const char* kEstimatorKey = "platforms.rex.estimator";
 
 /// A kind of ground, with what it sets.
@@ -69,9 +70,8 @@ std::vector<std::string> settings_of_ground(const std::string& name) {
 }  // namespace
 
 void add_drive_options(CommandLine& line, DriveOptions& o) {
-  line.option(
-          "--eyes", o.eyes,
-          "on: a pair of cameras sees the room, and visual odometry helps the estimator; off (default: on)")
+  line.option("--eyes", o.eyes,
+              "on: a pair of cameras sees the room, and visual odometry helps the estimator (default: off)")
       .type_name("on|off");
   line.option(
           "--plan", o.plan,
@@ -110,7 +110,7 @@ std::vector<std::string> settings_of(const DriveOptions& o) {
   if (o.speed) set(kSpeedKey, fmt::format("{}", *o.speed));
   if (o.tracker) set(kTrackerKey, in_quotes(*o.tracker));
   if (o.estimator) set(kEstimatorKey, in_quotes(*o.estimator));
-  if (o.eyes == "off") settings.emplace_back("cameras.order=[]");
+  if (o.eyes) set(kEyesKey, *o.eyes == "on" ? "true" : "false");
   if (o.ground) std::ranges::move(settings_of_ground(*o.ground), std::back_inserter(settings));
   return settings;
 }
@@ -119,10 +119,12 @@ std::map<std::string, std::string> options_of_keys() {
   return {{kPlanKey, "--plan"},
           {kSpeedKey, "--speed-mps"},
           {kTrackerKey, "--tracker"},
-          {kEstimatorKey, "--estimator"}};
+          {kEstimatorKey, "--estimator"},
+          {kEyesKey, "--eyes"}};
 }
 
 void complete_drive(Config& config, const DriveOptions& o, PlanList& plans) {
+  if (config.flag(kEyesKey, false)) config.underlay(Config::parse(eyes(), "eyes.toml (built in)"));
   if (o.ground && !is_ground(*o.ground)) config.overlay(Config::load(*o.ground));
   const std::string key = "sim.platforms.rex.start";
   if (config.has(key)) {
