@@ -32,10 +32,10 @@ CameraModel read_model(const Config& t) {
 void read_mount(const Config& t, CameraSetup& camera) {
   const std::string mount = t.text("mount", "world");
   if (mount == "world") return;
-  camera.mount = mount.ends_with(kBase) ? CameraMount::base : CameraMount::end_effector;
-  camera.arm = camera.mount == CameraMount::base ? mount.substr(0, mount.size() - kBase.size()) : mount;
-  if (!is_key_word(camera.arm))
-    refuse("cameras." + camera.key + ".mount", "'" + mount + "' is not \"world\", an arm, or an arm's .base");
+  camera.mount = mount.ends_with(kBase) ? CameraMount::base : CameraMount::robot;
+  camera.robot = camera.mount == CameraMount::base ? mount.substr(0, mount.size() - kBase.size()) : mount;
+  if (!is_key_word(camera.robot))
+    refuse("cameras." + camera.key + ".mount", "'" + mount + "' is not \"world\", an arm, an arm's .base, or a platform");
 }
 
 }  // namespace

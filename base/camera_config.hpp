@@ -4,7 +4,7 @@
 //   [cameras]
 //   order = ["sac", "eih"]
 //   [cameras.sac]
-//   mount = "arm1.base"                 # or "world", or "arm1": moves with the arm's end effector
+//   mount = "arm1.base"                 # or "world"; or "arm1", "rex": moves with the arm's end effector, the platform
 //   pose = [0.9, 0, 2.2, 3.14, 0, 0]    # of the camera in the frame of the mount
 #pragma once
 #include <cstdint>
@@ -18,17 +18,17 @@ namespace mrroc {
 
 /// The body that a camera is fixed to; its place is known in that body's frame.
 enum class CameraMount : std::uint8_t {
-  world,         ///< the floor: T_UC
-  base,          ///< the floor, known relative to an arm's base: 0_C T. The papers' SAC
-  end_effector,  ///< an arm's tool, whose tip is E: E_C T. The papers' EIH
+  world,  ///< the floor: T_UC
+  base,   ///< the floor, known relative to an arm's base: 0_C T. The papers' SAC
+  robot,  ///< what moves of a robot. An arm's tool, whose tip is E: E_C T, the papers' EIH; a platform: T_BC
 };
 
 /// One camera as everybody knows it.
 struct CameraSetup {
   std::string key;                        ///< e.g. "sac": channel KEY.frame
   CameraMount mount{CameraMount::world};  ///< `mount`
-  std::string arm;                        ///< key of the arm; empty for CameraMount::world
-  Pose place;                             ///< `pose`: T_UC, 0_C T or E_C T
+  std::string robot;                      ///< key of the arm or platform; empty for CameraMount::world
+  Pose place;                             ///< `pose`: T_UC, 0_C T, E_C T or T_BC
   CameraModel model;                      ///< `width`, `height`, `fx`, `fy`, `cx`, `cy`, `distortion`
   std::int64_t period{20};   ///< steps from one picture to the next; picture n is taken at step n * period
   std::int64_t latency{20};  ///< steps until a picture's reading is visible (rule R6 of docs/architecture.md)

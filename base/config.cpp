@@ -115,6 +115,13 @@ void Config::overlay(const Config& above) {
   if (store_->main_file.empty()) store_->main_file = above.store_->main_file;
 }
 
+void Config::underlay(const Config& below) {
+  for (const auto& [name, place] : below.store_->tables)
+    if (!store_->tables.contains(name)) store_->put_table(name, place);
+  for (const auto& [key, entry] : below.store_->entries)
+    if (!store_->entries.contains(key)) store_->put(key, entry);
+}
+
 void Config::set(const std::string& assignment) {
   const std::string name = "--set " + assignment;
   const std::size_t equals = assignment.find('=');

@@ -98,6 +98,9 @@ class Config {
   /// Puts the values of another configuration over those here. To be done before any value is read.
   /// @throws ConfigError a value where the other one has a table
   void overlay(const Config& above);
+  /// Gives values of another configuration to keys that have none here. To be done before any of them is read.
+  /// @throws ConfigError a value where the other one has a table
+  void underlay(const Config& below);
   /// Overrides one value. To be done before it is read.
   /// @param assignment `key=value` with a dotted key from the root and a value in TOML; a single word needs
   /// no

@@ -67,9 +67,11 @@ void check_cell(const Config& config, const std::vector<CellArm>& arms,
                      keys.empty() ? "robots.order: this task has no arms, so the list is empty"
                                   : fmt::format("robots.order: this task has the arms {}, in this order",
                                                 joined(keys, ", ")));
+  std::vector<std::string> platform_keys;
+  for (const CellPlatform& each : platforms) platform_keys.push_back(each.key);
+  sim::read_camera_world(config, keys, platform_keys);
   if (arms.empty()) return;
   const sim::WorldParameters parameters = sim::read_world(config);
-  sim::read_camera_world(config, keys);
   for (std::size_t k = 0; k < arms.size(); ++k) {
     // Only a real arm knows its own position: it homes, or the configuration gives the position.
     const bool real = hardware_of(config, arms[k]).real();

@@ -2,6 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <limits>
+#include <optional>
+
 #include "base/link/frame_store.hpp"
 #include "base/link/real_time.hpp"
 #include "mrroc/camera_frame_t.hpp"
@@ -32,15 +36,6 @@ link::FrameReader open_store(link::Process& process, const std::string& key) {
   return std::move(*store);
 }
 
-/// @return the announcement that is looked at next, or null when it has not come: in lock-step that of picture i, with
-///         the wall clock the newest one, so that nobody works off a heap of old pictures
-const camera_frame_t* announced(const link::Process& process, const link::Inbox<camera_frame_t>& frames,
-                                std::int64_t i) {
-  if (process.lock_step()) return frames.at(i);
-  const camera_frame_t* const newest = frames.newest();
-  return newest && newest->header.stamp >= i ? newest : nullptr;
-}
-
 /// Takes the announced picture out of the store.
 /// @return false when it came too late, which happens with the wall clock only
 bool take(link::FrameReader& store, const camera_frame_t& announced, bool lock_step, link::Frame& frame) {
@@ -62,6 +57,58 @@ bool take(link::FrameReader& store, const camera_frame_t& announced, bool lock_s
   return true;
 }
 
+/// One camera's announcements and pictures.
+class Stream {
+ public:
+  Stream(link::Process& process, const WatchedCamera& camera)
+      : in_(process.inbox<camera_frame_t>(camera.key + ".frame")), store_(open_store(process, camera.key)) {
+    if (store_.shape().width != camera.model.width || store_.shape().height != camera.model.height)
+      throw FaultError(
+          FaultCode::bad_configuration,
+          fmt::format("the pictures of camera {} are {} x {}, its model says {} x {}", camera.key,
+                      store_.shape().width, store_.shape().height, camera.model.width, camera.model.height));
+  }
+
+  [[nodiscard]] const link::InboxBase* source() const { return in_.get(); }
+  [[nodiscard]] const camera_frame_t* at(std::int64_t i) const { return in_->at(i); }
+  [[nodiscard]] const camera_frame_t* newest() const { return in_->newest(); }
+  /// @return false when the picture came too late
+  bool take(const camera_frame_t& announced, bool lock_step) {
+    return vsp::take(store_, announced, lock_step, frame_);
+  }
+  [[nodiscard]] const link::Frame& frame() const { return frame_; }
+
+ private:
+  std::unique_ptr<link::Inbox<camera_frame_t>> in_;
+  link::FrameReader store_;
+  link::Frame frame_;  // taken last
+};
+
+/// Announcements of one number, by camera.
+using Announced = std::vector<const camera_frame_t*>;
+
+/// @return those that are looked at next, or none when they have not all come: in lock-step those of picture i, with the wall
+///         clock the newest that every camera has, so that nobody works off a heap of old pictures
+Announced announced(const link::Process& process, const std::vector<Stream>& streams, std::int64_t i) {
+  if (!process.lock_step()) {
+    std::int64_t common = std::numeric_limits<std::int64_t>::max();
+    for (const Stream& each : streams)
+      common = std::min(common, each.newest() ? each.newest()->header.stamp : -1);
+    i = std::max(i, common);
+  }
+  Announced all;
+  for (const Stream& each : streams)
+    if (const camera_frame_t* const m = each.at(i)) all.push_back(m);
+  return all.size() == streams.size() ? all : Announced{};
+}
+
+void check_together(const Announced& all) {
+  for (const camera_frame_t* const m : all)
+    if (m->step != all.front()->step)
+      throw FaultError(FaultCode::malformed_message,
+                       fmt::format("the pictures {} are of different steps", m->header.stamp));
+}
+
 }  // namespace
 
 std::string camera_of(const link::Process& process) {
@@ -71,44 +118,59 @@ std::string camera_of(const link::Process& process) {
   return name.substr(kPrefix.size());
 }
 
-void run_camera(link::Process& process, const std::string& key, const CameraModel& camera,
-                const PictureAnswer& answer, const std::function<void()>& at_end, PictureSetting* setting) {
-  const auto frames = process.inbox<camera_frame_t>(key + ".frame");
-  const link::Sources sources{frames.get()};
-  link::FrameReader store = open_store(process, key);
-  if (store.shape().width != camera.width || store.shape().height != camera.height)
-    throw FaultError(FaultCode::bad_configuration,
-                     fmt::format("the pictures of camera {} are {} x {}, its model says {} x {}", key,
-                                 store.shape().width, store.shape().height, camera.width, camera.height));
+void run_cameras(link::Process& process, std::span<const WatchedCamera> cameras, const PicturesAnswer& answer,
+                 const std::function<void()>& at_end, PictureSetting* setting) {
+  std::vector<Stream> streams;
+  link::Sources sources;
+  for (const WatchedCamera& camera : cameras) {
+    streams.emplace_back(process, camera);
+    sources.push_back(streams.back().source());
+  }
   if (!process.assemble()) return;
   if (!process.lock_step()) link::become_background(kNice);
-  link::Frame frame;
   for (std::int64_t i = 0;; ++i) {
-    const camera_frame_t* m{};
+    Announced all;
     process.await_from(sources, FaultCode::peer_silent, [&] {
-      m = announced(process, *frames, i);
-      if (m && m->last == 0 && setting != nullptr && !setting->here(m->step)) m = nullptr;
-      return m || process.phase() == link::Phase::finished;
+      all = announced(process, streams, i);
+      const bool pictures = !all.empty() && all.front()->last == 0;
+      if (pictures && setting != nullptr && !setting->here(all.front()->step)) all.clear();
+      return !all.empty() || process.phase() == link::Phase::finished;
     });
-    if (!m) break;
-    process.report_skipped(m->header.stamp - i);
-    i = m->header.stamp;
-    if (m->last != 0) {
-      answer(nullptr, i, m->step, 0, true);  // no picture goes with the last announcement
+    if (all.empty()) break;
+    check_together(all);
+    process.report_skipped(all.front()->header.stamp - i);
+    i = all.front()->header.stamp;
+    const std::int64_t step = all.front()->step;
+    if (std::ranges::any_of(all, [](const camera_frame_t* m) { return m->last != 0; })) {
+      answer({}, i, step, 0, true);  // no picture goes with the last announcement
       break;
     }
-    if (take(store, *m, process.lock_step(), frame)) {
-      const ImageView picture = frame.image.view();
-      answer(&picture, i, m->step, frame.t, false);
+    bool taken = true;
+    for (std::size_t k = 0; k < streams.size(); ++k)
+      taken = streams[k].take(*all[k], process.lock_step()) && taken;
+    if (taken) {
+      std::vector<ImageView> pictures;
+      for (const Stream& each : streams) pictures.push_back(each.frame().image.view());
+      answer(pictures, i, step, streams.front().frame().t, false);
     } else {
       process.report_skipped(1);
-      answer(nullptr, i, m->step, 0, false);
+      answer({}, i, step, 0, false);
     }
-    process.report_progress(i, m->step);
+    process.report_progress(i, step);
   }
   at_end();
   process.report_done();  // while the link of the pictures is still there
   process.stay();
+}
+
+void run_camera(link::Process& process, const std::string& key, const CameraModel& camera,
+                const PictureAnswer& answer, const std::function<void()>& at_end, PictureSetting* setting) {
+  const WatchedCamera watched{key, camera};
+  run_cameras(
+      process, {&watched, 1},
+      [&answer](std::span<const ImageView> pictures, std::int64_t frame, std::int64_t step, double t,
+                bool last) { answer(pictures.empty() ? nullptr : pictures.data(), frame, step, t, last); },
+      at_end, setting);
 }
 
 CameraFilm::CameraFilm(std::string key, std::string object, ObjectShape shape, const CameraModel& camera,

@@ -12,7 +12,7 @@
 #include "base/fault.hpp"
 #include "base/joined.hpp"
 #include "vsp/picture_file.hpp"
-#include "vsp/recorded_status.hpp"
+#include "vsp/receptor_program.hpp"
 
 namespace mrroc::vsp {
 namespace {
@@ -107,22 +107,16 @@ void run_recorded(const RecordedTool& tool, const RecordedRun& run, std::FILE* o
 }
 
 int recorded_main(int argc, char** argv, const RecordedTool& tool, const link::NodeMain& body) {
-  const bool recorded = std::any_of(argv + 1, argv + argc, [](const char* word) {
-    const std::string_view w = word;
-    return w == "--source" || w.starts_with("--source=");
-  });
-  if (!recorded)
-    return link::child_main(
-        argc, argv,
-        tool.about + "\n\nFor recorded pictures: " + tool.program +
-            " --source FILE --camera FILE.toml [options]\n"
-            "  --source FILE               a picture, a folder of pictures, or a film\n"
-            "  --camera FILE.toml          the camera, as `calibrate` writes it\n"
-            "  --name CAMERA               which camera of the file, when there are several\n"
-            "  --annotate FOLDER           for pictures with the detection drawn in\n"
-            "  --strip FILE.png            all of them side by side\n\nAs a part of a system:",
-        body);
-  return recorded_status([&] { return run(tool, argc, argv); });
+  return receptor_program(
+      argc, argv,
+      tool.about + "\n\nFor recorded pictures: " + tool.program +
+          " --source FILE --camera FILE.toml [options]\n"
+          "  --source FILE               a picture, a folder of pictures, or a film\n"
+          "  --camera FILE.toml          the camera, as `calibrate` writes it\n"
+          "  --name CAMERA               which camera of the file, when there are several\n"
+          "  --annotate FOLDER           for pictures with the detection drawn in\n"
+          "  --strip FILE.png            all of them side by side",
+      body, [&tool](int count, char** words) { return run(tool, count, words); });
 }
 
 void run_recorded(const ImageReceptor& receptor, const RecordedRun& run, std::FILE* out) {

@@ -1,6 +1,5 @@
 #include "sim/camera/camera_station.hpp"
 #include "base/counted.hpp"
-#include "base/msg/pose_rows.hpp"
 
 #include <fmt/core.h>
 
@@ -12,13 +11,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::int64_t kTruthPeriod = 20;  // steps
 constexpr std::chrono::milliseconds kMoment{20};
-
-int index_of(const std::string& arm, const std::vector<std::string>& arms) {
-  const auto it = std::ranges::find(arms, arm);
-  return it == arms.end() ? -1 : static_cast<int>(it - arms.begin());
-}
 
 /// A camera as the others see it, and as it casts a shadow: behind its own eye.
 camera::Body housing(const Pose& T_UC) {
@@ -29,6 +22,11 @@ camera::Body housing(const Pose& T_UC) {
   return b;
 }
 
+/// @return where a camera really is
+Pose place(const SimulatedCamera& k, const View& view) {
+  return view.mount(k.setup) * (k.setup.place * k.error);
+}
+
 /// Steps of the instants of a picture, from its own.
 std::int64_t offset(const SimulatedCamera& k, int instant) {
   return k.instants == 1 ? 0 : instant * k.exposure / (k.instants - 1) - k.exposure / 2;
@@ -36,23 +34,17 @@ std::int64_t offset(const SimulatedCamera& k, int instant) {
 
 }  // namespace
 
-CameraStation::CameraStation(link::Process& process, const CameraWorld& parameters,
-                             const WorldParameters& world, const std::vector<std::string>& arms)
-    : process_(process),
-      world_(world),
-      cell_(world),
-      light_(parameters.light),
-      object_(parameters.object),
-      object_arm_(std::max(0, index_of(parameters.object.arm, arms))) {
-  for (const SimulatedCamera& k : parameters.cameras) {
+CameraStation::CameraStation(link::Process& process, const std::vector<PlacedCamera>& cameras)
+    : process_(process) {
+  for (const PlacedCamera& each : cameras) {
     Eye eye;
-    eye.k = k;
-    eye.arm = index_of(k.setup.arm, arms);
-    eye.worker = std::make_unique<CameraWorker>(k, process.context());
-    eye.out = process.outbox<camera_frame_t>(k.setup.key + ".frame");
+    eye.k = each.camera;
+    eye.view = each.view;
+    eye.worker = std::make_unique<CameraWorker>(eye.k, process.context());
+    eye.out = process.outbox<camera_frame_t>(eye.k.setup.key + ".frame");
     eyes_.push_back(std::move(eye));
+    if (std::ranges::find(views_, each.view) == views_.end()) views_.push_back(each.view);
   }
-  if (parameters.object.kind != ObjectKind::none) truth_out_ = process.outbox<object_truth_t>("object.truth");
 }
 
 void CameraStation::begin() {
@@ -97,12 +89,12 @@ void CameraStation::wait_for(Eye& eye) {
   eye.waited += std::chrono::duration<double>(waited()).count();
 }
 
-void CameraStation::look(std::int64_t step, const World& world) {
-  for (Eye& eye : eyes_) look(eye, step, world);
-  if (truth_out_ && step % kTruthPeriod == 0) publish_truth(step, world);
+void CameraStation::look(std::int64_t step) {
+  for (Eye& eye : eyes_) look(eye, step);
+  for (View* const view : views_) view->tell(step);
 }
 
-void CameraStation::look(Eye& eye, std::int64_t step, const World& world) {
+void CameraStation::look(Eye& eye, std::int64_t step) {
   const std::int64_t period = eye.k.setup.period;
   // The picture whose exposure this step may belong to.
   const std::int64_t frame = (step + eye.k.exposure / 2) / period;
@@ -111,7 +103,7 @@ void CameraStation::look(Eye& eye, std::int64_t step, const World& world) {
   job.step = frame * period;
   for (int instant = 0; instant < eye.k.instants; ++instant)
     if (job.step + offset(eye.k, instant) == step)
-      job.exposure.push_back({scene(step, world), place(eye, world)});
+      job.exposure.push_back({scene(eye, step), place(eye.k, *eye.view)});
   if (job.step + offset(eye.k, eye.k.instants - 1) != step) return;
   if (eye.worker->busy()) {  // with the wall clock only
     ++eye.left_out;
@@ -124,31 +116,11 @@ void CameraStation::look(Eye& eye, std::int64_t step, const World& world) {
   if (process_.lock_step() && eye.k.setup.latency == 0) hand_over(eye, true);
 }
 
-camera::Scene CameraStation::scene(std::int64_t step, const World& world) const {
-  camera::Scene scene = cell_.take(world);
-  scene.light = light_;
-  object_.add_to(scene, world_.arms[static_cast<std::size_t>(object_arm_)].T_UB,
-                 object_.at(static_cast<double>(step) * kStep));
-  for (const Eye& eye : eyes_) scene.bodies.push_back(housing(place(eye, world)));
+camera::Scene CameraStation::scene(const Eye& eye, std::int64_t step) const {
+  camera::Scene scene = eye.view->scene(eye.k.setup, step);
+  for (const Eye& each : eyes_)
+    if (each.view == eye.view) scene.bodies.push_back(housing(place(each.k, *each.view)));
   return scene;
-}
-
-Pose CameraStation::place(const Eye& eye, const World& world) const {
-  Pose T = eye.k.setup.place * eye.k.error;
-  if (eye.arm < 0) return T;
-  const Pose& T_UB = world_.arms[static_cast<std::size_t>(eye.arm)].T_UB;
-  return eye.k.setup.mount == CameraMount::base ? T_UB * T : T_UB * world.truth(eye.arm).T_0E * T;
-}
-
-void CameraStation::publish_truth(std::int64_t step, const World& world) {
-  const ObjectState state = object_.at(static_cast<double>(step) * kStep);
-  object_truth_t m{};
-  m.step = step;
-  m.present = state.present;
-  m.hidden = state.hidden;
-  put_rows(m.T_0G, state.T_0G);
-  put_rows(m.T_0E, world.truth(object_arm_).T_0E);
-  truth_out_->publish(m, step / kTruthPeriod);
 }
 
 void CameraStation::end() {

@@ -1,5 +1,5 @@
-// The simulator's cameras: takes snapshots when pictures are due, has them drawn beside the simulation, and
-// hands them to the receptors.
+// The simulator's cameras: takes snapshots when pictures are due, has them drawn beside the simulation, and hands them
+// to the receptors.
 #pragma once
 #include <chrono>
 #include <condition_variable>
@@ -13,9 +13,8 @@
 #include "base/link/frame_store.hpp"
 #include "base/link/process.hpp"
 #include "mrroc/camera_frame_t.hpp"
-#include "mrroc/object_truth_t.hpp"
-#include "sim/camera/cell_scene.hpp"
 #include "sim/camera/config.hpp"
+#include "sim/camera/view.hpp"
 
 namespace mrroc::sim {
 
@@ -69,32 +68,35 @@ class CameraWorker {
   std::jthread thread_;  // the last one: it uses everything above
 };
 
-/// All cameras of the world, the object that they look for, and the truth about it. Used by the simulator's
-/// thread.
+/// A camera with what it looks at.
+struct PlacedCamera {
+  SimulatedCamera camera;
+  View* view{};  ///< not null, outlives the station
+};
+
+/// All cameras of the world. Used by the simulator's thread.
 ///
 /// Simulated time never outruns the cameras: in lock-step a picture is waited for when its reading is about to become
 /// visible, at the latest when the next one is due. With the wall clock a picture that is due while the one before is
 /// still being drawn is left out.
 class CameraStation {
  public:
-  /// @param arms  keys of the simulator's arms, in their order
   /// @throws FaultError as CameraWorker
-  CameraStation(link::Process& process, const CameraWorld& parameters, const WorldParameters& world,
-                const std::vector<std::string>& arms);
+  CameraStation(link::Process& process, const std::vector<PlacedCamera>& cameras);
 
   /// Call this when the system has assembled.
   void begin();
   /// Hands over pictures that are ready or have to be; before the state of that step is published.
   void deliver(std::int64_t step);
   /// Takes the snapshots that are due; at the same instant as the state of that step.
-  void look(std::int64_t step, const World& world);
+  void look(std::int64_t step);
   /// Hands over the last pictures and says that no more will come.
   void end();
 
  private:
   struct Eye {
     SimulatedCamera k;
-    int arm{-1};  // index, -1: none
+    View* view{};
     std::unique_ptr<CameraWorker> worker;
     std::unique_ptr<link::Outbox<camera_frame_t>> out;
     CameraJob next;           // whose snapshots are being taken
@@ -105,21 +107,14 @@ class CameraStation {
     std::int64_t told{-1};    // number of the last frame
   };
 
-  void look(Eye& eye, std::int64_t step, const World& world);
+  void look(Eye& eye, std::int64_t step);
   void hand_over(Eye& eye, bool must);
   void wait_for(Eye& eye);
-  void publish_truth(std::int64_t step, const World& world);
-  [[nodiscard]] camera::Scene scene(std::int64_t step, const World& world) const;
-  [[nodiscard]] Pose place(const Eye& eye, const World& world) const;
+  [[nodiscard]] camera::Scene scene(const Eye& eye, std::int64_t step) const;
 
   link::Process& process_;
-  WorldParameters world_;
-  CellScene cell_;
-  camera::Light light_;
-  ObjectPath object_;
-  int object_arm_{};
+  std::vector<View*> views_;  // each once
   std::vector<Eye> eyes_;
-  std::unique_ptr<link::Outbox<object_truth_t>> truth_out_;
 };
 
 }  // namespace mrroc::sim

@@ -2,6 +2,7 @@
 
 #include "base/link/real_time.hpp"
 #include "sim/camera/camera_station.hpp"
+#include "sim/world.hpp"
 
 namespace mrroc::sim {
 namespace {

@@ -20,6 +20,25 @@ void check_arm(const std::string& arm, const std::vector<std::string>& arms, con
   if (std::ranges::find(arms, arm) == arms.end()) refuse(key, "there is no arm '" + arm + "'");
 }
 
+void check_mount(const CameraSetup& camera, const std::vector<std::string>& arms,
+                 const std::vector<std::string>& platforms) {
+  const std::string key = "cameras." + camera.key + ".mount";
+  if (camera.mount == CameraMount::robot && std::ranges::find(platforms, camera.robot) != platforms.end())
+    return;
+  if (camera.mount != CameraMount::world) check_arm(camera.robot, arms, key);
+}
+
+RoomLook read_look(const Config& t, std::uint64_t seed) {
+  RoomLook look;
+  look.seed = t.integer("seed", static_cast<std::uint32_t>(seed % 1'000'000), {0U, 1'000'000U},
+                        "usually that of the run");
+  look.contrast = t.number("contrast", look.contrast, {0, 2}, "of what is on the floor");
+  look.walls = t.number("walls", look.walls, {0, 1}, "contrast of the walls, as a share; 0: plain");
+  look.height = t.number("height", look.height, {0.5, 5}, "m, of the walls");
+  look.obstacles = t.number("obstacles", look.obstacles, {0.5, 5}, "m, of what stands in the room");
+  return look;
+}
+
 SimulatedCamera read_simulated(const Config& config, const std::string& key, const RenderProfile& profile) {
   const Config t = config.section("cameras." + key);
   SimulatedCamera c;
@@ -96,23 +115,26 @@ ObjectParameters read_object(const Config& config, const std::vector<std::string
 
 }  // namespace
 
-CameraWorld read_camera_world(const Config& config, const std::vector<std::string>& arms) {
+CameraWorld read_camera_world(const Config& config, const std::vector<std::string>& arms,
+                              const std::vector<std::string>& platforms) {
   CameraWorld w;
   const std::vector<std::string> keys = camera_keys(config);
   if (keys.empty()) return w;
   const std::uint64_t seed = static_cast<std::uint64_t>(config.integer<std::int64_t>("seed", 1));
-  RenderProfile profile = config.choice("cameras.profile", 0, {{"exact", 0}, {"fast", 1}}) == 0
-                              ? camera::exact_profile()
-                              : camera::fast_profile();
+  using Make = RenderProfile (*)();
+  RenderProfile profile = config.choice<Make>("cameras.profile", &camera::exact_profile,
+                                              {{"exact", &camera::exact_profile},
+                                               {"fast", &camera::fast_profile},
+                                               {"plain", &camera::plain_profile}})();
   for (const std::string& key : keys) {
     profile.seed = 64 * seed + w.cameras.size();
     w.cameras.push_back(read_simulated(config, key, profile));
-    if (!w.cameras.back().setup.arm.empty())
-      check_arm(w.cameras.back().setup.arm, arms, "cameras." + key + ".mount");
+    check_mount(w.cameras.back().setup, arms, platforms);
   }
   w.light = read_light(config.section("cameras.light"));
-  w.object = read_object(config, arms);
+  if (!arms.empty()) w.object = read_object(config, arms);
   w.object.seed = seed;
+  if (!platforms.empty()) w.look = read_look(config.section("room.look"), seed);
   return w;
 }
 

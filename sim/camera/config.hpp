@@ -1,4 +1,4 @@
-// The simulator's part of the configuration of cameras: drawing, exposure, light and the object.
+// The simulator's part of the configuration of cameras: drawing, exposure, light, the object, and how the room looks.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,6 +7,7 @@
 #include "base/config.hpp"
 #include "sim/camera/object_path.hpp"
 #include "sim/camera/renderer.hpp"
+#include "sim/camera/room_scene.hpp"
 
 namespace mrroc::sim {
 
@@ -24,12 +25,14 @@ struct SimulatedCamera {
 struct CameraWorld {
   std::vector<SimulatedCamera> cameras;  ///< in the order of their keys
   camera::Light light;                   ///< the same for all
-  ObjectParameters object;               ///< that they look for
+  ObjectParameters object;               ///< that those of arms look for
+  RoomLook look;                         ///< of the room in which platforms drive
 };
 
-/// @return [cameras] and [object]; no cameras when `cameras.order` is not given
-/// @param arms  keys of the simulator's arms
+/// @return [cameras], [object] and [room.look]; no cameras when `cameras.order` is not given
+/// @param arms, platforms  keys of those that there are
 /// @throws ConfigError
-CameraWorld read_camera_world(const Config& config, const std::vector<std::string>& arms);
+CameraWorld read_camera_world(const Config& config, const std::vector<std::string>& arms,
+                              const std::vector<std::string>& platforms);
 
 }  // namespace mrroc::sim

@@ -37,6 +37,12 @@ RenderProfile fast_profile() {
   return p;
 }
 
+RenderProfile plain_profile() {
+  RenderProfile p = fast_profile();
+  p.textures_sharp = false;
+  return p;
+}
+
 struct Renderer::Impl {
   Impl(const CameraModel& camera, const RenderProfile& p)
       : lens(checked(camera, p)),

@@ -26,6 +26,8 @@ struct RenderProfile {
 RenderProfile exact_profile();
 /// @return for watching: no smooth edges, shadows, highlights
 RenderProfile fast_profile();
+/// @return the quickest, for odometry: neither smooth edges nor shadows, pictures on bodies as far as they stay sharp
+RenderProfile plain_profile();
 
 /// One instant of an exposure.
 struct Instant {

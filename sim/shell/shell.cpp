@@ -49,7 +49,6 @@ class Shell {
  public:
   Shell(link::Process& process, const Simulated& simulated, const ShellParameters& parameters)
       : process_(process),
-        world_(simulated.arms),
         k_(parameters),
         cameras_(simulated.cameras),
         control_in_(process.inbox<simulation_control_t>("simulation.control")) {
@@ -80,7 +79,7 @@ class Shell {
       const Clock::time_point due = pacer_.next(speed, Clock::now());
       if (cameras_) cameras_->deliver(step);
       for (const auto& plant : plants_) plant->publish(step, macrostep_, begins);
-      if (cameras_) cameras_->look(step, *world_);
+      if (cameras_) cameras_->look(step);
       await_commands(step, due);
       record(step);
       watch_driverless(step);
@@ -243,7 +242,6 @@ class Shell {
   }
 
   link::Process& process_;
-  World* world_;  // that cameras look at
   ShellParameters k_;
   CameraStation* cameras_;
   std::unique_ptr<link::Inbox<simulation_control_t>> control_in_;

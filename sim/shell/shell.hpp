@@ -29,7 +29,7 @@ struct ShellParameters {
 struct Simulated {
   World* arms{};               ///< arms with their cell
   PlatformWorld* platforms{};  ///< mobile platforms, beside them
-  CameraStation* cameras{};    ///< that look at the arms; only with arms
+  CameraStation* cameras{};    ///< that look at them
 };
 
 /// Runs the simulator until the task is over or the system ends. A robot without its driver's command brakes: at once in

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/camera_config.hpp"
 #include "base/closest_match.hpp"
 #include "base/room_config.hpp"
+#include "tasks/rex_drive/keys.hpp"
 #include "tasks/rex_drive/plan/built_in_plans.hpp"
 
 namespace mrroc::rex_drive {
@@ -101,6 +103,19 @@ MapParameters read_map(const Config& config) {
         fmt::format("map.timeout: motion capture measures every {} steps, which is longer", k.capture.period),
         "make map.timeout longer, or motion_capture.period shorter");
   return k;
+}
+
+std::optional<link::SensorClock> read_eyes(const Config& config) {
+  if (camera_keys(config).empty()) return std::nullopt;
+  const std::string left = config.text(std::string("odometry.") + kPlatform + ".left", std::nullopt);
+  const CameraSetup camera = read_camera(config, left);
+  if (camera.period % kPlatformSteps != 0)
+    throw FaultError(
+        FaultCode::bad_configuration,
+        fmt::format("cameras.{}.period: the estimator needs pictures at macrosteps, which take {} steps; "
+                    "{} is no multiple of that",
+                    left, kPlatformSteps, camera.period));
+  return link::SensorClock{camera.period, camera.latency};
 }
 
 PlanList read_plan_list(const Config& config) {

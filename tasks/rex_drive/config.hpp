@@ -1,12 +1,14 @@
 // Everything that the task reads from the configuration, and what its programs have in common.
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/config.hpp"
 #include "base/link/child_main.hpp"
+#include "base/link/clocked_inbox.hpp"
 #include "tasks/rex_drive/images.hpp"
 #include "tasks/rex_drive/map_agent.hpp"
 #include "tasks/rex_drive/ontology.hpp"
@@ -17,6 +19,8 @@ namespace mrroc::rex_drive {
 
 /// @return the task's built-in configuration, tasks/rex_drive/rex_drive.toml
 std::string_view config();
+/// @return the pair of cameras of `task.eyes`, tasks/rex_drive/eyes.toml
+std::string_view eyes();
 
 /// Farthest part of the platform from its middle, with a reserve [m].
 inline constexpr double kReach = 0.55;
@@ -30,6 +34,10 @@ inline constexpr double kReach = 0.55;
 /// @return [map] and [motion_capture] of a_3
 /// @throws ConfigError; FaultError bad_configuration: readings come less often than its timeout
 [[nodiscard]] MapParameters read_map(const Config& config);
+
+/// @return when the visual odometry measures; nothing when the platform has no cameras
+/// @throws ConfigError; FaultError bad_configuration: pictures are not taken at macrosteps
+[[nodiscard]] std::optional<link::SensorClock> read_eyes(const Config& config);
 
 /// The plans of a run and what the planner makes of them.
 struct Itinerary {

@@ -1,4 +1,6 @@
+#include "base/link/clocked_inbox.hpp"
 #include "base/linked_port.hpp"
+#include "base/msg/convert_platform.hpp"
 #include "ecp/shell.hpp"
 #include "tasks/rex_drive/config.hpp"
 #include "tasks/rex_drive/keys.hpp"
@@ -11,7 +13,13 @@ void run_ecp(link::Process& process, const Config& config, const link::NodeArgum
   link::IncomingLink<Plan> plan(process, plan_channel());
   link::IncomingLink<MapReport> map(process, pose_channel());
   link::OutgoingLink<PlatformEstimate> estimate(process, estimate_channel());
-  const link::OtherLinks others{.incoming = {&plan, &map}, .outgoing = {&estimate}};
+  link::OtherLinks others{.incoming = {&plan, &map}, .outgoing = {&estimate}};
+  std::optional<link::ClockedInbox<odometry_reading_t>> odometry;
+  if (const auto clock = read_eyes(config)) {
+    odometry.emplace(process, std::string(kPlatform) + ".odometry", *clock);
+    others.sources = {odometry->source()};
+    others.here = [&odometry](std::int64_t, std::int64_t step) { return odometry->here(step); };
+  }
   const ecp::PlatformPreparation prepare{
       [&](PlatformCommand& command) { command.map = map.image().value.pose; }};
   ecp::run_ecp<Locomotion, PlatformEffector>(
@@ -22,6 +30,7 @@ void run_ecp(link::Process& process, const Config& config, const link::NodeArgum
             [&](Locomotion::X& heard) {
               heard.T.desired = plan.image().value;
               heard.T.map = map.image().value;
+              if (odometry) heard.V = odometry->at(heard.e.step).value_or(OdometryReading{});
             });
         port.read(x);
         x.c = begin(k);

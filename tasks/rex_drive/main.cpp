@@ -10,6 +10,8 @@
 #include "tasks/rex_drive/options.hpp"
 #include "tasks/rex_drive/plots.hpp"
 #include "tasks/rex_drive/rex_run.hpp"
+#include "vsp/odometry/config.hpp"
+#include "vsp/odometry/receptor.hpp"
 
 namespace {
 
@@ -37,6 +39,7 @@ void prepare(Drive& d, const launch::Setup& s) {
   std::ignore = rex_drive::read_parameters(s.config);
   std::ignore = rex_drive::read_ontology(s.config);
   std::ignore = rex_drive::read_map(s.config);
+  if (rex_drive::read_eyes(s.config)) std::ignore = vsp::read_stereo(s.config, rex_drive::kPlatform).rig();
   d.itinerary = rex_drive::examine(d.plans, s.config);
 }
 
@@ -87,7 +90,7 @@ int main(int argc, char** argv) {
        .options = [&](CommandLine& line) { rex_drive::add_drive_options(line, d.options); },
        .examples = {"./run rex_drive --plan slalom", "./run rex_drive --plan my_points.txt --speed-mps 0.4",
                     "./run rex_drive --ground slippery --tracker kinematic"},
-       .instead_of_config = {"--plan", "--speed-mps", "--tracker", "--estimator", "--ground"},
+       .instead_of_config = {"--plan", "--speed-mps", "--tracker", "--estimator", "--ground", "--eyes"},
        .found = [&](mp::TaskOptions&) { return rex_drive::settings_of(d.options); },
        .typed = rex_drive::options_of_keys(),
        .complete = [&](Config& config, const mp::TaskOptions& o) { complete(d, config, o); },
@@ -99,9 +102,14 @@ int main(int argc, char** argv) {
            },
        .nodes =
            [](const launch::Setup& s) {
-             return std::vector<mp::NodeSpec>{
-                 launch::make_node(s.config, std::string("ecp-") + rex_drive::kMap, "ecp_rex_drive_map",
-                                   nullptr, rex_drive::run_map)};
+             const Config& config = s.config;
+             std::vector<mp::NodeSpec> nodes{launch::make_node(config, std::string("ecp-") + rex_drive::kMap,
+                                                               "ecp_rex_drive_map", nullptr,
+                                                               rex_drive::run_map)};
+             if (rex_drive::read_eyes(config))
+               nodes.push_back(launch::make_node(config, std::string("vsp-") + rex_drive::kPlatform,
+                                                 "vsp_odometry", nullptr, vsp::run_odometry));
+             return nodes;
            },
        .coordinator = [&](mp::TaskRun& run, const launch::Setup& s) { return make_coordinator(d, run, s); },
        .results = make_results},

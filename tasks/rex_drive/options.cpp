@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 constexpr const char* kPlanKey = "task.plan";
 constexpr const char* kSpeedKey = "task.speed";
 constexpr const char* kTrackerKey = "platforms.rex.tracker";
+constexpr const char* kEyesKey = "task.eyes";
 constexpr const char* kEstimatorKey = "platforms.rex.estimator";
 
 /// A kind of ground, with what it sets.
@@ -72,6 +73,9 @@ std::vector<std::string> settings_of_ground(const std::string& name) {
 }  // namespace
 
 void add_drive_options(CommandLine& line, DriveOptions& o) {
+  line.option("--eyes", o.eyes,
+              "on: a pair of cameras sees the room, and visual odometry helps the estimator (default: off)")
+      .type_name("on|off");
   line.option(
           "--plan", o.plan,
           fmt::format("Points to drive through, a file of lines 'x y', or one of {} (default: figure_eight)",
@@ -99,6 +103,8 @@ std::vector<std::string> settings_of(const DriveOptions& o) {
   refuse_empty("--tracker", o.tracker);
   refuse_empty("--estimator", o.estimator);
   refuse_empty("--ground", o.ground);
+  if (o.eyes && *o.eyes != "on" && *o.eyes != "off")
+    throw FaultError(FaultCode::bad_usage, fmt::format("--eyes: it is on or off, not '{}'", *o.eyes));
   std::vector<std::string> settings;
   const auto set = [&settings](const char* key, const std::string& value) {
     settings.push_back(fmt::format("{}={}", key, value));
@@ -107,6 +113,7 @@ std::vector<std::string> settings_of(const DriveOptions& o) {
   if (o.speed) set(kSpeedKey, fmt::format("{}", *o.speed));
   if (o.tracker) set(kTrackerKey, in_quotes(*o.tracker));
   if (o.estimator) set(kEstimatorKey, in_quotes(*o.estimator));
+  if (o.eyes) set(kEyesKey, *o.eyes == "on" ? "true" : "false");
   if (o.ground) std::ranges::move(settings_of_ground(*o.ground), std::back_inserter(settings));
   return settings;
 }
@@ -115,10 +122,12 @@ std::map<std::string, std::string> options_of_keys() {
   return {{kPlanKey, "--plan"},
           {kSpeedKey, "--speed-mps"},
           {kTrackerKey, "--tracker"},
-          {kEstimatorKey, "--estimator"}};
+          {kEstimatorKey, "--estimator"},
+          {kEyesKey, "--eyes"}};
 }
 
 void complete_drive(Config& config, const DriveOptions& o, PlanList& plans) {
+  if (config.flag(kEyesKey, false)) config.underlay(Config::parse(eyes(), "eyes.toml (built in)"));
   if (o.ground && !is_ground(*o.ground)) config.overlay(Config::load(*o.ground));
   const std::string key = "sim.platforms.rex.start";
   if (config.has(key)) {

@@ -46,8 +46,8 @@ TrackParameters read_track(const Config& t) {
 
 /// @throws FaultError bad_configuration  the camera is mounted where c_1 cannot make use of it
 CameraParameters camera_of(const CameraSetup& setup, Camera camera) {
-  const CameraMount wanted = camera == Camera::sac ? CameraMount::base : CameraMount::end_effector;
-  if (setup.mount != wanted || setup.arm != kArm)
+  const CameraMount wanted = camera == Camera::sac ? CameraMount::base : CameraMount::robot;
+  if (setup.mount != wanted || setup.robot != kArm)
     throw FaultError(FaultCode::bad_configuration, "cameras." + setup.key + ".mount: this task needs \"" +
                                                        std::string(kArm) +
                                                        (camera == Camera::sac ? ".base" : "") + "\"");

@@ -99,6 +99,17 @@ TEST(Config, PutsTheUpperLayerOverTheLowerAndOptionsOverBoth) {
   EXPECT_EQ(cfg.text("robots.arm1.model", ""), "irb6");
 }
 
+TEST(Config, PutsALowerLayerBelowWhatIsThere) {
+  Config cfg = Config::parse("[eye]\nnoise = 3", "task.toml");
+  cfg.set("eye.period = 20");
+  cfg.underlay(Config::parse("[eye]\nnoise = 1\nperiod = 40\nlatency = 60\n[ear]\n", "eyes.toml"));
+  EXPECT_EQ(cfg.number("eye.noise", 0), 3);
+  EXPECT_EQ(cfg.integer("eye.period", 0), 20);
+  EXPECT_EQ(cfg.integer("eye.latency", 0), 60);
+  EXPECT_EQ(cfg.tables(""), (std::vector<std::string>{"ear", "eye"}));
+  EXPECT_THROW(cfg.underlay(Config::parse("[eye.noise]\nof = 1", "eyes.toml")), ConfigError);
+}
+
 TEST(Config, SetsValuesInTomlAndSingleWordsWithoutQuotationMarks) {
   Config cfg;
   for (const char* assignment :

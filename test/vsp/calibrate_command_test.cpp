@@ -58,8 +58,8 @@ TEST_F(CalibrateCommand, WritesWhatReceptorsAndTasksRead) {
   calibrate(order, quiet);
   std::fclose(quiet);
   const CameraSetup camera = read_camera(Config::load(order.output), "eih");
-  EXPECT_EQ(camera.mount, CameraMount::end_effector);
-  EXPECT_EQ(camera.arm, "arm1");
+  EXPECT_EQ(camera.mount, CameraMount::robot);
+  EXPECT_EQ(camera.robot, "arm1");
   EXPECT_NEAR(camera.model.fx, 600, 3);
   EXPECT_LT((camera.place.p - X.p).norm(), 0.002);
 }

@@ -1,5 +1,5 @@
 // The odometry's program on recorded pairs: what is printed and what is refused.
-#include "vsp/odometry/recorded_pairs.hpp"
+#include "vsp/odometry/receptor.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -28,7 +28,7 @@ Pose stereo_place(double side);
 /// @return the pair: baseline 0.12 m
 vsp::StereoRig stereo_rig();
 
-/// 7.5 x 5 m, 2.5 m high, with terrazzo on floor and walls and some furniture; U in the middle of the floor.
+/// 7.5 x 5 m, 2.5 m high, with obstacles along its walls; U in the middle of the floor.
 class StereoRoom {
  public:
   explicit StereoRoom(const RoomLook& look = {});

@@ -18,7 +18,7 @@ void demand_equal(const StereoSetup& pair, const char* what, std::int64_t left, 
 }
 
 void demand_mounted(const StereoSetup& pair, const CameraSetup& camera) {
-  if (camera.mount != CameraMount::end_effector || camera.arm != pair.key)
+  if (camera.mount != CameraMount::robot || camera.robot != pair.key)
     refuse("cameras." + camera.key + ".mount",
            fmt::format("the odometry of {} needs the camera on it: \"{}\"", pair.key, pair.key));
 }

@@ -1,3 +1,3 @@
-#include "vsp/odometry/recorded_pairs.hpp"
+#include "vsp/odometry/receptor.hpp"
 
 int main(int argc, char** argv) { return mrroc::vsp::odometry_main(argc, argv); }

@@ -12,7 +12,6 @@
 #include "base/pose.hpp"
 #include "vsp/odometry/config.hpp"
 #include "vsp/picture_file.hpp"
-#include "vsp/recorded_status.hpp"
 
 namespace mrroc::vsp {
 namespace {
@@ -61,7 +60,9 @@ nlohmann::json line_of(const OdometryReading& r, const OdometrySupport& support)
   return line;
 }
 
-int run(int argc, char** argv) {
+}  // namespace
+
+int recorded_pairs_main(int argc, char** argv) {
   CommandLine line(
       "Virtual receptor (VSP) of a platform's visual odometry: the motion between two stereo pairs.\n"
       "On recorded pairs: prints a line of JSON for each.",
@@ -81,8 +82,6 @@ int run(int argc, char** argv) {
   run_recorded_pairs(r, stdout);
   return 0;
 }
-
-}  // namespace
 
 void run_recorded_pairs(const RecordedPairs& run, std::FILE* out) {
   const Config config = Config::load(run.camera);
@@ -105,10 +104,6 @@ void run_recorded_pairs(const RecordedPairs& run, std::FILE* out) {
     line["right"] = right[k].string();
     fmt::print(out, "{}\n", line.dump());
   }
-}
-
-int odometry_main(int argc, char** argv) {
-  return recorded_status([&] { return run(argc, argv); });
 }
 
 }  // namespace mrroc::vsp

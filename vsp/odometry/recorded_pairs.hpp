@@ -21,7 +21,7 @@ struct RecordedPairs {
 ///         than of the other; bad_configuration: the camera file
 void run_recorded_pairs(const RecordedPairs& run, std::FILE* out);
 
-/// main() of the receptor's program. @return exit status
-int odometry_main(int argc, char** argv);
+/// The receptor's program on recorded pairs. @return exit status @throws FaultError as above; bad_usage
+int recorded_pairs_main(int argc, char** argv);
 
 }  // namespace mrroc::vsp

@@ -4,6 +4,7 @@
 
 #include "base/link/memory_bus.hpp"
 #include "base/link/session.hpp"
+#include "sim/camera/cell_view.hpp"
 #include "test/rig/irb6_cell.hpp"
 #include "test/sim/camera/scenes.hpp"
 
@@ -22,6 +23,12 @@ struct Seen {
 };
 
 /// The simulator's thread and a receptor, without drivers: the arms stand on their brakes.
+std::vector<PlacedCamera> placed(const CameraWorld& k, View& view) {
+  std::vector<PlacedCamera> all;
+  for (const SimulatedCamera& each : k.cameras) all.push_back({each, &view});
+  return all;
+}
+
 class Station {
  public:
   explicit Station(const CameraWorld& k, ClockKind clock = ClockKind::step)
@@ -29,7 +36,8 @@ class Station {
         simulator_process_(*simulator_bus_, context_),
         receptor_(*receptor_bus_, context_),
         world_(parameters_, 1),
-        station_(simulator_process_, k, parameters_, {"arm1", "arm2"}),
+        cell_(simulator_process_, world_, parameters_, {"arm1", "arm2"}, k.light, k.object),
+        station_(simulator_process_, placed(k, cell_)),
         frames_(receptor_.inbox<camera_frame_t>(k.cameras.at(0).setup.key + ".frame")),
         truth_(receptor_.inbox<object_truth_t>("object.truth")),
         store_(link::FrameReader::open({context_.session, context_.session_id, k.cameras.at(0).setup.key})
@@ -41,7 +49,7 @@ class Station {
     for (std::int64_t end = step_ + steps; step_ < end; ++step_) {
       station_.deliver(step_);
       receive();
-      station_.look(step_, world_);
+      station_.look(step_);
       world_.step({});
     }
   }
@@ -79,6 +87,7 @@ class Station {
   link::Process receptor_;
   WorldParameters parameters_{rig::irb6_cell()};
   World world_;
+  CellView cell_;
   CameraStation station_;
   std::unique_ptr<link::Inbox<camera_frame_t>> frames_;
   std::unique_ptr<link::Inbox<object_truth_t>> truth_;
@@ -93,7 +102,7 @@ SimulatedCamera small_camera() {
   SimulatedCamera c;
   c.setup.key = "sac";
   c.setup.mount = CameraMount::base;
-  c.setup.arm = "arm1";
+  c.setup.robot = "arm1";
   c.setup.place = looking_at({1.1, 0.2, 1.9}, {0.9, 0.1, 0.9}, {1, 0, 0});
   c.setup.model = {160, 120, 150, 150, 79.5, 59.5, {}};
   c.profile = camera::fast_profile();
@@ -141,7 +150,7 @@ TEST(CameraStation, ShowsTheSameInEveryRun) {
   CameraWorld k = one_camera();
   k.cameras.push_back(small_camera());
   k.cameras[1].setup.key = "eih";
-  k.cameras[1].setup.mount = CameraMount::end_effector;
+  k.cameras[1].setup.mount = CameraMount::robot;
   k.object.motion = ObjectMotion::hand;
   k.object.start = 0;
   Station first(k);
@@ -155,7 +164,7 @@ TEST(CameraStation, ShowsTheSameInEveryRun) {
 
 TEST(CameraStation, LetsTheEyeInHandMoveWithTheHand) {
   CameraWorld k = one_camera();
-  k.cameras[0].setup.mount = CameraMount::end_effector;
+  k.cameras[0].setup.mount = CameraMount::robot;
   k.cameras[0].setup.place = {Matrix3::Identity(), {0.1, 0, -0.1}};
   Station station(k);
   station.run(21);
@@ -254,7 +263,7 @@ TEST(CameraStation, ShowsTheOtherCameras) {
   alone.run(21);
   k.cameras.push_back(small_camera());
   k.cameras[1].setup.key = "eih";
-  k.cameras[1].setup.mount = CameraMount::end_effector;
+  k.cameras[1].setup.mount = CameraMount::robot;
   k.cameras[1].setup.place = {Matrix3::Identity(), {0.12, 0.1, -0.1}};
   Station two(k);
   two.run(21);

@@ -16,7 +16,7 @@ pose = [0.1, 0, -0.1, 0, 0, 0]
 )";
 
 CameraWorld read(const std::string& text) {
-  return read_camera_world(Config::parse(text, "test.toml"), {"arm1", "arm2"});
+  return read_camera_world(Config::parse(text, "test.toml"), {"arm1", "arm2"}, {"rex"});
 }
 
 TEST(CameraWorldConfig, HasNoCamerasByDefault) { EXPECT_TRUE(read("").cameras.empty()); }

@@ -1,0 +1,42 @@
+#include "vsp/odometry/receptor.hpp"
+
+#include <array>
+
+#include "base/msg/convert_platform.hpp"
+#include "vsp/camera_loop.hpp"
+#include "vsp/odometry/config.hpp"
+#include "vsp/odometry/recorded_pairs.hpp"
+#include "vsp/receptor_program.hpp"
+
+namespace mrroc::vsp {
+
+void run_odometry(link::Process& process, const Config& config, const link::NodeArguments&) {
+  process.needs_unlogged("the pictures of cameras");
+  const StereoSetup pair = read_stereo(config, camera_of(process));
+  StereoOdometry odometry(pair.rig(), pair.parameters);
+  const auto readings = process.outbox<odometry_reading_t>(pair.key + ".odometry");
+  const auto answer = [&](std::span<const ImageView> pictures, std::int64_t frame, std::int64_t step, double,
+                          bool last) {
+    const bool there = pictures.size() == 2;
+    odometry_reading_t m = to_message(
+        odometry.step(there ? pictures[0] : ImageView{}, there ? pictures[1] : ImageView{}, frame, step));
+    m.last = last;
+    readings->publish(m, frame);
+  };
+  const std::array<WatchedCamera, 2> cameras{
+      {{pair.left.key, pair.left.model}, {pair.right.key, pair.right.model}}};
+  run_cameras(process, cameras, answer, [] {});
+}
+
+int odometry_main(int argc, char** argv) {
+  return receptor_program(
+      argc, argv,
+      "Virtual receptor (VSP) of a platform's visual odometry: the motion between two stereo pairs.\n\n"
+      "For recorded pairs: vsp_odometry --source FOLDER --camera FILE.toml [options]\n"
+      "  --source FOLDER             a folder of pictures for either camera, named as the camera\n"
+      "  --camera FILE.toml          [odometry.NAME] and both [cameras.KEY]\n"
+      "  --name NAME                 which platform of the file, when there are several",
+      run_odometry, recorded_pairs_main);
+}
+
+}  // namespace mrroc::vsp
