@@ -107,7 +107,7 @@ int main(int argc, char** argv) {
                                                                "ecp_rex_drive_map", nullptr,
                                                                rex_drive::run_map)};
              if (rex_drive::read_eyes(config))
-               nodes.push_back(launch::make_node(config, std::string("vsp-") + rex_drive::kPlatform,
+               nodes.push_back(launch::make_node(config, std::string("vsp-odometry-") + rex_drive::kPlatform,
                                                  "vsp_odometry", nullptr, vsp::run_odometry));
              return nodes;
            },

@@ -9,10 +9,23 @@
 #include "vsp/receptor_program.hpp"
 
 namespace mrroc::vsp {
+namespace {
+
+/// @return KEY of the process "vsp-odometry-KEY" @throws FaultError bad_usage
+std::string platform_of(const link::Process& process) {
+  constexpr std::string_view kPrefix = "vsp-odometry-";
+  const std::string& name = process.context().name;
+  if (!name.starts_with(kPrefix) || name.size() == kPrefix.size())
+    throw FaultError(FaultCode::bad_usage,
+                     "a platform's odometry is called vsp-odometry-PLATFORM, not " + name);
+  return name.substr(kPrefix.size());
+}
+
+}  // namespace
 
 void run_odometry(link::Process& process, const Config& config, const link::NodeArguments&) {
   process.needs_unlogged("the pictures of cameras");
-  const StereoSetup pair = read_stereo(config, camera_of(process));
+  const StereoSetup pair = read_stereo(config, platform_of(process));
   StereoOdometry odometry(pair.rig(), pair.parameters);
   const auto readings = process.outbox<odometry_reading_t>(pair.key + ".odometry");
   const auto answer = [&](std::span<const ImageView> pictures, std::int64_t frame, std::int64_t step, double,
