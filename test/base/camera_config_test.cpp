@@ -25,9 +25,9 @@ TEST(CameraConfig, TellsInWhichFrameThePlaceIsKnown) {
   };
   EXPECT_EQ(mount("world").mount, CameraMount::world);
   EXPECT_EQ(mount("arm1.base").mount, CameraMount::base);
-  EXPECT_EQ(mount("arm1.base").arm, "arm1");
+  EXPECT_EQ(mount("arm1.base").robot, "arm1");
   EXPECT_EQ(mount("arm2").mount, CameraMount::robot);
-  EXPECT_EQ(mount("arm2").arm, "arm2");
+  EXPECT_EQ(mount("arm2").robot, "arm2");
   for (const char* bad : {"", ".base", "arm 1", "arm1.tool"}) EXPECT_THROW(mount(bad), ConfigError) << bad;
 }
 

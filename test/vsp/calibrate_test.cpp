@@ -159,7 +159,7 @@ TEST_F(Calibrate, TheFileHasTheLensAndThePlaceAsTheConfigurationReadsThem) {
     EXPECT_EQ(as_toml(order_, m, place), expected + "mount = \"" + mount + "\"\n" + numbers);
     const CameraSetup read = read_camera(Config::parse(as_toml(order_, m, place), "test"), "eih");
     EXPECT_EQ(read.model.distortion, m.distortion);
-    EXPECT_EQ(read.arm, "arm2");
+    EXPECT_EQ(read.robot, "arm2");
     EXPECT_LT((read.place.p - place.camera.p).norm(), 1e-6);
   }
 }

@@ -14,7 +14,7 @@ constexpr double kBaseline = 0.12;
 /// With obstacles along its walls.
 Room furnished() {
   constexpr int kPieces = 8;
-  Room room{.lower = {-kLength / 2, -kWidth / 2}, .upper = {kLength / 2, kWidth / 2}};
+  Room room{.lower = {-kLength / 2, -kWidth / 2}, .upper = {kLength / 2, kWidth / 2}, .obstacles = {}};
   for (int k = 0; k < kPieces; ++k) {
     const double x = (kLength / 2 - 0.6) * std::cos(0.8 * k);
     const double y = (kWidth / 2 - 0.5) * std::sin(0.8 * k);
