@@ -33,7 +33,10 @@ struct Answer {
 class CameraPair : public testing::Test {
  protected:
   CameraPair()
-      : bus_(hub_.open()), mp_(*bus_, context_of("mp")), supervisor_(*bus_, mp_.route("supervisor"), 1) {
+      : bus_(hub_.open()),
+        mp_(*bus_, context_of("mp")),
+        supervisor_(*bus_, mp_.route("supervisor"), 1),
+        status_(*bus_, mp_.route("vsp-rex.status"), 1) {
     for (const char* const key : {"left", "right"}) {
       const link::FrameStoreName name{
           .session = context_of("mp").session, .session_id = context_of("mp").session_id, .camera = key};
@@ -73,9 +76,8 @@ class CameraPair : public testing::Test {
       }
       ended_ = true;
     });
-    link::Queue<process_status_t> status(*bus_, mp_.route("vsp-rex.status"), 1);
     ASSERT_TRUE(await([&] {
-      while (const auto s = status.take())
+      while (const auto s = status_.take())
         if (static_cast<link::ProcessState>(s->state) == link::ProcessState::ready) return true;
       return false;
     }));
@@ -126,6 +128,7 @@ class CameraPair : public testing::Test {
   std::unique_ptr<link::Bus> bus_;
   link::Process mp_;
   link::Outbox<supervisor_t> supervisor_;
+  link::Queue<process_status_t> status_;
   std::vector<std::unique_ptr<link::FrameWriter>> stores_;
   std::vector<std::unique_ptr<link::Outbox<camera_frame_t>>> frames_;
   std::vector<Answer> answers_;  // to be read when answered() or ended_
