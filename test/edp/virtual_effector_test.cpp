@@ -45,7 +45,9 @@ TEST(VirtualEffector, TheDisplacementOfACommandIsWhatItWasMadeOfAndOfAnyOtherCom
     part.arm.pose = numbers_from_pose(r, kAhead);
     EXPECT_LT(distance(ecp::displacement_of(part), kAhead), 1e-12) << "of a part, in any representation";
   }
-  const auto is_none = [](const EffectorCommand& c) { return distance(ecp::displacement_of(c), Pose{}) == 0; };
+  const auto is_none = [](const EffectorCommand& c) {
+    return distance(ecp::displacement_of(c), Pose{}) == 0;
+  };
   EXPECT_TRUE(is_none(ecp::idle()));
   EXPECT_TRUE(is_none({}));
   EffectorCommand other = ecp::displace(kAhead);

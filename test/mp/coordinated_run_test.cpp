@@ -76,8 +76,8 @@ class CoordinatedLinksTest : public ::testing::Test {
     run.emplace("test", process, folder_, arms);
     links.emplace(*run, CoordinatedParameters{.arms = arms, .n_s = 25});
     for (const std::string& arm : arms)
-      reports_.push_back(std::make_unique<link::Outbox<agent_report_t>>(
-          bus, process.route(arm + ".report"), process.context().session_id));
+      reports_.push_back(std::make_unique<link::Outbox<agent_report_t>>(bus, process.route(arm + ".report"),
+                                                                        process.context().session_id));
   }
   ~CoordinatedLinksTest() override {
     links.reset();

@@ -95,8 +95,8 @@ TEST(PenState, APenThatPressesAtRestIsOnThePaperWhateverWasBefore) {
   EXPECT_EQ(pen.sensor.state(), PenState::paper_surface);
 }
 
-// A twitch of the hand: fast for a moment, and at rest in the mean. The rest counts from where the lowering begins, however
-// long the pen has rested above the paper before.
+// A twitch of the hand: fast for a moment, and at rest in the mean. The rest counts from where the lowering begins,
+// however long the pen has rested above the paper before.
 TEST(PenState, ALoweringThatIsAtRestForHalfASecondHasEnded) {
   for (const double before : {0., 0.3, 2.}) {
     Pen pen;

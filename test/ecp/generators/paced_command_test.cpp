@@ -70,8 +70,9 @@ TEST(PacedCommand, AtFullPaceNothingOfACommandIsChangedWhateverTheDriversState) 
   std::uniform_real_distribution<double> number(-1, 1);
   for (const DriverState state : {DriverState::ready, DriverState::executing, DriverState::faulted})
     for (const Reference reference : {Reference::absolute, Reference::relative})
-      for (const Representation space : {Representation::motors, Representation::joints, Representation::frame,
-                                         Representation::xyz_euler_zyz, Representation::xyz_angle_axis}) {
+      for (const Representation space :
+           {Representation::motors, Representation::joints, Representation::frame,
+            Representation::xyz_euler_zyz, Representation::xyz_angle_axis}) {
         ArmCommand arm;
         arm.mu = Interpolation::mim;
         arm.reference = reference;

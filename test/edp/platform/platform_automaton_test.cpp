@@ -90,8 +90,9 @@ TEST(PlatformAutomaton, ARefusalNamesTheStateAndAfterAFaultTheFaultWithItsAxis) 
           rig.macrostep(event == PlatformEvent::synchro ? rig.command(Instruction::synchro)
                                                         : rig.set(rig.way().next(0.1, 0, 50)));
       EXPECT_EQ(reply.fault.code, refusal) << to_string(state) << ", " << to_string(event);
-      EXPECT_EQ(reply.fault.text.view(),
-                refusal == FaultCode::reset_required ? to_string(FaultCode::emergency_stop) : to_string(state))
+      EXPECT_EQ(reply.fault.text.view(), refusal == FaultCode::reset_required
+                                             ? to_string(FaultCode::emergency_stop)
+                                             : to_string(state))
           << to_string(state) << ", " << to_string(event);
       EXPECT_EQ(reply.fault.axis, -1) << to_string(state) << ", " << to_string(event);
     }
