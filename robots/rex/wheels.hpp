@@ -30,4 +30,11 @@ struct TorqueRange {
   return {-kMaxTorque * share(-speed), kMaxTorque * share(speed)};
 }
 
+/// @param torque  [N m]
+/// @return the same where it is within the limit, and the limit where it is beyond. Real-time safe.
+[[nodiscard]] constexpr PerWheel within_limit(PerWheel torque) noexcept {
+  for (double& t : torque) t = std::clamp(t, -kMaxTorque, kMaxTorque);
+  return torque;
+}
+
 }  // namespace mrroc::rex

@@ -122,10 +122,13 @@ std::optional<double> friction_found(const DriveTable& table) {
 }
 
 /// Whether the platform was told to be slower than planned shortly before that time [s].
-bool is_slowed(const DriveTable& table, double t) {
-  // [s] from the end of a pause: the driver goes to full pace in 0.2 s, and the speed is the planned one a second later.
-  constexpr double kSettles = 1.2;
-  const auto slows = [t](const DriveRow& row) { return row.t <= t && row.t > t - kSettles && row.pace < 1; };
+/// @param v  planned speed then [m/s]
+bool is_slowed(const DriveTable& table, double t, double v) {
+  // From the end of a pause the driver goes to full pace in 0.2 s, or by 2 m/s^2 where that takes longer: in 0.3 s at
+  // 0.6 m/s. The speed is the planned one a second later.
+  constexpr double kQuickest = 0.2, kAcceleration = 2, kSettles = 1;
+  const double from = t - std::max(kQuickest, v / kAcceleration) - kSettles;
+  const auto slows = [t, from](const DriveRow& row) { return row.t <= t && row.t > from && row.pace < 1; };
   return std::ranges::any_of(table, slows);
 }
 
@@ -138,7 +141,7 @@ void of_joints(const DriveResults& r, mp::Figures& figures) {
   };
   for (std::size_t k = 0; k + 1 < r.fragments.size(); ++k) {
     const double planned = r.fragments[k].fragment.knot.back().v;
-    if (planned <= kMoves || is_slowed(r.table, times[k].ended)) continue;
+    if (planned <= kMoves || is_slowed(r.table, times[k].ended, planned)) continue;
     const double share = 100 * times[k].speed / planned;
     take(least, share);
     if (r.fragments[k].plan != r.fragments[k + 1].plan) take(least_of_plans, share);

@@ -143,6 +143,13 @@ TEST(ConfigErrors, NameTheRangeAndTheUnit) {
             "a.toml:3: 'sim.paper.stiffness' is 5.0, out of its range: 100 to 1000000 N/m");
   EXPECT_EQ(error_of([] { (void)Config::parse("n = -1", "b").integer("n", 1, {0}); }),
             "b:1: 'n' is -1, out of its range: at least 0");
+  EXPECT_EQ(error_of([] { (void)Config::parse("x = 3.5", "b").number("x", 1, {.max = 2.5}); }),
+            "b:1: 'x' is 3.5, out of its range: at most 2.5");
+  EXPECT_EQ(error_of([] { (void)Config::parse("n = 'x'", "b").integer("n", 1, {.max = 9}); }),
+            "b:1: 'n' must be a whole number, at most 9, and it is \"x\"");
+  EXPECT_EQ(error_of([] { (void)Config::parse("x = 'y'", "b").number("x", 1); }),
+            "b:1: 'x' must be a number, and it is \"y\"")
+      << "what has no bounds has no range";
 }
 
 TEST(ConfigErrors, NameTheTypeThatIsWanted) {

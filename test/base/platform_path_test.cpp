@@ -90,6 +90,19 @@ TEST(Fragment, TurnsThroughMoreThanHalfATurnWithoutAJump) {
   EXPECT_NEAR(before - fragment.knot[0].p.phi, 12.8, 0.05);
 }
 
+TEST(Fragment, TheLongestOneLastsSixSecondsWithAKnotInEveryFifth) {
+  constexpr double kLongest = kMaxFragmentSteps * kPlatformPeriod;
+  EXPECT_DOUBLE_EQ(kLongest, 6.4);
+  EXPECT_DOUBLE_EQ(kLongest / static_cast<double>(kFragmentKnots - 1), 0.2);
+  const Fragment fragment = circle(1, 1, kMaxFragmentSteps);
+  for (double s = 0; s <= 1; s += 0.003) {
+    const PathPoint point = point_at(fragment, s), exact = on_circle(1, 1, s * kLongest);
+    EXPECT_NEAR(point.p.x, exact.p.x, 1e-4);
+    EXPECT_NEAR(point.p.y, exact.p.y, 1e-4);
+    EXPECT_NEAR(point.p.phi, exact.p.phi, kExact);
+  }
+}
+
 TEST(Fragment, OutsideOfItStandsTheNearerEnd) {
   const Fragment fragment = circle(0.5, 0.8, 100);
   const double inf = std::numeric_limits<double>::infinity();

@@ -92,6 +92,21 @@ TEST_F(PreparationTest, SynchronisesWaitsUntilItIsAtRestAndSetsTheModel) {
   EXPECT_EQ(loud[1], (std::pair<std::int64_t, int>(7 + 4 + 1, static_cast<int>(Instruction::set))));
 }
 
+TEST_F(PreparationTest, UnlessItIsToldOtherwiseTheArmRestsFor50MacrostepsBeforeItsForceIsBiased) {
+  constexpr int kRests = 50;
+  std::vector<EffectorReply> answers = silence(2, DriverState::not_synchronised);
+  answers.push_back(answered(1, DriverState::ready));  // of macrostep 3
+  for (const EffectorReply& r : silence(kRests + 1, DriverState::ready)) answers.push_back(r);
+  answers.push_back(answered(2, DriverState::ready));
+  answer_all(answers);
+  EXPECT_EQ(prepare_effector(*links, {}), Outcome::terminated);
+  EXPECT_EQ(links->i(), static_cast<std::int64_t>(answers.size()));
+  std::vector<std::int64_t> set_in;
+  for (const effector_command_t& c : all_sent())
+    if (c.instruction == static_cast<int>(Instruction::set)) set_in.push_back(c.header.stamp);
+  EXPECT_EQ(set_in, std::vector<std::int64_t>{3 + kRests + 1});
+}
+
 TEST_F(PreparationTest, WhatTheDriverRefusesIsTheReason) {
   std::vector<EffectorReply> answers = silence(2, DriverState::not_synchronised);
   answers.push_back(answered(1, DriverState::not_synchronised, Verdict::refused, FaultCode::start_guard));

@@ -145,6 +145,28 @@ bool told(Axis axis, double first, double factor, int periods) {
   return false;
 }
 
+TEST(Oscillation, APeriodThatLastsMoreThanTwiceAsLongAsAnotherIsNoneOfAnOscillation) {
+  const auto is_told = [](int other_half) {
+    Swings s{{0}, {}};
+    for (int n = 0; n < 24; ++n) {
+      s.extremum.push_back(n % 2 == 0 ? 10 : 0);
+      s.steps.push_back((n + 1) / 2 % 2 == 0 ? 20 : other_half);  // every second period, from peak to peak
+    }
+    OscillationObserver observer({}, kDt);
+    for (int k = 0; s.at(k).second + 1 < s.steps.size(); ++k) {
+      Wrench F;
+      F[Axis::y] = 20 + s.at(k).first;
+      if (observer.step(F, kAll)) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(is_told(20)) << "an even one";
+  EXPECT_TRUE(is_told(39));
+  EXPECT_TRUE(is_told(11));
+  EXPECT_FALSE(is_told(41));
+  EXPECT_FALSE(is_told(9));
+}
+
 TEST(Oscillation, TheWayToTheFirstExtremumIsNoSwing) {
   for (const int begin : {0, 5, 10, 15, 25, 33}) {
     OscillationObserver observer({}, kDt);

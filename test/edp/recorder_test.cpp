@@ -171,6 +171,24 @@ TEST_F(Records, ManyFaultsMakeFewFiles) {
   EXPECT_EQ(files(), static_cast<std::size_t>(RecordFiles::kMostFiles));
 }
 
+TEST_F(Records, WhatHappensElsewhereMakesNoFileMoreThanTheMost) {
+  {
+    RecordFiles files(Recording::on_fault, folder_, "arm1", 6, 0.002);
+    std::int64_t step = 0;
+    for (int k = 0; k < RecordFiles::kMostFiles; ++k) {
+      pass(files, step, step + 99);
+      pass(files, step + 100, step + 199, FaultCode::force_limit);
+      step += 200;
+    }
+    const auto long_after = static_cast<std::int64_t>(RecordFiles::kBefore) + 200;
+    pass(files, step, step + long_after);
+    files.trigger();
+    pass(files, step + long_after + 1, step + 2 * long_after);
+    files.dump_on_abort();
+  }
+  EXPECT_EQ(files(), static_cast<std::size_t>(RecordFiles::kMostFiles));
+}
+
 TEST_F(Records, AlwaysIsEveryStepOnce) {
   {
     RecordFiles files(Recording::always, folder_, "arm1", 6, 0.002);

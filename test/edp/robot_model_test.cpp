@@ -154,16 +154,5 @@ TEST(RobotModel, InputsAreToldWhenTheyAreAskedForAndNotOtherwise) {
   EXPECT_EQ(pose.analog, decltype(pose.analog){}) << "nobody asked";
 }
 
-TEST(RobotModel, CurrentsOfTheStepsSinceTheReplyBefore) {
-  CurrentMeter meter;
-  for (const double i : {1., -3., 2.}) meter.add({i, 2 * i});
-  const CurrentStatistics s = meter.take();
-  EXPECT_DOUBLE_EQ(s.mean[0], 0);
-  EXPECT_DOUBLE_EQ(s.least[0], -3);
-  EXPECT_DOUBLE_EQ(s.greatest[1], 4);
-  EXPECT_DOUBLE_EQ(s.rms[0], std::sqrt(14. / 3));
-  EXPECT_EQ(meter.take().rms[0], 0) << "it begins anew";
-}
-
 }  // namespace
 }  // namespace mrroc::edp::test

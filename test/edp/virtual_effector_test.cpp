@@ -37,6 +37,32 @@ TEST(VirtualEffector, ADisplacementLasts21StepsAndEndsWhereItWasTold) {
   EXPECT_LT(distance(rig.driver.set_point().T_0E, start * kAhead), 1e-9);
 }
 
+TEST(VirtualEffector, TheDisplacementOfACommandIsWhatItWasMadeOfAndOfAnyOtherCommandThereIsNone) {
+  EXPECT_LT(distance(ecp::displacement_of(ecp::displace(kAhead)), kAhead), 1e-12);
+  for (const Representation r : {Representation::xyz_euler_zyz, Representation::xyz_angle_axis}) {
+    EffectorCommand part = ecp::displace(kAhead);
+    part.arm.representation = r;
+    part.arm.pose = numbers_from_pose(r, kAhead);
+    EXPECT_LT(distance(ecp::displacement_of(part), kAhead), 1e-12) << "of a part, in any representation";
+  }
+  const auto is_none = [](const EffectorCommand& c) {
+    return distance(ecp::displacement_of(c), Pose{}) == 0;
+  };
+  EXPECT_TRUE(is_none(ecp::idle()));
+  EXPECT_TRUE(is_none({}));
+  EffectorCommand other = ecp::displace(kAhead);
+  other.arm.reference = Reference::absolute;
+  EXPECT_TRUE(is_none(other));
+  for (const Interpolation mu : {Interpolation::tcim_pose, Interpolation::tcim_velocity}) {
+    other = ecp::displace(kAhead);
+    other.arm.mu = mu;
+    EXPECT_TRUE(is_none(other)) << static_cast<int>(mu);
+  }
+  other = ecp::displace(kAhead);
+  other.set = static_cast<std::uint8_t>(Part::robot_model);
+  EXPECT_TRUE(is_none(other)) << "it does not move the arm";
+}
+
 TEST(VirtualEffector, EveryStepIsTheWayThatIsLeftOverTheStepsThatAreLeft) {
   ServoedRig rig;
   rig.displace(kAhead);

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -45,6 +48,26 @@ TEST(CoordinatedRun, AnnouncesABehaviourWhenItBeginsAndNotInEachOfItsMacrosteps)
   std::filesystem::remove_all(folder);
 }
 
+/// A coordinator of two arms, without memory worth the name.
+struct Two {
+  struct X {
+    int c{};
+    int e{};
+    int V{};
+    struct {
+      std::array<Report, 2> agent;
+      OperatorImage h;
+    } T;
+    std::int64_t i{}, i_0{};
+  };
+  struct Y {
+    int c{};
+    int e{};
+    int V{};
+    std::array<Order, 2> T;
+  };
+};
+
 /// A coordinator's links in this thread, with nobody at their other ends.
 class CoordinatedLinksTest : public ::testing::Test {
  protected:
@@ -52,6 +75,9 @@ class CoordinatedLinksTest : public ::testing::Test {
     write_text_file(folder_ / "operator.script", "");
     run.emplace("test", process, folder_, arms);
     links.emplace(*run, CoordinatedParameters{.arms = arms, .n_s = 25});
+    for (const std::string& arm : arms)
+      reports_.push_back(std::make_unique<link::Outbox<agent_report_t>>(bus, process.route(arm + ".report"),
+                                                                        process.context().session_id));
   }
   ~CoordinatedLinksTest() override {
     links.reset();
@@ -65,8 +91,15 @@ class CoordinatedLinksTest : public ::testing::Test {
     m.roster = {"mp"};
     return m;
   }
+  /// Both arms are ready in macrostep i.
+  void report_all(std::int64_t i) {
+    Report r;
+    r.ready = true;
+    for (const auto& out : reports_) out->publish(to_message(r), i);
+  }
 
  private:
+  std::vector<std::unique_ptr<link::Outbox<agent_report_t>>> reports_;
   std::filesystem::path folder_{[] {
     std::string pattern = (std::filesystem::temp_directory_path() / "coordinated_run_test.XXXXXX").string();
     return std::filesystem::path(::mkdtemp(pattern.data()));
@@ -108,6 +141,68 @@ TEST_F(CoordinatedLinksTest, TheEndIsToldToEveryArmWithACommandThatADriverCanExe
     EXPECT_EQ(order.arm.n_Q, 24) << "the reply of the step before the last one";
   }
   EXPECT_EQ(run->board().progress(), 1);
+}
+
+TEST_F(CoordinatedLinksTest, TheFirstOrderIsACommandThatADriverCanExecute) {
+  std::vector<std::unique_ptr<link::Inbox<agent_order_t>>> orders;
+  for (const std::string& arm : arms) orders.push_back(process.inbox<agent_order_t>(arm + ".order"));
+  report_all(1);
+  ASSERT_EQ(links->begin(), Outcome::terminated);
+  EXPECT_EQ(links->links().i(), 1);
+  for (const auto& in : orders) {
+    ASSERT_TRUE(in->newest());
+    EXPECT_EQ(in->newest()->header.stamp, 1);
+    const Order order = from_message(*in->newest());
+    EXPECT_FALSE(order.finished);
+    EXPECT_EQ(order.m, 0);
+    EXPECT_EQ(order.arm.n_s, 25);
+    EXPECT_EQ(order.arm.n_Q, 24) << "the reply of the step before the last one";
+  }
+}
+
+TEST_F(CoordinatedLinksTest, ARunTakesNoteOfEveryMacrostepOfItsBehavioursAndTellsItsEnd) {
+  using Run = CoordinatedRun<Two>;
+  constexpr int kMacrosteps = 6;
+  const auto program = [this](Two::X& x, Run::Port& port) {
+    EXPECT_EQ(x.c, 42) << "it begins with its memory";
+    EXPECT_EQ(x.i, 1) << "and with images";
+    EXPECT_TRUE(x.T.agent[1].ready);
+    Motion<Two> motion{};
+    motion.m = 3;
+    motion.name = "press";
+    motion.until = "the force stands";
+    for (int k = 0; k < kMacrosteps; ++k) {
+      port.dispatch(motion, Two::Y{});
+      report_all(x.i + 1);
+      if (const Outcome o = port.wait(); o != Outcome::terminated) return o;
+      port.read(x);
+      EXPECT_EQ(run->board().m(), 3);
+      EXPECT_EQ(run->board().behaviour(), "press");
+      EXPECT_EQ(run->board().until(), "the force stands");
+    }
+    return Outcome::terminated;
+  };
+  Run coordinator(*run, CoordinatedParameters{.arms = arms, .n_s = 25}, 42, program);
+  report_all(1);
+  EXPECT_EQ(coordinator.execute(), Outcome::terminated);
+  ASSERT_EQ(coordinator.traces().size(), arms.size());
+  for (const ArmTrace& trace : coordinator.traces()) {
+    ASSERT_EQ(trace.size(), static_cast<std::size_t>(kMacrosteps));
+    for (std::size_t k = 0; k < trace.size(); ++k) EXPECT_EQ(trace[k].i, static_cast<std::int64_t>(k) + 2);
+  }
+  EXPECT_EQ(run->board().progress(), 1);
+}
+
+TEST_F(CoordinatedLinksTest, ARunThatEndsOtherwiseIsNotToldAsDone) {
+  using Run = CoordinatedRun<Two>;
+  std::vector<std::unique_ptr<Run>> runs;  // the bus knows all of them to the end
+  for (const Outcome o : {Outcome::aborted, Outcome::faulted}) {
+    runs.push_back(std::make_unique<Run>(*run, CoordinatedParameters{.arms = arms, .n_s = 25}, 0,
+                                         [o](Two::X& /*x*/, Run::Port& /*port*/) { return o; }));
+    report_all(1);
+    EXPECT_EQ(runs.back()->execute(), o);
+    EXPECT_NE(run->board().progress(), 1);
+  }
 }
 
 }  // namespace

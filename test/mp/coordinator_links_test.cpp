@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <limits>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "base/link/memory_bus.hpp"
 #include "base/msg/convert.hpp"
@@ -43,7 +46,7 @@ class Links : public ::testing::Test {
  protected:
   /// Makes everything anew.
   void begin(ClockKind clock, std::chrono::milliseconds timeout = std::chrono::seconds(20),
-             std::chrono::microseconds macrostep = {}) {
+             std::chrono::microseconds macrostep = {}, const link::OtherLinks& needed = {}) {
     links.reset();
     hand.reset();
     mp.reset();
@@ -62,7 +65,7 @@ class Links : public ::testing::Test {
     mp.emplace(*own, m);
     hand = mp->inbox<agent_report_t>("hand.report");
     clerk.box = hand.get();
-    links.emplace(*mp, std::vector<std::string>{"a", "b"}, clerk);
+    links.emplace(*mp, std::vector<std::string>{"a", "b"}, clerk, TaskClock::ramped(), needed);
     for (const char* const arm : {"a", "b"}) {
       reports.push_back(std::make_unique<link::Outbox<agent_report_t>>(
           *others, mp->route(std::string(arm) + ".report"), m.session_id));
@@ -380,6 +383,65 @@ TEST_F(Links, APortGivesItsImagesAndTellsTheBehaviourThatAskedForThem) {
   const auto second = orders[1]->take();
   ASSERT_TRUE(second);
   EXPECT_EQ(second->variant, 3);
+}
+
+/// The same with a clock in its images.
+struct Timed {
+  struct X : Two::X {
+    TaskTime t;
+  };
+  using Y = Two::Y;
+};
+
+TEST_F(Links, APortTellsTheTaskTimeToAnAgentWhoseImagesHaveOne) {
+  begin(ClockKind::step);
+  report_both(1);
+  clerk.paused = true;
+  ASSERT_EQ(links->begin({}), Outcome::terminated);
+  std::vector<double> seen;
+  CoordinatorPort<Timed, std::function<void(const Motion<Timed>&, const Timed::X&)>> port(
+      *links, [&](const Motion<Timed>& /*motion*/, const Timed::X& x) { seen.push_back(x.t.time); });
+  Motion<Timed> motion{};
+  motion.name = "hold";
+  Timed::X x;
+  double time = 0;
+  for (int i = 1; i <= 25; ++i) {
+    port.read(x);
+    const double pace = std::max(0., 1 - 0.1 * i);  // it comes to a stand in ten macrosteps
+    EXPECT_NEAR(x.t.pace, pace, 1e-12) << i;
+    EXPECT_NEAR(x.t.time, time, 1e-12) << i;
+    EXPECT_TRUE(x.t.paused);
+    if (i > 1) {
+      EXPECT_EQ(seen.back(), x.t.time) << "who observes knows it, too";
+    }
+    time += pace;
+    port.dispatch(motion, Timed::Y{});
+    report_both(i + 1);
+    ASSERT_EQ(port.wait(), Outcome::terminated);
+  }
+  EXPECT_EQ(seen.size(), 24U);
+}
+
+TEST_F(Links, WhatElseAMacrostepNeedsIsAskedForThatMacrostepAndWithoutAStep) {
+  constexpr std::int64_t kComesUntil = 3;
+  std::vector<std::pair<std::int64_t, std::int64_t>> asked;
+  link::OtherLinks needed;
+  needed.here = [&](std::int64_t i, std::int64_t step) {
+    if (asked.empty() || asked.back() != std::pair(i, step)) asked.emplace_back(i, step);
+    return i <= kComesUntil;
+  };
+  begin(ClockKind::step, std::chrono::milliseconds(200), {}, needed);
+  report_both(1);
+  ASSERT_EQ(links->begin({}), Outcome::terminated);
+  for (std::int64_t i = 2; i <= kComesUntil; ++i) {
+    report_both(i);
+    ASSERT_EQ(links->wait(), Outcome::terminated) << i;
+  }
+  report_both(4);
+  EXPECT_EQ(links->wait(), Outcome::faulted) << "it does not come";
+  EXPECT_EQ(links->fault().code, FaultCode::peer_silent);
+  EXPECT_EQ(asked, (std::vector<std::pair<std::int64_t, std::int64_t>>{{1, 0}, {2, 0}, {3, 0}, {4, 0}}))
+      << "the coordinator has no effector, and no step of one";
 }
 
 }  // namespace

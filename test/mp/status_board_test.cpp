@@ -140,6 +140,19 @@ TEST(StatusBoard, TellsTheTaskItsArmsAndItsProcesses) {
   EXPECT_NE(link::get_text(m.last_message), "");
 }
 
+TEST(StatusBoard, AProcessIsShownWithTheTimeSinceItWasHeard) {
+  System s;
+  s.ecp.in_behaviour(1, "approach");
+  std::ignore = s.told();
+  constexpr std::chrono::milliseconds kSilent{200};
+  std::this_thread::sleep_for(kSilent);
+  s.board.publish();
+  const task_status_t silent = s.told();
+  EXPECT_GE(silent.process_age[1], std::chrono::duration<double>(kSilent).count());
+  s.ecp.in_behaviour(2, "settle");
+  EXPECT_LT(s.told().process_age[1], silent.process_age[1]) << "it has just been heard";
+}
+
 TEST(StatusBoard, SpeedIsThatOfTheSimulatedTime) {
   System s;
   s.board.set_time(0, 0);

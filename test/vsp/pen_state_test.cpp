@@ -95,6 +95,22 @@ TEST(PenState, APenThatPressesAtRestIsOnThePaperWhateverWasBefore) {
   EXPECT_EQ(pen.sensor.state(), PenState::paper_surface);
 }
 
+// A twitch of the hand: fast for a moment, and at rest in the mean. The rest counts from where the lowering begins,
+// however long the pen has rested above the paper before.
+TEST(PenState, ALoweringThatIsAtRestForHalfASecondHasEnded) {
+  for (const double before : {0., 0.3, 2.}) {
+    Pen pen;
+    pen.rest(0, before);
+    pen.move(0.02, 0, 0.008);
+    ASSERT_EQ(pen.sensor.state(), lowering);
+    pen.rest(0, 0.48);
+    EXPECT_EQ(pen.sensor.state(), lowering) << "after " << before << " s of rest";
+    pen.rest(0, 0.04);
+    EXPECT_EQ(pen.sensor.state(), above_paper) << "after " << before << " s of rest";
+    EXPECT_EQ(pen.states, (States{above_paper, lowering, above_paper}));
+  }
+}
+
 TEST(PenState, LoweringThatTurnsBackEndsAboveThePaper) {
   Pen pen;
   pen.move(0.01, 0, 0.3);

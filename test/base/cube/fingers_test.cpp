@@ -29,6 +29,32 @@ TEST(Fingers, ThePalmLiesOnTheCube) {
     }
 }
 
+TEST(Fingers, ThePadsLieOnTheLayersThatTheyCoverAndOnNoOther) {
+  constexpr double kLayer = kEdge / 3;
+  for (const Fingers fingers : kBoth) {
+    const GripperShape g = gripper_with(fingers);
+    const double layers = fingers == Fingers::one_layer ? 1 : 2;
+    const double near = kEdge / 2 - (depth(fingers) + g.pad_depth / 2);  // from the face at the palm [m]
+    const double far = kEdge / 2 - (depth(fingers) - g.pad_depth / 2);
+    EXPECT_GE(near, 0) << "within the cube";
+    EXPECT_LE(far, layers * kLayer) << "the next layer can turn";
+    EXPECT_GT(g.pad_depth, 0.75 * layers * kLayer) << "the layers are held, not their edge";
+    EXPECT_LE(g.pad_depth / 2, g.palm) << "the pads do not reach into the palm";
+  }
+}
+
+TEST(Fingers, APadAndThePalmLieWithinAFace) {
+  for (const Fingers fingers : kBoth) {
+    const GripperShape g = gripper_with(fingers);
+    EXPECT_LT(g.pad_width, kEdge);
+    EXPECT_GT(g.pad_width, 2 * kEdge / 3) << "all three columns are touched";
+    EXPECT_LT(g.palm_width, kEdge);
+    EXPECT_GT(g.palm_width, 0);
+    EXPECT_GT(g.pad_thickness, 0);
+    EXPECT_GT(g.palm, 0);
+  }
+}
+
 TEST(Fingers, OfTwoLayersAreLongerAndHaveANarrowerPalm) {
   const GripperShape one = gripper_with(Fingers::one_layer), two = gripper_with(Fingers::two_layers);
   EXPECT_GT(two.pad_depth, one.pad_depth);

@@ -119,6 +119,20 @@ TEST_F(DamagedLog, ALogThatIsCutOffIsReadUpToThere) {
   }
 }
 
+// Behind what may be read there is no memory that belongs to the reader: with the sanitizers every byte beyond is seen.
+TEST_F(DamagedLog, APartOfALogThatEndsAnywhereHasTheEventsThatLieInItWhole) {
+  const Bytes first = good(1), second = good(2);
+  std::ofstream(file_, std::ios::binary) << first << second << good(3);
+  for (std::size_t end = 0; end <= first.size() + second.size(); ++end) {
+    EventReader reader(file_, 0, end);
+    int events = 0;
+    while (reader.next()) ++events;
+    const bool whole = end == 0 || end == first.size() || end == first.size() + second.size();
+    EXPECT_EQ(events, end < first.size() ? 0 : end < first.size() + second.size() ? 1 : 2) << end;
+    EXPECT_EQ(reader.damaged(), whole ? 0 : 1) << end;
+  }
+}
+
 TEST_F(DamagedLog, WhatHoldsNoEventOrIsNoFileIsRefused) {
   const auto code_of = [&](const fs::path& file) {
     try {

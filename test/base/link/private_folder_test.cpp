@@ -36,7 +36,7 @@ class PrivateFolder : public ::testing::Test {
   }
   /// @return what is wrong with a file that is not read
   static std::string wrong(const fs::path& path, OwnFile kind) {
-    std::string why;
+    std::string why = "what was wrong with another one";
     EXPECT_FALSE(read_own_file(path, kind, why)) << path;
     return why;
   }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <vector>
 
 #include "base/representation.hpp"
 #include "base/screw.hpp"
@@ -62,6 +63,38 @@ TEST(PacedCommand, AtFullPaceEveryCommandIsSentAsItIs) {
       20, [](int k) { return to_joints(0.01 * k * k); }, [] { return 1.0; });
   ASSERT_EQ(all.size(), 20U);
   for (int k = 0; k < 20; ++k) EXPECT_EQ(all[static_cast<std::size_t>(k)].arm.pose[0], 0.01 * k * k);
+}
+
+TEST(PacedCommand, AtFullPaceNothingOfACommandIsChangedWhateverTheDriversState) {
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (const DriverState state : {DriverState::ready, DriverState::executing, DriverState::faulted})
+    for (const Reference reference : {Reference::absolute, Reference::relative})
+      for (const Representation space :
+           {Representation::motors, Representation::joints, Representation::frame,
+            Representation::xyz_euler_zyz, Representation::xyz_angle_axis}) {
+        ArmCommand arm;
+        arm.mu = Interpolation::mim;
+        arm.reference = reference;
+        arm.representation = space;
+        if (space == Representation::frame) {
+          const Vector3 turn(number(random), number(random), number(random));
+          const Vector3 shift(number(random), number(random), number(random));
+          arm.pose = numbers_from_pose(space, Pose{rotation_from_angle_axis(turn), shift});
+        } else {
+          for (std::size_t k = 0; k < 6; ++k) arm.pose[k] = number(random);
+        }
+        EffectorReply reply;
+        reply.state = state;
+        reply.joints[0] = reply.motors[0] = 1. / 3;
+        PacedCommand command;
+        command.begin(move_arm(arm));
+        const EffectorCommand given = command.part(1, reply);
+        EXPECT_TRUE(command.was_whole());
+        EXPECT_EQ(given.instruction, move_arm(arm).instruction) << "the driver says what it refuses";
+        EXPECT_EQ(given.set, move_arm(arm).set);
+        EXPECT_EQ(given.arm.pose, arm.pose) << "to the last digit";
+      }
 }
 
 TEST(PacedCommand, AWayOfPosesIsTheSameAtAnyPace) {
@@ -127,6 +160,39 @@ TEST(PacedCommand, ADisplacementInSpaceIsMadeInPiecesOfTheSameMotion) {
   EXPECT_LT((sum.R - T.R).norm(), 1e-9);
   EXPECT_FALSE(command.ends_within(0)) << "and a pause goes on for ever";
   EXPECT_TRUE(command.ends_within(0.1));
+}
+
+// In the macrostep in which one displacement ends and the next one begins both are in one command, one after the other.
+TEST(PacedCommand, DisplacementsInSpaceFollowOneAnotherAtAnyPace) {
+  const Pose first{rotation_from_angle_axis({0.5, -0.2, 0.3}), Vector3(0.04, 0.01, -0.02)};
+  const Pose second{rotation_from_angle_axis({-0.1, 0.6, 0.2}), Vector3(-0.01, 0.05, 0.03)};
+  for (const Representation space :
+       {Representation::frame, Representation::xyz_euler_zyz, Representation::xyz_angle_axis})
+    for (const std::vector<double>& paces :
+         {std::vector<double>{0.6, 0.6, 0.6, 0.2}, std::vector<double>{0.9, 0.3, 0.5, 0.3},
+          std::vector<double>{0.5, 0.5, 0.25, 0.75}}) {
+      PacedCommand command;
+      std::vector<Pose> next{second, first};
+      Pose sum;
+      for (const double pace : paces) {
+        if (command.ends_within(pace)) {
+          ArmCommand arm;
+          arm.mu = Interpolation::mim;
+          arm.representation = space;
+          arm.reference = Reference::relative;
+          arm.pose = numbers_from_pose(space, next.back());
+          next.pop_back();
+          command.begin(move_arm(arm));
+        }
+        const auto piece = pose_from_numbers(space, command.part(pace, {}).arm.pose);
+        ASSERT_TRUE(piece);
+        sum = sum * *piece;
+      }
+      ASSERT_TRUE(next.empty());
+      const Pose expected = first * second;
+      EXPECT_LT((sum.p - expected.p).norm(), 1e-9) << static_cast<int>(space) << ", " << paces[0];
+      EXPECT_LT((sum.R - expected.R).norm(), 1e-9) << static_cast<int>(space) << ", " << paces[0];
+    }
 }
 
 TEST(PacedCommand, AWayThatBeginsInARampBeginsWhereTheArmIs) {

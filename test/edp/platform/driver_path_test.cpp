@@ -287,6 +287,61 @@ TEST_F(Driving, AnotherSessionBeginsWithItsOwnNumbersAfterAStop) {
   EXPECT_EQ(reply.accepted, 1);
 }
 
+TEST_F(Driving, AnOlderMessageDoesNotReplaceThePaceOfANewerOne) {
+  Way way = rig.way();
+  hand({way.next(0.5, 0, 20), way.next(0.5, 0, 300)});
+  rig.wait(30);
+  for (int k = 0; k < 40; ++k) {
+    PlatformCommand newer = rig.keep(), older = rig.keep();
+    newer.pace = 0.4;
+    older.pace = 0.9;
+    older.macrostep -= 1 + k % 3;
+    rig.driver.take(k % 2 == 0 ? newer : older);
+    rig.macrostep(k % 2 == 0 ? older : newer);
+  }
+  EXPECT_NEAR(rig.driver.wanted().v, 0.4 * 0.5, 1e-9);
+  PlatformCommand late = rig.keep();
+  late.pace = 0.9;
+  late.macrostep -= 5;
+  for (int k = 0; k < 5; ++k) rig.macrostep(late);
+  EXPECT_NEAR(rig.driver.wanted().v, 0.4 * 0.5, 1e-9) << "also when it comes alone";
+  for (int k = 0; k < 20; ++k) {
+    PlatformCommand first = rig.keep(), second = rig.keep();
+    first.pace = 0.9;
+    second.pace = 0.6;
+    rig.driver.take(first);
+    rig.macrostep(second);
+  }
+  EXPECT_NEAR(rig.driver.wanted().v, 0.6 * 0.5, 1e-9) << "of two with one stamp the later one counts";
+}
+
+TEST_F(Driving, StampsOfTheSessionBeforeDoNotHoldThePaceOfANewOne) {
+  Way way = rig.way();
+  hand({way.next(0.3, 0, 20), way.next(0, 0, 20)});
+  ASSERT_TRUE(rig.reach(DriverState::holding));
+  PlatformCommand far_ahead = rig.keep();
+  far_ahead.macrostep += 100'000;
+  rig.macrostep(far_ahead);
+  rig.driver.drop_owner();
+  rig.quiet();
+  const auto of_session_8 = [](PlatformCommand c, double pace) {
+    c.session = 8;
+    c.pace = pace;
+    return c;
+  };
+  Way anew = rig.way();
+  for (const std::int64_t number : {1, 2}) {
+    PlatformCommand c = of_session_8(rig.set(anew.next(0.4, 0, number == 1 ? 20 : 300)), 0.5);
+    c.number = number;
+    const PlatformReply reply = rig.macrostep(c);
+    ASSERT_EQ(reply.verdict, Verdict::executed) << reply.fault.text.view();
+  }
+  for (int k = 0; k < 60; ++k) rig.macrostep(of_session_8(rig.keep(), 0.5));
+  EXPECT_NEAR(rig.driver.wanted().v, 0.5 * 0.4, 1e-9) << "from its first message on";
+  for (int k = 0; k < 30; ++k) rig.macrostep(of_session_8(rig.keep(), 0.25));
+  EXPECT_NEAR(rig.driver.wanted().v, 0.25 * 0.4, 1e-9);
+}
+
 TEST_F(Driving, ASessionWhoseFirstFragmentIsRefusedHasNotBegun) {
   Way way = rig.way();
   hand({way.next(0.5, 0, 20), way.next(0, 0, 20)});

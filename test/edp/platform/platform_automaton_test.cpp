@@ -79,6 +79,33 @@ TEST(PlatformAutomaton, AFragmentInEveryStateGetsTheAnswerOfTheTable) {
   }
 }
 
+TEST(PlatformAutomaton, ARefusalNamesTheStateAndAfterAFaultTheFaultWithItsAxis) {
+  for (const DriverState state : kReached)
+    for (const PlatformEvent event : {PlatformEvent::synchro, PlatformEvent::fragment}) {
+      const FaultCode refusal = transition(state, event).refusal;
+      if (refusal == FaultCode::none) continue;
+      PlatformRig rig;
+      lead_into(rig, state);
+      const PlatformReply reply =
+          rig.macrostep(event == PlatformEvent::synchro ? rig.command(Instruction::synchro)
+                                                        : rig.set(rig.way().next(0.1, 0, 50)));
+      EXPECT_EQ(reply.fault.code, refusal) << to_string(state) << ", " << to_string(event);
+      EXPECT_EQ(reply.fault.text.view(), refusal == FaultCode::reset_required
+                                             ? to_string(FaultCode::emergency_stop)
+                                             : to_string(state))
+          << to_string(state) << ", " << to_string(event);
+      EXPECT_EQ(reply.fault.axis, -1) << to_string(state) << ", " << to_string(event);
+    }
+  PlatformRig rig;
+  lead_into(rig, DriverState::ready);
+  rig.driver.trip({.code = FaultCode::encoder_fault, .axis = 2});
+  rig.wait(1);
+  const PlatformReply reply = rig.macrostep(rig.command(Instruction::synchro));
+  EXPECT_EQ(reply.fault.code, FaultCode::reset_required);
+  EXPECT_EQ(reply.fault.text.view(), to_string(FaultCode::encoder_fault));
+  EXPECT_EQ(reply.fault.axis, 2);
+}
+
 TEST(PlatformAutomaton, GetIsRefusedInEveryStateAndQueryAnswered) {
   for (const DriverState state : kReached)
     for (const Instruction instruction : {Instruction::get, Instruction::set_get, Instruction::query}) {

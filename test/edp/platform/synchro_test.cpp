@@ -116,6 +116,26 @@ TEST(Synchro, ASessionThatEndsEndsIt) {
   EXPECT_EQ(rig.driver.state(), DriverState::not_synchronised);
 }
 
+TEST(Synchro, OneThatItsSessionHasLeftInAnyMacrostepCannotFailAnyMore) {
+  constexpr int kMost = 200;  // macrosteps
+  int left = 0;
+  for (;; ++left) {
+    ASSERT_LT(left, kMost) << "an estimator that says nothing is a failure";
+    PlatformRig rig;
+    rig.platform.faults.estimate_not_finite = true;
+    rig.macrostep(rig.command(Instruction::synchro));
+    rig.wait(left);
+    if (rig.driver.state() != DriverState::homing) break;
+    rig.driver.drop_owner();
+    for (int k = 0; k < 10; ++k) {
+      rig.quiet();
+      ASSERT_EQ(rig.driver.state(), DriverState::not_synchronised) << "left after " << left;
+      ASSERT_FALSE(rig.driver.fault()) << "left after " << left;
+    }
+  }
+  EXPECT_GT(left, 10) << "it has been left while it waited and while the estimator failed";
+}
+
 TEST(Synchro, MayBeRepeatedAfterAFault) {
   PlatformRig rig;
   rig.map_seen = false;

@@ -210,5 +210,19 @@ TEST(Wheels, DrivesGiveTheirTorqueUpToASpeedAndBrakeWithAllOfIt) {
   }
 }
 
+TEST(Wheels, TorquesBeyondTheLimitAreTakenToItAndAllOthersStay) {
+  const double beyond = std::nextafter(kMaxTorque, 100.);
+  EXPECT_EQ(within_limit({beyond, -beyond, kMaxTorque, -kMaxTorque}),
+            (PerWheel{kMaxTorque, -kMaxTorque, kMaxTorque, -kMaxTorque}));
+  EXPECT_EQ(within_limit({1e9, -1e9, 0, 7}), (PerWheel{kMaxTorque, -kMaxTorque, 0, 7}));
+  for (std::size_t wheel = 0; wheel < kWheels; ++wheel) {
+    PerWheel torque{1, -2, 3, -4};
+    PerWheel wanted = torque;
+    torque[wheel] = 2 * kMaxTorque;
+    wanted[wheel] = kMaxTorque;
+    EXPECT_EQ(within_limit(torque), wanted) << "each wheel by itself: " << wheel;
+  }
+}
+
 }  // namespace
 }  // namespace mrroc::rex

@@ -96,6 +96,7 @@ TEST(Nmpc, TorquesAreOnesThatTheDrivesCanGiveAtTheirSpeed) {
   }
 }
 
+// The solver has never been seen beyond its bounds; within_limit() takes away what it may pass them by.
 TEST(Nmpc, TorquesAtTheLimitCanAllBeUsed) {
   edp::Follower follower(std::make_unique<Nmpc>(), platform().properties());
   Plant plant({});

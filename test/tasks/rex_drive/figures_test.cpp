@@ -76,11 +76,29 @@ TEST(RexFigures, AJointNearAPauseIsNotJudged) {
   mp::Figures f = figures_of(r);
   EXPECT_EQ(f.count("joint_speed_pct"), 0U);
   EXPECT_EQ(f.count("plan_joint_speed_pct"), 0U);
-  for (DriveRow& row : r.table) row.pace = row.t < 0.79 || row.t > 2.1 ? 0 : 1;
+  for (DriveRow& row : r.table) row.pace = row.t < 0.71 || row.t > 2.1 ? 0 : 1;
   f = figures_of(r);
   EXPECT_NEAR(value(f, "joint_speed_pct"), 40, 1e-9) << "the pauses are long before it and behind it";
   for (DriveRow& row : r.table) row.pace = row.t < 0.85 ? 0 : 1;
   EXPECT_EQ(figures_of(r).count("joint_speed_pct"), 0U) << "1.15 s after a pause";
+}
+
+// The pace comes back in 0.2 s, or by 2 m/s^2; a second later the speed is the planned one.
+TEST(RexFigures, TheFasterAJointIsPlannedTheLongerAfterAPauseItIsNotJudged) {
+  struct Case {
+    double planned;  // [m/s]
+    double settles;  // [s]
+  };
+  for (const Case& c : {Case{0.2, 1.2}, Case{0.8, 1.4}, Case{1.4, 1.7}}) {
+    DriveResults r = synthetic_drive();
+    r.fragments[0].fragment.knot.back().v = c.planned;
+    const auto judged_after = [&r](double paused_until) {
+      for (DriveRow& row : r.table) row.pace = row.t < paused_until ? 0 : 1;
+      return figures_of(r).count("joint_speed_pct") == 1;
+    };
+    EXPECT_FALSE(judged_after(2 - c.settles + 0.1)) << c.planned;
+    EXPECT_TRUE(judged_after(2 - c.settles - 0.1)) << c.planned;
+  }
 }
 
 TEST(RexFigures, AJointOfPlansIsJudgedByTheSpeedPlannedThere) {
