@@ -63,6 +63,40 @@ TEST(RexDrive, DrivesAPlanWithTheSameBitsInOneProcessAndInSeveral) {
   EXPECT_EQ(figure(told[0], "solver_failures"), 0);
 }
 
+/// Small pictures, which take little time.
+std::vector<std::string> with_eyes() {
+  std::vector<std::string> words{"--eyes", "on"};
+  for (const char* const camera : {"rex_left", "rex_right"})
+    for (const char* const setting : {"width=320", "height=240", "fx=210"})
+      words.insert(words.end(), {"--set", std::string("cameras.") + camera + "." + setting});
+  return words;
+}
+
+TEST(RexDrive, SeesItsMotionWithTheSameBitsInOneProcessAndInSeveral) {
+  if (!multicast()) GTEST_SKIP() << "no multicast";
+  const Folder folder;
+  nlohmann::json told[2];
+  for (const bool one : {false, true}) {
+    const std::string name = one ? "one" : "separate";
+    const Ended ended =
+        run(folder, "rex_drive", words({drive_along(folder, name), with_eyes(), {"--processes", name}}));
+    ASSERT_EQ(ended.status, 0) << ended.all();
+    told[one ? 1 : 0] = summary(folder / name);
+  }
+  EXPECT_NE(told[0].at("log_hash"), "0000000000000000");
+  EXPECT_EQ(told[0].at("log_hash"), told[1].at("log_hash"));
+  EXPECT_LE(figure(told[0], "estimate_rms_mm"), 12);
+  const Ended listed = run(folder, "ui_cli", {"log", "csv", (folder / "one").string(), "rex.odometry"});
+  ASSERT_EQ(listed.status, 0) << listed.all();
+  const fs::path table = folder.write("odometry.csv", "");
+  std::ofstream(table) << listed.all();
+  const std::vector<double> valid = column_of(table, "motion.valid");
+  ASSERT_GE(valid.size(), 40U) << "a pair every 80 ms";
+  EXPECT_GE(std::ranges::count(valid, 1.0),
+            static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(valid.size())))
+      << "all but the first and the last";
+}
+
 TEST(RexDrive, DrivesOnWithoutTheMapForAWhile) {
   const Folder folder;
   const Ended ended =
