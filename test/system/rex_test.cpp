@@ -88,8 +88,9 @@ TEST(RexDrive, SeesItsMotionWithTheSameBitsInOneProcessAndInSeveral) {
   EXPECT_LE(figure(told[0], "estimate_rms_mm"), 12);
   const Ended listed = run(folder, "ui_cli", {"log", "csv", (folder / "one").string(), "rex.odometry"});
   ASSERT_EQ(listed.status, 0) << listed.all();
-  const fs::path table = folder.write("odometry.csv", "");
-  std::ofstream(table) << listed.all();
+  std::string rows;
+  for (const std::string& line : listed.out) rows += line + "\n";
+  const fs::path table = folder.write("odometry.csv", rows);
   const std::vector<double> valid = column_of(table, "motion.valid");
   ASSERT_GE(valid.size(), 40U) << "a pair every 80 ms";
   EXPECT_GE(std::ranges::count(valid, 1.0),
