@@ -87,19 +87,28 @@ class Stream {
 /// Announcements of one number, by camera.
 using Announced = std::vector<const camera_frame_t*>;
 
-/// @return those that are looked at next, or none when they have not all come: in lock-step those of picture i, with the wall
-///         clock the newest that every camera has, so that nobody works off a heap of old pictures
-Announced announced(const link::Process& process, const std::vector<Stream>& streams, std::int64_t i) {
-  if (!process.lock_step()) {
-    std::int64_t common = std::numeric_limits<std::int64_t>::max();
-    for (const Stream& each : streams)
-      common = std::min(common, each.newest() ? each.newest()->header.stamp : -1);
-    i = std::max(i, common);
-  }
+/// @return announcements of picture i; none when a camera has none
+Announced of_number(const std::vector<Stream>& streams, std::int64_t i) {
   Announced all;
   for (const Stream& each : streams)
     if (const camera_frame_t* const m = each.at(i)) all.push_back(m);
   return all.size() == streams.size() ? all : Announced{};
+}
+
+/// @return those that are looked at next, or none when they have not all come: in lock-step those of picture i, with the wall
+///         clock the newest that every camera has, so that nobody works off a heap of old pictures; each camera leaves out
+///         what it cannot draw in time. A last one counts for all cameras, since the others' may have another number
+Announced announced(const link::Process& process, const std::vector<Stream>& streams, std::int64_t i) {
+  if (process.lock_step()) return of_number(streams, i);
+  std::int64_t common = std::numeric_limits<std::int64_t>::max();
+  for (const Stream& each : streams) {
+    const camera_frame_t* const newest = each.newest();
+    if (newest && newest->last != 0) return Announced(streams.size(), newest);
+    common = std::min(common, newest ? newest->header.stamp : -1);
+  }
+  for (; common >= i; --common)
+    if (Announced all = of_number(streams, common); !all.empty()) return all;
+  return {};
 }
 
 void check_together(const Announced& all) {
@@ -137,7 +146,6 @@ void run_cameras(link::Process& process, std::span<const WatchedCamera> cameras,
       return !all.empty() || process.phase() == link::Phase::finished;
     });
     if (all.empty()) break;
-    check_together(all);
     process.report_skipped(all.front()->header.stamp - i);
     i = all.front()->header.stamp;
     const std::int64_t step = all.front()->step;
@@ -145,6 +153,7 @@ void run_cameras(link::Process& process, std::span<const WatchedCamera> cameras,
       answer({}, i, step, 0, true);  // no picture goes with the last announcement
       break;
     }
+    check_together(all);
     bool taken = true;
     for (std::size_t k = 0; k < streams.size(); ++k)
       taken = streams[k].take(*all[k], process.lock_step()) && taken;

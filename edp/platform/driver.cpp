@@ -152,6 +152,8 @@ void PlatformDriver::end_macrostep() noexcept {
 void PlatformDriver::reset() noexcept {
   reset_pending_ = false;
   wheel_brake_.end();
+  enabled_ = false;
+  torque_ = {};
   fault_ = {};
   fire(position_known_ ? PlatformEvent::reset : PlatformEvent::reset_unknown);
 }
@@ -256,7 +258,7 @@ void PlatformDriver::answer() noexcept {
 
 void PlatformDriver::brake() noexcept {
   const bool brakes = wheel_brake_.engaged();
-  const PerWheel torque = wheel_brake_.step(sensors_.wheels().increments());
+  const PerWheel torque = wheel_brake_.step(sensors_.wheels());
   if (!brakes) return;
   torque_ = torque;
   enabled_ = wheel_brake_.engaged();

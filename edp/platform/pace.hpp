@@ -15,7 +15,7 @@ class Pace {
   /// The same when the platform is stopped.
   static constexpr double kStop = 1. / 15;
   /// What the speed changes by at most, up and down [m/s^2]: what tyres can give on slippery ground, too. Up to 0.6 m/s a stop is
-  /// gentler; with the brakes' run-out the platform is at rest in 300 steps then.
+  /// gentler; the platform is at rest in about 200 steps then.
   static constexpr double kAcceleration = 2;
 
   /// @param v  planned speed [m/s]  @param most  kChange or kStop  @return change of the pace in an iteration

@@ -7,11 +7,13 @@
 #include <numbers>
 
 #include "edp/platform/platform.hpp"
+#include "edp/platform/wheel_meter.hpp"
 
 namespace mrroc::edp {
 
 /// Brakes each wheel with a torque against its own speed. A short-circuited motor does so, too, but its torque fades with the
-/// speed. It needs the encoders alone: neither an estimate nor a solver. Real-time safe.
+/// speed. It needs the encoders alone, neither an estimate nor a solver, and nobody else watches them meanwhile: when they
+/// cannot be true, it ends. Real-time safe.
 class WheelBrake {
  public:
   /// Torque against a speed, up to the most that the platform brakes with [N m s/rad]. With more, wheels without load shake.
@@ -23,35 +25,44 @@ class WheelBrake {
   static constexpr double kPlay = 2;
   static constexpr int kRest = 50;
   static constexpr int kLongest = 500;
+  /// It ends, too, when a wheel seems to stand for so many steps in which the other one of its side has turned by so much
+  /// [rad]: nothing holds a braked wheel on moving ground, so its encoder is stuck; or when one seems to turn faster than any
+  /// wheel can by this factor.
+  static constexpr int kStuck = 20;
+  static constexpr double kMoved = 0.1;
+  static constexpr double kOverSpeed = 1.5;
 
   /// @param platform  one that brakes with no torque is never engaged  @param dt  duration of a step [s]
   WheelBrake(const PlatformProperties& platform, double dt) noexcept
       : most_(platform.braking_torque),
+        most_speed_(kOverSpeed * platform.max_wheel_speed),
+        rad_per_increment_(2 * std::numbers::pi / platform.increments_per_turn),
         speed_per_increment_(2 * std::numbers::pi / platform.increments_per_turn / dt / kMeasured) {}
 
   void begin() noexcept {
     left_ = most_ > 0 ? kLongest : 0;
     rest_ = 0;
     away_ = {};
+    standing_ = {};
+    beside_ = {};
   }
   void end() noexcept { left_ = 0; }
   /// @return whether the drives are to follow the torques
   [[nodiscard]] bool engaged() const noexcept { return left_ > 0; }
 
-  /// One step, also of a platform that does not brake. @param increments  that the wheels have turned by since the step before
+  /// One step, also of a platform that does not brake. @param wheels  with its reading
   /// @return torques [N m]; zero when it is not engaged any more
-  [[nodiscard]] PerWheel step(const PerWheel& increments) noexcept {
-    newest_ = (newest_ + 1) % kMeasured;
-    last_[newest_] = increments;
+  [[nodiscard]] PerWheel step(const WheelMeter& wheels) noexcept {
     if (!engaged()) return {};
-    look_for_rest(increments);
+    look_for_rest(wheels.increments());
     PerWheel torque{};
-    for (std::size_t k = 0; engaged() && k < kWheels; ++k) {
-      double turned = 0;
-      for (const PerWheel& each : last_) turned += each[k];
-      torque[k] = std::clamp(-kGain * speed_per_increment_ * turned, -most_, most_);
+    const PerWheel turned = wheels.turned(kMeasured);
+    for (std::size_t k = 0; k < kWheels; ++k) {
+      const double speed = speed_per_increment_ * turned[k];
+      if (std::abs(speed) > most_speed_ || is_stuck(k, wheels.increments())) end();
+      torque[k] = std::clamp(-kGain * speed, -most_, most_);
     }
-    return torque;
+    return engaged() ? torque : PerWheel{};
   }
 
  private:
@@ -63,13 +74,27 @@ class WheelBrake {
     left_ = rest_ >= kRest ? 0 : left_ - 1;
   }
 
-  double most_;                 // [N m]
-  double speed_per_increment_;  // [rad/s] of kMeasured steps
-  std::array<PerWheel, kMeasured> last_{};
-  std::size_t newest_{};
-  PerWheel away_{};  // from where the wheels stood when one moved last [increments]
-  int left_{};       // steps
-  int rest_{};       // steps at rest
+  /// @return whether wheel k stands while the other one of its side turns
+  bool is_stuck(std::size_t k, const PerWheel& increments) noexcept {
+    const std::size_t other = (k + kWheels / 2) % kWheels;
+    if (increments[k] != 0) {
+      standing_[k] = 0;
+      beside_[k] = 0;
+    }
+    ++standing_[k];
+    beside_[k] += rad_per_increment_ * increments[other];
+    return standing_[k] > kStuck && std::abs(beside_[k]) > kMoved;
+  }
+
+  double most_;                          // [N m]
+  double most_speed_;                    // [rad/s]
+  double rad_per_increment_;             // of an encoder
+  double speed_per_increment_;           // [rad/s] of kMeasured steps
+  PerWheel away_{};                      // from where the wheels stood when one moved last [increments]
+  std::array<int, kWheels> standing_{};  // steps since each has turned
+  PerWheel beside_{};                    // turned by the other one of its side in them [rad]
+  int left_{};                           // steps
+  int rest_{};                           // steps at rest
 };
 
 }  // namespace mrroc::edp

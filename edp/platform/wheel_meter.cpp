@@ -57,6 +57,13 @@ void WheelMeter::step(const PlatformReading& reading) noexcept {
   step_ = reading.step;
 }
 
+PerWheel WheelMeter::turned(std::size_t steps) const noexcept {
+  const PerWheel& before = ring_[(newest_ + kReadings - steps) % kReadings];
+  PerWheel turned{};
+  for (std::size_t k = 0; k < kWheels; ++k) turned[k] = ring_[newest_][k] - before[k];
+  return turned;
+}
+
 PerWheel WheelMeter::theta() const noexcept {
   PerWheel theta = ring_[newest_];
   for (double& turned : theta) turned *= rad_per_increment_;

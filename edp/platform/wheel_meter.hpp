@@ -26,7 +26,9 @@ class WheelMeter {
   [[nodiscard]] PerWheel theta() const noexcept;
   /// @return [rad/s]
   [[nodiscard]] PerWheel theta_dot() const noexcept;
-  /// @return turned in the last step [increments]
+  /// @param steps  0..kReadings-1 @return turned in the last steps [increments]; before the first reading the wheels stood
+  [[nodiscard]] PerWheel turned(std::size_t steps) const noexcept;
+  /// @return turned since the reading before [increments]
   [[nodiscard]] const PerWheel& increments() const noexcept { return increments_; }
 
  private:

@@ -32,7 +32,7 @@ struct EstimatorPrior {
 };
 
 /// Ranges of the slip coefficients. Wheels that hardly slip tell of the ground's stiffness alone: on a straight a stiff one looks
-/// like one of any friction, and in the next curve the estimate would have to come down from there. No tyre holds better.
+/// like one of any friction, and in the next curve the estimate would have to come down from there. No ground in the room holds better.
 struct SlipBounds {
   double least_friction{0.05};  ///< of mu_x and mu_y
   double most_friction{1.0};    ///< of mu_x and mu_y

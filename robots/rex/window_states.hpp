@@ -11,7 +11,7 @@ namespace mrroc::rex {
 /// is of has changed; residuals, which cost little, always. Everything is real-time safe.
 class WindowStates {
  public:
-  /// A number for each stage.
+  /// A correction of the state of each stage.
   using Change = std::array<StageVector, static_cast<std::size_t>(kWindowStages)>;
   /// Most halvings of a step.
   static constexpr int kHalvings = 2;

@@ -38,7 +38,7 @@ struct DriveResults {
 ///                                     are within 10 %, the split within 0.1, and stay there for a second, or until it
 ///                                     changes again or the drive ends
 ///   joint_speed_pct                   least true speed at the end of a fragment that is passed at speed, of the planned one;
-///                                     not within 1.2 s after a pause
+///                                     not until 1 s after full pace can have come back from a pause
 ///   plan_joint_speed_pct              the same where one plan goes on into the next
 ///   ack_before_rest_s                 from the last ack until the platform stands
 ///   speed_mean_mps, speed_max_mps     true, while it drives

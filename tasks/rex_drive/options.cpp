@@ -75,7 +75,7 @@ std::vector<std::string> settings_of_ground(const std::string& name) {
 void add_drive_options(CommandLine& line, DriveOptions& o) {
   line.option("--eyes", o.eyes,
               "on: a pair of cameras sees the room, and visual odometry helps the estimator (default: off)")
-      .type_name("on|off");
+      .one_of({"on", "off"});
   line.option(
           "--plan", o.plan,
           fmt::format("Points to drive through, a file of lines 'x y', or one of {} (default: figure_eight)",
@@ -103,8 +103,6 @@ std::vector<std::string> settings_of(const DriveOptions& o) {
   refuse_empty("--tracker", o.tracker);
   refuse_empty("--estimator", o.estimator);
   refuse_empty("--ground", o.ground);
-  if (o.eyes && *o.eyes != "on" && *o.eyes != "off")
-    throw FaultError(FaultCode::bad_usage, fmt::format("--eyes: it is on or off, not '{}'", *o.eyes));
   std::vector<std::string> settings;
   const auto set = [&settings](const char* key, const std::string& value) {
     settings.push_back(fmt::format("{}={}", key, value));

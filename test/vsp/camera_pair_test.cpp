@@ -92,11 +92,11 @@ class CameraPair : public testing::Test {
     m.slot = stores_[camera]->write(k, step, 0, image.view());
     frames_[camera]->publish(m, k);
   }
-  void end_pictures(std::int64_t k) {
+  void end_pictures(std::size_t camera, std::int64_t k) {
     camera_frame_t m{};
     m.slot = -1;
     m.last = 1;
-    for (const auto& each : frames_) each->publish(m, k);
+    frames_[camera]->publish(m, k);
   }
   static std::uint8_t grey(std::size_t camera, std::int64_t k) {
     return static_cast<std::uint8_t>(100 * camera + static_cast<std::size_t>(k));
@@ -146,7 +146,8 @@ TEST_F(CameraPair, PicturesOfOneNumberAreAnsweredTogetherWhicheverCameraIsFirst)
   ASSERT_TRUE(answered(1));
   take_picture(1, 1, 40);
   ASSERT_TRUE(answered(2));
-  end_pictures(2);
+  end_pictures(0, 2);
+  end_pictures(1, 2);
   ASSERT_TRUE(answered(3));
   EXPECT_EQ(answers_, (std::vector<Answer>{good(0), good(1), {{}, 2, 0, true}}));
 }
@@ -164,14 +165,21 @@ TEST_F(CameraPair, ByTheWallClockTheNewestNumberThatBothHaveIsNext) {
   for (std::int64_t k = 0; k < 3; ++k) take_picture(0, k, 40 * k);
   for (std::int64_t k = 0; k < 2; ++k) take_picture(1, k, 40 * k);
   start(ClockKind::wall);
-  // Nobody had listened before; from now on both have 3, and the left camera 4.
+  // Nobody had listened before; from now on both have 3.
   take_picture(1, 3, 120);
   take_picture(0, 3, 120);
   ASSERT_TRUE(answered(1));
   EXPECT_EQ(answers_.back(), good(3));
-  take_picture(0, 4, 160);
-  end_pictures(5);
+  take_picture(0, 4, 160);  // the right camera leaves this one out, and the left one the next
+  take_picture(1, 5, 200);
+  take_picture(0, 6, 240);
+  take_picture(1, 6, 240);
   ASSERT_TRUE(answered(2));
+  EXPECT_EQ(answers_.back(), good(6));
+  take_picture(0, 7, 280);
+  end_pictures(0, 8);
+  end_pictures(1, 7);
+  ASSERT_TRUE(answered(3));
   EXPECT_TRUE(answers_.back().last);
 }
 
