@@ -126,6 +126,7 @@ Figures friction_figures(Summaries runs) {
   const Summaries grounds = runs.first(runs.size() - kSeeds), halved = runs.last(kSeeds);
   return {{"friction_err", most(grounds, "friction_err"), "", "three smooth grounds, worst, wanted <= 0.02"},
           {"split_err", most(grounds, "split_err"), "", "  wanted <= 0.02"},
+          {"split_rms", most(grounds, "split_rms"), "", "  of the split at any time"},
           {"friction_found_s", most(halved, "friction_found_s"), "s",
            "after it halves in a curve, wanted <= 1.5"}};
 }

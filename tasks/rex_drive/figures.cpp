@@ -66,7 +66,7 @@ void of_place(const DriveResults& r, mp::Figures& figures) {
 }
 
 void of_friction(const DriveTable& table, mp::Figures& figures) {
-  Statistics mu_x, mu_y, true_mu_x, true_mu_y, split_square;
+  Statistics mu_x, mu_y, split, true_mu_x, true_mu_y, true_split, split_square;
   const auto first = std::ranges::find_if(table, drives);
   const auto half = first + (table.end() - first) / 2;
   if (half == table.end()) return;
@@ -75,13 +75,16 @@ void of_friction(const DriveTable& table, mp::Figures& figures) {
     const Slip is = true_slip(row->truth);
     mu_x.add(row->slip.mu_x);
     mu_y.add(row->slip.mu_y);
+    split.add(row->slip.split);
+    true_split.add(is.split);
     split_square.add(std::pow(row->slip.split - is.split, 2));
     true_mu_x.add(is.mu_x);
     true_mu_y.add(is.mu_y);
   }
   set(figures, "friction_err",
       std::max(std::abs(mu_x.mean() - true_mu_x.mean()), std::abs(mu_y.mean() - true_mu_y.mean())));
-  set(figures, "split_err", std::sqrt(split_square.mean()));
+  set(figures, "split_err", std::abs(split.mean() - true_split.mean()));
+  set(figures, "split_rms", std::sqrt(split_square.mean()));
 }
 
 /// Whether the ground changes by a quarter between two rows.

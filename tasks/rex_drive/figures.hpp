@@ -32,8 +32,9 @@ struct DriveResults {
 ///   estimate_rms_mm                   true place against the estimate, while it drives
 ///   ellipse_95_pct                    how often the true place is within the estimate's 95 % ellipse
 ///   friction_err                      mean of the second half against the mean of what is true
-///   split_err                         error in the second half, root of the mean square: over ground that differs left and
-///                                     right its sign changes with the direction
+///   split_err                         the same of the split
+///   split_rms                         its error in the second half, root of the mean square: over ground that differs left
+///                                     and right its sign changes with the direction, and cancels in the means
 ///   friction_found_s                  after the ground changes by a quarter: until the estimates along and across
 ///                                     are within 10 %, the split within 0.1, and stay there for a second, or until it
 ///                                     changes again or the drive ends
@@ -60,6 +61,7 @@ inline constexpr std::array kFigures{
         .key = "ellipse_95_pct", .words = "  within its 95 % ellipse", .unit = "% of the time", .low = 80},
     mp::FigureInfo{.key = "friction_err", .words = "error of the friction", .unit = ""},
     mp::FigureInfo{.key = "split_err", .words = "error of its split left and right", .unit = ""},
+    mp::FigureInfo{.key = "split_rms", .words = "  at any time", .unit = "rms"},
     mp::FigureInfo{.key = "friction_found_s", .words = "until a change of it is found", .unit = "s"},
     mp::FigureInfo{.key = "joint_speed_pct",
                    .words = "least speed between fragments",
