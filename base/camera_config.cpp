@@ -35,7 +35,8 @@ void read_mount(const Config& t, CameraSetup& camera) {
   camera.mount = mount.ends_with(kBase) ? CameraMount::base : CameraMount::robot;
   camera.robot = camera.mount == CameraMount::base ? mount.substr(0, mount.size() - kBase.size()) : mount;
   if (!is_key_word(camera.robot))
-    refuse("cameras." + camera.key + ".mount", "'" + mount + "' is not \"world\", an arm, an arm's .base, or a platform");
+    refuse("cameras." + camera.key + ".mount",
+           "'" + mount + "' is not \"world\", an arm, an arm's .base, or a platform");
 }
 
 }  // namespace

@@ -9,7 +9,8 @@ namespace {
 TEST(Layout, SaysWhatAPauseIs) {
   View v = drawing();
   v.snapshot->state = TaskState::paused;
-  EXPECT_EQ(style_of(lay_out(v, kSmallTerminal), "arms rest and keep their forces: press r to go on"), Style::warning);
+  EXPECT_EQ(style_of(lay_out(v, kSmallTerminal), "arms rest and keep their forces: press r to go on"),
+            Style::warning);
 }
 
 TEST(Layout, AfterTheEndTheKeysSayThatItIsOver) {
