@@ -131,6 +131,43 @@ TEST(DriveOptions, AStartOfThePlanAtAWallIsToldWithItsLineAndOneOfTheConfigurati
   EXPECT_EQ(plans.start.x, 2.9);
 }
 
+/// A configuration as the program completes it.
+Config completed(const DriveOptions& options, const std::vector<std::string>& settings = {}) {
+  std::vector<std::string> all = settings_of(options);
+  all.insert(all.end(), settings.begin(), settings.end());
+  Config c = config_with(all);
+  PlanList plans = built_in_plan("figure_eight");
+  complete_drive(c, options, plans);
+  return c;
+}
+
+TEST(DriveOptions, EyesAreThePairOfTheBuiltInFileWhereTheConfigurationSaysNothingElse) {
+  for (const DriveOptions& blind : {DriveOptions{}, DriveOptions{.eyes = "off"}}) {
+    EXPECT_FALSE(read_eyes(completed(blind)));
+    EXPECT_FALSE(completed(blind).has("odometry.rex.left"));
+  }
+  const auto clock = read_eyes(completed({.eyes = "on"}));
+  ASSERT_TRUE(clock);
+  EXPECT_EQ(clock->period, 40);
+  EXPECT_EQ(clock->latency, 40);
+  const auto own = read_eyes(completed({.eyes = "on"}, {"cameras.rex_left.period=20"}));
+  ASSERT_TRUE(own);
+  EXPECT_EQ(own->period, 20);
+  EXPECT_EQ(own->latency, 40);
+  EXPECT_FALSE(read_eyes(completed({.eyes = "on"}, {"task.eyes=false", "cameras.order=[\"rex_left\"]"})))
+      << "the cameras of a run's configuration do not decide";
+}
+
+TEST(DriveConfig, PicturesAreTakenAtMacrosteps) {
+  try {
+    std::ignore = read_eyes(completed({.eyes = "on"}, {"cameras.rex_left.period=45"}));
+    ADD_FAILURE();
+  } catch (const FaultError& e) {
+    EXPECT_EQ(e.fault().code, FaultCode::bad_configuration);
+    EXPECT_NE(std::string(e.what()).find("cameras.rex_left.period"), std::string::npos) << e.what();
+  }
+}
+
 TEST(DriveOptions, NamesOfAlgorithmsAreWhateverThePlatformHas) {
   const Config c = config_with(settings_of({.tracker = "mine", .estimator = "a \"b\""}));
   EXPECT_EQ(c.text("platforms.rex.tracker", ""), "mine");
