@@ -74,7 +74,7 @@ struct Task {
   ManualLink link;
 };
 
-/// A task that does not listen would be waited for until the patience is over.
+/// A task that does not listen would be waited for until the timeout is over.
 /// @param looks  nothing is to be moved: the arms of any task can be looked at
 /// @throws FaultError illegal_in_state
 void check_task(const Task& task, bool looks) {

@@ -37,7 +37,7 @@ class WheelBrake {
       : most_(platform.braking_torque),
         most_speed_(kOverSpeed * platform.max_wheel_speed),
         rad_per_increment_(2 * std::numbers::pi / platform.increments_per_turn),
-        speed_per_increment_(2 * std::numbers::pi / platform.increments_per_turn / dt / kMeasured) {}
+        speed_per_increment_(rad_per_increment_ / dt / kMeasured) {}
 
   void begin() noexcept {
     left_ = most_ > 0 ? kLongest : 0;

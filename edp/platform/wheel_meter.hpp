@@ -10,7 +10,7 @@ namespace mrroc::edp {
 
 /// Encoders of all wheels. The speed is the slope of a parabola through the last readings, at its end: it does not lag behind a
 /// constant acceleration, and whole increments disturb it less than a difference would be. Torques change once in a macrostep:
-/// through the readings of two of them the parabola was wrong by 0.4 rad/s where wheels slip. Real-time safe.
+/// through the readings of two of them the parabola was wrong by up to 0.7 rad/s where wheels slip. Real-time safe.
 class WheelMeter {
  public:
   /// Readings of which a speed is made: those since the torques changed last, and a few, which make increments finer.

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "base/link/clocked_inbox.hpp"
 #include "base/link/process.hpp"
 #include "ecp/solo.hpp"
 #include "mrroc/camera_reading_t.hpp"
@@ -19,7 +20,7 @@ namespace mrroc::visual_servo {
 /// Rule R7: the newest picture whose reading is visible at a step, never by arrival.
 /// @return its number, -1 when there is none yet
 [[nodiscard]] constexpr std::int64_t newest_frame(const CameraParameters& k, std::int64_t step) {
-  return step < k.latency ? -1 : (step - k.latency) / k.period;
+  return link::SensorClock{k.period, k.latency}.newest(step);
 }
 
 /// 0_E T_c of the last steps: what e_1 tells in every step.

@@ -17,6 +17,7 @@
 #include "base/msg/convert.hpp"
 #include "base/text_file.hpp"
 #include "test/base/link/buses.hpp"
+#include "test/mp/two_arms.hpp"
 
 namespace mrroc::mp {
 namespace {
@@ -47,26 +48,6 @@ TEST(CoordinatedRun, AnnouncesABehaviourWhenItBeginsAndNotInEachOfItsMacrosteps)
   EXPECT_EQ(count(told, "m = 2  let go"), 1) << told;
   std::filesystem::remove_all(folder);
 }
-
-/// A coordinator of two arms, without memory worth the name.
-struct Two {
-  struct X {
-    int c{};
-    int e{};
-    int V{};
-    struct {
-      std::array<Report, 2> agent;
-      OperatorImage h;
-    } T;
-    std::int64_t i{}, i_0{};
-  };
-  struct Y {
-    int c{};
-    int e{};
-    int V{};
-    std::array<Order, 2> T;
-  };
-};
 
 /// A coordinator's links in this thread, with nobody at their other ends.
 class CoordinatedLinksTest : public ::testing::Test {

@@ -14,6 +14,7 @@
 #include "base/link/memory_bus.hpp"
 #include "base/msg/convert.hpp"
 #include "test/base/link/one_by_one_bus.hpp"
+#include "test/mp/two_arms.hpp"
 
 namespace mrroc::mp {
 namespace {
@@ -326,26 +327,6 @@ TEST_F(Links, AFaultIsPassedOnWithAllThatIsKnownOfIt) {
   EXPECT_EQ(links->fault().value, 2.5);
   EXPECT_EQ(links->fault().limit, 2);
 }
-
-/// An agent as a port of the coordinator sees it.
-struct Two {
-  struct X {
-    int c{};
-    int e{};
-    int V{};
-    struct {
-      std::array<Report, 2> agent;
-      OperatorImage h;
-    } T;
-    std::int64_t i{}, i_0{};
-  };
-  struct Y {
-    int c{};
-    int e{};
-    int V{};
-    std::array<Order, 2> T;
-  };
-};
 
 TEST_F(Links, APortGivesItsImagesAndTellsTheBehaviourThatAskedForThem) {
   begin(ClockKind::step);
