@@ -14,8 +14,8 @@ inline constexpr std::size_t kLargestConfig = 1'000'000;
 inline constexpr int kMostKeyParts = 32;
 /// Brackets and braces within one another, at most; a list of numbers has one.
 inline constexpr int kDeepestBrackets = 8;
-/// Characters of one part of a key, at most.
-inline constexpr std::size_t kLongestKeyPart = 100;
+/// Characters of a key with its dots, at most; the longest that a task reads has 40.
+inline constexpr std::size_t kLongestKey = 200;
 
 /// The bound that a text exceeds, and the place.
 struct ConfigExcess {

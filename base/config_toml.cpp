@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 
 #include "base/config_bounds.hpp"
 #include "base/config_store.hpp"
@@ -30,10 +31,9 @@ struct Reader {
   void table(const toml::table& content, const std::string& prefix) {
     for (const auto& [key, node] : content) {
       const std::string path = prefix + std::string(key.str());
-      if (key.str().size() > kLongestKeyPart)
-        throw ConfigError(place(node.source()), path.substr(0, prefix.size() + kLongestKeyPart),
-                          fmt::format("a key with {} characters; it may have {} between its dots",
-                                      key.str().size(), kLongestKeyPart));
+      if (path.size() > kLongestKey)
+        throw ConfigError(place(node.source()), path.substr(0, kLongestKey),
+                          fmt::format("a key with {} characters; it may have {}", path.size(), kLongestKey));
       if (!is_bare(key.str()))
         throw ConfigError(place(node.source()), path, "a key may have letters, digits, '_' and '-' only");
       if (std::ranges::count(path, '.') >= kMostKeyParts)  // with those of the tables around it
@@ -57,11 +57,17 @@ struct Reader {
                       fmt::format("'{}' is a date or time, which have no use", path));
   }
 
+  [[nodiscard]] double number(const toml::node& node, const std::string& path) const {
+    if (const std::optional<double> exact = node.value<double>()) return *exact;
+    throw ConfigError(place(node.source()), path,
+                      fmt::format("'{}' has an integer that is too large for a list of numbers", path));
+  }
+
   [[nodiscard]] ConfigValue list(const toml::array& array, const std::string& path) const {
     std::vector<double> numbers;
     std::vector<std::string> texts;
     for (const toml::node& node : array) {
-      if (node.is_number()) numbers.push_back(*node.value<double>());
+      if (node.is_number()) numbers.push_back(number(node, path));
       if (const auto* v = node.as_string()) texts.push_back(v->get());
     }
     if (numbers.size() == array.size()) return numbers;

@@ -117,9 +117,20 @@ TEST(ConfigBounds, AStringThatSeemsToEndDoesNotHideDepth) {
 TEST(ConfigBounds, TextsAndKeysHaveALargestSize) {
   EXPECT_NE(error_of("x = \"" + std::string(kLargestConfig, 'a') + "\"").find("over the limit of 1000000"),
             std::string::npos);
-  EXPECT_EQ(error_of(std::string(kLongestKeyPart, 'a') + " = 1"), "");
+  EXPECT_EQ(error_of(std::string(kLongestKey, 'a') + " = 1"), "");
   const std::string error = error_of("b = 1\n" + std::string(500'000, 'a') + " = 1");
-  EXPECT_EQ(error, "a.toml:2: a key with 500000 characters; it may have 100 between its dots");
+  EXPECT_EQ(error, "a.toml:2: a key with 500000 characters; it may have 200");
+  for (const std::string table :
+       {"[" + parts(8, std::string(30, 'a')) + "]\n", parts(20, "abcdefghij") + " = 1\n"})
+    EXPECT_NE(error_of(table).find("; it may have 200"), std::string::npos) << table;
+}
+
+TEST(ConfigBounds, AnIntegerInAListIsReadExactlyOrRefused) {
+  const Config config = Config::parse("x = [9007199254740992, -9007199254740992]", "a.toml");
+  EXPECT_EQ(config.dump(), "x = [9007199254740992.0, -9007199254740992.0]\n");
+  for (const std::string large : {"9007199254740993", "9223372036854775807", "-9223372036854775808"})
+    EXPECT_EQ(error_of("x = [1, " + large + "]"),
+              "a.toml:1: 'x' has an integer that is too large for a list of numbers");
 }
 
 TEST(ConfigBounds, ErrorsAreShortAndCannotSpeakToTheTerminal) {

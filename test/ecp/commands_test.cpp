@@ -124,8 +124,8 @@ TEST(Commands, AMotionIsSetAndItsReplyAskedFor) {
 struct Arm : ArmAgent<None> {};
 
 TEST(Transparent, CopiesTheOrderUnderTheCoordinatorsNumberUntilTheTaskIsOver) {
-  constexpr Motion<Arm> row = transparent<Arm>();
-  EXPECT_EQ(row.m, 0) << "the agent's only behaviour has no number of its own";
+  constexpr Motion<Arm> kRow = transparent<Arm>();
+  EXPECT_EQ(kRow.m, 0) << "the agent's only behaviour has no number of its own";
   std::mt19937_64 random(4);
   for (int k = 0; k < 20; ++k) {
     const int m = static_cast<int>(random() % 9);
@@ -134,13 +134,13 @@ TEST(Transparent, CopiesTheOrderUnderTheCoordinatorsNumberUntilTheTaskIsOver) {
     Arm::X x;
     x.T = order(m, frame, pacing);
     EXPECT_EQ(x.T.m, m);
-    EXPECT_EQ(row.f_cT(x).m, m);
-    EXPECT_EQ(said(row.f_ce(x)), said(move_arm(frame, pacing)));
-    EXPECT_FALSE(row.f_tau(x));
+    EXPECT_EQ(kRow.f_cT(x).m, m);
+    EXPECT_EQ(said(kRow.f_ce(x)), said(move_arm(frame, pacing)));
+    EXPECT_FALSE(kRow.f_tau(x));
     x.T.late = true;
-    EXPECT_EQ(said(row.f_ce(x)), said(EffectorCommand{})) << "it comes to rest and holds";
+    EXPECT_EQ(said(kRow.f_ce(x)), said(EffectorCommand{})) << "it comes to rest and holds";
     x.T.finished = true;
-    EXPECT_TRUE(row.f_tau(x));
+    EXPECT_TRUE(kRow.f_tau(x));
   }
 }
 

@@ -70,7 +70,7 @@ std::vector<Vector2> StereoRig::rectified(const RigCamera& camera, const std::ve
   std::vector<cv::Point2d> rays;
   cv::undistortPoints(seen, rays, camera_matrix(camera.model), distortion(camera.model), turned,
                       cv::noArray());
-  for (const cv::Point2d& r : rays) places.push_back(f() * Vector2(r.x, r.y));
+  for (const cv::Point2d& r : rays) places.emplace_back(f() * r.x, f() * r.y);
   return places;
 }
 

@@ -48,7 +48,9 @@ TEST(Child, LeavesNoFileOpenInItsOwner) {
     EXPECT_TRUE(await_end(child));
   }
   EXPECT_THROW(Child("/no/such/program", {}), FaultError);
-  EXPECT_THROW(Child("/bin/true", {}, {}, std::string(10'000'000, 'x')), FaultError);
+  std::string too_long;
+  too_long.resize(10'000'000, 'x');
+  EXPECT_THROW(Child("/bin/true", {}, {}, too_long), FaultError);
   EXPECT_EQ(mrroc::test::open_files(), before);
 }
 

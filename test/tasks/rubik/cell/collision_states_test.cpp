@@ -74,7 +74,7 @@ Solid box(Solid s, const Vector3& size, double skin, const Pose& T_U) {
   const Vector3 half = size / 2 + Vector3::Constant(skin);
   for (const double x : {-1., 1.})
     for (const double y : {-1., 1.})
-      for (const double z : {-1., 1.}) s.corners.push_back(half.cwiseProduct(Vector3(x, y, z)));
+      for (const double z : {-1., 1.}) s.corners.emplace_back(half.cwiseProduct(Vector3(x, y, z)));
   s.normals = s.edges = {Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()};
   return placed(s, T_U);
 }
@@ -93,8 +93,8 @@ Solid prism(Solid s, const Vector3& size, double skin, const Pose& T_U) {
     s.normals.emplace_back(std::cos(side), std::sin(side), 0);
     s.edges.emplace_back(-std::sin(side), std::cos(side), 0);
   }
-  s.normals.push_back(Vector3::UnitZ());
-  s.edges.push_back(Vector3::UnitZ());
+  s.normals.emplace_back(Vector3::UnitZ());
+  s.edges.emplace_back(Vector3::UnitZ());
   return placed(s, T_U);
 }
 
