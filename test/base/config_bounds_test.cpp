@@ -120,7 +120,7 @@ TEST(ConfigBounds, TextsAndKeysHaveALargestSize) {
   EXPECT_EQ(error_of(std::string(kLongestKey, 'a') + " = 1"), "");
   const std::string error = error_of("b = 1\n" + std::string(500'000, 'a') + " = 1");
   EXPECT_EQ(error, "a.toml:2: a key with 500000 characters; it may have 200");
-  for (const std::string table :
+  for (const std::string& table :
        {"[" + parts(8, std::string(30, 'a')) + "]\n", parts(20, "abcdefghij") + " = 1\n"})
     EXPECT_NE(error_of(table).find("; it may have 200"), std::string::npos) << table;
 }
