@@ -30,6 +30,12 @@ struct OdometryReading {
   std::array<double, 36> covariance{};  ///< of x y z [m], ax ay az [rad] along B, row by row
 };
 
+/// Change of the pace in an iteration at most, when a pause begins or ends.
+inline constexpr double kPaceChange = 0.1;
+/// What a pause and its end change the speed by at most [m/s^2]: what tyres can give on slippery ground, too. Up to 0.6 m/s a
+/// stop is gentler; the platform is at rest in about 200 steps then.
+inline constexpr double kPaceAcceleration = 2;
+
 /// y_ce of a platform. Trivially copyable. What stands behind `fragment` is not numbered: it goes with every message, also
 /// with keep, and the newest counts.
 struct PlatformCommand {

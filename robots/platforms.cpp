@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/key_word.hpp"
+#include "base/step_interval.hpp"
 #include "edp/platform/driver.hpp"
 #include "edp/platform/shell.hpp"
 #include "edp/simulated_hardware.hpp"
@@ -86,6 +87,7 @@ edp::PlatformDriverParameters read_platform_driver(const Config& config, const s
             d.synchro_rest));
   d.silence = t.integer("silence", d.silence, {1, 1000}, "macrosteps");
   d.brake_after = t.integer("brake_after", d.brake_after, {1, 1000}, "macrosteps at rest");
+  d.solver_fails = read_step_interval(config, "platforms." + key + ".solver_fails");
   return d;
 }
 

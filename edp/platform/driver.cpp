@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "edp/guard.hpp"
+#include "edp/platform/failing_tracker.hpp"
 
 namespace mrroc::edp {
 namespace {
@@ -60,6 +61,12 @@ const PlatformDriverParameters& checked(const PlatformDriverParameters& p) {
   return p;
 }
 
+std::unique_ptr<Tracker> tracker(const Platform& platform, const PlatformDriverParameters& parameters) {
+  auto tracker = platform.tracker(chosen(platform.trackers(), parameters.tracker, "tracker"));
+  if (parameters.solver_fails.to == 0) return tracker;
+  return std::make_unique<FailingTracker>(std::move(tracker), parameters.solver_fails);
+}
+
 }  // namespace
 
 PlatformDriver::PlatformDriver(const Platform& platform, const PlatformDriverParameters& parameters)
@@ -69,7 +76,7 @@ PlatformDriver::PlatformDriver(const Platform& platform, const PlatformDriverPar
       synchronisation_(parameters, kStep),
       observer_(platform.estimator(chosen(platform.estimators(), parameters.estimator, "estimator")),
                 parameters),
-      follower_(platform.tracker(chosen(platform.trackers(), parameters.tracker, "tracker")), *platform_),
+      follower_(tracker(platform, parameters), *platform_),
       supervision_(*platform_),
       wheel_brake_(*platform_, kStep) {}
 
@@ -119,7 +126,7 @@ void PlatformDriver::begin_macrostep(const PlatformReading& reading) noexcept {
     }
   }
   if (state_ != DriverState::executing) return;
-  pace_.go_to(wanted_pace_, Pace::rate(queue_.at(0).v, Pace::kChange));
+  pace_.go_to(wanted_pace_, Pace::rate(queue_.at(0).v, kPaceChange));
   commanded_until_ = reading.step + kPlatformSteps;
 }
 
@@ -274,17 +281,18 @@ PlatformDrive PlatformDriver::drive() noexcept {
 }
 
 void PlatformDriver::trip(const Fault& fault) noexcept {
-  const bool drives_brake = enabled_ && fault.code == FaultCode::emergency_stop;
+  const bool of_a_wheel = fault.code == FaultCode::wheel_blocked || fault.code == FaultCode::encoder_fault;
+  const bool moved = enabled_;
   fire(PlatformEvent::trip);
   queue_.drop();
   pace_.set(0);
   enabled_ = followed_ = false;
   torque_ = {};
   begun_ = position_known_;
-  if (drives_brake)
-    wheel_brake_.begin();
-  else
-    wheel_brake_.end();
+  if (fault.code == FaultCode::hardware_silent)
+    wheel_brake_.end();  // nobody knows how the wheels turn
+  else if (moved && (of_a_wheel || !wheel_brake_.engaged()))
+    wheel_brake_.begin(of_a_wheel ? fault.axis : -1);
   fail(fault);
 }
 

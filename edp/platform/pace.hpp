@@ -10,21 +10,16 @@ namespace mrroc::edp {
 /// Goes from its present value to its target at a constant rate; time is counted in iterations. Real-time safe.
 class Pace {
  public:
-  /// Change of the pace in an iteration at most, when a pause begins or ends: the control subsystem says it at once.
-  static constexpr double kChange = 0.1;
-  /// The same when the platform is stopped.
+  /// As kPaceChange, when the platform is stopped.
   static constexpr double kStop = 1. / 15;
-  /// What the speed changes by at most, up and down [m/s^2]: what tyres can give on slippery ground, too. Up to 0.6 m/s a stop is
-  /// gentler; the platform is at rest in about 200 steps then.
-  static constexpr double kAcceleration = 2;
 
-  /// @param v  planned speed [m/s]  @param most  kChange or kStop  @return change of the pace in an iteration
+  /// @param v  planned speed [m/s]  @param most  kPaceChange or kStop  @return change of the pace in an iteration
   [[nodiscard]] static double rate(double v, double most) noexcept {
-    return std::min(most, kAcceleration * kPlatformPeriod / std::max(std::abs(v), 1e-3));
+    return std::min(most, kPaceAcceleration * kPlatformPeriod / std::max(std::abs(v), 1e-3));
   }
 
   /// @param target  pace to go to, 0 stands .. 1 as planned  @param rate  change in an iteration, > 0
-  void go_to(double target, double rate = kChange) noexcept {
+  void go_to(double target, double rate = kPaceChange) noexcept {
     target_ = target;
     rate_ = rate;
   }
@@ -48,7 +43,7 @@ class Pace {
  private:
   double now_{};
   double target_{};
-  double rate_{kChange};
+  double rate_{kPaceChange};
 };
 
 }  // namespace mrroc::edp

@@ -25,6 +25,9 @@ struct PlatformProperties {
   double max_turn_rate{};             ///< |w| of a fragment [rad/s]
   double max_lateral_acceleration{};  ///< |v w| of a fragment [m/s^2]
   double horizon_period{0.05};        ///< between points of the tracker's reference [s]
+
+  /// @return what no wheel can turn at [rad/s]: an encoder that tells more is wrong
+  [[nodiscard]] constexpr double impossible_wheel_speed() const noexcept { return 1.5 * max_wheel_speed; }
 };
 
 /// What SYNCHRO has found at rest, for the estimator to begin with. Trivially copyable.

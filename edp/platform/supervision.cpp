@@ -1,6 +1,7 @@
 #include "edp/platform/supervision.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "edp/guard.hpp"
 
@@ -13,30 +14,81 @@ constexpr bool is_left(std::size_t wheel) { return wheel % 2 == 0; }
 
 }  // namespace
 
+/// A wheel in one iteration; "forwards" is the direction in which it is to turn.
+struct WheelSupervision::Wheel {
+  double rolls{};     // |speed| that the way wants of it [rad/s]
+  double speed{};     // measured [rad/s]
+  double torque{};    // [N m]
+  double forwards{};  // torque forwards [N m]
+  double other{};     // |speed| of the other one of its side [rad/s]
+  double
+      side{};  // rate of turn to its side beyond the way, of which it drags the platform when it is blocked [rad/s]
+  bool stands{};  // although it is to turn
+
+  [[nodiscard]] bool pushed() const noexcept { return forwards > kTorque; }
+  [[nodiscard]] bool side_follows() const noexcept { return other >= kFollows * rolls; }
+};
+
+WheelSupervision::Wheel WheelSupervision::seen(std::size_t k, const StageReading& stage,
+                                               const PathPoint& wanted) const noexcept {
+  const double b = is_left(k) ? -platform_->half_track : platform_->half_track;
+  const double rolls = (wanted.v + wanted.w * b) / platform_->wheel_radius;
+  Wheel wheel{.rolls = std::abs(rolls), .speed = stage.theta_dot[k], .torque = stage.torque[k]};
+  wheel.forwards = std::copysign(1, rolls) * wheel.torque;
+  wheel.side = (is_left(k) ? 1 : -1) * std::copysign(1, rolls) * (stage.yaw_rate - wanted.w);
+  wheel.other = std::abs(stage.theta_dot[beside(k)]);
+  wheel.stands = wheel.rolls > kTurns && std::abs(wheel.speed) < kStands;
+  return wheel;
+}
+
+bool WheelSupervision::is_dragged(std::size_t k, const Wheel& wheel) noexcept {
+  // A speed is measured over more than an iteration: what makes it stand happened up to two before.
+  if (!wheel.stands)
+    dragged_[k] = false;
+  else if (!stood_[k])
+    dragged_[k] = wheel.side - side_before_[1][k] > kDrags * 2 * kPlatformPeriod;
+  stood_[k] = wheel.stands;
+  side_before_[1][k] = std::exchange(side_before_[0][k], wheel.side);
+  return dragged_[k];
+}
+
+std::optional<Fault> WheelSupervision::stands_too_long(std::size_t k, const Wheel& wheel) noexcept {
+  const bool dragged = is_dragged(k, wheel);
+  const bool blocks = dragged || !wheel.side_follows();
+  blocked_[k] = wheel.stands && wheel.pushed() ? blocked_[k] + 1 : 0;
+  // A wheel that brakes may stand for a while: it slips.
+  missed_[k] = wheel.stands && wheel.forwards >= 0 ? missed_[k] + wheel.rolls * kPlatformPeriod : 0;
+  const bool missed = missed_[k] >= kMissed && (wheel.pushed() || !blocks);
+  if (blocked_[k] < kBlocked && !missed) return {};
+  const int axis = static_cast<int>(k);
+  if (blocks)
+    return make_fault(FaultCode::wheel_blocked, "torque [N m] of a wheel that stands", axis, wheel.torque,
+                      kTorque);
+  return make_fault(FaultCode::encoder_fault, "speed of a wheel that is to turn [rad/s]", axis, wheel.speed,
+                    kTurns);
+}
+
+std::optional<Fault> WheelSupervision::contradicts(std::size_t k, const Wheel& wheel,
+                                                   double estimated) noexcept {
+  const double residual = wheel.speed - estimated;
+  const bool beyond =
+      !(std::abs(residual) <= kResidual) || std::abs(wheel.speed) > platform_->impossible_wheel_speed();
+  const bool alone = wheel.stands && std::abs(wheel.torque) <= kTorque && wheel.other > kTurns;
+  wrong_[k] = beyond || alone ? wrong_[k] + 1 : 0;
+  if (wrong_[k] < kWrong) return {};
+  const int axis = static_cast<int>(k);
+  return beyond ? make_fault(FaultCode::encoder_fault, "speed beyond what is estimated [rad/s]", axis,
+                             residual, kResidual)
+                : make_fault(FaultCode::encoder_fault, "speed of a wheel that is to turn [rad/s]", axis,
+                             wheel.speed, kTurns);
+}
+
 std::optional<Fault> WheelSupervision::step(const StageReading& stage, const PlatformEstimate& estimate,
                                             const PathPoint& wanted) noexcept {
   for (std::size_t k = 0; k < kWheels; ++k) {
-    const int axis = static_cast<int>(k);
-    const double speed = stage.theta_dot[k];
-    const double b = is_left(k) ? -platform_->half_track : platform_->half_track;
-    const bool is_to_turn = std::abs(wanted.v + wanted.w * b) > kTurns * platform_->wheel_radius;
-    const bool stands = is_to_turn && std::abs(speed) < kStands;
-    const bool pushed = std::abs(stage.torque[k]) > kTorque;
-    const bool other_turns = std::abs(stage.theta_dot[beside(k)]) > kTurns;
-    const double residual = speed - estimate.theta_dot[k];
-    const bool contradicts =
-        !(std::abs(residual) <= kResidual) || std::abs(speed) > kOverSpeed * platform_->max_wheel_speed;
-    blocked_[k] = stands && pushed ? blocked_[k] + 1 : 0;
-    wrong_[k] = contradicts || (stands && !pushed && other_turns) ? wrong_[k] + 1 : 0;
-    if (blocked_[k] >= kBlocked)
-      return make_fault(FaultCode::wheel_blocked, "torque [N m] of a wheel that stands", axis,
-                        stage.torque[k], kTorque);
-    if (wrong_[k] < kWrong) continue;
-    if (contradicts)
-      return make_fault(FaultCode::encoder_fault, "speed beyond what is estimated [rad/s]", axis, residual,
-                        kResidual);
-    return make_fault(FaultCode::encoder_fault, "speed of a wheel that is to turn [rad/s]", axis, speed,
-                      kTurns);
+    const Wheel wheel = seen(k, stage, wanted);
+    if (const std::optional<Fault> fault = stands_too_long(k, wheel)) return fault;
+    if (const std::optional<Fault> fault = contradicts(k, wheel, estimate.theta_dot[k])) return fault;
   }
   return {};
 }

@@ -10,18 +10,23 @@ namespace mrroc::edp {
 /// Judges each wheel once in an iteration. Real-time safe.
 class WheelSupervision {
  public:
-  /// A wheel is blocked when it stands under a larger torque [N m], although it is to turn, for so many iterations.
+  /// A wheel stands for too long when a larger torque [N m] is to turn it and it does not for so many iterations, or for the
+  /// time in which it was to turn by so much [rad]: a tracker that sees a wheel stand drives all four as much as it may.
   static constexpr double kTorque = 6;
   static constexpr int kBlocked = 15;
+  static constexpr double kMissed = 0.25;
+  /// Then it is blocked, if the other one of its side turns by less than this share of what it is to, or if the platform began
+  /// to turn to that side by more than so much beyond the way [rad/s^2] as it did: a blocked wheel drags its side, with nominal
+  /// friction four times as much. Else it is the encoder that stands. On slippery ground the two look alike.
+  static constexpr double kFollows = 0.8;
+  static constexpr double kDrags = 1.5;
   /// Below the first speed a wheel stands, above the second it is to turn [rad/s]: a wheel of 0.15 m rolls at 0.05 m/s with 0.33.
   static constexpr double kStands = 0.05;
   static constexpr double kTurns = 0.3;
-  /// An encoder is wrong when it stands although its wheel is to turn and the other one of its side does, or when it
-  /// differs from the estimate by more than kResidual [rad/s], sixteen of its standard deviations, for so many iterations.
+  /// An encoder is wrong, too, when it stands although no torque holds its wheel and the other one of its side turns, or when
+  /// it differs from the estimate by more than kResidual [rad/s], sixteen of its standard deviations, for so many iterations.
   static constexpr int kWrong = 10;
   static constexpr double kResidual = 0.8;
-  /// No wheel turns faster, as a multiple of PlatformProperties::max_wheel_speed.
-  static constexpr double kOverSpeed = 1.5;
 
   /// @param platform  lives longer than this object
   explicit WheelSupervision(const PlatformProperties& platform) noexcept : platform_(&platform) {}
@@ -33,11 +38,26 @@ class WheelSupervision {
   [[nodiscard]] std::optional<Fault> step(const StageReading& stage, const PlatformEstimate& estimate,
                                           const PathPoint& wanted) noexcept;
   /// The drives brake: what was seen before means nothing.
-  void forget() noexcept { blocked_ = wrong_ = {}; }
+  void forget() noexcept {
+    blocked_ = wrong_ = {};
+    missed_ = {};
+    stood_ = dragged_ = {};
+  }
 
  private:
+  struct Wheel;
+  [[nodiscard]] Wheel seen(std::size_t k, const StageReading& stage, const PathPoint& wanted) const noexcept;
+  [[nodiscard]] bool is_dragged(std::size_t k, const Wheel& wheel) noexcept;
+  [[nodiscard]] std::optional<Fault> stands_too_long(std::size_t k, const Wheel& wheel) noexcept;
+  [[nodiscard]] std::optional<Fault> contradicts(std::size_t k, const Wheel& wheel,
+                                                 double estimated) noexcept;
+
   const PlatformProperties* platform_;
-  std::array<int, kWheels> blocked_{};  // iterations
+  std::array<int, kWheels> blocked_{};     // iterations
+  PerWheel missed_{};                      // [rad]
+  std::array<bool, kWheels> stood_{};      // an iteration before
+  std::array<bool, kWheels> dragged_{};    // its side, when it began to stand
+  std::array<PerWheel, 2> side_before_{};  // its Wheel::side an iteration before, and two [rad/s]
   std::array<int, kWheels> wrong_{};
 };
 

@@ -1,4 +1,5 @@
-// How the drives of a platform brake while it still moves: in an emergency stop, and after a stop that was too short.
+// How the drives of a platform brake while it still moves: in an emergency stop, after a fault, and after a stop that was too
+// short.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -27,19 +28,20 @@ class WheelBrake {
   static constexpr int kLongest = 500;
   /// It ends, too, when a wheel seems to stand for so many steps in which the other one of its side has turned by so much
   /// [rad]: nothing holds a braked wheel on moving ground, so its encoder is stuck; or when one seems to turn faster than any
-  /// wheel can by this factor.
+  /// wheel can.
   static constexpr int kStuck = 20;
   static constexpr double kMoved = 0.1;
-  static constexpr double kOverSpeed = 1.5;
 
   /// @param platform  one that brakes with no torque is never engaged  @param dt  duration of a step [s]
   WheelBrake(const PlatformProperties& platform, double dt) noexcept
       : most_(platform.braking_torque),
-        most_speed_(kOverSpeed * platform.max_wheel_speed),
+        most_speed_(platform.impossible_wheel_speed()),
         rad_per_increment_(2 * std::numbers::pi / platform.increments_per_turn),
         speed_per_increment_(rad_per_increment_ / dt / kMeasured) {}
 
-  void begin() noexcept {
+  /// @param out  a wheel that does not brake, as its encoder is wrong or something blocks it; -1: none
+  void begin(int out = -1) noexcept {
+    out_ = out;
     left_ = most_ > 0 ? kLongest : 0;
     rest_ = 0;
     away_ = {};
@@ -58,6 +60,7 @@ class WheelBrake {
     PerWheel torque{};
     const PerWheel turned = wheels.turned(kMeasured);
     for (std::size_t k = 0; k < kWheels; ++k) {
+      if (static_cast<int>(k) == out_) continue;
       const double speed = speed_per_increment_ * turned[k];
       if (std::abs(speed) > most_speed_ || is_stuck(k, wheels.increments())) end();
       torque[k] = std::clamp(-kGain * speed, -most_, most_);
@@ -93,6 +96,7 @@ class WheelBrake {
   PerWheel away_{};                      // from where the wheels stood when one moved last [increments]
   std::array<int, kWheels> standing_{};  // steps since each has turned
   PerWheel beside_{};                    // turned by the other one of its side in them [rad]
+  int out_{-1};                          // wheel that does not brake
   int left_{};                           // steps
   int rest_{};                           // steps at rest
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/step_interval.hpp"
 #include "sim/platform/platform_world.hpp"
 
 namespace mrroc::sim {
@@ -12,33 +13,21 @@ namespace {
 
 constexpr Bounds kPlace{-100, 100};  // [m]
 constexpr Bounds kTime{0, 1e6};      // [s]
-constexpr double kLastStep = 100'000'000;
 
 [[noreturn]] void refuse(const std::string& key, const std::string& text) {
   throw FaultError(FaultCode::bad_configuration, key + ": " + text);
 }
 
-/// @param table  name of the one in which the key is
-StepInterval read_interval(const Config& config, const std::string& table, const std::string& key) {
-  const std::string name = table + "." + key;
-  const auto steps = config.list(name, std::vector<double>{}, {0, kLastStep}, "steps from, to; empty: never");
-  if (steps.empty()) return {};
-  if (steps.size() != 2 || steps[0] != std::floor(steps[0]) || steps[1] != std::floor(steps[1]) ||
-      steps[0] >= steps[1])
-    refuse(name, "two whole numbers, the first step and a later one, with which it is over; or none");
-  return {.from = static_cast<std::int64_t>(steps[0]), .to = static_cast<std::int64_t>(steps[1])};
-}
-
 PlatformFaults read_faults(const Config& config, const std::string& table) {
   PlatformFaults f;
   f.wheel = config.integer(table + ".wheel", f.wheel, {0, static_cast<int>(kWheels) - 1}, "FL, FR, RL, RR");
-  f.wheel_blocked = read_interval(config, table, "wheel_blocked");
-  f.encoder_stuck = read_interval(config, table, "encoder_stuck");
-  f.imu_silent = read_interval(config, table, "imu_silent");
-  f.imu_nan = read_interval(config, table, "imu_nan");
-  f.load_stuck = read_interval(config, table, "load_stuck");
-  f.load_wrong = read_interval(config, table, "load_wrong");
-  f.load_silent = read_interval(config, table, "load_silent");
+  f.wheel_blocked = read_step_interval(config, table + ".wheel_blocked");
+  f.encoder_stuck = read_step_interval(config, table + ".encoder_stuck");
+  f.imu_silent = read_step_interval(config, table + ".imu_silent");
+  f.imu_nan = read_step_interval(config, table + ".imu_nan");
+  f.load_stuck = read_step_interval(config, table + ".load_stuck");
+  f.load_wrong = read_step_interval(config, table + ".load_wrong");
+  f.load_silent = read_step_interval(config, table + ".load_silent");
   return f;
 }
 

@@ -8,21 +8,13 @@
 #include "base/platform_hardware.hpp"
 #include "base/platform_path.hpp"
 #include "base/room_config.hpp"
+#include "base/step_interval.hpp"
 #include "robots/skid_steer.hpp"
 
 namespace mrroc::sim {
 
 /// Duration of a step of the simulation and of an effector driver [s].
 inline constexpr double kPlatformStep = kPlatformPeriod / kPlatformSteps;
-
-/// Steps from, from + 1, ... to - 1; none by default.
-struct StepInterval {
-  std::int64_t from{};  ///< first one
-  std::int64_t to{};    ///< first one after
-
-  /// @return whether a step is one of them
-  [[nodiscard]] constexpr bool contains(std::int64_t step) const { return step >= from && step < to; }
-};
 
 /// Things that break on purpose, each while its steps last.
 struct PlatformFaults {

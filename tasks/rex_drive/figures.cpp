@@ -127,10 +127,9 @@ std::optional<double> friction_found(const DriveTable& table) {
 /// Whether the platform was told to be slower than planned shortly before that time [s].
 /// @param v  planned speed then [m/s]
 bool is_slowed(const DriveTable& table, double t, double v) {
-  // From the end of a pause the driver goes to full pace in 0.2 s, or by 2 m/s^2 where that takes longer: in 0.3 s at
-  // 0.6 m/s. The speed is the planned one a second later.
-  constexpr double kQuickest = 0.2, kAcceleration = 2, kSettles = 1;
-  const double from = t - std::max(kQuickest, v / kAcceleration) - kSettles;
+  // From the end of a pause the driver goes to full pace as quickly as it may. The speed is the planned one a second later.
+  constexpr double kQuickest = kPlatformPeriod / kPaceChange, kSettles = 1;
+  const double from = t - std::max(kQuickest, v / kPaceAcceleration) - kSettles;
   const auto slows = [t, from](const DriveRow& row) { return row.t <= t && row.t > from && row.pace < 1; };
   return std::ranges::any_of(table, slows);
 }

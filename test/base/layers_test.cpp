@@ -231,6 +231,38 @@ TEST(Tree, HasNoLongFunctions) {
   EXPECT_GT(functions, 2000U) << "the functions were not found";
 }
 
+/// @return the sources that any CMakeLists.txt names
+std::set<std::string> built_sources() {
+  static const std::regex source("[^ ()]+\\.cpp");
+  const std::string root = "${CMAKE_SOURCE_DIR}/";
+  std::set<std::string> sources;
+  for (const auto& path : project_files(kRoot)) {
+    if (path.filename() != "CMakeLists.txt") continue;
+    for (const std::string& line : lines_of(kRoot / path))
+      for (std::sregex_iterator word(line.begin(), line.end(), source); word != std::sregex_iterator();
+           ++word) {
+        const std::string name = word->str();
+        sources.insert(name.starts_with(root) ? name.substr(root.size())
+                                              : (path.parent_path() / name).lexically_normal().string());
+      }
+  }
+  return sources;
+}
+
+/// A test that nobody builds passes always.
+TEST(Tree, BuildsEverySource) {
+  const std::set<std::string> built = built_sources();
+  EXPECT_GT(built.size(), 1000U) << "they were not found";
+  for (const auto& path : project_files(kRoot)) {
+    const std::string name = path.string();
+    if (path.extension() != ".cpp") continue;
+    if (name.starts_with("test/install/example/") || name.starts_with("test/mutation/tiny/")) continue;
+    if (path.stem().string().starts_with("main") || name.starts_with("test/fuzz/"))
+      continue;  // functions name them
+    EXPECT_TRUE(built.contains(name)) << name << " is in no CMakeLists.txt";
+  }
+}
+
 TEST(Tree, HasNoUnfinishedWorkAndNoPathsOfOneMachine) {
   // Put together here, so that this file does not contain them.
   std::vector<std::string> words;

@@ -207,7 +207,7 @@ TEST_F(Driving, AStopAtSpeedDeceleratesByNoMoreThanTyresCanGive) {
   int macrosteps = 0;
   for (; rig.driver.state() == DriverState::decelerating; ++macrosteps) {
     rig.quiet();
-    EXPECT_LE(before - rig.driver.wanted().v, Pace::kAcceleration * kPlatformPeriod + 1e-9) << macrosteps;
+    EXPECT_LE(before - rig.driver.wanted().v, kPaceAcceleration * kPlatformPeriod + 1e-9) << macrosteps;
     before = rig.driver.wanted().v;
   }
   EXPECT_NEAR(macrosteps, 25, 1) << "1 m/s with 2 m/s^2";
@@ -223,7 +223,7 @@ TEST_F(Driving, APauseAndItsEndChangeTheSpeedByNoMoreThanTyresCanGive) {
     for (int k = 0; k < 60; ++k) {
       rig.wait(1);
       const double now = rig.driver.wanted().v;
-      EXPECT_LE(std::abs(now - before), Pace::kAcceleration * kPlatformPeriod + 1e-9) << k;
+      EXPECT_LE(std::abs(now - before), kPaceAcceleration * kPlatformPeriod + 1e-9) << k;
       before = now;
     }
     EXPECT_NEAR(before, pace, 1e-9);

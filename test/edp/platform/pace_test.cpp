@@ -31,10 +31,10 @@ TEST(Pace, GoesToItsTargetAtItsRateAndStaysThere) {
 
 TEST(Pace, ItsRateChangesTheSpeedByNoMoreThanTyresCanGive) {
   for (const double v : {0., 0.3, 0.59, -0.59}) EXPECT_EQ(Pace::rate(v, Pace::kStop), Pace::kStop) << v;
-  for (const double v : {0., 0.3, -0.39}) EXPECT_EQ(Pace::rate(v, Pace::kChange), Pace::kChange) << v;
-  for (const double most : {Pace::kStop, Pace::kChange})
+  for (const double v : {0., 0.3, -0.39}) EXPECT_EQ(Pace::rate(v, kPaceChange), kPaceChange) << v;
+  for (const double most : {Pace::kStop, kPaceChange})
     for (const double v : {0.7, 1.3, 1.5, -1.3})
-      EXPECT_NEAR(Pace::rate(v, most) * std::abs(v) / kPlatformPeriod, Pace::kAcceleration, 1e-12) << v;
+      EXPECT_NEAR(Pace::rate(v, most) * std::abs(v) / kPlatformPeriod, kPaceAcceleration, 1e-12) << v;
 }
 
 TEST(Pace, TimeThatPassesIsItsIntegral) {

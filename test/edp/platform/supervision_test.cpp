@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "edp/platform/stage_collector.hpp"
 
@@ -38,12 +40,13 @@ PlatformEstimate believed(const StageReading& stage) {
   return e;
 }
 const PathPoint kForwards{{}, 1, 0};
+const PathPoint kSlowly{{}, 0.1, 0};  // 0.5 rad/s
 
 TEST(WheelSupervision, AWheelThatStandsUnderTorqueIsBlocked) {
   for (const double sign : {1.0, -1.0}) {
     StageReading s = turning(0.049 * sign);
     s.torque[2] = 6.01 * sign;
-    const auto [after, fault] = judged(s, believed(s), {{}, sign, 0});
+    const auto [after, fault] = judged(s, believed(s), {{}, 0.1 * sign, 0});
     EXPECT_EQ(after, WheelSupervision::kBlocked);
     EXPECT_EQ(fault.code, FaultCode::wheel_blocked);
     EXPECT_EQ(fault.axis, 2);
@@ -57,11 +60,65 @@ TEST(WheelSupervision, AWheelThatStandsUnderTorqueIsBlocked) {
   }
 }
 
+// 5 rad/s: 0.1 rad in an iteration.
+TEST(WheelSupervision, AWheelThatMissesAQuickTurnIsFoundAtOnceAndItsSideTellsWhatIsWrong) {
+  for (const double sign : {1.0, -1.0})
+    for (const auto& [other, code] :
+         {std::pair(3.99, FaultCode::wheel_blocked), std::pair(4.01, FaultCode::encoder_fault)}) {
+      StageReading s = turning(5 * sign);
+      s.theta_dot[1] = 0;
+      s.theta_dot[3] = other * sign;
+      s.torque[1] = 7 * sign;
+      const auto [after, fault] = judged(s, believed(s), {{}, sign, 0});
+      EXPECT_EQ(after, 3) << "a quarter of a radian";
+      EXPECT_EQ(fault.code, code) << other;
+      EXPECT_EQ(fault.axis, 1);
+    }
+}
+
+// The other one of its side turns as it should; the platform turns to the side of the wheel as soon as it stands.
+TEST(WheelSupervision, AWheelThatDragsItsSideAtOnceIsBlocked) {
+  for (std::size_t k = 0; k < kWheels; ++k)
+    for (const double sign : {1.0, -1.0})
+      for (const auto& [rate, late, code] :
+           {std::tuple(0.061, 0., FaultCode::wheel_blocked), std::tuple(0.059, 0., FaultCode::encoder_fault),
+            std::tuple(0., 9., FaultCode::encoder_fault), std::tuple(-0.5, 0., FaultCode::encoder_fault)}) {
+        WheelSupervision supervision(kPlatform);
+        const PathPoint wanted{{}, sign, 0};
+        const double to_its_side = sign * (k % 2 == 0 ? 1 : -1);
+        StageReading s = turning(5 * sign);
+        for (int n = 0; n < 3; ++n) EXPECT_FALSE(supervision.step(s, believed(s), wanted));
+        s.theta_dot[k] = 0;
+        s.torque[k] = 7 * sign;
+        s.yaw_rate = to_its_side * rate;
+        std::optional<Fault> fault;
+        for (int n = 0; n < 3 && !fault; ++n) {
+          fault = supervision.step(s, believed(s), wanted);
+          s.yaw_rate += to_its_side * late;  // by what the tracker does
+        }
+        ASSERT_TRUE(fault);
+        EXPECT_EQ(fault->code, code) << k << ' ' << sign << ' ' << rate;
+      }
+}
+
+TEST(WheelSupervision, AWheelThatIsBrakedMayStandAndOneThatIsNotPushedHardWhenItsSideDoes) {
+  StageReading s = turning(5);
+  s.theta_dot[1] = 0;
+  s.torque[1] = -7;
+  EXPECT_EQ(judged(s, believed(s), kForwards).first, 0) << "it slips";
+  s.torque[1] = -6;
+  EXPECT_EQ(judged(s, believed(s), kForwards).first, WheelSupervision::kWrong) << "nothing holds it";
+  s.torque[1] = 5;
+  EXPECT_EQ(judged(s, believed(s), kForwards).first, 3) << "its side turns";
+  s.theta_dot[3] = 0.2;
+  EXPECT_EQ(judged(s, believed(s), kForwards).first, 0) << "the whole side stands, as before a start";
+}
+
 // In a turn to the left, w > 0, the left wheels go back: v - w 0.5 m and v + w 0.5 m; from 0.06 m/s a wheel is to turn.
 TEST(WheelSupervision, WhichWheelsAreToTurnIsToldByTheWay) {
   const auto blocked = [](std::size_t wheel, double v, double w) {
     StageReading s = turning(0);
-    s.torque[wheel] = 10;
+    s.torque[wheel] = std::copysign(10, v + (wheel % 2 == 0 ? -w : w) * kPlatform.half_track);
     return judged(s, believed(s), {{}, v, w}).first != 0;
   };
   for (std::size_t k = 0; k < kWheels; ++k) {
@@ -133,7 +190,7 @@ TEST(WheelSupervision, CountsInSuccessionOnly) {
   elsewhere.theta_dot[3] = 0;
   const auto many = [&](const StageReading& s, const PlatformEstimate& e, int n) {
     for (int k = 0; k < n; ++k)
-      if (supervision.step(s, e, kForwards)) return true;
+      if (supervision.step(s, e, kSlowly)) return true;
     return false;
   };
   const auto count_again = [&](auto between) {

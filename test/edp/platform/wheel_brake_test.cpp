@@ -70,6 +70,21 @@ TEST_F(WheelBrakeTest, AnEncoderThatStandsWhileTheOtherOfItsSideTurnsEndsIt) {
   }
 }
 
+TEST_F(WheelBrakeTest, AWheelThatIsOutDoesNotBrakeAndItsEncoderEndsNothing) {
+  for (int out = 0; out < static_cast<int>(kWheels); ++out)
+    for (const int seen : {0, 1000}) {
+      std::array<int, kWheels> increments{4, 4, 4, 4};
+      for (int k = 0; k < 20; ++k) std::ignore = turn(increments);
+      brake_.begin(out);
+      increments[static_cast<std::size_t>(out)] = seen;
+      for (int k = 0; k < 100; ++k) {
+        const PerWheel torque = turn(increments);
+        for (std::size_t w = 0; w < kWheels; ++w)
+          EXPECT_EQ(torque[w], static_cast<int>(w) == out ? 0 : -kMost) << out << ' ' << seen << ' ' << k;
+      }
+    }
+}
+
 TEST_F(WheelBrakeTest, AWheelThatStandsForAMomentOrBesideOneThatHardlyTurnsDoesNot) {
   std::ignore = turn({0, 0, 0, 0});
   brake_.begin();
