@@ -25,17 +25,29 @@ struct Plan {
   std::int32_t ahead{};
 };
 
+/// A fragment that a coordinator plans, for the agent that hands it over to its effector driver. Trivially copyable.
+struct FragmentOrder {
+  Fragment fragment;  ///< number 0: there is none yet
+};
+
 /// What the map agent says, T_x_c1,3[x^, y^, phi^]. Trivially copyable.
 struct MapReport {
   MapPose pose;             ///< the last plausible one
   std::int32_t rejected{};  ///< implausible ones, so far
 };
 
-/// Reading of a motion capture system for one platform. Trivially copyable.
+/// Reading of a motion capture system for one platform, or one box. Trivially copyable.
 struct MotionCapture {
   std::int64_t step{};  ///< at which it was measured
   bool seen{};          ///< the platform was; else p means nothing
-  PlanarPose p;         ///< of B on M, phi wrapped
+  PlanarPose p;         ///< of B, or of the middle of a box, on M; phi wrapped
+};
+
+/// The true state of a simulated box that platforms push: for figures and viewers, never for control. Trivially copyable.
+struct BoxTruth {
+  PlanarPose p;                   ///< of its middle on M, phi wrapped
+  std::array<double, 3> speed{};  ///< along x and y of M [m/s], about z [rad/s]
+  std::array<double, 3> push{};   ///< of all that touches it, along x and y of M [N], about its middle [N m]
 };
 
 /// The true state of a simulated platform: for figures and viewers, never for control. Trivially copyable.

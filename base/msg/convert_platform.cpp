@@ -333,6 +333,30 @@ Plan from_message(const plan_t& m) {
   return p;
 }
 
+fragment_order_t to_message(const FragmentOrder& o) {
+  fragment_order_t m{};
+  m.fragment = to_message(o.fragment);
+  return m;
+}
+
+FragmentOrder from_message(const fragment_order_t& m) { return {from_message(m.fragment)}; }
+
+box_truth_t to_message(const BoxTruth& t) {
+  box_truth_t m{};
+  copy(t.p, m.p);
+  copy(t.speed, m.speed);
+  copy(t.push, m.push);
+  return m;
+}
+
+BoxTruth from_message(const box_truth_t& m) {
+  BoxTruth t;
+  t.p = three<PlanarPose>(m.p);
+  copy(m.speed, t.speed);
+  copy(m.push, t.push);
+  return t;
+}
+
 platform_truth_t to_message(const PlatformTruth& t) {
   platform_truth_t m{};
   copy(t.p, m.p);

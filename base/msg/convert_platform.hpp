@@ -10,6 +10,8 @@
 #include "base/platform_hardware.hpp"
 #include "base/platform_path.hpp"
 #include "base/platform_transmission.hpp"
+#include "mrroc/box_truth_t.hpp"
+#include "mrroc/fragment_order_t.hpp"
 #include "mrroc/fragment_t.hpp"
 #include "mrroc/map_pose_t.hpp"
 #include "mrroc/map_report_t.hpp"
@@ -86,6 +88,16 @@ plan_t to_message(const Plan& p);
 Plan from_message(const plan_t& m);
 /// @return whether there is no plan, or one: 1..kPlanPoints points, all finite, and a speed above 0
 bool is_proper(const plan_t& m) noexcept;
+
+fragment_order_t to_message(const FragmentOrder& o);
+FragmentOrder from_message(const fragment_order_t& m);
+/// @return whether there is no fragment, or one of finite knots
+bool is_proper(const fragment_order_t& m) noexcept;
+
+box_truth_t to_message(const BoxTruth& t);
+BoxTruth from_message(const box_truth_t& m);
+/// @return whether all numbers are finite
+bool is_proper(const box_truth_t& m) noexcept;
 
 platform_truth_t to_message(const PlatformTruth& t);
 PlatformTruth from_message(const platform_truth_t& m);

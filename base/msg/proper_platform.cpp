@@ -71,6 +71,12 @@ bool is_proper(const plan_t& m) noexcept {
   return (none || one) && finite(m.point) && std::isfinite(m.speed);
 }
 
+bool is_proper(const fragment_order_t& m) noexcept {
+  return m.fragment.number >= 0 && finite(m.fragment.knot);
+}
+
+bool is_proper(const box_truth_t& m) noexcept { return finite(m.p) && finite(m.speed) && finite(m.push); }
+
 bool is_proper(const platform_truth_t& m) noexcept {
   return finite(m.p) && finite(m.v) && finite(m.wheel_speed) && finite(m.slip_speed) && finite(m.friction) &&
          finite(m.load) && finite(m.torque);

@@ -120,6 +120,70 @@ MotionCaptureParameters read_capture(const Config& config) {
   return m;
 }
 
+/// @param name  of the box
+BoxParameters read_box(const Config& config, const std::string& name) {
+  const Config t = config.section("sim.boxes." + name);
+  BoxParameters b;
+  b.name = name;
+  const auto size = t.numbers<2>("size", {{b.length, b.width}}, {0.05, 10}, "m, along x and y of the box");
+  b.length = size[0];
+  b.width = size[1];
+  b.mass = t.number("mass", b.mass, {0.1, 10'000}, "kg");
+  b.friction = t.number("friction", b.friction, {0, 2}, "of its base on the ground");
+  b.grip = t.number("grip", b.grip, {0, 2}, "friction of its sides against a platform");
+  const auto start = t.numbers<3>("start", std::nullopt, kPlace, "m, rad: x, y, phi of its middle");
+  b.start = {.x = start[0], .y = start[1], .phi = start[2]};
+  return b;
+}
+
+/// Whether two rectangles overlap: there is no axis of one of them along which they are apart.
+struct Outline {
+  PlanarPose middle;
+  double length{}, width{};
+};
+bool overlap(const Outline& one, const Outline& other) {
+  const auto apart = [](const Outline& a, const Outline& b) {
+    const double turned = b.middle.phi - a.middle.phi;
+    const double c = std::abs(std::cos(turned)), s = std::abs(std::sin(turned));
+    const double x = b.middle.x - a.middle.x, y = b.middle.y - a.middle.y;
+    const double ca = std::cos(a.middle.phi), sa = std::sin(a.middle.phi);
+    return std::abs(ca * x + sa * y) > (a.length + c * b.length + s * b.width) / 2 ||
+           std::abs(ca * y - sa * x) > (a.width + s * b.length + c * b.width) / 2;
+  };
+  return !apart(one, other) && !apart(other, one);
+}
+Outline outline_of(const BoxParameters& b) { return {b.start, b.length, b.width}; }
+Outline outline_of(const PlatformParameters& p) { return {p.start, p.body.length, p.body.width}; }
+
+/// The outline of a box that begins there must be free, also of platforms and of other boxes.
+void check_start(const PlatformWorldParameters& w, const BoxParameters& box,
+                 const std::vector<std::string>& platforms) {
+  const std::string where = "sim.boxes." + box.name + ".start";
+  const RoomPoint there{box.start.x, box.start.y};
+  const double reach = std::hypot(box.length, box.width) / 2;
+  if (const std::string wrong = obstruction(w.room, there, there, reach); !wrong.empty())
+    refuse(where, "it is " + wrong);
+  for (std::size_t k = 0; k < w.platforms.size(); ++k)
+    if (overlap(outline_of(box), outline_of(w.platforms[k])))
+      refuse(where, "the platform '" + platforms[k] + "' begins there");
+  for (const BoxParameters& other : w.boxes)
+    if (overlap(outline_of(box), outline_of(other)))
+      refuse(where, "the box '" + other.name + "' begins there");
+}
+
+void read_boxes(const Config& config, const std::vector<std::string>& platforms, PlatformWorldParameters& w) {
+  const std::vector<std::string> names = config.tables("sim.boxes");
+  if (names.size() > kMostBoxes)
+    refuse("sim.boxes", fmt::format("{} boxes at most can be simulated, not {}", kMostBoxes, names.size()));
+  for (const std::string& name : names) {
+    if (std::ranges::find(platforms, name) != platforms.end())
+      refuse("sim.boxes." + name, "a platform has this name");
+    const BoxParameters box = read_box(config, name);
+    check_start(w, box, platforms);
+    w.boxes.push_back(box);
+  }
+}
+
 /// The outline of a platform that begins there must be free, also of another one.
 void check_start(const PlatformWorldParameters& w, std::size_t k, const std::string& key) {
   const PlatformParameters& p = w.platforms[k];
@@ -151,6 +215,7 @@ PlatformWorldParameters read_platform_world(const Config& config, const std::vec
     w.platforms.push_back(read_platform(config, key, robots::read_platform_type(config, key, types)));
     check_start(w, w.platforms.size() - 1, key);
   }
+  read_boxes(config, keys, w);
   return w;
 }
 

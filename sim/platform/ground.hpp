@@ -5,16 +5,21 @@
 namespace mrroc::sim {
 
 /// @param x, y  on M [m] @param time  simulated [s]
-/// @return coefficients there and then
+/// @return what the coefficients are multiplied by there and then
+[[nodiscard]] constexpr double scale_at(const GroundParameters& ground, double x, double y, double time) {
+  double scale = 1;
+  for (const GroundPatch& p : ground.patches) {
+    const bool outside = x < p.lower[0] || y < p.lower[1] || x > p.upper[0] || y > p.upper[1];
+    if (time >= p.from && !outside) scale *= p.scale;
+  }
+  return scale;
+}
+
+/// @return coefficients of the wheels there and then
 [[nodiscard]] constexpr Friction friction_at(const GroundParameters& ground, double x, double y,
                                              double time) {
-  Friction f = ground.friction;
-  for (const GroundPatch& p : ground.patches) {
-    if (time < p.from || x < p.lower[0] || y < p.lower[1] || x > p.upper[0] || y > p.upper[1]) continue;
-    f.mu_x *= p.scale;
-    f.mu_y *= p.scale;
-  }
-  return f;
+  const double scale = scale_at(ground, x, y, time);
+  return {.mu_x = ground.friction.mu_x * scale, .mu_y = ground.friction.mu_y * scale};
 }
 
 }  // namespace mrroc::sim

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "base/motion_capture_config.hpp"
@@ -55,6 +56,16 @@ struct PlatformParameters {
   PlatformFaults faults;          ///< what breaks
 };
 
+/// A box that stands on the ground, and slides when it is pushed.
+struct BoxParameters {
+  std::string name{};              ///< of its table and channels
+  double length{0.5}, width{1.5};  ///< of the outline, along x and y of the box [m]
+  double mass{80};                 ///< [kg], its weight lies evenly on the ground
+  double friction{0.4};            ///< coefficient of its base on the ground, Coulomb's
+  double grip{0.5};                ///< the same of its sides against a platform
+  PlanarPose start{};              ///< of its middle on M at the beginning
+};
+
 /// Friction of a wheel along and across it.
 struct Friction {
   double mu_x{0.7};  ///< along
@@ -94,7 +105,7 @@ struct MotionCaptureParameters {
   std::array<double, 2> noise{0.005, 0.01};  ///< standard deviations of x and y [m], of phi [rad]
   double outliers{};                         ///< share of readings that are wrong
   std::array<double, 2> outlier{0.5, 1};     ///< by how much they are wrong [m, rad]
-  std::vector<TimeInterval> lost;            ///< when it does not see the platforms
+  std::vector<TimeInterval> lost;            ///< when it sees neither platforms nor boxes
   PlanarPose offset;                         ///< error of its frame...
   TimeInterval displaced;                    ///< ...in this time
 };
@@ -102,9 +113,10 @@ struct MotionCaptureParameters {
 /// Platforms in their room.
 struct PlatformWorldParameters {
   std::vector<PlatformParameters> platforms;  ///< one or two
+  std::vector<BoxParameters> boxes;           ///< at most kMostBoxes
   GroundParameters ground;                    ///< below them
   Room room;                                  ///< around them
-  MotionCaptureParameters motion_capture;     ///< of all of them
+  MotionCaptureParameters motion_capture;     ///< of all of them, and of the boxes
   int micro_steps{10};                        ///< of wheels and slip in a millisecond, at least 1
 };
 

@@ -8,10 +8,9 @@
 namespace mrroc::sim {
 namespace {
 
-constexpr double kHeight = 1;             // of everything; all of it is level [m]
-constexpr double kWall = 1;               // thickness [m]
-constexpr double kContactFriction = 0.4;  // of outlines
-constexpr double kMargin = 1e-3;          // by which Bullet rounds polygons [m]
+constexpr double kHeight = 1;     // of everything; all of it is level [m]
+constexpr double kWall = 1;       // thickness [m]
+constexpr double kMargin = 1e-3;  // by which Bullet rounds polygons [m]
 
 }  // namespace
 
@@ -81,7 +80,7 @@ int PlanarBodies::add(const PlanarBody& body, const PlanarState& state) {
   btRigidBody::btRigidBodyConstructionInfo info(body.mass, nullptr, shape.get(),
                                                 {body.inertia, body.inertia, body.inertia});
   info.m_startWorldTransform = btTransform(btQuaternion({0, 0, 1}, state.phi), {state.x, state.y, 0});
-  info.m_friction = kContactFriction;
+  info.m_friction = body.friction;
   auto made = std::make_unique<btRigidBody>(info);
   made->setLinearVelocity({state.vx, state.vy, 0});
   made->setAngularVelocity({0, 0, state.w});

@@ -8,12 +8,16 @@
 
 namespace mrroc::sim {
 
+/// Friction of an outline, by which that of the other body is multiplied.
+inline constexpr double kOutlineFriction = 0.4;
+
 /// A body with a rectangular outline.
 struct PlanarBody {
-  double mass{};                   ///< [kg], > 0
-  double inertia{};                ///< about the vertical axis through the centre of mass [kg m^2], > 0
-  double length{}, width{};        ///< of the outline [m], > 0
-  std::array<double, 2> middle{};  ///< of the outline, from the centre of mass, along the body [m]
+  double mass{};                      ///< [kg], > 0
+  double inertia{};                   ///< about the vertical axis through the centre of mass [kg m^2], > 0
+  double length{}, width{};           ///< of the outline [m], > 0
+  std::array<double, 2> middle{};     ///< of the outline, from the centre of mass, along the body [m]
+  double friction{kOutlineFriction};  ///< of the outline, >= 0; that of a wall is 1
 };
 
 /// Bodies that move in x, y and about z only, in a room. Deterministic.

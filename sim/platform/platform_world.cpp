@@ -7,6 +7,7 @@
 
 #include "base/hash.hpp"
 #include "sim/platform/planar_bodies.hpp"
+#include "sim/platform/simulated_box.hpp"
 #include "sim/platform/simulated_platform.hpp"
 #include "sim/seed.hpp"
 
@@ -33,6 +34,11 @@ const PlatformWorldParameters& checked(const PlatformWorldParameters& p) {
     check(std::hypot(each.centre[0] / b.half_wheelbase, each.centre[1] / b.half_track) < 1,
           "the centre of mass must be between the wheels");
   }
+  check(p.boxes.size() <= kMostBoxes, "there are too many boxes");
+  for (const BoxParameters& each : p.boxes) {
+    check(each.length > 0 && each.width > 0 && each.mass > 0, "a box has a mass and an outline");
+    check(each.friction >= 0 && each.grip >= 0, "the friction of a box must not be negative");
+  }
   return p;
 }
 
@@ -45,13 +51,19 @@ struct PlatformWorld::Impl {
       seed = mixed(seed);
       platforms.push_back(std::make_unique<SimulatedPlatform>(each, p, bodies, seed));
     }
+    for (const BoxParameters& each : p.boxes) {
+      seed = mixed(seed);
+      boxes.push_back(std::make_unique<SimulatedBox>(each, p, bodies, seed));
+    }
   }
 
   const SimulatedPlatform& platform(int k) const { return *platforms.at(static_cast<std::size_t>(k)); }
+  const SimulatedBox& box(int k) const { return *boxes.at(static_cast<std::size_t>(k)); }
 
   PlatformWorldParameters p;
   PlanarBodies bodies;
   std::vector<std::unique_ptr<SimulatedPlatform>> platforms;
+  std::vector<std::unique_ptr<SimulatedBox>> boxes;
   std::int64_t steps{};
 };
 
@@ -73,10 +85,13 @@ void PlatformWorld::step(std::span<const PlatformDrive> drives) {
     w.platforms[k]->begin_step(w.steps, k < drives.size() ? &drives[k] : nullptr);
   for (int n = 0; n < kIntegrations; ++n) {
     for (const auto& each : w.platforms) each->push(begun + n * kH, kH);
+    for (const auto& each : w.boxes) each->push(begun + n * kH, kH);
     w.bodies.integrate(kH);
     for (const auto& each : w.platforms) each->follow();
+    for (const auto& each : w.boxes) each->follow(kH);
   }
   for (const auto& each : w.platforms) each->end_step(kIntegrations);
+  for (const auto& each : w.boxes) each->end_step(w.steps, kIntegrations);
 }
 
 const PlatformReading& PlatformWorld::reading(int platform) const {
@@ -87,9 +102,17 @@ const std::optional<CapturedPose>& PlatformWorld::motion_capture(int platform) c
 }
 const PlatformTruth& PlatformWorld::truth(int platform) const { return impl_->platform(platform).truth(); }
 
+int PlatformWorld::boxes() const { return static_cast<int>(impl_->boxes.size()); }
+const std::optional<CapturedPose>& PlatformWorld::box_motion_capture(int box) const {
+  return impl_->box(box).motion_capture();
+}
+const BoxTruth& PlatformWorld::box_truth(int box) const { return impl_->box(box).truth(); }
+
 std::uint64_t PlatformWorld::state_hash() const {
   Hash hash;
   for (const auto& each : impl_->platforms)
+    each->visit_state([&hash](double x) { hash.add(std::bit_cast<std::uint64_t>(x)); });
+  for (const auto& each : impl_->boxes)
     each->visit_state([&hash](double x) { hash.add(std::bit_cast<std::uint64_t>(x)); });
   return hash.value();
 }

@@ -14,11 +14,13 @@ namespace mrroc::sim {
 
 /// Most platforms of a world.
 inline constexpr std::size_t kMostPlatforms = 2;
+/// Most boxes of a world.
+inline constexpr std::size_t kMostBoxes = 4;
 
 /// The simulation. Single-threaded and deterministic: the same parameters, seed and calls give the same bits.
 class PlatformWorld {
  public:
-  /// Platforms at rest where they start, encoders and yaws zero, step 0.
+  /// Platforms and boxes at rest where they start, encoders and yaws zero, step 0.
   /// @throws std::invalid_argument  a parameter is out of range; the text says which
   explicit PlatformWorld(const PlatformWorldParameters& parameters, std::uint64_t seed = 1);
   ~PlatformWorld();
@@ -43,7 +45,15 @@ class PlatformWorld {
   /// @return the true state, for tests, viewers and figures, never for control
   [[nodiscard]] const PlatformTruth& truth(int platform) const;
 
-  /// @return hash over the complete state of all platforms, to compare runs
+  /// @return number of boxes
+  [[nodiscard]] int boxes() const;
+  /// @param box  0..boxes()-1, in the order of the parameters
+  /// @return the reading of motion capture for it that becomes visible in this step, if one does
+  [[nodiscard]] const std::optional<CapturedPose>& box_motion_capture(int box) const;
+  /// @return its true state, for tests, viewers and figures, never for control
+  [[nodiscard]] const BoxTruth& box_truth(int box) const;
+
+  /// @return hash over the complete state of all platforms and boxes, to compare runs
   [[nodiscard]] std::uint64_t state_hash() const;
 
  private:

@@ -11,6 +11,10 @@ PlatformPlant::PlatformPlant(link::Process& process, PlatformWorld& world, const
     capture_out_.push_back(process.outbox<motion_capture_t>(key + ".motion_capture"));
     truth_out_.push_back(process.outbox<platform_truth_t>(key + ".truth"));
   }
+  for (const std::string& name : parameters.boxes) {
+    box_capture_out_.push_back(process.outbox<motion_capture_t>(name + ".motion_capture"));
+    box_truth_out_.push_back(process.outbox<box_truth_t>(name + ".truth"));
+  }
   connect(process, parameters.platforms);
 }
 
@@ -21,6 +25,12 @@ void PlatformPlant::publish(std::int64_t step, std::int64_t macrostep, bool begi
     if (const auto& captured = world_.motion_capture(platform))
       capture_out_[k]->publish(to_message(captured->reading), captured->number);
     if (begins) truth_out_[k]->publish(to_message(world_.truth(platform)), macrostep);
+  }
+  for (std::size_t k = 0; k < box_truth_out_.size(); ++k) {
+    const int box = static_cast<int>(k);
+    if (const auto& captured = world_.box_motion_capture(box))
+      box_capture_out_[k]->publish(to_message(captured->reading), captured->number);
+    if (begins) box_truth_out_[k]->publish(to_message(world_.box_truth(box)), macrostep);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "edp/platform/record.hpp"
 #include "edp/recorder.hpp"
+#include "mrroc/box_truth_t.hpp"
 #include "mrroc/motion_capture_t.hpp"
 #include "mrroc/platform_truth_t.hpp"
 #include "sim/platform/platform_world.hpp"
@@ -13,7 +14,8 @@
 
 namespace mrroc::sim {
 
-/// Publishes hardware_state and truth of every platform, and motion_capture when a reading of it becomes visible.
+/// Publishes hardware_state and truth of every platform, truth of every box, and motion_capture of both when a reading of it
+/// becomes visible.
 class PlatformPlant final : public DrivenPlant<PlatformEffector> {
  public:
   /// @param process, world  outlive this object
@@ -34,6 +36,8 @@ class PlatformPlant final : public DrivenPlant<PlatformEffector> {
   PlatformWorld& world_;
   std::vector<std::unique_ptr<link::Outbox<motion_capture_t>>> capture_out_;
   std::vector<std::unique_ptr<link::Outbox<platform_truth_t>>> truth_out_;
+  std::vector<std::unique_ptr<link::Outbox<motion_capture_t>>> box_capture_out_;
+  std::vector<std::unique_ptr<link::Outbox<box_truth_t>>> box_truth_out_;
   std::vector<std::unique_ptr<Records>> records_;
 };
 

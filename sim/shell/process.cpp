@@ -50,7 +50,7 @@ std::vector<PlacedCamera> placed(const std::vector<SimulatedCamera>& cameras, co
 
 void run_simulator_process(link::Process& process, const Config& config, const link::NodeArguments&) {
   process.needs_unlogged("the servo links");
-  const ShellParameters shell = read_shell(config);
+  ShellParameters shell = read_shell(config);
   const auto seed = static_cast<std::uint64_t>(config.integer<std::int64_t>("seed", 1));
   const CameraWorld seen = read_camera_world(config, shell.robots, shell.platforms);
   std::optional<World> arms;
@@ -67,6 +67,7 @@ void run_simulator_process(link::Process& process, const Config& config, const l
     const PlatformWorldParameters parameters =
         read_platform_world(config, shell.platforms, robots::platforms());
     platforms.emplace(parameters, seed);
+    for (const BoxParameters& box : parameters.boxes) shell.boxes.push_back(box.name);
     if (!seen.cameras.empty()) room.emplace(*platforms, parameters, shell.platforms, seen.light, seen.look);
   }
   std::optional<CameraStation> cameras;

@@ -19,8 +19,9 @@ struct ShellParameters {
       drivers;  ///< names of their driver processes; empty: the robot is not simulated, and stands
   std::vector<std::string> platforms{};         ///< keys of the platforms, in their order: the same channels
   std::vector<std::string> platform_drivers{};  ///< names of their driver processes
-  double speed{0};                              ///< simulated seconds per second; 0: as fast as possible
-  std::vector<Polyline> strokes;                ///< what the hand leads along [mm]
+  std::vector<std::string> boxes{};  ///< in the order of the world: channels NAME.motion_capture, NAME.truth
+  double speed{0};                   ///< simulated seconds per second; 0: as fast as possible
+  std::vector<Polyline> strokes;     ///< what the hand leads along [mm]
   std::filesystem::path
       folder;  ///< where the inked sheets go: ROBOT-sheet-K.csv, and the steps before a fault
 };

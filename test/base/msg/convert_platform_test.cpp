@@ -92,6 +92,8 @@ TEST(PlatformMessages, BringBackWhateverWasSent) {
   with_random_bytes<map_report_t>([](const map_report_t& m) { expect_all_back(m); });
   with_random_bytes<platform_estimate_t>([](const platform_estimate_t& m) { expect_all_back(m); });
   with_random_bytes<plan_t>([](const plan_t& m) { expect_all_back(m); });
+  with_random_bytes<fragment_order_t>([](const fragment_order_t& m) { expect_all_back(m); });
+  with_random_bytes<box_truth_t>([](const box_truth_t& m) { expect_all_back(m); });
   with_random_bytes<platform_truth_t>([](const platform_truth_t& m) { expect_all_back(m); });
 }
 
@@ -149,6 +151,8 @@ TEST(PlatformMessages, EveryNumberThatSomebodyComputesWithIsLookedAt) {
   expect_every_number_looked_at(to_message(MapReport{.pose = a_pose()}));
   expect_every_number_looked_at(to_message(PlatformEstimate{}));
   expect_every_number_looked_at(to_message(a_plan()));
+  expect_every_number_looked_at(to_message(FragmentOrder{}));
+  expect_every_number_looked_at(to_message(BoxTruth{}));
   expect_every_number_looked_at(to_message(PlatformTruth{}));
 }
 
@@ -351,6 +355,8 @@ TEST(PlatformMessages, OfAnyBytesThoseThatAreProperAreFinite) {
   expect_proper_ones_finite<map_report_t>();
   expect_proper_ones_finite<platform_estimate_t>();
   expect_proper_ones_finite<plan_t>();
+  expect_proper_ones_finite<fragment_order_t>();
+  expect_proper_ones_finite<box_truth_t>();
   expect_proper_ones_finite<platform_truth_t>();
 }
 

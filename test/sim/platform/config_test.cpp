@@ -75,6 +75,22 @@ TEST(PlatformConfig, GroundAndMotionCapture) {
   EXPECT_EQ(w.motion_capture.displaced.to, 7);
 }
 
+TEST(PlatformConfig, BoxesStandWhereTheyAreTold) {
+  EXPECT_TRUE(world("").boxes.empty());
+  const PlatformWorldParameters w = world(
+      "[sim.boxes.crate]\nsize = [0.5, 1]\nmass = 30\nfriction = 0.3\ngrip = 0.2\nstart = [1, 0.5, 2]\n"
+      "[sim.boxes.barrel]\nstart = [-1.5, 0, 0]\n");
+  ASSERT_EQ(w.boxes.size(), 2U);
+  EXPECT_EQ(w.boxes[0].name, "barrel") << "in alphabetical order";
+  EXPECT_EQ(w.boxes[0].mass, BoxParameters{}.mass);
+  EXPECT_EQ(w.boxes[1].length, 0.5);
+  EXPECT_EQ(w.boxes[1].width, 1);
+  EXPECT_EQ(w.boxes[1].mass, 30);
+  EXPECT_EQ(w.boxes[1].friction, 0.3);
+  EXPECT_EQ(w.boxes[1].grip, 0.2);
+  EXPECT_EQ(w.boxes[1].start.phi, 2);
+}
+
 TEST(PlatformConfig, WhatARunHasWrittenMakesTheSameWorldOfTwo) {
   const Config config = Config::parse(
       "[sim.platforms.b]\nstart = [1.5, 0, 0]\nfaults.imu_nan = [5, 9]\n[sim.ground.patches.ice]\narea = [0, "
@@ -114,6 +130,13 @@ TEST(PlatformConfig, RefusesWhatMakesNoSenseByItsKey) {
            {"motion_capture.displaced", "[motion_capture]\ndisplaced = [1, 2, 3, 4]"},
            {"motion_capture.period", "[motion_capture]\nperiod = 0"},
            {"motion_capture.outliers", "[motion_capture]\noutliers = 2"},
+           {"sim.boxes.x.start", "[sim.boxes.x]\nmass = 10"},
+           {"sim.boxes.x.start", "[sim.boxes.x]\nstart = [0.6, 0, 0]"},
+           {"sim.boxes.x.start", "[sim.boxes.x]\nstart = [2.6, 0, 0]"},
+           {"sim.boxes.y.start", "[sim.boxes.x]\nstart = [1.5, 0, 0]\n[sim.boxes.y]\nstart = [1.9, 0, 0]"},
+           {"sim.boxes.x.mass", "[sim.boxes.x]\nstart = [1.5, 0, 0]\nmass = 0"},
+           {"sim.boxes.x.size", "[sim.boxes.x]\nstart = [1.5, 0, 0]\nsize = [1]"},
+           {"sim.boxes.a", "[sim.boxes.a]\nstart = [1.5, 0, 0]"},
            {"platforms.a.model", "[platforms.a]\nmodel = \"tank\""}}) {
     try {
       world(text);

@@ -168,6 +168,9 @@ TEST(PlatformWorld, RefusesWhatCannotBeSimulated) {
   refused([](auto& p) { p.platforms[0].body.mass = 0; });
   refused([](auto& p) { p.platforms[0].centre = {0.26, 0}; });
   refused([](auto& p) { p.ground.slip_speed = 0; });
+  refused([](auto& p) { p.boxes.assign(kMostBoxes + 1, {}); });
+  refused([](auto& p) { p.boxes = {{.mass = 0}}; });
+  refused([](auto& p) { p.boxes = {{.friction = -0.1}}; });
 }
 
 }  // namespace

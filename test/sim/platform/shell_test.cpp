@@ -26,6 +26,7 @@ PlatformWorldParameters noisy_world() {
   p.platforms[0].load_cells = {};
   p.motion_capture.noise = {0.005, 0.01};
   p.motion_capture.setup = {.period = 30, .latency = 10};
+  p.boxes = {{.name = "crate", .start = {.x = 0.75, .y = 0.1, .phi = 0.2}}};
   return p;
 }
 
@@ -38,12 +39,15 @@ class PlatformShell : public ::testing::Test, protected link::test::Led {
         control_(mp.outbox<simulation_control_t>("simulation.control")),
         readings_(mp.inbox<platform_reading_t>("rex.hardware_state", link::Group::servo_state)),
         captured_(mp.inbox<motion_capture_t>("rex.motion_capture")),
-        truth_(mp.inbox<platform_truth_t>("rex.truth")) {
+        truth_(mp.inbox<platform_truth_t>("rex.truth")),
+        box_captured_(mp.inbox<motion_capture_t>("crate.motion_capture")),
+        box_truth_(mp.inbox<box_truth_t>("crate.truth")) {
     begin([](link::Process& process) {
       PlatformWorld world(noisy_world(), 3);
       ShellParameters k;
       k.platforms = {"rex"};
       k.platform_drivers = {"edp-rex"};
+      k.boxes = {"crate"};
       run_simulator(process, {.platforms = &world}, k);
     });
     EXPECT_TRUE(run());
@@ -79,10 +83,18 @@ class PlatformShell : public ::testing::Test, protected link::test::Led {
       EXPECT_EQ(told.p.x, captured->reading.p.x);
       ++heard_;
     }
+    if (const auto& captured = twin_.box_motion_capture(0)) {
+      ASSERT_TRUE(await([&] { return box_captured_->at(captured->number) != nullptr; })) << step;
+      EXPECT_EQ(from_message(*box_captured_->at(captured->number)).p.x, captured->reading.p.x);
+    }
     if (step % kPlatformSteps != 0) return;
     const std::int64_t macrostep = step / kPlatformSteps;
     ASSERT_TRUE(await([&] { return truth_->at(macrostep) != nullptr; })) << step;
     EXPECT_EQ(from_message(*truth_->at(macrostep)).p.x, twin_.truth(0).p.x);
+    ASSERT_TRUE(await([&] { return box_truth_->at(macrostep) != nullptr; })) << step;
+    const BoxTruth box = from_message(*box_truth_->at(macrostep));
+    EXPECT_EQ(box.p.x, twin_.box_truth(0).p.x);
+    EXPECT_EQ(box.push[0], twin_.box_truth(0).push[0]);
     control_->publish({}, macrostep + 1);
   }
 
@@ -92,6 +104,8 @@ class PlatformShell : public ::testing::Test, protected link::test::Led {
   std::unique_ptr<link::Inbox<platform_reading_t>> readings_;
   std::unique_ptr<link::Inbox<motion_capture_t>> captured_;
   std::unique_ptr<link::Inbox<platform_truth_t>> truth_;
+  std::unique_ptr<link::Inbox<motion_capture_t>> box_captured_;
+  std::unique_ptr<link::Inbox<box_truth_t>> box_truth_;
 };
 
 TEST_F(PlatformShell, TellsWhatTheWorldMeasures) {
