@@ -87,7 +87,9 @@ bool Listener::take_of_platform(std::string_view name, std::span<const std::uint
   const auto add = [&](const auto& platform) {
     return [this, &platform](const auto& m) { platforms_.take(platform, m); };
   };
-  if (const auto platform = before(name, ".telemetry")) {
+  if (const auto commanded = before(name, ".command")) {
+    decoded<platform_command_t>(bytes, add(*commanded));
+  } else if (const auto platform = before(name, ".telemetry")) {
     decoded<platform_telemetry_t>(bytes, add(*platform));
   } else if (const auto of = before(name, ".truth"); of && *of != "object" && *of != "cube") {
     decoded<platform_truth_t>(bytes, add(*of));
@@ -127,15 +129,15 @@ void Listener::take_reply(const std::string& name, const effector_reply_t& m) {
   t_ = static_cast<double>(m.step) * kStep;
   take_refusal(name, arm, m.fault);
   if (m.position_known == 0) return;
-  std::array<float, kArmColumns.size()> row{static_cast<float>(t_), static_cast<float>(arm.m)};
+  std::array<float, kArmColumns.size()> row{drawn(t_), static_cast<float>(arm.m)};
   auto next = row.begin() + 2;
   const auto put = [&](const auto& numbers) {
-    for (const double x : numbers) *next++ = static_cast<float>(x);
+    for (const double x : numbers) *next++ = drawn(x);
   };
   put(m.joints);
   put(m.T_0E);
   put(m.F_a);
-  *next++ = static_cast<float>(m.gripper);
+  *next++ = drawn(m.gripper);
   const bool writes = arm.scene.gripper == "none" && !arm.scene.model.empty() &&
                       on_paper(arm.scene, {m.T_0E[0], m.T_0E[1], m.T_0E[2]});
   *next = arm.new_sheet ? -1.0F : writes ? 1.0F : 0.0F;
@@ -182,19 +184,18 @@ void Listener::take_hands(const hand_order_t& m) {
 }
 
 void Listener::take_object(const object_truth_t& m) {
-  std::array<float, kObjectColumns> row{static_cast<float>(static_cast<double>(m.step) * kStep),
+  std::array<float, kObjectColumns> row{drawn(static_cast<double>(m.step) * kStep),
                                         m.present != 0 ? 1.0F : 0.0F, m.hidden != 0 ? 1.0F : 0.0F};
-  std::ranges::transform(m.T_0G, row.begin() + 3, [](double x) { return static_cast<float>(x); });
+  std::ranges::transform(m.T_0G, row.begin() + 3, drawn);
   record_.add(std::string(kObjectTrack), row);
 }
 
 void Listener::take_cube(const cube_truth_t& m) {
   constexpr std::string_view kFaces = "URFDLB";
   constexpr std::size_t kStickers = 9;
-  std::array<float, kCubeColumns> row{static_cast<float>(t_), static_cast<float>(m.axis),
-                                      static_cast<float>(m.angle[0]), static_cast<float>(m.angle[1])};
-  auto next =
-      std::ranges::transform(m.T_UC, row.begin() + 4, [](double x) { return static_cast<float>(x); }).out;
+  std::array<float, kCubeColumns> row{drawn(t_), static_cast<float>(m.axis), drawn(m.angle[0]),
+                                      drawn(m.angle[1])};
+  auto next = std::ranges::transform(m.T_UC, row.begin() + 4, drawn).out;
   for (std::size_t face = 0; face < kFaces.size(); ++face) {
     int packed = 0;  // below 6^9: a float holds it exactly
     for (std::size_t k = 0; k < kStickers; ++k) {

@@ -18,12 +18,11 @@ constexpr double kStep = kPlatformPeriod / kPlatformSteps;  // of the effector d
 template <std::size_t N>
 class Row {
  public:
-  /// What is larger than anything that can be drawn becomes the largest number that can, what is no number becomes 0.
+  /// What is no number becomes 0.
   template <class T>
   requires std::integral<T> || std::floating_point<T> Row& put(T number) {
-    constexpr double kLargest = 1e12;
     const auto x = static_cast<double>(number);
-    row_[next_++] = std::isnan(x) ? 0 : static_cast<float>(std::clamp(x, -kLargest, kLargest));
+    row_[next_++] = std::isnan(x) ? 0 : drawn(x);
     return *this;
   }
   Row& put(const PlanarPose& p) { return put(p.x).put(p.y).put(p.phi); }
@@ -54,6 +53,14 @@ Slip ground_below(const PlatformTruth& truth) {
   }
   if (left + right > 0) slip.split = (left - right) / (left + right);
   return slip;
+}
+
+/// @param told  by platform: the number told last, which that number becomes when it is larger
+bool is_newer(std::map<std::string, std::int64_t>& told, const std::string& name, std::int64_t number) {
+  std::int64_t& last = told[name];
+  if (number <= last) return false;
+  last = number;
+  return true;
 }
 
 }  // namespace
@@ -88,15 +95,26 @@ void PlatformTracks::take(const std::string& name, const platform_truth_t& m) {
 }
 
 void PlatformTracks::take(const std::string& name, const plan_t& m, double t) {
-  if (!is_proper(m) || m.number == 0) return;
-  std::int64_t& told = plans_[name];
-  if (told == m.number) return;
-  told = m.number;
+  if (!is_proper(m) || !is_newer(plans_, name, m.number)) return;
   for (std::int32_t k = 0; k < m.n; ++k) {
     Row<kPlanColumns> row;
     row.put(t).put(m.number).put(m.point[k][0]).put(m.point[k][1]);
     record_.add("plan:" + name, row.numbers());
   }
+}
+
+void PlatformTracks::take(const std::string& name, const platform_command_t& m) {
+  const PlatformCommand c = from_message(m);
+  const Fragment& f = c.fragment;
+  const bool finite = std::ranges::all_of(f.knot, [](const PathPoint& k) {
+    return std::isfinite(k.p.x) && std::isfinite(k.p.y) && std::isfinite(k.p.phi);
+  });
+  if (c.instruction != Instruction::set || !finite || !is_newer(fragments_, name, f.number)) return;
+  static_assert(kFragmentColumns == 4 + 3 * kFragmentKnots);
+  Row<kFragmentColumns> row;
+  row.put(static_cast<double>(c.macrostep) * kPlatformPeriod).put(f.number).put(f.steps).put(f.notify);
+  for (const PathPoint& knot : f.knot) row.put(knot.p);
+  record_.add("fragment:" + name, row.numbers());
 }
 
 }  // namespace mrroc::view

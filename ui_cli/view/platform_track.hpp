@@ -5,6 +5,7 @@
 #include <string>
 
 #include "mrroc/plan_t.hpp"
+#include "mrroc/platform_command_t.hpp"
 #include "mrroc/platform_reply_t.hpp"
 #include "mrroc/platform_telemetry_t.hpp"
 #include "mrroc/platform_truth_t.hpp"
@@ -27,10 +28,13 @@ class PlatformTracks {
   /// A plan comes in every macrostep; its points are added once.
   /// @param t  when it comes [s]
   void take(const std::string& name, const plan_t& m, double t);
+  /// Adds the fragment of a command that hands a new one over; one that is handed over again is known.
+  void take(const std::string& name, const platform_command_t& m);
 
  private:
   Record& record_;
-  std::map<std::string, std::int64_t> plans_;  // number told last
+  std::map<std::string, std::int64_t> plans_;      // number told last
+  std::map<std::string, std::int64_t> fragments_;  // number told last
 };
 
 }  // namespace mrroc::view

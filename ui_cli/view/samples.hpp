@@ -1,9 +1,16 @@
 // The rows of the tracks that a page receives.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <string_view>
 
 namespace mrroc::view {
+
+/// @return the number as a row has it: one that is larger than anything that can be drawn becomes the largest that can
+[[nodiscard]] inline float drawn(double x) {
+  constexpr double kLargest = 1e12;
+  return static_cast<float>(std::clamp(x, -kLargest, kLargest));
+}
 
 /// An arm's row, one per reply of its driver. t: simulated time [s]; m: behaviour of its agent; q0..q7: joints [rad],
 /// track [m]; x..az: E in the base [m], angle-axis [rad]; Fx..Nz: F_a in E [N], [N m]; gap: between the jaws [m];
@@ -29,7 +36,7 @@ inline constexpr std::size_t kCubeColumns = 22;
 /// Name of the cube's track.
 inline constexpr std::string_view kCubeTrack = "cube";
 
-// Of a platform there are four tracks: "platform:NAME", "telemetry:NAME", "truth:NAME" and "plan:NAME".
+// Of a platform there are five tracks: "platform:NAME", "telemetry:NAME", "truth:NAME", "plan:NAME" and "fragment:NAME".
 
 /// A platform's row, one per reply of its driver. t: of the newest reading in the estimate [s]; m: behaviour of its
 /// agent; sent: of the reading with which the reply was made, which its telemetry tells too [s]; x..w: where it is
@@ -51,5 +58,9 @@ inline constexpr std::size_t kTruthColumns = 7;
 
 /// The row of "plan:NAME", one per point of a plan when it comes: t [s]; number of the plan; x y [m].
 inline constexpr std::size_t kPlanColumns = 4;
+
+/// The row of "fragment:NAME", one per fragment when it is handed over: t [s]; number; steps and notify [iterations]; x y phi
+/// of its 33 knots [m], [rad].
+inline constexpr std::size_t kFragmentColumns = 103;
 
 }  // namespace mrroc::view

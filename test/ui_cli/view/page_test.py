@@ -4,6 +4,7 @@ Skipped (77) where there is no Chromium, no python3-websocket, or no way to a ne
 
 import atexit
 import os
+import random
 import shutil
 import subprocess
 import sys
@@ -28,6 +29,7 @@ IN_OWN_NETWORK = "MRROC_IN_OWN_NETWORK"
 ORANGE = "r > 150 && g > 50 && g < 150 && b < 90"
 BLUE = "b > 180 && r < 90"
 GREEN = "g > 110 && r < 90 && b < 120"
+AMBER = "r > 150 && r < 225 && g > 110 && g < 190 && b < 100"
 INK = "r < 100 && g < 105 && b < 120"
 DARK = "r < 50 && g < 55 && b < 65"
 
@@ -210,6 +212,46 @@ def start_beside_a_task(page):
     check(True, "it ends when no task runs and nobody looks")
 
 
+def press(page, view: str):
+    page.value(f"[...document.querySelectorAll('#views button')].find(b => b.textContent === {view!r}).click()")
+
+
+def look_at_a_wild_run(page, folder: Path):
+    subprocess.run([BIN / "view_sample", "wild", folder], check=True)
+    viewer = Viewer(str(folder))
+    go_anew(page, viewer.url)
+    page.wait("Number(document.querySelector('#clock')?.dataset.rows) > 100")
+    for name in ("arm1", "rex"):
+        page.value(f"[...document.querySelectorAll('#arms button')].find(b => b.textContent === {name!r}).click()")
+        for view in ("cell", name, "top"):
+            press(page, view)
+        for place in (0.1, 0.5, 0.99):
+            page.click("#timeline", place, 0.4)
+            time.sleep(0.5)
+    check("<img src=x" in page.value("document.querySelector('#messages').innerText"), "texts of a log are texts")
+    check(page.value("document.querySelectorAll('#messages img, header img').length") == 0, "and no part of the page")
+    check(page.value("document.title") != "bad", "nothing of a log is executed")
+    check(not page.errors, f"the page bears any numbers {page.errors}")
+    viewer.end()
+
+
+def look_at_damaged_bytes(page, folder: Path):
+    log = folder / "events.lcmlog"
+    damaged = bytearray(log.read_bytes())
+    chance = random.Random(5)
+    for _ in range(len(damaged) // 2000):
+        damaged[chance.randrange(len(damaged))] = chance.randrange(256)
+    log.write_bytes(damaged)
+    viewer = Viewer(str(folder))
+    go_anew(page, viewer.url)
+    page.wait("Number(document.querySelector('#clock')?.dataset.rows) > 10")
+    press(page, "rex")
+    page.click("#timeline", 0.5, 0.4)
+    time.sleep(1)
+    check(not page.errors, f"the page bears a damaged log {page.errors}")
+    viewer.end()
+
+
 def look_at_a_platform(page, folder: Path):
     if not (BIN / "rex_drive").exists():
         return print("left out: the platform Rex is not part of this build")
@@ -226,14 +268,25 @@ def look_at_a_platform(page, folder: Path):
     room = page.share("#stage", ORANGE)
     check(room > 0.001, f"the platform is drawn {room}")
     check(page.share("#stage", GREEN) > 0.0002, "the points of its plan are drawn")
+    check(page.share("#stage", AMBER) > 0.0002, "the fragments are drawn")
+    check("of" in page.value("document.querySelector('#readout').innerText"), "which fragment it drives is told")
+    check(not page.value("document.querySelector('#legend').hidden"), "the colours of the lines are told")
+    check(page.value("document.querySelector('#sheets').hidden || !document.querySelector('#sheets').children.length"), "there are no sheets")
+    charts = page.value("[...document.querySelectorAll('#charts .chart:not([hidden]) canvas')].map(c => c.title.split(' [')[0]).join()")
+    check(charts == "Tracking error,Estimation error,Slip,Torque", f"the charts are those of a platform {charts}")
     check(page.share("#charts", BLUE) > 0.001, "the charts have its curves")
     check("rex" in page.value("document.querySelector('#readout').innerText"), "its place is told")
-    page.value("[...document.querySelectorAll('#views button')].find(b => b.textContent === 'rex').click()")
+    press(page, "rex")
     time.sleep(1.5)
     near = page.share("#stage", ORANGE)
     check(near > 1.5 * room, f"it can be looked at from near {room} {near}")
+    page.click("#timeline", 0.3, 0.4)
+    time.sleep(1.5)
+    followed = page.share("#stage", ORANGE)
+    check(abs(followed - near) < 0.4 * near, f"the view goes with it {near} {followed}")
     check(not page.errors, f"the page complains of nothing {page.errors}")
     viewer.end()
+    look_at_damaged_bytes(page, folder)
 
 
 def answers(url: str) -> bool:
@@ -255,6 +308,7 @@ def main():
         follow_a_task(page, Path(home) / "live")
         attach_late(page, Path(home) / "late")
         start_beside_a_task(page)
+        look_at_a_wild_run(page, Path(home) / "wild")
         look_at_a_platform(page, Path(home) / "drive")
 
 

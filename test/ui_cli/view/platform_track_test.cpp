@@ -151,7 +151,38 @@ TEST_F(ViewPlatform, TellsThePointsOfAPlanWhenItComes) {
   EXPECT_EQ(row[9], 2);
 }
 
+PlatformCommand handing_over(std::int64_t number) {
+  PlatformCommand c;
+  c.instruction = Instruction::set;
+  c.fragment.number = number;
+  c.fragment.steps = 80;
+  c.fragment.notify = -4;
+  for (std::size_t k = 0; k < kFragmentKnots; ++k)
+    c.fragment.knot[k] = {.p = {static_cast<double>(k), 0.5, -0.25}, .v = 9, .w = 9};
+  return c;
+}
+
+TEST_F(ViewPlatform, TellsAFragmentWhenItIsHandedOver) {
+  hear("rex.command", to_message(handing_over(1)), 50);
+  hear("rex.command", to_message(handing_over(1)), 51);  // it was lost, and comes again
+  PlatformCommand keep = handing_over(2);
+  keep.instruction = Instruction::keep;
+  hear("rex.command", to_message(keep), 52);
+  hear("rex.command", to_message(handing_over(2)), 100);
+  const std::vector<float> row = rows("fragment:rex");
+  ASSERT_EQ(row.size(), 2 * kFragmentColumns);
+  EXPECT_EQ((std::vector<float>{row.begin(), row.begin() + 10}),
+            (std::vector<float>{1, 1, 80, -4, 0, 0.5, -0.25, 1, 0.5, -0.25}));
+  EXPECT_EQ((std::vector<float>{row.begin() + 100, row.begin() + 105}),
+            (std::vector<float>{32, 0.5, -0.25, 2, 2}));
+}
+
 TEST_F(ViewPlatform, LeavesOutWhatNobodyCanUse) {
+  PlatformCommand command = handing_over(1);
+  command.fragment.knot[32].p.y = kNaN;
+  hear("rex.command", to_message(command));
+  command.fragment.knot[32].p.y = std::numeric_limits<double>::infinity();
+  hear("rex.command", to_message(command));
   PlatformReply r = reply_of(1);
   r.estimate.p.x = kNaN;
   hear("rex.reply", to_message(r));
@@ -165,7 +196,7 @@ TEST_F(ViewPlatform, LeavesOutWhatNobodyCanUse) {
   plan_t longer = to_message(plan);
   longer.n = 1'000'000;
   hear("mp.rex.plan", longer);
-  for (const char* track : {"platform:rex", "telemetry:rex", "truth:rex", "plan:rex"})
+  for (const char* track : {"platform:rex", "telemetry:rex", "truth:rex", "plan:rex", "fragment:rex"})
     EXPECT_EQ(record.rows(track), 0U) << track;
 }
 
@@ -182,8 +213,9 @@ TEST_F(ViewPlatform, GivesFiniteRowsOfAnyBytes) {
     listener.receive("s.rex.reply", scrambled(to_message(reply_of(round))));
     listener.receive("s.rex.telemetry", scrambled(to_message(PlatformTelemetry{})));
     listener.receive("s.rex.truth", scrambled(to_message(PlatformTruth{})));
+    listener.receive("s.rex.command", scrambled(to_message(handing_over(round))));
   }
-  for (const char* track : {"platform:rex", "telemetry:rex", "truth:rex"}) {
+  for (const char* track : {"platform:rex", "telemetry:rex", "truth:rex", "fragment:rex"}) {
     EXPECT_GT(record.rows(track), 500U) << track;
     const std::vector<float> all = rows(track);
     EXPECT_TRUE(std::ranges::all_of(all, [](float x) { return std::isfinite(x); })) << track;

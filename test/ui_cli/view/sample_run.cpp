@@ -2,13 +2,16 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/effector_command.hpp"
 #include "base/link/event_log.hpp"
 #include "base/link/text.hpp"
+#include "base/msg/convert_platform.hpp"
 #include "base/operator.hpp"
 
 namespace mrroc::test {
@@ -129,6 +132,45 @@ void write_run(const fs::path& folder, int macrosteps) {
       log.receive("s." + arm + ".reply",
                   encoded(reply(i, 0.85 + 0.1 * share, 0.1 - 0.2 * share, m == 2 ? 0.9199 : 0.93), i, i));
     }
+  }
+  log.flush();
+}
+
+void write_wild_run(const fs::path& folder) {
+  fs::create_directories(folder);
+  std::ofstream(folder / "config.toml") << "[robots]\norder = [\"arm1\"]\n[platforms]\norder = [\"rex\"]\n";
+  link::EventLog log(folder / "events.lcmlog", 7);
+  const std::string markup = "<img src=x onerror=\"document.title='bad'\">";
+  log.receive("s.mp.console", encoded(line(markup), 1, 0));
+  log.receive("s.task_status", encoded(status(1, markup), 1, 0));
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  constexpr std::array kNumbers{0.0,  1e300, -1e300, 1e-300, kNone, std::numeric_limits<double>::infinity(),
+                                3e12, 1.0};
+  constexpr std::array<std::int64_t, 4> kSteps{1, 20, 1'000'000'000'000'000, 4'000'000'000'000'000'000};
+  for (std::int64_t i = 1; i <= 200; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double x = kNumbers[k % kNumbers.size()];
+    effector_reply_t arm = reply(i, x, -x, x);
+    arm.step = kSteps[k % kSteps.size()];
+    for (double& q : arm.joints) q = x;
+    for (double& f : arm.F_a) f = x;
+    log.receive("s.arm1.reply", encoded(arm, i, i));
+    PlatformReply platform;
+    platform.step = kSteps[(k + 1) % kSteps.size()];
+    platform.estimate.step = platform.step;
+    platform.estimate.p = {x, -x, x};
+    platform.estimate.covariance = {x, x, 0, x, -x, 0, 0, 0, 1};
+    platform.position_known = true;
+    log.receive("s.rex.reply", encoded(to_message(platform), i, i));
+    PlatformTelemetry telemetry;
+    telemetry.step = platform.step;
+    telemetry.horizon.fill({x, x, x});
+    log.receive("s.rex.telemetry", encoded(to_message(telemetry), i, i));
+    PlatformCommand command;
+    command.instruction = Instruction::set;
+    command.fragment.number = i;
+    command.fragment.knot.fill({.p = {x, x, x}, .v = x, .w = x});
+    log.receive("s.rex.command", encoded(to_message(command), i, kSteps[k % kSteps.size()]));
   }
   log.flush();
 }

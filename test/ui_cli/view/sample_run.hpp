@@ -66,6 +66,10 @@ std::vector<std::uint8_t> encoded(M message, std::int64_t number, std::int64_t s
 /// of it; its pen is on the paper in the second half.
 void write_run(const std::filesystem::path& folder, int macrosteps);
 
+/// Writes a run folder of an arm and a platform whose messages have numbers and texts that no driver tells: times and places
+/// of any size, no numbers, markup.
+void write_wild_run(const std::filesystem::path& folder);
+
 /// @return the rows of a track of a piece of news, one after the other
 [[nodiscard]] std::vector<float> rows_of(const std::string& news, const std::string& track);
 

@@ -1,5 +1,6 @@
 // Something for the viewer to look at, without a world. Usage:
 //   view_sample run FOLDER                   writes a run folder of 10 s
+//   view_sample wild FOLDER                  writes one with numbers and texts that nobody tells
 //   view_sample task FOLDER SESSION SECONDS  is a running task for so long, then prints the number of replies
 //   view_sample beside SESSION               starts a viewer as a task does, prints its address
 #include <chrono>
@@ -34,6 +35,8 @@ int main(int argc, char** argv) {
     const std::string what = argc > 1 ? argv[1] : "";
     if (what == "run" && argc == 3)
       mrroc::test::write_run(argv[2], 500);
+    else if (what == "wild" && argc == 3)
+      mrroc::test::write_wild_run(argv[2]);
     else if (what == "task" && argc == 5)
       run_task(argv[2], argv[3], std::stod(argv[4]));
     else if (what == "beside" && argc == 3)

@@ -105,6 +105,7 @@ export class Cell {
   }
   add_platforms(scene, descriptions) {
     this.platforms.clear();
+    this.followed = null;
     this.room = scene.room;
     if (this.room) this.things.add(room(this.room));
     this.reach_out(this.room ? Math.max(1, this.room_size() / 5) : 1);
@@ -146,6 +147,7 @@ export class Cell {
     for (const platform of this.platforms.values()) platform.show(history, t);
     this.show_object(history.tracks.get('object'), t);
     this.cube?.show(history.tracks.get('cube'), t, this.things);
+    this.follow();
     this.dirty = true;
   }
   show_object(track, t) {
@@ -156,10 +158,11 @@ export class Cell {
     const n = track.mix(t, 3, 12, new Float64Array(12));
     this.object.matrix.set(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11], 0, 0, 0, 1);
   }
-  /** @param view  'cell', 'cube', 'top', or the name of an arm or a platform */
+  /** @param view  'cell', 'cube', 'top', or the name of an arm, or of a platform, with which the view goes from then on */
   look(view) {
+    this.followed = this.platforms.get(view)?.place;
     if (view === 'cube' && this.cube) return this.look_at(this.cube.place(), new Vector3(0.3, -0.14, 0.16));
-    if (this.platforms.has(view)) return this.look_after(this.platforms.get(view).place);
+    if (this.followed) return this.look_after(this.followed);
     if (this.room && !this.arms.size) return this.look_into_room(view === 'top');
     const bases = [...this.arms.values()].map((e) => e.base.position);
     const middle = bases.reduce((sum, p) => sum.add(p), new Vector3()).divideScalar(bases.length || 1);
@@ -178,6 +181,14 @@ export class Cell {
   look_after(place) {
     const phi = place.rotation.z + Math.PI - 0.5;
     this.look_at(place.position.clone().setZ(0.2), new Vector3(2 * Math.cos(phi), 2 * Math.sin(phi), 1.2));
+  }
+  /** Goes with the platform that is looked after. */
+  follow() {
+    if (!this.followed) return;
+    const way = this.followed.position.clone().setZ(this.orbit.target.z).sub(this.orbit.target);
+    this.orbit.target.add(way);
+    this.camera.position.add(way);
+    this.orbit.update();
   }
   look_into_room(from_above) {
     const {lower, upper} = this.room, size = this.room_size();

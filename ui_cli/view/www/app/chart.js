@@ -1,5 +1,5 @@
 // One strip chart: a few quantities of an arm or a platform over time, on the colours of its behaviours.
-import {colour_of, fixed, label, nice_step, prepare, theme} from './theme.js';
+import {colour_of, fixed, label, nice_step, prepare, theme, ticks} from './theme.js';
 
 const kColours = ['x', 'y', 'z', 'accent'];  // of the series
 const kLeft = 46, kRight = 8, kTop = 20, kBottom = 16;
@@ -57,8 +57,8 @@ export class Chart {
     const value = track && track.rows ? this.about.value(source, Math.max(0, track.find(begin))) : null;
     const since = this.about.biased ? bands.find((band) => band.m)?.begin : undefined;
     const lines_of = (what) => (value ? thinned(track, begin, end, plot.w, what, this.about.series.length, since) : {lines: [], low: 0, high: 0});
-    const drawn = lines_of(value), band = this.band(source, value, lines_of), truth = this.about.truth ? lines_of(this.about.truth(source)).lines : [];
-    const range = this.range(drawn);
+    const drawn = lines_of(value), band = this.band(source, value, lines_of), truth = this.about.truth ? lines_of(this.about.truth(source)) : {lines: []};
+    const range = this.range([drawn, truth]);
     const y = (v) => plot.y + plot.h * (1 - (v - range.low) / (range.high - range.low));
     this.tint(c, plot, x, bands, begin, end);
     this.axes(c, plot, {begin, end, x, y, range}, with_time ? bottom : 0);
@@ -69,7 +69,7 @@ export class Chart {
     band.forEach((line, k) => { c.fillStyle = theme[kColours[k]]; path(line); c.fill(); });
     c.globalAlpha = 1;
     c.lineJoin = 'round';
-    for (const [lines, width, dash] of [[drawn.lines, 1.5, []], [truth, 1, [4, 3]]]) {
+    for (const [lines, width, dash] of [[drawn.lines, 1.5, []], [truth.lines, 1, [4, 3]]]) {
       c.lineWidth = width;
       c.setLineDash(dash);
       lines.forEach((line, k) => { c.strokeStyle = theme[kColours[k]]; path(line); c.stroke(); });
@@ -90,7 +90,9 @@ export class Chart {
     const [upper, lower] = [1, -1].map((side) => lines_of((row, k) => value(row, k) + side * spread(row, k)).lines);
     return upper.map((line, k) => [...line, ...lower[k].reverse()]);
   }
-  range({low, high}) {
+  /** @param all  what has to fit, [{low, high}] */
+  range(all) {
+    let [low, high] = [Math.min(...all.map((each) => each.low ?? Infinity)), Math.max(...all.map((each) => each.high ?? -Infinity))];
     if (!(low <= high)) [low, high] = [0, 0];
     const middle = (low + high) / 2, half = Math.max((high - low) / 2, this.about.least / 2) * 1.12;
     return {low: middle - half, high: middle + half};
@@ -109,14 +111,14 @@ export class Chart {
     c.strokeStyle = theme.grid; c.fillStyle = theme.dim; c.lineWidth = 1;
     const step = nice_step(range.high - range.low, Math.max(3, plot.h / 24));
     c.textAlign = 'right'; c.textBaseline = 'middle';
-    for (let v = Math.ceil(range.low / step) * step; v <= range.high; v += step) {
+    for (const v of ticks(range.low, range.high, step)) {
       const at = Math.round(y(v)) + 0.5;
       c.beginPath(); c.moveTo(plot.x, at); c.lineTo(plot.x + plot.w, at); c.stroke();
       c.fillText(label(v, step), plot.x - 6, at);
     }
     const seconds = nice_step(end - begin, plot.w / 70);
     c.textAlign = 'center'; c.textBaseline = 'top';
-    for (let t = Math.ceil(begin / seconds) * seconds; t <= end; t += seconds) {
+    for (const t of ticks(begin, end, seconds)) {
       const at = Math.round(x(t)) + 0.5;
       c.beginPath(); c.moveTo(at, plot.y); c.lineTo(at, plot.y + plot.h); c.stroke();
       if (!time_at) continue;

@@ -2,7 +2,7 @@
 import {Cell} from './cell.js';
 import {Charts} from './charts.js';
 import {History} from './history.js';
-import {Messages, Segments, show_empty, show_header, show_readout} from './panels.js';
+import {Messages, Segments, show_empty, show_header, show_legend, show_readout} from './panels.js';
 import {Pictures} from './pictures.js';
 import {kSpeeds, Player} from './player.js';
 import {listen} from './stream.js';
@@ -39,6 +39,7 @@ async function begin(scene) {
   }));
   if (history.scene !== scene) return;
   cell.build(scene, descriptions);
+  show_legend(scene);
   by_id('sheets').replaceChildren(...[...cell.arms.values()].filter((e) => e.arm.gripper === 'none').map(sheet_figure));
   changed = true;
 }

@@ -1,4 +1,5 @@
 // The words around the pictures: title, state, readings, messages.
+import {kLegend} from './platform.js';
 import {colour_of, fixed} from './theme.js';
 
 const by_id = (id) => document.getElementById(id);
@@ -57,6 +58,7 @@ export function show_header(history, connected, arm, t) {
 }
 
 const kDegrees = 180 / Math.PI;
+const kPeriod = 0.02;  // of the iterations of a platform's driver [s]
 
 /** @return rows of a table, [[what, numbers as text, unit]], or nothing where a track does not tell yet */
 function arm_readings(history, name, t) {
@@ -64,12 +66,20 @@ function arm_readings(history, name, t) {
   return n && [['E', [0, 1, 2].map((k) => fixed(1000 * n[k], 1)), 'mm'], ['F', [6, 7, 8].map((k) => fixed(n[k], 2)), 'N']];
 }
 
+/** Which fragment a platform drives, of how many that it was handed, and how long they last. */
+function fragment_readings(history, name, t) {
+  const column = history.platform_column, track = history.tracks.get(name), handed = history.tracks.get(`fragment:${name}`);
+  const row = track.find(t), [driven, remaining] = ['fragment', 'remaining'].map((key) => (row < 0 ? 0 : track.at(row, column[key]))), last = handed ? handed.find(t) : -1;
+  if (!driven) return [];
+  return [['fragment', [`${driven}`, last < 0 ? '' : `of ${handed.at(last, 1)}`], ''], ['to its end', ['', fixed(kPeriod * remaining, 1)], 's']];
+}
+
 function platform_readings(history, name, t) {
   const column = history.platform_column, track = history.tracks.get(name), p = track.pose(t, column.x);
   const v = track.mix(t, column.vx, 3, new Float64Array(3));
   return p && [
     ['x y', [fixed(1000 * p[0], 0), fixed(1000 * p[1], 0)], 'mm'], ['phi', ['', fixed(kDegrees * Math.atan2(Math.sin(p[2]), Math.cos(p[2])), 1)], 'deg'],
-    ['v', ['', fixed(v[0], 2)], 'm/s'], ['w', ['', fixed(v[2], 2)], 'rad/s'],
+    ['v', ['', fixed(v[0], 2)], 'm/s'], ['w', ['', fixed(v[2], 2)], 'rad/s'], ...fragment_readings(history, name, t),
   ];
 }
 
@@ -85,6 +95,18 @@ export function show_readout(history, t) {
       table.append(row);
     }
     return card;
+  }));
+}
+
+/** What the lines on the floor are, where a platform drives. */
+export function show_legend(scene) {
+  const place = by_id('legend');
+  place.hidden = !scene.platforms.length;
+  place.replaceChildren(...kLegend.map(([colour, words]) => {
+    const line = element('div'), mark = element('i');
+    mark.style.background = `#${colour.toString(16).padStart(6, '0')}`;
+    line.append(mark, words);
+    return line;
   }));
 }
 

@@ -31,12 +31,12 @@ export class Pictures {
       Object.assign(camera, {loading: true, number, at: now});
       camera.image.onload = () => { camera.loading = false; camera.text.textContent = `${name}, picture ${number}`; };
       camera.image.onerror = () => { camera.loading = false; camera.at = now + 2000; camera.text.textContent = `${name}: no pictures; they need --view`; };
-      camera.image.src = `api/camera/${name}.bmp?number=${number}`;
+      camera.image.src = `api/camera/${encodeURIComponent(name)}.bmp?number=${number}`;
     }
   }
   show_files(files) {
     this.reset();
     this.files = files.join();
-    for (const file of files) this.add(file.replace(/^plots\//, '').replace(/\.png$/, '')).image.src = `api/picture/${file}`;
+    for (const file of files) this.add(file.replace(/^plots\//, '').replace(/\.png$/, '')).image.src = `api/picture/${file.split('/').map(encodeURIComponent).join('/')}`;
   }
 }

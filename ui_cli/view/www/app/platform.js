@@ -1,14 +1,19 @@
 // A platform in its room: where it is estimated to be and where it is, the ways of both, its plan, and what its driver
 // means to do.
-import {CircleGeometry, Group, Mesh, MeshBasicMaterial, MeshStandardMaterial} from '../vendor/three.js';
+import {Group, MeshStandardMaterial} from '../vendor/three.js';
 import {block} from './furniture.js';
+import {Plan} from './plan.js';
 import {Ribbon} from './ribbon.js';
 import {paint, Robot} from './robot.js';
 
 const kPoints = 21;                     // of reference and horizon
-const kMostMarks = 1000;                // points of plans that are drawn
 const kEllipse = Math.sqrt(5.991);      // standard deviations within which 95 % of two normal numbers are
-const kColours = {estimate: 0xe8702a, truth: 0x2f6fdb, reference: 0x2f9e5b, horizon: 0xb03a9c, plan: 0x2f9e5b, other: 0x8f98a4};
+const kColours = {estimate: 0xe8702a, truth: 0x2f6fdb, plan: 0x2f9e5b, horizon: 0xb03a9c, other: 0x8f98a4, fragments: [0xd8b04c, 0xb98c22]};
+/** What the lines on the floor are, [[colour, words]]. */
+export const kLegend = [
+  [kColours.estimate, 'estimate; its 95 % ellipse, and ten times that'], [kColours.truth, 'truth'], [kColours.fragments[1], 'fragments handed over'],
+  [kColours.plan, 'plan, and reference of the next second'], [kColours.horizon, 'where the tracker expects it then'],
+];
 /** Paint of the body where it really is: on the one where it is estimated to be. */
 const ghost = new MeshStandardMaterial({color: kColours.truth, transparent: true, opacity: 0.14, depthWrite: false});
 
@@ -53,17 +58,16 @@ export class Platform {
       estimate: null,  // its columns are known with the first row
       truth: new Way({colour: kColours.truth, width: 0.012, z: 0.004}, 1),
     };
-    this.reference = new Ribbon({colour: kColours.reference, width: 0.03, z: 0.006});
+    this.reference = new Ribbon({colour: kColours.plan, width: 0.03, z: 0.006});
     this.horizon = new Ribbon({colour: kColours.horizon, width: 0.014, z: 0.007});
     this.ellipses = [1, 10].map((times) => ({times, ribbon: new Ribbon({colour: kColours.estimate, width: 0.002 * times ** 0.6, z: 0.01, over: true})}));
-    this.marks = new Group();
-    this.drawn = 0;
-    this.root.add(this.robot.root, this.truth.root, this.marks, ...[this.ways.truth.ribbon, this.reference, this.horizon, ...this.ellipses.map((e) => e.ribbon)].map((r) => r.mesh));
+    this.plan = new Plan(kColours);
+    this.root.add(this.robot.root, this.truth.root, this.plan.root, ...[this.ways.truth.ribbon, this.reference, this.horizon, ...this.ellipses.map((e) => e.ribbon)].map((r) => r.mesh));
     this.robot.root.visible = this.truth.root.visible = false;
   }
   get place() { return this.robot.root; }
   show(history, t) {
-    const column = history.platform_column, track = history.tracks.get(this.name), [truth, telemetry, plan] = ['truth', 'telemetry', 'plan'].map((kind) => history.tracks.get(`${kind}:${this.name}`));
+    const column = history.platform_column, track = history.tracks.get(this.name), [truth, telemetry, plan, fragment] = ['truth', 'telemetry', 'plan', 'fragment'].map((kind) => history.tracks.get(`${kind}:${this.name}`));
     const q = new Float64Array(4);
     if (track && !this.ways.estimate) {
       this.ways.estimate = new Way({colour: kColours.estimate, width: 0.02, z: 0.003}, column.x);
@@ -77,7 +81,7 @@ export class Platform {
     this.ways.truth.show(truth, t);
     this.show_intent(telemetry, row < 0 ? -1 : telemetry?.find(track.at(row, column.sent)) ?? -1);
     this.show_ellipses(track, row, column);
-    this.show_plan(plan, t);
+    this.plan.show(plan, fragment, t);
   }
   stand(root, track, t, from) {
     const p = track?.pose(t, from);
@@ -103,20 +107,6 @@ export class Platform {
         ribbon.add(x + along * Math.cos(angle) - across * Math.sin(angle), y + along * Math.sin(angle) + across * Math.cos(angle), angle + Math.atan2(b * Math.cos(u), -a * Math.sin(u)));
       }
       ribbon.show(49);
-    }
-  }
-  /** Points of all plans; those of the plan at that instant stand out. */
-  show_plan(plan, t) {
-    for (; plan && this.drawn < Math.min(plan.rows, kMostMarks); ++this.drawn) {
-      const mark = new Mesh(new CircleGeometry(0.05, 24), new MeshBasicMaterial({toneMapped: false}));
-      mark.position.set(plan.at(this.drawn, 2), plan.at(this.drawn, 3), 0.005);
-      mark.userData.number = plan.at(this.drawn, 1);
-      this.marks.add(mark);
-    }
-    const now = plan ? plan.find(t) : -1, number = now < 0 ? 0 : plan.at(now, 1);
-    for (const mark of this.marks.children) {
-      mark.material.color.set(mark.userData.number === number ? kColours.plan : kColours.other);
-      mark.position.z = mark.userData.number === number ? 0.0055 : 0.005;
     }
   }
 }

@@ -21,13 +21,21 @@ export class Ribbon {
     this.mesh.geometry.setAttribute('position', new BufferAttribute(corners, 3));
     this.mesh.geometry.setIndex(new BufferAttribute(index, 1));
   }
-  clear() { this.count = 0; }
+  clear() { this.count = 0; this.last = null; }
   /** Goes on. @param phi  direction of the line there [rad] */
   add(x, y, phi) {
     if (6 * this.count >= this.corners.length) this.reserve(2 * this.count);
     const across = [-this.half * Math.sin(phi), this.half * Math.cos(phi)];
     this.corners.set([x + across[0], y + across[1], this.z, x - across[0], y - across[1], this.z], 6 * this.count++);
+    this.last = [x, y];
     this.mesh.geometry.attributes.position.needsUpdate = true;
+  }
+  /** Ends the line. @param x, y  where another one begins */
+  lift(x, y) {
+    const width = this.half;
+    this.half = 0;
+    for (const [at_x, at_y] of [this.last || [x, y], [x, y]]) this.add(at_x, at_y, 0);
+    this.half = width;
   }
   /** @param points  that are visible, the first ones */
   show(points) { this.mesh.geometry.setDrawRange(0, 6 * Math.max(0, Math.min(points, this.count) - 1)); }

@@ -44,6 +44,12 @@ export function nice_step(span, count) {
   return power * [1, 2, 5, 10].find((f) => f * power >= raw - 1e-12);
 }
 
+/** @return the multiples of step from begin to end, a hundred at most: numbers can be so large that a step changes nothing */
+export function ticks(begin, end, step) {
+  const first = Math.ceil(begin / step), count = Math.floor(end / step) - first + 1;
+  return Array.from({length: Math.min(Math.max(count, 0), 100) || 0}, (_, k) => (first + k) * step);
+}
+
 /** @return a number with as many places as its step needs */
 export function label(value, step) {
   const places = Math.max(0, Math.min(4, -Math.floor(Math.log10(step) + 1e-9)));

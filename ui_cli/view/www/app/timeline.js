@@ -1,5 +1,5 @@
 // The time-line: behaviours of every arm and platform as coloured bands, messages as ticks, and the instant that is shown.
-import {colour_of, label, nice_step, prepare, theme} from './theme.js';
+import {colour_of, label, nice_step, prepare, theme, ticks} from './theme.js';
 
 const kLeft = 64, kRight = 14, kTop = 14, kBottom = 20;
 
@@ -53,7 +53,7 @@ export class Timeline {
     const right = width - kRight, bottom = height - kBottom;
     c.strokeStyle = theme.grid; c.fillStyle = theme.dim; c.textAlign = 'center'; c.textBaseline = 'top';
     const step = nice_step(end - begin, (right - kLeft) / 90);
-    for (let t = Math.ceil(begin / step) * step; t <= end; t += step) {
+    for (const t of ticks(begin, end, step)) {
       const at = Math.round(this.x(t)) + 0.5;
       c.beginPath(); c.moveTo(at, kTop - 4); c.lineTo(at, bottom + 2); c.stroke();
       c.fillText(`${label(t, step)} s`, at, bottom + 5);
