@@ -4,7 +4,7 @@
 
 namespace mrroc {
 
-/// Numbers are those of task_status_t.
-enum class EffectorKind : std::uint8_t { arm, platform };
+/// Numbers are those of task_status_t. An agent without an effector has none.
+enum class EffectorKind : std::uint8_t { arm, platform, none };
 
 }  // namespace mrroc

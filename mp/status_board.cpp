@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 
 #include "base/link/text.hpp"
 
@@ -67,6 +68,10 @@ void StatusBoard::set_arm(std::size_t arm, const Report& report, std::string_vie
   drivers_[arm] = report.driver_state;
   link::put_text(status_.sensor_text[arm], sensor_text);
 }
+void StatusBoard::set_velocity(std::size_t agent, const PlanarVelocity& v) {
+  if (agent < std::size(status_.velocity))
+    std::ranges::copy(std::array{v.vx, v.vy, v.w}, status_.velocity[agent]);
+}
 
 void StatusBoard::poll() {
   const bool news = news_ || supervisor_.behaviours_begun() != agents_begun_;
@@ -98,13 +103,26 @@ void StatusBoard::take_processes() {
     status_.process_state[k] = static_cast<int>(p.state);
     status_.process_age[k] = p.age;
   }
-  for (int k = 0; k < status_.n_agents; ++k) {
-    const auto ecp = std::ranges::find(nodes, "ecp-" + link::get_text(status_.agent[k]), &NodeStatus::name);
-    if (ecp == nodes.end()) continue;
-    status_.agent_m[k] = ecp->m;
-    link::put_text(status_.agent_behaviour[k], ecp->behaviour);
-    link::put_text(status_.agent_ended_because[k], ecp->ended_because);
+  constexpr std::string_view kAgent = "ecp-";
+  for (const NodeStatus& ecp : nodes) {
+    if (!ecp.name.starts_with(kAgent)) continue;
+    const auto k = place_of(std::string_view(ecp.name).substr(kAgent.size()));
+    if (!k) continue;
+    status_.agent_m[*k] = ecp.m;
+    link::put_text(status_.agent_behaviour[*k], ecp.behaviour);
+    link::put_text(status_.agent_ended_because[*k], ecp.ended_because);
   }
+}
+
+std::optional<int> StatusBoard::place_of(std::string_view agent) {
+  for (int k = 0; k < status_.n_agents; ++k)
+    if (link::get_text(status_.agent[k]) == agent) return k;
+  const int place = status_.n_agents;
+  if (place == static_cast<int>(std::size(status_.agent))) return {};
+  ++status_.n_agents;
+  link::put_text(status_.agent[place], agent);
+  set_effector(static_cast<std::size_t>(place), EffectorKind::none);
+  return place;
 }
 
 }  // namespace mrroc::mp

@@ -1,19 +1,23 @@
 // The status of a running task, as the operator's terminals show it.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/effector_kind.hpp"
 #include "base/link/process.hpp"
 #include "base/operator.hpp"
+#include "base/platform_path.hpp"
 #include "base/transmission.hpp"
 #include "mp/supervisor.hpp"
 #include "mrroc/task_status_t.hpp"
 
 namespace mrroc::mp {
 
-/// Publishes task_status_t ten times a second of wall time.
+/// Publishes task_status_t ten times a second of wall time. Behind the agents with arms and platforms it tells those without
+/// an effector, of which the roster has a process ecp-AGENT, as far as there is room.
 class StatusBoard {
  public:
   /// @param supervisor  must outlive the board  @param arms  keys of the agents' arms, in order; at most as many as the
@@ -38,6 +42,8 @@ class StatusBoard {
   void set_effector(std::size_t agent, EffectorKind kind);
   /// @param arm  below the number that the message has room for  @param sensor_text  name of the sensor's reading
   void set_arm(std::size_t arm, const Report& report, std::string_view sensor_text);
+  /// @param agent  that has a platform; one that the message has no room for is not told  @param v  of B, along B
+  void set_velocity(std::size_t agent, const PlanarVelocity& v);
 
   /// @return number, name and end of the present behaviour, as they were set
   [[nodiscard]] int m() const { return status_.m; }
@@ -56,6 +62,8 @@ class StatusBoard {
 
  private:
   void take_processes();
+  /// @return place of the agent in the message, a new one if it has none yet; nothing: there is no room
+  [[nodiscard]] std::optional<int> place_of(std::string_view agent);
 
   const Supervisor& supervisor_;
   link::Outbox<task_status_t> out_;

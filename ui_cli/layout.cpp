@@ -168,7 +168,7 @@ void put_help(Rows& rows) {
       "t  trigger  ends a behaviour that waits for you",
       "x  stop     ends the task, everything comes to rest; asks",
       "e  e-stop   the drives brake at once; in a text: Ctrl-E",
-      "c  charts   F_z, F_x, F_y, or how far x, y, z have come",
+      "c  charts   F_z, F_x, F_y, or how far x, y, z have come; v, w",
       "m  manual   moves idle arms by hand, in the task `manual`",
       "q  leave    closes this view; the task goes on",
       "m: behaviour  i: macrostep  F_z: force along the tool's z"};
@@ -202,8 +202,8 @@ struct Plan {
 
 /// @param processes  rows of theirs
 Plan plan(int rows, const Snapshot& s, int processes) {
-  const int agents = static_cast<int>(s.agents.size());
-  int fixed_rows = 1 + agents + 1 + processes;
+  const auto agents = static_cast<int>(std::ranges::count_if(s.agents, has_effector));
+  int fixed_rows = agent_headings(s) + static_cast<int>(s.agents.size()) + 1 + processes;
   // A chart of more than one row only where this many lines of messages stay.
   constexpr int kMessages = 6;
   constexpr int kFewMessages = 2;

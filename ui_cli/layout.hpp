@@ -25,7 +25,7 @@ struct View {
   std::optional<Snapshot> snapshot;  ///< nothing: no status has come yet
   double silence{};                  ///< [s] since the last status
   History history;                   ///< of all agents, for the charts
-  Quantity chart{Quantity::F_z};     ///< what the charts show
+  std::size_t chart{};  ///< what the charts show: the place in quantities_of(), counted on from its end
   std::vector<Message> messages;     ///< oldest first
   Notice notice;                     ///< empty text: there is none
   bool help{};                       ///< what the keys do, instead of the task

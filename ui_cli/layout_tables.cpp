@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/wrap.hpp"
 
@@ -18,10 +19,17 @@ constexpr int kSensor = kForce + 2;  // first column
 constexpr int kRotation = kSensor + 14;
 constexpr int kAngle = 7;
 constexpr int kSideForce = kRotation + 3 * kAngle;
+// Of platforms.
+constexpr int kHeading = kName + 2 * kNumber + 11;
+constexpr int kSpeed = kHeading + 9;
+constexpr int kSeen = kSpeed + 2;  // first column
+constexpr int kSeenWidth = 31;
+constexpr int kTurn = kSeen + kSeenWidth + 11;
 
 // Upper edge of a chart at least.
-constexpr double kLeastForce = 2;  // [N]; the pen's force is 1 N
-constexpr double kLeastWay = 1;    // [mm]
+constexpr double kLeastForce = 2;    // [N]; the pen's force is 1 N
+constexpr double kLeastWay = 1;      // [mm]
+constexpr double kLeastSpeed = 0.1;  // [m/s], [rad/s]
 
 constexpr int kProcessWidth = 40;
 constexpr double kOldAge = 2;  // [s]; processes tell that they live twice a second
@@ -38,6 +46,10 @@ Style style_of(const ProcessView& p) {
   if (p.state == link::ProcessState::done) return Style::dim;
   if (!usual(p)) return Style::bad;
   return p.state == link::ProcessState::running ? Style::good : Style::warning;
+}
+
+bool has(const Snapshot& s, EffectorKind kind) {
+  return std::ranges::count(s.agents, kind, &AgentView::effector) > 0;
 }
 
 int rows_for(std::size_t processes, int columns) {
@@ -60,23 +72,60 @@ void put_column(Canvas& c, int row, int end, std::string_view text, Style style 
   if (end <= c.size().columns) c.put_right(row, end, text, style);
 }
 
+/// @return the number, or a dash where there is none
+std::string told(bool is_told, double value, int decimals) { return is_told ? fixed(value, decimals) : "-"; }
+
+void put_headings(Canvas& c, int row) {
+  c.put(row, 1, "AGENT", Style::heading);
+  constexpr std::array<std::string_view, 2> kAxes{"x [mm]", "y [mm]"};
+  for (int k = 0; k < 2; ++k)
+    put_column(c, row, kName + (k + 1) * kNumber, kAxes[static_cast<std::size_t>(k)], Style::heading);
+}
+
+void put_arm_headings(Canvas& c, int row) {
+  put_headings(c, row);
+  put_column(c, row, kName + 3 * kNumber, "z [mm]", Style::heading);
+  put_column(c, row, kForce, "F_z [N]", Style::heading);
+  c.put(row, kSensor, "SENSOR", Style::heading);
+  put_column(c, row, kRotation + 3 * kAngle, "rotation [rad]", Style::heading);
+  put_column(c, row, kSideForce + kNumber, "F_x [N]", Style::heading);
+  put_column(c, row, kSideForce + 2 * kNumber, "F_y [N]", Style::heading);
+}
+
+void put_platform_headings(Canvas& c, int row) {
+  put_headings(c, row);
+  put_column(c, row, kHeading, "phi [deg]", Style::heading);
+  put_column(c, row, kSpeed, "v [m/s]", Style::heading);
+  c.put(row, kSeen, "SENSOR", Style::heading);
+  put_column(c, row, kTurn, "w [rad/s]", Style::heading);
+}
+
 /// @param current  false: what was measured is over
-void put_agent(Canvas& c, int row, const AgentView& a, bool current) {
+void put_arm(Canvas& c, int row, const AgentView& a, bool current) {
   const bool posed = current && a.position_known;
-  const bool arm = a.effector == EffectorKind::arm;
   c.put(row, 1, a.name.substr(0, kName - 1));
   for (int k = 0; k < 3; ++k) {
     const auto axis = static_cast<std::size_t>(k);
-    put_column(c, row, kName + (k + 1) * kNumber,
-               posed && (arm || k < 2) ? fixed(1e3 * a.T_0E[axis], 1) : "-");
-    put_column(c, row, kRotation + (k + 1) * kAngle,
-               posed && (arm || k == 2) ? fixed(a.T_0E[axis + 3], 3) : "-");
+    put_column(c, row, kName + (k + 1) * kNumber, told(posed, 1e3 * a.T_0E[axis], 1));
+    put_column(c, row, kRotation + (k + 1) * kAngle, told(posed, a.T_0E[axis + 3], 3));
   }
-  put_column(c, row, kForce, current && arm ? fixed(a.F_a[2], 2) : "-", Style::heading);
+  put_column(c, row, kForce, told(current, a.F_a[2], 2), Style::heading);
   c.put(row, kSensor, cut(current ? a.sensor : "", std::min(kRotation, c.size().columns) - kSensor));
   for (int k = 0; k < 2; ++k)
-    put_column(c, row, kSideForce + (k + 1) * kNumber,
-               current && arm ? fixed(a.F_a[static_cast<std::size_t>(k)], 2) : "-");
+    put_column(c, row, kSideForce + (k + 1) * kNumber, told(current, a.F_a[static_cast<std::size_t>(k)], 2));
+}
+
+/// @param current  false: what was measured is over
+void put_platform(Canvas& c, int row, const AgentView& a, bool current) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  const bool posed = current && a.position_known;
+  c.put(row, 1, a.name.substr(0, kName - 1));
+  put_column(c, row, kName + kNumber, told(posed, 1e3 * a.T_0E[0], 1));
+  put_column(c, row, kName + 2 * kNumber, told(posed, 1e3 * a.T_0E[1], 1));
+  put_column(c, row, kHeading, told(posed, a.T_0E[5] / kDegree, 1));
+  put_column(c, row, kSpeed, told(posed, a.velocity[0], 2), Style::heading);
+  c.put(row, kSeen, cut(current ? a.sensor : "", std::min(kSeen + kSeenWidth, c.size().columns) - kSeen));
+  put_column(c, row, kTurn, told(posed, a.velocity[2], 2));
 }
 
 void put_behaviour(Canvas& c, int row, const AgentView& a, bool current) {
@@ -89,14 +138,17 @@ void put_behaviour(Canvas& c, int row, const AgentView& a, bool current) {
 }
 
 void put_chart(Rows& rows, const View& view, const AgentView& a, int height, bool with_m) {
-  constexpr int kScale = 11;  // such as " -0.5..20 N"
-  const int width = rows.canvas().size().columns - kName - kScale;
-  const bool force = view.chart <= Quantity::F_y;
-  const StripChart chart = strip_chart(view.history.samples(a.name, view.chart, width), width, height,
-                                       view.glyphs, force ? kLeastForce : kLeastWay);
+  constexpr std::size_t kNumbers = 9, kUnit = 2;  // such as " -0.5..20 ", and of most units
+  const auto quantities = quantities_of(a.effector);
+  const Quantity shown = quantities[view.chart % quantities.size()];
+  const auto scale = static_cast<int>(kNumbers + std::max(kUnit, unit_of(shown).size()));
+  const int width = rows.canvas().size().columns - kName - scale;
+  const double least = unit_of(shown) == "N" ? kLeastForce : unit_of(shown) == "mm" ? kLeastWay : kLeastSpeed;
+  const StripChart chart =
+      strip_chart(view.history.samples(a.name, shown, width), width, height, view.glyphs, least);
   for (std::size_t k = 0; k < chart.rows.size(); ++k) {
     const int row = rows.take();
-    const std::string_view name = to_string(view.chart);
+    const std::string_view name = to_string(shown);
     if (k == 0)
       rows.canvas().put(row, 1, with_m && a.m != 0 ? fmt::format("{} m {}", name, a.m) : std::string(name),
                         Style::dim);
@@ -104,7 +156,7 @@ void put_chart(Rows& rows, const View& view, const AgentView& a, int height, boo
     std::string edge = k == 0 ? fmt::format("{:g}", chart.high) : "";
     if (k + 1 == chart.rows.size())
       edge = fmt::format("{}{}{} {}", fmt::format("{:g}", chart.low), height == 1 ? ".." : "",
-                         height == 1 ? edge : "", unit_of(view.chart));
+                         height == 1 ? edge : "", unit_of(shown));
     rows.canvas().put(row, end + 1, edge, Style::dim);
   }
 }
@@ -118,6 +170,10 @@ std::string fixed(double value, int decimals) {
   return zero && text.front() == '-' ? text.substr(1) : text;
 }
 
+int agent_headings(const Snapshot& s) {
+  return std::max(1, has(s, EffectorKind::arm) + has(s, EffectorKind::platform));
+}
+
 int process_rows(const Snapshot& s, int columns) { return rows_for(s.processes.size(), columns); }
 
 int faulty_process_rows(const Snapshot& s, int columns) {
@@ -128,20 +184,25 @@ int faulty_process_rows(const Snapshot& s, int columns) {
 
 void put_agents(Rows& rows, const View& view, int chart_height, bool behaviours) {
   Canvas& c = rows.canvas();
-  const int title = rows.take();
-  c.put(title, 1, "AGENT", Style::heading);
-  constexpr std::array<std::string_view, 3> kAxes{"x [mm]", "y [mm]", "z [mm]"};
-  for (int k = 0; k < 3; ++k)
-    put_column(c, title, kName + (k + 1) * kNumber, kAxes[static_cast<std::size_t>(k)], Style::heading);
-  put_column(c, title, kForce, "F_z [N]", Style::heading);
-  c.put(title, kSensor, "SENSOR", Style::heading);
-  put_column(c, title, kRotation + 3 * kAngle, "rotation [rad]", Style::heading);
-  put_column(c, title, kSideForce + kNumber, "F_x [N]", Style::heading);
-  put_column(c, title, kSideForce + 2 * kNumber, "F_y [N]", Style::heading);
-  for (const AgentView& a : view.snapshot->agents) {
-    put_agent(c, rows.take(), a, view.snapshot->is_current());
-    if (behaviours) put_behaviour(c, rows.take(), a, view.snapshot->is_current());
-    put_chart(rows, view, a, chart_height, !behaviours);
+  const Snapshot& s = *view.snapshot;
+  const auto put = [&](EffectorKind kind, const auto& put_agent) {
+    for (const AgentView& a : s.agents) {
+      if (a.effector != kind) continue;
+      put_agent(c, rows.take(), a, s.is_current());
+      if (behaviours) put_behaviour(c, rows.take(), a, s.is_current());
+      put_chart(rows, view, a, chart_height, !behaviours);
+    }
+  };
+  const bool platforms = has(s, EffectorKind::platform);
+  if (has(s, EffectorKind::arm) || !platforms) put_arm_headings(c, rows.take());
+  put(EffectorKind::arm, put_arm);
+  if (platforms) put_platform_headings(c, rows.take());
+  put(EffectorKind::platform, put_platform);
+  for (const AgentView& a : s.agents) {
+    if (has_effector(a)) continue;
+    const int row = rows.take();
+    c.put(row, 1, a.name.substr(0, kName - 1));
+    put_behaviour(c, row, a, s.is_current());
   }
 }
 

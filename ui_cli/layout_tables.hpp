@@ -38,7 +38,10 @@ int process_rows(const Snapshot& s, int columns);
 /// @return rows that it needs for the processes that are not well, and for the count of the others
 int faulty_process_rows(const Snapshot& s, int columns);
 
-/// Pose, force and sensor of every agent, and below each its behaviour and the chart of F_z.
+/// @return rows of headings above the agents: arms and platforms have one of their own
+int agent_headings(const Snapshot& s);
+/// Pose, force or velocity, and sensor of every agent, and below each its behaviour and a chart; of an agent without an effector
+/// its behaviour, behind its name.
 /// @param behaviours  whether there is a row for them: name, and why the one before ended
 void put_agents(Rows& rows, const View& view, int chart_height, bool behaviours);
 /// State and age of every process. When there is too little room, those that are not well come first, and the others

@@ -74,7 +74,7 @@ void Panel::key(int key, Clock::time_point now) {
   } else if (key == 'q' || key == key::kControlC) {
     leaving_ = true;
   } else if (key == 'c') {
-    view_.chart = kQuantities[(static_cast<std::size_t>(view_.chart) + 1) % kQuantities.size()];
+    ++view_.chart;
   } else if (key == 'm') {
     open_manual(now);
   } else if (key == '?' || key == 'h') {
@@ -148,7 +148,8 @@ void Panel::open_manual(Clock::time_point now) {
     std::vector<ManualArm> arms = manual_arms(view_.snapshot->run_folder);
     std::vector<std::string> names;
     if (arms.empty())
-      for (const AgentView& a : view_.snapshot->agents) arms.push_back({.name = a.name, .presets = {}});
+      for (const AgentView& a : view_.snapshot->agents)
+        if (a.effector == EffectorKind::arm) arms.push_back({.name = a.name, .presets = {}});
     for (const ManualArm& a : arms) names.push_back(a.name);
     link::SessionInfo session = client_.session();
     session.id = view_.snapshot->session_id;

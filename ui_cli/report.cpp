@@ -24,13 +24,27 @@ std::string numbered(int m, const std::string& name) {
   return name.empty() ? fmt::format("m = {}", m) : fmt::format("m = {}, {}", m, name);
 }
 
-/// Place of a platform; pose and force of an arm.
+std::string_view word_of(EffectorKind kind) {
+  switch (kind) {
+    case EffectorKind::arm:
+      return "arm";
+    case EffectorKind::platform:
+      return "platform";
+    case EffectorKind::none:
+      return "none";
+  }
+  return "?";
+}
+
+/// Place and speed of a platform; pose and force of an arm.
 std::string where_is(const AgentView& a) {
   const auto& T = a.T_0E;
   const std::string x = a.position_known ? fixed(1e3 * T[0], 1) : "-",
                     y = a.position_known ? fixed(1e3 * T[1], 1) : "-";
   if (a.effector == EffectorKind::platform)
-    return fmt::format("x, y {} {} mm; heading {} rad", x, y, a.position_known ? fixed(T[5], 3) : "-");
+    return fmt::format(
+        "x, y {} {} mm; heading {} rad; v {} m/s, w {} rad/s", x, y, a.position_known ? fixed(T[5], 3) : "-",
+        a.position_known ? fixed(a.velocity[0], 2) : "-", a.position_known ? fixed(a.velocity[2], 2) : "-");
   const std::string pose =
       a.position_known ? fmt::format("x, y, z {} {} {} mm; rotation {} {} {} rad", x, y, fixed(1e3 * T[2], 1),
                                      fixed(T[3], 3), fixed(T[4], 3), fixed(T[5], 3))
@@ -57,8 +71,8 @@ std::string status_text(const Snapshot& s, std::string_view session) {
     text += row("progress", s.progress_text);
   text += row("time", fmt::format("{:.2f} s simulated, {:.1f} x real time", s.sim_time, s.speed));
   for (const AgentView& a : s.agents) {
-    text += row(a.name, where_is(a) + (a.sensor.empty() ? "" : "; " + a.sensor));
-    text += row("", numbered(a.m, a.behaviour));
+    if (has_effector(a)) text += row(a.name, where_is(a) + (a.sensor.empty() ? "" : "; " + a.sensor));
+    text += row(has_effector(a) ? "" : a.name, numbered(a.m, a.behaviour));
     text += row("", a.ended_because.empty() ? "" : "after " + a.ended_because);
   }
   std::string heading = "processes";
@@ -94,14 +108,16 @@ std::string status_json(const Snapshot& s) {
          {"run_folder", s.run_folder}};
   if (s.progress) j["progress"] = *s.progress;
   for (const AgentView& a : s.agents)
-    j["agents"].push_back({{"name", a.name},
-                           {"effector", a.effector == EffectorKind::platform ? "platform" : "arm"},
-                           {"m", a.m},
-                           {"behaviour", a.behaviour},
-                           {"ended_because", a.ended_because},
-                           {"T_0E", a.position_known ? Json(a.T_0E) : Json(nullptr)},
-                           {"F_a", a.F_a},
-                           {"sensor", a.sensor}});
+    j["agents"].push_back(
+        {{"name", a.name},
+         {"effector", word_of(a.effector)},
+         {"m", a.m},
+         {"behaviour", a.behaviour},
+         {"ended_because", a.ended_because},
+         {"T_0E", a.position_known ? Json(a.T_0E) : Json(nullptr)},
+         {"F_a", a.F_a},
+         {"velocity", a.effector == EffectorKind::platform ? Json(a.velocity) : Json(nullptr)},
+         {"sensor", a.sensor}});
   for (const ProcessView& p : s.processes)
     j["processes"].push_back({{"name", p.name}, {"state", to_string(p.state)}, {"age_s", p.age}});
   return dump(j);

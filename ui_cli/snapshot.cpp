@@ -43,7 +43,7 @@ Snapshot snapshot(const task_status_t& m, const std::string& session) {
   s.progress_text = get_text(m.progress_text);
   for (int k = 0; k < count(m.n_agents, std::size(m.agent)); ++k) {
     AgentView a{.name = get_text(m.agent[k]),
-                .effector = enumerator(m.effector[k], EffectorKind::platform),
+                .effector = enumerator(m.effector[k], EffectorKind::none),
                 .m = m.agent_m[k],
                 .behaviour = get_text(m.agent_behaviour[k]),
                 .ended_because = get_text(m.agent_ended_because[k]),
@@ -51,6 +51,7 @@ Snapshot snapshot(const task_status_t& m, const std::string& session) {
                 .sensor = get_text(m.sensor_text[k])};
     std::ranges::copy(m.T_0E[k], a.T_0E.begin());
     std::ranges::copy(m.F_a[k], a.F_a.begin());
+    std::ranges::copy(m.velocity[k], a.velocity.begin());
     s.agents.push_back(std::move(a));
   }
   for (int k = 0; k < count(m.n_processes, std::size(m.process)); ++k)
@@ -64,9 +65,11 @@ Snapshot snapshot(const task_status_t& m, const std::string& session) {
 }
 
 std::string resting(const Snapshot& s) {
-  const auto is_platform = [](const AgentView& a) { return a.effector == EffectorKind::platform; };
-  if (std::ranges::none_of(s.agents, is_platform)) return "arms rest and keep their forces";
-  return std::ranges::all_of(s.agents, is_platform) ? "platforms stand" : "arms keep forces, platforms stand";
+  const auto any = [&s](EffectorKind kind) {
+    return std::ranges::count(s.agents, kind, &AgentView::effector) > 0;
+  };
+  if (!any(EffectorKind::platform)) return "arms rest and keep their forces";
+  return any(EffectorKind::arm) ? "arms keep forces, platforms stand" : "platforms stand";
 }
 
 }  // namespace mrroc::ui

@@ -21,12 +21,18 @@ struct AgentView {
   int m{};                    ///< its behaviour, 0: it has none, or one without a number
   std::string behaviour;      ///< its name; empty: it has not told any
   std::string ended_because;  ///< the behaviour before it, and why it ended; may be empty
-  bool position_known{};      ///< its motors have been synchronised; without it T_0E and F_a are zeros
+  bool position_known{};  ///< its motors have been synchronised; without it T_0E, F_a and velocity are zeros
   std::array<double, 6>
       T_0E{};  ///< pose of E in the arm's base, of a platform on the map [m], angle-axis [rad]
-  std::array<double, 6> F_a{};  ///< adjusted force in E [N], [N m]
-  std::string sensor;           ///< reading of its virtual sensor, such as the pen's state; may be empty
+  std::array<double, 6> F_a{};       ///< adjusted force in E [N], [N m]
+  std::array<double, 3> velocity{};  ///< of a platform along B: vx, vy [m/s], w [rad/s]
+  std::string sensor;                ///< reading of its virtual sensor, such as the pen's state; may be empty
 };
+
+/// @return whether it has an arm or a platform
+[[nodiscard]] inline bool has_effector(const AgentView& a) {
+  return a.effector == EffectorKind::arm || a.effector == EffectorKind::platform;
+}
 
 /// One process.
 struct ProcessView {

@@ -57,6 +57,7 @@ std::unique_ptr<mp::CoordinatorRun> make_coordinator(const Drive& d, mp::TaskRun
   for (const auto& [plan, t] : d.itinerary.survey.found) k.iterations.push_back(t.iterations);
   k.gives_start = s.options.scripted();
   k.records = s.options.check.empty();
+  k.eyes = rex_drive::read_eyes(s.config);
   return std::make_unique<rex_drive::RexRun>(run, std::move(k));
 }
 

@@ -107,10 +107,27 @@ void RexRun::show(const Motion<Ontology>& motion, const X& x) {
   auto& board = run_.board();
   board.set_behaviour(motion.m, motion.name, motion.until);
   board.set_progress(progress(x), progress_text(x));
+  show_platform(x);
+}
+
+void RexRun::show_platform(const X& x) {
+  auto& board = run_.board();
+  board.set_arm(kLocomotionAgent, x.T.agent[kLocomotionAgent], sensor_words(sensor_news(x)));
+  if (record_ && !record_->messages().replies.empty())
+    board.set_velocity(kLocomotionAgent, from_message(record_->messages().replies.back()).estimate.v);
+}
+
+SensorNews RexRun::sensor_news(const X& x) const {
   const int seen = x.T.agent[kLocomotionAgent].sensor;
-  board.set_arm(kLocomotionAgent, x.T.agent[kLocomotionAgent],
-                fmt::format("map {}, odometry {}", (seen & kMapSeen) != 0 ? "seen" : "lost",
-                            (seen & kOdometrySeen) != 0 ? "seen" : "none"));
+  SensorNews news{.map_seen = (seen & kMapSeen) != 0,
+                  .map_age = {},
+                  .eyes = k_.eyes.has_value(),
+                  .odometry_seen = (seen & kOdometrySeen) != 0,
+                  .odometry_inliers = {}};
+  if (!record_ || record_->messages().poses.empty()) return news;
+  const std::int64_t measured = record_->messages().poses.back().pose.step;
+  if (measured > 0) news.map_age = seconds(x.i) - static_cast<double>(measured) * k_.dt;
+  return news;
 }
 
 DriveMessages RexRun::messages(const std::filesystem::path& folder) const {

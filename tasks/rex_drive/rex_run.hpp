@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/link/clocked_inbox.hpp"
 #include "base/linked_port.hpp"
 #include "mp/auto_start_operator.hpp"
 #include "mp/coordinator_links.hpp"
@@ -15,18 +16,20 @@
 #include "tasks/rex_drive/drive_record.hpp"
 #include "tasks/rex_drive/figures.hpp"
 #include "tasks/rex_drive/ontology.hpp"
+#include "tasks/rex_drive/sensor_words.hpp"
 
 namespace mrroc::rex_drive {
 
 /// Settings of a run.
 struct RexRunParameters {
-  OntologyParameters ontology;           ///< of a_2
-  std::vector<Plan> plans;               ///< to be driven, in their order
-  std::vector<std::int32_t> iterations;  ///< of the planner's search, one per fragment, for the figures
-  bool gives_start{true};                ///< false: a person or a script does
-  bool records{true};                    ///< false: nothing is written down, as in a check
-  double dt{0.002};                      ///< duration of a step [s]
-  int n_s{10};                           ///< steps of a macrostep
+  OntologyParameters ontology;              ///< of a_2
+  std::vector<Plan> plans;                  ///< to be driven, in their order
+  std::vector<std::int32_t> iterations;     ///< of the planner's search, one per fragment, for the figures
+  bool gives_start{true};                   ///< false: a person or a script does
+  bool records{true};                       ///< false: nothing is written down, as in a check
+  std::optional<link::SensorClock> eyes{};  ///< when the odometry measures; nothing: there is none
+  double dt{0.002};                         ///< duration of a step [s]
+  int n_s{10};                              ///< steps of a macrostep
 };
 
 /// The agent a_2 in MP.
@@ -46,11 +49,13 @@ class RexRun final : public mp::CoordinatorRun {
   using X = Ontology::X;
   void observe(const Motion<Ontology>& motion, const X& x);
   void show(const Motion<Ontology>& motion, const X& x);
+  void show_platform(const X& x);
   void announce(const Motion<Ontology>& motion, const X& x);
   void report_position(const X& x);
   void note_ack(const X& x);
   [[nodiscard]] DriveMessages messages(const std::filesystem::path& folder) const;
   [[nodiscard]] std::string progress_text(const X& x) const;
+  [[nodiscard]] SensorNews sensor_news(const X& x) const;
   [[nodiscard]] double progress(const X& x) const;
   [[nodiscard]] double seconds(std::int64_t macrosteps) const;
 

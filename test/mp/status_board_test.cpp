@@ -15,6 +15,9 @@ namespace {
 
 /// MP and the ECP of arm1, in one thread.
 struct System {
+  /// @param with_effector  agents that the board is told
+  explicit System(const std::vector<std::string>& with_effector = {"arm1", "arm2"})
+      : board(mp, supervisor, "press", with_effector, "/runs/press") {}
   static link::NodeContext context_of(const std::string& name) {
     return {.session = "test", .session_id = 1, .name = name, .roster = {"mp", "ecp-arm1"}};
   }
@@ -32,7 +35,7 @@ struct System {
   std::unique_ptr<link::Bus> mp_bus{hub.open()}, ecp_bus{hub.open()}, terminal{hub.open()};
   link::Process mp{*mp_bus, context_of("mp")}, ecp{*ecp_bus, context_of("ecp-arm1")};
   Supervisor supervisor{mp, {NodeSpec{"ecp-arm1", {}, {}, {}, {}}}, "/dev/null"};
-  StatusBoard board{mp, supervisor, "press", {"arm1", "arm2"}, "/runs/press"};
+  StatusBoard board;
   link::Inbox<task_status_t> statuses{*terminal, {link::Group::agents, "test.task_status"}, 1};
 };
 
@@ -64,6 +67,35 @@ TEST(StatusBoard, TellsWhatKindOfEffectorAnAgentHas) {
   const task_status_t m = s.told();
   EXPECT_EQ(m.effector[0], static_cast<int>(EffectorKind::arm));
   EXPECT_EQ(m.effector[1], static_cast<int>(EffectorKind::platform));
+}
+
+TEST(StatusBoard, TellsAnAgentWithoutAnEffectorBehindTheOthers) {
+  System s{{"rex"}};
+  s.ecp.in_behaviour(2, "position lost", "a plausible reading comes");
+  task_status_t m = s.told();
+  ASSERT_EQ(m.n_agents, 2);
+  EXPECT_EQ(link::get_text(m.agent[0]), "rex");
+  EXPECT_EQ(link::get_text(m.agent[1]), "arm1");
+  EXPECT_EQ(m.effector[1], static_cast<int>(EffectorKind::none));
+  EXPECT_EQ(m.agent_m[1], 2);
+  EXPECT_EQ(link::get_text(m.agent_behaviour[1]), "position lost");
+  EXPECT_EQ(s.told().n_agents, 2) << "once";
+}
+
+TEST(StatusBoard, LeavesOutAnAgentThatTheMessageHasNoRoomFor) {
+  System s{{"a", "b", "c", "d"}};
+  EXPECT_EQ(s.told().n_agents, 4);
+}
+
+TEST(StatusBoard, TellsTheVelocityOfAPlatform) {
+  System s;
+  s.board.set_velocity(1, {0.5, -0.01, 0.25});
+  s.board.set_velocity(99, {1, 1, 1});
+  const task_status_t m = s.told();
+  EXPECT_EQ(m.velocity[0][0], 0);
+  EXPECT_EQ(m.velocity[1][0], 0.5);
+  EXPECT_EQ(m.velocity[1][1], -0.01);
+  EXPECT_EQ(m.velocity[1][2], 0.25);
 }
 
 TEST(StatusBoard, SaysWhyTheCoordinatorsBehaviourEndedOrHowLongItLasted) {

@@ -193,14 +193,22 @@ TEST_F(Commands, StatusOfAPlatformHasNoForcesAndAPauseFitsWhatThereIs) {
   task.status.effector[0] = static_cast<std::int8_t>(EffectorKind::platform);
   task.status.state = static_cast<int>(TaskState::paused);
   task.status.T_0E[0][5] = 0.785;
+  task.status.velocity[0][0] = 0.6;
+  task.status.velocity[0][2] = -0.25;
+  task.status.effector[1] = static_cast<std::int8_t>(EffectorKind::none);
   task.start();
   EXPECT_EQ(run({"status"}), 0) << error();
   const std::string text = out_.str();
-  EXPECT_NE(text.find("arms keep forces, platforms stand;"), std::string::npos) << text;
-  EXPECT_NE(text.find(" mm; heading 0.785 rad"), std::string::npos) << text;
-  EXPECT_EQ(text.find("F_x"), text.rfind("F_x")) << "only of the arm\n" << text;
+  EXPECT_NE(text.find("      platforms stand;"), std::string::npos) << text;
+  EXPECT_NE(text.find(" mm; heading 0.785 rad; v 0.60 m/s, w -0.25 rad/s"), std::string::npos) << text;
+  EXPECT_EQ(text.find("F_x"), std::string::npos) << text;
+  EXPECT_NE(text.find("arm2       copy the coordinator's orders"), std::string::npos) << text;
   EXPECT_EQ(run({"status", "--json"}), 0) << error();
-  EXPECT_EQ(nlohmann::json::parse(out_.str()).at("agents").at(0).at("effector"), "platform");
+  const auto agents = nlohmann::json::parse(out_.str()).at("agents");
+  EXPECT_EQ(agents.at(0).at("effector"), "platform");
+  EXPECT_EQ(agents.at(0).at("velocity"), (nlohmann::json{0.6, 0.0, -0.25}));
+  EXPECT_EQ(agents.at(1).at("effector"), "none");
+  EXPECT_TRUE(agents.at(1).at("velocity").is_null());
 }
 
 TEST(Resting, FitsTheEffectorsOfTheTask) {
@@ -208,7 +216,7 @@ TEST(Resting, FitsTheEffectorsOfTheTask) {
   EXPECT_EQ(ui::resting(ui::snapshot(m, "s")), "arms rest and keep their forces");
   m.effector[1] = static_cast<std::int8_t>(EffectorKind::platform);
   EXPECT_EQ(ui::resting(ui::snapshot(m, "s")), "arms keep forces, platforms stand");
-  m.effector[0] = m.effector[1];
+  m.effector[0] = static_cast<std::int8_t>(EffectorKind::none);
   EXPECT_EQ(ui::resting(ui::snapshot(m, "s")), "platforms stand");
 }
 

@@ -39,6 +39,27 @@ inline View largest() {
   return v;
 }
 
+/// A platform that drives, and an agent without an effector beside it.
+inline View driving() {
+  task_status_t m = drawing_status();
+  m.effector[0] = static_cast<std::int8_t>(EffectorKind::platform);
+  m.effector[1] = static_cast<std::int8_t>(EffectorKind::none);
+  link::put_text(m.agent[0], "rex");
+  link::put_text(m.agent[1], "map");
+  m.T_0E[0][5] = -1.5707963;
+  m.velocity[0][0] = 0.58;
+  m.velocity[0][2] = -0.33;
+  link::put_text(m.sensor_text[0], "odometry 260, map 0.1 s");
+  link::put_text(m.agent_behaviour[0], "execute the plan");
+  m.agent_m[1] = 1;
+  link::put_text(m.agent_behaviour[1], "locate");
+  View v;
+  v.session = "rex_drive-1a2b";
+  v.snapshot = ui::snapshot(m, v.session);
+  for (int k = 0; k < 100; ++k) v.history.add(*v.snapshot);
+  return v;
+}
+
 inline int row_of(const Canvas& c, const std::string& text) {
   for (int row = 0; row < c.size().rows; ++row)
     if (c.text(row).find(text) != std::string::npos) return row;

@@ -50,6 +50,33 @@ TEST(Layout, ShowsTheWholeTaskOnASmallTerminal) {
                   "q leave"});
 }
 
+TEST(Layout, ShowsAPlatformWithItsHeadingAndSpeedAndAnAgentWithoutAnEffectorInARow) {
+  const Canvas c = lay_out(driving(), kSmallTerminal);
+  expect_seen(c, {"phi [deg]", "v [m/s]", "812.3", "12.4", "-90.0", "0.58", "odometry 260, map 0.1 s",
+                  "execute the plan", " v ", "m/s"});
+  for (const char* of_arms : {"F_z", "z [mm]", "rotation"}) EXPECT_EQ(row_of(c, of_arms), -1) << c.text();
+  const std::string map = c.text(row_of(c, " map  "));
+  EXPECT_NE(map.find("m 1  locate"), std::string::npos) << map;
+  EXPECT_EQ(row_of(c, " map  ") + 2, row_of(c, "PROCESS")) << "no chart of it\n" << c.text();
+  expect_seen(lay_out(driving(), {40, 120}), {"w [rad/s]", "-0.33"});
+}
+
+TEST(Layout, ArmsAndPlatformsHaveHeadingsOfTheirOwn) {
+  View v = driving();
+  v.snapshot->agents[1].effector = EffectorKind::arm;
+  const Canvas c = lay_out(v, {40, 80});
+  EXPECT_LT(row_of(c, "F_z [N]"), row_of(c, "phi [deg]")) << c.text();
+  expect_seen(c, {" v ", " F_z "});
+}
+
+TEST(Layout, APlatformHasNoPlaceBeforeItKnowsIt) {
+  View v = driving();
+  v.snapshot->agents[0].position_known = false;
+  const Canvas c = lay_out(v, kSmallTerminal);
+  for (const char* unknown : {"812.3", "-90.0", "0.58"}) EXPECT_EQ(row_of(c, unknown), -1) << unknown;
+  expect_seen(c, {"odometry 260"});
+}
+
 TEST(Layout, ShowsTheChartsOfTheLargestTaskOnASmallTerminalAndCountsTheProcessesThatAreWell) {
   View v = largest();
   for (int k = 0; k < 4; ++k) v.snapshot->agents[k].name = "arm" + std::to_string(k + 1);
@@ -104,6 +131,8 @@ TEST(Layout, GivesALargeTerminalsRoomToChartsAndMessages) {
 
 TEST(Layout, KeepsStateNoticeAndKeysOnAnySize) {
   View v = largest();
+  v.snapshot->agents[2].effector = EffectorKind::platform;
+  v.snapshot->agents[3].effector = EffectorKind::none;
   v.notice = {"stop the task for good? y/n", Style::warning};
   for (int rows = 0; rows <= 60; ++rows)
     for (const int columns : {0, 1, 20, 39, 40, 79, 80, 81, 200}) {

@@ -126,6 +126,17 @@ TEST_F(Panel, ChartsShowForcesAndWays) {
   }
 }
 
+TEST_F(Panel, ChartsOfAPlatformShowSpeedsAndWays) {
+  task_status_t m = drawing_status();
+  for (std::int8_t& effector : m.effector) effector = static_cast<std::int8_t>(EffectorKind::platform);
+  task.publish(m);
+  pass(10ms);
+  for (const char* name : {" w ", " x ", " y ", " v ", " w "}) {
+    press('c');
+    EXPECT_NE(screen().find(std::string("\n") + name), std::string::npos) << name << screen();
+  }
+}
+
 TEST_F(Panel, AsksBeforeATriggerThatComesEarly) {
   task_status_t m = drawing_status();
   m.waits_for_trigger = 1;
