@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/link/clocked_inbox.hpp"
 #include "base/linked_port.hpp"
 #include "mp/auto_start_operator.hpp"
 #include "mp/coordinator_links.hpp"
@@ -20,13 +21,14 @@ namespace mrroc::rex_drive {
 
 /// Settings of a run.
 struct RexRunParameters {
-  OntologyParameters ontology;           ///< of a_2
-  std::vector<Plan> plans;               ///< to be driven, in their order
-  std::vector<std::int32_t> iterations;  ///< of the planner's search, one per fragment, for the figures
-  bool gives_start{true};                ///< false: a person or a script does
-  bool records{true};                    ///< false: nothing is written down, as in a check
-  double dt{0.002};                      ///< duration of a step [s]
-  int n_s{10};                           ///< steps of a macrostep
+  OntologyParameters ontology;              ///< of a_2
+  std::vector<Plan> plans;                  ///< to be driven, in their order
+  std::vector<std::int32_t> iterations;     ///< of the planner's search, one per fragment, for the figures
+  bool gives_start{true};                   ///< false: a person or a script does
+  bool records{true};                       ///< false: nothing is written down, as in a check
+  std::optional<link::SensorClock> eyes{};  ///< when the odometry measures; nothing: there is none
+  double dt{0.002};                         ///< duration of a step [s]
+  int n_s{10};                              ///< steps of a macrostep
 };
 
 /// The agent a_2 in MP.
@@ -48,9 +50,13 @@ class RexRun final : public mp::CoordinatorRun {
   void show(const Motion<Ontology>& motion, const X& x);
   void announce(const Motion<Ontology>& motion, const X& x);
   void report_position(const X& x);
+  void watch_odometry(const X& x);
   void note_ack(const X& x);
   [[nodiscard]] DriveMessages messages(const std::filesystem::path& folder) const;
   [[nodiscard]] std::string progress_text(const X& x) const;
+  [[nodiscard]] std::string sensor_text(const Report& r) const;
+  /// @return why the odometry measures nothing, as far as it has told
+  [[nodiscard]] const char* blindness() const;
   [[nodiscard]] double progress(const X& x) const;
   [[nodiscard]] double seconds(std::int64_t macrosteps) const;
 
@@ -63,6 +69,8 @@ class RexRun final : public mp::CoordinatorRun {
   Fault fault_;
   std::string announced_;    // behaviour that was announced last
   bool lost_{};              // the platform waits for its position
+  bool blind_{};             // the odometry has measured nothing for long, which has been told
+  std::int64_t saw_in_{};    // macrostep in which it measured last
   std::int64_t acked_{};     // number of the plan whose ack came last
   std::int64_t acked_in_{};  // macrostep in which a_1 gave it
   std::int64_t
