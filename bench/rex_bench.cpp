@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "base/fault.hpp"
 #include "bench/figures.hpp"
 #include "bench/rex_drives.hpp"
 #include "bench/vision.hpp"
@@ -20,57 +18,8 @@ namespace {
 
 using nlohmann::json;
 constexpr std::array kHardGrounds{"slippery", "ice_right"};
-constexpr std::size_t kSeeds = 5;
 constexpr std::size_t kPlants = 100;
 constexpr double kWorse = 2;  // [mm] rms, with which adaptation counts as harmful
-
-Arguments operator+(Arguments a, const Arguments& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
-
-/// Drives of seeds 1 to kSeeds.
-void add_seeds(std::vector<RexDrive>& drives, const Arguments& more, bool timed = false) {
-  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) drives.push_back({seed, more, timed});
-}
-
-constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
-
-/// @return kNotMeasured: the run has no such figure
-/// @throws FaultError internal_error: it did not end well
-double figure(const json& summary, const std::string& key) {
-  if (!done(summary))
-    throw FaultError(FaultCode::internal_error, fmt::format("rex_drive: no {} could be measured", key));
-  const json value = summary.at("figures").value(key, json());
-  return value.is_number() ? value.get<double>() : kNotMeasured;
-}
-
-std::vector<double> all(Summaries runs, const std::string& key) {
-  std::vector<double> values;
-  for (const json& s : runs) values.push_back(figure(s, key));
-  return values;
-}
-bool is_measured(const std::vector<double>& values) {
-  return std::ranges::none_of(values, [](double x) { return std::isnan(x); });
-}
-/// @return the worst of the runs; kNotMeasured when one of them has no such figure
-double most(Summaries runs, const std::string& key) {
-  const std::vector<double> values = all(runs, key);
-  return is_measured(values) ? std::ranges::max(values) : kNotMeasured;
-}
-double least(Summaries runs, const std::string& key) {
-  const std::vector<double> values = all(runs, key);
-  return is_measured(values) ? std::ranges::min(values) : kNotMeasured;
-}
-
-/// @return the runs that add_seeds() has added as the k-th, from 0
-Summaries seeds(Summaries runs, std::size_t k) { return runs.subspan(k * kSeeds, kSeeds); }
-
-double pace(Summaries runs) {
-  std::vector<double> paces;
-  for (const json& s : runs) paces.push_back(s.at("real_time_factor").get<double>());
-  return quantile(paces, 0.5);
-}
 
 Figures ground_figures(Summaries runs) {
   const Summaries nominal = seeds(runs, 0);
@@ -100,8 +49,8 @@ Figures ground_figures(Summaries runs) {
 
 RexPart grounds() {
   RexPart part{.drives = {}, .figures = ground_figures};
-  add_seeds(part.drives, {}, true);
-  for (const char* ground : kHardGrounds) add_seeds(part.drives, {"--ground", ground});
+  add_seeds(part.drives, {.timed = true});
+  for (const char* ground : kHardGrounds) add_seeds(part.drives, {.more = {"--ground", ground}});
   part.drives.push_back({.seed = 1});  // as the first one, but in one process
   return part;
 }
@@ -116,9 +65,9 @@ RexPart plans() {
             {"corner_max_mm", most(seeds(runs, 1), "track_max_mm"), "mm", "corner at 0.8 m/s, wanted <= 100"},
             {"pivot_rms_mm", most(seeds(runs, 2), "pivot_rms_mm"), "mm", "turn on the spot, wanted <= 10"}};
       }};
-  add_seeds(part.drives, Arguments{"--speed-mps", "1.3"} + fast);
-  add_seeds(part.drives, Arguments{"--plan", "corner", "--speed-mps", "0.8"} + fast);
-  add_seeds(part.drives, {"--plan", "pivot"});
+  add_seeds(part.drives, {.more = Arguments{"--speed-mps", "1.3"} + fast});
+  add_seeds(part.drives, {.more = Arguments{"--plan", "corner", "--speed-mps", "0.8"} + fast});
+  add_seeds(part.drives, {.more = {"--plan", "pivot"}});
   return part;
 }
 
@@ -138,11 +87,11 @@ RexPart frictions() {
   for (const Arguments& ground : {Arguments{}, Arguments{"--set", "sim.ground.friction=[0.35, 0.3]"},
                                   Arguments{"--set", "sim.ground.patches.right.area=[-3, -2, 3, 0]", "--set",
                                             "sim.ground.patches.right.scale=0.5"}})
-    add_seeds(part.drives, smooth + ground);
+    add_seeds(part.drives, {.more = smooth + ground});
   // The whole ground, while the platform is in a curve.
-  add_seeds(part.drives, smooth + Arguments{"--set", "sim.ground.patches.half.area=[-3, -2, 3, 2]", "--set",
-                                            "sim.ground.patches.half.scale=0.5", "--set",
-                                            "sim.ground.patches.half.from=7"});
+  add_seeds(part.drives, {.more = smooth + Arguments{"--set", "sim.ground.patches.half.area=[-3, -2, 3, 2]",
+                                                     "--set", "sim.ground.patches.half.scale=0.5", "--set",
+                                                     "sim.ground.patches.half.from=7"}});
   return part;
 }
 
@@ -206,8 +155,8 @@ RexPart plants() {
   RexPart part{.drives = {}, .figures = plant_figures};
   for (std::uint32_t seed = 1; seed <= kPlants; ++seed) {
     const Arguments plant = random_plant(seed);
-    part.drives.push_back({seed, plant});
-    part.drives.push_back({seed, plant + Arguments{"--set", "platforms.rex.adapt=false"}});
+    part.drives.push_back({.seed = seed, .more = plant});
+    part.drives.push_back({.seed = seed, .more = plant + Arguments{"--set", "platforms.rex.adapt=false"}});
   }
   return part;
 }
@@ -222,7 +171,7 @@ Figures run_rex_group(const std::filesystem::path& plots) {
 #ifdef MRROC_REX
   add(rex_kernel_figures());
 #endif
-  add(figures_of({grounds(), plans(), frictions(), rex_algorithms(plots), plants()}));
+  add(figures_of({grounds(), plans(), frictions(), rex_algorithms(plots), rex_eyes(), plants()}));
   return figures;
 }
 

@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <thread>
 
+#include "base/fault.hpp"
 #include "bench/run_summary.hpp"
 #include "bench/side_by_side.hpp"
 #include "bench/task_process.hpp"
+#include "bench/vision.hpp"
 
 namespace mrroc::bench {
 namespace {
@@ -21,7 +24,7 @@ json drive(const RexDrive& d) {
   const ScratchFolder scratch;
   const std::filesystem::path folder = scratch.path() / "run";
   Arguments arguments{"--seed",    std::to_string(d.seed), "--processes", d.timed ? "separate" : "one",
-                      "--run-dir", folder.string()};
+                      "--run-dir", folder.string(),        "--eyes",      d.eyes ? "on" : "off"};
   arguments.insert(arguments.end(), d.more.begin(), d.more.end());
   TaskProcess task("rex_drive", arguments);
   task.wait();
@@ -47,9 +50,55 @@ class Progress {
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
 
+std::vector<double> all(Summaries runs, const std::string& key) {
+  std::vector<double> values;
+  for (const json& s : runs) values.push_back(figure(s, key));
+  return values;
+}
+bool is_measured(const std::vector<double>& values) {
+  return std::ranges::none_of(values, [](double x) { return std::isnan(x); });
+}
+
 }  // namespace
 
 bool done(const json& summary) { return summary.at("outcome") == "done"; }
+
+Arguments operator+(Arguments a, const Arguments& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+void add_seeds(std::vector<RexDrive>& drives, const RexDrive& like) {
+  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+    drives.push_back(like);
+    drives.back().seed = seed;
+  }
+}
+
+Summaries seeds(Summaries runs, std::size_t k) { return runs.subspan(k * kSeeds, kSeeds); }
+
+double figure(const json& summary, const std::string& key) {
+  if (!done(summary))
+    throw FaultError(FaultCode::internal_error, fmt::format("rex_drive: no {} could be measured", key));
+  const json value = summary.at("figures").value(key, json());
+  return value.is_number() ? value.get<double>() : kNotMeasured;
+}
+
+double most(Summaries runs, const std::string& key) {
+  const std::vector<double> values = all(runs, key);
+  return is_measured(values) ? std::ranges::max(values) : kNotMeasured;
+}
+
+double least(Summaries runs, const std::string& key) {
+  const std::vector<double> values = all(runs, key);
+  return is_measured(values) ? std::ranges::min(values) : kNotMeasured;
+}
+
+double pace(Summaries runs) {
+  std::vector<double> paces;
+  for (const json& s : runs) paces.push_back(s.at("real_time_factor").get<double>());
+  return quantile(paces, 0.5);
+}
 
 Figures figures_of(const std::vector<RexPart>& parts) {
   std::vector<const RexDrive*> all;

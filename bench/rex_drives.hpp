@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -19,6 +20,7 @@ using Summaries = std::span<const nlohmann::json>;  ///< summary.json of runs
 struct RexDrive {
   std::uint32_t seed{1};
   Arguments more{};  ///< further arguments
+  bool eyes{};       ///< the platform has cameras
   bool timed{};  ///< its time is measured: it has the machine for itself, and its processes are separate ones
 };
 
@@ -40,7 +42,31 @@ Figures figures_of(const std::vector<RexPart>& parts);
 /// @return the part; its figures throw FaultError cannot_write, internal_error
 [[nodiscard]] RexPart rex_algorithms(const std::filesystem::path& plots);
 
+/// What the platform's eyes are good for: drives with cameras, with and without the map.
+[[nodiscard]] RexPart rex_eyes();
+
 /// @return whether the run did what it should
 [[nodiscard]] bool done(const nlohmann::json& summary);
+
+/// @return both, one behind the other
+[[nodiscard]] Arguments operator+(Arguments a, const Arguments& b);
+
+/// Seeds of a figure that is the worst of several.
+inline constexpr std::size_t kSeeds = 5;
+/// Adds drives of seeds 1 to kSeeds. @param like  all of them are like this one
+void add_seeds(std::vector<RexDrive>& drives, const RexDrive& like);
+/// @return the runs that add_seeds() has added as the k-th, from 0
+[[nodiscard]] Summaries seeds(Summaries runs, std::size_t k);
+
+/// What a figure is that a run does not have.
+inline constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
+/// @return a figure of the run, or kNotMeasured @throws FaultError internal_error: it did not end well
+[[nodiscard]] double figure(const nlohmann::json& summary, const std::string& key);
+/// @return the largest of the runs' figures; kNotMeasured when one of them has none @throws as figure()
+[[nodiscard]] double most(Summaries runs, const std::string& key);
+/// The smallest one.
+[[nodiscard]] double least(Summaries runs, const std::string& key);
+/// @return median of the real time factors
+[[nodiscard]] double pace(Summaries runs);
 
 }  // namespace mrroc::bench

@@ -85,6 +85,12 @@ void annotate(Image& picture, const CameraReading& reading, const CameraModel& c
   } else {
     cv::rectangle(on, {0, 0}, {on.cols - 1, on.rows - 1}, reading.ambiguous ? kYellow : kRed, 6);
   }
+  write_text(picture, text);
+}
+
+void write_text(Image& picture, const std::string& text) {
+  if (picture.channels != 3) return;
+  cv::Mat on = drawn_on(picture);
   const double size = 0.05 * std::max(8, on.rows / 48);
   const cv::Point at(10, 12 + static_cast<int>(20 * size));
   cv::putText(on, text, at, cv::FONT_HERSHEY_SIMPLEX, size, kBlack, 3, cv::LINE_AA);

@@ -31,6 +31,9 @@ ObjectShape shape_of(const Tag& tag);
 void annotate(Image& picture, const CameraReading& reading, const CameraModel& camera,
               const ObjectShape& shape, const std::string& text);
 
+/// Writes a line at the upper left. @param picture  3 channels
+void write_text(Image& picture, const std::string& text);
+
 /// @return 3 channels, whatever the picture has
 Image in_colour(const ImageView& picture);
 

@@ -154,15 +154,16 @@ void run_cameras(link::Process& process, std::span<const WatchedCamera> cameras,
       break;
     }
     check_together(all);
-    bool taken = true;
-    for (std::size_t k = 0; k < streams.size(); ++k)
+    const bool given = std::ranges::none_of(all, [](const camera_frame_t* m) { return m->slot < 0; });
+    bool taken = given;
+    for (std::size_t k = 0; given && k < streams.size(); ++k)
       taken = streams[k].take(*all[k], process.lock_step()) && taken;
     if (taken) {
       std::vector<ImageView> pictures;
       for (const Stream& each : streams) pictures.push_back(each.frame().image.view());
       answer(pictures, i, step, streams.front().frame().t, false);
     } else {
-      process.report_skipped(1);
+      if (given) process.report_skipped(1);
       answer({}, i, step, 0, false);
     }
     process.report_progress(i, step);

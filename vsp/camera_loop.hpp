@@ -24,8 +24,8 @@ struct WatchedCamera {
 };
 
 /// Answers one announced picture of every camera, all of the same number and step, with a message.
-/// @param pictures  one for every camera; nothing when one of them came too late (with the wall clock only), or with the last
-///                  announcement
+/// @param pictures  one for every camera; nothing when one of them came too late (with the wall clock only), when a camera gave none,
+///                  or with the last announcement
 /// @param t         when they were taken [s]
 /// @param last      there will be no more
 using PicturesAnswer = std::function<void(std::span<const ImageView> pictures, std::int64_t frame,

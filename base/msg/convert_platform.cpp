@@ -276,10 +276,28 @@ PlatformDrive from_message(const platform_drive_t& m) {
   return d;
 }
 
-odometry_reading_t to_message(const OdometryReading& r) {
+odometry_reading_t to_message(const OdometryReading& r, const OdometrySupport& support) {
   odometry_reading_t m{};
   m.motion = motion_of(r);
+  m.support.finding = static_cast<std::int32_t>(support.finding);
+  m.support.features = support.features;
+  m.support.matches = support.matches;
+  m.support.inliers = support.inliers;
+  m.support.cells = support.cells;
+  m.support.rms_px = support.rms_px;
   return m;
+}
+
+odometry_reading_t to_message(const OdometryReading& r) { return to_message(r, {}); }
+
+OdometrySupport support_of(const odometry_reading_t& m) {
+  return {.frame = m.header.stamp,
+          .finding = static_cast<OdometryFinding>(m.support.finding),
+          .features = m.support.features,
+          .matches = m.support.matches,
+          .inliers = m.support.inliers,
+          .cells = m.support.cells,
+          .rms_px = m.support.rms_px};
 }
 
 OdometryReading from_message(const odometry_reading_t& m) { return odometry_of(m.motion); }

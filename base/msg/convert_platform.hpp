@@ -6,6 +6,7 @@
 // drops and counts it (edp/platform). Of all other messages is_proper() says whether their numbers can be used: they are
 // finite, enumerators are ones that there are, counts and steps are within their bounds.
 #pragma once
+#include "base/odometry_support.hpp"
 #include "base/platform_command.hpp"
 #include "base/platform_hardware.hpp"
 #include "base/platform_path.hpp"
@@ -64,9 +65,15 @@ PlatformDrive from_message(const platform_drive_t& m);
 /// @return whether the torques are finite
 bool is_proper(const platform_drive_t& m) noexcept;
 
+/// @param support  what the reading rests on; its frame becomes the stamp of the header, which the channel writes
+odometry_reading_t to_message(const OdometryReading& r, const OdometrySupport& support);
+/// The same of a reading of which that is not known.
 odometry_reading_t to_message(const OdometryReading& r);
 OdometryReading from_message(const odometry_reading_t& m);
-/// @return whether there is no measurement, or one: a rotation, a covariance, a first step before the second
+/// @param m  a proper message @return what its reading rests on
+OdometrySupport support_of(const odometry_reading_t& m);
+/// @return whether there is no measurement, or one: a rotation, a covariance, a first step before the second; and what it rests on
+///         are counts and a finding that there is
 bool is_proper(const odometry_reading_t& m) noexcept;
 
 motion_capture_t to_message(const MotionCapture& c);

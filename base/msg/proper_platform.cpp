@@ -38,6 +38,11 @@ bool is_proper(const relative_motion_t& m) noexcept {
                           is_proper(pose_from_rows(m.A)) && is_covariance<6>(numbers(m.covariance)));
 }
 
+bool is_proper(const odometry_support_t& m) noexcept {
+  return m.finding >= 0 && m.finding < kOdometryFindings && m.features >= 0 && m.matches >= 0 &&
+         m.inliers >= 0 && m.cells >= 0 && m.rms_px >= 0 && std::isfinite(m.rms_px);
+}
+
 }  // namespace
 
 bool is_proper(const platform_reply_t& m) noexcept {
@@ -56,7 +61,7 @@ bool is_proper(const platform_telemetry_t& m) noexcept {
 
 bool is_proper(const platform_drive_t& m) noexcept { return finite(m.torque); }
 
-bool is_proper(const odometry_reading_t& m) noexcept { return is_proper(m.motion); }
+bool is_proper(const odometry_reading_t& m) noexcept { return is_proper(m.motion) && is_proper(m.support); }
 
 bool is_proper(const motion_capture_t& m) noexcept { return is_step(m.step) && (m.seen == 0 || finite(m.p)); }
 

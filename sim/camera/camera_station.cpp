@@ -1,5 +1,6 @@
 #include "sim/camera/camera_station.hpp"
 #include "base/counted.hpp"
+#include "sim/world.hpp"
 
 #include <fmt/core.h>
 
@@ -27,6 +28,12 @@ Pose place(const SimulatedCamera& k, const View& view) {
   return view.mount(k.setup) * (k.setup.place * k.error);
 }
 
+CameraFault fault_at(const CameraFaults& faults, double time) {
+  if (contains(faults.silent, time)) return CameraFault::silent;
+  if (contains(faults.black, time)) return CameraFault::black;
+  return contains(faults.frozen, time) ? CameraFault::frozen : CameraFault::none;
+}
+
 /// Steps of the instants of a picture, from its own.
 std::int64_t offset(const SimulatedCamera& k, int instant) {
   return k.instants == 1 ? 0 : instant * k.exposure / (k.instants - 1) - k.exposure / 2;
@@ -42,6 +49,11 @@ CameraStation::CameraStation(link::Process& process, const std::vector<PlacedCam
     eye.view = each.view;
     eye.worker = std::make_unique<CameraWorker>(eye.k, process.context());
     eye.out = process.outbox<camera_frame_t>(eye.k.setup.key + ".frame");
+    const auto is_shown = [&](const PlacedCamera& c) {
+      return c.camera.setup.key == each.camera.faults.shows;
+    };
+    const auto shown = std::ranges::find_if(cameras, is_shown);
+    eye.shown = shown == cameras.end() ? eyes_.size() : static_cast<std::size_t>(shown - cameras.begin());
     eyes_.push_back(std::move(eye));
     if (std::ranges::find(views_, each.view) == views_.end()) views_.push_back(each.view);
   }
@@ -98,12 +110,14 @@ void CameraStation::look(Eye& eye, std::int64_t step) {
   const std::int64_t period = eye.k.setup.period;
   // The picture whose exposure this step may belong to.
   const std::int64_t frame = (step + eye.k.exposure / 2) / period;
+  const Eye& shown = eyes_[eye.shown];
   CameraJob& job = eye.next;
   job.frame = frame;
   job.step = frame * period;
+  job.fault = fault_at(eye.k.faults, static_cast<double>(job.step) * kStep);
   for (int instant = 0; instant < eye.k.instants; ++instant)
     if (job.step + offset(eye.k, instant) == step)
-      job.exposure.push_back({scene(eye, step), place(eye.k, *eye.view)});
+      job.exposure.push_back({scene(shown, step), place(shown.k, *shown.view)});
   if (job.step + offset(eye.k, eye.k.instants - 1) != step) return;
   if (eye.worker->busy()) {  // with the wall clock only
     ++eye.left_out;

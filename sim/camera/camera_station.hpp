@@ -18,11 +18,20 @@
 
 namespace mrroc::sim {
 
+/// What a camera does instead of giving the picture that it is told to take.
+enum class CameraFault : std::uint8_t {
+  none,
+  silent,  ///< there is no picture
+  black,   ///< it shows nothing
+  frozen   ///< it is the last one again
+};
+
 /// A picture that is to be drawn, or has been.
 struct CameraJob {
   std::int64_t frame{};  ///< number of the picture, 0, 1, 2... of the camera
   std::int64_t step{};   ///< of the effector drivers at which it is taken: the middle of the exposure
   std::vector<camera::Instant> exposure;  ///< snapshots so far, one or more when it is drawn
+  CameraFault fault{};                    ///< then
 };
 
 /// One camera: a thread that draws, and the store into which it draws. With the wall clock the thread is in nobody's way:
@@ -49,13 +58,18 @@ class CameraWorker {
   [[nodiscard]] bool ready();
   /// @return whether that picture is ready, or gets ready in that time
   [[nodiscard]] bool ready_within(std::chrono::milliseconds time);
-  /// Waits for the picture. @return what to tell about it @throws what drawing or storing it threw
+  /// Waits for the picture. @return what to tell about it; slot -1: the camera gives none @throws what drawing or storing it threw
   [[nodiscard]] std::pair<std::int64_t, camera_frame_t> finish();
 
  private:
   void work(const std::stop_token& stop);
+  /// @return the slot in which the picture lies; -1: there is none
+  int make(const CameraJob& job);
 
   camera::Renderer renderer_;
+  // Only for the thread that draws:
+  Image last_;    // picture that was made last
+  bool begun_{};  // there is one
   link::FrameWriter store_;
   std::optional<std::int64_t> step_;  // of the picture under way; only for the simulator's thread
 
@@ -97,6 +111,7 @@ class CameraStation {
   struct Eye {
     SimulatedCamera k;
     View* view{};
+    std::size_t shown{};  // number of the eye whose view it has
     std::unique_ptr<CameraWorker> worker;
     std::unique_ptr<link::Outbox<camera_frame_t>> out;
     CameraJob next;           // whose snapshots are being taken

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include "base/link/real_time.hpp"
@@ -14,6 +15,7 @@ constexpr int kNice = 5;
 
 CameraWorker::CameraWorker(const SimulatedCamera& camera, const link::NodeContext& context)
     : renderer_(camera.setup.model, camera.profile),
+      last_(camera.setup.model.width, camera.setup.model.height, camera.profile.channels),
       store_({context.session, context.session_id, camera.setup.key},
              {camera.setup.model.width, camera.setup.model.height, camera.profile.channels}),
       thread_([this, wall = context.clock == ClockKind::wall](const std::stop_token& stop) {
@@ -52,6 +54,16 @@ std::pair<std::int64_t, camera_frame_t> CameraWorker::finish() {
   return {frame_, message};
 }
 
+int CameraWorker::make(const CameraJob& job) {
+  if (job.fault == CameraFault::silent) return -1;
+  if (job.fault == CameraFault::black)
+    std::ranges::fill(last_.data, std::uint8_t{});
+  else if (job.fault == CameraFault::none || !begun_)
+    last_ = renderer_.render(job.exposure, job.frame);
+  begun_ = true;
+  return store_.write(job.frame, job.step, static_cast<double>(job.step) * kStep, last_.view());
+}
+
 void CameraWorker::work(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   while (changed_.wait(lock, stop, [this] { return job_.has_value(); })) {
@@ -60,8 +72,7 @@ void CameraWorker::work(const std::stop_token& stop) {
     int slot = -1;
     std::exception_ptr error;
     try {
-      const Image image = renderer_.render(job.exposure, job.frame);
-      slot = store_.write(job.frame, job.step, static_cast<double>(job.step) * kStep, image.view());
+      slot = make(job);
     } catch (...) {
       error = std::current_exception();
     }

@@ -39,6 +39,18 @@ RoomLook read_look(const Config& t, std::uint64_t seed) {
   return look;
 }
 
+CameraFaults read_camera_faults(const Config& config, const std::string& key) {
+  const std::string table = "cameras." + key;
+  CameraFaults faults{.silent = read_times(config, table + ".silent"),
+                      .black = read_times(config, table + ".black"),
+                      .frozen = read_times(config, table + ".frozen"),
+                      .shows = config.text(table + ".shows", key)};
+  const std::vector<std::string> keys = camera_keys(config);
+  if (std::ranges::find(keys, faults.shows) == keys.end())
+    refuse(table + ".shows", "there is no camera '" + faults.shows + "'");
+  return faults;
+}
+
 SimulatedCamera read_simulated(const Config& config, const std::string& key, const RenderProfile& profile) {
   const Config t = config.section("cameras." + key);
   SimulatedCamera c;
@@ -55,6 +67,7 @@ SimulatedCamera read_simulated(const Config& config, const std::string& key, con
            "the exposure must be shorter than the period, and half of it not longer than the latency");
   const auto error = t.numbers<6>("calibration_error", {{}}, {-0.5, 0.5}, "m, angle times axis in rad");
   c.error = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(error.data()));
+  c.faults = read_camera_faults(config, key);
   return c;
 }
 

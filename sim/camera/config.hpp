@@ -8,8 +8,18 @@
 #include "sim/camera/object_path.hpp"
 #include "sim/camera/renderer.hpp"
 #include "sim/camera/room_scene.hpp"
+#include "sim/time_interval.hpp"
 
 namespace mrroc::sim {
+
+/// What goes wrong with a camera.
+struct CameraFaults {
+  TimeIntervals silent{};  ///< it gives no pictures
+  TimeIntervals black{};   ///< no light falls into it
+  TimeIntervals frozen{};  ///< it gives its last picture again and again
+  std::string
+      shows{};  ///< key of the camera whose view it really has: another one's when cables are exchanged
+};
 
 /// One camera of the simulator.
 struct SimulatedCamera {
@@ -17,8 +27,9 @@ struct SimulatedCamera {
   camera::RenderProfile profile;  ///< how it is drawn
   std::int64_t
       exposure{};  ///< steps over which the light is gathered, half of them before the picture's step, half after
-  int instants{1};  ///< of the exposure that are drawn; 1: nothing is blurred by motion
-  Pose error;       ///< of the calibration: the true place is setup.place * error
+  int instants{1};      ///< of the exposure that are drawn; 1: nothing is blurred by motion
+  Pose error;           ///< of the calibration: the true place is setup.place * error
+  CameraFaults faults;  ///< that come on purpose
 };
 
 /// Settings of the simulator's cameras.

@@ -93,17 +93,6 @@ GroundParameters read_ground(const Config& config) {
   return g;
 }
 
-/// @param usual  none
-std::vector<TimeInterval> read_times(const Config& config, const std::string& key) {
-  const auto times = config.list(key, std::vector<double>{}, kTime, "s from, to, from, to, ...");
-  std::vector<TimeInterval> intervals;
-  for (std::size_t k = 0; k + 1 < times.size(); k += 2) intervals.push_back({times[k], times[k + 1]});
-  if (times.size() % 2 != 0 ||
-      std::ranges::any_of(intervals, [](const TimeInterval& i) { return i.from >= i.to; }))
-    refuse(key, "pairs of times, each a beginning and a later end; or none");
-  return intervals;
-}
-
 MotionCaptureParameters read_capture(const Config& config) {
   const Config t = config.section("motion_capture");
   MotionCaptureParameters m;

@@ -20,16 +20,15 @@ std::optional<CapturedPose> MotionCaptureSystem::step(std::int64_t step, const P
 
 MotionCapture MotionCaptureSystem::measure(std::int64_t step, const PlanarPose& pose) {
   const double time = static_cast<double>(step) * dt_;
-  const auto now = [time](const TimeInterval& t) { return time >= t.from && time < t.to; };
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> uniform;
   const double x = k_.noise[0] * normal(random_), y = k_.noise[0] * normal(random_);
   const double turn = k_.noise[1] * normal(random_);
   const bool outlier = uniform(random_) < k_.outliers;
   const double direction = 2 * std::numbers::pi * uniform(random_);
-  MotionCapture m{step, std::ranges::none_of(k_.lost, now), {}};
+  MotionCapture m{step, !contains(k_.lost, time), {}};
   if (!m.seen) return m;
-  const PlanarPose offset = now(k_.displaced) ? k_.offset : PlanarPose{};
+  const PlanarPose offset = contains(k_.displaced, time) ? k_.offset : PlanarPose{};
   const double wrong = outlier ? k_.outlier[0] : 0;
   m.p.x = pose.x + offset.x + x + wrong * std::cos(direction);
   m.p.y = pose.y + offset.y + y + wrong * std::sin(direction);

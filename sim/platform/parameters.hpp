@@ -11,6 +11,7 @@
 #include "base/room_config.hpp"
 #include "base/step_interval.hpp"
 #include "robots/skid_steer.hpp"
+#include "sim/time_interval.hpp"
 
 namespace mrroc::sim {
 
@@ -93,19 +94,13 @@ struct GroundParameters {
   std::vector<GroundPatch> patches;       ///< where they overlap, their scales multiply
 };
 
-/// Time from one second to another.
-struct TimeInterval {
-  double from{};  ///< [s]
-  double to{};    ///< [s]
-};
-
 /// Motion capture as it really is.
 struct MotionCaptureParameters {
   MotionCaptureSetup setup;                  ///< as everybody knows it
   std::array<double, 2> noise{0.005, 0.01};  ///< standard deviations of x and y [m], of phi [rad]
   double outliers{};                         ///< share of readings that are wrong
   std::array<double, 2> outlier{0.5, 1};     ///< by how much they are wrong [m, rad]
-  std::vector<TimeInterval> lost;            ///< when it sees neither platforms nor boxes
+  TimeIntervals lost;                        ///< when it sees neither platforms nor boxes
   PlanarPose offset;                         ///< error of its frame...
   TimeInterval displaced;                    ///< ...in this time
 };

@@ -42,7 +42,7 @@ double pace_in(const std::vector<CommandedPace>& paces, std::int64_t macrostep) 
 
 }  // namespace
 
-void DriveMessages::cut_after(std::int64_t macrostep) {
+void DriveMessages::cut_after(std::int64_t macrostep, std::int64_t odometry_latency) {
   const auto cut = [macrostep](auto& kept) {
     std::erase_if(kept, [macrostep](const auto& m) { return m.header.stamp > macrostep; });
   };
@@ -51,6 +51,9 @@ void DriveMessages::cut_after(std::int64_t macrostep) {
   cut(truths);
   cut(poses);
   std::erase_if(paces, [macrostep](const CommandedPace& p) { return p.macrostep > macrostep; });
+  const std::int64_t last = macrostep * kPlatformSteps - odometry_latency;
+  std::erase_if(odometry,
+                [last](const odometry_reading_t& m) { return m.last != 0 || m.motion.step > last; });
 }
 
 void DriveMessages::add_rest(const link::LogReader& log, const std::string& platform) {
@@ -64,6 +67,7 @@ void DriveMessages::add_rest(const link::LogReader& log, const std::string& plat
   add(telemetry, platform + ".telemetry");
   add(truths, platform + ".truth");
   add(poses, pose_channel());
+  add(odometry, platform + ".odometry");
 }
 
 DriveTable join(const DriveMessages& messages, double dt, int n_s) {
@@ -91,9 +95,22 @@ DriveTable join(const DriveMessages& messages, double dt, int n_s) {
     row.at_rest = reply.at_rest;
     row.solver_failures = reply.solver_failures;
     row.late_map = reply.late_map;
+    row.late_odometry = reply.late_odometry;
     table.push_back(row);
   }
   return table;
+}
+
+std::vector<double> map_returns(const DriveMessages& messages, double dt, int n_s) {
+  std::vector<double> times;
+  bool lost = false, seen = false;
+  for (const map_report_t& m : messages.poses) {
+    const bool valid = m.pose.valid != 0;
+    if (valid && lost) times.push_back(static_cast<double>(m.header.stamp) * n_s * dt);
+    seen = seen || valid;
+    lost = seen && !valid;
+  }
+  return times;
 }
 
 DriveRecord::DriveRecord(link::Process& process, const std::string& platform)
@@ -101,13 +118,15 @@ DriveRecord::DriveRecord(link::Process& process, const std::string& platform)
       reply_in_(process.inbox<platform_reply_t>(platform + ".reply")),
       telemetry_in_(process.inbox<platform_telemetry_t>(platform + ".telemetry")),
       truth_in_(process.inbox<platform_truth_t>(platform + ".truth")),
-      pose_in_(process.inbox<map_report_t>(pose_channel())) {}
+      pose_in_(process.inbox<map_report_t>(pose_channel())),
+      odometry_in_(process.inbox<odometry_reading_t>(platform + ".odometry")) {}
 
 void DriveRecord::collect(std::int64_t plan) {
   link::take_all(*reply_in_, messages_.replies);
   link::take_all(*telemetry_in_, messages_.telemetry);
   link::take_all(*truth_in_, messages_.truths);
   link::take_all(*pose_in_, messages_.poses);
+  link::take_all(*odometry_in_, messages_.odometry);
   collect_commands(plan);
 }
 

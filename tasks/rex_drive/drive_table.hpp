@@ -29,6 +29,7 @@ struct DriveRow {
   bool at_rest{};                  ///< the driver says so
   std::int32_t solver_failures{};  ///< so far
   std::int32_t late_map{};         ///< map poses that came too late, so far
+  std::int32_t late_odometry{};    ///< readings of the odometry that did, so far
 };
 using DriveTable = std::vector<DriveRow>;  ///< a row per macrostep, in order
 

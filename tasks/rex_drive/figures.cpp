@@ -7,7 +7,9 @@
 #include <optional>
 #include <string_view>
 
+#include "base/latency.hpp"
 #include "base/statistics.hpp"
+#include "tasks/rex_drive/odometry_figures.hpp"
 
 namespace mrroc::rex_drive {
 namespace {
@@ -45,15 +47,17 @@ bool within_ellipse(const DriveRow& row) {
 }
 
 void of_place(const DriveResults& r, mp::Figures& figures) {
-  double most = 0, within = 0, n = 0;
+  double most = 0, most_estimate = 0, within = 0, n = 0;
   for (const DriveRow& row : r.table) {
     if (!drives(row)) continue;
     most = std::max(most, tracking_error(row));
+    most_estimate = std::max(most_estimate, estimation_error(row));
     within += within_ellipse(row) ? 1 : 0;
     ++n;
   }
   if (n == 0) return;
   figures["track_max_mm"] = kMm * most;
+  figures["estimate_max_mm"] = kMm * most_estimate;
   figures["ellipse_95_pct"] = 100 * within / n;
   figures["track_rms_mm"] = kMm * *rms(r.table, drives, tracking_error);
   figures["estimate_rms_mm"] = kMm * *rms(r.table, drives, estimation_error);
@@ -63,6 +67,29 @@ void of_place(const DriveResults& r, mp::Figures& figures) {
     return f != r.fragments.end() && is_pivot(f->fragment);
   };
   if (const auto pivot = rms(r.table, turns, tracking_error)) figures["pivot_rms_mm"] = kMm * *pivot;
+}
+
+/// By how much the speed departs from the planned one within 0.2 s after a position that comes back has got to the driver [m/s].
+std::optional<double> kick_of_return(const DriveResults& r) {
+  constexpr double kLasts = 0.2, kHalf = kPlatformPeriod / 2;
+  constexpr double kReaches =
+      kPlatformPeriod * static_cast<double>(latency::kMessage + latency::kCommandToMotion);
+  const auto surplus = [&r](std::size_t k) {
+    const PlanarPose &a = r.table[k - 1].reference, &b = r.table[k].reference;
+    const PlanarVelocity& v = r.table[k].truth.v;
+    const double passed = r.table[k].t - r.table[k - 1].t;
+    return std::hypot(v.vx, v.vy) - std::hypot(b.x - a.x, b.y - a.y) / passed;
+  };
+  std::optional<double> most;
+  for (const double t : r.map_returns) {
+    std::optional<double> before;
+    for (std::size_t k = 1; k < r.table.size() && r.table[k].t < t + kReaches + kLasts + kHalf; ++k) {
+      if (r.table[k].t < t - kHalf || !drives(r.table[k]) || !drives(r.table[k - 1])) continue;
+      if (!before) before = surplus(k);
+      most = std::max(most.value_or(0), std::abs(surplus(k) - *before));
+    }
+  }
+  return most;
 }
 
 void of_friction(const DriveTable& table, mp::Figures& figures) {
@@ -182,8 +209,11 @@ void of_counts(const DriveResults& r, mp::Figures& figures) {
   figures["map_rejected"] = static_cast<double>(r.rejected);
   if (!r.table.empty()) figures["solver_failures"] = static_cast<double>(r.table.back().solver_failures);
   // A position from before the estimator began may come when it works: that is no late one of the drive.
-  if (const auto first = std::ranges::find_if(r.table, drives); first != r.table.end())
+  if (const auto first = std::ranges::find_if(r.table, drives); first != r.table.end()) {
     figures["late_map"] = static_cast<double>(r.table.back().late_map - first->late_map);
+    if (!r.odometry.empty())
+      figures["late_odometry"] = static_cast<double>(r.table.back().late_odometry - first->late_odometry);
+  }
   std::vector<std::int32_t> sorted = r.iterations;
   std::ranges::sort(sorted);
   if (!sorted.empty())
@@ -245,12 +275,14 @@ std::string wanted_only(DriveCase drive) {
 mp::Figures figures_of(const DriveResults& results) {
   mp::Figures figures;
   of_place(results, figures);
+  set(figures, "return_kick_mps", kick_of_return(results));
   of_friction(results.table, figures);
   set(figures, "friction_found_s", friction_found(results.table));
   of_joints(results, figures);
   set(figures, "ack_before_rest_s", ack_before_rest(results));
   of_way(results.table, figures);
   of_counts(results, figures);
+  figures.merge(odometry_figures(results.odometry));
   return figures;
 }
 

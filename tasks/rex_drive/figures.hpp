@@ -10,16 +10,19 @@
 #include "tasks/rex_drive/drive_case.hpp"
 #include "tasks/rex_drive/drive_table.hpp"
 #include "tasks/rex_drive/ground_area.hpp"
+#include "tasks/rex_drive/odometry_table.hpp"
 
 namespace mrroc::rex_drive {
 
 /// What figures and pictures are made of.
 struct DriveResults {
-  DriveTable table;         ///< a row per macrostep
-  FragmentTable fragments;  ///< a row per fragment
-  std::vector<Plan> plans;  ///< as they were sent
-  std::int64_t acked_in{};  ///< macrostep in which a_1 gave the last plan's ack; 0: it did not
-  std::int32_t rejected{};  ///< readings of the motion capture that the map agent did not believe
+  DriveTable table;                 ///< a row per macrostep
+  OdometryTable odometry;           ///< a row per pair of pictures
+  FragmentTable fragments;          ///< a row per fragment
+  std::vector<Plan> plans;          ///< as they were sent
+  std::int64_t acked_in{};          ///< macrostep in which a_1 gave the last plan's ack; 0: it did not
+  std::vector<double> map_returns;  ///< when a map that had been lost was back [s]
+  std::int32_t rejected{};          ///< readings of the motion capture that the map agent did not believe
   std::vector<std::int32_t> iterations;  ///< of the planner's search, one per fragment
   Room room;                             ///< in which it drove
   DriveGround ground;                    ///< on which it drove
@@ -29,8 +32,10 @@ struct DriveResults {
 ///         is what the simulation tells.
 ///   track_rms_mm, track_max_mm        true place against the reference, while it drives
 ///   pivot_rms_mm                      the same during turns on the spot
-///   estimate_rms_mm                   true place against the estimate, while it drives
+///   estimate_rms_mm, estimate_max_mm  true place against the estimate, while it drives
 ///   ellipse_95_pct                    how often the true place is within the estimate's 95 % ellipse
+///   return_kick_mps                   change of the speed less that of the reference, within 0.2 s after a map that was lost
+///                                     is back, while it drives
 ///   friction_err                      mean of the second half against the mean of what is true
 ///   split_err                         the same of the split
 ///   split_rms                         its error in the second half, root of the mean square: over ground that differs left
@@ -46,7 +51,9 @@ struct DriveResults {
 ///   drive_s, way_m                    time and way, while it drives
 ///   planner_iterations_p95            of the search for a fragment
 ///   late_map                          positions older than the estimator's window, from the beginning of the drive on
+///   late_odometry                     readings of the odometry older than that
 ///   map_rejected, solver_failures     counts
+///   odometry_...                      see odometry_figures()
 [[nodiscard]] mp::Figures figures_of(const DriveResults& results);
 
 /// In the order of the table, with what is wanted of a drive like the built-in one (DriveCase::usual).
@@ -57,8 +64,10 @@ inline constexpr std::array kFigures{
     mp::FigureInfo{.key = "pivot_rms_mm", .words = "  turning on the spot", .unit = "mm rms", .high = 10},
     mp::FigureInfo{
         .key = "estimate_rms_mm", .words = "distance from the estimate", .unit = "mm rms", .high = 8},
+    mp::FigureInfo{.key = "estimate_max_mm", .words = "  at most", .unit = "mm"},
     mp::FigureInfo{
         .key = "ellipse_95_pct", .words = "  within its 95 % ellipse", .unit = "% of the time", .low = 80},
+    mp::FigureInfo{.key = "return_kick_mps", .words = "kick when the map is back", .unit = "m/s"},
     mp::FigureInfo{.key = "friction_err", .words = "error of the friction", .unit = ""},
     mp::FigureInfo{.key = "split_err", .words = "error of its split left and right", .unit = ""},
     mp::FigureInfo{.key = "split_rms", .words = "  at any time", .unit = "rms"},
@@ -78,6 +87,17 @@ inline constexpr std::array kFigures{
     mp::FigureInfo{.key = "drive_s", .words = "  in", .unit = "s"},
     mp::FigureInfo{
         .key = "planner_iterations_p95", .words = "iterations of the planner, 95 %", .unit = "", .high = 6},
+    mp::FigureInfo{
+        .key = "odometry_valid_pct", .words = "pairs of pictures with a motion", .unit = "%", .low = 95},
+    mp::FigureInfo{.key = "odometry_pairs", .words = "  pairs", .unit = ""},
+    mp::FigureInfo{.key = "odometry_invalid", .words = "  of them without one", .unit = ""},
+    mp::FigureInfo{.key = "odometry_inliers", .words = "  points that agree on one", .unit = ""},
+    mp::FigureInfo{.key = "odometry_rms_mm", .words = "error from pair to pair", .unit = "mm rms"},
+    mp::FigureInfo{.key = "odometry_turn_rms_mrad", .words = "  of the turn", .unit = "mrad rms"},
+    mp::FigureInfo{.key = "odometry_95_pct", .words = "  within its 95 % ellipsoid", .unit = "% of pairs"},
+    mp::FigureInfo{
+        .key = "odometry_drift_pct", .words = "drift over 2 m", .unit = "% of the way", .high = 0.5},
+    mp::FigureInfo{.key = "late_odometry", .words = "motions that came too late", .unit = ""},
     mp::FigureInfo{.key = "map_rejected", .words = "positions not believed", .unit = ""},
     mp::FigureInfo{.key = "late_map", .words = "positions that came too late", .unit = ""},
     mp::FigureInfo{.key = "solver_failures", .words = "failures of solvers", .unit = "", .high = 0},

@@ -51,7 +51,7 @@ struct Said : Report {
 /// Report::sensor of a_1: a sum of these, and of kPointUnit times the number of the plan's point that the platform is on
 /// its way to, from 1.
 inline constexpr int kMapSeen = 1;       ///< the newest map pose is valid
-inline constexpr int kOdometrySeen = 2;  ///< the newest reading of the odometry is
+inline constexpr int kOdometrySeen = 2;  ///< so is the newest reading of the odometry, and it is not old
 inline constexpr int kStands = 4;        ///< the platform is at rest at the end of what it was handed
 inline constexpr int kPositionLost = 8;  ///< it waits because it does not know its position well enough
 /// Report::sensor counts points in this unit.

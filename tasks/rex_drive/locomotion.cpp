@@ -107,6 +107,12 @@ int point_under_way(const X& x) {
 }
 bool stands(const X& x) { return x.e.notified == x.c.handed && x.e.remaining == 0 && x.e.at_rest; }
 
+/// Whether the odometry measures; its last reading stays when it falls silent.
+bool sees_motion(const X& x) {
+  constexpr std::int64_t kOld = 500;  // [steps]: longer than a reading and the next one can take
+  return x.V.valid && x.e.step - x.V.step <= kOld;
+}
+
 /// What the platform is and does, and where.
 Said tell_all(const X& x, int m) {
   Said said;
@@ -120,7 +126,7 @@ Said tell_all(const X& x, int m) {
   r.fault = x.e.fault;
   const PlanarPose& p = x.e.estimate.p;
   r.T_0E = {p.x, p.y, 0, 0, 0, p.phi};
-  r.sensor = (x.T.map.pose.valid ? kMapSeen : 0) + (x.V.valid ? kOdometrySeen : 0) +
+  r.sensor = (x.T.map.pose.valid ? kMapSeen : 0) + (sees_motion(x) ? kOdometrySeen : 0) +
              (stands(x) ? kStands : 0) + (position_lost(x) ? kPositionLost : 0) +
              kPointUnit * point_under_way(x);
   if (x.e.position_known) said.estimate = x.e.estimate;

@@ -69,6 +69,7 @@ void make_results(launch::Results& r) {
   results.ground = rex_drive::read_ground(r.setup.config);
   rex_drive::write_drive_table(r.folder / "platform.csv", results.table);
   rex_drive::write_fragment_table(r.folder / "fragments.csv", results.fragments, results.table);
+  if (!results.odometry.empty()) rex_drive::write_odometry_table(r.folder / "odometry.csv", results.odometry);
   const auto read = [](const Config& config) { launch::check_cell(config, {}, platforms()); };
   const rex_drive::DriveCase drive = rex_drive::drive_case(r.setup.config, read);
   r.add(rex_drive::figures_of(results), rex_drive::figures_of_case(drive));

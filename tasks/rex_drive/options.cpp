@@ -70,6 +70,19 @@ std::vector<std::string> settings_of_ground(const std::string& name) {
       fmt::format("give one of {}, or a TOML file with [sim.ground]", fmt::join(names, ", ")));
 }
 
+/// Settings of cameras that the platform does not have would do nothing. @throws FaultError bad_configuration
+void refuse_settings_of_no_eyes(const Config& config) {
+  if (config.has("cameras.order")) return;  // a cell of the user's own, or of an earlier run
+  std::string set;
+  for (const char* const table : {"cameras", "odometry"})
+    for (const std::string& name : config.tables(table)) set = fmt::format("{}.{}", table, name);
+  if (config.has("cameras.profile")) set = "cameras.profile";
+  if (set.empty()) return;
+  throw FaultError(FaultCode::bad_configuration,
+                   set + ": the platform has no cameras, since its eyes are off",
+                   "--eyes on, or leave the setting out");
+}
+
 }  // namespace
 
 void add_drive_options(CommandLine& line, DriveOptions& o) {
@@ -125,7 +138,10 @@ std::map<std::string, std::string> options_of_keys() {
 }
 
 void complete_drive(Config& config, const DriveOptions& o, PlanList& plans) {
-  if (config.flag(kEyesKey, false)) config.underlay(Config::parse(eyes(), "eyes.toml (built in)"));
+  if (config.flag(kEyesKey, false))
+    config.underlay(Config::parse(eyes(), "eyes.toml (built in)"));
+  else
+    refuse_settings_of_no_eyes(config);
   if (o.ground && !is_ground(*o.ground)) config.overlay(Config::load(*o.ground));
   const std::string key = "sim.platforms.rex.start";
   if (config.has(key)) {

@@ -88,6 +88,24 @@ std::string torques_script(const DriveResults& r) {
   return time_chart_script(c);
 }
 
+std::string odometry_script(const DriveResults& r) {
+  const auto of_pairs = [](int column, const char* title, std::size_t colour) {
+    return curve(fmt::format("'odometry.csv' skip 1 using 1:{}", column), title, colour);
+  };
+  TimeChart c = chart(r, "odometry", "Rex: visual odometry, from one pair of pictures to the next");
+  c.panels = {panel(r, "points", "number"), panel(r, "error of the place", "distance [mm]"),
+              panel(r, "error of the turn", "angle [mrad]")};
+  c.panels[0].curves = {of_pairs(odometry_column::features, "corners", 3),
+                        of_pairs(odometry_column::matches, "found in all four pictures", 1),
+                        of_pairs(odometry_column::inliers, "that agree on the motion", 0)};
+  c.panels[1].curves = {of_pairs(odometry_column::error, "true", 0),
+                        of_pairs(odometry_column::sd, "standard deviation, as told", 1)};
+  c.panels[2].curves = {of_pairs(odometry_column::turn_error, "true", 0),
+                        of_pairs(odometry_column::turn_sd, "standard deviation, as told", 1)};
+  for (ChartPanel& p : c.panels) p.commands = "set yrange [0:*]\n";
+  return time_chart_script(c);
+}
+
 std::string handover_script(const DriveResults& r) {
   const std::string file = "'fragments.csv' skip 1 using ";
   const auto points = [&](const char* columns, const char* title, std::size_t colour) {
@@ -119,6 +137,7 @@ std::vector<std::pair<std::string, std::string>> plots(const DriveResults& resul
                                                            {"error", error_script(results)},
                                                            {"slip", slip_script(results)},
                                                            {"torques", torques_script(results)}};
+  if (!results.odometry.empty()) scripts.emplace_back("odometry", odometry_script(results));
   if (!results.fragments.empty()) scripts.emplace_back("handover", handover_script(results));
   return scripts;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/counted.hpp"
 #include "base/latency.hpp"
 #include "tasks/rex_drive/keys.hpp"
 
@@ -53,6 +54,7 @@ void RexRun::observe(const Motion<Ontology>& motion, const X& x) {
   if (record_) record_->collect(x.c.plan.number);
   announce(motion, x);
   report_position(x);
+  watch_odometry(x);
   note_ack(x);
   show(motion, x);
   run_.each_macrostep(x.i, seconds(x.i));
@@ -76,6 +78,26 @@ void RexRun::report_position(const X& x) {
   lost_ = lost;
 }
 
+void RexRun::watch_odometry(const X& x) {
+  constexpr std::int64_t kLong = 100;
+  const bool sees = (x.T.agent[kLocomotionAgent].sensor & kOdometrySeen) != 0;
+  if (sees) saw_in_ = x.i;
+  if (!k_.eyes || sees != blind_) return;
+  if (sees) {
+    blind_ = false;
+    run_.announce()(seconds(x.i), "odometry sees again");
+  } else if (x.i - saw_in_ >= kLong) {
+    blind_ = true;
+    run_.announce()(seconds(x.i),
+                    fmt::format("odometry sees nothing for {:.0f} s: {}", seconds(kLong), blindness()));
+  }
+}
+
+const char* RexRun::blindness() const {
+  const odometry_reading_t* const newest = record_ ? record_->newest_odometry() : nullptr;
+  return newest && is_proper(*newest) ? to_words(support_of(*newest).finding) : "its readings do not come";
+}
+
 void RexRun::note_ack(const X& x) {
   const std::int64_t event = x.T.agent[kLocomotionAgent].event;
   if (event <= acked_) return;
@@ -95,8 +117,10 @@ std::string RexRun::progress_text(const X& x) const {
   if ((r.sensor & kPositionLost) != 0)
     return fmt::format("position lost for {:.1f} s", seconds(x.c.lost_in > 0 ? x.i - x.c.lost_in : 0));
   const int point = point_of(r);
-  if (point == 0) return announced_;
-  return fmt::format("{}, point {} of {}", announced_, point, x.c.plan.n);
+  std::string text = announced_;
+  if (point > 0) text += fmt::format(", point {} of {}", point, x.c.plan.n);
+  if (blind_) text += fmt::format(", odometry sees nothing for {:.1f} s", seconds(x.i - saw_in_));
+  return text;
 }
 
 void RexRun::show(const Motion<Ontology>& motion, const X& x) {
@@ -124,7 +148,10 @@ SensorNews RexRun::sensor_news(const X& x) const {
                   .eyes = k_.eyes.has_value(),
                   .odometry_seen = (seen & kOdometrySeen) != 0,
                   .odometry_inliers = {}};
-  if (!record_ || record_->messages().poses.empty()) return news;
+  if (!record_) return news;
+  if (const odometry_reading_t* const newest = record_->newest_odometry())
+    news.odometry_inliers = newest->support.inliers;
+  if (record_->messages().poses.empty()) return news;
   const std::int64_t measured = record_->messages().poses.back().pose.step;
   if (measured > 0) news.map_age = seconds(x.i) - static_cast<double>(measured) * k_.dt;
   return news;
@@ -133,7 +160,7 @@ SensorNews RexRun::sensor_news(const X& x) const {
 DriveMessages RexRun::messages(const std::filesystem::path& folder) const {
   DriveMessages all = record_->messages();
   if (ended_in_ > 0) {
-    all.cut_after(ended_in_);
+    all.cut_after(ended_in_, k_.eyes ? k_.eyes->latency : 0);
     return all;
   }
   try {
@@ -148,6 +175,8 @@ DriveResults RexRun::results(const std::filesystem::path& folder) const {
   if (record_) {
     const DriveMessages heard = messages(folder);
     r.table = join(heard, k_.dt, k_.n_s);
+    r.odometry = join_odometry(heard, r.table, k_.dt, k_.n_s);
+    r.map_returns = map_returns(heard, k_.dt, k_.n_s);
     r.fragments = record_->fragments();
     r.rejected = heard.poses.empty() ? 0 : heard.poses.back().rejected;
   }

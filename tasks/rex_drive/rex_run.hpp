@@ -52,10 +52,13 @@ class RexRun final : public mp::CoordinatorRun {
   void show_platform(const X& x);
   void announce(const Motion<Ontology>& motion, const X& x);
   void report_position(const X& x);
+  void watch_odometry(const X& x);
   void note_ack(const X& x);
   [[nodiscard]] DriveMessages messages(const std::filesystem::path& folder) const;
   [[nodiscard]] std::string progress_text(const X& x) const;
   [[nodiscard]] SensorNews sensor_news(const X& x) const;
+  /// @return why the odometry measures nothing, as far as it has told
+  [[nodiscard]] const char* blindness() const;
   [[nodiscard]] double progress(const X& x) const;
   [[nodiscard]] double seconds(std::int64_t macrosteps) const;
 
@@ -68,6 +71,8 @@ class RexRun final : public mp::CoordinatorRun {
   Fault fault_;
   std::string announced_;    // behaviour that was announced last
   bool lost_{};              // the platform waits for its position
+  bool blind_{};             // the odometry has measured nothing for long, which has been told
+  std::int64_t saw_in_{};    // macrostep in which it measured last
   std::int64_t acked_{};     // number of the plan whose ack came last
   std::int64_t acked_in_{};  // macrostep in which a_1 gave it
   std::int64_t

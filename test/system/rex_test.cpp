@@ -86,16 +86,67 @@ TEST(RexDrive, SeesItsMotionWithTheSameBitsInOneProcessAndInSeveral) {
   EXPECT_NE(told[0].at("log_hash"), "0000000000000000");
   EXPECT_EQ(told[0].at("log_hash"), told[1].at("log_hash"));
   EXPECT_LE(figure(told[0], "estimate_rms_mm"), 12);
-  const Ended listed = run(folder, "ui_cli", {"log", "csv", (folder / "one").string(), "rex.odometry"});
-  ASSERT_EQ(listed.status, 0) << listed.all();
-  std::string rows;
-  for (const std::string& line : listed.out) rows += line + "\n";
-  const fs::path table = folder.write("odometry.csv", rows);
-  const std::vector<double> valid = column_of(table, "motion.valid");
-  ASSERT_GE(valid.size(), 40U) << "a pair every 80 ms";
-  EXPECT_GE(std::ranges::count(valid, 1.0),
-            static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(valid.size())))
-      << "all but the first and the last";
+  EXPECT_EQ(told[0].at("figures"), told[1].at("figures"));
+  EXPECT_EQ(bytes_of(folder / "one" / "odometry.csv"), bytes_of(folder / "separate" / "odometry.csv"));
+  EXPECT_GE(column_of(folder / "one" / "odometry.csv", "valid").size(), 40U) << "a pair every 80 ms";
+  EXPECT_GE(figure(told[0], "odometry_valid_pct"), 95);
+  EXPECT_LE(figure(told[0], "odometry_rms_mm"), 0.5);
+  EXPECT_LE(figure(told[0], "odometry_turn_rms_mrad"), 0.5);
+  EXPECT_EQ(figure(told[0], "late_odometry"), 0);
+  EXPECT_TRUE(fs::exists(folder / "one" / "rex_odometry.png")) << "what the left camera saw";
+}
+
+/// Something that is wrong with the cameras, and what is told of it.
+struct Blindness {
+  const char* name;
+  std::vector<std::string> settings;
+  const char* told;
+  bool whole{};  ///< all the way; else from 1.5 s to 5 s
+};
+
+class RexDriveWithACameraThat : public ::testing::TestWithParam<Blindness> {};
+
+TEST_P(RexDriveWithACameraThat, DrivesOnAndTellsWhy) {
+  const Folder folder;
+  const Blindness& k = GetParam();
+  std::vector<std::string> wrong;
+  for (const std::string& setting : k.settings) wrong.insert(wrong.end(), {"--set", setting});
+  const Ended ended =
+      run(folder, "rex_drive", words({drive_along(folder), with_eyes(), {"--processes", "one"}, wrong}));
+  ASSERT_EQ(ended.status, 0) << ended.all();
+  EXPECT_NE(ended.all().find(std::string("odometry sees nothing for 2 s: ") + k.told), std::string::npos)
+      << ended.all();
+  const nlohmann::json told = summary(folder / "run");
+  EXPECT_EQ(told.at("outcome"), "done");
+  EXPECT_LE(figure(told, "track_max_mm"), 60);
+  EXPECT_LE(figure(told, "estimate_rms_mm"), 12);
+  const double seen = figure(told, "odometry_valid_pct");
+  if (k.whole)
+    EXPECT_EQ(seen, 0);
+  else
+    EXPECT_GT(seen, 5);
+  EXPECT_LT(seen, 70);
+  EXPECT_NE(ended.all().find("NOT OK"), std::string::npos) << ended.all();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Is, RexDriveWithACameraThat,
+    ::testing::Values(
+        Blindness{"silent", {"cameras.rex_right.silent=[1.5, 5]"}, "a camera gives no picture"},
+        Blindness{"black", {"cameras.rex_left.black=[1.5, 5]"}, "a picture is nearly black"},
+        Blindness{"frozen", {"cameras.rex_left.frozen=[1.5, 5]"}, "a picture is the very same as before"},
+        Blindness{"exchanged",
+                  {"cameras.rex_left.shows=\"rex_right\"", "cameras.rex_right.shows=\"rex_left\""},
+                  "left and right are exchanged",
+                  true},
+        Blindness{"in_the_dark", {"cameras.light.exposure=0.01"}, "a picture is nearly black", true}),
+    [](const auto& blindness) { return std::string(blindness.param.name); });
+
+TEST(RexDrive, ErrorsOfCamerasNameTheEyes) {
+  const Folder folder(false);
+  const Ended ended = run(folder, "rex_drive", {"--eyes", "off", "--set", "cameras.light.exposure=0.01"});
+  EXPECT_EQ(ended.status, 2) << ended.all();
+  EXPECT_NE(ended.all().find("its eyes are off"), std::string::npos) << ended.all();
 }
 
 TEST(RexDrive, DrivesOnWithoutTheMapForAWhile) {

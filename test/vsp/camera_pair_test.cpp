@@ -92,6 +92,13 @@ class CameraPair : public testing::Test {
     m.slot = stores_[camera]->write(k, step, 0, image.view());
     frames_[camera]->publish(m, k);
   }
+  /// A camera that is silent.
+  void give_no_picture(std::size_t camera, std::int64_t k, std::int64_t step) {
+    camera_frame_t m{};
+    m.step = step;
+    m.slot = -1;
+    frames_[camera]->publish(m, k);
+  }
   void end_pictures(std::size_t camera, std::int64_t k) {
     camera_frame_t m{};
     m.slot = -1;
@@ -150,6 +157,18 @@ TEST_F(CameraPair, PicturesOfOneNumberAreAnsweredTogetherWhicheverCameraIsFirst)
   end_pictures(1, 2);
   ASSERT_TRUE(answered(3));
   EXPECT_EQ(answers_, (std::vector<Answer>{good(0), good(1), {{}, 2, 0, true}}));
+}
+
+TEST_F(CameraPair, WhenOneCameraGivesNoPictureThereIsNoPair) {
+  start(ClockKind::step);
+  take_picture(0, 0, 0);
+  give_no_picture(1, 0, 0);
+  give_no_picture(0, 1, 40);
+  take_picture(1, 1, 40);
+  take_picture(0, 2, 80);
+  take_picture(1, 2, 80);
+  ASSERT_TRUE(answered(3));
+  EXPECT_EQ(answers_, (std::vector<Answer>{{{}, 0, 0, false}, {{}, 1, 40, false}, good(2)}));
 }
 
 TEST_F(CameraPair, PicturesOfOneNumberThatAreOfDifferentStepsAreNoPair) {

@@ -138,12 +138,13 @@ TEST(StereoOdometry, TheSamePicturesGiveTheSameBits) {
 struct Spoilt {
   std::string name;
   std::function<PicturePair(const PicturePair& now, const PicturePair& before)> pair;
+  OdometryFinding finding;  // of the second of two such pairs
 };
 
 class SpoiltPictures : public testing::TestWithParam<Spoilt> {};
 
 TEST_P(SpoiltPictures, GiveNoMotionUntilTwoGoodPairsHaveComeAgain) {
-  const auto& [name, spoil] = GetParam();
+  const auto& [name, spoil, finding] = GetParam();
   RandomWay way(3);
   StereoOdometry odometry(test::stereo_rig());
   PicturePair before = room().pair(way.T_UB(), 0);
@@ -155,6 +156,10 @@ TEST_P(SpoiltPictures, GiveNoMotionUntilTwoGoodPairsHaveComeAgain) {
     if (spoilt) now = spoil(now, before);
     const OdometryReading r = tell(odometry, now, k);
     EXPECT_EQ(r.valid, !spoilt && k != 5) << name << " " << k;
+    EXPECT_EQ(r.valid, odometry.support().finding == OdometryFinding::motion);
+    if (k == 4) {
+      EXPECT_EQ(odometry.support().finding, finding) << to_words(odometry.support().finding);
+    }
     if (r.valid) {
       EXPECT_LT(error_of(r, A).norm(), 2e-3) << name << " " << k;
     }
@@ -172,38 +177,55 @@ PicturePair with_right(PicturePair pair, const Image& right) {
   return pair;
 }
 
+using F = OdometryFinding;
 INSTANTIATE_TEST_SUITE_P(
     All, SpoiltPictures,
-    testing::Values(Spoilt{"black",
-                           [](const auto&, const auto&) {
-                             return PicturePair{{640, 480, 1}, {640, 480, 1}};
-                           }},
-                    Spoilt{"left_black",
-                           [](const auto& now, const auto&) {
-                             return with_left(now, {640, 480, 1});
-                           }},
-                    Spoilt{"right_black",
-                           [](const auto& now, const auto&) {
-                             return with_right(now, {640, 480, 1});
-                           }},
-                    Spoilt{"frozen", [](const auto&, const auto& before) { return before; }},
-                    Spoilt{"left_frozen",
-                           [](const auto& now, const auto& before) { return with_left(now, before.left); }},
-                    Spoilt{"right_frozen",
-                           [](const auto& now, const auto& before) { return with_right(now, before.right); }},
-                    Spoilt{"swapped",
-                           [](const auto& now, const auto&) {
-                             return PicturePair{now.right, now.left};
-                           }},
-                    Spoilt{"left_twice",
-                           [](const auto& now, const auto&) { return with_right(now, now.left); }},
-                    Spoilt{"silent", [](const auto&, const auto&) { return PicturePair{}; }},
-                    Spoilt{"left_silent", [](const auto& now, const auto&) { return with_left(now, {}); }},
-                    Spoilt{"right_silent", [](const auto& now, const auto&) { return with_right(now, {}); }},
-                    Spoilt{"of_another_size",
-                           [](const auto& now, const auto&) {
-                             return with_left(now, {320, 240, 1});
-                           }}),
+    testing::Values(
+        Spoilt{"black",
+               [](const auto&, const auto&) {
+                 return PicturePair{{640, 480, 1}, {640, 480, 1}};
+               },
+               F::dark},
+        Spoilt{"left_black",
+               [](const auto& now, const auto&) {
+                 return with_left(now, {640, 480, 1});
+               },
+               F::dark},
+        Spoilt{"right_black",
+               [](const auto& now, const auto&) {
+                 return with_right(now, {640, 480, 1});
+               },
+               F::dark},
+        Spoilt{"blank",
+               [](const auto&, const auto& before) {
+                 PicturePair pair{{640, 480, 1}, {640, 480, 1}};
+                 const int grey = before.left.view().at(0, 0, 0) == 90 ? 91 : 90;
+                 std::ranges::fill(pair.left.data, static_cast<std::uint8_t>(grey));
+                 std::ranges::fill(pair.right.data, static_cast<std::uint8_t>(grey));
+                 return pair;
+               },
+               F::blank},
+        Spoilt{"frozen", [](const auto&, const auto& before) { return before; }, F::frozen},
+        Spoilt{"left_frozen", [](const auto& now, const auto& before) { return with_left(now, before.left); },
+               F::frozen},
+        Spoilt{"right_frozen",
+               [](const auto& now, const auto& before) { return with_right(now, before.right); }, F::frozen},
+        Spoilt{"swapped",
+               [](const auto& now, const auto&) {
+                 return PicturePair{now.right, now.left};
+               },
+               F::swapped},
+        Spoilt{"left_twice", [](const auto& now, const auto&) { return with_right(now, now.left); },
+               F::unmatched},
+        Spoilt{"silent", [](const auto&, const auto&) { return PicturePair{}; }, F::no_picture},
+        Spoilt{"left_silent", [](const auto& now, const auto&) { return with_left(now, {}); }, F::no_picture},
+        Spoilt{"right_silent", [](const auto& now, const auto&) { return with_right(now, {}); },
+               F::no_picture},
+        Spoilt{"of_another_size",
+               [](const auto& now, const auto&) {
+                 return with_left(now, {320, 240, 1});
+               },
+               F::no_picture}),
     [](const auto& spoilt) { return spoilt.param.name; });
 
 // The platform was somewhere else in between: features must not be taken for others.
@@ -268,6 +290,42 @@ TEST(StereoOdometry, InDimAndNoisyRoomsNoMotionIsWorseThanItSays) {
   EXPECT_GE(valid, 15);
 }
 
+TEST(StereoOdometry, TellsWhichDemandAMotionDoesNotMeet) {
+  const PicturePair first = room().pair({}, 0);
+  const PicturePair second = room().pair(test::planar_motion(0.05, 0.02), 1);
+  const auto support = [&](const StereoOdometryParameters& demanded) {
+    StereoOdometry odometry(test::stereo_rig(), demanded);
+    tell(odometry, first, 0);
+    EXPECT_EQ(odometry.support().finding, OdometryFinding::no_before);
+    tell(odometry, second, 1);
+    return odometry.support();
+  };
+  const OdometrySupport good = support({});
+  EXPECT_EQ(good.finding, OdometryFinding::motion);
+  EXPECT_EQ(support({.inliers = good.matches + 1}).finding, OdometryFinding::unmatched);
+  EXPECT_EQ(support({.inliers = good.features + 1}).finding, OdometryFinding::blank);
+  EXPECT_EQ(support({.rms_px = 0.01}).finding, OdometryFinding::inexact);
+  EXPECT_EQ(support({.way = 0.04}).finding, OdometryFinding::far);
+}
+
+// What is seen above the middle has moved otherwise than what is below it.
+TEST(StereoOdometry, TellsThatTooFewPointsAgreeOnOneMotion) {
+  PicturePair second = room().pair(test::planar_motion(0.05, 0.02), 1);
+  const PicturePair other = room().pair(test::planar_motion(0.02, -0.02), 1);
+  for (const auto side : {&PicturePair::left, &PicturePair::right})
+    std::ranges::copy_n((other.*side).data.begin(), std::ssize((other.*side).data) / 2,
+                        (second.*side).data.begin());
+  const auto support = [&](int inliers) {
+    StereoOdometry odometry(test::stereo_rig(), {.inliers = inliers});
+    tell(odometry, room().pair({}, 0), 0);
+    tell(odometry, second, 1);
+    return odometry.support();
+  };
+  const OdometrySupport half = support(25);
+  ASSERT_GT(half.matches, half.inliers);
+  EXPECT_EQ(support(half.inliers + 1).finding, OdometryFinding::few_inliers);
+}
+
 TEST(StereoOdometry, IsValidOnlyWhenItRestsOnWhatIsDemanded) {
   const PicturePair first = room().pair({}, 0);
   const PicturePair second = room().pair(test::planar_motion(0.05, 0.02), 1);
@@ -283,6 +341,9 @@ TEST(StereoOdometry, IsValidOnlyWhenItRestsOnWhatIsDemanded) {
   EXPECT_GT(s.inliers, 150);
   EXPECT_GE(s.matches, s.inliers);
   EXPECT_GE(s.cells, 12);
+  EXPECT_GE(s.features, s.matches);
+  ASSERT_EQ(std::ssize(odometry.seen()), s.matches);
+  EXPECT_EQ(std::ranges::count(odometry.seen(), true, &SeenPoint::inlier), s.inliers);
   EXPECT_TRUE(valid({s.inliers, s.cells, 1.001 * s.rms_px, 0.051}));
   EXPECT_FALSE(valid({.way = 0.049}));
   EXPECT_FALSE(valid({s.inliers + 1, s.cells, 1}));

@@ -71,8 +71,9 @@ Circles closed_circles(const StereoPair& before, const StereoPair& now,
   return all;
 }
 
-bool is_one_point(const Vector2& left, const Vector2& right) {
-  return left.x() - right.x() >= kLeastDisparity && std::abs(left.y() - right.y()) <= kMostRowDifference;
+/// @return how much further right a place is in the left picture [pixel]; 0: the two are not one point
+double disparity(const Vector2& left, const Vector2& right) {
+  return std::abs(left.y() - right.y()) <= kMostRowDifference ? left.x() - right.x() : 0;
 }
 
 }  // namespace
@@ -83,21 +84,25 @@ Pyramid pyramid_of(const cv::Mat& grey) {
   return pyramid;
 }
 
-std::vector<StereoMatch> stereo_matches(const StereoRig& rig, const StereoPair& before, const StereoPair& now,
-                                        const std::vector<Vector2>& features) {
+StereoMatches stereo_matches(const StereoRig& rig, const StereoPair& before, const StereoPair& now,
+                             const std::vector<Vector2>& features) {
   const Circles circles = closed_circles(before, now, features);
   const std::vector<Vector2> left_before = rig.rectified_left(circles.left_before);
   const std::vector<Vector2> right_before = rig.rectified_right(circles.right_before);
   const std::vector<Vector2> left = rig.rectified_left(circles.left);
   const std::vector<Vector2> right = rig.rectified_right(circles.right);
-  std::vector<StereoMatch> matches;
+  StereoMatches matches;
   for (std::size_t k = 0; k < left.size(); ++k) {
-    if (!is_one_point(left_before[k], right_before[k]) || !is_one_point(left[k], right[k])) continue;
+    const double before_px = disparity(left_before[k], right_before[k]);
+    const double now_px = disparity(left[k], right[k]);
+    if (std::max(before_px, now_px) <= -kLeastDisparity) ++matches.crossed;
+    if (std::min(before_px, now_px) < kLeastDisparity) continue;
     StereoMatch match;
     match.point = rig.T_BS() * rig.point(left_before[k], right_before[k]);
     match.seen << left[k], right[k];
     match.pixel = circles.left_before[k];
-    matches.push_back(match);
+    match.now = circles.left[k];
+    matches.points.push_back(match);
   }
   return matches;
 }

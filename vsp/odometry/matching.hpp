@@ -26,6 +26,13 @@ struct StereoMatch {
   Vector3 point;     ///< where it was on the platform when the first pair was taken [m]
   StereoPlace seen;  ///< in the second pair
   Vector2 pixel;     ///< in the left picture of the first pair
+  Vector2 now;       ///< in that of the second
+};
+
+/// What was found of a picture's features.
+struct StereoMatches {
+  std::vector<StereoMatch> points;  ///< of the room
+  int crossed{};  ///< features further left in the left pictures than in the right ones: none of a room
 };
 
 /// Follows features by optical flow (Lucas and Kanade, 1981) round a circle: from the left picture of the first pair into
@@ -33,7 +40,7 @@ struct StereoMatch {
 /// the point must have a disparity of at least one pixel, and rows that differ by at most one. Equal pictures give equal
 /// bits, with any number of OpenCV's threads.
 /// @param features  in the left picture of the first pair [pixel]
-std::vector<StereoMatch> stereo_matches(const StereoRig& rig, const StereoPair& before, const StereoPair& now,
-                                        const std::vector<Vector2>& features);
+StereoMatches stereo_matches(const StereoRig& rig, const StereoPair& before, const StereoPair& now,
+                             const std::vector<Vector2>& features);
 
 }  // namespace mrroc::vsp

@@ -5,6 +5,7 @@
 #include "base/msg/convert_platform.hpp"
 #include "vsp/camera_loop.hpp"
 #include "vsp/odometry/config.hpp"
+#include "vsp/odometry/film.hpp"
 #include "vsp/odometry/recorded_pairs.hpp"
 #include "vsp/receptor_program.hpp"
 
@@ -27,18 +28,21 @@ void run_odometry(link::Process& process, const Config& config, const link::Node
   process.needs_unlogged("the pictures of cameras");
   const StereoSetup pair = read_stereo(config, platform_of(process));
   StereoOdometry odometry(pair.rig(), pair.parameters);
+  OdometryFilm film(pair.key, config);
   const auto readings = process.outbox<odometry_reading_t>(pair.key + ".odometry");
   const auto answer = [&](std::span<const ImageView> pictures, std::int64_t frame, std::int64_t step, double,
                           bool last) {
     const bool there = pictures.size() == 2;
-    odometry_reading_t m = to_message(
-        odometry.step(there ? pictures[0] : ImageView{}, there ? pictures[1] : ImageView{}, frame, step));
+    const ImageView left = there ? pictures[0] : ImageView{}, right = there ? pictures[1] : ImageView{};
+    const OdometryReading reading = odometry.step(left, right, frame, step);
+    film.see(left, odometry);
+    odometry_reading_t m = to_message(reading, odometry.support());
     m.last = last;
     readings->publish(m, frame);
   };
   const std::array<WatchedCamera, 2> cameras{
       {{pair.left.key, pair.left.model}, {pair.right.key, pair.right.model}}};
-  run_cameras(process, cameras, answer, [] {});
+  run_cameras(process, cameras, answer, [&film] { film.write(); });
 }
 
 int odometry_main(int argc, char** argv) {

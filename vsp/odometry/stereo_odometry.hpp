@@ -2,8 +2,10 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "base/image.hpp"
+#include "base/odometry_support.hpp"
 #include "base/platform_command.hpp"
 #include "vsp/odometry/stereo_rig.hpp"
 
@@ -17,13 +19,11 @@ struct StereoOdometryParameters {
   double way{0.25};  ///< longest way between two pairs [m]
 };
 
-/// What the last motion rests on.
-struct OdometrySupport {
-  std::int64_t frame{};  ///< number of the second pair
-  int matches{};         ///< features that were found in all four pictures
-  int inliers{};         ///< of them, those that agree on one motion
-  int cells{};           ///< of the picture in which the inliers lie
-  double rms_px{};       ///< root mean square of their reprojection errors [pixel]
+/// A point that was found in all four pictures.
+struct SeenPoint {
+  Vector2 before;  ///< where it is in the left picture of the first pair [pixel]
+  Vector2 now;     ///< in that of the second
+  bool inlier{};   ///< the motion rests on it
 };
 
 /// Remembers one pair. A reading is a function of this pair, of the pair before and of the parameters: bit for bit. The
@@ -45,6 +45,8 @@ class StereoOdometry {
   OdometryReading step(const ImageView& left, const ImageView& right, std::int64_t frame, std::int64_t step);
   /// @return what the last reading rests on
   [[nodiscard]] const OdometrySupport& support() const;
+  /// @return the points of its pictures
+  [[nodiscard]] const std::vector<SeenPoint>& seen() const;
 
  private:
   class Memory;

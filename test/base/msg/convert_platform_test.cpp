@@ -283,6 +283,46 @@ TEST(PlatformMessages, AMotionGoesForwardsInTime) {
   EXPECT_FALSE(proper(kLargestStep, kLargestStep + 1));
 }
 
+TEST(PlatformMessages, BringBackWhatAReadingOfTheOdometryRestsOn) {
+  odometry_reading_t m = to_message(a_motion(), {.frame = 7,
+                                                 .finding = OdometryFinding::inexact,
+                                                 .features = 5,
+                                                 .matches = 4,
+                                                 .inliers = 3,
+                                                 .cells = 2,
+                                                 .rms_px = 1.5});
+  m.header.stamp = 7;
+  EXPECT_TRUE(is_proper(m));
+  const OdometrySupport s = support_of(m);
+  EXPECT_EQ(s.frame, 7);
+  EXPECT_EQ(s.finding, OdometryFinding::inexact);
+  EXPECT_EQ(s.features, 5);
+  EXPECT_EQ(s.matches, 4);
+  EXPECT_EQ(s.inliers, 3);
+  EXPECT_EQ(s.cells, 2);
+  EXPECT_EQ(s.rms_px, 1.5);
+}
+
+TEST(PlatformMessages, AReadingOfTheOdometryRestsOnCountsAndAFindingThatThereIs) {
+  using S = odometry_support_t;
+  for (const auto count : {&S::finding, &S::features, &S::matches, &S::inliers, &S::cells}) {
+    odometry_reading_t m = to_message(a_motion());
+    m.support.*count = -1;
+    EXPECT_FALSE(is_proper(m));
+  }
+  odometry_reading_t m = to_message(a_motion());
+  for (int finding = 0; finding < kOdometryFindings; ++finding) {
+    m.support.finding = finding;
+    EXPECT_TRUE(is_proper(m)) << finding;
+    EXPECT_STRNE(to_words(support_of(m).finding), "unknown") << finding;
+  }
+  m.support.finding = kOdometryFindings;
+  EXPECT_FALSE(is_proper(m));
+  m = to_message(a_motion());
+  m.support.rms_px = -1;
+  EXPECT_FALSE(is_proper(m));
+}
+
 TEST(PlatformMessages, NothingIsCountedBelowZero) {
   PlatformTelemetry telemetry;
   telemetry.tracker_iterations = -1;

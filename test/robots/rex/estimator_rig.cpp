@@ -48,21 +48,22 @@ class Sensors {
                            const PlanarPose& now) {
     const double dx = now.x - then.x, dy = now.y - then.y;
     const double c = std::cos(then.phi), s = std::sin(then.phi);
-    const double turn = now.phi - then.phi + noise(0.0007);
+    const double turn = now.phi - then.phi + noise(0.0007 * trial_.pictures);
     OdometryReading A{.step_before = before, .step = step, .valid = true};
     A.A = {std::cos(turn),
            -std::sin(turn),
            0,
-           c * dx + s * dy + noise(0.0015),
+           c * dx + s * dy + noise(0.0015 * trial_.pictures),
            std::sin(turn),
            std::cos(turn),
            0,
-           -s * dx + c * dy + noise(0.0015),
+           -s * dx + c * dy + noise(0.0015 * trial_.pictures),
            0,
            0,
            1,
            0};
-    for (std::size_t i = 0; i < 6; ++i) A.covariance[7 * i] = i < 3 ? 2.25e-6 : 4.9e-7;
+    for (std::size_t i = 0; i < 6; ++i)
+      A.covariance[7 * i] = (i < 3 ? 2.25e-6 : 4.9e-7) * trial_.pictures * trial_.pictures;
     return A;
   }
 

@@ -20,6 +20,7 @@ struct Trial {
   double duration{20};                       ///< [s]
   std::array<double, 2> map_lost{1e9, 1e9};  ///< no map pose is measured between these times [s]
   bool odometry{true};
+  double pictures{1};  ///< scales the noise of the odometry, and what it says of it
   bool imu{true};
   Slip later{};         ///< friction from `changes` on
   double changes{1e9};  ///< [s]

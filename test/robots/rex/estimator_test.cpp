@@ -131,6 +131,20 @@ TEST_P(Estimators, GoOnWithoutTheMap) {
   EXPECT_LT(position_rms(without, 19), 0.015) << "and come back";
 }
 
+// As exact as they are in a room with much to see: the pictures count for more than the IMU, whose bias is not known.
+TEST_P(Estimators, HoldTheWayByExactPictures) {
+  for (unsigned seed = 1; seed <= 2; ++seed) {
+    Trial trial = winding_trial();
+    trial.truth = another_structure();
+    trial.map_lost = {6, 16};
+    trial.pictures = 0.1;
+    trial.seed = seed;
+    const auto samples = drive(*estimator, trial);
+    EXPECT_LT(position_max(samples, 6, 16.2), 0.02);
+    EXPECT_GE(share_in_ellipse(samples), 0.9);
+  }
+}
+
 // With neither map nor IMU the heading is that of the model, or that of the pictures.
 TEST_P(Estimators, OdometryHoldsTheWay) {
   Trial trial = winding_trial();

@@ -14,6 +14,8 @@ namespace {
 using namespace std::chrono_literals;
 using test::hash_of;
 
+constexpr std::uint64_t kNone = 0;  // instead of the hash of a picture that was not given
+
 /// What a receptor saw of one picture.
 struct Seen {
   std::int64_t frame{};
@@ -71,6 +73,10 @@ class Station {
       next_ = m->header.stamp + 1;
       ended_ = m->last != 0;
       if (ended_) break;
+      if (m->slot < 0) {
+        seen_.push_back({m->header.stamp, m->step, kNone});
+        continue;
+      }
       link::Frame frame;
       ASSERT_EQ(store_.read(m->slot, m->header.stamp, frame), link::FrameFate::read);
       EXPECT_EQ(frame.step, m->step);
@@ -191,6 +197,55 @@ TEST(CameraStation, StandsWhereItReallyIsWhenTheCalibrationErrs) {
   Station moved(k);
   moved.run(21);
   EXPECT_EQ(right.seen().at(0).hash, moved.seen().at(0).hash);
+}
+
+/// Hashes of a camera's pictures 0, 1, 2..., which it takes every 0.04 s.
+std::vector<std::uint64_t> pictures_of(const CameraWorld& k) {
+  Station station(k);
+  station.run(121);
+  std::vector<std::uint64_t> hashes;
+  for (const Seen& s : station.seen()) {
+    EXPECT_EQ(s.frame, static_cast<std::int64_t>(hashes.size()));
+    EXPECT_EQ(s.step, 20 * s.frame);
+    hashes.push_back(s.hash);
+  }
+  return hashes;
+}
+
+TEST(CameraStation, ACameraIsSilentBlackOrFrozenInItsTimeAndSeesAsBeforeAfterIt) {
+  CameraWorld k = one_camera();
+  const std::vector<std::uint64_t> good = pictures_of(k);
+  ASSERT_EQ(good.size(), 6U);
+  const TimeIntervals third_and_fourth{{0.07, 0.13}};
+  k.cameras[0].faults.silent = third_and_fourth;
+  EXPECT_EQ(pictures_of(k), (std::vector{good[0], good[1], kNone, kNone, good[4], good[5]}));
+  k.cameras[0].faults = {.black = third_and_fourth};
+  const std::uint64_t black = hash_of(Image(160, 120, k.cameras[0].profile.channels));
+  EXPECT_EQ(pictures_of(k), (std::vector{good[0], good[1], black, black, good[4], good[5]}));
+  k.cameras[0].faults = {.frozen = third_and_fourth};
+  EXPECT_EQ(pictures_of(k), (std::vector{good[0], good[1], good[1], good[1], good[4], good[5]}));
+}
+
+TEST(CameraStation, ACameraThatIsFrozenFromTheBeginningGivesItsFirstPictureAgainAndAgain) {
+  CameraWorld k = one_camera();
+  const std::vector<std::uint64_t> good = pictures_of(k);
+  k.cameras[0].faults.frozen = {{0, 0.1}};
+  EXPECT_EQ(pictures_of(k), (std::vector{good[0], good[0], good[0], good[3], good[4], good[5]}));
+}
+
+TEST(CameraStation, WithExchangedCablesACameraShowsWhatAnotherOneSees) {
+  CameraWorld k = one_camera();
+  k.cameras[0].profile.noise = 0;
+  k.cameras.push_back(small_camera());
+  k.cameras[1].setup.key = "other";
+  k.cameras[1].profile.noise = 0;
+  k.cameras[1].setup.place.p.y() += 0.1;
+  k.cameras[0].faults.shows = "other";
+  const std::vector<std::uint64_t> exchanged = pictures_of(k);
+  k.cameras[0].faults.shows = "sac";
+  EXPECT_NE(pictures_of(k), exchanged);
+  std::swap(k.cameras[0].setup.place, k.cameras[1].setup.place);
+  EXPECT_EQ(pictures_of(k), exchanged);
 }
 
 TEST(CameraStation, TellsTheTruthForFigures) {

@@ -67,6 +67,19 @@ TEST(DriveRecord, HasTheSameRowsHoweverMuchOfTheEndHasCome) {
   EXPECT_EQ(join(late, 0.002, 10).size(), 17U);
 }
 
+TEST(DriveRecord, TheMapIsBackWhenItIsSeenAfterItWasLost) {
+  DriveMessages m;
+  for (const int valid : {0, 0, 1, 1, 0, 0, 1, 1, 0}) {
+    MapReport report;
+    report.pose.valid = valid != 0;
+    m.poses.push_back(to_message(report));
+    m.poses.back().header.stamp = static_cast<std::int64_t>(m.poses.size());
+  }
+  const std::vector<double> times = map_returns(m, 0.002, 10);
+  ASSERT_EQ(times.size(), 1U) << "at first it was not there";
+  EXPECT_NEAR(times[0], 0.14, 1e-12);
+}
+
 TEST(DriveRecord, BetweenTwoTruthsThePlatformMovesEvenly) {
   DriveMessages m = messages(20);
   for (auto& reply : m.replies) reply.estimate.step += 5;

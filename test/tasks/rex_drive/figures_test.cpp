@@ -25,6 +25,8 @@ TEST(RexFigures, AreWhatTheRowsTell) {
   EXPECT_NEAR(value(f, "track_rms_mm"), 10, 1e-9);
   EXPECT_NEAR(value(f, "track_max_mm"), 10, 1e-9);
   EXPECT_NEAR(value(f, "estimate_rms_mm"), 5, 1e-9);
+  EXPECT_NEAR(value(f, "estimate_max_mm"), 5, 1e-9);
+  EXPECT_EQ(f.count("return_kick_mps"), 0U);
   EXPECT_EQ(value(f, "ellipse_95_pct"), 100);
   EXPECT_NEAR(value(f, "friction_err"), 0.01, 1e-12);
   EXPECT_NEAR(value(f, "split_err"), 0.02, 1e-12);
@@ -58,6 +60,33 @@ TEST(RexFigures, APositionOfBeforeTheDriveIsNoLateOne) {
 
 TEST(RexFigures, AnEstimateFarAwayIsOutsideOfItsEllipse) {
   EXPECT_EQ(value(figures_of(synthetic_drive(0.1)), "ellipse_95_pct"), 0);
+}
+
+// A position that is told at 1 s is in the driver's hands at 1.04 s.
+TEST(RexFigures, TheKickIsTheChangeOfSpeedShortlyAfterTheMapIsBack) {
+  const auto kick = [](double from, double to) {
+    DriveResults r = synthetic_drive();
+    r.map_returns = {1};
+    for (DriveRow& row : r.table)
+      if (row.t > from && row.t < to) row.truth.v.vx += 0.3;
+    return value(figures_of(r), "return_kick_mps");
+  };
+  EXPECT_NEAR(kick(9, 9), 0, 1e-9);
+  EXPECT_NEAR(kick(1.19, 1.21), 0.3, 1e-9);
+  EXPECT_NEAR(kick(1.23, 1.25), 0.3, 1e-9);
+  EXPECT_NEAR(kick(1.25, 1.9), 0, 1e-9) << "later";
+  EXPECT_NEAR(kick(0.1, 0.99), 0, 1e-9) << "before";
+}
+
+TEST(RexFigures, ASpeedThatIsPlannedIsNoKick) {
+  DriveResults r = synthetic_drive();
+  r.map_returns = {1};
+  for (DriveRow& row : r.table) {
+    if (row.t <= 1.1) continue;
+    row.truth.v.vx = 0.2;
+    row.reference.x = kSpeed * 1.1 + 0.2 * (row.t - 1.1);
+  }
+  EXPECT_LT(value(figures_of(r), "return_kick_mps"), 0.02);
 }
 
 TEST(RexFigures, ASlowJointShows) {
@@ -249,6 +278,30 @@ TEST(RexPlots, ReadTheColumnsThatTheTableHas) {
     EXPECT_TRUE(script.find("platform.csv") != std::string::npos ||
                 script.find("fragments.csv") != std::string::npos);
   }
+}
+
+TEST(RexPlots, WithEyesThereIsAPictureOfTheOdometry) {
+  DriveResults r = synthetic_drive();
+  r.odometry = {{.t = 1}};
+  const auto pictures = plots(r);
+  const auto found = std::ranges::find(pictures, "odometry", [](const auto& p) { return p.first; });
+  ASSERT_NE(found, pictures.end());
+  for (const char* curve : {"'odometry.csv' skip 1 using 1:6", "'odometry.csv' skip 1 using 1:17",
+                            "'odometry.csv' skip 1 using 1:19"})
+    EXPECT_NE(found->second.find(curve), std::string::npos) << curve;
+}
+
+TEST(RexFigures, OfABlindPlatformAreToldAndNotAsWanted) {
+  DriveResults r = synthetic_drive();
+  for (DriveRow& row : r.table) row.late_odometry = row.t > 1 ? 2 : 0;
+  for (int k = 0; k < 20; ++k) r.odometry.push_back({.t = 0.08 * k, .drives = true});
+  const mp::Figures f = figures_of(r);
+  EXPECT_EQ(value(f, "odometry_valid_pct"), 0);
+  EXPECT_EQ(value(f, "late_odometry"), 2);
+  EXPECT_EQ(figures_of(synthetic_drive()).count("late_odometry"), 0U) << "it has no eyes";
+  const auto missed = mp::judge(f, figures_of_case(DriveCase::usual)).missed;
+  EXPECT_TRUE(std::ranges::any_of(
+      missed, [](const std::string& m) { return m.starts_with("odometry_valid_pct 0"); }));
 }
 
 TEST(RexPlots, ADriveWithoutFragmentsHasNoHandover) {

@@ -95,6 +95,14 @@ TEST(Report, TheSensorIsASumOfWhatIsSeenAndWhereThePlatformIs) {
   };
   EXPECT_EQ(told([](X& x) { x.T.map.pose.valid = true; }), kMapSeen + kStands);
   EXPECT_EQ(told([](X& x) { x.V.valid = true; }), kOdometrySeen + kStands);
+  const auto after = [&](std::int64_t steps) {
+    return told([steps](X& x) {
+      x.V = {.step = 40, .valid = true};
+      x.e.step = 40 + steps;
+    });
+  };
+  EXPECT_EQ(after(500), kOdometrySeen + kStands);
+  EXPECT_EQ(after(501), kStands) << "it has fallen silent";
   EXPECT_EQ(told([](X& x) { x.e.at_rest = false; }), 0);
   EXPECT_EQ(told([](X& x) { x.e.remaining = 1; }), 0);
   EXPECT_EQ(told([](X& x) { x.e.notified = 5; }), 0);

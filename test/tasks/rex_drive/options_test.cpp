@@ -158,6 +158,21 @@ TEST(DriveOptions, EyesAreThePairOfTheBuiltInFileWhereTheConfigurationSaysNothin
       << "the cameras of a run's configuration do not decide";
 }
 
+TEST(DriveOptions, SettingsOfCamerasAreRefusedWithoutEyes) {
+  for (const char* setting : {"cameras.light.exposure=0.01", "cameras.rex_left.noise=5",
+                              "cameras.profile=\"fast\"", "odometry.rex.inliers=30"})
+    try {
+      std::ignore = completed({.eyes = "off"}, {setting});
+      ADD_FAILURE() << setting;
+    } catch (const FaultError& e) {
+      EXPECT_EQ(e.fault().code, FaultCode::bad_configuration);
+      const std::string text = e.what(), key = setting;
+      EXPECT_TRUE(text.starts_with(key.substr(0, text.find(':')))) << text;
+      EXPECT_NE(std::string(e.remedy()).find("--eyes on"), std::string::npos) << e.remedy();
+    }
+  EXPECT_NO_THROW(std::ignore = completed({.eyes = "on"}, {"cameras.light.exposure=0.01"}));
+}
+
 TEST(DriveConfig, PicturesAreTakenAtMacrosteps) {
   try {
     std::ignore = read_eyes(completed({.eyes = "on"}, {"cameras.rex_left.period=45"}));
