@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -103,6 +104,8 @@ std::string odometry_script(const DriveResults& r) {
   c.panels[2].curves = {of_pairs(odometry_column::turn_error, "true", 0),
                         of_pairs(odometry_column::turn_sd, "standard deviation, as told", 1)};
   for (ChartPanel& p : c.panels) p.commands = "set yrange [0:*]\n";
+  if (std::ranges::none_of(r.odometry, &OdometryRow::valid))
+    c.panels.resize(1);  // gnuplot draws no empty curves
   return time_chart_script(c);
 }
 

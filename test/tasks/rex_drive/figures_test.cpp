@@ -280,15 +280,20 @@ TEST(RexPlots, ReadTheColumnsThatTheTableHas) {
   }
 }
 
-TEST(RexPlots, WithEyesThereIsAPictureOfTheOdometry) {
+TEST(RexPlots, WithEyesThereIsAPictureOfTheOdometryButOfErrorsOnlyWhenThereAreAny) {
   DriveResults r = synthetic_drive();
-  r.odometry = {{.t = 1}};
-  const auto pictures = plots(r);
-  const auto found = std::ranges::find(pictures, "odometry", [](const auto& p) { return p.first; });
-  ASSERT_NE(found, pictures.end());
-  for (const char* curve : {"'odometry.csv' skip 1 using 1:6", "'odometry.csv' skip 1 using 1:17",
-                            "'odometry.csv' skip 1 using 1:19"})
-    EXPECT_NE(found->second.find(curve), std::string::npos) << curve;
+  for (const bool valid : {true, false}) {
+    r.odometry = {{.t = 1}, {.t = 2, .valid = valid}};
+    const auto pictures = plots(r);
+    const auto found = std::ranges::find(pictures, "odometry", [](const auto& p) { return p.first; });
+    ASSERT_NE(found, pictures.end());
+    const auto draws = [&](const char* columns) {
+      return found->second.find(std::string("'odometry.csv' skip 1 using ") + columns) != std::string::npos;
+    };
+    EXPECT_TRUE(draws("1:6"));
+    EXPECT_EQ(draws("1:17"), valid);
+    EXPECT_EQ(draws("1:19"), valid);
+  }
 }
 
 TEST(RexFigures, OfABlindPlatformAreToldAndNotAsWanted) {
