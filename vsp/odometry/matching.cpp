@@ -13,7 +13,7 @@ constexpr int kLevels = 4;                // besides the picture itself
 constexpr double kClosed = 0.7;           // how far from its beginning a circle may end [pixel]
 constexpr double kLeastDisparity = 1;     // [pixel]
 constexpr double kMostRowDifference = 1;  // [pixel]
-const cv::Size window(13, 13);            // what is compared [pixel]
+const cv::Size kWindow(13, 13);           // what is compared [pixel]
 
 using Pixels = std::vector<cv::Point2f>;
 using Found = std::vector<std::uint8_t>;
@@ -28,7 +28,7 @@ struct Circles {
 Pixels follow(const Pyramid& from, const Pyramid& to, const Pixels& places, Pixels guess, Found& found) {
   constexpr int kSteps = 10;
   constexpr double kSettled = 0.01;  // [pixel]
-  cv::calcOpticalFlowPyrLK(from, to, places, guess, found, cv::noArray(), window, kLevels,
+  cv::calcOpticalFlowPyrLK(from, to, places, guess, found, cv::noArray(), kWindow, kLevels,
                            {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, kSteps, kSettled},
                            cv::OPTFLOW_USE_INITIAL_FLOW);
   return guess;
@@ -80,7 +80,7 @@ double disparity(const Vector2& left, const Vector2& right) {
 
 Pyramid pyramid_of(const cv::Mat& grey) {
   Pyramid pyramid;
-  cv::buildOpticalFlowPyramid(grey, pyramid, window, kLevels);
+  cv::buildOpticalFlowPyramid(grey, pyramid, kWindow, kLevels);
   return pyramid;
 }
 
