@@ -37,7 +37,7 @@ namespace mrroc::edp {
 ///     if (driver.reply_due()) publish(driver.reply(), driver.telemetry());
 ///
 /// The table in edp/platform/automaton.hpp says which command is legal in which state, and what follows from it. The drives
-/// brake (short-circuited motors) in not_synchronised, homing, ready and, but for an emergency stop, faulted; in executing
+/// brake (short-circuited motors) in not_synchronised, homing, ready and, once the platform stands, faulted; in executing
 /// and decelerating they follow the tracker. In holding the tracker keeps the platform at the last point until it rests there; then the drives brake, until
 /// the platform is to move or has been pushed away. One that has been stopped has no such point: it is to rest where it is.
 ///
@@ -49,9 +49,9 @@ namespace mrroc::edp {
 /// a platform that moves comes to rest on its way, and what was left of it is dropped. Silence is told as a fault
 /// (peer_silent); SET is refused with it until it has been told and the platform holds.
 ///
-/// A malfunction is a fatal fault: the drives brake, the fragments are dropped, and only reset leads on. So is an emergency
-/// stop; but nothing need be broken then, and the drives brake by torques until the wheels stand, as long as the encoders
-/// can be true (edp/platform/wheel_brake.hpp).
+/// A malfunction is a fatal fault, as an emergency stop is: the fragments are dropped, only reset leads on, and the drives brake
+/// by torques until the wheels stand, as long as the encoders can be true (edp/platform/wheel_brake.hpp): all wheels but one
+/// that is blocked or whose encoder is wrong. When the hardware is silent they are short-circuited at once.
 ///
 /// take() and step() are real-time safe: no allocation, no lock, no exception, bounded.
 class PlatformDriver {

@@ -1,6 +1,7 @@
 #include "edp/platform/supervision.hpp"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "edp/guard.hpp"
@@ -21,9 +22,8 @@ struct WheelSupervision::Wheel {
   double torque{};    // [N m]
   double forwards{};  // torque forwards [N m]
   double other{};     // |speed| of the other one of its side [rad/s]
-  double
-      side{};  // rate of turn to its side beyond the way, of which it drags the platform when it is blocked [rad/s]
-  bool stands{};  // although it is to turn
+  double side{};      // rate of turn to its side beyond the way [rad/s]; nan: not known
+  bool stands{};      // although it is to turn
 
   [[nodiscard]] bool pushed() const noexcept { return forwards > kTorque; }
   [[nodiscard]] bool side_follows() const noexcept { return other >= kFollows * rolls; }
@@ -35,14 +35,16 @@ WheelSupervision::Wheel WheelSupervision::seen(std::size_t k, const StageReading
   const double rolls = (wanted.v + wanted.w * b) / platform_->wheel_radius;
   Wheel wheel{.rolls = std::abs(rolls), .speed = stage.theta_dot[k], .torque = stage.torque[k]};
   wheel.forwards = std::copysign(1, rolls) * wheel.torque;
-  wheel.side = (is_left(k) ? 1 : -1) * std::copysign(1, rolls) * (stage.yaw_rate - wanted.w);
+  const double turns = stage.imu_valid ? stage.yaw_rate : std::numeric_limits<double>::quiet_NaN();
+  wheel.side = (is_left(k) ? 1 : -1) * std::copysign(1, rolls) * (turns - wanted.w);
   wheel.other = std::abs(stage.theta_dot[beside(k)]);
   wheel.stands = wheel.rolls > kTurns && std::abs(wheel.speed) < kStands;
   return wheel;
 }
 
 bool WheelSupervision::is_dragged(std::size_t k, const Wheel& wheel) noexcept {
-  // A speed is measured over more than an iteration: what makes it stand happened up to two before.
+  // A blocked wheel drags the platform to its side. A speed is measured over more than an iteration: what makes it stand happened
+  // up to two before. Nothing is greater than a rate of turn that is not known.
   if (!wheel.stands)
     dragged_[k] = false;
   else if (!stood_[k])

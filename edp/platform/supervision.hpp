@@ -11,7 +11,8 @@ namespace mrroc::edp {
 class WheelSupervision {
  public:
   /// A wheel stands for too long when a larger torque [N m] is to turn it and it does not for so many iterations, or for the
-  /// time in which it was to turn by so much [rad]: a tracker that sees a wheel stand drives all four as much as it may.
+  /// time in which it was to turn by so much [rad]: a tracker that sees a wheel stand drives all four as much as it may. If it
+  /// seems to be the encoder, that time is enough with any torque that does not brake it.
   static constexpr double kTorque = 6;
   static constexpr int kBlocked = 15;
   static constexpr double kMissed = 0.25;

@@ -60,7 +60,7 @@ class WheelBrake {
     PerWheel torque{};
     const PerWheel turned = wheels.turned(kMeasured);
     for (std::size_t k = 0; k < kWheels; ++k) {
-      if (static_cast<int>(k) == out_) continue;
+      if (is_out(k)) continue;
       const double speed = speed_per_increment_ * turned[k];
       if (std::abs(speed) > most_speed_ || is_stuck(k, wheels.increments())) end();
       torque[k] = std::clamp(-kGain * speed, -most_, most_);
@@ -70,7 +70,8 @@ class WheelBrake {
 
  private:
   void look_for_rest(const PerWheel& increments) noexcept {
-    for (std::size_t k = 0; k < kWheels; ++k) away_[k] += increments[k];
+    for (std::size_t k = 0; k < kWheels; ++k)
+      if (!is_out(k)) away_[k] += increments[k];
     const bool moved = std::ranges::any_of(away_, [](double away) { return std::abs(away) > kPlay; });
     if (moved) away_ = {};
     rest_ = moved ? 0 : rest_ + 1;
@@ -86,8 +87,10 @@ class WheelBrake {
     }
     ++standing_[k];
     beside_[k] += rad_per_increment_ * increments[other];
-    return standing_[k] > kStuck && std::abs(beside_[k]) > kMoved;
+    return standing_[k] > kStuck && std::abs(beside_[k]) > kMoved && !is_out(other);
   }
+
+  [[nodiscard]] bool is_out(std::size_t k) const noexcept { return static_cast<int>(k) == out_; }
 
   double most_;                          // [N m]
   double most_speed_;                    // [rad/s]

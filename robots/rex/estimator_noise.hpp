@@ -6,12 +6,14 @@ namespace mrroc::rex {
 
 /// Standard deviations. Process noise is that of one stage of the window, 20 ms.
 struct EstimatorNoise {
-  double wheel_speed{0.05};         ///< of a measured wheel speed [rad/s]
-  double yaw_rate{0.01};            ///< of the gyro, with what its bias wanders [rad/s]
-  double yaw{0.05};                 ///< of the IMU's yaw, with what its offset wanders [rad]
-  double map_position{0.003};       ///< of a position on the map: at least [m]
-  double map_heading{0.004};        ///< of a heading on the map: at least [rad]
-  double odometry_position{5e-4};   ///< of a motion between two pictures: at least [m]
+  double wheel_speed{0.05};        ///< of a measured wheel speed [rad/s]
+  double yaw_rate{0.01};           ///< of the gyro, with what its bias wanders [rad/s]
+  double yaw{0.05};                ///< of the IMU's yaw, with what its offset wanders [rad]
+  double map_position{0.003};      ///< of a position on the map: at least [m]
+  double map_heading{0.004};       ///< of a heading on the map: at least [rad]
+  double odometry_position{5e-4};  ///< of a motion between two pictures: at least [m]
+  double odometry_scale{
+      0.04};  ///< of a motion between two pictures, as a share of it: what a calibration is off
   double odometry_heading{1.5e-4};  ///< of a turn between two pictures: at least [rad]
   double pose_process{7.07e-4};     ///< of x and y [m] and of phi [rad]
   double velocity_process{0.0212};  ///< of vx and vy [m/s] and of w [rad/s]

@@ -102,9 +102,10 @@ int StageWindow::add(const OdometryReading& odometry) noexcept {
   constexpr std::array<int, 3> kPlanar{0, 1, 5};  // x, y, and the turn about z
   const auto& A = odometry.A;
   const Eigen::Map<const Eigen::Matrix<double, 6, 6>> covariance(odometry.covariance.data());
+  const double least = std::hypot(noise_.odometry_position, noise_.odometry_scale * std::hypot(A[3], A[7]));
   const PlanarFactor factor =
       planar_factor({A[3], A[7], std::atan2(A[4], A[0])}, covariance(kPlanar, kPlanar),
-                    {noise_.odometry_position, noise_.odometry_position, noise_.odometry_heading});
+                    {least, least, noise_.odometry_heading});
   if (!factor.valid) return -1;
   WindowStage& stage = stage_[static_cast<std::size_t>(second)];
   stage.odometry = factor;

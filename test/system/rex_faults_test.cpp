@@ -13,7 +13,8 @@ namespace {
 struct Broken {
   const char* name;
   std::vector<std::string> settings;
-  const char* told;  ///< code of the error that ends the run; none: it is driven to its end
+  const char* told;        ///< code of the error that ends the run; none: it is driven to its end
+  const char* wheel = "";  ///< what the error says of the wheel
 };
 
 /// @return settings with which something of the plant breaks, the second wheel if it is one of a wheel
@@ -21,32 +22,39 @@ std::vector<std::string> of_the_simulation(const std::string& key) {
   return {"sim.platforms.rex.faults.wheel=1", "sim.platforms.rex.faults." + key + "=[1500, 100000]"};
 }
 
+Ended drive(const Folder& folder, const std::string& name, const std::vector<std::string>& settings) {
+  const std::string plan = folder.write("plan.txt", "0 0\n0.7 0\n1.2 0.3\n1.4 0.9\n");
+  std::vector<std::string> words{"--plan",      plan,  "--eyes",    "off",
+                                 "--processes", "one", "--run-dir", (folder / name).string()};
+  for (const std::string& setting : settings) words.insert(words.end(), {"--set", setting});
+  return run(folder, "rex_drive", words);
+}
+
 class RexDriveBroken : public ::testing::TestWithParam<Broken> {};
 
 TEST_P(RexDriveBroken, IsToldByItsNameAndSurvivedOrStopped) {
-  const auto& [name, settings, told] = GetParam();
+  const auto& [name, settings, told, wheel] = GetParam();
   const Folder folder(false);
-  const std::string plan = folder.write("plan.txt", "0 0\n0.7 0\n1.2 0.3\n1.4 0.9\n");
-  std::vector<std::string> words{"--plan",      plan,  "--eyes",    "off",
-                                 "--processes", "one", "--run-dir", (folder / "run").string()};
-  for (const std::string& setting : settings) words.insert(words.end(), {"--set", setting});
-  const Ended ended = run(folder, "rex_drive", words);
-  const nlohmann::json end = summary(folder / "run");
+  const Ended ended = drive(folder, "broken", settings);
+  const nlohmann::json end = summary(folder / "broken");
   if (*told == '\0') {
     EXPECT_EQ(ended.status, 0) << ended.all();
     EXPECT_LE(figure(end, "track_max_mm"), 60);
+    EXPECT_EQ(drive(folder, "whole", {}).status, 0);
+    EXPECT_NE(end.at("log_hash"), summary(folder / "whole").at("log_hash")) << "something was broken";
     return;
   }
   EXPECT_EQ(ended.status, 1) << ended.all();
   EXPECT_TRUE(ended.last_err().starts_with(std::string("error: ") + told + ": ")) << ended.all();
+  EXPECT_NE(ended.last_err().find(wheel), std::string::npos) << ended.all();
   EXPECT_LE(figure(end, "stop_steps_max"), 300);
 }
 
 INSTANTIATE_TEST_SUITE_P(
     By, RexDriveBroken,
     ::testing::Values(
-        Broken{"ABlockedWheel", of_the_simulation("wheel_blocked"), "wheel_blocked"},
-        Broken{"AnEncoderThatStands", of_the_simulation("encoder_stuck"), "encoder_fault"},
+        Broken{"ABlockedWheel", of_the_simulation("wheel_blocked"), "wheel_blocked", "axis 1"},
+        Broken{"AnEncoderThatStands", of_the_simulation("encoder_stuck"), "encoder_fault", "axis 1"},
         Broken{"AnImuThatIsSilent", of_the_simulation("imu_silent"), "sensor_silent"},
         Broken{"AnImuWithoutNumbers", of_the_simulation("imu_nan"), "sensor_silent"},
         Broken{"LoadCellsThatRepeatThemselves", of_the_simulation("load_stuck"), ""},

@@ -32,6 +32,7 @@ std::pair<int, Fault> judged(const StageReading& stage, const PlatformEstimate& 
 StageReading turning(double speed) {
   StageReading s;
   s.theta_dot.fill(speed);
+  s.imu_valid = true;
   return s;
 }
 PlatformEstimate believed(const StageReading& stage) {
@@ -99,6 +100,24 @@ TEST(WheelSupervision, AWheelThatDragsItsSideAtOnceIsBlocked) {
         ASSERT_TRUE(fault);
         EXPECT_EQ(fault->code, code) << k << ' ' << sign << ' ' << rate;
       }
+}
+
+TEST(WheelSupervision, AnImuThatIsSilentForAMomentIsNoPull) {
+  for (int silent = 0; silent < 6; ++silent) {
+    WheelSupervision supervision(kPlatform);
+    const PathPoint wanted{{}, 1, 0.2};
+    StageReading s = turning(5);
+    s.yaw_rate = 0.2;
+    std::optional<Fault> fault;
+    for (int n = 0; n < 8 && !fault; ++n) {
+      StageReading now = s;
+      if (n >= 3) now.theta_dot[1] = 0, now.torque[1] = 7;
+      if (n == silent) now.imu_valid = false, now.yaw_rate = 0;
+      fault = supervision.step(now, believed(now), wanted);
+    }
+    ASSERT_TRUE(fault) << silent;
+    EXPECT_EQ(fault->code, FaultCode::encoder_fault) << silent;
+  }
 }
 
 TEST(WheelSupervision, AWheelThatIsBrakedMayStandAndOneThatIsNotPushedHardWhenItsSideDoes) {

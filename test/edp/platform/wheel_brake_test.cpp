@@ -85,6 +85,16 @@ TEST_F(WheelBrakeTest, AWheelThatIsOutDoesNotBrakeAndItsEncoderEndsNothing) {
     }
 }
 
+TEST_F(WheelBrakeTest, AnEncoderOfAWheelThatIsOutAndRunsAwayHidesNeitherRestNorTheWheelBesideIt) {
+  for (int k = 0; k < 20; ++k) std::ignore = turn({4, 4, 4, 4});
+  brake_.begin(0);
+  for (int k = 0; k < 60; ++k) std::ignore = turn({1000, 4, 0, 4});
+  EXPECT_TRUE(brake_.engaged()) << "the wheel beside stands: it is braked";
+  int steps = 0;
+  for (; brake_.engaged() && steps < 200; ++steps) std::ignore = turn({1000, 0, 0, 0});
+  EXPECT_EQ(steps, WheelBrake::kRest);
+}
+
 TEST_F(WheelBrakeTest, AWheelThatStandsForAMomentOrBesideOneThatHardlyTurnsDoesNot) {
   std::ignore = turn({0, 0, 0, 0});
   brake_.begin();

@@ -150,6 +150,22 @@ TEST_F(StageWindowTest, NoMeasurementIsTakenForMoreCertainThanItCanBe) {
   EXPECT_DOUBLE_EQ(std::sqrt(window[14].odometry.covariance(2, 2)), EstimatorNoise{}.odometry_heading);
 }
 
+TEST_F(StageWindowTest, AMotionIsBelievedToAShareOfItsLengthAsACalibrationMayBeOff) {
+  constexpr EstimatorNoise kNoise;
+  fill(30);
+  for (const double length : {0., 0.005, 0.05, 0.2}) {
+    OdometryReading reading = odometry(200, 240);
+    reading.covariance = {};
+    reading.A[3] = 0.6 * length;
+    reading.A[7] = -0.8 * length;
+    ASSERT_EQ(window.add(reading), 10);
+    const double least = std::hypot(kNoise.odometry_position, kNoise.odometry_scale * length);
+    for (const int axis : {0, 1})
+      EXPECT_NEAR(std::sqrt(window[14].odometry.covariance(axis, axis)), least, 1e-12) << length;
+    EXPECT_NEAR(std::sqrt(window[14].odometry.covariance(2, 2)), kNoise.odometry_heading, 1e-12) << length;
+  }
+}
+
 TEST_F(StageWindowTest, WhatCannotBeMeasuredIsNoMeasurement) {
   edp::StageReading bad = reading(10);
   bad.theta[1] = kNan;
