@@ -4,12 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace mrroc::ecp {
 namespace {
-
-constexpr int kHalvings = 40;  // of speeds at passed poses before they become stops
 
 [[noreturn]] void refuse(const std::string& what) { throw FaultError(FaultCode::bad_trajectory, what); }
 
@@ -22,28 +19,23 @@ double way(double v0, double vc, double v1, double a, double T) {
   return ramp(v0, vc, a) + vc * at_vc + ramp(vc, v1, a);
 }
 
-/// One axis of a section, looked at in the direction of its motion: no number is negative.
+/// One axis of a section, looked at in the direction of its motion: no number is negative. Neither v0 nor v1 is above the mean
+/// of the way from rest to rest, which is sqrt(a d) / 2 at most. To come from one to the other takes an eighth of the way, and
+/// to stop from v0 and to come up to v1 a quarter: there is a motion in every time that is not shorter than the shortest one.
 struct Task {
   double d, v0, v1, v, a;
 
-  /// @return highest speed on the shortest way in time; nothing when the way is too short for v0 and v1
-  [[nodiscard]] std::optional<double> peak() const {
-    if (2 * a * d < std::abs(v1 * v1 - v0 * v0)) return {};
-    return std::min(v, std::sqrt((2 * a * d + v0 * v0 + v1 * v1) / 2));
+  /// @return highest speed on the shortest way in time
+  [[nodiscard]] double peak() const { return std::min(v, std::sqrt((2 * a * d + v0 * v0 + v1 * v1) / 2)); }
+  [[nodiscard]] double shortest_time() const {
+    const double vp = peak();
+    if (vp <= 0) return 0;
+    const double even = d - ramp(v0, vp, a) - ramp(vp, v1, a);
+    return (vp - v0 + vp - v1) / a + std::max(0.0, even) / vp;
   }
-  [[nodiscard]] std::optional<double> shortest_time() const {
-    const std::optional<double> vp = peak();
-    if (!vp) return {};
-    if (*vp <= 0) return 0;
-    const double even = d - ramp(v0, *vp, a) - ramp(*vp, v1, a);
-    return (*vp - v0 + *vp - v1) / a + std::max(0.0, even) / *vp;
-  }
-  /// @return middle speed with which the way takes the time T, not less than the shortest; nothing when it
-  ///         would have to turn round
-  [[nodiscard]] std::optional<double> speed_for(double T) const {
-    double low = std::max(0.0, (v0 + v1 - a * T) / 2);
-    double high = peak().value();  // there is a shortest time
-    if (way(v0, low, v1, a, T) > d) return {};
+  /// @return middle speed with which the way takes the time T, not less than the shortest
+  [[nodiscard]] double speed_for(double T) const {
+    double low = std::max(0.0, (v0 + v1 - a * T) / 2), high = peak();
     for (int k = 0; k < 200 && low < high; ++k) {
       const double middle = (low + high) / 2;
       if (middle == low || middle == high) break;
@@ -64,12 +56,11 @@ void check(const Coordinates& q, Eigen::Index size, const char* what) {
 class Trapezoid::Planner {
  public:
   Planner(const Coordinates& from, const std::vector<ViaPoint>& list, const MotionLimits& limits, double step)
-      : from_(from), list_(list), limits_(limits), step_(step), share_(list.size(), 1) {
+      : from_(from), list_(list), limits_(limits), step_(step) {
     for (std::size_t k = 0; k < list_.size(); ++k) {
       const Coordinates d = displacement_of(k);
       double time = 0;
-      for (int axis = 0; axis < d.size(); ++axis)
-        time = std::max(time, task(k, axis, 0, 0).shortest_time().value_or(0));
+      for (int axis = 0; axis < d.size(); ++axis) time = std::max(time, task(k, axis, 0, 0).shortest_time());
       mean_.push_back(time > 0 ? Coordinates(d / time) : Coordinates(Coordinates::Zero(d.size())));
     }
   }
@@ -77,21 +68,10 @@ class Trapezoid::Planner {
   /// @param arrivals  empty
   std::vector<Section> plan(std::vector<long>& arrivals) {
     std::vector<Section> sections;
-    for (std::size_t k = 0; k < list_.size();) {
-      const std::optional<Planned> done = plan_section(k);
-      if (done) {
-        sections.push_back(done->section);
-        arrivals.push_back((arrivals.empty() ? 0 : arrivals.back()) + done->macrosteps);
-        ++k;
-        continue;
-      }
-      // Slower at both ends; the section before has to be planned anew.
-      slow_down(k);
-      if (k == 0) continue;
-      slow_down(k - 1);
-      --k;
-      sections.pop_back();
-      arrivals.pop_back();
+    for (std::size_t k = 0; k < list_.size(); ++k) {
+      const Planned planned = plan_section(k);
+      sections.push_back(planned.section);
+      arrivals.push_back((arrivals.empty() ? 0 : arrivals.back()) + planned.macrosteps);
     }
     return sections;
   }
@@ -111,7 +91,7 @@ class Trapezoid::Planner {
     const double before = mean_[k][axis];
     const double behind = mean_[k + 1][axis];
     if (before * behind <= 0) return 0;
-    return share_[k] * (std::abs(before) < std::abs(behind) ? before : behind);
+    return std::abs(before) < std::abs(behind) ? before : behind;
   }
 
   [[nodiscard]] Task task(std::size_t k, int axis, double v0, double v1) const {
@@ -121,36 +101,29 @@ class Trapezoid::Planner {
             list_[k].acceleration * limits_.acceleration[axis]};
   }
 
-  [[nodiscard]] std::optional<Planned> plan_section(std::size_t k) const {
+  [[nodiscard]] Planned plan_section(std::size_t k) const {
     const auto axes = static_cast<int>(from_.size());
     std::vector<Task> tasks;
     double time = 0;
     for (int axis = 0; axis < axes; ++axis) {
       tasks.push_back(task(k, axis, k == 0 ? 0 : speed_after(k - 1, axis), speed_after(k, axis)));
-      const std::optional<double> shortest = tasks.back().shortest_time();
-      if (!shortest || tasks.back().v0 > tasks.back().v || tasks.back().v1 > tasks.back().v) return {};
-      time = std::max(time, *shortest);
+      time = std::max(time, tasks.back().shortest_time());
     }
     Planned planned;
     planned.macrosteps = static_cast<long>(std::ceil(time / step_ - 1e-9));
     const double T = std::max(time, static_cast<double>(planned.macrosteps) * step_);
     for (int axis = 0; axis < axes; ++axis) {
       const Task& t = tasks[static_cast<std::size_t>(axis)];
-      const std::optional<double> vc = t.speed_for(T);
-      if (!vc) return {};
       const double sign = displacement_of(k)[axis] < 0 ? -1 : 1;
-      planned.section.axes.push_back({start(k)[axis], sign * t.v0, sign * *vc, sign * t.v1, t.a});
+      planned.section.axes.push_back({start(k)[axis], sign * t.v0, sign * t.speed_for(T), sign * t.v1, t.a});
     }
     return planned;
   }
-
-  void slow_down(std::size_t k) { share_[k] = share_[k] > std::ldexp(1.0, -kHalvings) ? share_[k] / 2 : 0; }
 
   Coordinates from_;
   const std::vector<ViaPoint>& list_;
   const MotionLimits& limits_;
   double step_;
-  std::vector<double> share_;      // of the speed at the end of each section
   std::vector<Coordinates> mean_;  // speed over each section, if it were made from rest to rest
 };
 

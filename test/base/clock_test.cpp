@@ -37,6 +37,19 @@ TEST(PaceWatch, ARunAtHalfTheSpeedIsToldAfterOneWindowOrTwo) {
   EXPECT_LT(watch.speed(), PaceWatch::kSlowest);
 }
 
+TEST(PaceWatch, EveryWindowCountsItsOwnStepsAlsoBehindAnAbsence) {
+  PaceWatch watch(0.002);
+  PaceWatch::Time now{};
+  for (const auto away : {0s, 1s, 2s}) {
+    now += away;
+    watch.step(now);
+    for (int window = 0; window < 3; ++window) {
+      for (int k = 0; k < 2000; ++k) watch.step(now += 2ms);
+      EXPECT_DOUBLE_EQ(watch.speed(), 1) << "window " << window << " behind " << away.count() << " s";
+    }
+  }
+}
+
 TEST(PaceWatch, AProcessThatIsStoppedForAWhileIsNotSlow) {
   PaceWatch watch(0.002);
   PaceWatch::Time now{};

@@ -349,6 +349,13 @@ TEST(CommandLine, LinesOfHelpStandInTwoColumns) {
   EXPECT_EQ(explained({}), "");
 }
 
+TEST(CommandLine, NamesAreListedAsAPersonSaysThem) {
+  EXPECT_EQ(listed({}), "");
+  EXPECT_EQ(listed({"rye"}), "rye");
+  EXPECT_EQ(listed({"rye", "wheat"}), "rye and wheat");
+  EXPECT_EQ(listed({"rye", "wheat", "oats"}), "rye, wheat and oats");
+}
+
 TEST(CommandLine, WordsThatAreTakenUnreadMayLookLikeOptionsOfTheProgram) {
   Bakery bakery;
   CommandLine& tool = bakery.line.subcommand("tool", "of another");

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <random>
 
+#include "base/platform_command.hpp"
+
 namespace mrroc::test {
 namespace {
 
@@ -110,6 +112,13 @@ TEST(Fragment, OutsideOfItStandsTheNearerEnd) {
     EXPECT_EQ(point_at(fragment, s).p.x, fragment.knot[0].p.x);
   for (const double s : {1., 1.5, inf})
     EXPECT_NEAR(point_at(fragment, s).p.x, fragment.knot[kFragmentKnots - 1].p.x, kExact);
+}
+
+TEST(Slip, OfAGroundThatNobodyHasDescribedIsTheNominalOne) {
+  constexpr Slip kNominal;
+  EXPECT_EQ(kNominal.mu_x, 0.7);
+  EXPECT_EQ(kNominal.mu_y, 0.6);
+  EXPECT_EQ(kNominal.split, 0);
 }
 
 TEST(WrapAngle, KeepsTheDirectionWithinOneTurn) {

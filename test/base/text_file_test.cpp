@@ -2,6 +2,7 @@
 #include "base/text_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -61,6 +62,16 @@ TEST_F(TextFile, WhatIsNoFileIsNamedAndNobodyWaitsForIt) {
     EXPECT_EQ(error_of(missing), ": there is no such file") << missing;
   EXPECT_EQ(error_of("empty"), ": the file is empty");
   EXPECT_EQ(error_of("five", 4), ": 5 bytes are over the limit of 4");
+}
+
+TEST_F(TextFile, ThatIsThereAndCannotBeOpenedIsToldFromOneThatEndsTooEarly) {
+  rlimit usual{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &usual), 0);
+  const rlimit none{0, usual.rlim_max};  // permissions stop nobody who is root
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &none), 0);
+  const std::string error = error_of("five");
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &usual), 0);
+  EXPECT_EQ(error, ": the file cannot be read");
 }
 
 TEST_F(TextFile, FaultsHaveTheCodeThatIsAskedFor) {

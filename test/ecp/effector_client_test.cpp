@@ -110,6 +110,19 @@ TEST(EffectorClient, NumbersCommandsOneAfterAnotherAndExecutesEachOnce) {
   for (const auto& [number, times] : line.attempts) EXPECT_EQ(times, 1) << number;
 }
 
+TEST(EffectorClient, WhateverNumberACommandBringsItsOwnCountsFromOneOn) {
+  EffectorClient client(kSession);
+  for (const std::int64_t i : {1, 2, 3}) {
+    EffectorCommand wanted;
+    wanted.instruction = Instruction::set_get;
+    wanted.session = 99;
+    wanted.number = 70 + i;
+    const EffectorCommand sent = client.next(wanted, i);
+    EXPECT_EQ(sent.number, i);
+    EXPECT_EQ(sent.session, kSession);
+  }
+}
+
 TEST(EffectorClient, SilenceUsesUpNoNumber) {
   Line line({});
   for (int k = 0; k < 300; ++k) line.macrostep(k % 3 == 0);

@@ -114,6 +114,24 @@ TEST_F(Jaws, SetPointWaitsForJawsThatAreHeldAndGoesOnWithThem) {
   EXPECT_NEAR(gripper.set_motor(), -1000, 5) << "the way back is free";
 }
 
+TEST_F(Jaws, SetPointOfJawsThatWereHeldGoesOnFromRest) {
+  for (const double to : {0.06, 0.08}) {
+    gripper.believe(0.07, 0);
+    gripper.set_distance(to);
+    for (int k = 0; k < 500; ++k) {
+      std::ignore = gripper.measure(0, 0.05);
+      std::ignore = gripper.step();
+    }
+    double before = gripper.set_motor();
+    for (int k = 1; k <= 10; ++k) {
+      const double set = follow();
+      EXPECT_NEAR((set - before) / kDt, (to < 0.07 ? 1 : -1) * k * 5000 * kDt, 1e-6) << "step " << k;
+      before = set;
+    }
+    gripper.braked();
+  }
+}
+
 TEST_F(Jaws, DutyCycleIsTheSumOfTheErrorsOfTheCurrent) {
   gripper.believe(0.07, 0);  // the goal is where it is
   // 2 rad behind at rest: 0.06 A wanted, 0.02 A flow.

@@ -167,6 +167,30 @@ TEST(Oscillation, APeriodThatLastsMoreThanTwiceAsLongAsAnotherIsNoneOfAnOscillat
   EXPECT_FALSE(is_told(9));
 }
 
+TEST(Oscillation, SwingsOfWhichOneIsMuchSmallerThanTheOneBeforeAreNoOscillation) {
+  // Two halves of a period, and the same swing in the end as in the beginning.
+  const auto is_told = [](double second) {
+    Swings s{{0}, {}};
+    bool up = true;
+    for (const double swing : {10., 10., 10., second, second, 10., 10., 10., 10., 8., 8., 6., 6.}) {
+      s.extremum.push_back(s.extremum.back() + (up ? swing : -swing));
+      s.steps.push_back(20);  // 12.5 Hz
+      up = !up;
+    }
+    OscillationObserver observer({}, kDt);
+    for (int k = 0; s.at(k).second + 1 < s.steps.size(); ++k) {
+      Wrench F;
+      F[Axis::x] = 100 + s.at(k).first;
+      if (observer.step(F, kAll)) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(is_told(10));
+  EXPECT_TRUE(is_told(14.2)) << "0.704 of it";
+  EXPECT_FALSE(is_told(14.4)) << "0.694 of it";
+  EXPECT_FALSE(is_told(30));
+}
+
 TEST(Oscillation, TheWayToTheFirstExtremumIsNoSwing) {
   for (const int begin : {0, 5, 10, 15, 25, 33}) {
     OscillationObserver observer({}, kDt);

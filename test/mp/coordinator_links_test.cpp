@@ -166,6 +166,29 @@ TEST_F(Links, AnOrderIsForTheNextMacrostepAndEachArmHasItsOwn) {
   EXPECT_EQ(clerk.told, (std::vector<Clerk::Told>{{1, 7}, {2, 3}}));
 }
 
+TEST_F(Links, WhatElseIsSentIsForTheNextMacrostepToo) {
+  struct Stamps final : link::Outgoing {
+    void send(std::int64_t stamp) override { all.push_back(stamp); }
+    void end() override { ended_behind = all.size(); }
+    std::vector<std::int64_t> all;
+    std::size_t ended_behind{};
+  } sent;
+  link::OtherLinks other;
+  other.outgoing = {&sent};
+  begin(ClockKind::step, std::chrono::seconds(20), {}, other);
+  report_both(1);
+  ASSERT_EQ(links->begin({}), Outcome::terminated);
+  for (std::int64_t i = 2; i <= 4; ++i) {
+    links->send(std::vector<Order>(2));
+    report_both(i);
+    ASSERT_EQ(links->wait(), Outcome::terminated);
+  }
+  EXPECT_EQ(sent.all, (std::vector<std::int64_t>{1, 2, 3, 4}));
+  EXPECT_EQ(sent.ended_behind, 0U);
+  links->send(std::vector<Order>(2, Order{.finished = true}));
+  EXPECT_EQ(sent.ended_behind, 5U) << "the last one first";
+}
+
 TEST_F(Links, WithoutOneOfTheReportsOrTheOperatorNothingGoesOn) {
   for (const int missing : {0, 1, 2}) {
     begin(ClockKind::step, std::chrono::milliseconds(50));

@@ -250,6 +250,7 @@ TEST(TaskCommandLine, AnOptionWithoutItsValueIsToldWithALineToType) {
         {"press", "--processes", "press --processes one"},
         {"press", "--script", "press --script orders.txt"},
         {"press", "--max-time", "press --script orders.txt --max-time 60"},
+        {"press", "--json", "press --parameters --json"},
         {"press", "--session", "press --session cell"},
         {"press", "--host", "press --config cell.toml --host \"robot=ssh robot\""},
         {"press", "--url", "press --url udpm://239.255.76.67:7667?ttl=1"},

@@ -136,7 +136,7 @@ TEST_F(SupervisorEnds, PartsMayEndOneAfterTheOtherWhenTheTaskIsOver) {
 }
 
 TEST_F(SupervisorEnds, TheLastMacrostepsOfSlowRobotsAreWaitedForBesides) {
-  begin({{"one", {}, {}, {}}}, {.finish = 50ms}, false, 10s);
+  begin({{"one", {}, {}, {}}}, {.finish = 50ms}, false, 50ms);
   run();
   mp_is_done();
   const auto own_duties = mp->on_service;

@@ -11,6 +11,7 @@ namespace mrroc::mp {
 namespace {
 
 using namespace std::chrono_literals;
+using test::Phase;
 using test::Process;
 using test::ProcessState;
 
@@ -143,6 +144,21 @@ TEST_F(SupervisorHears, EveryFaultIsToldOnceAndTheFirstOneIsTheReason) {
   EXPECT_EQ(supervisor->fault()->code, FaultCode::over_current);
   EXPECT_EQ(supervisor->fault()->process.view(), "one");
   EXPECT_EQ(supervisor->last_code(), FaultCode::joint_limit);
+}
+
+TEST_F(SupervisorHears, AFaultOfANodeStopsAtOnceAlsoWhereAMacrostepForItHasBeenAgreed) {
+  for (const bool agreed : {false, true}) {
+    begin({{"one", {}, {}, {}}});
+    run();
+    if (agreed) {
+      supervisor->stop({.code = FaultCode::operator_stop}, 1000);
+      ASSERT_EQ(mp->stop_as_of(), 1000);
+    }
+    says("one", ProcessState::faulted,
+         [](process_status_t& m) { m.fault.code = static_cast<int>(FaultCode::over_current); });
+    EXPECT_EQ(mp->phase(), Phase::stopping);
+    EXPECT_EQ(mp->stop_as_of(), 0) << agreed;
+  }
 }
 
 TEST_F(SupervisorHears, StepsToRestAreThoseOfTheRobotAtRestThatTookLongest) {

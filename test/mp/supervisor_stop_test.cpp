@@ -87,6 +87,7 @@ TEST_F(SupervisorTest, AThreadThatDoesNotEndIsNamedAndDoesNotHoldUpTheEnd) {
   };
   EXPECT_EXIT(run(), testing::ExitedWithCode(exit_status(FaultCode::process_hung)), "");
   EXPECT_NE(logged().find("the thread stuck does not end"), std::string::npos) << logged();
+  EXPECT_NE(logged().find("  stuck  "), std::string::npos) << "under its own name: " << logged();
 }
 
 TEST_F(SupervisorTest, ANodeThatDoesNotConfirmAStopIsNamedAndEndedAndTheOthersAreLeftToRest) {

@@ -4,6 +4,7 @@ the same commands into a folder of their own: neither the sources nor the build 
 from __future__ import annotations
 
 import json
+import os
 import pathlib
 import re
 import shlex
@@ -67,14 +68,23 @@ class Built:
     def compile_to(self, obj: str, output: pathlib.Path, overlay: pathlib.Path, source: pathlib.Path | None = None) -> bool:
         """Compiles an object anew. @param overlay: folder whose files come before those of the same name in the sources
         @param source: instead of the object's own. @return whether it could be compiled"""
-        arguments = list(self.compile[obj])
+        arguments = self._arguments(obj, overlay, source)
         arguments[arguments.index("-o") + 1] = str(output)
+        return _succeeds(arguments, self.folder)
+
+    def accepts(self, obj: str, overlay: pathlib.Path, source: pathlib.Path | None = None) -> bool:
+        """Whether compile_to() could compile an object. No code is made: it takes a third of the time or less."""
+        arguments = self._arguments(obj, overlay, source)
+        arguments[arguments.index("-o") + 1] = os.devnull
+        return _succeeds([*arguments, "-fsyntax-only"], self.folder)
+
+    def _arguments(self, obj: str, overlay: pathlib.Path, source: pathlib.Path | None) -> list[str]:
+        arguments = list(self.compile[obj])
         if source:
             arguments[arguments.index("-c") + 1] = str(source)
         # What is not used any more in a mutant is no error of it; a function that ends without its value does not compile.
         arguments[1:1] = [f"-I{overlay}"]
-        arguments += ["-Wno-error", "-Werror=return-type", "-frandom-seed=mutant"]
-        return _succeeds(arguments, self.folder)
+        return [*arguments, "-Wno-error", "-Werror=return-type", "-frandom-seed=mutant"]
 
     def offers_the_same(self, obj: str, new: pathlib.Path) -> bool:
         """Whether a new object has all functions that others can call in the build's; else the library's member would be

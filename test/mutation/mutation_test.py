@@ -84,6 +84,16 @@ class Tiny(unittest.TestCase):
         result = self.outcome("base/area.hpp", "kSide = 4", "kSide = 5")
         self.assertEqual((result.outcome, result.counts), ("invalid", False))
 
+    def test_a_header_with_which_any_file_of_a_test_does_not_compile_does_not_count(self):
+        few, most, limit = trial.FEW, trial.MOST, trial.CHECK_LIMIT
+        try:
+            trial.FEW = trial.MOST = 1  # area.cpp, which compiles; area_test.cpp does not
+            self.assertEqual(self.outcome("base/area.hpp", "kDepth = 2", "kDepth = 3").outcome, "invalid")
+            trial.CHECK_LIMIT = -1.0
+            self.assertEqual(self.outcome("base/area.hpp", "kDepth = 2", "kDepth = 3").outcome, "survived")
+        finally:
+            trial.FEW, trial.MOST, trial.CHECK_LIMIT = few, most, limit
+
     def test_what_is_in_no_test_is_untried_and_counts_if_it_compiles(self):
         result = self.outcome("base/main.cpp", "side() - kSide", "side() + kSide")
         self.assertEqual((result.outcome, result.counts), ("untried", True))

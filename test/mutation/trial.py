@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import collections
 import dataclasses
 import os
 import pathlib
@@ -19,7 +20,8 @@ LEAST_TIMEOUT = 20.0  # [s]
 MEMORY = 6 << 30  # that a mutant may take [byte]
 FILE_SIZE = 1 << 30  # [byte]; a test makes a file of half of that, with holes
 FEW = 5  # objects that are compiled at first for a header
-MOST = 10  # objects that are compiled at all for one
+MOST = 10  # objects that are compiled, linked and run at all for one
+CHECK_LIMIT = 180.0  # [s] for the look whether all others that use a header still compile
 
 
 @dataclasses.dataclass
@@ -62,14 +64,17 @@ class Trials:
         changed = overlay / mutant.file
         changed.parent.mkdir(parents=True, exist_ok=True)
         try:
-            result = self._compile_and_run(mutant, objects, overlay, tests, clean) if objects else Result("untried")
-            if result.outcome in ("survived", "untried") and not self._others_compile(mutant, objects, overlay):
+            compiled: dict[str, pathlib.Path | None] = {}  # None: it is the same as without the mutant
+            result = Result("untried")
+            if objects:
+                result = self._compile_and_run(mutant, objects, overlay, tests, clean, compiled)
+            if result.outcome in ("survived", "untried") and not self._others_compile(mutant, compiled, overlay):
                 return Result("invalid")
             return result
         finally:
             changed.unlink(missing_ok=True)
 
-    def _compile_and_run(self, mutant, objects, overlay, tests, clean) -> Result:
+    def _compile_and_run(self, mutant, objects, overlay, tests, clean, compiled) -> Result:
         # First those that name the header themselves, its own source before its neighbours; if nothing fails, all, unless they
         # are too many.
         objects = sorted(objects, key=lambda o: self._distance(o, mutant.file))
@@ -78,7 +83,6 @@ class Trials:
         if len(rounds[0]) < len(objects):
             rounds.append(list(dict.fromkeys(direct + objects))[:MOST])
         result = Result("same")
-        compiled: dict[str, pathlib.Path | None] = {}  # None: it is the same as without the mutant
         for wanted in rounds:
             for obj in wanted:
                 if obj in compiled:
@@ -96,11 +100,26 @@ class Trials:
                 break
         return result
 
-    def _others_compile(self, mutant, objects, overlay) -> bool:
-        """Whether what has a mutant and is in no test, such as a task's main program, still compiles."""
-        others = [o for o in self.built.objects_of(self.root / mutant.file) if o not in objects]
-        nearest = sorted(others, key=lambda o: self._distance(o, mutant.file))[:FEW]
-        return all(self._compile(o, mutant, overlay, self.scratch / "other.o", mutant.text(self.root)) for o in nearest)
+    def _others_compile(self, mutant, compiled, overlay) -> bool:
+        """Whether everything else that has a mutant still compiles, such as a task's main program, which is in no test, or the
+        many users of a header. It is only checked, not compiled, as long as there is time: first one of each folder."""
+        sources = {self.built.source[o]: o for o in self.built.objects_of(self.root / mutant.file)}
+        for obj in compiled:
+            sources.pop(self.built.source[obj], None)
+        turn = collections.Counter()
+        turns: list[tuple[int, str]] = []
+        for obj in sorted(sources.values(), key=lambda o: self._distance(o, mutant.file)):
+            folder = self.built.source[obj].parent
+            turns.append((turn[folder], obj))
+            turn[folder] += 1
+        end = time.monotonic() + CHECK_LIMIT
+        own = self._write(mutant, overlay, mutant.text(self.root))
+        for _, obj in sorted(turns, key=lambda t: t[0]):
+            if time.monotonic() > end:
+                break
+            if not self.built.accepts(obj, overlay, own):
+                return False
+        return True
 
     def _original(self, obj: str, mutant: Mutant, overlay: pathlib.Path) -> bytes:
         """The object without a mutant: for a header the build's, else compiled in the same way, as a file may name itself."""
@@ -121,10 +140,14 @@ class Trials:
         return source.exists() and f'#include "{header}"' in source.read_text()
 
     def _compile(self, obj: str, mutant: Mutant, overlay: pathlib.Path, output: pathlib.Path, text: str) -> bool:
+        return self.built.compile_to(obj, output, overlay, self._write(mutant, overlay, text))
+
+    @staticmethod
+    def _write(mutant: Mutant, overlay: pathlib.Path, text: str) -> pathlib.Path | None:
+        """@return what is to be compiled instead of an object's own source; None: only a header of it is another"""
         changed = overlay / mutant.file
         changed.write_text(text)
-        own = changed if mutant.file.endswith(".cpp") else None
-        return self.built.compile_to(obj, output, overlay, own)
+        return changed if mutant.file.endswith(".cpp") else None
 
     def _tests(self, objects, tests, clean) -> Result:
         ran = []

@@ -17,6 +17,13 @@ std::vector<Grasp> all_grasps(Hand hand) {
   return all;
 }
 
+TEST(Hands, StandInTheOrderOfTheirIndices) {
+  for (std::size_t k = 0; k < kHands.size(); ++k) {
+    EXPECT_EQ(index(kHands[k]), k);
+    EXPECT_NE(other(kHands[k]), kHands[k]);
+  }
+}
+
 TEST(Grasp, Has24OrientationsInEachHand) {
   for (const Hand hand : kHands) EXPECT_EQ(all_grasps(hand).size(), 24u);
 }

@@ -159,6 +159,16 @@ TEST_F(LogFile, WritesWhatWasMissingWhenItIsRepeated) {
   EXPECT_EQ(LogReader(file_).messages().size(), 4U);
 }
 
+TEST_F(LogFile, RemembersOfAJumpTheLastThousandNumbersThatAreMissing) {
+  EventLog log(file_, kSession);
+  for (const std::int64_t number : {1, 3001}) give(log, "s.a", number);
+  EXPECT_EQ(log.gaps(), 2999);
+  for (const std::int64_t number : {2, 2000}) give(log, "s.a", number);
+  EXPECT_EQ(log.gaps(), 2999) << "forgotten";
+  for (const std::int64_t number : {2001, 3000, 2500, 2001}) give(log, "s.a", number);
+  EXPECT_EQ(log.gaps(), 2996);
+}
+
 TEST_F(LogFile, IsReadWithEveryMessageBeforeTheNextOfItsChannelAlsoWhereItCameLate) {
   using Message = std::pair<std::string, std::int64_t>;
   {

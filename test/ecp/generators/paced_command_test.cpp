@@ -205,6 +205,31 @@ TEST(PacedCommand, AWayThatBeginsInARampBeginsWhereTheArmIs) {
   EXPECT_NEAR(command.part(0.3, reply).arm.pose[0], 0.57, 1e-12);
 }
 
+TEST(PacedCommand, AWayThatBeginsInARampBeginsAtWhatWasMeasuredInItsOwnRepresentation) {
+  EffectorReply reply;
+  reply.T_0E = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
+  for (std::size_t k = 0; k < 6; ++k) {
+    reply.motors[k] = 10 + static_cast<double>(k);
+    reply.joints[k] = 20 + static_cast<double>(k);
+  }
+  const auto first_of = [&reply](Representation space) {
+    ArmCommand arm;
+    arm.mu = Interpolation::mim;
+    arm.representation = space;
+    arm.pose = numbers_from_pose(Representation::xyz_angle_axis, Pose{});
+    PacedCommand command;
+    command.begin(move_arm(arm));
+    return command.part(0, reply).arm.pose;
+  };
+  const PoseNumbers motors = first_of(Representation::motors), joints = first_of(Representation::joints),
+                    pose = first_of(Representation::xyz_angle_axis);
+  for (std::size_t k = 0; k < 6; ++k) {
+    EXPECT_EQ(motors[k], 10 + static_cast<double>(k));
+    EXPECT_EQ(joints[k], 20 + static_cast<double>(k));
+    EXPECT_NEAR(pose[k], reply.T_0E[k], 1e-12);
+  }
+}
+
 TEST(PacedCommand, WhatIsNoMotionIsSentOnceAndThenTheArmRests) {
   PacedCommand command;
   command.begin(bias_force());

@@ -342,6 +342,43 @@ TEST_F(Driving, StampsOfTheSessionBeforeDoNotHoldThePaceOfANewOne) {
   EXPECT_NEAR(rig.driver.wanted().v, 0.25 * 0.4, 1e-9);
 }
 
+TEST_F(Driving, TheFirstFragmentOfASessionBeginsWithItsPaceAndItsNumbers) {
+  Way way = rig.way();
+  hand({way.next(0.3, 0, 20), way.next(0, 0, 20)});
+  ASSERT_TRUE(rig.reach(DriverState::holding));
+  PlatformCommand far_ahead = rig.keep();
+  far_ahead.macrostep += 100'000;
+  EXPECT_EQ(rig.macrostep(far_ahead).notified, 2);
+  rig.driver.drop_owner();
+  rig.quiet();
+  Way anew = rig.way();
+  PlatformCommand c = rig.set(anew.next(0.4, 0, 40, 20));
+  c.session = 8;
+  c.number = 1;
+  c.pace = 0.5;
+  const PlatformReply first = rig.macrostep(c);
+  ASSERT_EQ(first.verdict, Verdict::executed) << first.fault.text.view();
+  EXPECT_EQ(first.accepted, 1);
+  EXPECT_EQ(first.notified, 0) << "nothing of the session before";
+  EXPECT_EQ(first.iteration, 0);
+  for (int k = 0; k < 8; ++k) rig.quiet();
+  EXPECT_LE(rig.quiet().iteration, 5) << "half the pace from its beginning on";
+}
+
+TEST_F(Driving, AFragmentThatComesLateDoesNotReplaceThePaceOfANewerMessage) {
+  Way way = rig.way();
+  hand({way.next(0.5, 0, 20), way.next(0.5, 0, 300)});
+  rig.wait(30);
+  rig.pace = 0.4;
+  rig.wait(20);
+  PlatformCommand late = rig.set(way.next(0.5, 0, 100));
+  late.pace = 0.9;
+  late.macrostep -= 5;
+  EXPECT_EQ(rig.macrostep(late).verdict, Verdict::executed);
+  for (int k = 0; k < 5; ++k) rig.quiet();
+  EXPECT_NEAR(rig.driver.wanted().v, 0.4 * 0.5, 1e-9);
+}
+
 TEST_F(Driving, ASessionWhoseFirstFragmentIsRefusedHasNotBegun) {
   Way way = rig.way();
   hand({way.next(0.5, 0, 20), way.next(0, 0, 20)});

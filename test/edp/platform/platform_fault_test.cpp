@@ -5,6 +5,7 @@
 #include <array>
 
 #include "edp/platform/failing_tracker.hpp"
+#include "edp/platform/follower.hpp"
 #include "test/edp/platform/platform_rig.hpp"
 
 namespace mrroc::edp::test {
@@ -64,6 +65,25 @@ TEST_F(Malfunction, ATrackerThatFailsAFewTimesIsCountedAndItsPlanGoesOn) {
 TEST_F(Malfunction, ATrackerThatGoesOnFailingStopsThePlatform) {
   rig.platform.faults.tracker_fails = true;
   expect(FaultCode::solver_failed, -1, 5);
+}
+
+TEST(Follower, APlanIsForgottenWhenAnotherWayBegins) {
+  FakePlatform platform;
+  Follower follower(platform.tracker("plain"), platform.properties());
+  EstimatorResult x;
+  Reference ahead{};
+  for (PathPoint& point : ahead) point.p.x = 1;
+  follower.begin(x);
+  EXPECT_FALSE(follower.step(x, {}, {}, ahead));
+  EXPECT_GT(follower.torque()[0], 1);
+  x.estimate.p = {1, 2, 3};
+  follower.begin(x);
+  platform.faults.tracker_fails = true;
+  EXPECT_FALSE(follower.step(x, {}, {}, ahead));
+  EXPECT_EQ(follower.torque(), PerWheel{}) << "nothing has been planned";
+  EXPECT_EQ(follower.result().torque, PerWheel{});
+  EXPECT_EQ(follower.result().health.iterations, 0);
+  for (const PlanarPose& p : follower.result().horizon) EXPECT_EQ(p.x, 1) << "it stands there";
 }
 
 TEST_F(Malfunction, ATrackerThatFailsOnPurposeDoesSoInItsStepsOnly) {
@@ -271,6 +291,20 @@ TEST_F(Malfunction, OnlyResetLeadsOnFromWhereThePlatformIs) {
   const PlatformReply reply = rig.macrostep(rig.set(rig.way().next(0.2, 0, 20)));
   EXPECT_EQ(reply.verdict, Verdict::executed) << reply.fault.text.view();
   EXPECT_EQ(reply.accepted, 1);
+}
+
+TEST_F(Malfunction, AResetEndsTheFaultThatWasBeforeItAndNoneAfter) {
+  rig.driver.trip({.code = FaultCode::emergency_stop});
+  rig.wait(20);
+  ASSERT_EQ(rig.macrostep(rig.command(Instruction::reset)).state, DriverState::ready);
+  rig.wait(10);
+  rig.driver.trip({.code = FaultCode::over_current});
+  const PlatformReply reply = rig.wait(10);
+  EXPECT_EQ(reply.state, DriverState::faulted);
+  EXPECT_EQ(reply.fault.code, FaultCode::over_current);
+  rig.number = 0;
+  EXPECT_EQ(rig.macrostep(rig.command(Instruction::reset)).state, DriverState::ready)
+      << "it takes another one";
 }
 
 TEST_F(Malfunction, APositionThatWasLostWantsSynchroAgain) {

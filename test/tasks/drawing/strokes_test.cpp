@@ -164,6 +164,13 @@ TEST(FalseTouches, SeveralBeforeTheFirstRealOneAreAllLeftOut) {
   EXPECT_EQ(r.macrostep_s(), 0.02);
 }
 
+TEST(FalseTouches, OfTheWayToTheFirstOneNothingIsLeftEither) {
+  const Recording r = without_false_touches(
+      nodes({{above_paper, 2}, {lowering, 1}, {paper_surface, 2}, {lowering, 1}, {paper_surface, 3}}));
+  EXPECT_EQ(pens(r), (std::vector{paper_surface, paper_surface, paper_surface}));
+  EXPECT_EQ(r[0].velocity[Axis::x], 6);
+}
+
 TEST(FalseTouches, ARunThatEndsOtherwiseThanInLoweringIsReal) {
   for (const auto& fine :
        {nodes({{paper_surface, 2}}), nodes({{paper_surface, 2}, {lift_off, 1}}),

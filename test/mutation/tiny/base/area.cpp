@@ -18,3 +18,5 @@ int sum_to(int n) {
 }
 
 int side() { return kSide; }
+
+int depth() { return kDepth; }

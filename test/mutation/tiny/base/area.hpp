@@ -10,3 +10,6 @@ int sum_to(int n);
 
 inline constexpr int kSide = 4;  // of what no test looks at
 int side();
+
+inline constexpr int kDepth = 2;
+int depth();
