@@ -206,7 +206,8 @@ TEST_F(ViewPlatform, GivesFiniteRowsOfAnyBytes) {
   const auto scrambled = [&](auto m) {
     std::vector<std::uint8_t> bytes = test::encoded(m, ++numbers["any"], 1);
     constexpr std::size_t kHeader = 32;
-    for (int k = 0; k < 4; ++k) bytes[kHeader + random() % (bytes.size() - kHeader)] = random() % 256;
+    for (int k = 0; k < 4; ++k)
+      bytes[kHeader + random() % (bytes.size() - kHeader)] = static_cast<std::uint8_t>(random() % 256);
     return bytes;
   };
   for (int round = 0; round < 2000; ++round) {
