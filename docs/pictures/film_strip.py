@@ -27,7 +27,7 @@ if not browser.program():
 
 WIDTH, HEIGHT = 330, 300  # of one picture
 ONLY_THE_CELL = """
-for (const e of document.querySelectorAll('aside, #readout, #views, #sheets')) e.style.display = 'none';
+for (const e of document.querySelectorAll('aside, #readout, #views, #sheets, #legend')) e.style.display = 'none';
 document.querySelector('main').style.display = 'block';
 for (const e of document.querySelectorAll('#stage, #cell')) { e.style.width = '100%'; e.style.height = '100%'; }
 document.querySelector('#stage').style.height = '600px';

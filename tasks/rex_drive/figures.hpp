@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "base/ground_area.hpp"
 #include "base/room_config.hpp"
 #include "mp/figure_table.hpp"
 #include "tasks/rex_drive/drive_case.hpp"
 #include "tasks/rex_drive/drive_table.hpp"
-#include "tasks/rex_drive/ground_area.hpp"
 #include "tasks/rex_drive/odometry_table.hpp"
 
 namespace mrroc::rex_drive {

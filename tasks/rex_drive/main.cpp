@@ -66,7 +66,7 @@ std::vector<launch::CellPlatform> platforms() { return {{rex_drive::kPlatform, "
 void make_results(launch::Results& r) {
   rex_drive::DriveResults results = r.coordinator_as<rex_drive::RexRun>().results(r.folder);
   results.room = read_room(r.setup.config);
-  results.ground = rex_drive::read_ground(r.setup.config);
+  results.ground = read_ground(r.setup.config);
   rex_drive::write_drive_table(r.folder / "platform.csv", results.table);
   rex_drive::write_fragment_table(r.folder / "fragments.csv", results.fragments, results.table);
   if (!results.odometry.empty()) rex_drive::write_odometry_table(r.folder / "odometry.csv", results.odometry);

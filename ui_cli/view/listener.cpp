@@ -93,6 +93,7 @@ bool Listener::take_of_platform(std::string_view name, std::span<const std::uint
     decoded<platform_telemetry_t>(bytes, add(*platform));
   } else if (const auto of = before(name, ".truth"); of && *of != "object" && *of != "cube") {
     decoded<platform_truth_t>(bytes, add(*of));
+    decoded<box_truth_t>(bytes, add(*of));
   } else if (const auto link = before(name, ".plan")) {
     const std::string to = link->substr(link->rfind('.') + 1);
     decoded<plan_t>(bytes, [&](const auto& m) { platforms_.take(to, m, t_); });

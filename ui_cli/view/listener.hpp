@@ -28,7 +28,7 @@ namespace mrroc::view {
 /// Listens to every channel of one session. What it makes of them, in the record:
 ///   tracks  one per arm from ARM.reply (samples.hpp); "object" from object.truth; "cube" from cube.truth; those of a
 ///           platform from PLATFORM.reply, .telemetry, .truth and .command, and from the link .PLATFORM.plan of its
-///           coordinator
+///           coordinator; "box:BOX" from BOX.truth
 ///   lines   {t [s], process, code, text, fault: 0 or 1} from *.console, and what a driver refused
 ///   values  "status" (ui::status_json), "behaviours" {agent: {m: name}} with "" for the coordinator, "frames" {camera:
 ///           number}, "count" {messages, lost, refused: what the record had no room for}

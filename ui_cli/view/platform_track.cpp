@@ -55,10 +55,11 @@ Slip ground_below(const PlatformTruth& truth) {
   return slip;
 }
 
-/// @param told  by platform: the number told last, which that number becomes when it is larger
-bool is_newer(std::map<std::string, std::int64_t>& told, const std::string& name, std::int64_t number) {
+/// @param told  by platform: the number told last, which that number becomes
+/// @return whether it is another one. A damaged number that is too large hides none of those that follow
+bool is_another(std::map<std::string, std::int64_t>& told, const std::string& name, std::int64_t number) {
   std::int64_t& last = told[name];
-  if (number <= last) return false;
+  if (number <= 0 || number == last) return false;
   last = number;
   return true;
 }
@@ -94,8 +95,15 @@ void PlatformTracks::take(const std::string& name, const platform_truth_t& m) {
   record_.add("truth:" + name, row.numbers());
 }
 
+void PlatformTracks::take(const std::string& name, const box_truth_t& m) {
+  if (!std::ranges::all_of(m.p, [](double x) { return std::isfinite(x); })) return;
+  Row<kBoxColumns> row;
+  row.put(static_cast<double>(m.header.stamp) * kPlatformPeriod).put(m.p[0]).put(m.p[1]).put(m.p[2]);
+  record_.add("box:" + name, row.numbers());
+}
+
 void PlatformTracks::take(const std::string& name, const plan_t& m, double t) {
-  if (!is_proper(m) || !is_newer(plans_, name, m.number)) return;
+  if (!is_proper(m) || !is_another(plans_, name, m.number)) return;
   for (std::int32_t k = 0; k < m.n; ++k) {
     Row<kPlanColumns> row;
     row.put(t).put(m.number).put(m.point[k][0]).put(m.point[k][1]);
@@ -109,7 +117,7 @@ void PlatformTracks::take(const std::string& name, const platform_command_t& m) 
   const bool finite = std::ranges::all_of(f.knot, [](const PathPoint& k) {
     return std::isfinite(k.p.x) && std::isfinite(k.p.y) && std::isfinite(k.p.phi);
   });
-  if (c.instruction != Instruction::set || !finite || !is_newer(fragments_, name, f.number)) return;
+  if (c.instruction != Instruction::set || !finite || !is_another(fragments_, name, f.number)) return;
   static_assert(kFragmentColumns == 4 + 3 * kFragmentKnots);
   Row<kFragmentColumns> row;
   row.put(static_cast<double>(c.macrostep) * kPlatformPeriod).put(f.number).put(f.steps).put(f.notify);

@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "mrroc/box_truth_t.hpp"
 #include "mrroc/plan_t.hpp"
 #include "mrroc/platform_command_t.hpp"
 #include "mrroc/platform_reply_t.hpp"
@@ -25,6 +26,8 @@ class PlatformTracks {
   void take(const std::string& name, const platform_reply_t& m, int behaviour);
   void take(const std::string& name, const platform_telemetry_t& m);
   void take(const std::string& name, const platform_truth_t& m);
+  /// @param name  of a box that platforms push
+  void take(const std::string& name, const box_truth_t& m);
   /// A plan comes in every macrostep; its points are added once.
   /// @param t  when it comes [s]
   void take(const std::string& name, const plan_t& m, double t);

@@ -59,6 +59,10 @@ inline constexpr std::size_t kTruthColumns = 7;
 /// The row of "plan:NAME", one per point of a plan when it comes: t [s]; number of the plan; x y [m].
 inline constexpr std::size_t kPlanColumns = 4;
 
+/// The row of "box:NAME", one per macrostep of the simulator, of a box that platforms push: t [s]; x y phi of its middle on the
+/// map [m], [rad].
+inline constexpr std::size_t kBoxColumns = 4;
+
 /// The row of "fragment:NAME", one per fragment when it is handed over: t [s]; number; steps and notify [iterations]; x y phi
 /// of its 33 knots [m], [rad].
 inline constexpr std::size_t kFragmentColumns = 103;

@@ -67,16 +67,27 @@ Json json_of(const ArmScene& a) {
           {"plate", {{"shape", a.plate}, {"size", numbers(a.plate_size)}, {"distance", a.plate_distance}}}};
 }
 
-Json json_of(const Room& room) {
-  Json j{{"lower", room.lower}, {"upper", room.upper}, {"obstacles", Json::array()}};
-  for (const Obstacle& o : room.obstacles) j["obstacles"].push_back(o.corner);
+Json json_of_room(const Scene& scene) {
+  Json j{{"lower", scene.room.lower},
+         {"upper", scene.room.upper},
+         {"obstacles", Json::array()},
+         {"ground", Json::array()},
+         {"boxes", Json::array()}};
+  for (const Obstacle& o : scene.room.obstacles) j["obstacles"].push_back(o.corner);
+  for (const GroundArea& a : scene.ground)
+    j["ground"].push_back({{"lower", a.lower}, {"upper", a.upper}, {"scale", a.scale}, {"from", a.from}});
+  for (const BoxScene& b : scene.boxes) j["boxes"].push_back({{"name", b.name}, {"size", b.size}});
   return j;
 }
 
 void read_platforms(const Config& config, Scene& scene) {
   for (const std::string& name : config.texts("platforms.order", std::vector<std::string>{}))
     scene.platforms.push_back({name, config.text("platforms." + name + ".model", name)});
-  if (!scene.platforms.empty()) scene.room = read_room(config);
+  if (scene.platforms.empty()) return;
+  scene.room = read_room(config);
+  scene.ground = read_ground_areas(config);
+  for (const std::string& name : config.tables("sim.boxes"))
+    scene.boxes.push_back({name, config.numbers<2>("sim.boxes." + name + ".size", Config::kRequired)});
 }
 
 }  // namespace
@@ -124,7 +135,7 @@ std::string scene_json(const Scene& scene, const SceneFrame& frame) {
   for (const ArmScene& a : scene.arms) j["arms"].push_back(json_of(a));
   for (const PlatformScene& p : scene.platforms)
     j["platforms"].push_back({{"name", p.name}, {"model", p.model}});
-  if (!scene.platforms.empty()) j["room"] = json_of(scene.room);
+  if (!scene.platforms.empty()) j["room"] = json_of_room(scene);
   for (const CameraScene& c : scene.cameras)
     j["cameras"].push_back({{"name", c.name}, {"width", c.width}, {"height", c.height}});
   return j.dump(-1, ' ', true, Json::error_handler_t::replace);

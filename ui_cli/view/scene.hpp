@@ -1,11 +1,13 @@
 // The objects in the cell, as the configuration of a run describes them.
 #pragma once
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/config.hpp"
+#include "base/ground_area.hpp"
 #include "base/pose.hpp"
 #include "base/room_config.hpp"
 
@@ -31,6 +33,12 @@ struct PlatformScene {
   std::string model;  ///< its description is robots/MODEL/MODEL.urdf
 };
 
+/// A box that platforms push.
+struct BoxScene {
+  std::string name;              ///< key in the configuration, also on its channels
+  std::array<double, 2> size{};  ///< along its x and y [m]
+};
+
 /// One camera.
 struct CameraScene {
   std::string name;  ///< key in the configuration
@@ -43,6 +51,8 @@ struct Scene {
   std::vector<ArmScene> arms;            ///< as robots.order has them
   std::vector<PlatformScene> platforms;  ///< as platforms.order has them
   Room room;                             ///< in which they drive; meaningless without one
+  std::vector<GroundArea> ground;        ///< areas of its floor that have another friction
+  std::vector<BoxScene> boxes;           ///< in it
   std::vector<CameraScene> cameras;      ///< as cameras.order has them
   std::string cube_held_by;              ///< name of an arm; empty: there is no cube
   std::string object;                    ///< what the cameras look for: "none", "chessboard", "apriltag", ...

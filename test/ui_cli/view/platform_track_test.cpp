@@ -135,6 +135,18 @@ TEST_F(ViewPlatform, TellsTheTruthAndTheGroundBelowAllWheels) {
   for (std::size_t k = 0; k < wanted.size(); ++k) EXPECT_FLOAT_EQ(row[k], wanted[k]) << k;
 }
 
+TEST_F(ViewPlatform, TellsWhereABoxIs) {
+  box_truth_t box{};
+  box.p[0] = 1;
+  box.p[1] = -2;
+  box.p[2] = 0.5;
+  hear("crate.truth", box, 50);
+  box.p[1] = kNaN;
+  hear("crate.truth", box, 51);
+  EXPECT_EQ(rows("box:crate"), (std::vector<float>{1, 1, -2, 0.5}));
+  EXPECT_EQ(record.rows("truth:crate"), 0U);
+}
+
 TEST_F(ViewPlatform, TellsThePointsOfAPlanWhenItComes) {
   Plan plan;
   hear("mp.rex.plan", to_message(plan));
@@ -214,7 +226,7 @@ TEST_F(ViewPlatform, GivesFiniteRowsOfAnyBytes) {
     listener.receive("s.rex.reply", scrambled(to_message(reply_of(round))));
     listener.receive("s.rex.telemetry", scrambled(to_message(PlatformTelemetry{})));
     listener.receive("s.rex.truth", scrambled(to_message(PlatformTruth{})));
-    listener.receive("s.rex.command", scrambled(to_message(handing_over(round))));
+    listener.receive("s.rex.command", scrambled(to_message(handing_over(round + 1))));
   }
   for (const char* track : {"platform:rex", "telemetry:rex", "truth:rex", "fragment:rex"}) {
     EXPECT_GT(record.rows(track), 500U) << track;
@@ -232,6 +244,12 @@ walls = [-4, -3, 5, 2]
 furniture = false
 [room.obstacles.crate]
 polygon = [1, 1, 2, 1, 1, 2]
+[sim.boxes.carton]
+size = [0.8, 0.6]
+[sim.ground.patches.ice]
+area = [0, -1, 2, 1]
+scale = 0.5
+from = 15
 )",
                                                "sample"));
   const json j = json::parse(scene_json(scene, {.source = "run"}));
@@ -240,6 +258,9 @@ polygon = [1, 1, 2, 1, 1, 2]
   EXPECT_EQ(j.at("room").at("lower"), (json{-4.0, -3.0}));
   EXPECT_EQ(j.at("room").at("upper"), (json{5.0, 2.0}));
   EXPECT_EQ(j.at("room").at("obstacles").at(0).size(), 3U);
+  EXPECT_EQ(j.at("room").at("boxes"), (json::array({{{"name", "carton"}, {"size", {0.8, 0.6}}}})));
+  EXPECT_EQ(j.at("room").at("ground"),
+            (json::array({{{"lower", {0.0, -1.0}}, {"upper", {2.0, 1.0}}, {"scale", 0.5}, {"from", 15.0}}})));
 }
 
 TEST(ViewPlatformScene, HasNoRoomWithoutAPlatform) {

@@ -8,7 +8,7 @@ import {object, put, table, tool} from './furniture.js';
 import {Sheet} from './ink.js';
 import {Platform} from './platform.js';
 import {Robot} from './robot.js';
-import {room} from './room.js';
+import {Boxes, Ground, room} from './room.js';
 import {theme} from './theme.js';
 
 Object3D.DEFAULT_UP.set(0, 0, 1);
@@ -107,7 +107,9 @@ export class Cell {
     this.platforms.clear();
     this.followed = null;
     this.room = scene.room;
-    if (this.room) this.things.add(room(this.room));
+    this.ground = this.room ? new Ground(this.room) : null;
+    this.boxes = this.room ? new Boxes(this.room.boxes) : null;
+    if (this.room) this.things.add(room(this.room), this.ground.root, this.boxes.root);
     this.reach_out(this.room ? Math.max(1, this.room_size() / 5) : 1);
     this.recolour();
     for (const description of scene.platforms) {
@@ -145,6 +147,8 @@ export class Cell {
       if (entry.sheet.show(track, column, t)) entry.texture.needsUpdate = true;
     }
     for (const platform of this.platforms.values()) platform.show(history, t);
+    this.ground?.show(t);
+    this.boxes?.show(history, t);
     this.show_object(history.tracks.get('object'), t);
     this.cube?.show(history.tracks.get('cube'), t, this.things);
     this.follow();

@@ -78,7 +78,7 @@ function floats(base64) {
 // Columns of the tracks that are no arm's.
 const kWidths = {object: 15, cube: 22};
 // Columns of the tracks that a platform has besides its own, which are named KIND:PLATFORM.
-const kPlatformWidths = {telemetry: 127, truth: 7, plan: 4, fragment: 103};
+const kPlatformWidths = {telemetry: 127, truth: 7, plan: 4, fragment: 103, box: 4};
 const kPlatform = 'platform:';
 
 const kNothing = {

@@ -1,5 +1,6 @@
 // The words around the pictures: title, state, readings, messages.
 import {kLegend} from './platform.js';
+import {ground_colour} from './room.js';
 import {colour_of, fixed} from './theme.js';
 
 const by_id = (id) => document.getElementById(id);
@@ -102,7 +103,9 @@ export function show_readout(history, t) {
 export function show_legend(scene) {
   const place = by_id('legend');
   place.hidden = !scene.platforms.length;
-  place.replaceChildren(...kLegend.map(([colour, words]) => {
+  const scales = [...new Set((scene.room?.ground || []).map((area) => area.scale))].sort().slice(0, 4);
+  const entries = [...kLegend, ...scales.map((scale) => [ground_colour(scale)[0], `friction of the floor x ${Number(Number(scale).toPrecision(3))}`])];
+  place.replaceChildren(...entries.map(([colour, words]) => {
     const line = element('div'), mark = element('i');
     mark.style.background = `#${colour.toString(16).padStart(6, '0')}`;
     line.append(mark, words);

@@ -1,4 +1,4 @@
-// The simulated ground, and rectangles in which it has another friction, as pictures show them.
+// The ground that a simulation has laid, and rectangles in which it has another friction, as pictures show them.
 #pragma once
 #include <array>
 #include <vector>
@@ -6,7 +6,7 @@
 #include "base/config.hpp"
 #include "base/room_config.hpp"
 
-namespace mrroc::rex_drive {
+namespace mrroc {
 
 /// One of them.
 struct GroundArea {
@@ -26,4 +26,7 @@ struct DriveGround {
 /// @return [sim.ground] @throws ConfigError
 [[nodiscard]] DriveGround read_ground(const Config& config);
 
-}  // namespace mrroc::rex_drive
+/// @return the areas of [sim.ground], none where the simulator has read none @throws ConfigError
+[[nodiscard]] std::vector<GroundArea> read_ground_areas(const Config& config);
+
+}  // namespace mrroc
