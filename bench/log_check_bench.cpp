@@ -24,7 +24,7 @@ std::vector<Short> all_tasks(const fs::path& folder) {
   std::ofstream(words) << "5 home all\n150 jog arm1 angle-axis 0 0 0.01 0 0 0\n300 end\n";
   return {
 #ifdef MRROC_REX
-      {"rex_drive", {"--plan", "pivot"}},
+      {"rex_drive", {"--plan", "pivot", "--eyes", "off"}},
 #endif
       {"press", {}},
       {"edge_follow", {}},

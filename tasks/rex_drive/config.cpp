@@ -106,7 +106,7 @@ MapParameters read_map(const Config& config) {
 }
 
 std::optional<link::SensorClock> read_eyes(const Config& config) {
-  if (!config.flag("task.eyes", false)) return std::nullopt;
+  if (!config.flag("task.eyes", true)) return std::nullopt;
   const std::string left = config.text(std::string("odometry.") + kPlatform + ".left", std::nullopt);
   const CameraSetup camera = read_camera(config, left);
   if (camera.period % kPlatformSteps != 0)

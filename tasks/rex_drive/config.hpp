@@ -35,7 +35,7 @@ inline constexpr double kReach = 0.55;
 /// @throws ConfigError; FaultError bad_configuration: readings come less often than its timeout
 [[nodiscard]] MapParameters read_map(const Config& config);
 
-/// @return when the visual odometry measures; nothing unless `task.eyes` wants it
+/// @return when the visual odometry measures; nothing when `task.eyes` is false
 /// @throws ConfigError; FaultError bad_configuration: pictures are not taken at macrosteps
 [[nodiscard]] std::optional<link::SensorClock> read_eyes(const Config& config);
 

@@ -86,8 +86,10 @@ void refuse_settings_of_no_eyes(const Config& config) {
 }  // namespace
 
 void add_drive_options(CommandLine& line, DriveOptions& o) {
-  line.option("--eyes", o.eyes,
-              "on: a pair of cameras sees the room, and visual odometry helps the estimator (default: off)")
+  line.option(
+          "--eyes", o.eyes,
+          "on: a pair of cameras sees the room, and visual odometry helps the estimator; off: several times "
+          "as fast (default: on)")
       .one_of({"on", "off"});
   line.option(
           "--plan", o.plan,
@@ -138,7 +140,7 @@ std::map<std::string, std::string> options_of_keys() {
 }
 
 void complete_drive(Config& config, const DriveOptions& o, PlanList& plans) {
-  if (config.flag(kEyesKey, false))
+  if (config.flag(kEyesKey, true))
     config.underlay(Config::parse(eyes(), "eyes.toml (built in)"));
   else
     refuse_settings_of_no_eyes(config);

@@ -34,7 +34,7 @@ void add_drive_options(CommandLine& line, DriveOptions& options);
 /// @return the options by the keys that settings_of() gives for them
 [[nodiscard]] std::map<std::string, std::string> options_of_keys();
 
-/// Sets what follows from the options: the ground of a file, the cameras when they are wanted, and where the simulated platform stands at the beginning.
+/// Sets what follows from the options: the ground of a file, the cameras unless the eyes are off, and where the simulated platform stands at the beginning.
 /// @param plans  begin there; their start becomes that of the configuration if it has one
 /// @throws ConfigError; FaultError bad_configuration: cameras are set, and there are none
 void complete_drive(Config& config, const DriveOptions& options, PlanList& plans);

@@ -58,7 +58,7 @@ const std::vector<ShortRun> kRuns{
      {"mp", "ecp-arm1", "ecp-arm2"},
      true},
 #ifdef MRROC_REX
-    {"rex_drive", {"--plan", "FILE"}, "0 0\n0.7 0\n1.2 0.3\n", {"mp", "ecp-rex", "ecp-map"}},
+    {"rex_drive", {"--plan", "FILE", "--eyes", "off"}, "0 0\n0.7 0\n1.2 0.3\n", {"mp", "ecp-rex", "ecp-map"}},
 #endif
 };
 

@@ -18,8 +18,13 @@ namespace fs = std::filesystem;
 /// Two legs with a curve between them; a shorter way where every step takes long.
 constexpr const char* kTwoLegs = kSanitized ? "0 0\n0.5 0\n0.9 0.2\n" : "0 0\n0.7 0\n1.2 0.3\n1.4 0.9\n";
 
-std::vector<std::string> drive_along(const Folder& folder, const std::string& name = "run") {
+/// A drive that sees.
+std::vector<std::string> see_along(const Folder& folder, const std::string& name = "run") {
   return {"--plan", folder.write("plan.txt", kTwoLegs), "--run-dir", (folder / name).string()};
+}
+/// The same without eyes, which takes less time.
+std::vector<std::string> drive_along(const Folder& folder, const std::string& name = "run") {
+  return words({see_along(folder, name), {"--eyes", "off"}});
 }
 
 std::string bytes_of(const fs::path& file) {
@@ -63,9 +68,9 @@ TEST(RexDrive, DrivesAPlanWithTheSameBitsInOneProcessAndInSeveral) {
   EXPECT_EQ(figure(told[0], "solver_failures"), 0);
 }
 
-/// Small pictures, which take little time.
-std::vector<std::string> with_eyes() {
-  std::vector<std::string> words{"--eyes", "on"};
+/// They take little time.
+std::vector<std::string> small_pictures() {
+  std::vector<std::string> words;
   for (const char* const camera : {"rex_left", "rex_right"})
     for (const char* const setting : {"width=320", "height=240", "fx=210"})
       words.insert(words.end(), {"--set", std::string("cameras.") + camera + "." + setting});
@@ -79,7 +84,7 @@ TEST(RexDrive, SeesItsMotionWithTheSameBitsInOneProcessAndInSeveral) {
   for (const bool one : {false, true}) {
     const std::string name = one ? "one" : "separate";
     const Ended ended =
-        run(folder, "rex_drive", words({drive_along(folder, name), with_eyes(), {"--processes", name}}));
+        run(folder, "rex_drive", words({see_along(folder, name), small_pictures(), {"--processes", name}}));
     ASSERT_EQ(ended.status, 0) << ended.all();
     told[one ? 1 : 0] = summary(folder / name);
   }
@@ -112,7 +117,7 @@ TEST_P(RexDriveWithACameraThat, DrivesOnAndTellsWhy) {
   std::vector<std::string> wrong;
   for (const std::string& setting : k.settings) wrong.insert(wrong.end(), {"--set", setting});
   const Ended ended =
-      run(folder, "rex_drive", words({drive_along(folder), with_eyes(), {"--processes", "one"}, wrong}));
+      run(folder, "rex_drive", words({see_along(folder), small_pictures(), {"--processes", "one"}, wrong}));
   ASSERT_EQ(ended.status, 0) << ended.all();
   EXPECT_NE(ended.all().find(std::string("odometry sees nothing for 2 s: ") + k.told), std::string::npos)
       << ended.all();
@@ -141,6 +146,31 @@ INSTANTIATE_TEST_SUITE_P(
                   true},
         Blindness{"in_the_dark", {"cameras.light.exposure=0.01"}, "a picture is nearly black", true}),
     [](const auto& blindness) { return std::string(blindness.param.name); });
+
+TEST(RexDrive, HoldsItsWayByItsEyesWhenTheMapIsGone) {
+  const Folder folder;
+  const Ended ended = run(folder, "rex_drive",
+                          words({see_along(folder),
+                                 small_pictures(),
+                                 {"--processes", "one", "--set", "motion_capture.lost=[1.5, 100]"}}));
+  ASSERT_EQ(ended.status, 0) << ended.all();
+  EXPECT_LE(figure(summary(folder / "run"), "estimate_max_mm"), 25);
+}
+
+// The map comes back 0.2 m beside where it was.
+TEST(RexDrive, IsNotKickedByAMapThatComesBack) {
+  const Folder folder;
+  const Ended ended =
+      run(folder, "rex_drive",
+          words({see_along(folder),
+                 small_pictures(),
+                 {"--processes", "one", "--set", "motion_capture.lost=[1.5, 2.5]", "--set",
+                  "motion_capture.displaced=[2.5, 100]", "--set", "motion_capture.offset=[0, 0.2, 0]"}}));
+  ASSERT_EQ(ended.status, 0) << ended.all();
+  const nlohmann::json told = summary(folder / "run");
+  EXPECT_GT(figure(told, "map_rejected"), 0);
+  EXPECT_LE(figure(told, "return_kick_mps"), 0.1);
+}
 
 TEST(RexDrive, ErrorsOfCamerasNameTheEyes) {
   const Folder folder(false);
@@ -177,7 +207,7 @@ TEST(RexDrive, KnowsWhereItIsWhenTheGroundChanges) {
     const Folder folder;
     const Ended ended = run(folder, "rex_drive",
                             {"--plan", "there_and_back", "--ground", "ice_right", "--processes", "one",
-                             "--seed", seed, "--run-dir", (folder / "run").string()});
+                             "--eyes", "off", "--seed", seed, "--run-dir", (folder / "run").string()});
     ASSERT_EQ(ended.status, 0) << ended.all();
     const nlohmann::json told = summary(folder / "run");
     EXPECT_EQ(figure(told, "map_rejected"), 0) << "all of its positions are good";
@@ -210,9 +240,9 @@ TEST(RexDrive, FindsHalfTheFrictionInACurve) {
   const Folder folder;
   const Ended ended =
       run(folder, "rex_drive",
-          {"--processes", "one", "--ground", "smooth", "--set", "sim.ground.patches.half.area=[-3, -2, 3, 2]",
-           "--set", "sim.ground.patches.half.scale=0.5", "--set", "sim.ground.patches.half.from=7",
-           "--run-dir", (folder / "run").string()});
+          {"--processes", "one", "--eyes", "off", "--ground", "smooth", "--set",
+           "sim.ground.patches.half.area=[-3, -2, 3, 2]", "--set", "sim.ground.patches.half.scale=0.5",
+           "--set", "sim.ground.patches.half.from=7", "--run-dir", (folder / "run").string()});
   ASSERT_EQ(ended.status, 0) << ended.all();
   const nlohmann::json told = summary(folder / "run");
   EXPECT_LE(figure(told, "friction_found_s"), 1.5) << ended.all();
@@ -224,9 +254,10 @@ double steps_to_rest(const std::string& order, int macrostep, const std::vector<
   const Folder folder(false);
   const std::string script =
       folder.write("orders", "3 start\n" + std::to_string(macrostep) + " " + order + "\n");
-  const Ended ended =
-      run(folder, "rex_drive",
-          words({{"--processes", "one", "--script", script, "--run-dir", (folder / "run").string()}, more}));
+  const Ended ended = run(folder, "rex_drive",
+                          words({{"--processes", "one", "--eyes", "off", "--script", script, "--run-dir",
+                                  (folder / "run").string()},
+                                 more}));
   EXPECT_EQ(ended.status, 1) << ended.all();
   return figure(summary(folder / "run"), "stop_steps_max");
 }
@@ -314,7 +345,7 @@ TEST_P(RexDriveWithADeath, EndsAndNamesTheProcess) {
   const Folder folder(false);
   const std::string part = GetParam();
   Started task(folder, "rex_drive",
-               words({drive_along(folder), with_eyes(), {"--processes", "separate", "--speed", "1"}}));
+               words({see_along(folder), small_pictures(), {"--processes", "separate", "--speed", "1"}}));
   ASSERT_TRUE(task.await_line("plan 1 of 1")) << task.end().all();
   const std::vector<ProcessId> children = task.children();
   ::kill(task.child(part).pid, SIGKILL);

@@ -142,11 +142,10 @@ Config completed(const DriveOptions& options, const std::vector<std::string>& se
 }
 
 TEST(DriveOptions, EyesAreThePairOfTheBuiltInFileWhereTheConfigurationSaysNothingElse) {
-  for (const DriveOptions& blind : {DriveOptions{}, DriveOptions{.eyes = "off"}}) {
-    EXPECT_FALSE(read_eyes(completed(blind)));
-    EXPECT_FALSE(completed(blind).has("odometry.rex.left"));
-  }
-  const auto clock = read_eyes(completed({.eyes = "on"}));
+  EXPECT_FALSE(read_eyes(completed({.eyes = "off"})));
+  EXPECT_FALSE(completed({.eyes = "off"}).has("odometry.rex.left"));
+  EXPECT_TRUE(read_eyes(completed({.eyes = "on"})));
+  const auto clock = read_eyes(completed({}));
   ASSERT_TRUE(clock);
   EXPECT_EQ(clock->period, 40);
   EXPECT_EQ(clock->latency, 40);
