@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace mrroc::rex_drive {
 namespace {
 
@@ -86,6 +88,35 @@ TEST(DriveRecord, BetweenTwoTruthsThePlatformMovesEvenly) {
   const DriveTable table = join(m, 0.002, 10);
   ASSERT_EQ(table.size(), 19U) << "the last one has no truth behind it";
   EXPECT_NEAR(table[0].truth.p.x, 0.015, 1e-12);
+}
+
+TEST(DriveRecord, BetweenTwoTruthsPlaceHeadingAndSpeedsAreSharesOfBothOnTheShorterTurn) {
+  struct Turn {
+    double from, to, at_three_tenths;
+  };
+  for (const Turn& turn :
+       {Turn{0.1, 0.6, 0.25}, Turn{0.6, 0.1, 0.45}, Turn{3.1, -3.1, 3.1 + 0.3 * (2 * std::numbers::pi - 6.2)},
+        Turn{-3.1, 3.1, -3.1 - 0.3 * (2 * std::numbers::pi - 6.2)}}) {
+    DriveMessages m = messages(2);
+    m.replies[0].estimate.step += 3;
+    PlatformTruth before, after;
+    before.p = {1, -2, turn.from};
+    before.v = {0.1, 0.2, -0.3};
+    after.p = {2, -4, turn.to};
+    after.v = {0.4, -0.1, 0.7};
+    m.truths = {to_message(before), to_message(after)};
+    m.truths[0].header.stamp = 1;
+    m.truths[1].header.stamp = 2;
+    const DriveTable table = join(m, 0.002, 10);
+    ASSERT_FALSE(table.empty());
+    const PlatformTruth& truth = table[0].truth;
+    EXPECT_NEAR(truth.p.x, 1.3, 1e-12);
+    EXPECT_NEAR(truth.p.y, -2.6, 1e-12);
+    EXPECT_NEAR(truth.p.phi, turn.at_three_tenths, 1e-12) << turn.from << " to " << turn.to;
+    EXPECT_NEAR(truth.v.vx, 0.19, 1e-12);
+    EXPECT_NEAR(truth.v.vy, 0.11, 1e-12);
+    EXPECT_NEAR(truth.v.w, 0, 1e-12);
+  }
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -229,6 +231,22 @@ TEST(BuiltInPlans, KeepToTheFreePartOfTheRoom) {
         EXPECT_LE(std::abs(p.x), 2.2) << name;
         EXPECT_LE(std::abs(p.y), 1.4) << name;
       }
+  }
+}
+
+TEST(BuiltInPlans, TheLapsOfTheFigureEightComeBackToTheCrossingInEvenSteps) {
+  const PlanList list = built_in_plan("figure_eight");
+  ASSERT_EQ(list.plans.size(), 2U);
+  for (const MapPoints& lap : list.plans) {
+    ASSERT_EQ(lap.size(), 24U);
+    EXPECT_NEAR(lap.back().x, 0, 1e-9);
+    EXPECT_NEAR(lap.back().y, 0, 1e-9);
+    MapPoint before{};
+    for (const MapPoint& p : lap) {
+      EXPECT_NEAR(p.y, p.x * std::sqrt(std::max(0., 1 - p.x * p.x / 4)) * (p.x * p.y < 0 ? -1 : 1), 1e-9);
+      EXPECT_NEAR(std::hypot(p.x - before.x, p.y - before.y), 0.5, 0.03);
+      before = p;
+    }
   }
 }
 
