@@ -25,6 +25,7 @@ std::vector<Short> all_tasks(const fs::path& folder) {
   return {
 #ifdef MRROC_REX
       {"rex_drive", {"--plan", "pivot", "--eyes", "off"}},
+      {"box_push", {"--to", "0.6", "0", "0"}},
 #endif
       {"press", {}},
       {"edge_follow", {}},

@@ -18,7 +18,7 @@ struct PlatformDriverParameters {
   double synchro_timeout{10};  ///< for SYNCHRO as a whole [s], longer than synchro_rest, at most 600
   int silence{10};      ///< macrosteps without a message of the owner after which the platform stops, >= 1
   int brake_after{25};  ///< macrosteps at rest at the end of a way after which the drives brake, >= 1
-  StepInterval solver_fails;  ///< steps of the estimate with which the tracker fails on purpose
+  StepInterval solver_fails{};  ///< steps of the estimate with which the tracker fails on purpose
 };
 
 }  // namespace mrroc::edp

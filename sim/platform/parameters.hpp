@@ -61,7 +61,7 @@ struct PlatformParameters {
 struct BoxParameters {
   std::string name{};              ///< of its table and channels
   double length{0.5}, width{1.5};  ///< of the outline, along x and y of the box [m]
-  double mass{80};                 ///< [kg], its weight lies evenly on the ground
+  double mass{75};                 ///< [kg], its weight lies evenly on the ground
   double friction{0.4};            ///< coefficient of its base on the ground, Coulomb's
   double grip{0.5};                ///< the same of its sides against a platform
   PlanarPose start{};              ///< of its middle on M at the beginning

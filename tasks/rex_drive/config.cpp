@@ -87,24 +87,6 @@ OntologyParameters read_ontology(const Config& config) {
   return k;
 }
 
-MapParameters read_map(const Config& config) {
-  const Config m = config.section("map");
-  MapParameters k;
-  k.capture = read_motion_capture(config);
-  const auto noise = m.numbers<2>("noise", {{k.position_sd, k.heading_sd}}, {1e-4, 1}, "m, rad");
-  k.position_sd = noise[0];
-  k.heading_sd = noise[1];
-  k.rejections = m.integer("rejections", k.rejections, {1, 1000},
-                           "in a row that agree with each other, which open the gate again");
-  k.timeout = macrosteps(m.number("timeout", 0.5, {0.1, 60}, "s"));
-  if (k.timeout * k.n_s < k.capture.period)
-    throw FaultError(
-        FaultCode::bad_configuration,
-        fmt::format("map.timeout: motion capture measures every {} steps, which is longer", k.capture.period),
-        "make map.timeout longer, or motion_capture.period shorter");
-  return k;
-}
-
 std::optional<link::SensorClock> read_eyes(const Config& config) {
   if (!config.flag("task.eyes", true)) return std::nullopt;
   const std::string left = config.text(std::string("odometry.") + kPlatform + ".left", std::nullopt);

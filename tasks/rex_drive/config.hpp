@@ -10,7 +10,6 @@
 #include "base/link/child_main.hpp"
 #include "base/link/clocked_inbox.hpp"
 #include "tasks/rex_drive/images.hpp"
-#include "tasks/rex_drive/map_agent.hpp"
 #include "tasks/rex_drive/ontology.hpp"
 #include "tasks/rex_drive/plan/plan_file.hpp"
 #include "tasks/rex_drive/planner/survey.hpp"
@@ -31,9 +30,6 @@ inline constexpr double kReach = 0.55;
 [[nodiscard]] double read_speed(const Config& config);
 /// @return [task] of a_2 @throws ConfigError
 [[nodiscard]] OntologyParameters read_ontology(const Config& config);
-/// @return [map] and [motion_capture] of a_3
-/// @throws ConfigError; FaultError bad_configuration: readings come less often than its timeout
-[[nodiscard]] MapParameters read_map(const Config& config);
 
 /// @return when the visual odometry measures; nothing when `task.eyes` is false
 /// @throws ConfigError; FaultError bad_configuration: pictures are not taken at macrosteps

@@ -38,4 +38,8 @@ void run_ecp(link::Process& process, const Config& config, const link::NodeArgum
       });
 }
 
+void run_map(link::Process& process, const Config& config, const link::NodeArguments&) {
+  ecp::run_map(process, config, map_names());
+}
+
 }  // namespace mrroc::rex_drive

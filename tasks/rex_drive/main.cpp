@@ -3,6 +3,7 @@
 
 #include "base/counted.hpp"
 #include "base/room_config.hpp"
+#include "ecp/map/config.hpp"
 #include "launch/task.hpp"
 #include "tasks/rex_drive/config.hpp"
 #include "tasks/rex_drive/figures.hpp"
@@ -38,7 +39,7 @@ void complete(Drive& d, Config& config, const mp::TaskOptions& options) {
 void prepare(Drive& d, const launch::Setup& s) {
   std::ignore = rex_drive::read_parameters(s.config);
   std::ignore = rex_drive::read_ontology(s.config);
-  std::ignore = rex_drive::read_map(s.config);
+  std::ignore = ecp::read_map(s.config);
   if (rex_drive::read_eyes(s.config)) std::ignore = vsp::read_stereo(s.config, rex_drive::kPlatform).rig();
   d.itinerary = rex_drive::examine(d.plans, s.config);
 }

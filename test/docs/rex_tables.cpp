@@ -16,7 +16,7 @@
 #include "mrroc/agent_report_t.hpp"
 #include "tasks/rex_drive/keys.hpp"
 #include "tasks/rex_drive/locomotion.hpp"
-#include "tasks/rex_drive/map_agent.hpp"
+#include "ecp/map/map_agent.hpp"
 #include "tasks/rex_drive/ontology.hpp"
 #include "test/docs/rex_data_flow.hpp"
 
@@ -272,7 +272,7 @@ std::vector<MadePart> rex_tables() {
           {"figure 5", figure_5()},
           {"ontology agent", small_agent(rex_drive::kStart, rex_drive::kSendPlan, rex_drive::kAwaitAck,
                                          rex_drive::kComeToRest)},
-          {"map agent", small_agent(rex_drive::kLocate, rex_drive::kPositionGone)},
+          {"map agent", small_agent(ecp::kLocate, ecp::kPositionGone)},
           {"figure 6", figure_6()},
           {"figure 7", figure_7()},
           {"figure 8", figure_8()}};

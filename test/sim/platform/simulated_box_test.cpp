@@ -88,7 +88,7 @@ TEST(SlidingBase, TurnsAPushedBoxOnIceOfOneSide) {
 TEST(SimulatedBox, StandsAgainstAPushThatIsLessThanItsFriction) {
   const PlatformWorldParameters p = world_with(box_before_platform());
   PlatformWorld world(p);
-  drive_all(world, {6}, 500);  // 6 N m at four wheels are 160 N, its friction is 314 N
+  drive_all(world, {6}, 500);  // 6 N m at four wheels are 160 N, its friction is 294 N
   const double hit = world.box_truth(0).p.x;
   EXPECT_NEAR(hit, p.boxes[0].start.x, 0.005) << "the blow of the contact";
   EXPECT_NEAR(world.box_truth(0).push[0], 160, 2);

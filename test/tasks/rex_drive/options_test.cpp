@@ -202,17 +202,6 @@ TEST(DriveConfig, AFragmentIsAskedForEarlyEnoughToBePlanned) {
   EXPECT_NO_THROW(std::ignore = read_parameters(config_with({"task.lead=0", "task.planning=0"})));
 }
 
-TEST(DriveConfig, MotionCaptureMeasuresAsOftenAsTheMapAgentHasPatienceFor) {
-  try {
-    std::ignore = read_map(config_with({"motion_capture.period=400"}));
-    ADD_FAILURE();
-  } catch (const FaultError& e) {
-    EXPECT_NE(std::string(e.what()).find("map.timeout"), std::string::npos);
-  }
-  EXPECT_NO_THROW(std::ignore = read_map(config_with({"motion_capture.period=400", "map.timeout=0.8"})));
-  EXPECT_THROW(std::ignore = read_map(config_with({"motion_capture.latency=151"})), ConfigError);
-}
-
 TEST(DriveConfig, ACurveThatIsNotFreeIsRefusedWithItsPoint) {
   // Both legs are free, and the curve of the way through their common point is beyond them.
   const Config c = config_with({"room.furniture=false", "room.walls=[-1, -2, 3, 2]"});

@@ -1,4 +1,4 @@
-#include "tasks/rex_drive/map_agent.hpp"
+#include "ecp/map/map_agent.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace mrroc::rex_drive {
+namespace mrroc::ecp {
 namespace {
 
 using X = MapAgent::X;
@@ -161,4 +161,4 @@ const Motion<MapAgent> kLocate      { 1, "locate",        retain, look, nothing,
 const Motion<MapAgent> kPositionGone{ 2, "position lost", retain, look, nothing, nothing, tell<2>, is_found, "a plausible reading comes"};
 // clang-format on
 
-}  // namespace mrroc::rex_drive
+}  // namespace mrroc::ecp

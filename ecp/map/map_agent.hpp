@@ -7,9 +7,8 @@
 #include "base/motion.hpp"
 #include "base/motion_capture_config.hpp"
 #include "base/platform_transmission.hpp"
-#include "tasks/rex_drive/images.hpp"
 
-namespace mrroc::rex_drive {
+namespace mrroc::ecp {
 
 /// Constant parameters of a_3.
 struct MapParameters {
@@ -25,6 +24,9 @@ struct MapParameters {
   std::int64_t timeout{25};  ///< without a plausible reading, after which the position is lost [macrosteps]
   int n_s{10};               ///< steps of a macrostep
 };
+
+/// Report::sensor of a_3 while the last plausible pose is valid.
+inline constexpr int kMapSeen = 1;
 
 /// Estimates of a_1 that are remembered.
 inline constexpr std::size_t kEstimatesKept = 64;
@@ -99,4 +101,4 @@ Outcome run_map_program(MapAgent::X& x, Port& port) {
   return o;
 }
 
-}  // namespace mrroc::rex_drive
+}  // namespace mrroc::ecp

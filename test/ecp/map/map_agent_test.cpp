@@ -1,4 +1,4 @@
-#include "tasks/rex_drive/map_agent.hpp"
+#include "ecp/map/map_agent.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "base/script_port.hpp"
 
-namespace mrroc::rex_drive {
+namespace mrroc::ecp {
 namespace {
 
 using X = MapAgent::X;
@@ -206,4 +206,4 @@ TEST(MapAgent, TheHeadingsDifferenceIsWrapped) {
 }
 
 }  // namespace
-}  // namespace mrroc::rex_drive
+}  // namespace mrroc::ecp
