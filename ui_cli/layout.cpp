@@ -168,7 +168,7 @@ void put_help(Rows& rows) {
       "t  trigger  ends a behaviour that waits for you",
       "x  stop     ends the task, everything comes to rest; asks",
       "e  e-stop   the drives brake at once; in a text: Ctrl-E",
-      "c  charts   F_z, F_x, F_y, or how far x, y, z have come; v, w",
+      "c  charts   F_z F_x F_y, ways x y z; of platforms v, w",
       "m  manual   moves idle arms by hand, in the task `manual`",
       "q  leave    closes this view; the task goes on",
       "m: behaviour  i: macrostep  F_z: force along the tool's z"};

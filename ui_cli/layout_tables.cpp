@@ -138,7 +138,7 @@ void put_behaviour(Canvas& c, int row, const AgentView& a, bool current) {
 }
 
 void put_chart(Rows& rows, const View& view, const AgentView& a, int height, bool with_m) {
-  constexpr std::size_t kNumbers = 9, kUnit = 2;  // such as " -0.5..20 ", and of most units
+  constexpr std::size_t kNumbers = 11, kUnit = 2;  // such as " -0.5..0.5 ", and of most units
   const auto quantities = quantities_of(a.effector);
   const Quantity shown = quantities[view.chart % quantities.size()];
   const auto scale = static_cast<int>(kNumbers + std::max(kUnit, unit_of(shown).size()));

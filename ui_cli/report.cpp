@@ -116,7 +116,8 @@ std::string status_json(const Snapshot& s) {
          {"ended_because", a.ended_because},
          {"T_0E", a.position_known ? Json(a.T_0E) : Json(nullptr)},
          {"F_a", a.F_a},
-         {"velocity", a.effector == EffectorKind::platform ? Json(a.velocity) : Json(nullptr)},
+         {"velocity",
+          a.effector == EffectorKind::platform && a.position_known ? Json(a.velocity) : Json(nullptr)},
          {"sensor", a.sensor}});
   for (const ProcessView& p : s.processes)
     j["processes"].push_back({{"name", p.name}, {"state", to_string(p.state)}, {"age_s", p.age}});

@@ -16,7 +16,7 @@ bool within_ellipsoid(const PlanarPose& error, const PlanarCovariance& covarianc
   const Eigen::Matrix3d P = Eigen::Map<const Eigen::Matrix3d>(covariance.data());
   const Eigen::Vector3d e(error.x, error.y, error.phi);
   const Eigen::LDLT<Eigen::Matrix3d> root(P);
-  return root.isPositive() && e.dot(root.solve(e)) <= kChiSquared;
+  return root.vectorD().minCoeff() > 0 && e.dot(root.solve(e)) <= kChiSquared;
 }
 
 /// @return where B is that was at `from` before the motion

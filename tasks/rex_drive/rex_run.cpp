@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "base/counted.hpp"
 #include "base/latency.hpp"
@@ -80,13 +81,14 @@ void RexRun::report_position(const X& x) {
 
 void RexRun::watch_odometry(const X& x) {
   constexpr std::int64_t kLong = 100;
-  const bool sees = (x.T.agent[kLocomotionAgent].sensor & kOdometrySeen) != 0;
-  if (sees) saw_in_ = x.i;
+  const Report& r = x.T.agent[kLocomotionAgent];
+  const bool sees = (r.sensor & kOdometrySeen) != 0;
+  if (sees || !r.ready) saw_in_ = x.i;  // before its SYNCHRO has ended it does not tell
   if (!k_.eyes || sees != blind_) return;
   if (sees) {
     blind_ = false;
     run_.announce()(seconds(x.i), "odometry sees again");
-  } else if (x.i - saw_in_ >= kLong) {
+  } else if (x.i - saw_in_ >= kLong && std::string_view(blindness()) != to_words(OdometryFinding::motion)) {
     blind_ = true;
     run_.announce()(seconds(x.i),
                     fmt::format("odometry sees nothing for {:.0f} s: {}", seconds(kLong), blindness()));
@@ -137,8 +139,10 @@ void RexRun::show(const Motion<Ontology>& motion, const X& x) {
 void RexRun::show_platform(const X& x) {
   auto& board = run_.board();
   board.set_arm(kLocomotionAgent, x.T.agent[kLocomotionAgent], sensor_words(sensor_news(x)));
-  if (record_ && !record_->messages().replies.empty())
-    board.set_velocity(kLocomotionAgent, from_message(record_->messages().replies.back()).estimate.v);
+  if (!record_ || record_->messages().replies.empty()) return;
+  const platform_reply_t& reply = record_->messages().replies.back();
+  const bool known = is_proper(reply) && reply.position_known != 0;
+  board.set_velocity(kLocomotionAgent, known ? from_message(reply).estimate.v : PlanarVelocity{});
 }
 
 SensorNews RexRun::sensor_news(const X& x) const {
@@ -149,8 +153,8 @@ SensorNews RexRun::sensor_news(const X& x) const {
                   .odometry_seen = (seen & kOdometrySeen) != 0,
                   .odometry_inliers = {}};
   if (!record_) return news;
-  if (const odometry_reading_t* const newest = record_->newest_odometry())
-    news.odometry_inliers = newest->support.inliers;
+  const odometry_reading_t* const newest = record_->newest_odometry();
+  if (newest && newest->motion.valid != 0) news.odometry_inliers = newest->support.inliers;
   if (record_->messages().poses.empty()) return news;
   const std::int64_t measured = record_->messages().poses.back().pose.step;
   if (measured > 0) news.map_age = seconds(x.i) - static_cast<double>(measured) * k_.dt;
