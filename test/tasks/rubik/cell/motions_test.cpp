@@ -215,6 +215,67 @@ TEST_F(MotionsOfTheUsualCell, TheSecondArmSetsOutAsSoonAsItComesLateEnoughAndNot
   EXPECT_GT(never, 2);
 }
 
+/// A cell that writes down the states that it is asked for.
+class Written final : public PlanCell {
+ public:
+  explicit Written(const PlanCell& cell) : cell_(cell) {}
+  [[nodiscard]] const Meeting& meeting() const override { return cell_.meeting(); }
+  [[nodiscard]] const Viewing* viewing() const override { return cell_.viewing(); }
+  [[nodiscard]] const SpeedLimits& limits(Hand hand) const override { return cell_.limits(hand); }
+  [[nodiscard]] AxisVector motors(Hand hand, const AxisVector& q) const override {
+    return cell_.motors(hand, q);
+  }
+  [[nodiscard]] AxisVector joints(Hand hand, const AxisVector& m) const override {
+    return cell_.joints(hand, m);
+  }
+  [[nodiscard]] Pose forward(Hand hand, const AxisVector& q) const override { return cell_.forward(hand, q); }
+  [[nodiscard]] std::optional<AxisVector> inverse(Hand hand, const Pose& T_UE,
+                                                  const AxisVector& near) const override {
+    return cell_.inverse(hand, T_UE, near);
+  }
+  [[nodiscard]] double joint_limit_margin(Hand hand, const AxisVector& q) const override {
+    return cell_.joint_limit_margin(hand, q);
+  }
+  [[nodiscard]] double manipulability(Hand hand, const AxisVector& q) const override {
+    return cell_.manipulability(hand, q);
+  }
+  [[nodiscard]] bool is_free(const CellState& state) const override {
+    states.push_back(state);
+    return cell_.is_free(state);
+  }
+  mutable std::vector<CellState> states;
+
+ private:
+  const PlanCell& cell_;
+};
+
+TEST_F(MotionsOfTheUsualCell, AHandMayTouchTheCubeBetweenItsGripAndWhereItsApproachEndsAlone) {
+  const Written cell(cell_);
+  Motions motions(cell);
+  int found = 0, farther = 0;
+  for (int run = 0; run < 400 && found < 12; ++run) {
+    const Hand hand = run % 2 == 0 ? Hand::track : Hand::postument;
+    const MotionKind kind = found % 2 == 0 ? MotionKind::retreat : MotionKind::reach;
+    const ArmTransfer m = any_of(kind, hand);
+    const ArmConfiguration& at = motions.configuration(hand, kind == MotionKind::retreat ? m.from : m.to);
+    cell.states.clear();
+    if (at.path.size() < 2 || !motions.find(m)) continue;
+    ++found;
+    const auto motor = [&](const AxisVector& q) { return cell.motors(hand, q); };
+    const AxisVector grip = motor(at.hold), way = motor(at.path.back()) - grip;
+    for (const CellState& s : cell.states) {
+      const AxisVector off = motor(s.joints[index(hand)]) - grip;
+      const double share = off.dot(way) / way.squaredNorm();
+      if (std::abs(share - 1) < 1e-6) continue;  // where both pieces meet
+      const bool near = share < 1 && (off - share * way).norm() < 1e-6 * way.norm();
+      EXPECT_EQ(s.touched, near) << "share " << share << " of the last piece";
+      farther += !near;
+    }
+  }
+  EXPECT_GE(found, 12);
+  EXPECT_GT(farther, 100);
+}
+
 TEST_F(MotionsOfTheUsualCell, TheOtherHandSeesTheCubeWhereItIs) {
   for (int run = 0; run < 60; ++run) {
     const Hand holder = run % 2 == 0 ? Hand::track : Hand::postument, comes = other(holder);
