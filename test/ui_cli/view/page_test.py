@@ -256,7 +256,8 @@ def look_at_a_platform(page, folder: Path):
         return print("left out: the platform Rex is not part of this build")
     plan = Path(folder.parent) / "plan.txt"
     plan.write_text("0 0\n0.6 0\n1.2 0.3\n")
-    subprocess.run([BIN / "rex_drive", "--processes", "one", "--plan", plan, "--run-dir", folder], check=True, capture_output=True)
+    run = [BIN / "rex_drive", "--processes", "one", "--eyes", "off", "--plan", plan, "--run-dir", folder]
+    subprocess.run(run, check=True, capture_output=True)
     viewer = Viewer(str(folder))
     go_anew(page, viewer.url)
     page.wait("Number(document.querySelector('#clock')?.dataset.rows) > 100")
