@@ -33,6 +33,7 @@ void Ekf::add(const edp::StageReading& reading) noexcept {
 bool Ekf::add(const OdometryReading& odometry) noexcept {
   const int picture = window_.add(odometry);
   if (picture < 0) return false;
+  if (picture < changed_) window_.see_heading(picture, before(picture).z[2]);
   changed_ = std::min(changed_, picture);
   return true;
 }

@@ -75,6 +75,7 @@ void Mhe::leave() noexcept {
 bool Mhe::add(const OdometryReading& odometry) noexcept {
   const int picture = window_.add(odometry);
   if (picture < 0) return false;
+  window_.see_heading(picture, z_[picture][2]);
   z_.renew(picture);
   for (int k = picture + 1; k < window_.size(); ++k) {
     StageVector z = z_[k];

@@ -31,6 +31,7 @@ void StageWindow::begin(const edp::StandingStill& found) noexcept {
   weighed_ = weigh(found.load);
   yaw_offset_ = std::isfinite(found.yaw_offset) ? wrap_angle(found.yaw_offset) : 0;
   gyro_bias_ = std::isfinite(found.gyro_bias) ? found.gyro_bias : 0;
+  map_step_ = found.step;
   size_ = 0;
   stage_[0] = stage_of({.step = found.step, .theta = found.theta, .load = found.load});
   size_ = 1;
@@ -83,16 +84,26 @@ int StageWindow::add(const MapPose& pose) noexcept {
   WindowStage& stage = stage_[static_cast<std::size_t>(nearest)];
   stage.map = factor;
   stage.map_delay = (after_oldest - nearest * kPlatformSteps) * kStepPeriod;
-  anchor_yaw(stage, pose.p.phi);
+  map_step_ = std::max(map_step_, pose.step);
+  constexpr double kMapGain = 0.02;
+  anchor_yaw(stage, pose.p.phi, kMapGain);
   return nearest;
 }
 
-void StageWindow::anchor_yaw(const WindowStage& stage, double heading) noexcept {
-  constexpr double kGain = 0.02;
+void StageWindow::see_heading(int k, double heading) noexcept {
+  constexpr std::uint64_t kWithoutMap = 500;  // [steps]
+  constexpr double kExact = 3e-4;             // of a turn from pair to pair [rad]
+  constexpr double kGain = 0.1;
+  const WindowStage& stage = (*this)[k];
+  if (odometry_heading_ > kExact || stage.step < map_step_ || !std::isfinite(heading)) return;
+  if (steps_between(map_step_, stage.step) > kWithoutMap) anchor_yaw(stage, heading, kGain);
+}
+
+void StageWindow::anchor_yaw(const WindowStage& stage, double heading, double gain) noexcept {
   constexpr double kMost = 0.1;  // of a difference [rad]
   if (!stage.imu_valid) return;
   const double then = stage.yaw + stage.map_delay * stage.yaw_rate;
-  yaw_offset_ += kGain * std::clamp(wrap_angle(heading - (then + yaw_offset_)), -kMost, kMost);
+  yaw_offset_ += gain * std::clamp(wrap_angle(heading - (then + yaw_offset_)), -kMost, kMost);
 }
 
 int StageWindow::add(const OdometryReading& odometry) noexcept {
@@ -110,6 +121,7 @@ int StageWindow::add(const OdometryReading& odometry) noexcept {
   WindowStage& stage = stage_[static_cast<std::size_t>(second)];
   stage.odometry = factor;
   stage.step_before = odometry.step_before;
+  odometry_heading_ = std::sqrt(factor.covariance(2, 2));
   stage_[static_cast<std::size_t>(first)].picture = true;
   return first;
 }

@@ -39,6 +39,11 @@ class StageWindow {
   ///         is no proper measurement, and it is ignored
   int add(const OdometryReading& odometry) noexcept;
 
+  /// While there is no map, draws the offset of the IMU's yaw towards a heading that exact pictures have led to: the bias of an IMU
+  /// is not known, and of the two the pictures drift less.
+  /// @param k  stage at which a motion begins that the odometry has told, < size()  @param heading  there, as it is believed [rad]
+  void see_heading(int k, double heading) noexcept;
+
   /// @return stages; 0 before begin()
   [[nodiscard]] int size() const noexcept { return size_; }
   [[nodiscard]] bool full() const noexcept { return size_ == kWindowStages; }
@@ -70,12 +75,14 @@ class StageWindow {
   /// @return index of the stage of a step; -1: there is none
   [[nodiscard]] int find(std::int64_t step) const noexcept;
   [[nodiscard]] bool can_be_picture(int first, int second) const noexcept;
-  void anchor_yaw(const WindowStage& stage, double heading) noexcept;
+  void anchor_yaw(const WindowStage& stage, double heading, double gain) noexcept;
 
   EstimatorNoise noise_;
   Load weighed_ = weigh({});
   double yaw_offset_{};
   double gyro_bias_{};
+  std::int64_t map_step_{};       // of the newest pose
+  double odometry_heading_{1e9};  // standard deviation of the newest motion's turn [rad]
   std::array<WindowStage, kWindowStages> stage_{};
   int size_{};
 };

@@ -166,6 +166,25 @@ TEST_F(StageWindowTest, AMotionIsBelievedToAShareOfItsLengthAsACalibrationMayBeO
   }
 }
 
+TEST_F(StageWindowTest, WithoutAMapTheYawFollowsTheHeadingThatExactPicturesHaveLedTo) {
+  fill(80);  // the map was there at step 0, at 800 it has been gone for more than a second
+  ASSERT_EQ(window.add(odometry(700, 740)), 10);
+  window.see_heading(10, 0.05);
+  const double offset = window.yaw_offset();
+  EXPECT_NEAR(offset, 0.1 * 0.05, 1e-12);
+  OdometryReading rough = odometry(740, 780);
+  rough.covariance[35] = 1e-6;
+  ASSERT_EQ(window.add(rough), 14);
+  window.see_heading(14, 0.05);
+  EXPECT_EQ(window.yaw_offset(), offset) << "pictures in which there is little to see";
+  ASSERT_GE(window.add(map(760)), 0);
+  const double by_map = window.yaw_offset();
+  EXPECT_LT(by_map, offset);
+  ASSERT_EQ(window.add(odometry(780, 800)), 18);
+  window.see_heading(18, 0.05);
+  EXPECT_EQ(window.yaw_offset(), by_map) << "the map is there";
+}
+
 TEST_F(StageWindowTest, WhatCannotBeMeasuredIsNoMeasurement) {
   edp::StageReading bad = reading(10);
   bad.theta[1] = kNan;
