@@ -67,25 +67,43 @@ std::optional<Course> along_arcs(const PlanarPose& target, double radius) {
   return Course{turn_of(*way, radius) / radius, way->length() * radius};
 }
 
-/// @return curvature of the cubic that begins here and ends at a target, which is taken as so far that it has one
+/// A way of arcs that ends before the target, and goes straight on from there: what a curve has left is put right on it.
+std::optional<Course> with_run_in(const PlanarPose& target, double radius) {
+  constexpr double kRunIn = 0.3, kPassed = 0.05;  // [m]
+  const PlanarPose begin = chained(target, {-kRunIn, 0, 0});
+  if (begin.x < kPassed) return std::nullopt;
+  std::optional<Course> course = along_arcs(begin, radius);
+  if (course) course->length += kRunIn;
+  return course;
+}
+
+/// @return curvature of the cubic that begins here and ends at a target, which is taken as so far that it has one; shortly before
+///         a target it is the heading that is still to be reached: the place aside is not, any more
 double bend_to(const PlanarPose& target, const SteeringLimits& k) {
-  constexpr double kSteep = 1;  // a tangent grows beyond all bounds [rad]
-  const double ahead = std::max(target.x, k.nearest);
-  return (6 * target.y - 2 * ahead * std::tan(std::clamp(target.phi, -kSteep, kSteep))) / (ahead * ahead);
+  constexpr double kSteep = 1;        // a tangent grows beyond all bounds [rad]
+  constexpr double kShortest = 0.04;  // [m]
+  const double phi = std::clamp(target.phi, -kSteep, kSteep);
+  if (target.x < k.nearest) return phi / std::max(target.x, kShortest);
+  const double ahead = std::max(target.x, 2 * k.nearest);
+  return (6 * target.y - 2 * ahead * std::tan(phi)) / (ahead * ahead);
 }
 
 }  // namespace
 
 std::optional<Course> planned_course(const PlanarPose& target, const SteeringLimits& k) {
-  return along_arcs(target, k.radius);
+  return with_run_in(target, k.radius);
 }
 
 Course course_to(const PlanarPose& target, const SteeringLimits& k) {
   constexpr double kWidest = 12;      // [m]
   constexpr double kNarrower = 0.94;  // from one radius to the next
-  for (double radius = kWidest; radius > k.least_radius; radius *= kNarrower)
-    if (const auto course = along_arcs(target, radius)) return *course;
-  if (const auto narrowest = along_arcs(target, k.least_radius)) return *narrowest;
+  const auto widest = [&](const auto& course_of) {
+    for (double radius = kWidest; radius > k.least_radius; radius *= kNarrower)
+      if (const auto course = course_of(target, radius)) return course;
+    return course_of(target, k.least_radius);
+  };
+  if (const auto course = widest(with_run_in)) return *course;
+  if (const auto course = widest(along_arcs)) return *course;
   return {std::clamp(bend_to(target, k), -1 / k.least_radius, 1 / k.least_radius), target.x};
 }
 

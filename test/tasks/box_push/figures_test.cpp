@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <variant>
 
 #include "tasks/box_push/plots.hpp"
 
@@ -27,12 +28,12 @@ PushResults made_up() {
 
 TEST(PushFigures, AreThoseOfTheTruth) {
   const mp::Figures f = figures_of(made_up());
-  EXPECT_NEAR(f.at("box_err_mm").front(), 5, 1e-9);
-  EXPECT_NEAR(f.at("box_err_deg").front(), 0.02 * 180 / std::acos(-1.0), 1e-9);
-  EXPECT_EQ(f.at("pushes").front(), 1);
-  EXPECT_NEAR(f.at("push_mean_N").front(), 300, 1e-9) << "while it moves";
-  EXPECT_NEAR(f.at("way_m").front(), 1, 1e-9);
-  EXPECT_NEAR(f.at("run_s").front(), 111 * 0.02, 1e-9);
+  EXPECT_NEAR(std::get<double>(f.at("box_err_mm")), 5, 1e-9);
+  EXPECT_NEAR(std::get<double>(f.at("box_err_deg")), 0.02 * 180 / std::acos(-1.0), 1e-9);
+  EXPECT_EQ(std::get<double>(f.at("pushes")), 1);
+  EXPECT_NEAR(std::get<double>(f.at("push_mean_N")), 300, 1e-9) << "while it moves";
+  EXPECT_NEAR(std::get<double>(f.at("way_m")), 1, 1e-9);
+  EXPECT_NEAR(std::get<double>(f.at("run_s")), 111 * 0.02, 1e-9);
   EXPECT_TRUE(figures_of({}).empty());
 }
 
