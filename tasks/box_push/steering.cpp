@@ -77,15 +77,13 @@ std::optional<Course> with_run_in(const PlanarPose& target, double radius) {
   return course;
 }
 
-/// @return curvature of the cubic that begins here and ends at a target, which is taken as so far that it has one; shortly before
-///         a target it is the heading that is still to be reached: the place aside is not, any more
-double bend_to(const PlanarPose& target, const SteeringLimits& k) {
-  constexpr double kSteep = 1;        // a tangent grows beyond all bounds [rad]
-  constexpr double kShortest = 0.04;  // [m]
-  const double phi = std::clamp(target.phi, -kSteep, kSteep);
-  if (target.x < k.nearest) return phi / std::max(target.x, kShortest);
-  const double ahead = std::max(target.x, 2 * k.nearest);
-  return (6 * target.y - 2 * ahead * std::tan(phi)) / (ahead * ahead);
+/// Where nothing leads to the target: to a place that is less far aside, as far as that can be reached; at least with its heading.
+Course course_near(const PlanarPose& target, const SteeringLimits& k) {
+  for (const double share : {0.8, 0.6, 0.4, 0.2, 0.0})
+    if (const auto course = along_arcs({target.x, share * target.y, target.phi}, k.least_radius))
+      return {course->curvature, target.x};
+  const double most = 1 / k.least_radius;
+  return {std::clamp(target.phi / std::max(target.x, k.nearest), -most, most), target.x};
 }
 
 }  // namespace
@@ -104,7 +102,7 @@ Course course_to(const PlanarPose& target, const SteeringLimits& k) {
   };
   if (const auto course = widest(with_run_in)) return *course;
   if (const auto course = widest(along_arcs)) return *course;
-  return {std::clamp(bend_to(target, k), -1 / k.least_radius, 1 / k.least_radius), target.x};
+  return course_near(target, k);
 }
 
 }  // namespace mrroc::box_push
