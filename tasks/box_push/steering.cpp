@@ -67,9 +67,12 @@ std::optional<Course> along_arcs(const PlanarPose& target, double radius) {
   return Course{turn_of(*way, radius) / radius, way->length() * radius};
 }
 
-/// A way of arcs that ends before the target, and goes straight on from there: what a curve has left is put right on it.
+/// Last part of a way [m]: straight on, with what a curve has left of the heading put right.
+constexpr double kRunIn = 0.3;
+
+/// A way of arcs that ends before the target, and goes straight on from there.
 std::optional<Course> with_run_in(const PlanarPose& target, double radius) {
-  constexpr double kRunIn = 0.3, kPassed = 0.05;  // [m]
+  constexpr double kPassed = 0.05;  // [m]
   const PlanarPose begin = chained(target, {-kRunIn, 0, 0});
   if (begin.x < kPassed) return std::nullopt;
   std::optional<Course> course = along_arcs(begin, radius);
@@ -77,13 +80,18 @@ std::optional<Course> with_run_in(const PlanarPose& target, double radius) {
   return course;
 }
 
-/// Where nothing leads to the target: to a place that is less far aside, as far as that can be reached; at least with its heading.
+/// The heading of the target is reached. To come to a place aside takes two curves, of which the last part would see one only.
+Course straight_in(const PlanarPose& target, const SteeringLimits& k) {
+  const double most = 1 / k.least_radius;
+  return {std::clamp(target.phi / std::max(target.x, k.nearest), -most, most), target.x};
+}
+
+/// Where nothing leads to the target: to a place that is less far aside, as far as that can be reached.
 Course course_near(const PlanarPose& target, const SteeringLimits& k) {
   for (const double share : {0.8, 0.6, 0.4, 0.2, 0.0})
     if (const auto course = along_arcs({target.x, share * target.y, target.phi}, k.least_radius))
       return {course->curvature, target.x};
-  const double most = 1 / k.least_radius;
-  return {std::clamp(target.phi / std::max(target.x, k.nearest), -most, most), target.x};
+  return straight_in(target, k);
 }
 
 }  // namespace
@@ -100,6 +108,7 @@ Course course_to(const PlanarPose& target, const SteeringLimits& k) {
       if (const auto course = course_of(target, radius)) return course;
     return course_of(target, k.least_radius);
   };
+  if (target.x < kRunIn) return straight_in(target, k);
   if (const auto course = widest(with_run_in)) return *course;
   if (const auto course = widest(along_arcs)) return *course;
   return course_near(target, k);
