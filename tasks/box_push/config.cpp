@@ -42,7 +42,7 @@ CoordinatorParameters read_coordinator(const Config& config) {
   const Config t = config.section("task");
   CoordinatorParameters k;
   k.hall = read_hall(config);
-  const auto to = t.numbers<3>("to", {{1.9, 0.8, 30}}, {-1000, 1000}, "m, m, degrees: x, y, phi of the box");
+  const auto to = t.numbers<3>("to", {{1.9, 0.8, 25}}, {-1000, 1000}, "m, m, degrees: x, y, phi of the box");
   k.goal = {to[0], to[1], wrap_angle(to[2] * kDegree)};
   k.drive.speed = t.number("speed", k.drive.speed, {0.1, 1.4}, "m/s, of a platform by itself");
   k.drive.turn_rate = t.number("turn_rate", k.drive.turn_rate, {0.2, 2.0}, "rad/s, of the same on the spot");

@@ -20,8 +20,8 @@ inline constexpr std::size_t kAgents = 2 * kPlatforms;
 
 /// How near to its goal the box is to be, as it is measured.
 struct Tolerance {
-  double position{0.015};  ///< [m]
-  double heading{0.035};   ///< [rad]
+  double position{0.02};  ///< [m]
+  double heading{0.044};  ///< [rad]
 };
 
 /// Constant parameters of the coordinator.

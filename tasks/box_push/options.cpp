@@ -34,7 +34,7 @@ std::array<double, 3> pose_of(const char* option, const std::vector<std::string>
 }  // namespace
 
 void add_push_options(CommandLine& line, PushOptions& o) {
-  line.option("--to", o.to, "Goal of the box: x, y in m, angle in degrees (default: 1.9 0.8 30)")
+  line.option("--to", o.to, "Goal of the box: x, y in m, angle in degrees (default: 1.9 0.8 25)")
       .type_name("X Y DEG");
   line.option("--box", o.box, "Where the box stands at the beginning, in the same form (default: 0 0 0)")
       .type_name("X Y DEG");

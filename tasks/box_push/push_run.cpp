@@ -64,6 +64,8 @@ PlanarPose told_before_end(const PushRun& run, double iterations) {
 }
 
 PushRun with_reading(const PushRun& run, const PlanarPose& box, double iterations, const Formation& f) {
+  // The side of the box lies flat against both noses: it turns with the pair. What it lags behind on a curve comes after on the
+  // straight way, so nothing is learned of its heading.
   constexpr double kShare = 0.2;  // of a reading
   const PlanarPose told = told_before_end(run, iterations);
   if (way_to(run, told) < f.gap + kUntilBothPush) return run;
@@ -71,7 +73,6 @@ PushRun with_reading(const PushRun& run, const PlanarPose& box, double iteration
   PushRun next = run;
   next.box.x += kShare * (seen.x - run.box.x);
   next.box.y += kShare * (seen.y - run.box.y);
-  next.box.phi = wrap_angle(run.box.phi + kShare * wrap_angle(seen.phi - run.box.phi));
   return next;
 }
 

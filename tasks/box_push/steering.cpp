@@ -67,26 +67,51 @@ std::optional<Course> along_arcs(const PlanarPose& target, double radius) {
   return Course{turn_of(*way, radius) / radius, way->length() * radius};
 }
 
-/// @return curvature of the cubic that begins here and ends at a target, which is taken as so far that it has one
-double bend_to(const PlanarPose& target, const SteeringLimits& k) {
-  constexpr double kSteep = 1;  // a tangent grows beyond all bounds [rad]
-  const double ahead = std::max(target.x, k.nearest);
-  return (6 * target.y - 2 * ahead * std::tan(std::clamp(target.phi, -kSteep, kSteep))) / (ahead * ahead);
+/// Last part of a way [m]: straight on, with what a curve has left of the heading put right.
+constexpr double kRunIn = 0.3;
+
+/// A way of arcs that ends before the target, and goes straight on from there.
+std::optional<Course> with_run_in(const PlanarPose& target, double radius) {
+  constexpr double kPassed = 0.05;  // [m]
+  const PlanarPose begin = chained(target, {-kRunIn, 0, 0});
+  if (begin.x < kPassed) return std::nullopt;
+  std::optional<Course> course = along_arcs(begin, radius);
+  if (course) course->length += kRunIn;
+  return course;
+}
+
+/// The heading of the target is reached. To come to a place aside takes two curves, of which the last part would see one only.
+Course straight_in(const PlanarPose& target, const SteeringLimits& k) {
+  const double most = 1 / k.least_radius;
+  return {std::clamp(target.phi / std::max(target.x, k.nearest), -most, most), target.x};
+}
+
+/// Where nothing leads to the target: to a place that is less far aside, as far as that can be reached.
+Course course_near(const PlanarPose& target, const SteeringLimits& k) {
+  for (const double share : {0.8, 0.6, 0.4, 0.2, 0.0})
+    if (const auto course = along_arcs({target.x, share * target.y, target.phi}, k.least_radius))
+      return {course->curvature, target.x};
+  return straight_in(target, k);
 }
 
 }  // namespace
 
 std::optional<Course> planned_course(const PlanarPose& target, const SteeringLimits& k) {
-  return along_arcs(target, k.radius);
+  return with_run_in(target, k.radius);
 }
 
 Course course_to(const PlanarPose& target, const SteeringLimits& k) {
   constexpr double kWidest = 12;      // [m]
   constexpr double kNarrower = 0.94;  // from one radius to the next
-  for (double radius = kWidest; radius > k.least_radius; radius *= kNarrower)
-    if (const auto course = along_arcs(target, radius)) return *course;
-  if (const auto narrowest = along_arcs(target, k.least_radius)) return *narrowest;
-  return {std::clamp(bend_to(target, k), -1 / k.least_radius, 1 / k.least_radius), target.x};
+  const auto widest = [&](const auto& course_of) {
+    for (double radius = kWidest; radius > k.least_radius; radius *= kNarrower)
+      if (const auto course = course_of(target, radius)) return course;
+    return course_of(target, k.least_radius);
+  };
+  if (target.x < kRunIn) return straight_in(target, k);
+  if (const auto course = widest(with_run_in)) return *course;
+  if (const auto course = widest(along_arcs)) return *course;
+  return course_near(target, k);
 }
 
 }  // namespace mrroc::box_push

@@ -21,7 +21,7 @@ Config config_with(const std::vector<std::string>& settings) {
 TEST(PushConfig, HasAGoalThatNeedsWayAndTurn) {
   const CoordinatorParameters k = read_coordinator(config_with({}));
   EXPECT_GT(distance({}, k.goal), 1);
-  EXPECT_NEAR(k.goal.phi, std::numbers::pi / 6, 1e-12);
+  EXPECT_NEAR(k.goal.phi, std::numbers::pi * 25 / 180, 1e-12);
   EXPECT_TRUE(k.hall.room.obstacles.empty());
 }
 

@@ -37,7 +37,7 @@ PlanarPose push_to(const PlanarPose& goal, const PlanarPose& slip, PushRun& run)
 }
 
 TEST(PushRun, BringsTheBoxToItsTarget) {
-  for (const PlanarPose& goal : {PlanarPose{1, 0, 0}, {1.9, 0.8, 0.52}, {2, -0.3, 0.1}, {0.6, 0, 0}})
+  for (const PlanarPose& goal : {PlanarPose{1, 0, 0}, {1.9, 0.8, 0.44}, {2, -0.25, -0.2}, {1.1, 0, 0}})
     for (const PlanarPose& slip : {PlanarPose{}, {0.01, 0.02, 0.02}, {-0.01, -0.03, -0.01}}) {
       PushRun run;
       const PlanarPose error = seen_from(goal, push_to(goal, slip, run));
