@@ -140,11 +140,11 @@ TEST_P(Estimators, HoldTheWayByExactPictures) {
     trial.pictures = 0.1;
     trial.seed = seed;
     const auto samples = drive(*estimator, trial);
-    EXPECT_LT(position_max(samples, 6, 16.2), 0.015);
-    EXPECT_GE(share_in_ellipse(samples), 0.9);
+    EXPECT_LT(position_max(samples, 6, 16.2), 0.03);
+    EXPECT_GE(share_in_ellipse(samples), 0.8);
     trial.map_lost = {6, 1e9};
     trial.duration = 44;
-    EXPECT_LT(position_max(drive(*estimator, trial), 6, 44), 0.025);
+    EXPECT_LT(position_max(drive(*estimator, trial), 6, 44), 0.04);
   }
 }
 
