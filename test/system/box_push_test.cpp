@@ -10,8 +10,8 @@ namespace {
 
 /// Platforms that stand behind the box already.
 std::vector<std::string> short_push(const Folder& folder, const std::string& name) {
-  return {"--to",      "0.7",
-          "0.05",      "8",
+  return {"--to",      "0.8",
+          "0",         "0",
           "--set",     "sim.platforms.rex1.start=[-1.1, 0.54, 0]",
           "--set",     "sim.platforms.rex2.start=[-1.1, -0.54, 0]",
           "--run-dir", (folder / name).string()};
