@@ -138,10 +138,12 @@ void put_behaviour(Canvas& c, int row, const AgentView& a, bool current) {
 }
 
 void put_chart(Rows& rows, const View& view, const AgentView& a, int height, bool with_m) {
-  constexpr std::size_t kNumbers = 11, kUnit = 2;  // such as " -0.5..0.5 ", and of most units
+  const std::size_t numbers =
+      a.effector == EffectorKind::platform ? 11 : 9;  // such as " -0.5..0.5 ", " -20..20 "
+  constexpr std::size_t kUnit = 2;                    // of most units
   const auto quantities = quantities_of(a.effector);
   const Quantity shown = quantities[view.chart % quantities.size()];
-  const auto scale = static_cast<int>(kNumbers + std::max(kUnit, unit_of(shown).size()));
+  const auto scale = static_cast<int>(numbers + std::max(kUnit, unit_of(shown).size()));
   const int width = rows.canvas().size().columns - kName - scale;
   const double least = unit_of(shown) == "N" ? kLeastForce : unit_of(shown) == "mm" ? kLeastWay : kLeastSpeed;
   const StripChart chart =
