@@ -44,13 +44,16 @@ TEST(BoxPush, StandsDuringAPauseAndComesToItsGoal) {
   EXPECT_LE(figure(summary(folder / "run"), "box_err_mm"), 30);
 }
 
-TEST(BoxPush, RefusesAGoalWithoutRoomBeforeAnythingStarts) {
+TEST(BoxPush, RefusesAGoalThatIsNoneBeforeAnythingStarts) {
   const Folder folder;
-  for (const std::vector<std::string>& to : {std::vector<std::string>{"4.9", "0", "0"}, {"1", "2"}}) {
+  for (const auto& [to, named] :
+       {std::pair<std::vector<std::string>, std::string>{{"4.9", "0", "0"}, "task.to"},
+        {{"1", "2"}, "--to"}}) {
     const Ended ended =
         run(folder, "box_push", words({{"--to"}, to, {"--run-dir", (folder / "run").string()}}));
     EXPECT_EQ(ended.status, 2) << ended.all();
-    EXPECT_NE(ended.all().find("--to"), std::string::npos) << ended.all();
+    EXPECT_NE(ended.all().find(named), std::string::npos) << ended.all();
+    EXPECT_FALSE(std::filesystem::exists(folder / "run"));
   }
 }
 
