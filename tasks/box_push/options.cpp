@@ -18,15 +18,17 @@ constexpr const char* kBoxKey = "sim.boxes.box.start";
 
 /// @throws FaultError bad_usage
 std::array<double, 3> pose_of(const char* option, const std::vector<std::string>& words) {
-  const FaultError wrong(
-      FaultCode::bad_usage, fmt::format("{} {}: not three numbers", option, fmt::join(words, " ")),
-      fmt::format("give x and y in metres and an angle in degrees, such as {} 1.5 0.5 30", option));
-  if (words.size() != 3) throw wrong;
+  const auto refuse = [&] {
+    throw FaultError(
+        FaultCode::bad_usage, fmt::format("{} {}: not three numbers", option, fmt::join(words, " ")),
+        fmt::format("give x and y in metres and an angle in degrees, such as {} 1.5 0.5 30", option));
+  };
+  if (words.size() != 3) refuse();
   std::array<double, 3> numbers{};
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     char* end = nullptr;
     numbers[k] = std::strtod(words[k].c_str(), &end);
-    if (words[k].empty() || *end != '\0' || !std::isfinite(numbers[k])) throw wrong;
+    if (words[k].empty() || *end != '\0' || !std::isfinite(numbers[k])) refuse();
   }
   return numbers;
 }
