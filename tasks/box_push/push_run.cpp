@@ -56,9 +56,10 @@ PathPoint end_of(const PushRun& run) {
 
 PlanarPose told_before_end(const PushRun& run, double iterations) {
   double left = std::max(0.0, iterations);
-  for (auto s = run.stretches.rbegin(); s != run.stretches.rend(); ++s) {
-    if (left <= s->steps) return point_of(*s, 1 - left / s->steps).p;
-    left -= s->steps;
+  for (std::size_t k = run.stretches.size(); k > 0; --k) {
+    const Stretch& s = run.stretches[k - 1];
+    if (left <= s.steps) return point_of(s, 1 - left / s.steps).p;
+    left -= s.steps;
   }
   return run.begin;
 }
