@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/msg/convert_platform.hpp"
+#include "ecp/map/map_agent.hpp"
 #include "edp/platform/driver.hpp"
 #include "edp/platform/guard.hpp"
 #include "mp/black_box.hpp"
@@ -16,7 +17,6 @@
 #include "mrroc/agent_report_t.hpp"
 #include "tasks/rex_drive/keys.hpp"
 #include "tasks/rex_drive/locomotion.hpp"
-#include "ecp/map/map_agent.hpp"
 #include "tasks/rex_drive/ontology.hpp"
 #include "test/docs/rex_data_flow.hpp"
 
