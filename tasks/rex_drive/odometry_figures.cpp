@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "base/planar.hpp"
 #include "base/statistics.hpp"
 
 namespace mrroc::rex_drive {
@@ -19,19 +20,12 @@ bool within_ellipsoid(const PlanarPose& error, const PlanarCovariance& covarianc
   return root.vectorD().minCoeff() > 0 && e.dot(root.solve(e)) <= kChiSquared;
 }
 
-/// @return where B is that was at `from` before the motion
-PlanarPose moved(const PlanarPose& from, const PlanarPose& motion) {
-  const double cs = std::cos(from.phi), sn = std::sin(from.phi);
-  return {from.x + cs * motion.x - sn * motion.y, from.y + sn * motion.x + cs * motion.y,
-          wrap_angle(from.phi + motion.phi)};
-}
-
 /// Adds up motions, measured and true.
 class Drift {
  public:
   void add(const PlanarPose& measured, const PlanarPose& truth) {
-    measured_ = moved(measured_, measured);
-    truth_ = moved(truth_, truth);
+    measured_ = chained(measured_, measured);
+    truth_ = chained(truth_, truth);
     length_ += std::hypot(truth.x, truth.y);
     if (length_ < kDriftWay) return;
     percent_.add(100 * std::hypot(measured_.x - truth_.x, measured_.y - truth_.y) / length_);

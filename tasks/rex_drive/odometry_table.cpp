@@ -7,18 +7,13 @@
 #include <cmath>
 #include <limits>
 
+#include "base/planar.hpp"
 #include "base/text_file.hpp"
 
 namespace mrroc::rex_drive {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
-/// @return where another pose is in this one
-PlanarPose seen_from(const PlanarPose& one, const PlanarPose& other) {
-  const double x = other.x - one.x, y = other.y - one.y, cs = std::cos(one.phi), sn = std::sin(one.phi);
-  return {cs * x + sn * y, -sn * x + cs * y, wrap_angle(other.phi - one.phi)};
-}
 
 /// @return the true pose at a step; nothing: no truth is told of it
 std::optional<PlanarPose> true_pose(const std::vector<platform_truth_t>& truths, std::int64_t step, int n_s) {
