@@ -77,7 +77,10 @@ bool is_proper(const plan_t& m) noexcept {
 }
 
 bool is_proper(const fragment_order_t& m) noexcept {
-  return m.fragment.number >= 0 && finite(m.fragment.knot);
+  const fragment_t& f = m.fragment;
+  const bool one = f.number > 0 && f.steps >= 1 && f.steps <= kMaxFragmentSteps && f.notify < f.steps &&
+                   f.notify >= -kMaxFragmentSteps;
+  return (f.number == 0 || one) && finite(f.knot);
 }
 
 bool is_proper(const box_truth_t& m) noexcept { return finite(m.p) && finite(m.speed) && finite(m.push); }

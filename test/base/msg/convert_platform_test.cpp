@@ -386,6 +386,24 @@ void expect_proper_ones_finite() {
   });
 }
 
+TEST(PlatformMessages, AnOrderHasNoFragmentOrOneWhoseStepsAreWithinTheirBounds) {
+  fragment_order_t m{};
+  EXPECT_TRUE(is_proper(m)) << "none";
+  const auto proper = [&](std::int64_t number, std::int32_t steps, std::int32_t notify) {
+    m.fragment.number = number;
+    m.fragment.steps = steps;
+    m.fragment.notify = notify;
+    return is_proper(m);
+  };
+  EXPECT_TRUE(proper(1, 1, 0));
+  EXPECT_TRUE(proper(1, kMaxFragmentSteps, -kMaxFragmentSteps));
+  EXPECT_FALSE(proper(-1, 1, 0));
+  EXPECT_FALSE(proper(1, 0, -1));
+  EXPECT_FALSE(proper(1, kMaxFragmentSteps + 1, 0));
+  EXPECT_FALSE(proper(1, 5, 5));
+  EXPECT_FALSE(proper(1, 5, -kMaxFragmentSteps - 1));
+}
+
 TEST(PlatformMessages, OfAnyBytesThoseThatAreProperAreFinite) {
   expect_proper_ones_finite<platform_reply_t>();
   expect_proper_ones_finite<platform_telemetry_t>();
