@@ -45,7 +45,9 @@ endif()
 
 # Headers that most files need, compiled once for the libraries and programs, and once for the tests, which are
 # optimised less: they are compiled more often than run.
-# LCM asks for -pthread; a precompiled header serves only files with the same options.
+# LCM asks for -pthread; a precompiled header serves only files with the same options. One that came damaged from a cache
+# costs time, as its headers are then read as they are, and fails nothing.
+set(CMAKE_PCH_WARN_INVALID OFF)
 target_compile_options(mrroc_options INTERFACE -pthread)
 file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/empty.cpp CONTENT "")
 add_library(mrroc_headers STATIC ${CMAKE_BINARY_DIR}/empty.cpp)
