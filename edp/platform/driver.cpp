@@ -193,6 +193,8 @@ void PlatformDriver::locate() noexcept {
 void PlatformDriver::estimate_state() noexcept {
   stage_ = sensors_.take(step_ - step_ % kPlatformSteps);
   const std::optional<Fault> lost = observer_.step(stage_, step_);
+  offset_.come_back(reference_.front().p);
+  offset_.add(observer_.result().displacement);
   if (lost) begun_ = position_known_ = false;
   if (state_ == DriverState::faulted) return;
   if (lost) return trip(*lost);
@@ -207,8 +209,10 @@ void PlatformDriver::estimate_state() noexcept {
     return trip(*wrong);
   if (state_ == DriverState::holding) settle();
   // After a stop it rests where it stands, and does not go back to where it was to stand.
-  if (state_ == DriverState::ready || (state_ == DriverState::holding && stopped_))
+  if (state_ == DriverState::ready || (state_ == DriverState::holding && stopped_)) {
     queue_.hold_at(observer_.result().estimate.p);
+    offset_.drop();
+  }
 }
 
 void PlatformDriver::settle() noexcept {
@@ -238,8 +242,11 @@ void PlatformDriver::follow() noexcept {
   if (!followed_) return;
   wheel_brake_.end();
   const EstimatorResult& x = observer_.result();
-  if (!followed) follower_.begin(x);
-  const Reference near = drawn_near(reference_, x.estimate.p);
+  if (!followed) {
+    follower_.begin(x);
+    offset_.drop();
+  }
+  const Reference near = drawn_near(offset_.applied(reference_, platform_->horizon_period), x.estimate.p);
   if (const std::optional<Fault> wrong = follower_.step(x, observer_.slip(), stage_.load, near)) trip(*wrong);
 }
 

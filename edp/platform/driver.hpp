@@ -14,6 +14,7 @@
 #include "edp/platform/parameters.hpp"
 #include "edp/platform/platform.hpp"
 #include "edp/platform/reference.hpp"
+#include "edp/platform/reference_offset.hpp"
 #include "edp/platform/reply.hpp"
 #include "edp/platform/stage_collector.hpp"
 #include "edp/platform/supervision.hpp"
@@ -176,6 +177,7 @@ class PlatformDriver {
 
   StageReading stage_{};
   Reference reference_{};
+  ReferenceOffset offset_;
   bool followed_{};  // the tracker has given torques in this macrostep
   bool enabled_{};   // the drives follow them
   PerWheel torque_{};

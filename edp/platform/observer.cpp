@@ -136,7 +136,10 @@ std::optional<Fault> Observer::step(const StageReading& stage, std::int64_t now)
   const bool usable = is_usable(result);
   health_ = result.health;
   known_ = known_ || usable;
-  if (usable) result_ = result;
+  if (usable)
+    result_ = result;
+  else
+    result_.displacement = {};
   const bool failed = !usable || health_.solver_failed;
   failed_ = failed ? failed_ + 1 : 0;
   failures_ += failed;

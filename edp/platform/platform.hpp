@@ -71,6 +71,9 @@ struct EstimatorResult {
   double mass{};              ///< weighed at SYNCHRO [kg]
   PlanarPose centre;          ///< centre of mass in B, weighed; phi is not used
   Health health;              ///< of this step
+  /// By how much all that it believes was moved in this step, since the map contradicted the pose alone: p became
+  /// chained(displacement, p). How the platform moves has not changed.
+  PlanarPose displacement{};
 };
 
 /// State estimator (MHE, or another).

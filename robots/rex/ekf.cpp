@@ -1,7 +1,9 @@
 #include "robots/rex/ekf.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "robots/rex/displacement.hpp"
 #include "robots/rex/estimate.hpp"
 
 namespace mrroc::rex {
@@ -11,6 +13,7 @@ void Ekf::begin(const edp::StandingStill& found) noexcept {
   before(0) = standing_belief(found, window_);
   changed_ = 0;
   inconsistent_ = false;
+  displacement_ = {};
   filter();
 }
 
@@ -43,17 +46,27 @@ bool Ekf::add(const MapPose& pose) noexcept {
   const int k = window_.add(pose);
   if (k < 0) return false;
   const Eigen::Matrix3d covariance = pose_covariance(before(k), window_.centre());
-  inconsistent_ = inconsistent_ || beyond_ellipse(window_[k], before(k).z, covariance, window_.centre());
   changed_ = std::min(changed_, k);
+  inconsistent_ = inconsistent_ || beyond_ellipse(window_[k], before(k).z, covariance, window_.centre());
+  if (const auto displacement = displacement_at(window_, k, before(k).z)) displace(k, *displacement);
   return true;
+}
+
+void Ekf::displace(int k, const PlanarPose& displacement) noexcept {
+  window_.displace(k, displacement.phi);
+  for (int i = 0; i < window_.size(); ++i) before(i) = moved(before(i), displacement);
+  newest_ = moved(newest_, displacement);
+  displacement_ = chained(displacement, displacement_);
+  changed_ = 0;
 }
 
 edp::EstimatorResult Ekf::step() noexcept {
   if (window_.size() == 0) return no_result();
   filter();
-  const edp::Health health{.ok = true, .inconsistent = inconsistent_, .iterations = 1};
-  inconsistent_ = false;
-  return result_of(newest_, window_, health);
+  const edp::Health health{.ok = true, .inconsistent = std::exchange(inconsistent_, false), .iterations = 1};
+  edp::EstimatorResult result = result_of(newest_, window_, health);
+  result.displacement = std::exchange(displacement_, {});
+  return result;
 }
 
 void Ekf::filter() noexcept {

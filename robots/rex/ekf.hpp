@@ -22,6 +22,8 @@ class Ekf final : public edp::Estimator {
   [[nodiscard]] StageBelief& before(int k) noexcept { return before_[static_cast<std::size_t>(k)]; }
   /// Filters from the oldest stage that has changed to the newest one.
   void filter() noexcept;
+  /// Moves all that is believed, as a whole. @param k  stage whose map pose says so
+  void displace(int k, const PlanarPose& displacement) noexcept;
   /// Goes from stage k, whose belief with all measurements is newest_, to the next one.
   void go_on(int k) noexcept;
 
@@ -30,6 +32,7 @@ class Ekf final : public edp::Estimator {
   StageBelief newest_{};                             // with all measurements
   int changed_{};                                    // oldest stage that has changed since filter()
   bool inconsistent_{};                              // since the last step
+  PlanarPose displacement_;                          // since the last step
 };
 
 }  // namespace mrroc::rex

@@ -2,8 +2,10 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <utility>
 #include <vector>
 
+#include "robots/rex/displacement.hpp"
 #include "robots/rex/estimate.hpp"
 
 namespace mrroc::rex {
@@ -46,6 +48,7 @@ void Mhe::begin(const edp::StandingStill& found) noexcept {
   newest_ = arrival_;
   steps_to_covariance_ = 0;
   inconsistent_ = false;
+  displacement_ = {};
 }
 
 void Mhe::add(const edp::StageReading& reading) noexcept {
@@ -91,13 +94,21 @@ bool Mhe::add(const MapPose& pose) noexcept {
   if (k < 0) return false;
   const Eigen::Matrix3d covariance = pose_covariance(newest_, window_.centre());
   inconsistent_ = inconsistent_ || beyond_ellipse(window_[k], z_[k], covariance, window_.centre());
+  if (const auto displacement = displacement_at(window_, k, z_[k])) displace(k, *displacement);
   return true;
+}
+
+void Mhe::displace(int k, const PlanarPose& displacement) noexcept {
+  window_.displace(k, displacement.phi);
+  for (int i = 0; i < window_.size(); ++i) z_.set(i, moved(z_[i], displacement));
+  arrival_ = moved(arrival_, displacement);
+  newest_ = moved(newest_, displacement);
+  displacement_ = chained(displacement, displacement_);
 }
 
 edp::EstimatorResult Mhe::step() noexcept {
   if (window_.size() == 0) return no_result();
-  edp::Health health{.inconsistent = inconsistent_};
-  inconsistent_ = false;
+  edp::Health health{.inconsistent = std::exchange(inconsistent_, false)};
   if (window_.full()) {
     z_.linearise(window_);
     improve(health);
@@ -107,7 +118,9 @@ edp::EstimatorResult Mhe::step() noexcept {
     fill();
   }
   health.ok = newest_.z.allFinite();
-  return result_of(newest_, window_, health);
+  edp::EstimatorResult result = result_of(newest_, window_, health);
+  result.displacement = std::exchange(displacement_, {});
+  return result;
 }
 
 void Mhe::fill() noexcept {

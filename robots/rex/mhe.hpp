@@ -42,6 +42,8 @@ class Mhe final : public edp::Estimator {
  private:
   static constexpr auto kStages = static_cast<std::size_t>(kWindowStages);
 
+  /// Moves all that is believed, as a whole. @param k  stage whose map pose says so
+  void displace(int k, const PlanarPose& displacement) noexcept;
   /// Takes the oldest stage's measurements into the arrival cost, before it leaves.
   void leave() noexcept;
   /// Filters over a window that is not full.
@@ -65,7 +67,8 @@ class Mhe final : public edp::Estimator {
   ocp::OcpQp qp_;
   StageBelief newest_{};
   int steps_to_covariance_{};
-  bool inconsistent_{};  // since the last step
+  bool inconsistent_{};      // since the last step
+  PlanarPose displacement_;  // since the last step
 };
 
 }  // namespace mrroc::rex

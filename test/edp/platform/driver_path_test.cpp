@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
+#include "base/planar.hpp"
 #include "test/edp/platform/platform_rig.hpp"
 
 namespace mrroc::edp::test {
@@ -105,6 +107,38 @@ TEST_F(Driving, RestsAtTheEndOfItsWayAndBrakes) {
   EXPECT_TRUE(reply.at_rest);
   EXPECT_EQ(reply.state, DriverState::holding);
   EXPECT_LT(rig.away(way.end().p), kClose);
+}
+
+// Somewhere in the room the map moves by 20 cm, or turns.
+TEST(MovingMap, MakesNoKickAndIsFollowedInTheEnd) {
+  const auto begun = [] {
+    auto rig = std::make_unique<PlatformRig>();
+    EXPECT_TRUE(rig->synchronise());
+    Way way = rig->way();
+    rig->macrostep(rig->set(way.next(0.5, 0, 60)));
+    for (int k = 0; k < 3; ++k) rig->macrostep(rig->set(way.next(0.5, 0, 300)));
+    rig->wait(90);
+    return rig;
+  };
+  const auto still = begun();
+  still->wait(700);
+  for (const PlanarPose& displacement :
+       {PlanarPose{0.2, 0, 0}, {-0.2, 0, 0}, {0, 0.2, 0}, {0.1, -0.2, 0}, {0, 0, 0.1}}) {
+    const auto moved = begun();
+    moved->platform.faults.displacement = displacement;
+    double kick = 0, turned = 0;
+    for (int k = 0; k < 50; ++k) {
+      moved->wait(1);
+      kick = std::max(kick, std::abs(moved->ground.v - 0.5));
+      turned = std::max(turned, std::abs(moved->ground.w));
+    }
+    EXPECT_LT(kick, 1.2 * ReferenceOffset::kBack);
+    EXPECT_LT(turned, 0.25);
+    moved->wait(650);
+    ASSERT_EQ(moved->driver.state(), DriverState::executing);
+    EXPECT_LT(distance(chained(displacement, moved->ground.p), still->ground.p), kClose)
+        << displacement.x << " " << displacement.y << " " << displacement.phi;
+  }
 }
 
 TEST_F(Driving, APlatformThatIsPushedAwayFromItsEndDrivesBack) {

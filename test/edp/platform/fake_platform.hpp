@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "base/planar.hpp"
 #include "edp/platform/platform.hpp"
 
 namespace mrroc::edp::test {
@@ -32,6 +33,7 @@ struct FakeFaults {
   bool torque_not_finite{};
   bool torque_too_large{};
   bool wheels_elsewhere{};  ///< the estimated speed of wheel 2 is wrong
+  PlanarPose displacement{};  ///< of all that it believes, once
 };
 
 /// Dead reckoning, which is exact for wheels that do not slip.
@@ -76,6 +78,12 @@ class FakeEstimator : public Estimator {
     r.health.inconsistent = map_ && faults_->inconsistent;
     r.health.iterations = 3;
     if (faults_->estimate_not_finite) r.estimate.p.x = std::numeric_limits<double>::quiet_NaN();
+    if (const PlanarPose& d = faults_->displacement; !displaced_ && (d.x != 0 || d.y != 0 || d.phi != 0)) {
+      displaced_ = true;
+      r_.estimate.p = r.estimate.p = chained(d, r.estimate.p);
+      yaw_offset_ += d.phi;
+      r.displacement = d;
+    }
     if (faults_->wheels_elsewhere) r.estimate.theta_dot[2] += 2;
     map_ = false;
     return r;
@@ -89,6 +97,7 @@ class FakeEstimator : public Estimator {
   EstimatorResult r_;
   double yaw_offset_{};
   bool map_{};
+  bool displaced_{};
 };
 
 /// Speeds of the reference with a correction of the error, reached within a few iterations.

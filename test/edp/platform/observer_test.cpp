@@ -347,5 +347,14 @@ TEST_F(ObserverTest, ASlipThatNoGroundHasIsNotUsedAndMoreFrictionThanTheNominalN
   EXPECT_FALSE(adapts({0.5, 0.5, -0.91}));
 }
 
+TEST_F(ObserverTest, ADisplacementIsToldOnce) {
+  script.result.displacement = {0.2, 0, 0};
+  step();
+  EXPECT_EQ(observer->result().displacement.x, 0.2);
+  script.result.health.ok = false;
+  step();
+  EXPECT_EQ(observer->result().displacement.x, 0) << "what cannot be used has displaced nothing";
+}
+
 }  // namespace
 }  // namespace mrroc::edp::test

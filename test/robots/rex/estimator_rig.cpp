@@ -7,6 +7,8 @@
 #include <numbers>
 #include <tuple>
 
+#include "base/planar.hpp"
+
 namespace mrroc::rex::test {
 namespace {
 
@@ -134,7 +136,11 @@ std::vector<Sample> drive(edp::Estimator& estimator, const Trial& trial) {
     }
     const std::int64_t step = i * kPlatformSteps;
     const bool lost = time > trial.map_lost[0] && time < trial.map_lost[1];
-    if (step % 50 == 0 && !lost) maps.push_back({step + 40, sensors.map(step, plant)});
+    if (step % 50 == 0 && !lost) {
+      maps.push_back({step + 40, sensors.map(step, plant)});
+      if (MapPose& pose = maps.back().reading; time >= trial.map_lost[1])
+        pose.p = chained(trial.displacement, pose.p);
+    }
     if (step % 40 == 0) {
       if (trial.odometry)
         motions.push_back({step + 70, sensors.odometry(step - 40, pictured, step, plant.p())});

@@ -19,6 +19,7 @@ struct Trial {
   Drive drive{};
   double duration{20};                       ///< [s]
   std::array<double, 2> map_lost{1e9, 1e9};  ///< no map pose is measured between these times [s]
+  PlanarPose displacement{};                 ///< of the map, from map_lost[1] on
   bool odometry{true};
   double pictures{1};  ///< scales the noise of the odometry, and what it says of it
   bool imu{true};

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <random>
 #include <string>
 
+#include "base/planar.hpp"
 #include "test/robots/rex/estimator_rig.hpp"
 #include "test/robots/rex/estimators.hpp"
 
@@ -213,6 +215,31 @@ TEST_P(Estimators, LearnOfTheGroundOnlyWhenTheyTurn) {
   const auto turning = drive(*estimator, trial);
   EXPECT_GT(straight.back().result.slip_sd.mu_y, 0.15);
   EXPECT_LT(turning.back().result.slip_sd.mu_y, 0.05);
+}
+
+// Whatever the map says where it is when it is back, the platform goes on as it went.
+TEST_P(Estimators, AMapThatComesBackElsewhereChangesThePoseAlone) {
+  Trial trial = winding_trial();
+  trial.duration = 12;
+  trial.map_lost = {6, 10};
+  const auto as_it_was = drive(*estimator, trial);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<> place(-0.5, 0.5), angle(-0.3, 0.3);
+  for (int i = 0; i < 5; ++i) {
+    trial.displacement = {place(random), place(random), angle(random)};
+    const auto elsewhere = drive(*estimator, trial);
+    PlanarPose displacement;
+    for (std::size_t k = 0; k < elsewhere.size(); ++k) {
+      const edp::EstimatorResult &a = as_it_was[k].result, &b = elsewhere[k].result;
+      displacement = chained(b.displacement, displacement);
+      EXPECT_NEAR(b.estimate.v.vx, a.estimate.v.vx, 0.01) << elsewhere[k].time;
+      EXPECT_NEAR(b.estimate.v.vy, a.estimate.v.vy, 0.02) << elsewhere[k].time;
+      EXPECT_NEAR(b.estimate.v.w, a.estimate.v.w, 0.02) << elsewhere[k].time;
+    }
+    const PlanarPose there = chained(trial.displacement, elsewhere.back().p);
+    EXPECT_LT(distance(elsewhere.back().result.estimate.p, there), 0.02);
+    EXPECT_NEAR(wrap_angle(displacement.phi - trial.displacement.phi), 0, 0.05);
+  }
 }
 
 }  // namespace
