@@ -36,11 +36,12 @@ const std::vector<
         {"operator", [](const std::string&, bool) { return bench::run_operator_group(); }},
         {"rubik", [](const std::string&, bool resume) { return bench::run_rubik_group(resume); }},
         {"rex", [](const std::string& plots, bool) { return bench::run_rex_group(plots); }},
+        {"rex_stops", [](const std::string&, bool) { return bench::run_rex_stops_group(); }},
         {"mutation", [](const std::string&, bool resume) { return bench::run_mutation_group(resume); }},
     };
 
 /// Groups that have to be named.
-const std::vector<std::string> kLong{"rubik", "rex", "mutation"};
+const std::vector<std::string> kLong{"rubik", "rex", "rex_stops", "mutation"};
 
 std::vector<std::string> group_names() {
   std::vector<std::string> names;

@@ -274,9 +274,10 @@ bool Supervisor::all(ProcessState at_least) const {
   return std::ranges::all_of(nodes_, [&](const auto& node) { return node->state() >= at_least; });
 }
 
+// What a driver that is dead has told last may be of a time when its robot stood.
 bool Supervisor::robots_rest() const {
   return std::ranges::all_of(
-      nodes_, [this](const auto& node) { return node->rests() || (node->ended() && plant_rests(*node)); });
+      nodes_, [this](const auto& node) { return node->ended() ? plant_rests(*node) : node->rests(); });
 }
 
 // A driver that has done its work has left its robot at rest.

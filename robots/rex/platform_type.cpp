@@ -22,6 +22,7 @@ robots::PlatformType make_type() {
              .full_torque_speed = kFullTorqueSpeed,
              .no_torque_speed = kMaxWheelSpeed,
              .brake = kBrake,
+             .quick_stop = kBrakingTorque,
              .increments_per_turn = kIncrementsPerTurn,
              .torque_constant = kTorqueConstant,
              .length = kLength,

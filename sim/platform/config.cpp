@@ -51,6 +51,7 @@ PlatformParameters read_platform(const Config& config, const std::string& key,
   p.body.inertia = t.number("inertia", inertia, {type.plant.inertia / 10, type.plant.inertia * 10}, "kg m^2");
   p.body.bearing_friction = t.number("bearing_friction", p.body.bearing_friction, {0, 10}, "N m s/rad");
   p.body.brake = t.number("brake", p.body.brake, {0, 50}, "N m s/rad");
+  p.body.quick_stop = t.number("quick_stop", p.body.quick_stop, {0, p.body.max_torque}, "N m");
   p.centre = t.numbers<2>("centre", p.centre, {-10, 10}, "m, of mass, x and y in B");
   if (std::hypot(p.centre[0] / p.body.half_wheelbase, p.centre[1] / p.body.half_track) >= 1)
     refuse(table + ".centre",

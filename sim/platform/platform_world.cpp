@@ -102,6 +102,10 @@ const std::optional<CapturedPose>& PlatformWorld::motion_capture(int platform) c
 }
 const PlatformTruth& PlatformWorld::truth(int platform) const { return impl_->platform(platform).truth(); }
 
+const robots::SkidSteerParameters& PlatformWorld::body(int platform) const {
+  return impl_->platform(platform).body();
+}
+
 int PlatformWorld::boxes() const { return static_cast<int>(impl_->boxes.size()); }
 const std::optional<CapturedPose>& PlatformWorld::box_motion_capture(int box) const {
   return impl_->box(box).motion_capture();

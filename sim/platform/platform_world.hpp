@@ -45,6 +45,9 @@ class PlatformWorld {
   /// @return the true state, for tests, viewers and figures, never for control
   [[nodiscard]] const PlatformTruth& truth(int platform) const;
 
+  /// @param platform  0..platforms()-1 @return its body, as it really is
+  [[nodiscard]] const robots::SkidSteerParameters& body(int platform) const;
+
   /// @return number of boxes
   [[nodiscard]] int boxes() const;
   /// @param box  0..boxes()-1, in the order of the parameters

@@ -33,6 +33,7 @@ class SimulatedPlatform {
   [[nodiscard]] const PlatformReading& reading() const { return reading_; }
   [[nodiscard]] const std::optional<CapturedPose>& motion_capture() const { return captured_; }
   [[nodiscard]] const PlatformTruth& truth() const { return truth_; }
+  [[nodiscard]] const robots::SkidSteerParameters& body() const { return k_.body; }
 
   /// Calls visit(double) for every number of the state and of the reading.
   template <class Visit>

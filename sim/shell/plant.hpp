@@ -33,6 +33,10 @@ class Plant {
   /// @param macrostep  under way @param begins  whether it begins with this step
   virtual void publish(std::int64_t step, std::int64_t macrostep, bool begins) = 0;
 
+  /// Tells where all robots have come to rest, when no driver is left who would count macrosteps.
+  /// @param macrostep  that there is none any more
+  virtual void publish_rest(std::int64_t /*macrostep*/) {}
+
   /// @return where the commands for a robot come from
   [[nodiscard]] virtual const link::InboxBase* source(std::size_t robot) const = 0;
   /// @return whether the command for that step has come

@@ -8,6 +8,7 @@ PlatformPlant::PlatformPlant(link::Process& process, PlatformWorld& world, const
     records_.push_back(std::make_unique<Records>(recording_in(parameters.folder), parameters.folder,
                                                  "simulator-" + key,
                                                  edp::OwnFormat<edp::PlatformStepRecord>{}, kPlatformStep));
+    quick_stops_.emplace_back(world.body(static_cast<int>(quick_stops_.size())));
     capture_out_.push_back(process.outbox<motion_capture_t>(key + ".motion_capture"));
     truth_out_.push_back(process.outbox<platform_truth_t>(key + ".truth"));
   }
@@ -21,6 +22,7 @@ PlatformPlant::PlatformPlant(link::Process& process, PlatformWorld& world, const
 void PlatformPlant::publish(std::int64_t step, std::int64_t macrostep, bool begins) {
   for (std::size_t k = 0; k < robots(); ++k) {
     const int platform = static_cast<int>(k);
+    quick_stops_[k].measure(world_.reading(platform));
     publish_reading(k, world_.reading(platform), step, macrostep);
     if (const auto& captured = world_.motion_capture(platform))
       capture_out_[k]->publish(to_message(captured->reading), captured->number);
@@ -32,6 +34,11 @@ void PlatformPlant::publish(std::int64_t step, std::int64_t macrostep, bool begi
       box_capture_out_[k]->publish(to_message(captured->reading), captured->number);
     if (begins) box_truth_out_[k]->publish(to_message(world_.box_truth(box)), macrostep);
   }
+}
+
+void PlatformPlant::publish_rest(std::int64_t macrostep) {
+  for (std::size_t k = 0; k < robots(); ++k)
+    truth_out_[k]->publish(to_message(world_.truth(static_cast<int>(k))), macrostep);
 }
 
 std::span<const std::int32_t> PlatformPlant::encoders(std::size_t robot) const {

@@ -10,6 +10,7 @@
 #include "mrroc/platform_truth_t.hpp"
 #include "sim/platform/platform_world.hpp"
 #include "sim/shell/plant.hpp"
+#include "sim/shell/quick_stop.hpp"
 #include "sim/shell/shell.hpp"
 
 namespace mrroc::sim {
@@ -22,7 +23,8 @@ class PlatformPlant final : public DrivenPlant<PlatformEffector> {
   PlatformPlant(link::Process& process, PlatformWorld& world, const ShellParameters& parameters);
 
   void publish(std::int64_t step, std::int64_t macrostep, bool begins) override;
-  void brake(std::size_t robot) override { drives()[robot].enabled = false; }
+  void publish_rest(std::int64_t macrostep) override;
+  void brake(std::size_t robot) override { quick_stops_[robot].brake(drives()[robot]); }
   [[nodiscard]] std::span<const std::int32_t> encoders(std::size_t robot) const override;
   void record(std::int64_t step, bool dump) override;
   void dump_on_abort() override;
@@ -34,6 +36,7 @@ class PlatformPlant final : public DrivenPlant<PlatformEffector> {
   [[nodiscard]] bool obeyable(const platform_drive_t& command) const override { return is_proper(command); }
 
   PlatformWorld& world_;
+  std::vector<QuickStop> quick_stops_;
   std::vector<std::unique_ptr<link::Outbox<motion_capture_t>>> capture_out_;
   std::vector<std::unique_ptr<link::Outbox<platform_truth_t>>> truth_out_;
   std::vector<std::unique_ptr<link::Outbox<motion_capture_t>>> box_capture_out_;

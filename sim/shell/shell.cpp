@@ -139,6 +139,10 @@ class Shell {
     return robot.driver().empty() || process_.dead(robot.driver());
   }
 
+  [[nodiscard]] bool all_absent() const {
+    return std::ranges::all_of(robots_, [this](const Robot& robot) { return absent(robot); });
+  }
+
   /// @return whether every driver has been silent for long
   [[nodiscard]] bool all_silent() const {
     return std::ranges::all_of(robots_, [](const Robot& robot) { return robot.missed > kLeft; });
@@ -158,6 +162,8 @@ class Shell {
     if (rest == driverless_rest_ || !process_.over()) return;
     driverless_rest_ = rest;
     process_.report_rest(rest, stop_steps);
+    if (!rest || !all_absent()) return;
+    for (const auto& plant : plants_) plant->publish_rest(macrostep_ + 1);
   }
 
   /// @return whether that driver has made its last macrostep
@@ -218,6 +224,7 @@ class Shell {
     };
     const auto all = [&] { return std::ranges::all_of(robots_, here); };
     if (process_.lock_step()) {
+      if (all_absent()) process_.poll();  // with nobody to wait for, a stop would not be heard
       process_.await_from(command_sources_, FaultCode::peer_silent, all);
     } else {
       process_.poll();  // also when the time is over already

@@ -61,6 +61,27 @@ TEST_F(SupervisorTest, OfADriverThatIsDeadThePlantTellsWhenItsRobotRests) {
   EXPECT_EQ(s.supervisor.stop_steps(), 12);
 }
 
+TEST_F(SupervisorTest, WhatADeadDriverHasToldOfItsRestIsOfAnotherTime) {
+  const auto dies = [](Process& p) {
+    p.report_effector(0);
+    p.report_rest(true, 3);
+    if (p.assemble()) throw std::runtime_error("unforeseen");
+  };
+  const auto simulates = [](Process& p) {
+    p.assemble();
+    p.await([&] { return p.over() && p.dead("edp"); });
+    p.await([&] { return p.phase() == link::Phase::finished; },
+            Process::Clock::now() + std::chrono::milliseconds(300));
+    p.report_rest(true, 12);
+    p.report_done();
+    p.stay();
+  };
+  System s({{.name = "edp", .body = dies, .plant = "plant"}, {.name = "plant", .body = simulates}},
+           messages());
+  EXPECT_GE(s.end_when_it_stops(), std::chrono::milliseconds(250));
+  EXPECT_EQ(s.supervisor.stop_steps(), 12);
+}
+
 TEST_F(SupervisorTest, ADeadDriverIsNotWaitedForWhenItsPlantIsDeadToo) {
   const auto dies = [](Process& p) {
     p.report_effector(0);

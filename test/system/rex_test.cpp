@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "test/system/started_task.hpp"
 
@@ -363,6 +365,26 @@ INSTANTIATE_TEST_SUITE_P(Of, RexDriveWithADeath,
                            std::erase(name, '-');
                            return name;
                          });
+
+// Nobody drives it any more, and simulated time runs as fast as it can: the drives brake, and somebody must tell the rest.
+TEST(RexDrive, ADriverThatDiesAtFullSpeedLeavesThePlatformAtRest) {
+  if (!multicast()) GTEST_SKIP() << "no multicast";
+  const Folder folder(false);
+  for (const int wait : {0, 100, 200}) {
+    const std::string name = "run" + std::to_string(wait);
+    Started task(folder, "rex_drive",
+                 {"--speed-mps", "0.8", "--eyes", "off", "--processes", "separate", "--run-dir",
+                  (folder / name).string()},
+                 name);
+    ASSERT_TRUE(task.await_line("plan 1 of 2")) << task.end().all();
+    std::this_thread::sleep_for(std::chrono::milliseconds(wait));
+    ::kill(task.child("edp-rex").pid, SIGKILL);
+    const Ended ended = task.end();
+    EXPECT_EQ(ended.status, 3) << ended.all();
+    EXPECT_EQ(ended.all().find("stop_not_confirmed"), std::string::npos) << ended.all();
+    EXPECT_LE(figure(summary(folder / name), "stop_steps_max"), 300) << ended.all();
+  }
+}
 
 struct Refused {
   const char* name;

@@ -25,6 +25,7 @@ inline PlatformParameters ideal_platform() {
             .full_torque_speed = 14,
             .no_torque_speed = 18,
             .brake = 1.5,
+            .quick_stop = 8,
             .increments_per_turn = 4000,
             .torque_constant = 2,
             .length = 0.8,
