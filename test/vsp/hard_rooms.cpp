@@ -128,3 +128,12 @@ HardRoomResult drive_through(const HardRoom& room, int pairs) {
       if (frame > 0) T_UB = T_UB * A;
       const PicturePair pair = seen.pair(T_UB, frame, steady);
       const OdometryReading r = odometry.step(pair.left.view(), pair.right.view(), frame, frame * kSteps);
+      if (frame > 0) judge.add(r, A);
+    }
+    judge.end();
+  }
+  judge.finish();
+  return result;
+}
+
+}  // namespace mrroc::test
