@@ -192,7 +192,7 @@ TEST(OdometryFigures, TheDriftIsThatOfMotionsPutTogether) {
   const int pairs = static_cast<int>(std::lround(kDriftWay / kWay));
   for (const PlanarPose& error :
        {PlanarPose{0.0004, 0, 0}, PlanarPose{0, 0, 0.002}, PlanarPose{-0.001, 0, -0.001}}) {
-    const double drift = value(odometry_figures(table_of(messages(200, error))), "odometry_drift_pct");
+    const double drift = value(odometry_figures(table_of(messages(60, error))), "odometry_drift_pct");
     // The last pair may be the one before or after the way is as long, by rounding.
     double nearest = 1e9;
     for (const int n : {pairs, pairs + 1}) {
