@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "bench/figures.hpp"
+#include "bench/rex_cases.hpp"
 #include "bench/rex_drives.hpp"
 #include "bench/vision.hpp"
 
@@ -56,7 +57,6 @@ RexPart grounds() {
 }
 
 RexPart plans() {
-  const Arguments fast{"--set", "task.lateral=1.7", "--set", "task.turn_rate=2.1"};
   RexPart part{
       .drives = {}, .figures = [](Summaries runs) {
         return Figures{
@@ -65,8 +65,8 @@ RexPart plans() {
             {"corner_max_mm", most(seeds(runs, 1), "track_max_mm"), "mm", "corner at 0.8 m/s, wanted <= 100"},
             {"pivot_rms_mm", most(seeds(runs, 2), "pivot_rms_mm"), "mm", "turn on the spot, wanted <= 10"}};
       }};
-  add_seeds(part.drives, {.more = Arguments{"--speed-mps", "1.3"} + fast});
-  add_seeds(part.drives, {.more = Arguments{"--plan", "corner", "--speed-mps", "0.8"} + fast});
+  add_seeds(part.drives, {.more = fast_eight()});
+  add_seeds(part.drives, {.more = fast_corner()});
   add_seeds(part.drives, {.more = {"--plan", "pivot"}});
   return part;
 }
@@ -83,51 +83,9 @@ Figures friction_figures(Summaries runs) {
 /// What the estimator finds where the ground has its own structure.
 RexPart frictions() {
   RexPart part{.drives = {}, .figures = friction_figures};
-  const Arguments smooth{"--ground", "smooth"};
-  for (const Arguments& ground : {Arguments{}, Arguments{"--set", "sim.ground.friction=[0.35, 0.3]"},
-                                  Arguments{"--set", "sim.ground.patches.right.area=[-3, -2, 3, 0]", "--set",
-                                            "sim.ground.patches.right.scale=0.5"}})
-    add_seeds(part.drives, {.more = smooth + ground});
-  // The whole ground, while the platform is in a curve.
-  add_seeds(part.drives, {.more = smooth + Arguments{"--set", "sim.ground.patches.half.area=[-3, -2, 3, 2]",
-                                                     "--set", "sim.ground.patches.half.scale=0.5", "--set",
-                                                     "sim.ground.patches.half.from=7"}});
+  for (const Arguments& ground : smooth_grounds()) add_seeds(part.drives, {.more = ground});
+  add_seeds(part.drives, {.more = halving_ground()});
   return part;
-}
-
-/// A plant that the driver does not know.
-Arguments random_plant(std::uint32_t seed) {
-  std::mt19937 random(seed);
-  const auto between = [&](double low, double high) {
-    return std::uniform_real_distribution<>(low, high)(random);
-  };
-  Arguments a;
-  const auto set = [&](const std::string& what) { a = a + Arguments{"--set", what}; };
-  const double friction = between(0.25, 1);
-  set(fmt::format("sim.ground.friction=[{:.3f}, {:.3f}]", friction,
-                  std::max(0.25, friction * between(0.7, 1))));
-  // Patches that do not overlap: the friction is within the same bounds everywhere.
-  for (const double side : {-1., 1.}) {
-    const double left = side < 0 ? between(-2, -1) : between(0, 1), low = between(-1.3, 0.5);
-    const std::string patch = side < 0 ? "left" : "right";
-    set(fmt::format("sim.ground.patches.{}.area=[{:.2f}, {:.2f}, {:.2f}, {:.2f}]", patch, left, low,
-                    left + between(0.3, 1), low + between(0.3, 1.2)));
-    set(fmt::format("sim.ground.patches.{}.scale={:.3f}", patch, between(0.25, 1) / friction));
-  }
-  const double mass = 40 * between(0.85, 1.15);
-  set(fmt::format("sim.platforms.rex.mass={:.2f}", mass));
-  set(fmt::format("sim.platforms.rex.inertia={:.3f}", 2.5 * mass / 40));
-  set(fmt::format("sim.platforms.rex.centre=[{:.3f}, {:.3f}]", between(-0.06, 0.06), between(-0.06, 0.06)));
-  set("sim.platforms.rex.imu.noise=0.01");
-  set("sim.platforms.rex.load_cells.noise=0.02");
-  set("motion_capture.noise=[0.01, 0.02]");
-  return a;
-}
-
-/// Those of a plant that end well have a figure; one that does not is worse than any.
-double track_rms(const json& summary) {
-  const double rms = done(summary) ? figure(summary, "track_rms_mm") : kNotMeasured;
-  return std::isnan(rms) ? HUGE_VAL : rms;
 }
 
 /// @param runs  of each plant with adaptation, and without
@@ -167,11 +125,16 @@ Figures run_rex_group(const std::filesystem::path& plots) {
   // Computing times first, while nothing else runs.
   Figures figures = rex_planner_figures();
   const auto add = [&](const Figures& some) { figures.insert(figures.end(), some.begin(), some.end()); };
-  add(rex_odometry_figures());
 #ifdef MRROC_REX
   add(rex_kernel_figures());
 #endif
-  add(figures_of({grounds(), plans(), frictions(), rex_algorithms(plots), rex_eyes(), plants()}));
+  add(figures_of({grounds(), plans(), frictions(), rex_algorithms(plots), plants()}));
+  return figures;
+}
+
+Figures run_rex_eyes_group() {
+  Figures figures = rex_odometry_figures();
+  std::ranges::move(figures_of({rex_eyes()}), std::back_inserter(figures));
   return figures;
 }
 

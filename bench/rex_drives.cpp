@@ -68,8 +68,8 @@ Arguments operator+(Arguments a, const Arguments& b) {
   return a;
 }
 
-void add_seeds(std::vector<RexDrive>& drives, const RexDrive& like) {
-  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+void add_seeds(std::vector<RexDrive>& drives, const RexDrive& like, std::size_t count) {
+  for (std::uint32_t seed = 1; seed <= count; ++seed) {
     drives.push_back(like);
     drives.back().seed = seed;
   }

@@ -53,8 +53,8 @@ Figures figures_of(const std::vector<RexPart>& parts);
 
 /// Seeds of a figure that is the worst of several.
 inline constexpr std::size_t kSeeds = 5;
-/// Adds drives of seeds 1 to kSeeds. @param like  all of them are like this one
-void add_seeds(std::vector<RexDrive>& drives, const RexDrive& like);
+/// Adds drives of seeds 1 to `count`. @param like  all of them are like this one
+void add_seeds(std::vector<RexDrive>& drives, const RexDrive& like, std::size_t count = kSeeds);
 /// @return the runs that add_seeds() has added as the k-th, from 0
 [[nodiscard]] Summaries seeds(Summaries runs, std::size_t k);
 

@@ -1,10 +1,12 @@
 // Visual odometry of a platform in rooms of random seeds: how far it drifts, and its work per pair of pictures.
 #include <algorithm>
 #include <opencv2/core.hpp>
+#include <string>
 #include <vector>
 
 #include "bench/figures.hpp"
 #include "bench/vision.hpp"
+#include "test/vsp/hard_rooms.hpp"
 #include "test/vsp/stereo_room.hpp"
 #include "vsp/odometry/stereo_odometry.hpp"
 
@@ -53,6 +55,31 @@ void drive(unsigned seed, Measured& measured) {
   }
 }
 
+/// Rooms that nobody tuned the odometry to.
+Figures hard_room_figures() {
+  constexpr unsigned kSeed = 301;
+  constexpr int kPairsAtASpeed = 25;
+  Figures figures;
+  for (const test::HardRoom& room : test::hard_rooms(kSeed)) {
+    const test::HardRoomResult r = test::drive_through(room, kPairsAtASpeed);
+    std::string key = "odometry_" + room.name;
+    std::ranges::replace(key, ' ', '_');
+    const auto percent = [](int part, int all) { return all > 0 ? 100.0 * part / all : 0; };
+    figures.push_back({key + "_valid_pct", percent(r.valid, r.pairs), "%",
+                       "room or cameras: " + room.name + ", pairs with a motion"});
+    if (r.valid == 0) continue;
+    figures.push_back(
+        {key + "_wrong_pct", percent(r.wrong, r.valid), "%", "  of these beyond 99.9 % of their covariance"});
+    figures.push_back({key + "_misleading_pct", percent(r.misleading, r.valid), "%",
+                       "  beyond what an estimator allows for, wanted 0"});
+    figures.push_back(
+        {key + "_nees", r.nees, "", "  mean square of the error in its covariance, 3 is honest"});
+    figures.push_back({key + "_worst_mm", r.worst_mm, "mm", "  largest error from pair to pair"});
+    figures.push_back({key + "_drift_pct", r.drift_pct, "%", "  drift"});
+  }
+  return figures;
+}
+
 double mean(const std::vector<double>& values) {
   double sum = 0;
   for (const double v : values) sum += v;
@@ -66,13 +93,16 @@ Figures rex_odometry_figures() {
   cv::setNumThreads(1);  // other threads would hide work from thread_ms()
   Measured measured;
   for (unsigned seed = 101; seed <= 100 + kRooms; ++seed) drive(seed, measured);
+  const Figures hard = hard_room_figures();
   cv::setNumThreads(threads);
-  return {
+  Figures figures{
       {"odometry_drift_pct", mean(measured.drift_pct), "%",
        "error of the position over sub-ways of 40 pairs against their length, in 20 rooms, mean"},
       {"odometry_cpu_ms", mean(measured.ms), "ms", "processor time of a pair of 640 x 480 pictures, mean"},
       {"odometry_cpu_ms_p99", quantile(measured.ms, 0.99), "ms", "the same, 99 % quantile"},
       {"odometry_invalid", static_cast<double>(measured.invalid), "", "pairs without a motion, of 2,400"}};
+  figures.insert(figures.end(), hard.begin(), hard.end());
+  return figures;
 }
 
 }  // namespace mrroc::bench

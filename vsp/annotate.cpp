@@ -16,8 +16,6 @@ const cv::Scalar kYellow(0, 210, 240);
 const cv::Scalar kWhite(255, 255, 255);
 const cv::Scalar kBlack(0, 0, 0);
 
-cv::Mat drawn_on(Image& picture) { return {picture.height, picture.width, CV_8UC3, picture.data.data()}; }
-
 constexpr int kSubPixel = 4;  // OpenCV's shift: sixteenths of a pixel
 
 cv::Point sixteenths(const Vector2& p) {
@@ -83,9 +81,16 @@ void annotate(Image& picture, const CameraReading& reading, const CameraModel& c
     for (int axis = 0; axis < 3; ++axis)
       pen.line(Vector3::Zero(), shape.axes * Vector3::Unit(axis), colours[static_cast<std::size_t>(axis)], 2);
   } else {
-    cv::rectangle(on, {0, 0}, {on.cols - 1, on.rows - 1}, reading.ambiguous ? kYellow : kRed, 6);
+    draw_frame(picture, reading.ambiguous);
   }
   write_text(picture, text);
+}
+
+void draw_frame(Image& picture, bool ambiguous) {
+  if (picture.channels != 3) return;
+  constexpr int kThick = 6;  // [pixel]
+  cv::rectangle(drawn_on(picture), {0, 0}, {picture.width - 1, picture.height - 1},
+                ambiguous ? kYellow : kRed, kThick);
 }
 
 void write_text(Image& picture, const std::string& text) {

@@ -31,6 +31,9 @@ ObjectShape shape_of(const Tag& tag);
 void annotate(Image& picture, const CameraReading& reading, const CameraModel& camera,
               const ObjectShape& shape, const std::string& text);
 
+/// Draws a frame: nothing was measured. @param picture  3 channels @param ambiguous  yellow: something was, and cannot be trusted; else red
+void draw_frame(Image& picture, bool ambiguous = false);
+
 /// Writes a line at the upper left. @param picture  3 channels
 void write_text(Image& picture, const std::string& text);
 

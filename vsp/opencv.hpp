@@ -20,5 +20,9 @@ bool fits(const ImageView& picture, const CameraModel& camera);
 cv::Mat grey(const ImageView& picture);
 /// @return the picture's own memory, not to be written to
 cv::Mat matrix(const ImageView& picture);
+/// @param picture  of three channels @return its own memory
+inline cv::Mat drawn_on(Image& picture) {
+  return {picture.height, picture.width, CV_8UC3, picture.data.data()};
+}
 
 }  // namespace mrroc::vsp

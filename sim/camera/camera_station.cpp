@@ -31,7 +31,8 @@ Pose place(const SimulatedCamera& k, const View& view) {
 CameraFault fault_at(const CameraFaults& faults, double time) {
   if (contains(faults.silent, time)) return CameraFault::silent;
   if (contains(faults.black, time)) return CameraFault::black;
-  return contains(faults.frozen, time) ? CameraFault::frozen : CameraFault::none;
+  if (contains(faults.frozen, time)) return CameraFault::frozen;
+  return contains(faults.hangs, time) ? CameraFault::hangs : CameraFault::none;
 }
 
 /// Steps of the instants of a picture, from its own.

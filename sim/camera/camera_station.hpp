@@ -23,7 +23,8 @@ enum class CameraFault : std::uint8_t {
   none,
   silent,  ///< there is no picture
   black,   ///< it shows nothing
-  frozen   ///< it is the last one again
+  frozen,  ///< it is the last one again
+  hangs    ///< it shows what the last one showed
 };
 
 /// A picture that is to be drawn, or has been.
@@ -68,8 +69,9 @@ class CameraWorker {
 
   camera::Renderer renderer_;
   // Only for the thread that draws:
-  Image last_;    // picture that was made last
-  bool begun_{};  // there is one
+  Image last_;                          // picture that was made last
+  bool begun_{};                        // there is one
+  std::vector<camera::Instant> shown_;  // by the last picture that showed what there was
   link::FrameWriter store_;
   std::optional<std::int64_t> step_;  // of the picture under way; only for the simulator's thread
 

@@ -56,10 +56,11 @@ std::pair<std::int64_t, camera_frame_t> CameraWorker::finish() {
 
 int CameraWorker::make(const CameraJob& job) {
   if (job.fault == CameraFault::silent) return -1;
+  if (job.fault != CameraFault::hangs || shown_.empty()) shown_ = job.exposure;
   if (job.fault == CameraFault::black)
     std::ranges::fill(last_.data, std::uint8_t{});
-  else if (job.fault == CameraFault::none || !begun_)
-    last_ = renderer_.render(job.exposure, job.frame);
+  else if (job.fault != CameraFault::frozen || !begun_)
+    last_ = renderer_.render(shown_, job.frame);
   begun_ = true;
   return store_.write(job.frame, job.step, static_cast<double>(job.step) * kStep, last_.view());
 }

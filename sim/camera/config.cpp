@@ -44,6 +44,7 @@ CameraFaults read_camera_faults(const Config& config, const std::string& key) {
   CameraFaults faults{.silent = read_times(config, table + ".silent"),
                       .black = read_times(config, table + ".black"),
                       .frozen = read_times(config, table + ".frozen"),
+                      .hangs = read_times(config, table + ".hangs"),
                       .shows = config.text(table + ".shows", key)};
   const std::vector<std::string> keys = camera_keys(config);
   if (std::ranges::find(keys, faults.shows) == keys.end())

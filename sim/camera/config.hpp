@@ -17,6 +17,7 @@ struct CameraFaults {
   TimeIntervals silent{};  ///< it gives no pictures
   TimeIntervals black{};   ///< no light falls into it
   TimeIntervals frozen{};  ///< it gives its last picture again and again
+  TimeIntervals hangs{};   ///< the same, but its sensor goes on: each has noise of its own
   std::string
       shows{};  ///< key of the camera whose view it really has: another one's when cables are exchanged
 };

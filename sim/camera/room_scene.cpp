@@ -145,7 +145,8 @@ void add_obstacle(Scene& scene, const Obstacle& obstacle, double height, const T
 
 Scene room_scene(const Room& room, const RoomLook& look) {
   const Textures floor = textures(look.seed, look.contrast);
-  const Textures walls = textures(look.seed, look.walls * look.contrast);
+  constexpr std::uint32_t kOfWalls = 1U << 24U;  // beyond the seeds of floors
+  const Textures walls = textures(look.seed + kOfWalls, look.walls * look.contrast);
   const auto [x0, y0] = room.lower;
   const auto [x1, y1] = room.upper;
   Scene scene;

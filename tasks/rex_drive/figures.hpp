@@ -35,7 +35,7 @@ struct DriveResults {
 ///   estimate_rms_mm, estimate_max_mm  true place against the estimate, while it drives
 ///   ellipse_95_pct                    how often the true place is within the estimate's 95 % ellipse
 ///   return_kick_mps                   change of the speed less that of the reference, within 0.2 s after a map that was lost
-///                                     is back, while it drives
+///                                     is back and can act, which takes two macrosteps, while it drives
 ///   friction_err                      mean of the second half against the mean of what is true
 ///   split_err                         the same of the split
 ///   split_rms                         its error in the second half, root of the mean square: over ground that differs left

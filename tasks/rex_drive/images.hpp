@@ -7,6 +7,7 @@
 #include "base/platform_transmission.hpp"
 #include "tasks/rex_drive/plan/proc.hpp"
 #include "tasks/rex_drive/planner/trajgen.hpp"
+#include "tasks/rex_drive/wheel_watch.hpp"
 
 namespace mrroc::rex_drive {
 
@@ -31,6 +32,7 @@ struct Memory {
   std::vector<std::int32_t> points;  ///< of this plan, to which its fragments lead, in their order
   double pace{1};                    ///< to which the fragments' time is to go: 0 stands
   bool lost{};                       ///< the platform waits for its position
+  WheelWatch wheels;  ///< how the wheels have turned, against which a motion that is seen is held
 };
 
 /// Order::variant of the coordinator while the operator has a pause.
@@ -56,6 +58,9 @@ inline constexpr int kStands = 4;        ///< the platform is at rest at the end
 inline constexpr int kPositionLost = 8;  ///< it waits because it does not know its position well enough
 /// Report::sensor counts points in this unit.
 inline constexpr int kPointUnit = 16;
+/// Above all points: the pictures stand still though the wheels turn, and what they say is not believed. kOdometrySeen is
+/// not told then.
+inline constexpr int kPicturesStand = 1 << 20;
 
 /// Images of a_1.
 struct Locomotion {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/latency.hpp"
 
@@ -44,6 +45,7 @@ bool position_lost(const X& x) {
 Memory go_on(const X& x) {
   Memory c = x.c;
   c.lost = position_lost(x);
+  c.wheels = watched(std::move(c.wheels), x.e.estimate);
   c.pace = x.T.variant == kPaused || c.lost ? 0 : 1;
   return c;
 }
@@ -86,14 +88,17 @@ Trajgen start_next(Memory& c) {
   return started;
 }
 
+/// A camera hangs: e_x and r_x meet in c_1 alone, so that it is found here.
+bool pictures_stand(const X& x) { return stands_against_wheels(x.V, x.c.wheels); }
+
 // --- f_ce ----------------------------------------------------------------------------------------------------
 
-/// c_1 passes the map's position and the odometry on.
+/// c_1 passes the map's position on, and the odometry where the wheels do not contradict it.
 PlatformCommand route(const X& x) {
   PlatformCommand y;
   y.pace = x.c.pace;
   y.map = x.T.map.pose;
-  y.odometry = x.V;
+  if (!pictures_stand(x)) y.odometry = x.V;
   return y;
 }
 
@@ -110,7 +115,7 @@ bool stands(const X& x) { return x.e.notified == x.c.handed && x.e.remaining == 
 /// Whether the odometry measures; its last reading stays when it falls silent.
 bool sees_motion(const X& x) {
   constexpr std::int64_t kOld = 500;  // [steps]: longer than a reading and the next one can take
-  return x.V.valid && x.e.step - x.V.step <= kOld;
+  return x.V.valid && x.e.step - x.V.step <= kOld && !pictures_stand(x);
 }
 
 /// What the platform is and does, and where.
@@ -128,7 +133,7 @@ Said tell_all(const X& x, int m) {
   r.T_0E = {p.x, p.y, 0, 0, 0, p.phi};
   r.sensor = (x.T.map.pose.valid ? kMapSeen : 0) + (sees_motion(x) ? kOdometrySeen : 0) +
              (stands(x) ? kStands : 0) + (position_lost(x) ? kPositionLost : 0) +
-             kPointUnit * point_under_way(x);
+             kPointUnit * point_under_way(x) + (pictures_stand(x) ? kPicturesStand : 0);
   if (x.e.position_known) said.estimate = x.e.estimate;
   return said;
 }

@@ -65,6 +65,6 @@ bool in_vain(const X& x) {
   return x.c.k.timeout > 0 && x.c.lost_in > 0 && x.i - x.c.lost_in >= x.c.k.timeout;
 }
 
-int point_of(const Report& report) { return report.sensor / kPointUnit; }
+int point_of(const Report& report) { return report.sensor % kPicturesStand / kPointUnit; }
 
 }  // namespace mrroc::rex_drive

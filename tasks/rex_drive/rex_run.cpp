@@ -88,14 +88,16 @@ void RexRun::watch_odometry(const X& x) {
   if (sees) {
     blind_ = false;
     run_.announce()(seconds(x.i), "odometry sees again");
-  } else if (x.i - saw_in_ >= kLong && std::string_view(blindness()) != to_words(OdometryFinding::motion)) {
+  } else if (const char* const why = blindness(r);
+             x.i - saw_in_ >= kLong && std::string_view(why) != to_words(OdometryFinding::motion)) {
     blind_ = true;
-    run_.announce()(seconds(x.i),
-                    fmt::format("odometry sees nothing for {:.0f} s: {}", seconds(kLong), blindness()));
+    run_.announce()(seconds(x.i), fmt::format("odometry sees nothing for {:.0f} s: {}", seconds(kLong), why));
   }
 }
 
-const char* RexRun::blindness() const {
+const char* RexRun::blindness(const Report& r) const {
+  if ((r.sensor & kPicturesStand) != 0)
+    return "the wheels turn, and its pictures stand still: a camera hangs";
   const odometry_reading_t* const newest = record_ ? record_->newest_odometry() : nullptr;
   return newest && is_proper(*newest) ? to_words(support_of(*newest).finding) : "its readings do not come";
 }

@@ -58,7 +58,7 @@ class RexRun final : public mp::CoordinatorRun {
   [[nodiscard]] std::string progress_text(const X& x) const;
   [[nodiscard]] SensorNews sensor_news(const X& x) const;
   /// @return why the odometry measures nothing, as far as it has told
-  [[nodiscard]] const char* blindness() const;
+  [[nodiscard]] const char* blindness(const Report& r) const;
   [[nodiscard]] double progress(const X& x) const;
   [[nodiscard]] double seconds(std::int64_t macrosteps) const;
 

@@ -75,6 +75,7 @@ TEST_F(RecordedOdometry, PrintsALineForEveryPairAndTheMotionFromTheSecondOn) {
     EXPECT_EQ(line.at("right"), (folder_ / "rex_right" / (std::to_string(k) + ".png")).string());
     EXPECT_EQ(line.at("valid"), k > 0);
     EXPECT_EQ(line.contains("p"), k > 0);
+    EXPECT_EQ(line.at("finding"), k > 0 ? "a motion is measured" : "there is no pair of pictures before");
     if (k == 0) continue;
     EXPECT_EQ(line.at("step_before"), 40 * (k - 1));
     EXPECT_NEAR(line.at("p").at(0).get<double>(), 0.05, 1e-3);

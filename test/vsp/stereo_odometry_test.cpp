@@ -351,12 +351,45 @@ TEST(StereoOdometry, IsValidOnlyWhenItRestsOnWhatIsDemanded) {
   EXPECT_FALSE(valid({s.inliers, s.cells, 0.999 * s.rms_px}));
 }
 
+// On a pattern a flow that is off by a period fits as well: only the motion before tells that it cannot be.
+TEST(StereoOdometry, AMotionThatCannotFollowTheOneBeforeIsNone) {
+  StereoOdometry odometry(test::stereo_rig(), {.change = 0.03});
+  double x = 0;
+  const auto go = [&](double way, std::int64_t k) {
+    x += way;
+    return tell(odometry, room().pair(test::planar_motion(x, 0), k), k).valid;
+  };
+  EXPECT_FALSE(go(0, 0));
+  EXPECT_TRUE(go(0.01, 1)) << "nothing before";
+  EXPECT_TRUE(go(0.039, 2));
+  EXPECT_FALSE(go(0.005, 3)) << "0.034 m less";
+  EXPECT_EQ(odometry.support().finding, OdometryFinding::far);
+  EXPECT_TRUE(go(0.06, 4)) << "the motion before is not known";
+}
+
+// The picture of one camera stands still, with fresh noise.
+TEST(StereoOdometry, OneCameraThatHangsGivesNoMotion) {
+  for (const auto side : {&PicturePair::left, &PicturePair::right}) {
+    StereoOdometry odometry(test::stereo_rig());
+    Pose T_UB;
+    for (int k = 0; k <= 6; ++k) {
+      PicturePair pair = room().pair(T_UB, k);
+      pair.*side = room().pair({}, k).*side;
+      EXPECT_FALSE(tell(odometry, pair, k).valid) << k;
+      T_UB = T_UB * test::planar_motion(0.03, 0.03);
+    }
+    EXPECT_EQ(odometry.support().finding, OdometryFinding::few_inliers)
+        << to_words(odometry.support().finding);
+  }
+}
+
 TEST(StereoOdometry, DemandsWhatIsDocumentedUnlessItIsToldOtherwise) {
   const StereoOdometryParameters p;
   EXPECT_EQ(p.inliers, 25);
   EXPECT_EQ(p.cells, 4);
   EXPECT_EQ(p.rms_px, 1);
   EXPECT_EQ(p.way, 0.25);
+  EXPECT_EQ(p.change, 0.075);
 }
 
 }  // namespace

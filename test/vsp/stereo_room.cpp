@@ -1,7 +1,10 @@
 #include "test/vsp/stereo_room.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "sim/camera/room_scene.hpp"
 
@@ -30,9 +33,55 @@ camera::RenderProfile profile(const RoomLook& look, unsigned camera) {
   camera::RenderProfile p = camera::plain_profile();
   p.channels = 1;
   p.noise = look.noise;
-  p.defocus = 0.6;
+  p.defocus = look.defocus;
   p.seed = 2 * look.seed + camera;
   return p;
+}
+
+/// The camera as it really is.
+CameraModel true_camera(const RoomLook& look) {
+  CameraModel camera = stereo_camera();
+  camera.fx *= look.lens;
+  camera.fy *= look.lens;
+  return camera;
+}
+
+/// Squares of 10 cm on tiles of 2.5 m.
+std::shared_ptr<const Image> squares() {
+  constexpr int kSquares = 25, kPixels = 16;
+  auto picture = std::make_shared<Image>(kSquares * kPixels, kSquares * kPixels, 3);
+  for (int y = 0; y < picture->height; ++y)
+    for (int x = 0; x < picture->width; ++x) {
+      const bool light = (x / kPixels + y / kPixels) % 2 == 0;
+      std::fill_n(picture->row(y) + std::ptrdiff_t{3} * x, 3, static_cast<std::uint8_t>(light ? 190 : 70));
+    }
+  return picture;
+}
+
+camera::Scene scene_of(const RoomLook& look) {
+  camera::Scene scene =
+      sim::room_scene(furnished(), {.seed = look.seed, .contrast = look.contrast, .walls = look.walls});
+  scene.light.exposure = look.exposure;
+  if (!look.pattern) return scene;
+  const auto picture = squares();
+  for (camera::Body& body : scene.bodies)
+    if (body.texture) body.texture = picture;
+  return scene;
+}
+
+/// White rings that stand still in the picture: edges which are of no room.
+void add_glare(Image& picture) {
+  const double x0 = 0.55 * picture.width, y0 = 0.4 * picture.height;
+  constexpr double kRadius = 110, kRing = 12;  // [pixel]
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      const double r = std::hypot(x - x0, y - y0);
+      const double angle = std::atan2(y - y0, x - x0);
+      const bool white = r < kRadius && (std::fmod(r, 2 * kRing) < kRing || std::sin(8 * angle) > 0.5);
+      if (white)
+        std::fill_n(picture.row(y) + std::ptrdiff_t{picture.channels} * x, picture.channels,
+                    std::uint8_t{255});
+    }
 }
 
 }  // namespace
@@ -57,17 +106,32 @@ vsp::StereoRig stereo_rig() {
 }
 
 StereoRoom::StereoRoom(const RoomLook& look)
-    : scene_(sim::room_scene(furnished(), {.seed = look.seed, .contrast = look.contrast})),
-      left_(stereo_camera(), profile(look, 0)),
-      right_(stereo_camera(), profile(look, 1)) {}
+    : look_(look),
+      scene_(scene_of(look)),
+      left_(true_camera(look), profile(look, 0)),
+      right_(true_camera(look), profile(look, 1)) {}
 
-PicturePair StereoRoom::pair(const Pose& T_UB, std::int64_t frame) {
-  return {left_.render(scene_, T_UB * stereo_place(kBaseline / 2), frame),
-          right_.render(scene_, T_UB * stereo_place(-kBaseline / 2), frame)};
+PicturePair StereoRoom::pair(const Pose& T_UB, std::int64_t frame, const SteadyMotion& motion) {
+  const Pose turned{rotation_from_angle_axis(look_.turned), Vector3::Zero()};
+  return {picture(left_, T_UB, stereo_place(kBaseline / 2), frame, motion),
+          picture(right_, T_UB, stereo_place(-kBaseline / 2) * turned, frame, motion)};
+}
+
+Image StereoRoom::picture(camera::Renderer& camera, const Pose& T_UB, const Pose& T_BC, std::int64_t frame,
+                          const SteadyMotion& motion) const {
+  const int instants = look_.blur > 0 ? 5 : 1;
+  std::vector<camera::Instant> exposure;
+  for (int k = 0; k < instants; ++k) {
+    const double share = instants > 1 ? look_.blur * (k / (instants - 1.0) - 0.5) : 0;
+    exposure.push_back({scene_, T_UB * planar_motion(share * motion.x, share * motion.turn) * T_BC});
+  }
+  Image picture = camera.render(exposure, frame);
+  if (look_.glare) add_glare(picture);
+  return picture;
 }
 
 Pose RandomWay::go_on() {
-  constexpr double kWay = 0.08, kTurn = 0.128, kSway = 0.001;
+  constexpr double kWay = 0.08, kTurn = 0.128, kSway = 0.001, kMostChange = 0.07;
   for (;;) {
     Pose A = planar_motion(uniform(kWay), uniform(kTurn));
     A.p += kSway * Vector3(0, uniform(1), uniform(1));
@@ -75,7 +139,9 @@ Pose RandomWay::go_on() {
     const Pose T_UB = T_UB_ * A;
     const bool tilted = T_UB.R.col(2).z() < 0.9999;
     if (T_UB.p.head<2>().norm() > 1 || std::abs(T_UB.p.z()) > 0.01 || tilted) continue;
+    if ((A.p - last_).norm() > kMostChange) continue;
     T_UB_ = T_UB;
+    last_ = A.p;
     return A;
   }
 }

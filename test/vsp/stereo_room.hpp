@@ -1,6 +1,7 @@
 // A room with a pair of cameras in it, as the simulation draws it: pairs of pictures with known motions between them.
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <random>
 
 #include "base/image.hpp"
@@ -14,6 +15,21 @@ struct RoomLook {
   unsigned seed{1};      ///< of what is on the floor and the walls, and of the cameras' noise
   double contrast{1.2};  ///< of that
   double noise{2};       ///< of the cameras [grey levels]
+  double walls{1};       ///< contrast of the walls, as a share; 0: plain
+  double exposure{1};    ///< of the cameras: below 1 dark, above 1 parts are white
+  double defocus{0.6};   ///< of the lenses [pixel]
+  double blur{};         ///< duration for which light is gathered [pairs]: what moves is blurred
+  bool pattern{};        ///< squares of 10 cm everywhere: each corner looks like others
+  bool glare{};  ///< a reflection, white and sharp, at one place of each picture, wherever the platform looks
+  double lens{1};  ///< true focal lengths, of those that are believed
+  Vector3 turned{
+      Vector3::
+          Zero()};  ///< true direction of the right camera against the believed one: angle times axis in C [rad]
+};
+
+/// How the platform moves while a pair is taken.
+struct SteadyMotion {
+  double x{}, turn{};  ///< from pair to pair [m], [rad]
 };
 
 /// Two pictures of the same instant.
@@ -34,9 +50,14 @@ class StereoRoom {
   explicit StereoRoom(const RoomLook& look = {});
 
   /// @param T_UB   of the platform @param frame  its number: decides the noise
-  PicturePair pair(const Pose& T_UB, std::int64_t frame);
+  /// @param motion  by which they are blurred, when they are
+  PicturePair pair(const Pose& T_UB, std::int64_t frame, const SteadyMotion& motion = {});
 
  private:
+  Image picture(camera::Renderer& camera, const Pose& T_UB, const Pose& T_BC, std::int64_t frame,
+                const SteadyMotion& motion) const;
+
+  RoomLook look_;
   camera::Scene scene_;
   camera::Renderer left_, right_;
 };
@@ -56,6 +77,7 @@ class RandomWay {
 
   std::mt19937 random_;
   Pose T_UB_;
+  Vector3 last_{Vector3::Zero()};  // its last way
 };
 
 /// @return planar motion of the platform @param x  [m] @param turn  about z [rad]

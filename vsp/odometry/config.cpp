@@ -37,6 +37,7 @@ StereoSetup read_stereo(const Config& config, const std::string& key) {
   k.cells = t.integer("cells", k.cells, {1, 20});
   k.rms_px = t.number("rms", k.rms_px, {0.01, 10}, "pixels");
   k.way = t.number("way", k.way, {0.01, 1}, "m");
+  k.change = t.number("change", k.change, {0.001, 2}, "m");
   pair.left = read_camera(config, left);
   pair.right = read_camera(config, right);
   demand_mounted(pair, pair.left);

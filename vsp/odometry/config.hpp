@@ -16,7 +16,7 @@ namespace mrroc::vsp {
 struct StereoSetup {
   std::string key;                      ///< of the platform
   CameraSetup left, right;              ///< their poses are in B
-  StereoOdometryParameters parameters;  ///< `inliers`, `cells`, `rms`, `way`
+  StereoOdometryParameters parameters;  ///< `inliers`, `cells`, `rms`, `way`, `change`
 
   /// @return the pair as one instrument @throws FaultError bad_configuration, as StereoRig
   [[nodiscard]] StereoRig rig() const { return {{left.model, left.place}, {right.model, right.place}}; }

@@ -18,8 +18,8 @@ constexpr std::size_t kMost = 12;
 
 void annotate(Image& picture, const OdometrySupport& support, const std::vector<SeenPoint>& seen) {
   if (picture.channels != 3) return;
-  const cv::Scalar agreeing(60, 200, 60), other(0, 210, 240), frame(40, 40, 230);
-  cv::Mat on(picture.height, picture.width, CV_8UC3, picture.data.data());
+  const cv::Scalar agreeing(60, 200, 60), other(0, 210, 240);
+  cv::Mat on = drawn_on(picture);
   const int radius = std::max(1, on.cols / 160);
   const auto rounded = [](const Vector2& p) { return cv::Point(cvRound(p.x()), cvRound(p.y())); };
   for (const SeenPoint& point : seen) {
@@ -28,7 +28,7 @@ void annotate(Image& picture, const OdometrySupport& support, const std::vector<
     cv::circle(on, rounded(point.now), radius, colour, 1, cv::LINE_AA);
   }
   const bool measured = support.finding == OdometryFinding::motion;
-  if (!measured) cv::rectangle(on, {0, 0}, {on.cols - 1, on.rows - 1}, frame, 6);
+  if (!measured) draw_frame(picture);
   write_text(picture, measured ? fmt::format("pair {}: {} of {} points agree", support.frame, support.inliers,
                                              support.matches)
                                : fmt::format("pair {}: {}", support.frame, to_words(support.finding)));

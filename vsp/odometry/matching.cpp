@@ -95,8 +95,9 @@ StereoMatches stereo_matches(const StereoRig& rig, const StereoPair& before, con
   for (std::size_t k = 0; k < left.size(); ++k) {
     const double before_px = disparity(left_before[k], right_before[k]);
     const double now_px = disparity(left[k], right[k]);
-    if (std::max(before_px, now_px) <= -kLeastDisparity) ++matches.crossed;
-    if (std::min(before_px, now_px) < kLeastDisparity) continue;
+    if (before_px <= -kLeastDisparity && now_px <= -kLeastDisparity) ++matches.crossed;
+    const bool of_the_room = before_px >= kLeastDisparity && now_px >= kLeastDisparity;  // no number is not
+    if (!of_the_room) continue;
     StereoMatch match;
     match.point = rig.T_BS() * rig.point(left_before[k], right_before[k]);
     match.seen << left[k], right[k];

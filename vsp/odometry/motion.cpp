@@ -63,12 +63,15 @@ StereoMotion refined(const StereoRig& rig, const std::vector<StereoMatch>& match
     cost = minimise<6>(Reprojection{rig, matches, motion.inliers}, motion.A, kSteps, kMostDamping);
   }
   const double noise = variance(cost, motion.inliers.size());
+  // Where matches are lost at the bound of the inliers, the errors of those that are left are cut off there, too.
+  const double cut =
+      static_cast<double>(matches.size()) / std::max(1.0, static_cast<double>(motion.inliers.size()));
   motion.rms_px = std::sqrt(2 * noise);  // of a place in one picture, which has two coordinates
   Matrix6 H;
   Vector6 gradient;
   Reprojection{rig, matches, motion.inliers}.linearise(motion.A, H, gradient);
   motion.covariance =
-      kDependent * std::max(noise, kLeastNoise * kLeastNoise) * H.ldlt().solve(Matrix6::Identity());
+      kDependent * cut * std::max(noise, kLeastNoise * kLeastNoise) * H.ldlt().solve(Matrix6::Identity());
   motion.covariance = 0.5 * (motion.covariance + motion.covariance.transpose()).eval();
   return motion;
 }

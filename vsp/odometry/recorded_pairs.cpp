@@ -49,13 +49,10 @@ void add_motion(nlohmann::json& line, const OdometryReading& r) {
 }
 
 nlohmann::json line_of(const OdometryReading& r, const OdometrySupport& support) {
-  nlohmann::json line{{"frame", support.frame},
-                      {"step", r.step},
-                      {"valid", r.valid},
-                      {"matches", support.matches},
-                      {"inliers", support.inliers},
-                      {"cells", support.cells},
-                      {"reprojection_px", support.rms_px}};
+  nlohmann::json line{{"frame", support.frame},     {"step", r.step},
+                      {"valid", r.valid},           {"finding", to_words(support.finding)},
+                      {"matches", support.matches}, {"inliers", support.inliers},
+                      {"cells", support.cells},     {"reprojection_px", support.rms_px}};
   if (r.valid) add_motion(line, r);
   return line;
 }

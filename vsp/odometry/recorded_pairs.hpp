@@ -14,7 +14,7 @@ struct RecordedPairs {
   std::string key;               ///< of the platform; empty: the only one
 };
 
-/// Prints for every pair a line of JSON: frame, step, left and right (the files), valid, matches, inliers, cells,
+/// Prints for every pair a line of JSON: frame, step, left and right (the files), valid, finding (why, in words), matches, inliers, cells,
 /// reprojection_px; when valid also step_before, the motion p [m], aa (angle times axis) [rad], and sigma of x y z [m] and
 /// ax ay az [rad]. Pair n is of step n times the cameras' period.
 /// @throws FaultError bad_picture: one that cannot be used or is of another size than the cameras', or more of one camera

@@ -56,6 +56,7 @@ class StereoOdometry::Memory {
       support_.finding = OdometryFinding::no_picture;
     }
     reading.valid = support_.finding == OdometryFinding::motion;
+    if (!reading.valid) last_.reset();
     before_ = std::move(now);
     return reading;
   }
@@ -91,7 +92,11 @@ class StereoOdometry::Memory {
     if (!agreed) return OdometryFinding::few_inliers;
     const StereoMotion motion = refined(rig_, matches.points, *agreed);
     const OdometryFinding finding = judge(motion, matches.points, before.left.size());
-    if (finding == OdometryFinding::motion) write(motion, reading);
+    if (finding != OdometryFinding::motion) return finding;
+    const Motion last{motion.A.p, now.step - before.step};
+    if (!follows(last)) return OdometryFinding::far;
+    last_ = last;
+    write(motion, reading);
     return finding;
   }
   OdometryFinding judge(const StereoMotion& motion, const std::vector<StereoMatch>& matches,
@@ -110,8 +115,19 @@ class StereoOdometry::Memory {
     return motion.A.p.norm() <= parameters_.way ? OdometryFinding::motion : OdometryFinding::far;
   }
 
+  /// A way and how long it took.
+  struct Motion {
+    Vector3 p;
+    std::int64_t steps{};
+  };
+  /// @return whether it can come after the motion before, as far as that is known
+  [[nodiscard]] bool follows(const Motion& motion) const {
+    return !last_ || last_->steps != motion.steps || (motion.p - last_->p).norm() <= parameters_.change;
+  }
+
   StereoRig rig_;
   StereoOdometryParameters parameters_;
+  std::optional<Motion> last_;  // that was measured, of the pair before
   std::optional<KeptPair> before_;
   OdometrySupport support_;
   std::vector<SeenPoint> seen_;

@@ -17,6 +17,9 @@ struct StereoOdometryParameters {
   int cells{4};      ///< least cells of the picture, of 4 x 5, in which they lie, 1..20
   double rms_px{1};  ///< most root mean square of their reprojection errors [pixel]
   double way{0.25};  ///< longest way between two pairs [m]
+  double change{
+      0.075};  ///< most by which it differs from the way before [m]: nothing brakes harder than 1.2 g in 80 ms. Where all
+      ///< looks alike, a motion that is off by a period of the pattern has as many inliers as the true one
 };
 
 /// A point that was found in all four pictures.

@@ -226,6 +226,21 @@ TEST(CameraStation, ACameraIsSilentBlackOrFrozenInItsTimeAndSeesAsBeforeAfterIt)
   EXPECT_EQ(pictures_of(k), (std::vector{good[0], good[1], good[1], good[1], good[4], good[5]}));
 }
 
+TEST(CameraStation, ACameraThatHangsShowsTheLastViewWithNoiseOfItsOwn) {
+  CameraWorld k = one_camera();
+  const std::vector<std::uint64_t> good = pictures_of(k);
+  k.cameras[0].faults.hangs = {{0.07, 0.13}};
+  const std::vector<std::uint64_t> noisy = pictures_of(k);
+  EXPECT_NE(noisy[2], noisy[1]);
+  EXPECT_NE(noisy[3], noisy[2]);
+  EXPECT_EQ(noisy[1], good[1]);
+  EXPECT_EQ(noisy[4], good[4]);
+  k.cameras[0].profile.noise = 0;
+  const std::vector<std::uint64_t> still = pictures_of(k);
+  EXPECT_EQ(still[2], still[1]);
+  EXPECT_EQ(still[3], still[1]);
+}
+
 TEST(CameraStation, ACameraThatIsFrozenFromTheBeginningGivesItsFirstPictureAgainAndAgain) {
   CameraWorld k = one_camera();
   const std::vector<std::uint64_t> good = pictures_of(k);

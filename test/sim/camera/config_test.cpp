@@ -47,17 +47,18 @@ TEST(CameraWorldConfig, RefusesWhatCannotBe) {
 
 TEST(CameraWorldConfig, ReadsWhatGoesWrongWithACamera) {
   const CameraWorld w =
-      read(kCameras + "silent = [1, 2, 4, 5]\nblack = [3, 4]\nfrozen = [6, 7]\nshows = 'sac'\n");
+      read(kCameras + "silent = [1, 2, 4, 5]\nblack = [3, 4]\nfrozen = [6, 7]\nhangs = [8, 9]\nshows = 'sac'\n");
   const CameraFaults& faults = w.cameras[1].faults;
   ASSERT_EQ(faults.silent.size(), 2U);
   EXPECT_EQ(faults.silent[1].from, 4);
   EXPECT_EQ(faults.silent[1].to, 5);
   EXPECT_EQ(faults.black.at(0).from, 3);
   EXPECT_EQ(faults.frozen.at(0).to, 7);
+  EXPECT_EQ(faults.hangs.at(0).from, 8);
   EXPECT_EQ(faults.shows, "sac");
   EXPECT_EQ(w.cameras[0].faults.shows, "sac") << "its own view";
   EXPECT_TRUE(w.cameras[0].faults.silent.empty());
-  for (const char* bad : {"silent = [1]", "black = [2, 1]", "frozen = [-1, 1]", "shows = 'nobody'"})
+  for (const char* bad : {"silent = [1]", "black = [2, 1]", "frozen = [-1, 1]", "hangs = [2, 1]", "shows = 'nobody'"})
     EXPECT_THROW(read(kCameras + bad), FaultError) << bad;
 }
 

@@ -16,6 +16,14 @@ inline Locomotion::X idle_image() {
   return x;
 }
 
+/// An estimate that tells how the wheels have turned.
+inline PlatformEstimate wheels_at(std::int64_t step, const PerWheel& theta) {
+  PlatformEstimate estimate;
+  estimate.step = step;
+  estimate.theta = theta;
+  return estimate;
+}
+
 /// Fragments in c.traj, of half a second each.
 inline Locomotion::X image_with(int fragments) {
   Locomotion::X x = idle_image();

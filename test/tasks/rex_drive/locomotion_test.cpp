@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <deque>
 #include <random>
 
@@ -114,6 +115,41 @@ TEST(Report, TheSensorIsASumOfWhatIsSeenAndWhereThePlatformIs) {
   EXPECT_EQ(told([](X& x) { x.e.estimate.covariance[0] = x.e.estimate.covariance[4] = 0.15 * 0.15; }),
             kStands + kPositionLost);
   EXPECT_EQ(told([](X& x) { x.e.estimate.covariance[0] = -1; }), kStands) << "rounding made it negative";
+}
+
+/// A reading of no motion from step 40 to step 80, and wheels that turned by so much meanwhile [rad].
+X image_that_sees_rest(double turned) {
+  X x = telling_image();
+  x.V = {.step_before = 40, .step = 80, .valid = true};
+  x.V.A = {1, 0, 0, 1e-4, 0, 1, 0, 0, 0, 0, 1, 0};
+  x.e.step = 100;
+  for (std::int64_t step = 30; step <= 100; step += 10) {
+    const double share = std::clamp((static_cast<double>(step) - 40) / 40, 0.0, 1.0);
+    x.c.wheels = watched(x.c.wheels, wheels_at(step, {share * turned, -share * turned, share * turned, 0}));
+  }
+  return x;
+}
+
+TEST(Odometry, OfPicturesThatStandAgainstTheWheelsIsNotPassedOnAndToldOf) {
+  for (const auto& behaviour : kBehaviours) {
+    const X hanging = image_that_sees_rest(0.1), standing = image_that_sees_rest(0.01);
+    EXPECT_FALSE(behaviour.f_ce(hanging).odometry.valid) << behaviour.name;
+    EXPECT_EQ(behaviour.f_cT(hanging).sensor, kStands + kPicturesStand) << behaviour.name;
+    EXPECT_TRUE(behaviour.f_ce(standing).odometry.valid) << behaviour.name;
+    EXPECT_EQ(behaviour.f_cT(standing).sensor, kStands + kOdometrySeen) << behaviour.name;
+  }
+}
+
+TEST(Odometry, EveryBehaviourRemembersHowTheWheelsTurned) {
+  for (const auto& behaviour : kBehaviours) {
+    X x = telling_image();
+    x.e.estimate.step = 70;
+    x.e.estimate.theta = {1, 2, 3, 4};
+    const Memory c = behaviour.f_cc(x);
+    ASSERT_EQ(c.wheels.size(), 1U) << behaviour.name;
+    EXPECT_EQ(c.wheels.back().step, 70);
+    EXPECT_EQ(c.wheels.back().theta, x.e.estimate.theta);
+  }
 }
 
 // Fragments 4 and 5 were handed over before the plan; 6 leads to the plan's second point, 7 and 8 to its fourth.

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -178,8 +180,27 @@ TEST(OdometryFigures, TellErrorsFromPairToPairAndAlongTheWay) {
   EXPECT_NEAR(value(f, "odometry_rms_mm"), 5 * kWay, 1e-9);
   EXPECT_NEAR(value(f, "odometry_turn_rms_mrad"), 0, 1e-9);
   EXPECT_EQ(value(f, "odometry_95_pct"), 100) << "0.2 mm, and a standard deviation of 1 mm";
-  EXPECT_GT(value(f, "odometry_drift_pct"), 0.1) << "of a circle, so that errors cancel in part";
-  EXPECT_LT(value(f, "odometry_drift_pct"), 0.5);
+}
+
+/// @return where n equal motions lead: chords of a circle
+Eigen::Vector2d led_to(int n, double way, double turn) {
+  const double reach = way * std::sin(0.5 * n * turn) / std::sin(0.5 * turn);
+  return reach * Eigen::Vector2d(std::cos(0.5 * (n - 1) * turn), std::sin(0.5 * (n - 1) * turn));
+}
+
+TEST(OdometryFigures, TheDriftIsThatOfMotionsPutTogether) {
+  const int pairs = static_cast<int>(std::lround(kDriftWay / kWay));
+  for (const PlanarPose& error :
+       {PlanarPose{0.0004, 0, 0}, PlanarPose{0, 0, 0.002}, PlanarPose{-0.001, 0, -0.001}}) {
+    const double drift = value(odometry_figures(table_of(messages(60, error))), "odometry_drift_pct");
+    // The last pair may be the one before or after the way is as long, by rounding.
+    double nearest = 1e9;
+    for (const int n : {pairs, pairs + 1}) {
+      const Eigen::Vector2d off = led_to(n, kWay + error.x, kTurn + error.phi) - led_to(n, kWay, kTurn);
+      nearest = std::min(nearest, std::abs(drift - 100 * off.norm() / (n * kWay)));
+    }
+    EXPECT_LT(nearest, 1e-6) << error.x << " " << error.phi;
+  }
 }
 
 TEST(OdometryFigures, AnErrorOfThreeDeviationsIsOutsideOfTheEllipsoid) {
