@@ -47,7 +47,7 @@ TEST(BoxPush, StandsDuringAPauseAndComesToItsGoal) {
 TEST(BoxPush, RefusesAGoalThatIsNoneBeforeAnythingStarts) {
   const Folder folder;
   for (const auto& [to, named] :
-       {std::pair<std::vector<std::string>, std::string>{{"4.9", "0", "0"}, "task.to"},
+       {std::pair<std::vector<std::string>, std::string>{{"4.9", "0", "0"}, "--to [4.9, 0, 0]: "},
         {{"1", "2"}, "--to"}}) {
     const Ended ended =
         run(folder, "box_push", words({{"--to"}, to, {"--run-dir", (folder / "run").string()}}));
