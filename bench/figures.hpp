@@ -75,6 +75,9 @@ Figures run_rubik_group(bool resume);
 /// @throws FaultError start_failed; internal_error: a run on a named ground did not end well
 /// @param plots folder for the picture algorithms.png and its table; empty: none
 Figures run_rex_group(const std::filesystem::path& plots);
+/// Two platforms push a box, with twenty seeds. Takes two minutes. Only where the platform Rex is built.
+/// @throws FaultError start_failed; internal_error: a run left no summary
+Figures run_box_group();
 /// Small errors in the framework, one at a time, and whether a test notices them: a sample of all areas. Takes hours.
 /// @param resume  what the last sample has found is not tried again
 /// @throws FaultError start_failed: a test fails without an error, or universalmutator cannot be installed

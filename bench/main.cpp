@@ -36,11 +36,12 @@ const std::vector<
         {"operator", [](const std::string&, bool) { return bench::run_operator_group(); }},
         {"rubik", [](const std::string&, bool resume) { return bench::run_rubik_group(resume); }},
         {"rex", [](const std::string& plots, bool) { return bench::run_rex_group(plots); }},
+        {"box", [](const std::string&, bool) { return bench::run_box_group(); }},
         {"mutation", [](const std::string&, bool resume) { return bench::run_mutation_group(resume); }},
     };
 
 /// Groups that have to be named.
-const std::vector<std::string> kLong{"rubik", "rex", "mutation"};
+const std::vector<std::string> kLong{"rubik", "rex", "box", "mutation"};
 
 std::vector<std::string> group_names() {
   std::vector<std::string> names;
@@ -87,8 +88,8 @@ int main(int argc, char** argv) {
   bool resume = false;
   line.option("group", groups,
               "edp, servo, stability, vision, drawing, pen_state, robustness, solver, cube, plan, operator, "
-              "rubik, rex, mutation "
-              "(default: all but rubik, rex and mutation, which take half an hour or more)")
+              "rubik, rex, box, mutation "
+              "(default: all but rubik, rex, box and mutation, which take long)")
       .one_of(group_names());
   const Option to =
       line.option("--json", json.file,

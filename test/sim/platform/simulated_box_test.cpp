@@ -164,24 +164,17 @@ TEST(SimulatedBox, IsTooHeavyForOnePlatformAndNotForTwo) {
   EXPECT_NEAR(two.box_truth(0).p.phi, 0, 0.02);
 }
 
-/// A platform in front of one end of a box, where it is as one of two that push.
-PlatformWorldParameters world_of_one_aside(double friction) {
+TEST(SimulatedBox, OnePlatformAtItsEndTurnsItAboutAndDoesNotBringItAway) {
   BoxParameters box = box_before_platform();
-  box.start.y = -0.54;
-  box.friction = friction;
-  return world_with(box);
-}
-
-TEST(SimulatedBox, OnePlatformAtItsEndTurnsItAndDoesNotBringItForward) {
-  PlatformWorld world(world_of_one_aside(a_box().friction));
-  drive_all(world, {12}, 2000);
-  const BoxTruth& box = world.box_truth(0);
-  EXPECT_GT(box.p.phi, 0.3) << "a long box turns with less than it slides with";
-  EXPECT_LT(box.p.x, box_before_platform().start.x + 0.3);
-  const double twice = 2 * a_box().friction;
-  PlatformWorld heavy(world_of_one_aside(twice));
-  drive_all(heavy, {20}, 2000);
-  EXPECT_NEAR(heavy.box_truth(0).p.phi, 0, 0.1) << "not one of twice the friction, after the blow";
+  box.start.y = -0.54;  // the platform is where it is as one of two that push
+  PlatformWorld world(world_with(box));
+  for (int second = 0; second < 10; ++second) {
+    drive_all(world, {20}, 500);
+    EXPECT_LT(world.box_truth(0).p.x, box.start.x + 0.6) << "its middle goes round";
+    if (second == 3) {
+      EXPECT_LT(world.box_truth(0).p.phi, -1);
+    }
+  }
 }
 
 TEST(SimulatedBox, TurnsToTheSideThatIsPushedLess) {

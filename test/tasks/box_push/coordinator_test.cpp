@@ -204,12 +204,10 @@ TEST(Coordinator, GivesUpWhenTheBoxDoesNotGoWithThePlatforms) {
   EXPECT_EQ(world.behaviours.back(), kPush.m);
 }
 
-TEST(Coordinator, GivesUpWhenAPlatformIsShutIn) {
+TEST(Coordinator, GivesUpWhenAPlatformStandsWhereItCannotTurn) {
   World world({0, 0, 0}, 0);
   X x = image({1.5, 0, 0});
-  x.c.k.hall.room.obstacles.push_back(rectangle({-3, 0, 0}, 0.2, 8));
-  x.c.k.hall.room.obstacles.push_back(rectangle({-2, 0, 0}, 1.2, 0.2));
-  x.c.k.hall.room.obstacles.push_back(rectangle({-1.3, -2, 0}, 0.2, 4));
+  x.c.k.hall.room.obstacles.push_back(rectangle({-2.5, 0.8, 0}, 0.1, 0.1));
   world.read(x);
   ASSERT_EQ(push_box(x, world), Outcome::terminated);
   EXPECT_EQ(x.c.dead_end, DeadEnd::for_platform);
