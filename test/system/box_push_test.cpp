@@ -67,8 +67,8 @@ TEST(BoxPush, EndsInWordsOfItsOwnWhenTheBoxDoesNotMoveOrIsNotThereYet) {
   };
   for (const auto& [name, more] :
        {Case{"box_not_moved", {"--set", "sim.boxes.box.friction=1.2"}},
-        Case{"box_not_there_yet", {"--set", "task.pushes=1", "--set", "task.box_size=[0.3, 1.5]"}},
-        Case{"no_way_for_box", {"--set", "room.obstacles.pillar.box=[0.4, -0.2, 0.5, 0.2]"}}}) {
+        Case{"box_not_there_yet", {"--set", "task.pushes=1", "--box", "0", "0.6", "0"}},
+        Case{"no_way_for_box", {"--set", "room.walls=[-5, -1.2, 5, 1.2]", "--box", "0.3", "0", "90"}}}) {
     const Ended ended =
         run(folder, "box_push", words({short_push(folder, name), {"--processes", "one"}, more}));
     EXPECT_EQ(ended.status, 1) << ended.all();
