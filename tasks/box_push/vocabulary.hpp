@@ -20,7 +20,7 @@ inline constexpr std::array kFaults{
                "a gap that is narrower than twice task.reach; a platform that stands too near to the box, to a wall or to the other platform"},
     FaultEntry{kBoxNotMoved, "box_not_moved", FaultClass::non_fatal, "both platforms push, and the box does not go with them", "look what holds the box; a lighter load or a smoother ground is needed for two platforms",
                "a box that is too heavy or rubs too much; something in its way; a floor on which the wheels spin"},
-    FaultEntry{kBoxNotThereYet, "box_not_there_yet", FaultClass::non_fatal, "the pushes that are allowed are used up, and the box is not at its goal", "start the task again: it goes on from where the box is; or allow more with --set task.pushes=20",
+    FaultEntry{kBoxNotThereYet, "box_not_there_yet", FaultClass::non_fatal, "the pushes that are allowed are used up, and the box is not at its goal", "look at the numbers of the pushes in plots/path.png, and allow more with --set task.pushes=20",
                "task.pushes too few for the way; a box of another size than task.box_size; a tolerance finer than what can be seen of the box"},
 };
 // clang-format on
