@@ -82,6 +82,9 @@ Figures run_rex_stops_group();
 /// The platform's visual odometry, and its task with eyes. Takes a quarter of an hour.
 /// @throws FaultError start_failed; no_renderer; internal_error: a run on a named ground did not end well
 Figures run_rex_eyes_group();
+/// Two platforms push a box, with twenty seeds. Takes two minutes. Only where the platform Rex is built.
+/// @throws FaultError start_failed; internal_error: a run left no summary
+Figures run_box_group();
 /// Small errors in the framework, one at a time, and whether a test notices them: a sample of all areas. Takes hours.
 /// @param resume  what the last sample has found is not tried again
 /// @throws FaultError start_failed: a test fails without an error, or universalmutator cannot be installed

@@ -38,11 +38,12 @@ const std::vector<
         {"rex", [](const std::string& plots, bool) { return bench::run_rex_group(plots); }},
         {"rex_stops", [](const std::string&, bool) { return bench::run_rex_stops_group(); }},
         {"rex_eyes", [](const std::string&, bool) { return bench::run_rex_eyes_group(); }},
+        {"box", [](const std::string&, bool) { return bench::run_box_group(); }},
         {"mutation", [](const std::string&, bool resume) { return bench::run_mutation_group(resume); }},
     };
 
 /// Groups that have to be named.
-const std::vector<std::string> kLong{"rubik", "rex", "rex_eyes", "rex_stops", "mutation"};
+const std::vector<std::string> kLong{"rubik", "rex", "rex_eyes", "rex_stops", "box", "mutation"};
 
 std::vector<std::string> group_names() {
   std::vector<std::string> names;
@@ -89,8 +90,8 @@ int main(int argc, char** argv) {
   bool resume = false;
   line.option("group", groups,
               "edp, servo, stability, vision, drawing, pen_state, robustness, solver, cube, plan, operator, "
-              "rubik, rex, rex_eyes, mutation "
-              "(default: all but the last four, which take a quarter of an hour or more)")
+              "rubik, rex, rex_eyes, rex_stops, box, mutation "
+              "(default: all but the last six, which take long)")
       .one_of(group_names());
   const Option to =
       line.option("--json", json.file,

@@ -30,6 +30,21 @@ ConfigError naming_option(const ConfigError& e, const Task& task, const std::vec
   return {{fmt::format("{} {}", option->second, value)}, e.key(), wrong};
 }
 
+/// The same of an error of values that make no sense beside one another: its text begins with the key of one of them.
+FaultError naming_option(const FaultError& e, const Task& task, const std::vector<std::string>& found) {
+  const std::string text = e.what();
+  const bool usual = e.remedy() == fault_entry(e.fault().code).remedy;
+  for (const auto& [key, option] : task.typed) {
+    if (!text.starts_with(key + ": ")) continue;
+    for (const std::string& setting : found)
+      if (setting.starts_with(key + "="))
+        return {e.fault().code,
+                fmt::format("{} {}{}", option, setting.substr(key.size() + 1), text.substr(key.size())),
+                usual ? "correct that option" : std::string(e.remedy())};
+  }
+  return e;
+}
+
 /// @return the configuration, from which all parts of the run have read what they need
 Setup read_setup(const Task& task, mp::TaskOptions options, const std::vector<std::string>& found) {
   Setup s;
@@ -85,6 +100,8 @@ Setup prepare(const Task& task, mp::TaskOptions options) {
   try {
     return read_setup(task, std::move(options), found);
   } catch (const ConfigError& e) {
+    throw naming_option(e, task, found);
+  } catch (const FaultError& e) {
     throw naming_option(e, task, found);
   }
 }

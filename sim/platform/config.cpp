@@ -120,7 +120,7 @@ BoxParameters read_box(const Config& config, const std::string& name) {
   b.width = size[1];
   b.mass = t.number("mass", b.mass, {0.1, 10'000}, "kg");
   b.friction = t.number("friction", b.friction, {0, 2}, "of its base on the ground");
-  b.grip = t.number("grip", b.grip, {0, 2}, "friction of its sides against a platform");
+  b.grip = t.number("grip", b.grip, {0, 2}, "friction of its sides against what touches them");
   const auto start = t.numbers<3>("start", std::nullopt, kPlace, "m, rad: x, y, phi of its middle");
   b.start = {.x = start[0], .y = start[1], .phi = start[2]};
   return b;

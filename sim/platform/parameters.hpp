@@ -63,8 +63,8 @@ struct BoxParameters {
   double length{0.5}, width{1.5};  ///< of the outline, along x and y of the box [m]
   double mass{75};                 ///< [kg], its weight lies evenly on the ground
   double friction{0.4};            ///< coefficient of its base on the ground, Coulomb's
-  double grip{0.5};                ///< the same of its sides against a platform
-  PlanarPose start{};              ///< of its middle on M at the beginning
+  double grip{0.5};    ///< the same of its sides against what touches them; of two boxes the smaller
+  PlanarPose start{};  ///< of its middle on M at the beginning
 };
 
 /// Friction of a wheel along and across it.

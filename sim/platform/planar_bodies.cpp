@@ -2,7 +2,9 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace mrroc::sim {
@@ -11,6 +13,29 @@ namespace {
 constexpr double kHeight = 1;     // of everything; all of it is level [m]
 constexpr double kWall = 1;       // thickness [m]
 constexpr double kMargin = 1e-3;  // by which Bullet rounds polygons [m]
+
+/// Bullet multiplies the coefficients of two bodies, which is no grip that a box has against everything.
+class World final : public btDiscreteDynamicsWorld {
+ public:
+  using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
+  std::vector<std::optional<double>> grips;  ///< of the bodies, by their user index
+
+  void performDiscreteCollisionDetection() override {
+    btDiscreteDynamicsWorld::performDiscreteCollisionDetection();
+    for (int k = 0; k < getDispatcher()->getNumManifolds(); ++k) {
+      btPersistentManifold& m = *getDispatcher()->getManifoldByIndexInternal(k);
+      constexpr double kNone = std::numeric_limits<double>::infinity();
+      const double both = std::min(grip(*m.getBody0()).value_or(kNone), grip(*m.getBody1()).value_or(kNone));
+      if (both == kNone) continue;
+      for (int n = 0; n < m.getNumContacts(); ++n) m.getContactPoint(n).m_combinedFriction = both;
+    }
+  }
+
+ private:
+  [[nodiscard]] std::optional<double> grip(const btCollisionObject& object) const {
+    return object.getUserIndex() < 0 ? std::nullopt : grips[static_cast<std::size_t>(object.getUserIndex())];
+  }
+};
 
 }  // namespace
 
@@ -61,7 +86,7 @@ struct PlanarBodies::Impl {
   btCollisionDispatcher dispatcher;
   btDbvtBroadphase broadphase;
   btSequentialImpulseConstraintSolver solver;
-  btDiscreteDynamicsWorld world;
+  World world;
   std::vector<std::unique_ptr<btCollisionShape>> shapes;
   std::vector<std::unique_ptr<btCollisionObject>> statics;
   std::vector<std::unique_ptr<btRigidBody>> bodies;
@@ -80,13 +105,15 @@ int PlanarBodies::add(const PlanarBody& body, const PlanarState& state) {
   btRigidBody::btRigidBodyConstructionInfo info(body.mass, nullptr, shape.get(),
                                                 {body.inertia, body.inertia, body.inertia});
   info.m_startWorldTransform = btTransform(btQuaternion({0, 0, 1}, state.phi), {state.x, state.y, 0});
-  info.m_friction = body.friction;
+  info.m_friction = kOutlineFriction;
   auto made = std::make_unique<btRigidBody>(info);
   made->setLinearVelocity({state.vx, state.vy, 0});
   made->setAngularVelocity({0, 0, state.w});
   made->setLinearFactor({1, 1, 0});
   made->setAngularFactor({0, 0, 1});
   made->setActivationState(DISABLE_DEACTIVATION);
+  made->setUserIndex(static_cast<int>(w.bodies.size()));
+  w.world.grips.push_back(body.grip);
   w.world.addRigidBody(made.get());
   w.shapes.push_back(std::move(outline));
   w.shapes.push_back(std::move(shape));

@@ -2,22 +2,25 @@
 // knows Bullet is behind it.
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "base/room_config.hpp"
 #include "sim/platform/skid_steer.hpp"
 
 namespace mrroc::sim {
 
-/// Friction of an outline, by which that of the other body is multiplied.
+/// Friction of a platform's outline against a wall or an obstacle; between two of them it is its square.
 inline constexpr double kOutlineFriction = 0.4;
 
 /// A body with a rectangular outline.
 struct PlanarBody {
-  double mass{};                      ///< [kg], > 0
-  double inertia{};                   ///< about the vertical axis through the centre of mass [kg m^2], > 0
-  double length{}, width{};           ///< of the outline [m], > 0
-  std::array<double, 2> middle{};     ///< of the outline, from the centre of mass, along the body [m]
-  double friction{kOutlineFriction};  ///< of the outline, >= 0; that of a wall is 1
+  double mass{};                   ///< [kg], > 0
+  double inertia{};                ///< about the vertical axis through the centre of mass [kg m^2], > 0
+  double length{}, width{};        ///< of the outline [m], > 0
+  std::array<double, 2> middle{};  ///< of the outline, from the centre of mass, along the body [m]
+  /// Coefficient of friction against whatever it touches, >= 0; of two that have one the smaller counts. Nothing: a platform,
+  /// with kOutlineFriction.
+  std::optional<double> grip{};
 };
 
 /// Bodies that move in x, y and about z only, in a room. Deterministic.

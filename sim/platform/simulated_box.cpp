@@ -14,11 +14,7 @@ constexpr double kGravity = 9.81;  // [m/s^2]
 constexpr double kNoSpeed = 1e-9;
 
 PlanarBody body_of(const BoxParameters& box, double inertia) {
-  return {.mass = box.mass,
-          .inertia = inertia,
-          .length = box.length,
-          .width = box.width,
-          .friction = box.grip / kOutlineFriction};
+  return {.mass = box.mass, .inertia = inertia, .length = box.length, .width = box.width, .grip = box.grip};
 }
 
 PlanarState at_rest(const PlanarPose& p) { return {.x = p.x, .y = p.y, .phi = p.phi}; }

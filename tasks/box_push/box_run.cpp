@@ -10,6 +10,7 @@
 #include "base/latency.hpp"
 #include "ecp/map/map_agent.hpp"
 #include "tasks/box_push/keys.hpp"
+#include "tasks/box_push/vocabulary.hpp"
 
 namespace mrroc::box_push {
 namespace {
@@ -22,6 +23,25 @@ std::array<std::unique_ptr<link::OutgoingLink<FragmentOrder>>, kPlatforms> go_li
 }
 
 double seconds(std::int64_t macrosteps) { return static_cast<double>(macrosteps) * kPlatformPeriod; }
+
+Fault why_not(FaultCode code, double value, double limit, const char* what) {
+  return {.code = code, .value = value, .limit = limit, .text = what};
+}
+
+/// @return why the box is not at its goal
+Fault reason(const Coordinator::X& x) {
+  const CoordinatorMemory& c = x.c;
+  if (position_gone(x))
+    return why_not(FaultCode::position_lost, seconds(x.i - c.lost_in), seconds(c.k.timeout), "seconds");
+  if (c.dead_end == DeadEnd::for_box) return {.code = kNoWayForBox};
+  if (c.dead_end == DeadEnd::for_platform) return {.code = kNoWayBehindBox};
+  if (stays_behind(c.run)) return why_not(kBoxNotMoved, c.run.lag, kMostLag, "m that it has stayed behind");
+  const PlanarPose e = error_of(c);
+  const double far = std::hypot(e.x, e.y);
+  if (far > c.k.tolerance.position)
+    return why_not(kBoxNotThereYet, far, c.k.tolerance.position, "m from its goal");
+  return why_not(kBoxNotThereYet, std::abs(e.phi), c.k.tolerance.heading, "rad turned from its goal");
+}
 
 }  // namespace
 
@@ -36,7 +56,10 @@ BoxRun::BoxRun(mp::TaskRun& run, BoxRunParameters parameters)
           {.sources = {seen_.source()},
            .here = [this](std::int64_t i, std::int64_t) { return seen_.here((i - 1) * k_.coordinator.n_s); },
            .outgoing = {go_[0].get(), go_[1].get()}}) {
-  if (k_.records) record_.emplace(run.process());
+  if (!k_.records) return;
+  record_.emplace(run.process());
+  for (std::size_t k = 0; k < kPlatforms; ++k)
+    replies_[k] = run.process().inbox<platform_reply_t>(std::string(kKeys[k]) + ".reply");
 }
 
 Outcome BoxRun::execute() {
@@ -66,24 +89,13 @@ void BoxRun::note_end(const X& x, Outcome& o) {
   at_goal_ = at_goal(x.c);
   if (at_goal_) return;
   o = Outcome::faulted;
-  const PlanarPose e = error_of(x.c);
-  if (position_gone(x))
-    fault_ = {.code = FaultCode::position_lost,
-              .value = seconds(x.i - x.c.lost_in),
-              .limit = seconds(x.c.k.timeout),
-              .text = "seconds"};
-  else
-    fault_ = {.code = FaultCode::path_not_found,
-              .value = std::hypot(e.x, e.y),
-              .limit = x.c.k.tolerance.position,
-              .text = x.c.vain ? "no way for platforms or box [m]" : "the box is not at its goal [m]"};
+  fault_ = reason(x);
 }
 
 void BoxRun::observe(const Motion<Coordinator>& motion, const X& x) {
   if (record_) record_->collect({x.i, motion.m, x.c.pushes});
   last_in_ = x.i - latency::kMotionToReport;
-  if (motion.m != announced_) run_.announce()(seconds(x.i), std::string(motion.name));
-  announced_ = motion.m;
+  announce(motion, x);
   const bool lost = x.c.lost_in > 0;
   if (lost && !lost_)
     run_.report_recoverable_fault(Fault{.code = FaultCode::position_lost},
@@ -91,6 +103,22 @@ void BoxRun::observe(const Motion<Coordinator>& motion, const X& x) {
   lost_ = lost;
   show(motion, x);
   run_.each_macrostep(x.i, seconds(x.i));
+}
+
+std::string BoxRun::push_words(const Motion<Coordinator>& motion, const X& x) {
+  const int now = x.c.pushes + (motion.m == kApproach.m ? 1 : 0);
+  if (now == 0) return "no push yet";
+  const int of = x.c.pushes + x.c.outlook.pushes - (motion.m == kApproach.m ? 0 : 1);
+  return fmt::format("push {} of {}", now, std::max(now, of));
+}
+
+void BoxRun::announce(const Motion<Coordinator>& motion, const X& x) {
+  std::string now(motion.name);
+  if (motion.m == kApproach.m && x.c.dead_end == DeadEnd::none)
+    now += fmt::format(", push {} of {}, about {:.0f} s to the end", x.c.pushes + 1,
+                       x.c.pushes + x.c.outlook.pushes, x.c.outlook.seconds);
+  if (motion.m != announced_) run_.announce()(seconds(x.i), now);
+  announced_ = motion.m;
 }
 
 double BoxRun::progress(const X& x) {
@@ -114,10 +142,19 @@ void BoxRun::show(const Motion<Coordinator>& motion, const X& x) {
                                ? fmt::format("box {:.0f} mm, {:.1f} degrees from its goal",
                                              1e3 * std::hypot(e.x, e.y), e.phi * 180 / std::numbers::pi)
                                : "box not seen";
-  board.set_progress(progress(x), fmt::format("push {}: {}", x.c.pushes, left));
-  for (std::size_t k = 0; k < kPlatforms; ++k)
+  board.set_progress(progress(x), fmt::format("{}: {}", push_words(motion, x), left));
+  for (std::size_t k = 0; k < kPlatforms; ++k) {
     board.set_arm(k, x.T.agent[k],
                   x.T.agent[kPlatforms + k].sensor == ecp::kMapSeen ? "map seen" : "map lost");
+    show_velocity(k);
+  }
+}
+
+void BoxRun::show_velocity(std::size_t k) {
+  const platform_reply_t* const newest = replies_[k] ? replies_[k]->newest() : nullptr;
+  if (!newest) return;
+  const bool known = is_proper(*newest) && newest->position_known != 0;
+  run_.board().set_velocity(k, known ? from_message(*newest).estimate.v : PlanarVelocity{});
 }
 
 PushResults BoxRun::results() const {

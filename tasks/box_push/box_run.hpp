@@ -42,7 +42,11 @@ class BoxRun final : public mp::CoordinatorRun {
  private:
   using X = Coordinator::X;
   void observe(const Motion<Coordinator>& motion, const X& x);
+  void announce(const Motion<Coordinator>& motion, const X& x);
   void show(const Motion<Coordinator>& motion, const X& x);
+  void show_velocity(std::size_t k);
+  /// @return which push goes on or comes, and of how many
+  [[nodiscard]] static std::string push_words(const Motion<Coordinator>& motion, const X& x);
   void note_end(const X& x, Outcome& o);
   [[nodiscard]] double progress(const X& x);
 
@@ -53,6 +57,7 @@ class BoxRun final : public mp::CoordinatorRun {
   std::array<std::unique_ptr<link::OutgoingLink<FragmentOrder>>, kPlatforms> go_;
   mp::CoordinatorLinks links_;
   std::optional<PushRecord> record_;
+  std::array<std::unique_ptr<link::Inbox<platform_reply_t>>, kPlatforms> replies_;  // none in a check
   Fault fault_;
   bool at_goal_{};
   double whole_{};          // largest that was left [m]

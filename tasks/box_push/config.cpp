@@ -47,7 +47,8 @@ CoordinatorParameters read_coordinator(const Config& config) {
   k.drive.speed = t.number("speed", k.drive.speed, {0.1, 1.4}, "m/s, of a platform by itself");
   k.drive.turn_rate = t.number("turn_rate", k.drive.turn_rate, {0.2, 2.0}, "rad/s, of the same on the spot");
   k.speeds.pushing = t.number("push_speed", k.speeds.pushing, {0.04, 0.4}, "m/s, of a push");
-  k.tolerance.position = t.number("tolerance", k.tolerance.position, {0.005, 1}, "m, of the box at its goal");
+  k.tolerance.position =
+      t.number("tolerance", k.tolerance.position, {0.005, 1}, "m, of the box at its goal, as it is seen");
   k.tolerance.heading =
       kDegree * t.number("tolerance_deg", k.tolerance.heading / kDegree, {0.5, 90}, "degrees, the same");
   k.pushes = t.integer("pushes", k.pushes, {1, 1000}, "at most");

@@ -10,8 +10,6 @@ namespace {
 
 using X = Coordinator::X;
 
-/// Readings of the box at rest that make one look.
-constexpr int kReadings = 10;
 /// Macrosteps after which a box that is not pushed any more has come to rest, and pushes by platforms are what they remain.
 constexpr std::int64_t kSettles = 50;
 
@@ -94,16 +92,39 @@ bool has_looked(const X& x) { return x.c.look.n >= kReadings || position_gone(x)
 
 // --- coming behind the box -----------------------------------------------------------------------------------------
 
+double seconds_of(const std::array<std::vector<Fragment>, kPlatforms>& way) {
+  double steps = 0;
+  for (const auto& each : way)
+    for (const Fragment& f : each) steps += f.steps;
+  return steps * kPlatformPeriod;
+}
+
+/// Platforms come behind the box as they do this time, and its way is pushed at full speed but for its beginning and its end.
+Outlook outlook_of(const CoordinatorMemory& c, const Pushes& pushes) {
+  constexpr double kBesides = 15;  // looking, closing the gap, slowing down, settling, going back [s]
+  double way = 0;
+  PlanarPose from = c.box;
+  for (const Push& push : pushes) {
+    way += distance(from, push.to);
+    from = push.to;
+  }
+  const auto n = static_cast<double>(pushes.size());
+  return {static_cast<int>(pushes.size()),
+          n * (seconds_of(c.approach.way) + kBesides) + way / c.k.speeds.pushing};
+}
+
 CoordinatorMemory begin_approach(const X& x) {
   CoordinatorMemory c = x.c;
-  c.vain = true;
+  c.dead_end = DeadEnd::for_box;
   const auto pushes = plan_pushes(c.k.hall, c.box, c.k.goal);
   if (!pushes) return c;
+  c.dead_end = DeadEnd::for_platform;
   const auto approach =
       plan_approach(c.k.hall, pushes->front(), c.box, {c.track[0].end, c.track[1].end}, c.k.drive);
   if (!approach) return c;
-  c.vain = false;
+  c.dead_end = DeadEnd::none;
   c.approach = *approach;
+  c.outlook = outlook_of(c, *pushes);
   const std::size_t first = c.approach.first;
   append(c.track[first], c.approach.way[first]);
   return c;
@@ -122,7 +143,7 @@ CoordinatorMemory approach(const X& x) {
     if (is_ready(c.track[k], platform(x, k))) send_next(c.track[k]);
   return c;
 }
-bool is_behind(const X& x) { return x.c.vain || position_gone(x) || (!first_comes(x) && all_done(x)); }
+bool is_behind(const X& x) { return !goes_on(x) || (!first_comes(x) && all_done(x)); }
 
 // --- pushing -------------------------------------------------------------------------------------------------------
 
@@ -167,7 +188,7 @@ CoordinatorMemory push(const X& x) {
   return c;
 }
 bool is_pushed(const X& x) {
-  return position_gone(x) || (at_end(x.c.run) && all_arrived(x) && has_settled(x) && !is_short(x));
+  return !goes_on(x) || (at_end(x.c.run) && all_arrived(x) && has_settled(x) && !is_short(x));
 }
 
 // --- going away ----------------------------------------------------------------------------------------------------
@@ -215,6 +236,10 @@ bool at_goal(const CoordinatorMemory& c) {
 
 bool position_gone(const X& x) {
   return x.c.k.timeout > 0 && x.c.lost_in > 0 && x.i - x.c.lost_in >= x.c.k.timeout;
+}
+
+bool goes_on(const X& x) {
+  return x.c.dead_end == DeadEnd::none && !stays_behind(x.c.run) && !position_gone(x);
 }
 
 // clang-format off

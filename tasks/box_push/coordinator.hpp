@@ -18,11 +18,15 @@ namespace mrroc::box_push {
 /// Agents that the coordinator speaks with: those of both platforms, then their map agents.
 inline constexpr std::size_t kAgents = 2 * kPlatforms;
 
-/// How near to its goal the box is to be, as it is measured.
+/// How near to its goal the box is to be, as it is measured: within 30 mm and 5 degrees, less what a look may be wrong by,
+/// three standard deviations of the mean of its readings (kReadings).
 struct Tolerance {
-  double position{0.02};  ///< [m]
-  double heading{0.044};  ///< [rad]
+  double position{0.025};  ///< [m]
+  double heading{0.077};   ///< [rad]
 };
+
+/// Readings of the box at rest that make one look.
+inline constexpr int kReadings = 10;
 
 /// Constant parameters of the coordinator.
 struct CoordinatorParameters {
@@ -35,6 +39,19 @@ struct CoordinatorParameters {
   int pushes{12};              ///< at most
   std::int64_t timeout{1500};  ///< for a platform that does not know its position [macrosteps]; 0: for ever
   int n_s{10};                 ///< steps of a macrostep
+};
+
+/// Why there is no next push.
+enum class DeadEnd : std::uint8_t {
+  none,         ///< there is one
+  for_box,      ///< no pushes lead to the goal
+  for_platform  ///< a platform cannot come behind the box
+};
+
+/// What the coordinator expects of the rest of the task.
+struct Outlook {
+  int pushes{};      ///< to the goal, the next one among them
+  double seconds{};  ///< about how long they take [s]
 };
 
 /// What a platform has been told to do.
@@ -52,7 +69,8 @@ struct CoordinatorMemory {
   PoseMean look{};                        ///< readings of the box since everything stands
   PlanarPose box{};                       ///< where it was found last
   Approach approach{};                    ///< of the push that is next or under way
-  bool vain{};                            ///< there is no way to the goal, or none for the platforms
+  DeadEnd dead_end{};                     ///< why there is no next push
+  Outlook outlook{};                      ///< when the next push was chosen
   PushRun run{};                          ///< the push
   std::int64_t rests_from{};  ///< macrostep since which the push is at its end, and at rest; 0: it is not
   int pushes{};               ///< begun so far
@@ -88,12 +106,14 @@ extern const Motion<Coordinator> kRetreat;  ///< m = 4: until both platforms are
 [[nodiscard]] bool at_goal(const CoordinatorMemory& c);
 /// A platform has not known its position for too long.
 [[nodiscard]] bool position_gone(const Coordinator::X& x);
+/// @return whether the task can go on: there is a next push, the box goes with it, and the platforms know where they are
+[[nodiscard]] bool goes_on(const Coordinator::X& x);
 
-/// Pushes until the box is at its goal, there is no way to it, or there have been enough pushes.
+/// Pushes until the box is at its goal, it or a platform has no way, it does not move, or there have been enough pushes.
 template <class Port>
 Outcome push_box(Coordinator::X& x, Port& port) {
   Outcome o = move(kStart, x, port);
-  const auto well = [&] { return o == Outcome::terminated && !x.c.vain && !position_gone(x); };
+  const auto well = [&] { return o == Outcome::terminated && goes_on(x); };
   while (well()) {
     o = move(kLook, x, port);
     if (!well() || at_goal(x.c) || x.c.pushes >= x.c.k.pushes) break;

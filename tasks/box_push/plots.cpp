@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/room_plot.hpp"
 #include "base/time_chart.hpp"
 #include "tasks/box_push/detour.hpp"
 
 namespace mrroc::box_push {
 namespace {
 
+constexpr double kBeside = 0.15;  // of a number from the middle of the box [m]
 constexpr const char* kFile = "'box.csv' skip 1 using ";
 
 std::string name_of(int m) {
@@ -40,6 +42,9 @@ std::string push_script(const PushResults& r) {
   force.curves = {curve(fmt::format("1:{}", +column::box_push), "along x of the box", 0),
                   curve(fmt::format("1:{}", column::box_push + 1), "along y of the box", 1)};
   c.panels = {error, turned, force};
+  c.notes = {
+      "Of every macrostep the force of its last step of 2 ms: single peaks are blows of noses that come down "
+      "on the box anew."};
   return time_chart_script(c);
 }
 
@@ -77,26 +82,42 @@ std::string platform_outlines(const PushResults& r, std::size_t k) {
   return outlines(fmt::format("platform{}", k + 1).c_str(), all);
 }
 
+/// The number of each push where the box stands when it begins, beside the box's middle.
+std::string push_numbers(const PushResults& r) {
+  std::string s;
+  for (std::size_t n = 1; n < r.table.size(); ++n) {
+    const PushRow& row = r.table[n];
+    if (row.stage.m == kPush.m && r.table[n - 1].stage.m != kPush.m)
+      s += fmt::format("set label '{}' at {:.4f},{:.4f} center font 'sans:Bold,12' front\n", row.stage.push,
+                       row.box.p.x, row.box.p.y + kBeside);
+  }
+  return s;
+}
+
+std::string obstacle_key(const Room& room) {
+  if (room.obstacles.empty()) return {};
+  return fmt::format("keyentry with boxes fillstyle solid 1 fillcolor rgb '{}' title 'obstacle', ",
+                     kObstacleColour);
+}
+
 std::string path_script(const PushResults& r) {
-  const Room& room = r.k.hall.room;
   const Formation& f = r.k.hall.formation;
   std::string s = gnuplot_head("plots/path.png", 1000, 820);
-  s += "set title 'Two platforms push a box'\nset xlabel 'x [m]'\nset ylabel 'y [m]'\nset size ratio -1\n";
-  s += "set key below\n";
-  s += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", room.lower[0], room.upper[0], room.lower[1],
-                   room.upper[1]);
+  s += "set title 'Two platforms push a box, seen from above' font 'sans:Bold,14' textcolor rgb '#1b2a41'\n"
+       "set size ratio -1\nset xlabel 'x [m]'\nset ylabel 'y [m]'\nset key below\n";
+  s += plot_room(r.k.hall.room) + push_numbers(r);
   s += box_outlines(r) + platform_outlines(r, 0) + platform_outlines(r, 1);
   s += outlines("goal", {rectangle(r.k.goal, f.box_length, f.box_width)});
-  s += outlines("obstacles", room.obstacles);
-  s += "plot $obstacles with filledcurves closed lc rgb '#c3cad4' notitle";
-  s += fmt::format(", $goal with lines lw 4 lc rgb '{}' title 'goal'", kReferenceColour);
+  s += "plot " + obstacle_key(r.k.hall.room);
+  s += fmt::format("$goal with lines lw 4 lc rgb '{}' title 'goal'", kReferenceColour);
   for (std::size_t k = 0; k < kPlatforms; ++k) {
     const auto first = column::platforms + 4 * static_cast<int>(k);
     s += fmt::format(", {}{}:{} with lines lw 1.2 lc rgb '{}' title 'platform {}'", kFile, first, first + 1,
                      curve_colour(k), k + 1);
     s += fmt::format(", $platform{} with lines lw 0.8 dt 2 lc rgb '{}' notitle", k + 1, curve_colour(k));
   }
-  s += fmt::format(", $box with lines lw 2 lc rgb '{}' title 'box'", curve_colour(2));
+  s += fmt::format(", $box with lines lw 2 lc rgb '{}' title 'box, with the numbers of pushes'",
+                   curve_colour(2));
   s += fmt::format(", {}{}:{} with lines lw 2 lc rgb '{}' notitle\n", kFile, +column::box, column::box + 1,
                    curve_colour(2));
   return s;

@@ -22,7 +22,16 @@ std::array<double, 3> push_in_box(const BoxTruth& box) {
   return {c * box.push[0] + s * box.push[1], c * box.push[1] - s * box.push[0], box.push[2]};
 }
 
-std::string line_of(const PushRow& row, const PlanarPose& goal, double macrostep) {
+/// Turns of the box from its goal [rad]: without jumps by a whole turn, within half a one at the end.
+std::vector<double> turns_of(const PushTable& table, const PlanarPose& goal) {
+  std::vector<double> turned(table.size());
+  double after = 0;
+  for (std::size_t n = table.size(); n > 0; --n)
+    after = turned[n - 1] = after + wrap_angle(table[n - 1].box.p.phi - goal.phi - after);
+  return turned;
+}
+
+std::string line_of(const PushRow& row, const PlanarPose& goal, double turned, double macrostep) {
   const PlanarPose e = seen_from(goal, row.box.p);
   const auto push = push_in_box(row.box);
   const PlanarPose& b = row.box.p;
@@ -30,7 +39,7 @@ std::string line_of(const PushRow& row, const PlanarPose& goal, double macrostep
                                  row.stage.m, row.stage.push);
   line +=
       fmt::format(",{:.5f},{:.5f},{:.5f},{:.2f},{:.2f},{:.2f}", b.x, b.y, b.phi, push[0], push[1], push[2]);
-  line += fmt::format(",{:.2f},{:.3f}", 1e3 * std::hypot(e.x, e.y), e.phi * 180 / std::numbers::pi);
+  line += fmt::format(",{:.2f},{:.3f}", 1e3 * std::hypot(e.x, e.y), turned * 180 / std::numbers::pi);
   for (std::size_t k = 0; k < kPlatforms; ++k) {
     const PlanarPose& p = row.platform[k];
     line += fmt::format(",{:.5f},{:.5f},{:.5f},{:.3f}", p.x, p.y, p.phi, row.torque[k]);
@@ -53,7 +62,8 @@ void write_push_table(const std::filesystem::path& file, const PushTable& table,
   std::string text =
       "t,m,push,box_x,box_y,box_phi,push_x,push_y,push_moment,error_mm,error_deg,x1,y1,phi1,torque1,x2,y2,"
       "phi2,torque2\n";
-  for (const PushRow& row : table) text += line_of(row, goal, macrostep);
+  const std::vector<double> turned = turns_of(table, goal);
+  for (std::size_t n = 0; n < table.size(); ++n) text += line_of(table[n], goal, turned[n], macrostep);
   mp::write_text(file, text);
 }
 

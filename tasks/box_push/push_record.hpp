@@ -32,7 +32,7 @@ namespace column {
 enum : int {
   box = 4,        ///< x, y, phi
   box_push = 7,   ///< force along x and y of the box, moment
-  error = 10,     ///< distance from the goal [mm], turn from it [degrees]
+  error = 10,     ///< distance from the goal [mm], turn from it without jumps [degrees]
   platforms = 12  ///< of each: x, y, phi, sum of the torques
 };
 }  // namespace column

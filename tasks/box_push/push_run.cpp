@@ -72,9 +72,17 @@ PushRun with_reading(const PushRun& run, const PlanarPose& box, double iteration
   if (way_to(run, told) < f.gap + kUntilBothPush) return run;
   const PlanarPose seen = seen_from(told, box);
   PushRun next = run;
+  const double touching = inverse(pair_at(f, run.push.side, 0)).x;
+  next.lag = touching - seen.x;
+  next.behind = next.lag > kMostLag ? run.behind + 1 : 0;
   next.box.x += kShare * (seen.x - run.box.x);
   next.box.y += kShare * (seen.y - run.box.y);
   return next;
+}
+
+bool stays_behind(const PushRun& run) {
+  constexpr int kReadings = 3;
+  return run.behind >= kReadings;
 }
 
 PlanarPose left_of(const PushRun& run) {

@@ -23,6 +23,8 @@ struct PushRun {
   PlanarPose begin{};                ///< of the pair on M, as it has been told
   std::vector<Stretch> stretches{};  ///< told so far, in their order
   PlanarPose box{};                  ///< of the box in the frame of the pair as it has been told, estimated
+  double lag{};  ///< of the box behind the noses as they have been told, in the last reading [m]
+  int behind{};  ///< readings in succession with a lag that is too large
 };
 
 /// @param pair  where it stands, `gap` before the box
@@ -37,6 +39,11 @@ struct PushRun {
 /// front of the pair; until both platforms push, nothing is learned from it.
 [[nodiscard]] PushRun with_reading(const PushRun& run, const PlanarPose& box, double iterations,
                                    const Formation& f);
+
+/// Way by which a box may lag behind where the noses of the pair are told to be [m].
+inline constexpr double kMostLag = 0.10;
+/// @return whether the box does not go with the pair, as it was seen several times in succession
+[[nodiscard]] bool stays_behind(const PushRun& run);
 
 /// @return where the pair is to come to, so that the box comes to its target, as seen from the end of the stretches
 [[nodiscard]] PlanarPose left_of(const PushRun& run);

@@ -8,12 +8,11 @@
 #include <set>
 
 #include "base/gnuplot_text.hpp"
+#include "base/room_plot.hpp"
 
 namespace mrroc::rex_drive {
 namespace {
 
-constexpr const char* kWallColour = "#667080";
-constexpr const char* kObstacleColour = "#c3cad4";
 constexpr const char* kEllipseColour = "#e8a374";
 constexpr double kLarger = 10;  // ellipses are drawn so many times as large
 
@@ -56,11 +55,6 @@ std::string plan_points(const std::vector<Plan>& plans) {
   return data + "NaN,NaN\nEOD\n";
 }
 
-std::string rectangle(const RoomPoint& lower, const RoomPoint& upper, const std::string& style) {
-  return fmt::format("set object rectangle from {},{} to {},{} {} behind\n", lower[0], lower[1], upper[0],
-                     upper[1], style);
-}
-
 /// The colour of a floor with that friction: the more slippery, the more like ice. @param opacity  0..1
 std::string floor_colour(double friction, double opacity) {
   constexpr double kRough = 0.8;
@@ -101,8 +95,9 @@ std::string colour_of(const Floor& floor, const DriveGround& ground) {
 std::string ground(const DriveResults& r) {
   std::string s;
   for (const Floor& floor : floors(r))
-    s += rectangle(floor.lower, floor.upper,
-                   fmt::format("fillcolor rgb '{}' fillstyle solid 1 noborder", colour_of(floor, r.ground)));
+    s += plot_rectangle(
+        floor.lower, floor.upper,
+        fmt::format("fillcolor rgb '{}' fillstyle solid 1 noborder", colour_of(floor, r.ground)));
   return s;
 }
 
@@ -118,19 +113,6 @@ std::string ground_key(const DriveResults& r) {
           "along, {:.3g} across', \\\n  ",
           kWallColour, colour_of(floor, r.ground), floor.name, floor.scale * r.ground.friction[0],
           floor.scale * r.ground.friction[1]);
-  return s;
-}
-
-std::string walls(const Room& room) {
-  std::string s =
-      rectangle(room.lower, room.upper, fmt::format("fillstyle empty border lc rgb '{}' lw 2", kWallColour));
-  for (const Obstacle& obstacle : room.obstacles) {
-    std::string corners;
-    for (const auto& [px, py] : obstacle.corner) corners += fmt::format("{},{} to ", px, py);
-    const auto& [px, py] = obstacle.corner.front();
-    s += fmt::format("set object polygon from {}{},{} fillcolor rgb '{}' fillstyle solid 1 noborder behind\n",
-                     corners, px, py, kObstacleColour);
-  }
   return s;
 }
 
@@ -150,14 +132,11 @@ std::string way(int column, double width, std::string_view colour, const char* t
 }  // namespace
 
 std::string path_script(const DriveResults& r) {
-  constexpr double kRoom = 0.1;  // around the walls [m]
   std::string s = gnuplot_head("plots/path.png", 1200, 900);
   s += ellipses(r.table) + plan_points(r.plans);
   s += "set title 'Rex: the way, seen from above' font 'sans:Bold,14' textcolor rgb '#1b2a41'\n"
        "set size ratio -1\nset xlabel 'x [m]'\nset ylabel 'y [m]'\nset key below\n";
-  s += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", r.room.lower[0] - kRoom,
-                   r.room.upper[0] + kRoom, r.room.lower[1] - kRoom, r.room.upper[1] + kRoom);
-  s += ground(r) + walls(r.room);
+  s += ground(r) + plot_room(r.room);
   if (!r.table.empty()) s += start(r.table.front().truth.p);
   s += "plot " + ground_key(r) + way(column::x_d, 5, kObstacleColour, "reference");
   s += fmt::format(

@@ -124,6 +124,19 @@ TEST_F(RunTask, WhatIsSetByHandStandsAboveWhatTheTaskFindsOut) {
   EXPECT_EQ(force_, 7);
 }
 
+TEST_F(RunTask, AnErrorOfAValueThatAnOptionSetsNamesTheOption) {
+  task_.typed = {{"task.force", "--force"}};
+  task_.prepare = [](const launch::Setup&) {
+    throw FaultError(FaultCode::bad_configuration, "task.force: it breaks the brush");
+  };
+  const Ended e = run({});
+  EXPECT_EQ(e.status, 2);
+  EXPECT_NE(e.err.find("--force 5: it breaks the brush; correct that option"), std::string::npos) << e.err;
+  task_.found = {};
+  EXPECT_NE(run({}).err.find("task.force: it breaks the brush"), std::string::npos)
+      << "a key that is not from an option keeps its name";
+}
+
 TEST_F(RunTask, WhatIsWrongIsToldBeforeAnythingStarts) {
   const std::vector<std::pair<Names, std::string>> all{
       {{"--set", "task.force=70"}, "task.force"},

@@ -2,6 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
 
 #include "test/system/started_task.hpp"
 
@@ -44,10 +51,66 @@ TEST(BoxPush, StandsDuringAPauseAndComesToItsGoal) {
   EXPECT_LE(figure(summary(folder / "run"), "box_err_mm"), 30);
 }
 
+/// @return speed of the box when its log ends [m/s]
+double last_speed(const Folder& folder, const std::string& name) {
+  const Ended log =
+      run(folder, "ui_cli", {"log", "show", (folder / name).string(), "--channel", "box.truth", "--json"});
+  const auto truth = nlohmann::json::parse(log.last_out());
+  return std::hypot(truth.at("speed[0]").get<double>(), truth.at("speed[1]").get<double>());
+}
+
+TEST(BoxPush, EndsInWordsOfItsOwnWhenTheBoxDoesNotMoveOrIsNotThereYet) {
+  const Folder folder;
+  struct Case {
+    const char* name;
+    std::vector<std::string> more;
+  };
+  for (const auto& [name, more] :
+       {Case{"box_not_moved", {"--set", "sim.boxes.box.friction=1.2"}},
+        Case{"box_not_there_yet", {"--set", "task.pushes=1", "--box", "0", "0.6", "0"}},
+        Case{"no_way_for_box", {"--set", "room.walls=[-5, -1.2, 5, 1.2]", "--box", "0.3", "0", "90"}}}) {
+    const Ended ended =
+        run(folder, "box_push", words({short_push(folder, name), {"--processes", "one"}, more}));
+    EXPECT_EQ(ended.status, 1) << ended.all();
+    EXPECT_TRUE(ended.last_err().starts_with(std::string("error: ") + name + ": ")) << ended.all();
+  }
+}
+
+class BoxPushWithADeath : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(BoxPushWithADeath, EndsAndNamesTheProcessAndPlatformsAndBoxStand) {
+  if (!multicast()) GTEST_SKIP() << "no multicast";
+  const Folder folder(false);
+  const std::string part = GetParam();
+  Started task(folder, "box_push",
+               words({short_push(folder, "run"), {"--processes", "separate", "--speed", "4"}}));
+  ASSERT_TRUE(task.await_line("  push")) << task.end().all();
+  std::this_thread::sleep_for(std::chrono::milliseconds(2000));  // 8 s: the box moves
+  const std::vector<ProcessId> children = task.children();
+  ::kill(task.child(part).pid, SIGKILL);
+  const Ended ended = task.end();
+  EXPECT_EQ(ended.status, 3) << ended.all();
+  EXPECT_TRUE(ended.last_err().starts_with("error: process_died: ")) << ended.all();
+  EXPECT_NE(ended.last_err().find(part), std::string::npos) << ended.all();
+  EXPECT_TRUE(all_gone(children));
+  if (part == "simulator") return;  // and with it what could move
+  EXPECT_LE(figure(summary(folder / "run"), "stop_steps_max"), 300);
+  EXPECT_LT(last_speed(folder, "run"), 1e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, BoxPushWithADeath,
+                         ::testing::Values("simulator", "edp-rex1", "edp-rex2", "ecp-rex1", "ecp-rex2",
+                                           "ecp-map1", "ecp-map2"),
+                         [](const auto& named) {
+                           std::string name = named.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
 TEST(BoxPush, RefusesAGoalThatIsNoneBeforeAnythingStarts) {
   const Folder folder;
   for (const auto& [to, named] :
-       {std::pair<std::vector<std::string>, std::string>{{"4.9", "0", "0"}, "task.to"},
+       {std::pair<std::vector<std::string>, std::string>{{"4.9", "0", "0"}, "--to [4.9, 0, 0]: "},
         {{"1", "2"}, "--to"}}) {
     const Ended ended =
         run(folder, "box_push", words({{"--to"}, to, {"--run-dir", (folder / "run").string()}}));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "test/sim/platform/platform.hpp"
@@ -85,6 +86,58 @@ TEST(SlidingBase, TurnsAPushedBoxOnIceOfOneSide) {
   EXPECT_GT(f.moment, 20) << "the side where y > 0 is held back";
 }
 
+double energy(const BoxParameters& box, double inertia, double vx, double vy, double w) {
+  return 0.5 * (box.mass * (vx * vx + vy * vy) + inertia * w * w);
+}
+
+TEST(SlidingBase, TakesEnergyOutAndIsNeverMoreThanItsWeightAllows) {
+  std::mt19937 random(7);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<>(low, high)(random);
+  };
+  for (int k = 0; k < 20'000; ++k) {
+    BoxParameters box = a_box();
+    box.length = between(0.1, 2);
+    box.width = between(0.1, 2);
+    box.mass = between(1, 500);
+    box.friction = between(0, 1.5);
+    GroundParameters ground;
+    ground.patches.push_back({.lower = {-5, -5}, .upper = {5, between(-1, 1)}, .scale = between(0.01, 2)});
+    const double h = between(1e-4, 0.01), size = std::pow(10, between(-6, 1));
+    const PlanarState s{.x = between(-1, 1),
+                        .y = between(-1, 1),
+                        .phi = between(-3, 3),
+                        .vx = between(-size, size),
+                        .vy = between(-size, size),
+                        .w = between(-size, size)};
+    const SlidingBase base(box);
+    const PlanarForce f = base.friction(s, ground, 0, h);
+    // Coulomb: no more than the weight times the largest coefficient, in any direction, and about the middle.
+    const double most = box.friction * box.mass * kGravity * std::max(1.0, ground.patches[0].scale);
+    ASSERT_LE(std::hypot(f.x, f.y), most * (1 + 1e-9)) << k;
+    ASSERT_LE(std::abs(f.moment), most * std::hypot(box.length, box.width) / 2 * (1 + 1e-9)) << k;
+    const double inertia = base.inertia();
+    const double after = energy(box, inertia, s.vx + h * f.x / box.mass, s.vy + h * f.y / box.mass,
+                                s.w + h * f.moment / inertia);
+    ASSERT_LE(after, energy(box, inertia, s.vx, s.vy, s.w) * (1 + 1e-9)) << k;
+  }
+}
+
+TEST(SlidingBase, BringsToRestAndKeepsThere) {
+  BoxParameters box = a_box();
+  box.friction = 1;
+  const SlidingBase base(box);
+  PlanarState s{.phi = 0.4, .vx = 0.3, .vy = -0.2, .w = 1};
+  for (int n = 0; n < 200; ++n) {
+    const PlanarForce f = base.friction(s, {}, 0, kH);
+    s.vx += kH * f.x / box.mass;
+    s.vy += kH * f.y / box.mass;
+    s.w += kH * f.moment / base.inertia();
+  }
+  EXPECT_NEAR(std::hypot(s.vx, s.vy), 0, 1e-12);
+  EXPECT_NEAR(s.w, 0, 1e-12);
+}
+
 TEST(SimulatedBox, StandsAgainstAPushThatIsLessThanItsFriction) {
   const PlatformWorldParameters p = world_with(box_before_platform());
   PlatformWorld world(p);
@@ -109,6 +162,19 @@ TEST(SimulatedBox, IsTooHeavyForOnePlatformAndNotForTwo) {
   EXPECT_GT(two.box_truth(0).p.x, box.start.x + 0.5);
   EXPECT_NEAR(two.box_truth(0).p.y, 0, 0.02);
   EXPECT_NEAR(two.box_truth(0).p.phi, 0, 0.02);
+}
+
+TEST(SimulatedBox, OnePlatformAtItsEndTurnsItAboutAndDoesNotBringItAway) {
+  BoxParameters box = box_before_platform();
+  box.start.y = -0.54;  // the platform is where it is as one of two that push
+  PlatformWorld world(world_with(box));
+  for (int second = 0; second < 10; ++second) {
+    drive_all(world, {20}, 500);
+    EXPECT_LT(world.box_truth(0).p.x, box.start.x + 0.6) << "its middle goes round";
+    if (second == 3) {
+      EXPECT_LT(world.box_truth(0).p.phi, -1);
+    }
+  }
 }
 
 TEST(SimulatedBox, TurnsToTheSideThatIsPushedLess) {

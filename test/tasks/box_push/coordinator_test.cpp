@@ -104,6 +104,7 @@ class World {
 
   [[nodiscard]] const PlanarPose& box() const { return box_; }
   std::vector<int> behaviours;  ///< of the coordinator, in their order
+  bool held{};                  ///< nothing moves the box
 
  private:
   static constexpr std::int64_t kLongest = 60'000;
@@ -120,7 +121,7 @@ class World {
     const bool ahead = std::abs(seen.y) < 0.2 && seen.x > 0 && seen.x < before;
     if (ahead && !touch_) touch_ = PlanarPose{before, seen.y + 0.01, seen.phi + 0.01};  // it slips a little
     if (touch_ && seen.x > before + 0.01) touch_.reset();
-    if (touch_ && ahead) box_ = chained(pair, *touch_);
+    if (touch_ && ahead && !held) box_ = chained(pair, *touch_);
   }
   PlanarPose noisy(const PlanarPose& p) {
     return {p.x + 0.005 * noise_(random_), p.y + 0.005 * noise_(random_),
@@ -176,7 +177,7 @@ TEST(Coordinator, GivesUpWhereThereIsNoWay) {
   X x = image({4.9, 0, 0});
   world.read(x);
   ASSERT_EQ(push_box(x, world), Outcome::terminated);
-  EXPECT_TRUE(x.c.vain);
+  EXPECT_EQ(x.c.dead_end, DeadEnd::for_box);
   EXPECT_FALSE(at_goal(x.c));
 }
 
@@ -188,6 +189,39 @@ TEST(Coordinator, StopsAfterThePushesThatItMay) {
   ASSERT_EQ(push_box(x, world), Outcome::terminated);
   EXPECT_EQ(x.c.pushes, 1);
   EXPECT_FALSE(at_goal(x.c));
+}
+
+TEST(Coordinator, GivesUpWhenTheBoxDoesNotGoWithThePlatforms) {
+  World world({0, 0, 0}, 0);
+  world.held = true;
+  X x = image({1.5, 0, 0});
+  world.read(x);
+  ASSERT_EQ(push_box(x, world), Outcome::terminated);
+  EXPECT_TRUE(stays_behind(x.c.run));
+  EXPECT_GT(x.c.run.lag, kMostLag);
+  EXPECT_LT(x.c.run.lag, kMostLag + 0.1) << "before it is far";
+  EXPECT_EQ(x.c.pushes, 1);
+  EXPECT_EQ(world.behaviours.back(), kPush.m);
+}
+
+TEST(Coordinator, GivesUpWhenAPlatformStandsWhereItCannotTurn) {
+  World world({0, 0, 0}, 0);
+  X x = image({1.5, 0, 0});
+  x.c.k.hall.room.obstacles.push_back(rectangle({-2.5, 0.8, 0}, 0.1, 0.1));
+  world.read(x);
+  ASSERT_EQ(push_box(x, world), Outcome::terminated);
+  EXPECT_EQ(x.c.dead_end, DeadEnd::for_platform);
+  EXPECT_EQ(x.c.pushes, 0);
+}
+
+TEST(Coordinator, TellsHowManyPushesAndHowLongBeforeTheFirstOne) {
+  World world({0, 0, 0}, 0);
+  X x = image({1.9, 0.8, 0.44});
+  world.read(x);
+  ASSERT_EQ(push_box(x, world), Outcome::terminated);
+  EXPECT_EQ(x.c.outlook.pushes, x.c.pushes) << "an easy way goes as it was planned";
+  const double took = static_cast<double>(x.i) * kPlatformPeriod;
+  EXPECT_NEAR(x.c.outlook.seconds, took, 0.3 * took);
 }
 
 TEST(Coordinator, EverybodyStandsWhileAPlatformDoesNotKnowItsPosition) {

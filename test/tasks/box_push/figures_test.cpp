@@ -4,7 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
 #include <variant>
+#include <vector>
 
 #include "tasks/box_push/plots.hpp"
 
@@ -46,7 +51,34 @@ TEST(PushPlots, ShowGoalAndBox) {
   const auto scripts = plots(made_up());
   ASSERT_EQ(scripts.size(), 2U);
   EXPECT_NE(scripts[0].second.find("$goal"), std::string::npos);
+  EXPECT_NE(scripts[0].second.find("set label '1' at "), std::string::npos) << "the number of the push";
   EXPECT_NE(scripts[1].second.find("box.csv"), std::string::npos);
+}
+
+TEST(PushTable, TurnsOfTheBoxDoNotJumpAndAreWithinHalfATurnAtTheEnd) {
+  PushTable table;
+  for (int n = 0; n < 100; ++n) {
+    PushRow row{.stage = {n, kPush.m, 1}};
+    row.box.p.phi = wrap_angle(0.1 * n - 2);
+    table.push_back(row);
+  }
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "mrroc_push_table.csv";
+  write_push_table(file, table, {0, 0, 0.3}, 0.02);
+  std::ifstream lines(file);
+  std::string line;
+  std::getline(lines, line);
+  std::vector<double> turned;
+  while (std::getline(lines, line)) {
+    std::istringstream fields(line);
+    std::string field;
+    for (int k = 0; k <= column::error; ++k) std::getline(fields, field, ',');
+    turned.push_back(std::stod(field));
+  }
+  std::filesystem::remove(file);
+  ASSERT_EQ(turned.size(), table.size());
+  for (std::size_t n = 1; n < turned.size(); ++n)
+    EXPECT_NEAR(turned[n] - turned[n - 1], 0.1 * 180 / std::acos(-1.0), 0.01);
+  EXPECT_LE(std::abs(turned.back()), 180);
 }
 
 }  // namespace

@@ -76,6 +76,23 @@ TEST(PushRun, LearnsNothingBeforeBothPlatformsPush) {
   EXPECT_EQ(after.box.phi, run.box.phi);
 }
 
+TEST(PushRun, ABoxStaysBehindWhenItWasSeenSoSeveralTimesInSuccession) {
+  const Formation f;
+  PushRun run = begin_push({Side::back, {3, 0, 0}}, pair_at(f, Side::back, f.gap), f);
+  for (int n = 0; n < 20; ++n) run = with_next_stretch(run, a_hall(), kSpeeds);
+  const auto seen = [&](double lag) {
+    run = with_reading(run, chained(end_of(run).p, inverse(pair_at(f, Side::back, -lag))), 0, f);
+    return stays_behind(run);
+  };
+  for (int n = 0; n < 10; ++n) EXPECT_FALSE(seen(0.8 * kMostLag)) << "it lags a little on any way";
+  EXPECT_NEAR(run.lag, 0.8 * kMostLag, 1e-9);
+  EXPECT_FALSE(seen(1.2 * kMostLag)) << "readings have outliers";
+  EXPECT_FALSE(seen(0.01));
+  EXPECT_FALSE(seen(1.2 * kMostLag));
+  EXPECT_FALSE(seen(1.2 * kMostLag));
+  EXPECT_TRUE(seen(1.2 * kMostLag));
+}
+
 TEST(PushRun, KnowsWhatThePairWasToldBefore) {
   PushRun run;
   std::ignore = push_to({1, 0, 0}, {}, run);
