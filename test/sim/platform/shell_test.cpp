@@ -24,6 +24,7 @@ PlatformWorldParameters noisy_world() {
   PlatformWorldParameters p = test::ideal_world();
   p.platforms[0].imu = {};
   p.platforms[0].load_cells = {};
+  p.platforms[0].body.quick_stop = 0;  // as the twin's drives
   p.motion_capture.noise = {0.005, 0.01};
   p.motion_capture.setup = {.period = 30, .latency = 10};
   p.boxes = {{.name = "crate", .start = {.x = 0.75, .y = 0.1, .phi = 0.2}}};
