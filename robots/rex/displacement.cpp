@@ -5,9 +5,8 @@
 namespace mrroc::rex {
 namespace {
 
-constexpr double kFar = 0.05;        // [m]
-constexpr double kFarTurned = 0.05;  // [rad]
-constexpr double kAfterSilence = 1.0 / 3;
+constexpr double kFar = 0.015;        // [m]
+constexpr double kFarTurned = 0.015;  // [rad]
 
 /// @return whether the map has told of no other stage
 bool after_silence(const StageWindow& window, int k) noexcept {
@@ -19,12 +18,12 @@ bool after_silence(const StageWindow& window, int k) noexcept {
 }  // namespace
 
 std::optional<PlanarPose> displacement_at(const StageWindow& window, int k, const StageVector& z) noexcept {
+  if (!after_silence(window, k)) return std::nullopt;
   const Eigen::Vector3d believed = pose_of_body(z, window.centre(), window[k].map_delay).value;
   const Eigen::Vector3d seen = window[k].map.value;
   const Eigen::Vector2d away = seen.head<2>() - believed.head<2>();
   const double turn = wrap_angle(seen[2] - believed[2]);
-  const double share = after_silence(window, k) ? kAfterSilence : 1;
-  if (away.norm() <= share * kFar && std::abs(turn) <= share * kFarTurned) return std::nullopt;
+  if (away.norm() <= kFar && std::abs(turn) <= kFarTurned) return std::nullopt;
   const Eigen::Vector2d shift = seen.head<2>() - rotation(turn) * believed.head<2>();
   return PlanarPose{shift.x(), shift.y(), turn};
 }

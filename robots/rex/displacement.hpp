@@ -7,13 +7,12 @@
 
 namespace mrroc::rex {
 
-/// A position that comes back after a drop-out, or a map that has moved, corrects the pose alone: how the platform moves is known
-/// as before. Taken as a measurement among others, it would be explained by a motion, as a least-squares fit does that finds
-/// 20 cm within its 0.4 s.
+/// A position that comes back after a drop-out corrects the pose alone: how the platform moves is known as before. Taken as a
+/// measurement among others, it would be explained by a motion, as a least-squares fit does that finds 20 cm within its 0.4 s.
+/// While positions come, it is the other way round: what they contradict is how the platform was believed to move.
 /// @param k  stage with a map pose  @param z  what is believed of it
-/// @return the motion of the plane that takes the believed pose to that of the map, when that is further away than can be
-///         explained otherwise: 5 cm or 0.05 rad, and the third of it when no other stage has a map pose; nothing otherwise.
-///         Real-time safe
+/// @return the motion of the plane that takes the believed pose to that of the map, when no other stage has a map pose and it
+///         is further away than the estimate wanders while there is one: 15 mm or 15 mrad. Real-time safe
 [[nodiscard]] std::optional<PlanarPose> displacement_at(const StageWindow& window, int k,
                                                         const StageVector& z) noexcept;
 

@@ -378,8 +378,7 @@ TEST(StereoOdometry, OneCameraThatHangsGivesNoMotion) {
       EXPECT_FALSE(tell(odometry, pair, k).valid) << k;
       T_UB = T_UB * test::planar_motion(0.03, 0.03);
     }
-    EXPECT_EQ(odometry.support().finding, OdometryFinding::few_inliers)
-        << to_words(odometry.support().finding);
+    EXPECT_NE(odometry.support().finding, OdometryFinding::motion);
   }
 }
 
