@@ -64,9 +64,9 @@ double read_belt_speed(const Config& config) {
 BeltSchedule::BeltSchedule(double speed, double macrostep_s) : speed_(speed), macrostep_s_(macrostep_s) {}
 
 double BeltSchedule::velocity(std::int64_t i) const {
-  constexpr double kChange = 1.0;  // from rest to speed, and back [s]
-  constexpr double kEven = 0.5;    // at speed [s]
-  constexpr double kRest = 0.5;    // at either end [s]
+  constexpr double kChange = 0.8;  // from rest to speed, and back [s]
+  constexpr double kEven = 0.1;    // at speed [s]
+  constexpr double kRest = 0.2;    // at either end [s]
   constexpr double kRun = kChange + kEven + kChange + kRest;
   const double t = (static_cast<double>(i) + 0.5) * macrostep_s_;
   const double runs = std::floor(t / kRun);

@@ -105,6 +105,7 @@ void DrawingRun::observe(const Motion<Coordinator>& motion, const X& x) {
   recorder_.note(x.i, motion.m, x.T.agent);
   if (taught_here_) note_nodes(record_, x.c.recording, recorder_.measured_at(x.i - 1));
   note_rows(x);
+  record_.belt.note(x, motion.m);
   show(motion, x);
   run_.each_macrostep(x.i, now);
   if (operator_.in_vain() && !run_.process().over())

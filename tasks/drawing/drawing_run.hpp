@@ -10,6 +10,7 @@
 #include "mp/arm_trace.hpp"
 #include "mp/task_run.hpp"
 #include "mp/trace_recorder.hpp"
+#include "tasks/drawing/belt_record.hpp"
 #include "tasks/drawing/hand_operator.hpp"
 #include "tasks/drawing/images.hpp"
 
@@ -26,6 +27,7 @@ struct RunRecord {
   /// Macrosteps in which each arm began to draw a segment: its driver told that it had executed a command of
   /// m = 5, the first one of the segment.
   std::array<std::vector<std::int64_t>, kArms> segment_starts;
+  BeltRecord belt;  ///< of a conveyor that runs by itself
 };
 
 /// Writes down when nodes came into being. @param recording  as it is now @param t  when its last node ended [s]
