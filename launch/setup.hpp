@@ -10,9 +10,9 @@ namespace mrroc::launch {
 
 /// Configuration and options of one run.
 struct Setup {
-  Config config;            ///< the task's, the user's, and what the task has found out
+  Config config;              ///< the task's, the user's, and what the task has found out
   std::vector<CellArm> arms;  ///< of the run: the task's, and those that the configuration adds
-  mp::TaskOptions options;  ///< of the command line; the seed is that of the configuration
+  mp::TaskOptions options;    ///< of the command line; the seed is that of the configuration
 };
 
 }  // namespace mrroc::launch

@@ -22,9 +22,10 @@ struct LinkLength {
 
 /// A belt that moves with the tool of a robot, and carries the sheets of all arms.
 struct Belt {
-  Vector3 middle = Vector3::Zero();  ///< of its top in the base, with the joints at zero [m]; the top is level
-  double width{};                    ///< along x of the base [m]
-  double length{};                   ///< along y [m]
+  Vector3 middle =
+      Vector3::Zero();  ///< of its top in the base, with the joints at zero [m]; the top is level
+  double width{};       ///< along x of the base [m]
+  double length{};      ///< along y [m]
 };
 
 /// Data of a robot and of its plant.

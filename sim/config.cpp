@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
@@ -146,7 +147,9 @@ WorldParameters read_world(const Config& config) {
   WorldParameters w;
   w.substeps = config.integer("sim.substeps", w.substeps, {1, 16}, "per step");
   w.solver_iterations = config.integer("sim.solver_iterations", w.solver_iterations, {10, 1000});
-  const auto types = robots::catalogue();
+  std::vector<const robots::RobotType*> types;  // a conveyor is none unless the configuration says so
+  std::ranges::copy_if(robots::catalogue(), std::back_inserter(types),
+                       [](const robots::RobotType* type) { return !type->belt; });
   const auto keys = config.texts("robots.order", std::vector<std::string>{"arm1", "arm2"});
   for (const std::string& key : keys)
     w.arms.push_back(read_arm(config, key, types[std::min(w.arms.size(), types.size() - 1)]->name));

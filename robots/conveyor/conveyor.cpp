@@ -27,8 +27,7 @@ Pose Conveyor::forward(const AxisVector& joints) const noexcept {
 edp::InverseSolution Conveyor::inverse(const Pose& T_0W, const AxisVector& near) const noexcept {
   edp::InverseSolution s;
   s.joints = AxisVector::Zero(1);
-  if (near.size() != 1 || !T_0W.R.allFinite() || !T_0W.p.allFinite() ||
-      !(std::abs(near[0]) <= kReach)) {
+  if (near.size() != 1 || !T_0W.R.allFinite() || !T_0W.p.allFinite() || !(std::abs(near[0]) <= kReach)) {
     s.missing = std::numeric_limits<double>::infinity();
     return s;
   }

@@ -108,7 +108,7 @@ class SimulatedArm {
   Vector3 sheet_way_{Vector3::Zero()};  // since the construction, in the base
   btSphereShape ball_;
   std::unique_ptr<btBoxShape> belt_;  // none: a pen
-  btCompoundShape touching_;  // pen or belt
+  btCompoundShape touching_;          // pen or belt
   std::unique_ptr<btMultiBodyLinkCollider> collider_;
   std::unique_ptr<GripperBody> gripper_;
 

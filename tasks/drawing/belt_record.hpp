@@ -20,8 +20,8 @@ class BeltRecord {
   [[nodiscard]] double drift(std::size_t arm) const;
 
  private:
-  double belt_{};   // y of E [m]
-  int rested_{};    // macrosteps
+  double belt_{};  // y of E [m]
+  int rested_{};   // macrosteps
   bool running_{};
   int starts_{};
   std::array<std::vector<double>, kArms> offsets_;  // of the rests [m]

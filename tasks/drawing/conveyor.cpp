@@ -35,7 +35,8 @@ EffectorCommand run(const Belt::X& x) {
 }  // namespace
 
 void add_conveyor_options(CommandLine& line, ConveyorOptions& o) {
-  const Option conveyor = line.flag("--conveyor", o.conveyor, "the sheets lie on a conveyor, which moves instead of the arms along y");
+  const Option conveyor = line.flag("--conveyor", o.conveyor,
+                                    "the sheets lie on a conveyor, which moves instead of the arms along y");
   line.option("--belt-speed", o.belt_speed,
               "the conveyor runs by itself, with starts and stops, and the arms follow it (0.01 to 0.1)")
       .type_name("M/S")
@@ -45,7 +46,7 @@ void add_conveyor_options(CommandLine& line, ConveyorOptions& o) {
 std::vector<std::string> conveyor_settings(const ConveyorOptions& o) {
   if (!o.conveyor && !o.belt_speed) return {};
   return {fmt::format("robots.order=[\"arm1\", \"arm2\", \"{}\"]", kConveyorKey),
-          fmt::format("sim.paper.height={}", kBeltTop),
+          fmt::format("sim.paper.height={}", kBeltTop), fmt::format("robots.{0}.model=\"{0}\"", kConveyorKey),
           fmt::format("robots.{}.synchro=\"known_pose\"", kConveyorKey),
           fmt::format("task.belt_speed={}", o.belt_speed.value_or(0))};
 }

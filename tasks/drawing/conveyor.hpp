@@ -20,7 +20,7 @@ inline constexpr const char* kConveyorKey = "conveyor";
 
 /// The options --conveyor and --belt-speed.
 struct ConveyorOptions {
-  bool conveyor{};                    ///< it moves for the arms
+  bool conveyor{};                     ///< it moves for the arms
   std::optional<double> belt_speed{};  ///< it runs by itself so fast [m/s]
 };
 
@@ -51,9 +51,9 @@ class BeltSchedule {
 
 /// Memory of the agent of such a belt: constant during a run.
 struct BeltMemory {
-  double speed{};   ///< of the belt [m/s]
-  double dt{};      ///< duration of a step [s]
-  int n_s{};        ///< steps of a macrostep
+  double speed{};  ///< of the belt [m/s]
+  double dt{};     ///< duration of a step [s]
+  int n_s{};       ///< steps of a macrostep
 
   friend bool operator==(const BeltMemory&, const BeltMemory&) = default;
 };

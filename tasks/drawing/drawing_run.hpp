@@ -23,7 +23,8 @@ struct RunRecord {
   /// Macrosteps of m = 5 and 7 in which an arm's sensor did not say of the pen what the memory says.
   std::array<int, kArms> mismatches{};
   bool whole{};  ///< the teach-in has come to its end, whatever has become of the copies
-  std::vector<mp::ArmTrace> traces{kArms};  ///< of the arms, and of a conveyor behind them: a row per macrostep
+  std::vector<mp::ArmTrace> traces{
+      kArms};  ///< of the arms, and of a conveyor behind them: a row per macrostep
   /// Macrosteps in which each arm began to draw a segment: its driver told that it had executed a command of
   /// m = 5, the first one of the segment.
   std::array<std::vector<std::int64_t>, kArms> segment_starts;

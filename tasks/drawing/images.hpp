@@ -36,8 +36,9 @@ struct Parameters {
   int settle{25};          ///< macrosteps in m = 4 after both pens have touched
   int touch_timeout{750};  ///< macrosteps in m = 4 after which a pen that has not touched is a fault
   int lift_off{50};        ///< i_d: macrosteps of m = 6
-  bool belt_runs{};        ///< the conveyor runs by itself and the arms follow it; else it moves for them (MS 8.3)
-  double belt_lag{kBeltLag};  ///< time by which the arms come later than they are ordered [macrosteps], see belt.hpp
+  bool belt_runs{};  ///< the conveyor runs by itself and the arms follow it; else it moves for them (MS 8.3)
+  double belt_lag{
+      kBeltLag};  ///< time by which the arms come later than they are ordered [macrosteps], see belt.hpp
   int pause{TaskClock::kRamp};  ///< macrosteps from full pace of task time to standstill
 
   friend bool operator==(const Parameters&, const Parameters&) = default;

@@ -46,7 +46,8 @@ TEST_F(OnAConveyor, TheBeltMovesInsteadOfTheArmsAndTheInkIsTheSame) {
   const Ended plain = draw("plain", {}), belt = draw("belt", {"--conveyor"});
   ASSERT_EQ(plain.status, 0) << plain.all();
   ASSERT_EQ(belt.status, 0) << belt.all();
-  for (const char* const ink : {"ink1.csv", "ink2.csv"}) EXPECT_LT(far_apart("belt", "plain", ink), 0.3) << ink;
+  for (const char* const ink : {"ink1.csv", "ink2.csv"})
+    EXPECT_LT(far_apart("belt", "plain", ink), 0.3) << ink;
   const auto [low, high] = range("belt", "conveyor.csv", kY);
   EXPECT_GT(high - low, 0.005) << "the belt has moved";
   EXPECT_EQ(summary(folder_ / "belt").at("figures").at("segment_skew"), 0);
@@ -56,7 +57,8 @@ TEST_F(OnAConveyor, BothArmsDrawOnSheetsThatRunBelowThem) {
   const Ended plain = draw("plain", {}), belt = draw("belt", {"--belt-speed", "0.1"});
   ASSERT_EQ(plain.status, 0) << plain.all();
   ASSERT_EQ(belt.status, 0) << belt.all();
-  for (const char* const ink : {"ink1.csv", "ink2.csv"}) EXPECT_LT(far_apart("belt", "plain", ink), 0.3) << ink;
+  for (const char* const ink : {"ink1.csv", "ink2.csv"})
+    EXPECT_LT(far_apart("belt", "plain", ink), 0.3) << ink;
   for (const char* const table : {"conveyor.csv", "arm1.csv", "arm2.csv"}) {
     const auto [low, high] = range("belt", table, kY);
     EXPECT_GT(high - low, 0.08) << table;

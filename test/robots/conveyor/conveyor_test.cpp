@@ -37,9 +37,9 @@ TEST(Conveyor, WhatIsOffItsLineOrTurnedIsOutOfReach) {
     EXPECT_FALSE(s.reached);
     EXPECT_NEAR(s.missing, 1e-3, 1e-12);
   }
-  EXPECT_FALSE(belt.inverse(T * pose_from_angle_axis((AngleAxisPose() << 0, 0, 0, 0.01, 0, 0).finished()),
-                            at(0))
-                   .reached);
+  EXPECT_FALSE(
+      belt.inverse(T * pose_from_angle_axis((AngleAxisPose() << 0, 0, 0, 0.01, 0, 0).finished()), at(0))
+          .reached);
 }
 
 TEST(Conveyor, BothSheetsStayOnTheBeltOverItsWholeRange) {
