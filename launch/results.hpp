@@ -22,7 +22,7 @@ namespace mrroc::launch {
 /// Data of a finished run, and the results that the task makes of it.
 struct Results {
   const Setup& setup;                  ///< of the run
-  const std::vector<CellArm>& arms;    ///< of the task
+  const std::vector<CellArm>& arms;    ///< of the run
   const std::filesystem::path folder;  ///< of the run
   mp::CoordinatorRun& coordinator;     ///< as Task::coordinator made it; it has been executed
   mp::Summary& summary;  ///< of the run that has ended, whether it came to its end; gets the task's figures

@@ -53,7 +53,9 @@ Setup read_setup(const Task& task, mp::TaskOptions options, const std::vector<st
   if (task.complete) task.complete(s.config, options);
   check_task_options(options);
   s.options = options;
-  check_cell(s.config, task.arms, task.platforms);
+  s.arms = task.arms;
+  if (task.more_arms) std::ranges::move(task.more_arms(s.config), std::back_inserter(s.arms));
+  check_cell(s.config, s.arms, task.platforms);
   for (const Receptor& r : task.receptors)
     if (r.read) r.read(s.config);
   if (task.prepare) task.prepare(s);
@@ -61,9 +63,9 @@ Setup read_setup(const Task& task, mp::TaskOptions options, const std::vector<st
 }
 
 std::vector<mp::NodeSpec> nodes_of(const Task& task, const Setup& s) {
-  std::vector<mp::NodeSpec> nodes = cell_nodes(s.config, task.arms, task.platforms);
+  std::vector<mp::NodeSpec> nodes = cell_nodes(s.config, s.arms, task.platforms);
   const std::string ecp = task.ecp_program.empty() ? "ecp_" + task.name : task.ecp_program;
-  for (const CellArm& arm : task.arms) {
+  for (const CellArm& arm : s.arms) {
     nodes.push_back(make_node(s.config, "ecp-" + arm.key, ecp, &arm, task.ecp));
     for (const Receptor& r : task.receptors)
       nodes.push_back(
@@ -89,8 +91,8 @@ std::string first_line(const Task& task, const Setup& s, const std::string& sess
 }
 
 /// @return keys of the arms, and then of the platforms
-std::vector<std::string> effectors_of(const Task& task) {
-  std::vector<std::string> keys = keys_of(task.arms);
+std::vector<std::string> effectors_of(const Task& task, const Setup& s) {
+  std::vector<std::string> keys = keys_of(s.arms);
   std::ranges::move(keys_of(task.platforms), std::back_inserter(keys));
   return keys;
 }
@@ -109,7 +111,7 @@ Setup prepare(const Task& task, mp::TaskOptions options) {
 int run(const Task& task, const mp::TaskOptions& asked) {
   Setup s = prepare(task, asked);
   const mp::TaskOptions& options = s.options;
-  const std::vector<std::string> keys = effectors_of(task);
+  const std::vector<std::string> keys = effectors_of(task, s);
   if (options.parameters) {
     complete_config(s.config, options, ".", "");
     return mp::list_parameters(s.config, options);
@@ -128,7 +130,7 @@ int run(const Task& task, const mp::TaskOptions& asked) {
   mp::write_text(folder / "config.toml", s.config.dump());
 
   mp::TaskRun run(task.name, options, folder, keys, nodes_of(task, s));
-  for (std::size_t k = task.arms.size(); k < keys.size(); ++k)
+  for (std::size_t k = s.arms.size(); k < keys.size(); ++k)
     run.board().set_effector(k, EffectorKind::platform);
   held.reset();  // the run takes them
   mp::print_line(first_line(task, s, run.session()), options.session);
@@ -136,7 +138,7 @@ int run(const Task& task, const mp::TaskOptions& asked) {
   run.start();
   mp::Summary summary = run.execute(*coordinator);
   Results results{
-      .setup = s, .arms = task.arms, .folder = folder, .coordinator = *coordinator, .summary = summary};
+      .setup = s, .arms = s.arms, .folder = folder, .coordinator = *coordinator, .summary = summary};
   run.finish([&] { make_results(results, task.results); });
   return mp::print_ending(summary, ending_of(results), options);
 }

@@ -33,6 +33,8 @@ struct Task {
   std::string about;            ///< for --help
   std::string_view config;      ///< its TOML file
   std::vector<CellArm> arms{};  ///< keys and kinematics
+  /// @return arms that stand behind these in `[robots] order` in a run with that configuration
+  std::function<std::vector<CellArm>(const Config&)> more_arms{};
   std::vector<CellPlatform>
       platforms{};            ///< keys and models; their configuration has `robots.order = []` without arms
   link::NodeMain ecp;         ///< what the ECP of each arm and platform does; not empty

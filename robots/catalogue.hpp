@@ -2,6 +2,7 @@
 // robots/NAME/CMakeLists.txt has registered (cmake/functions.cmake).
 #pragma once
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +18,14 @@ namespace mrroc::robots {
 struct LinkLength {
   std::string_view joint;  ///< name in the URDF
   double length{};         ///< [m]
+};
+
+/// A belt that moves with the tool of a robot, and carries the sheets of all arms.
+struct Belt {
+  Vector3 middle =
+      Vector3::Zero();  ///< of its top in the base, with the joints at zero [m]; the top is level
+  double width{};       ///< along x of the base [m]
+  double length{};      ///< along y [m]
 };
 
 /// Data of a robot and of its plant.
@@ -46,6 +55,7 @@ struct RobotType {
   std::vector<double> start;  ///< joints at the beginning of a simulation [rad, track m]
   /// At the beginning the tool stands upright above the middle of the sheet instead, in the branch of `start`.
   bool starts_above_sheet{};
+  std::optional<Belt> belt;  ///< none: the robot is no conveyor
 };
 
 /// Content of the table [robots.ARM].

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
@@ -125,16 +127,33 @@ ArmParameters read_arm(const Config& config, const std::string& key, std::string
   return arm;
 }
 
+/// The sheets of the arms lie on the belt of a conveyor, if there is one.
+void check_belt(const WorldParameters& world) {
+  constexpr double kGap = 1e-6;  // [m]
+  for (const ArmParameters& conveyor : world.arms) {
+    if (!conveyor.type->belt) continue;
+    const double top = (conveyor.T_UB * conveyor.type->belt->middle).z();
+    for (const ArmParameters& arm : world.arms)
+      if (!arm.type->belt && std::abs((arm.T_UB * arm.paper.T_0P).p.z() - top) > kGap)
+        throw FaultError(
+            FaultCode::bad_configuration,
+            fmt::format("sim.paper.height: the sheets lie on the conveyor, whose belt is {:g} m high", top));
+  }
+}
+
 }  // namespace
 
 WorldParameters read_world(const Config& config) {
   WorldParameters w;
   w.substeps = config.integer("sim.substeps", w.substeps, {1, 16}, "per step");
   w.solver_iterations = config.integer("sim.solver_iterations", w.solver_iterations, {10, 1000});
-  const auto types = robots::catalogue();
+  std::vector<const robots::RobotType*> types;  // a conveyor is none unless the configuration says so
+  std::ranges::copy_if(robots::catalogue(), std::back_inserter(types),
+                       [](const robots::RobotType* type) { return !type->belt; });
   const auto keys = config.texts("robots.order", std::vector<std::string>{"arm1", "arm2"});
   for (const std::string& key : keys)
     w.arms.push_back(read_arm(config, key, types[std::min(w.arms.size(), types.size() - 1)]->name));
+  check_belt(w);
   w.cube = read_cube(config, keys);
   return w;
 }

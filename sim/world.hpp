@@ -41,7 +41,7 @@ struct LineParameters {
   std::uint16_t inputs{};  ///< inputs that are on besides
 };
 
-/// One arm of the world.
+/// One arm of the world, or a conveyor: where there is one, the sheets of all arms lie on it instead of on tables.
 struct ArmParameters {
   const robots::RobotType* type{};      ///< decides kinematics, masses and gears; not null; lives on
   int model{};                          ///< number of the true kinematic model; a driver of another one errs

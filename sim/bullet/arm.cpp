@@ -74,7 +74,7 @@ SimulatedArm::SimulatedArm(const ArmParameters& p, Scene& scene, double h, int s
       hand_(p.hand, p.paper, seed + 1),
       ink_(p.paper),
       ball_(p.pen_radius),
-      pen_(false) {
+      touching_(false) {
   std::mt19937_64 random(seed + 2);
   std::uniform_real_distribution<double> phase(0, 1);
   for (int k = 0; k < arm_.joints; ++k)
@@ -86,6 +86,8 @@ SimulatedArm::SimulatedArm(const ArmParameters& p, Scene& scene, double h, int s
   if (p.gripper) {
     gripper_ = std::make_unique<GripperBody>(*p.gripper, arm_, scene, h);
     gripper_->place(jaws_->distance());
+  } else if (p.type->belt) {
+    add_belt(*p.type->belt);
   } else {
     add_pen();
   }
@@ -110,14 +112,28 @@ SimulatedArm::~SimulatedArm() {
 void SimulatedArm::add_pen() {
   // The lowest point of the ball is the tip of the tool.
   const Pose T_G_ball = arm_.T_GE * Pose{Matrix3::Identity(), {0, 0, -p_.pen_radius}};
-  pen_.addChildShape(to_bullet(T_G_ball), &ball_);
-  collider_ = std::make_unique<btMultiBodyLinkCollider>(arm_.body.get(), arm_.tool);
-  collider_->setCollisionShape(&pen_);
+  touching_.addChildShape(to_bullet(T_G_ball), &ball_);
+  add_collider(kPenGroup, kPaperGroup);
   collider_->setFriction(p_.paper.friction);
   collider_->setContactStiffnessAndDamping(p_.paper.stiffness, p_.paper.stiffness * p_.paper.damping_ratio);
+}
+
+void SimulatedArm::add_belt(const robots::Belt& belt) {
+  constexpr double kThickness = 0.05;  // as that of a table [m]
+  belt_ = std::make_unique<btBoxShape>(btVector3(belt.width / 2, belt.length / 2, kThickness / 2));
+  const Pose T_0_box{Matrix3::Identity(), belt.middle - kThickness / 2 * Vector3::UnitZ()};
+  const Pose T_0E = robot_->forward(AxisVector::Zero(arm_.joints)) * p_.type->driver.T_WE;
+  touching_.addChildShape(to_bullet(arm_.T_GE * T_0E.inverse() * T_0_box), belt_.get());
+  add_collider(kPaperGroup, kPenGroup);
+  collider_->setFriction(1);
+}
+
+void SimulatedArm::add_collider(int group, int mask) {
+  collider_ = std::make_unique<btMultiBodyLinkCollider>(arm_.body.get(), arm_.tool);
+  collider_->setCollisionShape(&touching_);
   collider_->setActivationState(DISABLE_DEACTIVATION);
   arm_.body->getLink(arm_.tool).m_collider = collider_.get();
-  scene_.dynamics().addCollisionObject(collider_.get(), kPenGroup, kPaperGroup);
+  scene_.dynamics().addCollisionObject(collider_.get(), group, mask);
 }
 
 std::vector<LinkShape> SimulatedArm::shapes() const {
@@ -193,7 +209,9 @@ void SimulatedArm::push() {
 }
 
 void SimulatedArm::follow() {
-  truth_.S_F += share_ * load_.step(hand_force_);
+  const Wrench felt = load_.step(hand_force_);
+  // A conveyor has no force sensor: what its driver reads is as of one that nothing touches.
+  truth_.S_F += share_ * (belt_ ? load_.weight() : felt);
   if (gripper_)
     jaws_->set_load(gripper_->force());
   else
@@ -203,7 +221,7 @@ void SimulatedArm::follow() {
 void SimulatedArm::end_step(std::int64_t step) {
   measure(step);
   observe();
-  ink_.step(truth_.T_0E.p, truth_.paper_force, static_cast<double>(step) * kStep);
+  if (!belt_) ink_.step(truth_.T_0E.p - sheet_way_, truth_.paper_force, static_cast<double>(step) * kStep);
 }
 
 void SimulatedArm::measure(std::int64_t step) {

@@ -48,6 +48,8 @@ class SimulatedArm {
   void share_stiffness() {
     if (gripper_) gripper_->share_stiffness();
   }
+  /// What the pen draws on has moved since the construction. @param way  in the world [m]
+  void carry_sheet(const Vector3& way) { sheet_way_ = T_BU_.R * way; }
   /// @return E in the world
   [[nodiscard]] Pose T_UE() const { return load_.motion().T_UG * arm_.T_GE; }
   /// @return the operator's hand, which leads this arm
@@ -78,6 +80,8 @@ class SimulatedArm {
   [[nodiscard]] AxisVector joint_speeds() const;
   void read_joints();
   void add_pen();
+  void add_belt(const robots::Belt& belt);
+  void add_collider(int group, int mask);
   void measure(std::int64_t step);
   void observe();
 
@@ -101,8 +105,10 @@ class SimulatedArm {
   ForceSensor sensor_;
   Hand hand_;
   Ink ink_;
+  Vector3 sheet_way_{Vector3::Zero()};  // since the construction, in the base
   btSphereShape ball_;
-  btCompoundShape pen_;
+  std::unique_ptr<btBoxShape> belt_;  // none: a pen
+  btCompoundShape touching_;          // pen or belt
   std::unique_ptr<btMultiBodyLinkCollider> collider_;
   std::unique_ptr<GripperBody> gripper_;
 

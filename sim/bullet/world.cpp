@@ -1,5 +1,6 @@
 #include "sim/world.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <stdexcept>
 
@@ -20,6 +21,8 @@ const WorldParameters& checked(const WorldParameters& p) {
   if (p.cube && (p.cube->held_by < 0 || p.cube->held_by >= static_cast<int>(p.arms.size()) ||
                  !p.arms[static_cast<std::size_t>(p.cube->held_by)].gripper))
     throw std::invalid_argument("world: the cube is held by no gripper");
+  if (std::ranges::count_if(p.arms, [](const ArmParameters& arm) { return arm.type && arm.type->belt; }) > 1)
+    throw std::invalid_argument("world: there are several conveyors");
   return p;
 }
 
@@ -28,11 +31,16 @@ const WorldParameters& checked(const WorldParameters& p) {
 struct World::Impl {
   Impl(const WorldParameters& parameters, std::uint64_t seed)
       : p(checked(parameters)), scene(p.solver_iterations) {
+    const auto is_belt = [](const ArmParameters& arm) { return arm.type && arm.type->belt; };
+    const bool on_belt = std::ranges::any_of(p.arms, is_belt);
     for (const ArmParameters& arm : p.arms) {
-      scene.add_table(arm.T_UB * arm.paper.T_0P, kTableEdge);
+      if (!on_belt) scene.add_table(arm.T_UB * arm.paper.T_0P, kTableEdge);
       scene.add_plate(arm.T_UB * arm.paper.T_0P, arm.plate);
       seed = mixed(seed);
       arms.push_back(std::make_unique<SimulatedArm>(arm, scene, kStep / p.substeps, p.substeps, seed));
+      if (!is_belt(arm)) continue;
+      belt = arms.back().get();
+      belt_start = belt->T_UE().p;
     }
     if (!p.cube) return;
     scene.prepare_for_cube();
@@ -43,11 +51,19 @@ struct World::Impl {
                                       kStep / p.substeps);
   }
 
+  /// The sheets go where the belt goes.
+  void carry_sheets() {
+    if (!belt) return;
+    for (const auto& arm : arms) arm->carry_sheet(belt->T_UE().p - belt_start);
+  }
+
   SimulatedArm& arm(int k) { return *arms.at(static_cast<std::size_t>(k)); }
 
   WorldParameters p;
   Scene scene;
   std::vector<std::unique_ptr<SimulatedArm>> arms;
+  SimulatedArm* belt{};  // one of them; null: the sheets lie on tables
+  Vector3 belt_start{Vector3::Zero()};
   std::unique_ptr<CubeBody> cube;
   std::int64_t steps{};
 };
@@ -75,6 +91,7 @@ void World::step(std::span<const HardwareCommand> commands) {
     for (const auto& arm : w.arms) arm->follow();
     if (w.cube) w.cube->follow(1.0 / w.p.substeps);
   }
+  w.carry_sheets();
   for (const auto& arm : w.arms) arm->end_step(w.steps);
   if (w.cube) w.cube->end_step();
 }

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "tasks/drawing/conveyor.hpp"
+
 namespace mrroc::drawing {
 
 Parameters read_parameters(const Config& config) {
@@ -17,6 +19,8 @@ Parameters read_parameters(const Config& config) {
   k.lift_off = config.integer("task.lift_off", k.lift_off, {10, 250}, "macrosteps");
   k.pause = static_cast<int>(
       config.integer("task.pause_macrosteps", k.pause, {1, 100}, "macrosteps from full pace to rest"));
+  k.belt_runs = read_belt_speed(config) > 0;
+  if (k.belt_runs) k.belt_lag = config.number("task.belt_lag", k.belt_lag, {-2, 2}, "macrosteps");
   return k;
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 using X = Coordinator::X;
 using Memory = Coordinator::Memory;
-using Orders = std::array<Order, kArms>;
+using Orders = std::vector<Order>;
 
 PenState pen(const X& x, std::size_t arm) { return static_cast<PenState>(x.T.agent[arm].sensor); }
 bool on_paper(const X& x, std::size_t arm) { return pen(x, arm) == PenState::paper_surface; }
@@ -22,9 +22,24 @@ double macrostep_s(const Parameters& k) { return k.dt * k.n_s; }
 // --- task time
 // -----------------------------------------------------------------------------------------------------
 
+/// y of E of the belt [m]: E is upright, as that of the arms, so its y is that of the base turned round.
+double belt_position(const X& x) { return -x.T.agent[kConveyor].T_0E[1]; }
+
+/// What is known of the belt one macrostep later.
+BeltTrack track_belt(const X& x) {
+  return x.has_conveyor() && x.c.k.belt_runs ? seen_at(x.c.belt, belt_position(x)) : x.c.belt;
+}
+
+/// The same, with the arms following.
+BeltTrack follow_belt(const X& x) {
+  const BeltTrack track = track_belt(x);
+  return x.c.k.belt_runs ? follow(track, horizon(x.c.k.n_s) + x.c.k.belt_lag) : track;
+}
+
 /// Memory one macrostep later, nothing else changed.
 Memory in_time(const X& x) {
   Memory c = x.c;
+  c.belt = track_belt(x);
   std::shift_left(c.paces.begin(), c.paces.end(), 1);
   c.paces.back() = x.t.pace;
   return c;
@@ -141,6 +156,13 @@ Memory record(const X& x) {           // (39), (40)
   return c;
 }
 
+/// The same while the arms follow a belt that runs by itself.
+Memory following(const X& x) {
+  Memory c = in_time(x);
+  c.belt = follow_belt(x);
+  return c;
+}
+
 /// Force with which each pen presses, however slowly task time goes.
 std::array<ecp::HeldShares, kArms> held(const X& x) {
   std::array<ecp::HeldShares, kArms> shares;
@@ -150,7 +172,7 @@ std::array<ecp::HeldShares, kArms> held(const X& x) {
 }
 
 Memory watch_contact(const X& x) {
-  Memory c = in_time(x);
+  Memory c = following(x);
   if (both_on_paper(x) && !c.touched) c.instant = x.t.time + x.t.pace;
   c.touched = both_on_paper(x);
   c.held = held(x);
@@ -159,7 +181,7 @@ Memory watch_contact(const X& x) {
 
 template <bool paper>
 Memory reproduce(const X& x) {  // (47), (51)
-  Memory c = in_time(x);
+  Memory c = following(x);
   c.p = advance(x.c.recording, x.c.p, x.t.pace, paper).p;
   return c;
 }
@@ -177,21 +199,50 @@ Order order(const X& x, int m, const TaskFrameCommand& frame, const ecp::HeldSha
   return o;
 }
 
+/// The conveyor's order behind those of the arms, in a run that has one. One that moves for the arms takes over their y
+/// (MS 8.3): it shifts the sheets by -v_y. One that runs by itself does not read its command.
+Orders with_conveyor(const X& x, int m, Orders arms) {
+  if (!x.has_conveyor()) return arms;
+  Order belt = order(x, m, kBlocked);
+  if (!x.c.k.belt_runs)
+    for (Order& arm : arms) {
+      if (arm.arm.frame.y.b != Behaviour::unguarded) continue;  // a hand leads it
+      belt.arm.frame.y.velocity = -arm.arm.frame.y.velocity;
+      arm.arm.frame.y.velocity = 0;
+    }
+  arms.push_back(belt);
+  return arms;
+}
+
+/// Orders of a behaviour in which the arms follow a belt that runs by itself. It does so in a pause, too, so its velocity is
+/// not slowed down.
+Orders following_belt(const X& x, int m, Orders arms) {
+  if (x.has_conveyor() && x.c.k.belt_runs) {
+    const double v = (follow_belt(x).followed - x.c.belt.followed) / macrostep_s(x.c.k);
+    for (Order& arm : arms) arm.arm.frame.y.velocity += v;
+  }
+  return with_conveyor(x, m, std::move(arms));
+}
+
 template <int m>
 Orders teach(const X& x) {  // tabs 1 and 2
   TaskFrameCommand led = kCompliant;
   if (m == 2 && on_paper(x, 0)) led.z.force = x.c.k.teach_force;
-  return {order(x, m, led), order(x, m, kBlocked)};
+  return with_conveyor(x, m, {order(x, m, led), order(x, m, kBlocked)});
 }
 
 template <int m, const TaskFrameCommand& frame>
 Orders both(const X& x) {
-  return {order(x, m, frame), order(x, m, frame)};
+  return with_conveyor(x, m, {order(x, m, frame), order(x, m, frame)});
+}
+
+Orders lift(const X& x) {  // tab. 3(b)
+  return following_belt(x, 6, {order(x, 6, kLiftOff), order(x, 6, kLiftOff)});
 }
 
 Orders lower(const X& x) {  // tab. 3(a)
   const auto shares = held(x);
-  return {order(x, 4, kLowering, shares[0]), order(x, 4, kLowering, shares[1])};
+  return following_belt(x, 4, {order(x, 4, kLowering, shares[0]), order(x, 4, kLowering, shares[1])});
 }
 
 template <int m, bool paper>
@@ -202,13 +253,13 @@ Orders replay(const X& x) {  // (46), tab. 4
   Order o = order(x, m, frame);
   o.arm.frame.x.velocity = a.vx;  // the pace is in it already
   o.arm.frame.y.velocity = a.vy;
-  return {o, o};
+  return following_belt(x, m, {o, o});
 }
 
 // --- terminal conditions
 // -------------------------------------------------------------------------------------------
 
-bool may_start(const X& x) { return x.T.h.started && x.T.agent[0].ready && x.T.agent[1].ready; }
+bool may_start(const X& x) { return x.T.h.started && std::ranges::all_of(x.T.agent, &Report::ready); }
 bool touched_paper(const X& x) { return on_paper(x, 0); }           // (38)
 bool triggered(const X& x) { return x.T.h.trigger > x.c.trigger; }  // (41), (43)
 bool settled(const X& x) {                                          // (45)
@@ -243,7 +294,7 @@ const std::array<Motion<Coordinator>, 7> kCoordinator{{
   {  3, "lead to the start",  note_trigger,          in_time,          nothing, nothing, both<3, kCompliant>,   triggered, "the operator's trigger"},
   {  4, "lowering",           not_touched,           watch_contact,    nothing, nothing, lower,                 lowered, "both pens settled on the paper"},
   {  5, "draw on the paper",  retain,                reproduce<true>,  nothing, nothing, replay<5, true>,       stroke_ends, "the stroke ended"},
-  {  6, "lift off",           note_instant,          in_time,          nothing, nothing, both<6, kLiftOff>,     lifted, "the time of the lift-off elapsed"},
+  {  6, "lift off",           note_instant,          following,        nothing, nothing, lift,                  lifted, "the time of the lift-off elapsed"},
   {  7, "travel above paper", retain,                reproduce<false>, nothing, nothing, replay<7, false>,      travel_ends, "the next stroke begins"},
 }};
 // clang-format on

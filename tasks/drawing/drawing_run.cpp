@@ -59,7 +59,9 @@ DrawingRun::DrawingRun(mp::TaskRun& run, const std::vector<std::string>& arms, c
       k_(parameters),
       operator_(run.process(), run.command_server(), plan),
       links_(run.process(), arms, operator_, TaskClock::ramped(parameters.pause)),
-      recorder_(kArms, mp::TraceNumbers::coordinator, parameters.dt, parameters.n_s) {
+      effectors_(arms.size()),
+      recorder_(effectors_, mp::TraceNumbers::coordinator, parameters.dt, parameters.n_s) {
+  record_.traces.resize(effectors_);
   taught_here_ = !taught;
   if (taught) record_.recording = *taught;
 }
@@ -72,6 +74,7 @@ Outcome DrawingRun::execute() {
   mp::CoordinatorPort<Coordinator, std::function<void(const Motion<Coordinator>&, const X&)>> port(
       links_, [this](const auto& motion, const X& x) { observe(motion, x); });
   X x;
+  x.T.agent.resize(effectors_);
   x.c.k = k_;
   x.c.recording = record_.recording;
   Order first;
@@ -91,7 +94,7 @@ Outcome DrawingRun::execute() {
     return outcome;
   }
   first.finished = true;
-  links_.send(std::vector<Order>(kArms, first));
+  links_.send(std::vector<Order>(effectors_, first));
   run_.board().set_progress(1, fmt::format("all of {} drawn", counted(record_.recording.size(), "node")));
   return outcome;
 }
@@ -102,6 +105,7 @@ void DrawingRun::observe(const Motion<Coordinator>& motion, const X& x) {
   recorder_.note(x.i, motion.m, x.T.agent);
   if (taught_here_) note_nodes(record_, x.c.recording, recorder_.measured_at(x.i - 1));
   note_rows(x);
+  record_.belt.note(x, motion.m);
   show(motion, x);
   run_.each_macrostep(x.i, now);
   if (operator_.in_vain() && !run_.process().over())
@@ -172,6 +176,7 @@ void DrawingRun::show(const Motion<Coordinator>& motion, const X& x) {
   }
   for (std::size_t arm = 0; arm < kArms; ++arm)
     board.set_arm(arm, x.T.agent[arm], to_string(static_cast<PenState>(x.T.agent[arm].sensor)));
+  if (x.has_conveyor()) board.set_arm(kConveyor, x.T.agent[kConveyor], "");
 }
 
 }  // namespace mrroc::drawing

@@ -10,6 +10,7 @@
 #include "mp/arm_trace.hpp"
 #include "mp/task_run.hpp"
 #include "mp/trace_recorder.hpp"
+#include "tasks/drawing/belt_record.hpp"
 #include "tasks/drawing/hand_operator.hpp"
 #include "tasks/drawing/images.hpp"
 
@@ -22,10 +23,12 @@ struct RunRecord {
   /// Macrosteps of m = 5 and 7 in which an arm's sensor did not say of the pen what the memory says.
   std::array<int, kArms> mismatches{};
   bool whole{};  ///< the teach-in has come to its end, whatever has become of the copies
-  std::array<mp::ArmTrace, kArms> traces;  ///< a row per macrostep
+  std::vector<mp::ArmTrace> traces{
+      kArms};  ///< of the arms, and of a conveyor behind them: a row per macrostep
   /// Macrosteps in which each arm began to draw a segment: its driver told that it had executed a command of
   /// m = 5, the first one of the segment.
   std::array<std::vector<std::int64_t>, kArms> segment_starts;
+  BeltRecord belt;  ///< of a conveyor that runs by itself
 };
 
 /// Writes down when nodes came into being. @param recording  as it is now @param t  when its last node ended [s]
@@ -56,6 +59,7 @@ class DrawingRun final : public mp::CoordinatorRun {
   Parameters k_;
   HandOperator operator_;
   mp::CoordinatorLinks links_;
+  std::size_t effectors_;
   mp::TraceRecorder recorder_;
   RunRecord record_;
   bool taught_here_{};

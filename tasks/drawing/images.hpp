@@ -10,12 +10,15 @@
 #include "base/transmission.hpp"
 #include "ecp/generators/paced_command.hpp"
 #include "ecp/generators/rows.hpp"
+#include "tasks/drawing/belt.hpp"
 #include "tasks/drawing/recording.hpp"
 
 namespace mrroc::drawing {
 
 /// Number of arms that draw.
 inline constexpr std::size_t kArms = 2;
+/// Number of the conveyor among the effectors of a run that has one: behind the arms.
+inline constexpr std::size_t kConveyor = kArms;
 
 /// Task time at full pace in every macrostep from an order to what is decided on its effect.
 inline constexpr auto kFullPace = [] {
@@ -33,6 +36,9 @@ struct Parameters {
   int settle{25};          ///< macrosteps in m = 4 after both pens have touched
   int touch_timeout{750};  ///< macrosteps in m = 4 after which a pen that has not touched is a fault
   int lift_off{50};        ///< i_d: macrosteps of m = 6
+  bool belt_runs{};  ///< the conveyor runs by itself and the arms follow it; else it moves for them (MS 8.3)
+  double belt_lag{
+      kBeltLag};  ///< time by which the arms come later than they are ordered [macrosteps], see belt.hpp
   int pause{TaskClock::kRamp};  ///< macrosteps from full pace of task time to standstill
 
   friend bool operator==(const Parameters&, const Parameters&) = default;
@@ -55,10 +61,18 @@ struct CoordinatorMemory {
   std::array<double, latency::kLoop> paces = kFullPace;
   bool touched{};                             ///< m = 4: both pens are on the paper since `instant`
   std::array<ecp::HeldShares, kArms> held{};  ///< m = 4: of each arm's velocities
+  BeltTrack belt;                             ///< of a conveyor that runs by itself
 };
 
-/// a_0: coordinates; has neither effector nor virtual sensors.
-struct Coordinator : CoordinatorAgent<CoordinatorMemory, kArms> {};
+/// a_0: coordinates; has neither effector nor virtual sensors. Its agents are the arms', and behind them that of the
+/// conveyor in a run that has one.
+struct Coordinator : CoordinatorAgent<CoordinatorMemory, std::dynamic_extent> {
+  /// As in CoordinatorAgent; without more it is of the arms alone.
+  struct X : CoordinatorAgent<CoordinatorMemory, std::dynamic_extent>::X {
+    X() { T.agent.resize(kArms); }
+    [[nodiscard]] bool has_conveyor() const { return T.agent.size() > kConveyor; }
+  };
+};
 
 /// a_1, a_2: copy the coordinator's orders to the effector, and effector and sensor to the coordinator. They
 /// have no memory.

@@ -1,6 +1,7 @@
 // The drawing task: two arms copy a drawing that is taught to one of them.
 #include "launch/task.hpp"
 #include "tasks/drawing/cell/paper.hpp"
+#include "tasks/drawing/conveyor.hpp"
 #include "tasks/drawing/drawing_run.hpp"
 #include "tasks/drawing/ecp_body.hpp"
 #include "tasks/drawing/figure_info.hpp"
@@ -14,10 +15,12 @@ namespace {
 using namespace mrroc;
 
 const std::vector<launch::CellArm> kArms{{"arm1", "irb6_postument"}, {"arm2", "irb6_track"}};
+const launch::CellArm kConveyor{drawing::kConveyorKey, "conveyor"};
 
 /// Data that the parts of a run share.
 struct Drawing {
   drawing::InputOptions options;
+  drawing::ConveyorOptions conveyor;
   drawing::RunSetup setup;
 };
 
@@ -57,10 +60,21 @@ int main(int argc, char** argv) {
                 "Without options the built-in arrow with six feathers is taught and copied.",
        .config = drawing::default_config(),
        .arms = kArms,
+       .more_arms =
+           [](const Config& config) {
+             return drawing::has_conveyor(config) ? std::vector{kConveyor} : std::vector<launch::CellArm>{};
+           },
        .ecp = drawing::run_drawing_ecp,
-       .options = [&](CommandLine& line) { drawing::add_input_options(line, d.options); },
+       .options =
+           [&](CommandLine& line) {
+             drawing::add_input_options(line, d.options);
+             drawing::add_conveyor_options(line, d.conveyor);
+           },
        .examples = {"./run drawing --drawing my.svg --size 150", "./run drawing --load arrow.taught",
+                    "./run drawing --conveyor", "./run drawing --belt-speed 0.1",
                     "./run drawing --save arrow.taught"},
+       .found = [&](mp::TaskOptions&) { return drawing::conveyor_settings(d.conveyor); },
+       .typed = {{"task.belt_speed", "--belt-speed"}},
        .prepare = [&](const launch::Setup& s) { prepare(d, s); },
        .words = [&](const launch::Setup&) { return d.setup.input.about(); },
        .unattended = ", unattended: the scripted operator gives start and triggers",
@@ -68,8 +82,8 @@ int main(int argc, char** argv) {
        .files = [&](const std::filesystem::path& folder) { drawing::write_input(folder, d.setup.input); },
        .nodes = pen_sensors,
        .coordinator =
-           [&](mp::TaskRun& run, const launch::Setup&) {
-             return std::make_unique<drawing::DrawingRun>(run, launch::keys_of(kArms), d.setup.k,
+           [&](mp::TaskRun& run, const launch::Setup& s) {
+             return std::make_unique<drawing::DrawingRun>(run, launch::keys_of(s.arms), d.setup.k,
                                                           d.setup.plan, d.setup.input.recording());
            },
        .results = [&](launch::Results& r) { make_results(d, r); }},

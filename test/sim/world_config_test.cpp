@@ -25,13 +25,28 @@ TEST(WorldConfig, ArmsAreThoseOfTheCatalogueUnlessTheConfigurationSaysAnother) {
   EXPECT_EQ(other.arms[0].type, robots::find("irb6_track"));
 }
 
-TEST(WorldConfig, ArmsBeyondTheCatalogueAreOfItsLastType) {
+TEST(WorldConfig, ArmsBeyondTheCatalogueAreOfItsLastTypeThatIsNoConveyor) {
   std::string order = "\"arm1\"";
   const auto types = robots::catalogue();
   for (std::size_t k = 1; k <= types.size(); ++k) order += ", \"arm" + std::to_string(k + 1) + "\"";
   const WorldParameters world = read_world(Config::parse("[robots]\norder = [" + order + "]\n", "test.toml"));
   ASSERT_EQ(world.arms.size(), types.size() + 1);
-  EXPECT_EQ(world.arms.back().type, types.back());
+  const robots::RobotType* last = types.front();
+  for (const robots::RobotType* type : types)
+    if (!type->belt) last = type;
+  EXPECT_EQ(world.arms.back().type, last);
+}
+
+TEST(WorldConfig, SheetsLieAtTheHeightOfAConveyorsBelt) {
+  const auto world = [](const std::string& height) {
+    return read_world(
+        Config::parse("[robots]\norder = [\"arm1\", \"belt\"]\n[robots.belt]\nmodel = \"conveyor\"\n"
+                      "[sim.paper]\nheight = " +
+                          height,
+                      "test.toml"));
+  };
+  EXPECT_EQ(world("0.9064").arms.size(), 2U);
+  EXPECT_THROW(world("0.92"), FaultError);
 }
 
 TEST(WorldConfig, StartJointsAreOnePerAxisOrNone) {

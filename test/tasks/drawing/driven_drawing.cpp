@@ -66,7 +66,7 @@ class Cell {
 
   void dispatch(const Motion<Coordinator>& motion, const Coordinator::Y& y) {
     if (motion.m != m_) enter(motion.m);
-    made_ = y.T;
+    std::ranges::copy(y.T, made_.begin());
   }
 
   Outcome wait() {
@@ -93,7 +93,7 @@ class Cell {
   void read(X& x) {
     x.i = cell_.i();
     for (Report& report : told_) report.ready = true;
-    x.T.agent = told_;
+    x.T.agent.assign(told_.begin(), told_.end());
     x.T.h.started = true;
     x.T.h.trigger = trigger_;
     clock_.advance(false);
