@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <tuple>
 
 #include "base/representation.hpp"
 #include "ecp/preparation.hpp"

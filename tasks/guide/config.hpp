@@ -1,7 +1,7 @@
 // What the task reads of its configuration.
 #pragma once
-#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "base/text_file.hpp"
 #include "tasks/drawing/svg.hpp"
 #include "tasks/guide/config.hpp"

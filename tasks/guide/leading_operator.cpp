@@ -3,9 +3,10 @@
 namespace mrroc::guide {
 
 LeadingOperator::LeadingOperator(link::Process& process, mp::OperatorCommandServer& command_server,
-                                 const FarewellPlan& plan)
+                                 mp::StatusBoard& board, const FarewellPlan& plan)
     : process_(process),
       command_server_(command_server),
+      board_(board),
       plan_(plan),
       order_out_(process.outbox<hand_order_t>("hand.order")),
       image_out_(process.outbox<operator_image_t>("operator.image")),
@@ -34,11 +35,13 @@ void LeadingOperator::begin(Part part) {
   part_ = part;
   age_ = steady_ = 0;
   before_ = triggers_;
+  board_.set_early("");
 }
 
 bool LeadingOperator::triggered(bool done) {
   if (triggers_ > before_) return true;
   steady_ = done ? steady_ + 1 : 0;
+  board_.set_early(done ? "" : "the hand still leads the tool");
   const bool ready = steady_ >= plan_.steady && command_server_.state() == TaskState::running;
   if (ready && plan_.gives_orders) command_server_.give(OperatorOrder::trigger);
   command_server_.set_trigger_due(ready && !plan_.gives_orders);

@@ -6,6 +6,7 @@
 #include "base/link/process.hpp"
 #include "mp/coordinator_links.hpp"
 #include "mp/operator_command_server.hpp"
+#include "mp/status_board.hpp"
 #include "mrroc/hand_order_t.hpp"
 #include "mrroc/hand_report_t.hpp"
 #include "mrroc/operator_image_t.hpp"
@@ -24,8 +25,9 @@ struct FarewellPlan {
 /// Speaks with the simulated hand of the first arm.
 class LeadingOperator final : public mp::OperatorAgent {
  public:
-  /// Make this before the process assembles. @param command_server  must outlive this object
-  LeadingOperator(link::Process& process, mp::OperatorCommandServer& command_server,
+  /// Make this before the process assembles.
+  /// @param command_server, board  must outlive this object; the board tells why a trigger would come early
+  LeadingOperator(link::Process& process, mp::OperatorCommandServer& command_server, mp::StatusBoard& board,
                   const FarewellPlan& plan);
 
   void inform(std::int64_t i, int m) override;
@@ -46,6 +48,7 @@ class LeadingOperator final : public mp::OperatorAgent {
 
   link::Process& process_;
   mp::OperatorCommandServer& command_server_;
+  mp::StatusBoard& board_;
   FarewellPlan plan_;
   std::unique_ptr<link::Outbox<hand_order_t>> order_out_;
   std::unique_ptr<link::Outbox<operator_image_t>> image_out_;  // for the log

@@ -1,4 +1,9 @@
 // The operator leads a tool that moves only on a virtual fixture.
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "launch/arm_task.hpp"
 #include "tasks/guide/cell/guide_cell.hpp"
 #include "tasks/guide/figures.hpp"
@@ -80,7 +85,8 @@ int main(int argc, char** argv) {
                            .make_operator =
                                [&](mp::TaskRun& task, bool gives_orders) {
                                  return std::make_unique<guide::LeadingOperator>(
-                                     task.process(), task.command_server(), farewell(run, gives_orders));
+                                     task.process(), task.command_server(), task.board(),
+                                     farewell(run, gives_orders));
                                },
                            .n_s = guide::kPacing.n_s};
   launch::Task task = launch::task_of(arm_task);
