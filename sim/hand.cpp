@@ -40,7 +40,7 @@ struct Hand::Impl {
 
   // Force on the pen of a hand whose muscles want that force, in the sheet [N].
   Vector3 through_grip(double dt, const Vector3& muscles, const Vector3& at, const Vector3& moving) {
-    const Vector3 force = p.grip_stiffness * (hand - at) + p.grip_damping * (hand_velocity - moving);
+    Vector3 force = p.grip_stiffness * (hand - at) + p.grip_damping * (hand_velocity - moving);
     hand_velocity += dt / p.mass * (muscles - force);
     hand += dt * hand_velocity;
     return force;

@@ -23,7 +23,7 @@ struct LeadingHand {
   Vector3 step(double t, double dt, const Vector3& tool, const Vector3& velocity) {
     const Vector3 goal = wanted(t);
     const Vector3 muscles = stiffness * (goal - p) + damping * ((goal - wanted_before) / dt - v);
-    const Vector3 force = grip_stiffness * (p - tool) + grip_damping * (v - velocity);
+    Vector3 force = grip_stiffness * (p - tool) + grip_damping * (v - velocity);
     wanted_before = goal;
     v += dt / mass * (muscles - force);
     p += dt * v;
