@@ -9,6 +9,7 @@ enum class HandAction : std::uint8_t {
   release,     ///< lets the pen go
   lead_along,  ///< leads the pen along the drawing of the configuration
   lead_to,     ///< leads the pen to a point above the sheet and holds it there
+  follow,      ///< leads the tool through the air along the track of the configuration, with its times
 };
 
 }  // namespace mrroc

@@ -30,6 +30,7 @@ const std::vector<
         {"drawing", [](const std::string&, bool) { return bench::run_drawing_group(); }},
         {"pen_state", [](const std::string& plots, bool) { return bench::run_pen_state_group(plots); }},
         {"robustness", [](const std::string&, bool) { return bench::run_robustness_group(); }},
+        {"guide", [](const std::string&, bool) { return bench::run_guide_group(); }},
         {"solver", [](const std::string&, bool) { return bench::run_solver_group(); }},
         {"cube", [](const std::string&, bool) { return bench::run_cube_group(); }},
         {"plan", [](const std::string&, bool) { return bench::run_plan_group(); }},

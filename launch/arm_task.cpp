@@ -8,6 +8,7 @@ mp::SoloParameters solo_parameters(const ArmTask& task, const Setup& s) {
   k.dt = s.config.number("time.dt", k.dt, {0.002, 0.002}, "s");
   k.n_s = s.config.integer("time.n_s", task.n_s, {task.n_s, task.n_s}, "steps");
   k.coordinate = task.coordinate;
+  k.make_operator = task.make_operator;
   k.gives_start = s.options.scripted();
   return k;
 }

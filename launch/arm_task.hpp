@@ -1,6 +1,7 @@
 // Runs a task whose arms work on their own; the task gives its name, behaviours and program.
 #pragma once
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,9 @@ struct ArmTask {
   std::function<std::string(const std::vector<mp::ArmTrace>&)> result{};
   mp::Coordinate*
       coordinate{};  ///< what the arms are told of one another; null: nothing, the coordinator is dormant
-  int n_s{10};       ///< steps of a macrostep, as the rows command it; all arms have the same
+  std::function<std::unique_ptr<mp::OperatorAgent>(mp::TaskRun&, bool gives_start)>
+      make_operator{};  ///< as in mp::SoloParameters
+  int n_s{10};          ///< steps of a macrostep, as the rows command it; all arms have the same
   std::vector<CellArm> arms{{"arm1", "irb6_postument"}};  ///< keys and kinematics
   std::vector<Receptor> receptors{};                      ///< the ECP says whose readings are its x_cV
 };

@@ -8,14 +8,23 @@
 
 namespace mrroc::mp {
 
-/// c_c0: what the arms are told of one another; constant during a run.
+/// c_c0: what the arms are told of one another, constant during a run; and whether a trigger is for the present behaviour.
 struct SoloRun::DormantMemory {
   Coordinate* coordinate{};
+  int m{};                 // behaviour of the first arm
+  std::int64_t trigger{};  // triggers before it began
 };
 
 /// The coordinator: starts and pauses its arms, and waits until they are done.
 struct SoloRun::Dormant : CoordinatorAgent<DormantMemory, std::dynamic_extent> {
   static Memory retain(const X& x) { return x.c; }
+  static Memory note_trigger(const X& x) {
+    Memory c = x.c;
+    const int m = x.T.agent.front().m;
+    if (m != c.m) c.trigger = x.T.h.trigger;
+    c.m = m;
+    return c;
+  }
   static None nothing(const X&) { return {}; }
   static std::vector<Order> orders(const X& x, SoloOrder m, bool finished) {
     return std::vector<Order>(x.T.agent.size(), {.m = static_cast<int>(m), .finished = finished});
@@ -23,6 +32,7 @@ struct SoloRun::Dormant : CoordinatorAgent<DormantMemory, std::dynamic_extent> {
   static std::vector<Order> wait(const X& x) { return orders(x, SoloOrder::wait, false); }
   static std::vector<Order> work(const X& x) {
     std::vector<Order> y = orders(x, x.T.h.paused ? SoloOrder::pause : SoloOrder::work, false);
+    y.front().go_on[0] = x.T.agent.front().m == x.c.m && x.T.h.trigger > x.c.trigger;
     if (x.c.coordinate) x.c.coordinate(x.T.agent, y);
     return y;
   }
@@ -41,14 +51,16 @@ constexpr Motion<SoloRun::Dormant> SoloRun::Dormant::wait_for_start() {
   return {0, "wait for start", retain, retain, nothing, nothing, wait, may_start, "start, arms ready"};
 }
 constexpr Motion<SoloRun::Dormant> SoloRun::Dormant::wait_for_end() {
-  return {1, "the arms work", retain, retain, nothing, nothing, work, all_done, "all arms are done"};
+  return {1, "the arms work", retain, note_trigger, nothing, nothing, work, all_done, "all arms are done"};
 }
 
 SoloRun::SoloRun(TaskRun& run, const SoloParameters& parameters)
     : run_(run),
       k_(parameters),
-      operator_(run.process(), run.command_server(), parameters.gives_start),
-      links_(run.process(), parameters.arms, operator_),
+      operator_(parameters.make_operator ? parameters.make_operator(run, parameters.gives_start)
+                                         : std::make_unique<AutoStartOperator>(
+                                               run.process(), run.command_server(), parameters.gives_start)),
+      links_(run.process(), parameters.arms, *operator_),
       recorder_(parameters.arms.size(), TraceNumbers::agents, parameters.dt, parameters.n_s),
       traces_(parameters.arms.size()),
       m_(parameters.arms.size()) {}
@@ -91,11 +103,16 @@ void SoloRun::observe(std::span<const Report> reports, bool working) {
   run_.each_macrostep(i, static_cast<double>(i) * k_.n_s * k_.dt);
 }
 
+bool SoloRun::waits_for_trigger(int m) const {
+  const auto number = static_cast<std::size_t>(std::max(0, m));
+  return number >= 1 && number <= k_.behaviours.size() && k_.behaviours[number - 1].by_trigger;
+}
+
 void SoloRun::show(bool working) {
   run_.set_state(!working                  ? TaskState::waiting_for_start
                  : links_.clock().paused() ? TaskState::paused
                                            : TaskState::running,
-                 false);
+                 working && waits_for_trigger(links_.report(0).m));
   for (std::size_t arm = 0; arm < m_.size(); ++arm) {
     const Report& r = links_.report(arm);
     const auto number = static_cast<std::size_t>(std::max(0, r.m));

@@ -2,6 +2,7 @@
 // them, records what they report, and ends when all are done.
 #pragma once
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,6 +26,7 @@ using Coordinate = void(std::span<const Report> agents, std::span<Order> orders)
 struct BehaviourWords {
   std::string name;     ///< what it does
   std::string until{};  ///< what it waits for; may be empty
+  bool by_trigger{};    ///< the operator's trigger ends it: the first arm is told go_on[0] then
 };
 
 /// Settings of the run.
@@ -38,6 +40,8 @@ struct SoloParameters {
   bool gives_start{true};         ///< false: a person or a script gives it
   Coordinate* coordinate{};       ///< null: the coordinator is dormant
   std::function<void()> watch{};  ///< called in every macrostep; may be empty
+  /// Makes the operator, who gives start and triggers unless gives_start is false. Empty: an AutoStartOperator.
+  std::function<std::unique_ptr<OperatorAgent>(TaskRun&, bool gives_start)> make_operator{};
 };
 
 /// The coordinator.
@@ -56,11 +60,12 @@ class SoloRun final : public CoordinatorRun {
   struct Dormant;
   void observe(std::span<const Report> reports, bool working);
   void show(bool working);
+  [[nodiscard]] bool waits_for_trigger(int m) const;
   [[nodiscard]] double progress(bool working);
 
   TaskRun& run_;
   SoloParameters k_;
-  AutoStartOperator operator_;
+  std::unique_ptr<OperatorAgent> operator_;
   CoordinatorLinks links_;
   TraceRecorder recorder_;
   std::vector<ArmTrace> traces_;

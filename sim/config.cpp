@@ -16,6 +16,8 @@
 namespace mrroc::sim {
 namespace {
 
+constexpr double kLeastHandMass = 0.2;  // [kg] that a grip moves without ringing from step to step
+
 PaperParameters read_paper(const Config& t, PaperParameters p) {
   p.T_0P.p = Vector3(t.number("distance", p.T_0P.p.x(), {0.7, 1.1}, "m"), p.T_0P.p.y(),
                      t.number("height", p.T_0P.p.z(), {0.7, 1.2}, "m"));
@@ -39,6 +41,16 @@ HandParameters read_hand(const Config& t, HandParameters h) {
   h.press_wander = t.number("press_wander", h.press_wander, {0, 1});
   h.tremor = t.number("tremor", h.tremor, {0, 0.002}, "m");
   h.tremor_frequency = t.number("tremor_frequency", h.tremor_frequency, {1, 20}, "Hz");
+  h.drag = t.number("drag", h.drag, {0, 1000}, "N s/m");
+  h.inertia = t.number("inertia", h.inertia, {0, 100}, "kg");
+  h.mass = t.number("mass", h.mass, {0, 10}, "kg, 0: none");
+  if (h.mass > 0 && h.mass < kLeastHandMass)
+    throw FaultError(FaultCode::bad_configuration,
+                     fmt::format("sim.hand.mass: {:g} kg is too little to be simulated: 0 for a hand without "
+                                 "a mass, or from {:g} on",
+                                 h.mass, kLeastHandMass));
+  h.grip_stiffness = t.number("grip_stiffness", h.grip_stiffness, {500, 20000}, "N/m");
+  h.grip_damping = t.number("grip_damping", h.grip_damping, {0, 500}, "N s/m");
   return h;
 }
 

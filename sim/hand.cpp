@@ -38,6 +38,14 @@ struct Hand::Impl {
     wander += -dt / kWanderTime * wander + std::sqrt(2 * dt / kWanderTime) * normal(random);
   }
 
+  // Force on the pen of a hand whose muscles want that force, in the sheet [N].
+  Vector3 through_grip(double dt, const Vector3& muscles, const Vector3& at, const Vector3& moving) {
+    Vector3 force = p.grip_stiffness * (hand - at) + p.grip_damping * (hand_velocity - moving);
+    hand_velocity += dt / p.mass * (muscles - force);
+    hand += dt * hand_velocity;
+    return force;
+  }
+
   HandParameters p;
   Matrix3 R_0P;
   Pose T_P0;
@@ -46,7 +54,8 @@ struct Hand::Impl {
   std::array<Tremor, 3> tremor{};
   double wander{};  // of the pressure, unit variance
   HandScript script;
-  double grip{};  // 0 the pen is free, 1 held
+  double grip{};                                                  // 0 the pen is free, 1 held
+  Vector3 hand{Vector3::Zero()}, hand_velocity{Vector3::Zero()};  // of a hand with a mass, in the sheet
 };
 
 Hand::Hand(const HandParameters& parameters, const PaperParameters& paper, std::uint64_t seed)
@@ -57,6 +66,7 @@ Hand& Hand::operator=(Hand&&) noexcept = default;
 
 void Hand::lead_along(const std::vector<Polyline>& strokes) { impl_->script.lead_along(strokes); }
 void Hand::lead_to(const Eigen::Vector2d& point, double height) { impl_->script.lead_to(point, height); }
+void Hand::follow(const HandTrack& track) { impl_->script.follow(track); }
 void Hand::release() { impl_->script.stop(); }
 void Hand::pause(bool paused) { impl_->script.pause(paused); }
 HandStatus Hand::status() const { return impl_->script.status(); }
@@ -67,7 +77,12 @@ Vector3 Hand::step(double dt, const Vector3& tip, const Vector3& velocity, bool 
   if (!holds && h.grip <= 0) return Vector3::Zero();
 
   const Vector3 at = h.T_P0 * tip;
-  if (h.grip <= 0) h.script.grasp(at);
+  const Vector3 moving = h.R_0P.transpose() * velocity;
+  if (h.grip <= 0) {
+    h.script.grasp(at);
+    h.hand = at;
+    h.hand_velocity = moving;
+  }
   h.grip = std::clamp(h.grip + (holds ? dt : -dt) / kFade, 0.0, 1.0);
   h.tremble(dt);
   h.script.step(dt, at, on_paper, h.p.press_wander * h.wander);
@@ -78,10 +93,12 @@ Vector3 Hand::step(double dt, const Vector3& tip, const Vector3& velocity, bool 
     shaking[k] = h.p.tremor * h.tremor[static_cast<std::size_t>(k)].velocity;
   }
   const Vector3 led = h.script.velocity();
-  const Vector3 moving = h.R_0P.transpose() * velocity;
-  return h.grip * (h.R_0P * (h.p.stiffness * (h.script.position() + shake - at) +
-                             h.p.damping * (led + shaking - moving) + h.p.drag * led +
-                             h.p.inertia * h.script.acceleration()));
+  const bool has_mass = h.p.mass > 0;
+  const Vector3 muscles = h.p.stiffness * (h.script.position() + shake - (has_mass ? h.hand : at)) +
+                          h.p.damping * (led + shaking - (has_mass ? h.hand_velocity : moving)) +
+                          h.script.learnt() * h.p.drag * led +
+                          h.script.learnt() * h.p.inertia * h.script.acceleration();
+  return h.grip * (h.R_0P * (has_mass ? h.through_grip(dt, muscles, at, moving) : muscles));
 }
 
 }  // namespace mrroc::sim

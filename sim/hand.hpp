@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/spatial.hpp"
+#include "sim/hand_track.hpp"
 #include "sim/paper.hpp"
 
 namespace mrroc::sim {
@@ -34,6 +35,11 @@ struct HandParameters {
   /// Resistance of the arm to being led, which the operator has learnt: 1/B of the teach-in [N s/m] ...
   double drag{200};
   double inertia{20};  ///< ... and its I [kg]
+  /// Mass of hand and forearm, which muscles of that stiffness and damping move and which hold the pen by a grip [kg];
+  /// 0: the muscles act on the pen.
+  double mass{0};
+  double grip_stiffness{4000};  ///< between a hand that has a mass and the pen [N/m]
+  double grip_damping{40};      ///< [N s/m]
 };
 
 /// Present action of the hand.
@@ -68,6 +74,11 @@ class Hand {
   /// @param point   [mm]
   /// @param height  above the paper [m]
   void lead_to(const Eigen::Vector2d& point, double height = 0.010);
+
+  /// Takes the tool, leads it to the beginning of a track and along it with its times; done at its end, where it
+  /// holds the tool. What the operator has learnt of the arm's resistance does not count.
+  /// @param track  not empty
+  void follow(const HandTrack& track);
 
   /// Lets the pen go: the force fades to zero within 0.3 s; idle.
   void release();

@@ -42,8 +42,16 @@ void HandScript::lead_to(const Eigen::Vector2d& point, double height) {
   travel_to(kMetre * point, height);
 }
 
+void HandScript::follow(const HandTrack& track) {
+  begin({});
+  track_ = track;
+  const Vector3 first = track_.at(0).position;
+  travel_to(first.head<2>(), first.z());
+}
+
 void HandScript::begin(std::vector<std::vector<Polyline>> strokes) {
   strokes_ = std::move(strokes);
+  track_ = {};
   stroke_ = piece_ = 0;
   drawn_ = total_ = 0;
   for (const auto& stroke : strokes_)
@@ -120,6 +128,7 @@ void HandScript::advance(double dt, const Vector3& tip, bool on_paper) {
       break;
     case Stage::above:
       if (!rested(kAboveRest)) break;
+      if (!track_.empty()) return enter(Stage::follow);
       if (strokes_.empty()) return finish();
       enter(Stage::lower);
       break;
@@ -138,9 +147,22 @@ void HandScript::advance(double dt, const Vector3& tip, bool on_paper) {
     case Stage::lift:
       if ((target_ >= p_.lift && tip.z() > kLifted * p_.lift) || since_ > kTimeout) end_stroke();
       break;
+    case Stage::follow:
+      along_track();
+      break;
     case Stage::hold:
       break;
   }
+}
+
+void HandScript::along_track() {
+  s_ = since_;
+  const TrackMotion now = track_.at(s_);
+  place_ = now.position.head<2>();
+  speed_ = pace_ * now.velocity.head<2>();
+  target_ = height_ = now.position.z();
+  climb_ = pace_ * now.velocity.z();
+  if (s_ >= track_.duration()) finish();
 }
 
 double HandScript::height_goal(double wander) const {
@@ -161,6 +183,7 @@ double HandScript::height_goal(double wander) const {
       return -(p_.press * std::max(kLeastPress, 1 + wander) - p_.arm_press) / p_.stiffness;
     case Stage::lift:
       return p_.lift;
+    case Stage::follow:
     case Stage::hold:
       break;
   }
@@ -185,12 +208,13 @@ void HandScript::step(double dt, const Vector3& tip, bool on_paper, double wande
   advance(dt, tip, on_paper);
   change_ = (speed_ - speed_before) / dt;
   if (change_.norm() > p_.acceleration) change_ *= p_.acceleration / change_.norm();
-  move_height(dt, height_goal(wander));
+  if (stage_ != Stage::follow) move_height(dt, height_goal(wander));
 }
 
 HandStatus HandScript::status() const {
   const bool drawing = stage_ == Stage::draw || stage_ == Stage::corner;
   const double done = drawn_ + (drawing ? s_ : 0);
+  const double led = stage_ == Stage::follow ? s_ / track_.duration() : 0;
   const std::size_t last = strokes_.empty() ? 0 : strokes_.size() - 1;
   return {.phase = phase_,
           .paused = paused_,
@@ -199,7 +223,7 @@ HandStatus HandScript::status() const {
           .strokes = static_cast<std::int32_t>(strokes_.size()),
           .fraction = phase_ == HandPhase::done ? 1
                       : total_ > 0              ? done / total_
-                                                : 0};
+                                                : led};
 }
 
 }  // namespace mrroc::sim

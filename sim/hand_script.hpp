@@ -6,6 +6,7 @@
 #include "base/spatial.hpp"
 #include "sim/hand.hpp"
 #include "sim/hand_path.hpp"
+#include "sim/hand_track.hpp"
 
 namespace mrroc::sim {
 
@@ -20,6 +21,8 @@ class HandScript {
   void lead_along(const std::vector<Polyline>& strokes);
   /// Begins to lead to one point. @param point [mm] @param height [m]
   void lead_to(const Eigen::Vector2d& point, double height);
+  /// Begins to lead along a track, which is not empty.
+  void follow(const HandTrack& track);
   /// The reference is where the pen is, at rest. @param tip [m]
   void grasp(const Vector3& tip);
   /// Ends whatever was going on.
@@ -37,11 +40,13 @@ class HandScript {
   [[nodiscard]] Vector3 position() const { return {place_.x(), place_.y(), height_}; }
   /// @return how it should move [m/s]
   [[nodiscard]] Vector3 velocity() const { return {speed_.x(), speed_.y(), climb_}; }
+  /// @return share of what the operator has learnt of the arm's resistance that counts: 0 along a track
+  [[nodiscard]] double learnt() const { return stage_ == Stage::follow ? 0 : 1; }
   /// @return how its motion over the sheet changes [m/s^2]
   [[nodiscard]] Vector3 acceleration() const { return {change_.x(), change_.y(), 0}; }
 
  private:
-  enum class Stage : std::uint8_t { travel, above, lower, dwell, draw, corner, lift, hold };
+  enum class Stage : std::uint8_t { travel, above, lower, dwell, draw, corner, lift, follow, hold };
 
   void begin(std::vector<std::vector<Polyline>> strokes);
   void enter(Stage stage);
@@ -50,6 +55,7 @@ class HandScript {
   void end_piece();
   void end_stroke();
   void finish();
+  void along_track();
   void advance(double dt, const Vector3& tip, bool on_paper);
   bool along_path(double dt);
   void move_height(double dt, double goal);
@@ -66,6 +72,7 @@ class HandScript {
   std::size_t stroke_{}, piece_{};
   double drawn_{}, total_{};  // length of the finished pieces and of all [m]
 
+  HandTrack track_;  // empty: it leads elsewhere
   HandPath path_;
   double s_{};                                  // done of the path [m]
   Eigen::Vector2d place_{0, 0};                 // [m]

@@ -29,7 +29,10 @@ ShellParameters read_shell(const Config& config) {
   for (const std::string& platform : shell.platforms) shell.platform_drivers.push_back("edp-" + platform);
   shell.speed = config.number("sim.speed", std::nullopt, {0, 1e4}, "of real time, 0: as fast as possible");
   shell.folder = config.text("run.folder", std::nullopt);
-  if (const std::string strokes = config.text("run.strokes", std::nullopt); !strokes.empty())
+  const std::filesystem::path strokes = config.text("run.strokes", std::nullopt);
+  if (is_hand_track(strokes))
+    shell.track = read_hand_track(strokes);
+  else
     shell.strokes = read_strokes(strokes);
   return shell;
 }

@@ -22,6 +22,7 @@ struct ShellParameters {
   std::vector<std::string> boxes{};  ///< in the order of the world: channels NAME.motion_capture, NAME.truth
   double speed{0};                   ///< simulated seconds per second; 0: as fast as possible
   std::vector<Polyline> strokes;     ///< what the hand leads along [mm]
+  HandTrack track{};                 ///< what it leads along through the air
   std::filesystem::path
       folder;  ///< where the inked sheets go: ROBOT-sheet-K.csv, and the steps before a fault
 };

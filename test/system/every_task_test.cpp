@@ -33,6 +33,7 @@ const std::vector<ShortRun> kRuns{
     {"press", {}, "", {"mp", "ecp-arm1"}},
     {"weigh", {}, "", {"mp", "ecp-arm1"}},
     {"edge_follow", {}, "", {"mp", "ecp-arm1", "ecp-arm2"}},
+    {"guide", {"--fixture", "circle", "--set", "task.radius=0.02"}, "", {"mp", "ecp-arm1"}},
     {"drawing",
      {"--drawing", "FILE", "--size", "10"},
      lines_svg(1),

@@ -1,0 +1,135 @@
+#include "tasks/guide/hand_way.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/text_file.hpp"
+
+namespace mrroc::guide {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kStep = 0.01;      // between points [s]
+constexpr double kRest = 1;         // at the ends [s]
+constexpr double kFade = 1;         // of the push, at the beginning and the end of the way [s]
+constexpr double kApproach = 0.03;  // speed from off the fixture [m/s]
+constexpr double kBend = 0.02;      // in bends that are narrower he pushes across their plane only [m]
+constexpr double kAhead = 0.03;     // he sees them so far ahead [m]
+
+/// What he leads along, by its length.
+struct Way {
+  Curve line;
+  std::vector<double> stops;  // lengths, in their order; beyond the ends there are walls [m]
+};
+
+/// So far beyond an end a hand wants to be that pushes with that force.
+double beyond(const Setup& k, const OperatorPlan& plan) {
+  return plan.wall_push / k.law.wall_stiffness + k.law.wall_softness / 2 + plan.wall_push * plan.compliance;
+}
+
+/// An eight over the whole plane and into its walls.
+Curve eight(const std::array<double, 2>& sides, double more) {
+  Points points;
+  const int pieces = 720;
+  for (int n = 0; n < pieces; ++n) {
+    const double angle = 2 * pi * n / pieces;
+    points.emplace_back((sides[0] / 2 + more) * std::sin(angle), (sides[1] / 2 + more) * std::sin(2 * angle));
+  }
+  return {points, true, 0};
+}
+
+Way way_along(const Setup& k, const OperatorPlan& plan) {
+  const double more = beyond(k, plan);
+  if (k.fixture.is_plane()) {
+    const Curve line = eight(k.fixture.sides(), more);
+    return {line, {0, line.length()}};
+  }
+  const Curve& line = *k.fixture.curve();
+  const double length = line.length();
+  if (line.closed()) return {line, {0, 1.5 * length, 0.5 * length}};
+  return {line, {0.3 * length, length + more, -more, 0.5 * length}};
+}
+
+class Writer {
+ public:
+  Writer(const Setup& k, const OperatorPlan& plan) : k_(k), plan_(plan), way_(way_along(k, plan)) {}
+
+  std::vector<WayPoint> write() {
+    place_ = way_.stops.front();
+    const double time = std::max(plan_.start / kApproach, kStep);
+    for (double t = 0; t < time; t += kStep) add(plan_.start * (1 - smooth(t / time)));
+    rest(k_.entry + kRest);
+    for (std::size_t n = 1; n < way_.stops.size(); ++n) go_to(way_.stops[n], n + 1 == way_.stops.size());
+    for (double t = 0; t < kFade + kRest; t += kStep) {
+      strength_ = std::max(0.0, strength_ - kStep / kFade);
+      add(0);
+    }
+    return std::move(points_);
+  }
+
+ private:
+  void rest(double time) {
+    for (double t = 0; t < time; t += kStep) add(0);
+  }
+  /// With the acceleration that is allowed, slower in bends.
+  void go_to(double goal, bool last) {
+    const double sense = goal < place_ ? -1 : 1;
+    double speed = 0;
+    while (sense * (goal - place_) > 1e-6) {
+      const double ahead = sense * (goal - place_);
+      const double bend = std::sqrt(plan_.acceleration * way_.line.radius(way_.line.at(place_).s));
+      const double wanted = std::min({plan_.speed, std::sqrt(plan_.acceleration * ahead), bend});
+      speed = std::min(wanted, speed + plan_.acceleration * kStep);
+      place_ += sense * std::min(ahead, std::max(speed, 1e-3) * kStep);
+      strength_ = std::min(1.0, strength_ + kStep / kFade);
+      look_ahead();
+      add(0);
+    }
+    if (!last) rest(kRest);
+  }
+  /// A hand that pushed sideways in a narrow bend would be on the wrong side of it.
+  void look_ahead() {
+    bool bends = false;
+    for (double s = -kAhead; s <= kAhead; s += kBend / 20)
+      bends = bends || way_.line.radius(way_.line.at(place_ + s).s) < kBend;
+    sideways_ = std::clamp(sideways_ + (bends ? -2 : 1) * kStep / kFade, 0.0, 1.0);
+  }
+  void add(double above) {
+    const CurvePlace on = way_.line.at(place_);
+    const Point p = on.point + (way_.line.closed() ? 0 : place_ - on.s) * on.tangent;
+    // As far as the force takes both springs: the fixture's and that of the hand.
+    const double off = smooth(strength_) * plan_.push * (plan_.compliance + 1 / k_.law.stiffness);
+    const double angle = 2 * pi * t_ / plan_.turn;
+    const Point across = k_.fixture.is_plane() ? Point(0, 0) : Point(-on.tangent.y(), on.tangent.x());
+    const Point q = p + smooth(sideways_) * off * std::cos(angle) * across;
+    points_.push_back({t_, k_.fixture.T_0F() * Vector3(q.x(), q.y(), above + off * std::sin(angle))});
+    t_ += kStep;
+  }
+
+  const Setup& k_;
+  const OperatorPlan& plan_;
+  Way way_;
+  std::vector<WayPoint> points_;
+  double t_{}, place_{}, strength_{};
+  double sideways_{1};  // share of the push in the plane of the fixture
+};
+
+}  // namespace
+
+std::vector<WayPoint> hand_way(const Setup& k, const OperatorPlan& plan) { return Writer(k, plan).write(); }
+
+void write_hand_way(const std::filesystem::path& file, const std::vector<WayPoint>& way, const Pose& T_0P) {
+  const Pose T_P0 = T_0P.inverse();
+  std::string text = "t,x,y,z\n";
+  for (const WayPoint& point : way) {
+    const Vector3 p = 1e3 * (T_P0 * point.p);
+    text += fmt::format("{:.3f},{:.4f},{:.4f},{:.4f}\n", point.t, p.x(), p.y(), p.z());
+  }
+  write_text_file(file, text);
+}
+
+}  // namespace mrroc::guide
