@@ -30,6 +30,7 @@ std::vector<Short> all_tasks(const fs::path& folder) {
       {"press", {}},
       {"edge_follow", {}},
       {"weigh", {}},
+      {"move", {}},
       {"manual", {"--words", words}},
       {"drawing", {}},
       {"visual_servo", {"--set", "cameras.profile=fast"}},
