@@ -1,5 +1,7 @@
 #include "tasks/move/curves.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -36,9 +38,18 @@ Coordinates share(Representation space, const Coordinates& v, const Coordinates&
   return both;
 }
 
+/// What is computed beforehand has to be kept.
+const CurvePtr& bounded(const CurvePtr& curve) {
+  constexpr double kLongest = 3600;  // [s]
+  if (!(curve->duration() <= kLongest))
+    throw FaultError(FaultCode::bad_trajectory, fmt::format("the motion takes {:.3g} s, and may take {} s",
+                                                            curve->duration(), kLongest));
+  return curve;
+}
+
 /// By which factor a motion is too fast for these shares of its limits; at most 1: it is not.
 double excess(const CurvePtr& curve, const MotionSpec& motion, int axes, const ecp::Pacing& pacing) {
-  const ecp::Trajectory path(curve, {.space = motion.planned()}, pacing);
+  const ecp::Trajectory path(bounded(curve), {.space = motion.planned()}, pacing);
   const Rates rates = rates_of(path, motion.planned(), axes, pacing.macrostep_s());
   return std::max(largest(rates.velocity) / motion.velocity[0],
                   std::sqrt(largest(rates.acceleration) / motion.acceleration[0]));
@@ -116,6 +127,32 @@ CurvePtr straight_of(const MotionSpec& motion, const std::vector<Coordinates>& w
   return std::make_shared<ecp::StraightPath>(poses, motion.path);
 }
 
+CurvePtr made(const MotionSpec& motion, const Coordinates& from, int axes, const ecp::Pacing& pacing) {
+  const ecp::MotionLimits limits = ecp::default_limits(motion.planned(), axes);
+  const std::vector<Coordinates> way = way_of(motion, from);
+  switch (motion.generator) {
+    case Generator::trapezoid:
+      return std::make_shared<ecp::Trapezoid>(from, list_of(motion, way), limits, pacing.macrostep_s());
+    case Generator::polyline:
+      return std::make_shared<ecp::Polyline>(from, list_of(motion, way), limits, pacing.macrostep_s());
+    case Generator::nurbs:
+      return nurbs_of(motion, way, axes, pacing);
+    case Generator::straight:
+      return straight_of(motion, way);
+    case Generator::constant:
+      return ecp::constant_velocity(from, way.back(), limits, motion.velocity[0]);
+    case Generator::hold:
+      return ecp::hold(from, motion.duration);
+    case Generator::linear:
+    case Generator::cubic:
+    case Generator::quintic:
+      return spline_of(motion, way, axes, pacing);
+    case Generator::replay:
+      break;
+  }
+  throw FaultError(FaultCode::internal_error, "a replay is no curve");
+}
+
 }  // namespace
 
 Rates rates_of(const ecp::Trajectory& path, Representation space, int axes, double macrostep_s) {
@@ -158,29 +195,7 @@ std::vector<Coordinates> way_of(const MotionSpec& motion, const Coordinates& fro
 }
 
 CurvePtr curve_of(const MotionSpec& motion, const Coordinates& from, int axes, const ecp::Pacing& pacing) {
-  const ecp::MotionLimits limits = ecp::default_limits(motion.planned(), axes);
-  const std::vector<Coordinates> way = way_of(motion, from);
-  switch (motion.generator) {
-    case Generator::trapezoid:
-      return std::make_shared<ecp::Trapezoid>(from, list_of(motion, way), limits, pacing.macrostep_s());
-    case Generator::polyline:
-      return std::make_shared<ecp::Polyline>(from, list_of(motion, way), limits, pacing.macrostep_s());
-    case Generator::nurbs:
-      return nurbs_of(motion, way, axes, pacing);
-    case Generator::straight:
-      return straight_of(motion, way);
-    case Generator::constant:
-      return ecp::constant_velocity(from, way.back(), limits, motion.velocity[0]);
-    case Generator::hold:
-      return ecp::hold(from, motion.duration);
-    case Generator::linear:
-    case Generator::cubic:
-    case Generator::quintic:
-      return spline_of(motion, way, axes, pacing);
-    case Generator::replay:
-      break;
-  }
-  throw FaultError(FaultCode::internal_error, "a replay is no curve");
+  return bounded(made(motion, from, axes, pacing));
 }
 
 ecp::TaughtPath recording_of(const MotionSpec& motion, const Coordinates& from) {

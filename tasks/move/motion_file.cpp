@@ -13,7 +13,7 @@ namespace mrroc::any_motion {
 namespace {
 
 constexpr Bounds kShare{.min = 1e-4, .max = 1};
-constexpr Bounds kTime{.min = 0, .max = 1e4};
+constexpr Bounds kTime{.min = 0, .max = 3600};
 constexpr Bounds kPositions{.min = -1e5, .max = 1e5};
 constexpr std::size_t kMostMotions = 900;     // of one arm: below kWorkDone
 constexpr std::size_t kMostPositions = 2000;  // of one motion

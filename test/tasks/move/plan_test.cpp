@@ -132,6 +132,16 @@ TEST(MovePlan, OutOfReachIsRefusedWithTheMotion) {
   EXPECT_NE(text.find("out of the arm's reach"), std::string::npos) << text;
 }
 
+TEST(MovePlan, AMotionThatTakesForEverIsRefused) {
+  for (const std::string generator : {"\"trapezoid\"", "\"cubic\"", "\"nurbs\"\ndegree = 1"})
+    EXPECT_NE(
+        refusal("velocity = [0.0001]\nspace = \"motors\"\npositions = [1e5, 0, 0, 0, 0, 0]\ngenerator = " +
+                generator + "\n")
+            .find("and may take 3600 s"),
+        std::string::npos)
+        << generator;
+}
+
 TEST(MovePlan, GeneratorsRefuseWhatTheyCannotDoUnderTheNameOfTheMotion) {
   EXPECT_TRUE(refusal("generator = \"nurbs\"\ndegree = 3\npositions = [0, 0, 0.4, 0, 0, 0]\n")
                   .starts_with("arm1.a: "));
