@@ -25,6 +25,8 @@ Figure sign_figure();
 /// @param plots folder for the picture servo.png and its script; empty: none
 /// @throws FaultError cannot_write, internal_error
 Figures run_servo_group(const std::filesystem::path& plots);
+/// The task move: 1,000 random files on the simulated arms. Takes some minutes.
+Figures run_trajectory_group();
 /// The predicted limit of stable contact against the time domain; in the groups edp and stability.
 Figure stability_limit_figure();
 /// Predicted against simulated limits of stable contact. Takes about a minute.

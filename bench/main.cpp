@@ -25,6 +25,7 @@ const std::vector<
     kGroups{
         {"edp", [](const std::string&, bool) { return bench::run_edp_group(); }},
         {"servo", [](const std::string& plots, bool) { return bench::run_servo_group(plots); }},
+        {"trajectory", [](const std::string&, bool) { return bench::run_trajectory_group(); }},
         {"stability", [](const std::string&, bool) { return bench::run_stability_group(); }},
         {"vision", [](const std::string&, bool) { return bench::run_vision_group(); }},
         {"drawing", [](const std::string&, bool) { return bench::run_drawing_group(); }},
@@ -90,7 +91,8 @@ int main(int argc, char** argv) {
   std::string plots;
   bool resume = false;
   line.option("group", groups,
-              "edp, servo, stability, vision, drawing, pen_state, robustness, solver, cube, plan, operator, "
+              "edp, servo, trajectory, stability, vision, drawing, pen_state, robustness, solver, cube, "
+              "plan, operator, "
               "rubik, rex, rex_eyes, rex_stops, box, mutation "
               "(default: all but the last six, which take long)")
       .one_of(group_names());

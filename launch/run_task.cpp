@@ -6,6 +6,7 @@
 
 #include "base/camera_config.hpp"
 #include "base/link/lossy_bus.hpp"
+#include "base/print.hpp"
 #include "launch/task.hpp"
 #include "launch/task_config.hpp"
 #include "mp/check_run.hpp"
@@ -119,6 +120,10 @@ int run(const Task& task, const mp::TaskOptions& asked) {
   if (!options.check.empty())
     return mp::check_coordinator(task.name, options, keys,
                                  [&](mp::TaskRun& run) { return task.coordinator(run, s); });
+  if (const std::string instead = task.instead ? task.instead(s) : ""; !instead.empty()) {
+    print(stdout, instead);
+    return 0;
+  }
   const fs::path folder = mp::name_run_folder(options.run_dir, task.name);
   complete_config(s.config, options, folder,
                   task.strokes.empty() ? "" : fs::absolute(folder / task.strokes).string(),

@@ -59,6 +59,8 @@ struct Task {
   /// Reads everything that the task will read of the configuration and of files: what is wrong is told before anything
   /// starts. @throws FaultError
   std::function<void(const Setup&)> prepare{};
+  /// @return what is printed instead of a run, which does not start then; empty: the run starts
+  std::function<std::string(const Setup&)> instead{};
   /// @return what is run, for the first line, such as the name of a drawing
   std::function<std::string(const Setup&)> words{};
   std::string unattended{};  ///< end of the first line when neither a person nor a script gives the orders

@@ -20,6 +20,7 @@
 #include "ui_cli/manual_link.hpp"
 #include "ui_cli/manual_page.hpp"
 #include "ui_cli/manual_show.hpp"
+#include "ui_cli/taught_points.hpp"
 
 namespace mrroc::ui {
 
@@ -39,6 +40,7 @@ constexpr const char* kHelp =
     "  show ARM                                positions, pose, force, state, fault, tool, weight, models;\n"
     "                                          with --json and `all` a list\n"
     "  save ARM FILE                           adds the position to a file: a line `move ARM joints ...`\n"
+    "  teach ARM FILE [SPACE]                  adds the position to motions for `./run move --file FILE`\n"
     "  load FILE                               the instructions of a file, one after the other\n"
     "  end                                     the session\n"
     "SPACE: motors [rad], joints [rad, m], euler, angle-axis [m, rad]. S: share of the largest, 0 to 1.\n"
@@ -147,20 +149,42 @@ void show_all(Task& task, bool json, std::ostream& out) {
   if (json) out << "]\n";
 }
 
-/// Adds where the arm is to the file.
-void save(Task& task, const ManualRequest& request, std::ostream& out) {
+/// An arm that knows where it is.
+struct KnownArm {
+  int axes{};
+  EffectorReply reply;
+};
+
+/// @param verb  what is to be done with it, for errors
+KnownArm where_it_is(Task& task, const ManualRequest& request, const char* verb) {
   const EffectorReply r = look_at(task, request.show);
   const auto arm = std::ranges::find(task.arms, request.show, &ManualArm::name);
   if (arm == task.arms.end())
     throw FaultError(
         FaultCode::bad_usage,
         fmt::format("{} is no arm of the run in {}", request.show, task.session.run_folder.string()),
-        "save on the host of the task, where its run folder is");
+        fmt::format("{} on the host of the task, where its run folder is", verb));
   if (!r.position_known)
-    throw FaultError(FaultCode::illegal_in_state,
-                     fmt::format("{} does not know its position, it is {}", request.show, to_string(r.state)),
-                     fmt::format("`ui_cli manual home {}` finds it; save when that is done", request.show));
-  const std::vector<double> joints(r.joints.begin(), r.joints.begin() + arm->axes);
+    throw FaultError(
+        FaultCode::illegal_in_state,
+        fmt::format("{} does not know its position, it is {}", request.show, to_string(r.state)),
+        fmt::format("`ui_cli manual home {}` finds it; {} when that is done", request.show, verb));
+  return {arm->axes, r};
+}
+
+/// Adds where the arm is to the motions of a file.
+void teach(Task& task, const ManualRequest& request, std::ostream& out) {
+  const KnownArm arm = where_it_is(task, request, "teach");
+  const std::size_t points = teach_point(request.teach, request.show, arm.axes, request.space, arm.reply);
+  out << (request.json ? Json{{"file", request.teach.string()}, {"positions", points}}.dump()
+                       : fmt::format("position {} of {} in {}", points, request.show, request.teach.string()))
+      << "\n";
+}
+
+/// Adds where the arm is to the file.
+void save(Task& task, const ManualRequest& request, std::ostream& out) {
+  const auto [axes, r] = where_it_is(task, request, "save");
+  const std::vector<double> joints(r.joints.begin(), r.joints.begin() + axes);
   const std::string line = fmt::format("move {} joints {:.6f}", request.show, fmt::join(joints, " "));
   std::ofstream file(request.save, std::ios::app);
   file << line << "\n";
@@ -283,11 +307,17 @@ ManualRequest read_manual_words(const std::vector<std::string>& arguments) {
     form(3, "save ARM FILE");
     request.show = words[1];
     request.save = words[2];
+  } else if (words[0] == "teach") {
+    if (words.size() != 4) form(3, "teach ARM FILE [motors|joints|frame|euler|angle-axis]");
+    request.show = words[1];
+    request.teach = words[2];
+    if (words.size() == 4) request.space = space_of_word(words[3]);
   } else if (words[0] == "load") {
     form(2, "load FILE");
     request.load = words[1];
   }
-  if (request.words.size() > kLongestInstruction && request.load.empty() && request.save.empty())
+  if (request.words.size() > kLongestInstruction && request.load.empty() && request.save.empty() &&
+      request.teach.empty())
     throw FaultError(FaultCode::bad_usage, too_long(request.words.size()), kShorter);
   return request;
 }
@@ -307,6 +337,7 @@ void execute_manual(link::Bus& bus, const link::SessionInfo& session, const Manu
   Task task(bus, session, request, timeouts);
   check_task(task, !request.show.empty());
   if (!request.save.empty()) return save(task, request, out);
+  if (!request.teach.empty()) return teach(task, request, out);
   if (request.show == "all") return show_all(task, request.json, out);
   if (!request.show.empty()) return show_arm(look_at(task, request.show), request.show, request.json, out);
   if (!request.load.empty()) return load(task, request, out);

@@ -23,7 +23,7 @@ namespace mrroc::ui {
 /// Characters of an instruction at most: what its message has room for.
 inline constexpr std::size_t kLongestInstruction = sizeof(manual_words_t{}.text) - 1;
 /// Words that a shell accepts besides the instructions of the task.
-inline constexpr std::array<std::string_view, 3> kOfShell{"show", "save", "load"};
+inline constexpr std::array<std::string_view, 4> kOfShell{"show", "save", "teach", "load"};
 /// @return that an instruction has too many characters
 [[nodiscard]] std::string too_long(std::size_t characters);
 /// The remedy, for the error line.

@@ -34,6 +34,13 @@ const std::vector<ShortRun> kRuns{
     {"weigh", {}, "", {"mp", "ecp-arm1"}},
     {"edge_follow", {}, "", {"mp", "ecp-arm1", "ecp-arm2"}},
     {"guide", {"--fixture", "circle", "--set", "task.radius=0.02"}, "", {"mp", "ecp-arm1"}},
+    {"move",
+     {"--file", "FILE"},
+     "[arm1]\norder = ['a']\n[arm1.a]\nvelocity = [0.5]\nacceleration = [0.3]\n"
+     "positions = [0.1, -1.5, 0, 1.5, 1.57, -1.57]\n"
+     "[arm2]\norder = ['a']\n[arm2.a]\ngenerator = 'straight'\nreference = 'relative'\n"
+     "positions = [0.05, 0, 0, 0, 0, 0]\n",
+     {"mp", "ecp-arm1", "ecp-arm2"}},
     {"drawing",
      {"--drawing", "FILE", "--size", "10"},
      lines_svg(1),

@@ -21,6 +21,7 @@ const std::vector<HomedRun> kRuns{
     {"press", 1, {}, ""},
     {"weigh", 1, {}, ""},
     {"edge_follow", 2, {}, ""},
+    {"move", 2, {}, ""},
     {"drawing", 2, {"--drawing", "FILE", "--size", "10"}, lines_svg(1)},
     {"manual",
      2,

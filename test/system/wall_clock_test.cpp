@@ -58,6 +58,7 @@ const std::vector<WallRun> kRuns{
     {"press", {}, ""},
     {"weigh", {}, ""},
     {"edge_follow", {}, ""},
+    {"move", {}, ""},
     {"drawing", {"--drawing", "FILE", "--size", "10"}, lines_svg(1)},
     {"manual",
      {"--words", "FILE", "--set", "robots.arm1.synchro=known_pose", "--set",

@@ -12,6 +12,7 @@
 #include <sstream>
 #include <thread>
 
+#include "base/config.hpp"
 #include "base/fault.hpp"
 #include "base/link/channel.hpp"
 #include "base/link/memory_bus.hpp"
@@ -201,7 +202,8 @@ TEST(ManualCommand, ARefusalAndAFailureAreErrorsWithTheirReason) {
       << "with the driver's own code";
   const std::string unknown = execute({4}, {"fly", "arm1"});
   EXPECT_EQ(unknown.find("error: bad_usage: fly arm1: "), 0U);
-  EXPECT_NE(unknown.find("show, save and load are words of this terminal"), std::string::npos) << unknown;
+  EXPECT_NE(unknown.find("show, save, teach and load are words of this terminal"), std::string::npos)
+      << unknown;
   EXPECT_EQ(execute({0}, {"bias", "arm1"}).find("error: illegal_in_state"), 0U);
 }
 
@@ -365,6 +367,40 @@ TEST(ManualCommand, SavesPositionsAndGoesToThemAgain) {
   EXPECT_EQ(execute({2}, {"load", "/no/such/file"}).find("error: bad_script"), 0U);
   std::ofstream(file) << std::string(300, 'x');
   EXPECT_EQ(execute({2}, {"load", file}).find("error: bad_script"), 0U);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(ManualCommand, TeachesPositionsAsMotionsAndLosesNone) {
+  std::string pattern = (std::filesystem::temp_directory_path() / "manual_command.XXXXXX").string();
+  const std::filesystem::path folder = ::mkdtemp(pattern.data());
+  std::ofstream(folder / "config.toml") << "[robots]\norder = ['arm1']\n[robots.arm1]\naxes = 6\n";
+  const std::string file = (folder / "taught.toml").string();
+  const auto teach = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"teach", "arm1", file});
+    return execute({2}, words, nullptr, folder);
+  };
+  EXPECT_EQ(teach({"joints"}), "position 1 of arm1 in " + file + "\n");
+  EXPECT_EQ(teach({"joints"}), "position 2 of arm1 in " + file + "\n");
+  Config edited = Config::load(file);
+  edited.set("arm1.taught.generator=cubic");
+  std::ofstream(file) << edited.dump();
+  const auto told = nlohmann::json::parse(teach({"joints", "--json"}));
+  EXPECT_EQ(told.at("positions"), 3);
+  EXPECT_TRUE(documented("manual teach ARM FILE", told));
+  const Config taught = Config::load(file);
+  EXPECT_EQ(taught.list("arm1.start", Config::kRequired), (std::vector<double>{0, -1.57, 0, 0, 0, 0.25}));
+  EXPECT_EQ(taught.list("arm1.taught.positions", Config::kRequired).size(), 12U);
+  EXPECT_EQ(taught.texts("arm1.order", Config::kRequired), std::vector<std::string>{"taught"});
+  EXPECT_EQ(taught.text("arm1.taught.generator", Config::kRequired), "cubic") << "what was added stays";
+  EXPECT_NE(teach({"euler"}).find("are joints, and not xyz_euler_zyz"), std::string::npos);
+  EXPECT_NE(teach({"sideways"}).find("'sideways' is no space"), std::string::npos);
+  EXPECT_EQ(execute({2}, {"teach", "arm1", "/no/such/file"}, nullptr, folder).find("error: cannot_write"),
+            0U);
+  EXPECT_EQ(execute({2}, {"teach", "arm1", file}, nullptr, folder, nullptr, DriverState::homing)
+                .find("error: illegal_in_state: arm1 does not know its position"),
+            0U);
+  std::ofstream(file) << "[[[";
+  EXPECT_EQ(teach({}).find("error: bad_configuration"), 0U) << "a damaged file is left as it is";
   std::filesystem::remove_all(folder);
 }
 
