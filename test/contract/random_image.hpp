@@ -71,6 +71,10 @@ template <class T, std::size_t n>
 void vary(std::array<T, n>& all, std::mt19937& random) {
   for (T& x : all) vary(x, random);
 }
+template <class T>
+void vary(std::vector<T>& all, std::mt19937& random) {
+  for (T& x : all) vary(x, random);
+}
 /// A part that an agent does not have.
 template <class T>
 requires std::is_empty_v<T>
@@ -96,6 +100,13 @@ bool same(const T& a, const T& b) {
 template <class T, std::size_t n>
 bool same(const std::array<T, n>& a, const std::array<T, n>& b) {
   for (std::size_t k = 0; k < n; ++k)
+    if (!same(a[k], b[k])) return false;
+  return true;
+}
+template <class T>
+bool same(const std::vector<T>& a, const std::vector<T>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t k = 0; k < a.size(); ++k)
     if (!same(a[k], b[k])) return false;
   return true;
 }
