@@ -108,6 +108,8 @@ class PlatformDriver {
   }
   /// @return whether SYNCHRO has found where the platform is, and that is still known
   [[nodiscard]] bool synchronised() const noexcept { return position_known_; }
+  /// @return what has been measured
+  [[nodiscard]] const StageCollector& sensors() const noexcept { return sensors_; }
   /// @return state of the newest stage; meaningful when synchronised
   [[nodiscard]] const EstimatorResult& estimate() const noexcept { return observer_.result(); }
   /// @return where the platform is to be in this macrostep; meaningful when synchronised

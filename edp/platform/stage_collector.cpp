@@ -44,6 +44,14 @@ void StageCollector::command(const PlatformDrive& drive) noexcept {
     torque_sum_[k] += std::clamp(-platform_->brake * speed[k], -platform_->max_torque, platform_->max_torque);
 }
 
+PerWheel StageCollector::weigh() noexcept {
+  const PerWheel told = mean(load_sum_, loads_);
+  told_load_.reset();
+  if (loads_ > 0) told_load_ = told;
+  loads_wrong_ = is_believed(told, static_load_) ? 0 : std::min(loads_wrong_ + 1, kLoadsWrong);
+  return believed_load(told, static_load_);
+}
+
 StageReading StageCollector::take(std::int64_t step) noexcept {
   StageReading stage;
   stage.step = step;
@@ -52,7 +60,7 @@ StageReading StageCollector::take(std::int64_t step) noexcept {
   stage.imu_valid = reading_.imu_valid;
   stage.yaw = reading_.imu_valid ? reading_.yaw : 0;
   stage.yaw_rate = reading_.imu_valid ? reading_.yaw_rate : 0;
-  stage.load = believed_load(mean(load_sum_, loads_), static_load_);
+  stage.load = weigh();
   stage.torque = mean(torque_sum_, commands_);
   stage.enabled = !braked_;
   load_sum_ = torque_sum_ = {};

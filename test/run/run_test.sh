@@ -69,7 +69,7 @@ a_group_that_the_bench_does_not_have_is_refused_before_the_build() {
     # shellcheck disable=SC2086  # a list
     said=$(./run bench $words 2>&1) || status=$?
     ((status == 2)) || fail "$words: status $status"
-    says 'known: edp servo stability '
+    says 'known: edp servo trajectory stability '
     says "error: bad_usage: there is no group named 'cubes'; did you mean cube?"
     [[ ! -e build ]] || fail "$words made a build folder"
   done
@@ -85,7 +85,7 @@ all_groups_of_the_bench_and_names_of_its_files_are_taken() {
   groups=$(sed -n '/line.option("group"/,/(default/p' bench/main.cpp | grep -v default | sed 's/^.*groups,//' | tr -d '",')
   # shellcheck disable=SC2086  # a list
   said=$(./run bench $groups --json cubes --plots cubes 2>&1)
-  says 'measures edp servo stability vision drawing '
+  says 'measures edp servo trajectory stability vision drawing '
   says ' mutation --json cubes --plots cubes'
 }
 

@@ -1,6 +1,8 @@
 // What breaks while the platform drives: each fault is found, told by its name, and survived or stopped.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,7 @@ struct Broken {
   std::vector<std::string> settings;
   const char* told;        ///< code of the error that ends the run; none: it is driven to its end
   const char* wheel = "";  ///< what the error says of the wheel
+  const char* line = "";   ///< what is told once of what is survived; empty: nothing is
   const char* plan{};      ///< that is built in; none: a short one
 };
 
@@ -32,16 +35,26 @@ Ended drive(const Folder& folder, const std::string& name, const std::vector<std
   return run(folder, "rex_drive", words);
 }
 
+/// @return lines of the run's messages.log that have the text
+int lines_with(const std::filesystem::path& run_folder, const std::string& text) {
+  std::ifstream log(run_folder / "messages.log");
+  int count = 0;
+  for (std::string line; std::getline(log, line);) count += line.find(text) != std::string::npos ? 1 : 0;
+  return count;
+}
+
 class RexDriveBroken : public ::testing::TestWithParam<Broken> {};
 
 TEST_P(RexDriveBroken, IsToldByItsNameAndSurvivedOrStopped) {
-  const auto& [name, settings, told, wheel, plan] = GetParam();
+  const auto& [name, settings, told, wheel, line, plan] = GetParam();
   const Folder folder(false);
   const Ended ended = drive(folder, "broken", settings, plan);
   const nlohmann::json end = summary(folder / "broken");
   if (*told == '\0') {
     EXPECT_EQ(ended.status, 0) << ended.all();
     EXPECT_LE(figure(end, "track_max_mm"), 60);
+    EXPECT_EQ(lines_with(folder / "broken", "the load cells"), *line == '\0' ? 0 : 1) << ended.all();
+    EXPECT_GE(lines_with(folder / "broken", line), 1);
     EXPECT_EQ(drive(folder, "whole", {}).status, 0);
     EXPECT_NE(end.at("log_hash"), summary(folder / "whole").at("log_hash")) << "something was broken";
     return;
@@ -69,8 +82,9 @@ INSTANTIATE_TEST_SUITE_P(
                "estimate_lost"},
         Broken{"AnImuWithoutNumbers", of_the_simulation("imu_nan"), "sensor_silent"},
         Broken{"LoadCellsThatRepeatThemselves", of_the_simulation("load_stuck"), ""},
-        Broken{"ALoadCellThatIsWrong", of_the_simulation("load_wrong"), ""},
-        Broken{"LoadCellsThatAreSilent", of_the_simulation("load_silent"), ""},
+        Broken{"ALoadCellThatIsWrong", of_the_simulation("load_wrong"), "", "", "the load cells tell"},
+        Broken{"LoadCellsThatAreSilent", of_the_simulation("load_silent"), "", "",
+               "the load cells are silent"},
         Broken{"ASolverThatFailsFourTimes", {"platforms.rex.solver_fails=[1500, 1540]"}, ""},
         Broken{"ASolverThatGoesOnFailing", {"platforms.rex.solver_fails=[1500, 100000]"}, "solver_failed"},
         Broken{"AMapThatIsLostForLong", {"motion_capture.lost=[3, 100]"}, ""}),
