@@ -125,7 +125,7 @@ class MotionReader {
   }
 
   [[nodiscard]] std::vector<double> shares(std::string_view key, double fallback) const {
-    const std::vector<double> list = config_.list(key, std::vector<double>{fallback}, kShare, "of the limit");
+    std::vector<double> list = config_.list(key, std::vector<double>{fallback}, kShare, "of the limit");
     const bool several = takes_lists(m_.generator) && one_each(list.size());
     if (list.size() != 1 && !(several && !list.empty()))
       throw wrong_list(
@@ -189,11 +189,11 @@ class MotionReader {
     if (m_.forces.empty()) return;
     if (m_.mu != Interpolation::tcim_pose)
       throw wrong_list(config_, "forces", "needs interpolation = \"tcim\"");
-    static const std::map<std::string, Axis> kNames{{"x", Axis::x},   {"y", Axis::y},   {"z", Axis::z},
-                                                    {"ax", Axis::ax}, {"ay", Axis::ay}, {"az", Axis::az}};
+    static const std::map<std::string, Axis> names{{"x", Axis::x},   {"y", Axis::y},   {"z", Axis::z},
+                                                   {"ax", Axis::ax}, {"ay", Axis::ay}, {"az", Axis::az}};
     for (const std::string& word : config_.texts("contact", std::vector<std::string>{})) {
-      const auto found = kNames.find(word);
-      if (found == kNames.end())
+      const auto found = names.find(word);
+      if (found == names.end())
         throw wrong_list(config_, "contact",
                          fmt::format("has '{:.20}', and axes are x, y, z, ax, ay, az", word));
       m_.contact.push_back(found->second);
