@@ -93,15 +93,15 @@ class AnythingPort {
 
 /// Whether it consists of what messages hold: of each agent, when there may be any number of them.
 template <class T>
-constexpr bool kCanBeSent = std::is_trivially_copyable_v<T>;
+inline constexpr bool kCanBeSent = std::is_trivially_copyable_v<T>;
 template <class T>
-constexpr bool kCanBeSent<std::vector<T>> = kCanBeSent<T>;
+inline constexpr bool kCanBeSent<std::vector<T>> = kCanBeSent<T>;
 template <class T>
 requires requires(T& image) {
   image.agent.data();
   image.h;
 }
-constexpr bool kCanBeSent<T> = kCanBeSent<decltype(T::agent)> && kCanBeSent<decltype(T::h)>;
+inline constexpr bool kCanBeSent<T> = kCanBeSent<decltype(T::agent)> && kCanBeSent<decltype(T::h)>;
 
 template <class Case>
 class TaskContract : public testing::Test {
