@@ -1,6 +1,6 @@
 // How the platform comes to rest at 0.8 m/s: each of its processes killed, and the operator's orders, at random moments.
 #include <fmt/core.h>
-#include <signal.h>
+#include <csignal>
 
 #include <algorithm>
 #include <chrono>
