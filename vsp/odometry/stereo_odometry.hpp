@@ -19,7 +19,7 @@ struct StereoOdometryParameters {
   double way{0.25};  ///< longest way between two pairs [m]
   double change{
       0.075};  ///< most by which it differs from the way before [m]: nothing brakes harder than 1.2 g in 80 ms. Where all
-      ///< looks alike, a motion that is off by a period of the pattern has as many inliers as the true one
+  ///< looks alike, a motion that is off by a period of the pattern has as many inliers as the true one
 };
 
 /// A point that was found in all four pictures.

@@ -32,7 +32,7 @@ struct FakeFaults {
   bool tracker_fails{};  ///< its solver; no result
   bool torque_not_finite{};
   bool torque_too_large{};
-  bool wheels_elsewhere{};  ///< the estimated speed of wheel 2 is wrong
+  bool wheels_elsewhere{};    ///< the estimated speed of wheel 2 is wrong
   PlanarPose displacement{};  ///< of all that it believes, once
 };
 

@@ -46,8 +46,8 @@ TEST(CameraWorldConfig, RefusesWhatCannotBe) {
 }
 
 TEST(CameraWorldConfig, ReadsWhatGoesWrongWithACamera) {
-  const CameraWorld w =
-      read(kCameras + "silent = [1, 2, 4, 5]\nblack = [3, 4]\nfrozen = [6, 7]\nhangs = [8, 9]\nshows = 'sac'\n");
+  const CameraWorld w = read(
+      kCameras + "silent = [1, 2, 4, 5]\nblack = [3, 4]\nfrozen = [6, 7]\nhangs = [8, 9]\nshows = 'sac'\n");
   const CameraFaults& faults = w.cameras[1].faults;
   ASSERT_EQ(faults.silent.size(), 2U);
   EXPECT_EQ(faults.silent[1].from, 4);
@@ -58,7 +58,8 @@ TEST(CameraWorldConfig, ReadsWhatGoesWrongWithACamera) {
   EXPECT_EQ(faults.shows, "sac");
   EXPECT_EQ(w.cameras[0].faults.shows, "sac") << "its own view";
   EXPECT_TRUE(w.cameras[0].faults.silent.empty());
-  for (const char* bad : {"silent = [1]", "black = [2, 1]", "frozen = [-1, 1]", "hangs = [2, 1]", "shows = 'nobody'"})
+  for (const char* bad :
+       {"silent = [1]", "black = [2, 1]", "frozen = [-1, 1]", "hangs = [2, 1]", "shows = 'nobody'"})
     EXPECT_THROW(read(kCameras + bad), FaultError) << bad;
 }
 
