@@ -90,12 +90,10 @@ int main(int argc, char** argv) {
   JsonOutput json;
   std::string plots;
   bool resume = false;
-  line.option(
-          "group", groups,
-          "edp, servo, trajectory, stability, vision, drawing, pen_state, robustness, guide, solver, cube, "
-          "plan, operator, "
-          "rubik, rex, rex_eyes, rex_stops, box, mutation "
-          "(default: all but the last six, which take long)")
+  line.option("group", groups,
+              "edp, servo, trajectory, stability, vision, drawing, pen_state, robustness, guide, "
+              "solver, cube, plan, operator, rubik, rex, rex_eyes, rex_stops, box, mutation "
+              "(default: all but the last six, which take long)")
       .one_of(group_names());
   const Option to =
       line.option("--json", json.file,
