@@ -29,7 +29,7 @@ TEST(Conveyor, MovesByMinusVyInsteadOfTheArms) {
   for (const auto& [m, pen] : {std::pair(5, paper_surface), std::pair(7, above_paper)}) {
     X x = with_conveyor(pen, false);
     x.c.recording = recording({pen, pen});
-    const X plain = [&] {
+    const X plain = [&, pen = pen] {
       X without = image(pen, pen);
       without.c.recording = x.c.recording;
       return without;
