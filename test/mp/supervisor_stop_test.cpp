@@ -41,11 +41,8 @@ TEST_F(SupervisorTest, AfterAStopItWaitsUntilEveryDriverThatLivesSaysThatItsRobo
   EXPECT_EQ(s.supervisor.stop_steps(), 70);
 }
 
+// What the driver has told of its rest before is of another time.
 TEST_F(SupervisorTest, OfADriverThatIsDeadThePlantTellsWhenItsRobotRests) {
-  const auto dies = [](Process& p) {
-    p.report_effector(0);
-    if (p.assemble()) throw std::runtime_error("unforeseen");
-  };
   const auto simulates = [](Process& p) {
     p.assemble();
     p.await([&] { return p.over() && p.dead("edp"); });
@@ -55,31 +52,17 @@ TEST_F(SupervisorTest, OfADriverThatIsDeadThePlantTellsWhenItsRobotRests) {
     p.report_done();
     p.stay();
   };
-  System s({{.name = "edp", .body = dies, .plant = "plant"}, {.name = "plant", .body = simulates}},
-           messages());
-  EXPECT_GE(s.end_when_it_stops(), std::chrono::milliseconds(250));
-  EXPECT_EQ(s.supervisor.stop_steps(), 12);
-}
-
-TEST_F(SupervisorTest, WhatADeadDriverHasToldOfItsRestIsOfAnotherTime) {
-  const auto dies = [](Process& p) {
-    p.report_effector(0);
-    p.report_rest(true, 3);
-    if (p.assemble()) throw std::runtime_error("unforeseen");
-  };
-  const auto simulates = [](Process& p) {
-    p.assemble();
-    p.await([&] { return p.over() && p.dead("edp"); });
-    p.await([&] { return p.phase() == link::Phase::finished; },
-            Process::Clock::now() + std::chrono::milliseconds(300));
-    p.report_rest(true, 12);
-    p.report_done();
-    p.stay();
-  };
-  System s({{.name = "edp", .body = dies, .plant = "plant"}, {.name = "plant", .body = simulates}},
-           messages());
-  EXPECT_GE(s.end_when_it_stops(), std::chrono::milliseconds(250));
-  EXPECT_EQ(s.supervisor.stop_steps(), 12);
+  for (const bool rested : {false, true}) {
+    const auto dies = [rested](Process& p) {
+      p.report_effector(0);
+      if (rested) p.report_rest(true, 3);
+      if (p.assemble()) throw std::runtime_error("unforeseen");
+    };
+    System s({{.name = "edp", .body = dies, .plant = "plant"}, {.name = "plant", .body = simulates}},
+             messages());
+    EXPECT_GE(s.end_when_it_stops(), std::chrono::milliseconds(250)) << rested;
+    EXPECT_EQ(s.supervisor.stop_steps(), 12) << rested;
+  }
 }
 
 TEST_F(SupervisorTest, ADeadDriverIsNotWaitedForWhenItsPlantIsDeadToo) {
