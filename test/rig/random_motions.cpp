@@ -87,7 +87,7 @@ class Writer {
 /// The simulated arm as a Port that looks at what it is commanded.
 class WatchingPort {
  public:
-  explicit WatchingPort(rig::DrivenArm& arm) : arm_(arm), port_(arm) {}
+  explicit WatchingPort(rig::DrivenArm& arm) : port_(arm) {}
   void dispatch(const Motion<Arm>& motion, const Arm::Y& y) {
     if (has(y.e.set, Part::arm) && motion.m == row(Row::move).m) see(y.e.arm);
     port_.dispatch(motion, y);
@@ -150,7 +150,6 @@ class WatchingPort {
     if (!ends) velocity_ = v;
   }
 
-  rig::DrivenArm& arm_;
   rig::DrivenPort<Arm> port_;
   Representation space_{};
   ecp::Coordinates position_, velocity_;
