@@ -158,6 +158,13 @@ std::vector<std::string> Config::tables(std::string_view table) const {
   return names;
 }
 
+std::vector<std::string> Config::keys() const {
+  std::vector<std::string> keys;
+  for (const auto& [key, entry] : store_->entries)
+    if (key.starts_with(prefix_)) keys.push_back(key.substr(prefix_.size()));
+  return keys;
+}
+
 bool Config::has(std::string_view key) const {
   return store_->entries.contains(fmt::format("{}{}", prefix_, key));
 }

@@ -111,6 +111,8 @@ class Config {
   [[nodiscard]] Config section(std::string_view table) const;
   /// @return names of the tables directly below the table in alphabetical order, e.g. the robots' names
   [[nodiscard]] std::vector<std::string> tables(std::string_view table) const;
+  /// @return all keys in this section that have a value by now, in alphabetical order
+  [[nodiscard]] std::vector<std::string> keys() const;
   /// @return whether the key has a value by now
   [[nodiscard]] bool has(std::string_view key) const;
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -89,6 +90,29 @@ std::string_view to_string(FaultClass fault_class) noexcept {
   return "system";
 }
 
+std::string_view consequence(const FaultEntry& entry) noexcept {
+  if (!entry.follows.empty()) return entry.follows;
+  if (exit_status(entry.code) == 2) return "nothing is started";
+  switch (entry.fault_class) {
+    case FaultClass::non_fatal:
+      return "a command is refused or a motion stopped; the effector goes on working, and the task goes on "
+             "or ends";
+    case FaultClass::fatal:
+      return "the effector stops and accepts nothing but a reset: the task `manual` takes one, every other "
+             "task ends";
+    case FaultClass::system:
+      break;
+  }
+  return "the task ends and the drives brake";
+}
+
+std::string with_remedy(const std::string& what, std::string_view remedy) {
+  if (!what.ends_with('?') || remedy.empty()) return fmt::format("{}; {}", what, remedy);
+  std::string next(remedy);
+  next.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(next.front())));
+  return what + " " + next;
+}
+
 FaultClass class_of(FaultCode code) noexcept { return fault_entry(code).fault_class; }
 
 std::optional<FaultCode> fault_code(std::int64_t number) noexcept {
@@ -117,14 +141,14 @@ std::string what_happened(const Fault& fault) {
 
 std::string describe(const Fault& fault) {
   const FaultEntry& entry = fault_entry(fault.code);
-  return fmt::format("{} {}: {}; {}", to_string(entry.fault_class), entry.name, what_happened(fault),
-                     entry.remedy);
+  return fmt::format("{} {}: {}", to_string(entry.fault_class), entry.name,
+                     with_remedy(what_happened(fault), entry.remedy));
 }
 
 std::string error_line(const Fault& fault, std::string_view session) {
   const FaultEntry& entry = fault_entry(fault.code);
-  return command_hint(fmt::format("error: {}: {}; {}", entry.name, what_happened(fault), entry.remedy),
-                      session);
+  return command_hint(
+      fmt::format("error: {}: {}", entry.name, with_remedy(what_happened(fault), entry.remedy)), session);
 }
 
 int exit_status(FaultCode code) noexcept {
@@ -149,7 +173,8 @@ std::string_view FaultError::remedy() const noexcept {
 }
 
 std::string FaultError::error_line(std::string_view session) const {
-  return command_hint(fmt::format("error: {}: {}; {}", to_string(fault_.code), what(), remedy()), session);
+  return command_hint(fmt::format("error: {}: {}", to_string(fault_.code), with_remedy(what(), remedy())),
+                      session);
 }
 
 }  // namespace mrroc

@@ -117,12 +117,13 @@ enum class FaultCode : std::uint16_t {
 
 /// One row of the table of errors.
 struct FaultEntry {
-  FaultCode code;           ///< of the row, each code has one
-  std::string_view name;    ///< the code in text, as it appears in logs, summaries and error lines
-  FaultClass fault_class;   ///< what has to be done about it
-  std::string_view text;    ///< what happened
-  std::string_view remedy;  ///< what the operator can do
-  std::string_view causes;  ///< what it mostly comes from, likeliest first, with semicolons between
+  FaultCode code;              ///< of the row, each code has one
+  std::string_view name;       ///< the code in text, as it appears in logs, summaries and error lines
+  FaultClass fault_class;      ///< what has to be done about it
+  std::string_view text;       ///< what happened
+  std::string_view remedy;     ///< what the operator can do
+  std::string_view causes;     ///< what it mostly comes from, likeliest first, with semicolons between
+  std::string_view follows{};  ///< what follows from it, where that is not what follows from its class
 };
 
 /// One error as it happened. Trivially copyable, travels in messages; made without allocation in the servo
@@ -166,6 +167,10 @@ class RegisteredFaults {
 [[nodiscard]] std::string_view to_string(FaultCode code) noexcept;
 /// @return "non-fatal", "fatal" or "system". Real-time safe
 [[nodiscard]] std::string_view to_string(FaultClass fault_class) noexcept;
+/// @return what follows from it: for the effector, for the task
+[[nodiscard]] std::string_view consequence(const FaultEntry& entry) noexcept;
+/// @return what happened and what to do, as one line: with a semicolon, or as two sentences behind a question
+[[nodiscard]] std::string with_remedy(const std::string& what, std::string_view remedy);
 /// @return the class of the code. Real-time safe
 [[nodiscard]] FaultClass class_of(FaultCode code) noexcept;
 /// @return the code that a message carries as a number, or nothing when there is none with it. Real-time safe

@@ -8,10 +8,14 @@
 namespace mrroc {
 
 // clang-format off
-#define MRROC_FAULT(code, fault_class, text, remedy, causes) \
-  FaultEntry { FaultCode::code, #code, FaultClass::fault_class, text, remedy, causes }
+#define MRROC_FAULT(code, fault_class, text, remedy, ...) \
+  FaultEntry { FaultCode::code, #code, FaultClass::fault_class, text, remedy, __VA_ARGS__ }
 
-/// Rows in the order of their numbers; rows of tasks are registered (RegisteredFaults).
+/// What follows from errors that end a task, though its effectors go on working.
+#define MRROC_TASK_ENDS "the effectors come to rest, and the task ends"
+
+/// Rows in the order of their numbers; rows of tasks are registered (RegisteredFaults). A row says what follows where that is
+/// not what follows from its class.
 inline constexpr std::array kFaultTable{
   MRROC_FAULT(none, non_fatal, "no error", "nothing",
               "-"),
@@ -76,48 +80,50 @@ inline constexpr std::array kFaultTable{
               "a turn of the wrist by more than it has; the wrong branch at the start of a motion; a macrostep that could not be stopped before the limit"),
 
   MRROC_FAULT(over_current, fatal, "the current of a motor is too high",
-              "look for a collision, then reset",
+              "look for a collision",
               "a collision; a joint at its end stop; a load beyond the drive; a regulator that swings"),
   MRROC_FAULT(over_speed, fatal, "a motor turns too fast",
-              "look at the regulator's parameters, then reset",
+              "look at the regulator's parameters",
               "a regulator that swings or has the wrong sign; an encoder that loses counts"),
   MRROC_FAULT(following_error, fatal, "a motor does not follow its set position",
-              "look for a collision or a blocked joint, then reset",
+              "look for a collision or a blocked joint",
               "a collision or a closed brake; a drive without power; a command faster than the drive"),
   MRROC_FAULT(limit_switch, fatal, "a limit switch is pressed",
-              "reset, then move the joint away from the switch",
+              "move the joint away from the switch",
               "a joint beyond its range, by hand or after a fault; a switch or cable that is broken"),
   MRROC_FAULT(synchro_switch_missing, fatal, "homing did not find the synchronisation switch of an axis",
-              "look at the switch and its cable, then reset and SYNCHRO",
+              "look at the switch and its cable",
               "a broken switch or cable; a joint that is blocked on its way to the switch"),
   MRROC_FAULT(synchro_switch_stuck, fatal, "the synchronisation switch of an axis is pressed where it must not be",
-              "look at the switch and its cam, then reset and SYNCHRO",
+              "look at the switch and its cam",
               "a switch that hangs; a joint on the wrong side of its cam"),
   MRROC_FAULT(encoder_index_missing, fatal, "the encoder of an axis gives no zero mark",
-              "look at the encoder and its cable, then reset and SYNCHRO",
+              "look at the encoder and its cable",
               "a broken encoder or cable; a coupling that slips"),
 
   MRROC_FAULT(force_saturated, fatal, "the force sensor is at the end of its range",
-              "unload the tool, then reset",
+              "unload the tool",
               "a collision; a load beyond the sensor; an electronics fault"),
   MRROC_FAULT(force_stuck, fatal, "the force sensor repeats the same reading",
               "look at the sensor's cable and power; force_stuck_after = 0 if its readings have no noise",
               "a broken cable; a sensor without power; readings without any noise"),
   MRROC_FAULT(force_not_finite, fatal, "a component of the force sensor's reading is not a number",
-              "look at the sensor's electronics, then reset",
+              "look at the sensor's electronics",
               "an electronics fault; a driver of the sensor that divides by zero"),
   MRROC_FAULT(sensor_silent, fatal, "a sensor of the effector gives no readings",
-              "look at the sensor's cable or process, then reset",
+              "look at the sensor's cable or process",
               "a sensor process that died; a cable"),
   MRROC_FAULT(no_contact, non_fatal, "the tool did not meet a surface in time",
               "look at the surface, at the tool and at the sensor that should have told of the touch",
-              "a surface that is not there or lies deeper; a sensor that does not tell of the touch; the operator waited too long"),
+              "a surface that is not there or lies deeper; a sensor that does not tell of the touch; the operator waited too long",
+              MRROC_TASK_ENDS),
   MRROC_FAULT(contact_unstable, non_fatal, "the contact force swings and does not die away; the arm was stopped",
               "lower B of the behaviour, or soften the contact: `ui_cli stability` tells by how much",
               "a contact stiffer than law (28) bears with this I and B; a force that is filtered or delayed too much; a hand that shakes the tool"),
   MRROC_FAULT(object_not_seen, non_fatal, "no camera has seen the object for too long",
               "bring the object into view of a camera, look at its light and its size in the configuration",
-              "something stands between; the object is too far, too small or turned away; light; the wrong object named by --object"),
+              "something stands between; the object is too far, too small or turned away; light; the wrong object named by --object",
+              MRROC_TASK_ENDS),
 
   MRROC_FAULT(start_failed, system, "a process could not be started",
               "build all programs, and look at messages.log in the run folder",
@@ -207,23 +213,29 @@ inline constexpr std::array kFaultTable{
 
   MRROC_FAULT(operator_stop, non_fatal, "the operator stopped the task",
               "start it again when ready",
-              "`ui_cli stop`, the key x of the full screen, or a script"),
+              "`ui_cli stop`, the key x of the full screen, or a script",
+              MRROC_TASK_ENDS),
   MRROC_FAULT(emergency_stop, fatal, "the emergency stop was pressed",
               "remove the reason, look whether anything is damaged, then start the task again",
-              "the key e of the full screen, or `ui_cli e-stop`"),
+              "the key e of the full screen, or `ui_cli e-stop`",
+              "the drives brake at once, and the task ends"),
   MRROC_FAULT(interrupted, non_fatal, "a signal ended the task",
               "start it again when ready",
-              "Ctrl-C, or a signal of the system"),
+              "Ctrl-C, or a signal of the system",
+              MRROC_TASK_ENDS),
 
   MRROC_FAULT(time_limit, non_fatal, "the task has not ended within the simulated time of --max-time",
               "look at what it waits for, which the error names; or allow more with --max-time",
-              "a terminal condition that never holds, such as a force that is never reached; a script that lacks an order; a limit too short for the task"),
+              "a terminal condition that never holds, such as a force that is never reached; a script that lacks an order; a limit too short for the task",
+              MRROC_TASK_ENDS),
   MRROC_FAULT(script_ended, non_fatal, "the script has ended, and the task waits for an order that nobody gives",
               "add the order to the script, or give it with `ui_cli` within 10 s",
-              "a script that lacks a start, a trigger or a resume; an order of the script that was refused because it came too early"),
+              "a script that lacks a start, a trigger or a resume; an order of the script that was refused because it came too early",
+              MRROC_TASK_ENDS),
   MRROC_FAULT(figures_missed, non_fatal, "a figure of the run misses what is wanted",
               "look at the table of figures above and at the pictures in the run folder",
-              "other parameters than the figures are meant for; a disturbance; a regression. Without --strict the exit status is 0"),
+              "other parameters than the figures are meant for; a disturbance; a regression. Without --strict the exit status is 0",
+              "nothing more: the run is over, and its results are written"),
 
   MRROC_FAULT(excessive_torque, non_fatal, "the motion asks a motor for more torque than it may give; the arm was stopped where it is",
               "remove what is in the way or the load, or command less; a row of a task can go on from it (on_failed)",
@@ -234,30 +246,33 @@ inline constexpr std::array kFaultTable{
               "a file that is no list of points; a point outside the room; a way through an obstacle"),
   MRROC_FAULT(path_not_found, non_fatal, "the planner finds no trajectory to the next point of the plan",
               "move the point, or plan a lower speed",
-              "points so near to one another that the turn between them is too tight; a speed or turn rate beyond the platform"),
+              "points so near to one another that the turn between them is too tight; a speed or turn rate beyond the platform",
+              MRROC_TASK_ENDS),
   MRROC_FAULT(bad_fragment, non_fatal, "a fragment of a trajectory cannot be driven",
               "correct the planner that makes the fragment: the text names what is wrong, axis 0 to 4 is x, y, phi, v, w",
               "a fragment that does not begin where the one before ends; a speed beyond the platform; a fragment sent twice or out of order"),
   MRROC_FAULT(position_unknown, fatal, "SYNCHRO did not find where the platform is",
-              "look at the motion capture system and the map agent, keep the platform at rest, then reset and SYNCHRO",
+              "look at the motion capture system and the map agent, and keep the platform at rest",
               "a platform that the motion capture does not see; positions that contradict one another; a platform that is pushed"),
-  MRROC_FAULT(position_lost, non_fatal, "the position of the platform has been uncertain for too long",
+  MRROC_FAULT(position_lost, non_fatal, "the position of the platform is too uncertain to drive",
               "bring the platform into the view of the motion capture system, and look at the map agent",
-              "motion capture that is covered or was switched off; odometry that fails at the same time"),
+              "motion capture that is covered or was switched off; odometry that fails at the same time",
+              "the platform waits at rest, and goes on when its position is back; after task.position_timeout the task ends"),
   MRROC_FAULT(solver_failed, fatal, "the trajectory tracker finds no torques",
-              "look at the reference and the estimate in the run folder, then reset",
+              "look at the reference and the estimate in the run folder",
               "a reference far from the platform; an estimate that makes no sense; a mistake in the tracker"),
   MRROC_FAULT(estimate_lost, fatal, "the estimated state of the platform cannot be trusted any more",
-              "look at the sensors and at what has pushed the platform, then reset and SYNCHRO",
+              "look at the sensors and at what has pushed the platform",
               "a collision; a platform that was lifted; positions that jump; a mistake in the model of the platform"),
   MRROC_FAULT(wheel_blocked, fatal, "a wheel does not turn under its torque",
-              "free the wheel, then reset",
+              "free the wheel",
               "an obstacle; something in the wheel; a drive without power; an encoder that stands still"),
   MRROC_FAULT(encoder_fault, fatal, "the encoder of a wheel contradicts the motion of the platform",
-              "look at the encoder and its cable, then reset",
+              "look at the encoder and its cable",
               "a broken encoder or cable; a wheel that is blocked or has lost the ground"),
 };
 // clang-format on
 #undef MRROC_FAULT
+#undef MRROC_TASK_ENDS
 
 }  // namespace mrroc

@@ -142,6 +142,7 @@ void CameraStation::end() {
   for (Eye& eye : eyes_) {
     hand_over(eye, true);
     camera_frame_t last{};
+    last.step = (eye.told + 1) * eye.k.setup.period;
     last.slot = -1;
     last.last = 1;
     eye.out->publish(last, eye.told + 1);

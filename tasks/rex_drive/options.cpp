@@ -70,6 +70,21 @@ std::vector<std::string> settings_of_ground(const std::string& name) {
       fmt::format("give one of {}, or a TOML file with [sim.ground]", fmt::join(names, ", ")));
 }
 
+/// A file that says more would change what its user does not think of. @throws ConfigError; FaultError bad_configuration
+Config load_ground(const std::string& file) {
+  constexpr std::string_view kOfGround = "sim.ground.";
+  const Config ground = Config::load(file);
+  const std::vector<std::string> keys = ground.keys();
+  const auto other =
+      std::ranges::find_if(keys, [&](const std::string& key) { return !key.starts_with(kOfGround); });
+  if (!keys.empty() && other == keys.end()) return ground;
+  throw FaultError(FaultCode::bad_configuration,
+                   keys.empty() ? fmt::format("--ground: {} sets nothing", file)
+                                : fmt::format("--ground: {}: {} is not of a ground", file, *other),
+                   "a ground is a table [sim.ground] with friction = [along, across], model, or "
+                   "[sim.ground.patches.NAME]; other tables belong to --config");
+}
+
 /// Settings of cameras that the platform does not have would do nothing. @throws FaultError bad_configuration
 void refuse_settings_of_no_eyes(const Config& config) {
   if (config.has("cameras.order")) return;  // a cell of the user's own, or of an earlier run
@@ -144,7 +159,7 @@ void complete_drive(Config& config, const DriveOptions& o, PlanList& plans) {
     config.underlay(Config::parse(eyes(), "eyes.toml (built in)"));
   else
     refuse_settings_of_no_eyes(config);
-  if (o.ground && !is_ground(*o.ground)) config.overlay(Config::load(*o.ground));
+  if (o.ground && !is_ground(*o.ground)) config.overlay(load_ground(*o.ground));
   const std::string key = "sim.platforms.rex.start";
   if (config.has(key)) {
     const auto [x, y, phi] = config.numbers<3>(key, std::nullopt, {-100, 100}, "m, rad: x, y, phi of B");

@@ -8,6 +8,7 @@
 #include "base/counted.hpp"
 #include "base/latency.hpp"
 #include "tasks/rex_drive/keys.hpp"
+#include "tasks/rex_drive/locomotion.hpp"
 
 namespace mrroc::rex_drive {
 
@@ -39,7 +40,7 @@ Outcome RexRun::execute() {
     fault_ = {.code = FaultCode::position_lost,
               .value = seconds(x.i - x.c.lost_in),
               .limit = seconds(x.c.k.timeout),
-              .text = "seconds"};
+              .text = "s of waiting for the position, task.position_timeout"};
     o = Outcome::faulted;
   }
   if (o == Outcome::terminated) {
@@ -54,6 +55,7 @@ Outcome RexRun::execute() {
 void RexRun::observe(const Motion<Ontology>& motion, const X& x) {
   if (record_) record_->collect(x.c.plan.number);
   announce(motion, x);
+  watch_map(x);
   report_position(x);
   watch_odometry(x);
   note_ack(x);
@@ -69,14 +71,45 @@ void RexRun::announce(const Motion<Ontology>& motion, const X& x) {
   announced_ = now;
 }
 
+void RexRun::watch_map(const X& x) {
+  const Report& r = x.T.agent[kLocomotionAgent];
+  if (!r.ready) return;  // before its SYNCHRO has ended it does not tell
+  const bool lost = (r.sensor & kMapSeen) == 0;
+  if (lost && unmapped_ == 0) {
+    unmapped_ = x.i;
+    run_.announce()(seconds(x.i), fmt::format("map lost: the platform goes on by its wheels{}",
+                                              k_.eyes ? ", the IMU and its eyes" : " and the IMU"));
+  } else if (!lost && unmapped_ > 0) {
+    run_.announce()(seconds(x.i), fmt::format("map seen again after {:.1f} s", seconds(x.i - unmapped_)));
+    unmapped_ = 0;
+  }
+}
+
+Fault RexRun::uncertain() const {
+  Fault fault{.code = FaultCode::position_lost};
+  fault.process = fmt::format("ecp-{}", kMap);
+  if (!record_ || record_->messages().replies.empty()) return fault;
+  const platform_reply_t& reply = record_->messages().replies.back();
+  if (!is_proper(reply)) return fault;
+  fault.value = uncertainty(from_message(reply).estimate);
+  fault.limit = k_.lost;
+  fault.text = "m, standard deviation of the position, task.position_lost";
+  return fault;
+}
+
 void RexRun::report_position(const X& x) {
   const bool lost = (x.T.agent[kLocomotionAgent].sensor & kPositionLost) != 0;
-  if (lost && !lost_) {
-    Fault fault{.code = FaultCode::position_lost};
-    fault.process = fmt::format("ecp-{}", kMap);
-    run_.report_recoverable_fault(fault, "the platform stands, and goes on when it is seen again");
+  if (lost && lost_in_ == 0) {
+    lost_in_ = x.i;
+    const std::string until =
+        x.c.k.timeout > 0 ? fmt::format(", for {:g} s at most", seconds(x.c.k.timeout)) : std::string();
+    run_.report_recoverable_fault(uncertain(),
+                                  "the platform stands" + until + ", and goes on when it is seen again");
+  } else if (!lost && lost_in_ > 0) {
+    run_.announce()(seconds(x.i), fmt::format("position known again after {:.1f} s: the platform goes on",
+                                              seconds(x.i - lost_in_)));
+    lost_in_ = 0;
   }
-  lost_ = lost;
 }
 
 void RexRun::watch_odometry(const X& x) {
@@ -119,10 +152,12 @@ double RexRun::progress(const X& x) const {
 std::string RexRun::progress_text(const X& x) const {
   const Report& r = x.T.agent[kLocomotionAgent];
   if ((r.sensor & kPositionLost) != 0)
-    return fmt::format("position lost for {:.1f} s", seconds(x.c.lost_in > 0 ? x.i - x.c.lost_in : 0));
+    return fmt::format("waits for its position, lost for {:.1f} s",
+                       seconds(lost_in_ > 0 ? x.i - lost_in_ : 0));
   const int point = point_of(r);
   std::string text = announced_;
   if (point > 0) text += fmt::format(", point {} of {}", point, x.c.plan.n);
+  if (unmapped_ > 0) text += fmt::format(", map lost for {:.1f} s", seconds(x.i - unmapped_));
   if (blind_) text += fmt::format(", odometry sees nothing for {:.1f} s", seconds(x.i - saw_in_));
   return text;
 }

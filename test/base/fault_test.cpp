@@ -127,6 +127,16 @@ TEST(FaultTableDeathTest, ANumberOrANameThatIsTakenEndsTheProgramAtItsStart) {
   EXPECT_DEATH(registers(FaultCode{512}, "another"), "too large");
 }
 
+TEST(Fault, ARemedyBehindAQuestionIsASentenceOfItsOwn) {
+  EXPECT_EQ(with_remedy("it broke", "mend it"), "it broke; mend it");
+  EXPECT_EQ(with_remedy("no 'a'; did you mean 'b'?", "look at `x --help`"),
+            "no 'a'; did you mean 'b'? Look at `x --help`");
+  EXPECT_EQ(with_remedy("no 'a'; did you mean 'b'?", "`x` lists them"),
+            "no 'a'; did you mean 'b'? `x` lists them");
+  EXPECT_EQ(FaultError(FaultCode::bad_usage, "did you mean 'b'?", "give it").error_line(),
+            "error: bad_usage: did you mean 'b'? Give it");
+}
+
 TEST(FaultTable, IsWhatTheDocumentSays) {
   if (std::getenv("MRROC_UPDATE_DOCS") != nullptr) std::ofstream(kDocument) << fault_document();
   std::stringstream text;

@@ -135,7 +135,9 @@ TEST_P(RexDriveWithACameraThat, DrivesOnAndTellsWhy) {
   else
     EXPECT_GT(seen, 5);
   EXPECT_LT(seen, 70);
-  EXPECT_NE(ended.all().find("NOT OK"), std::string::npos) << ended.all();
+  EXPECT_EQ(ended.all().find("NOT OK"), std::string::npos) << "what was ordered and survived\n"
+                                                           << ended.all();
+  EXPECT_NE(ended.all().find("odometry: it supported the estimate in"), std::string::npos) << ended.all();
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -209,6 +211,33 @@ TEST(RexDrive, DrivesOnWithoutTheMapForAWhile) {
   const nlohmann::json told = summary(folder / "run");
   EXPECT_EQ(told.at("outcome"), "done");
   EXPECT_LE(figure(told, "track_max_mm"), 100);
+  for (const char* line :
+       {"map lost: the platform goes on by its wheels and the IMU", "map seen again after 1.0 s"})
+    EXPECT_NE(ended.all().find(line), std::string::npos) << line << "\n" << ended.all();
+}
+
+// Both limits are told with their figures: of the standard deviation where the platform stops, of the time where the task ends.
+TEST(RexDrive, SaysWhichLimitAPositionThatIsLostHasPassed) {
+  const Folder folder;
+  const Ended ended = run(folder, "rex_drive",
+                          words({drive_along(folder),
+                                 {"--processes", "one", "--set", "motion_capture.lost=[2, 100]", "--set",
+                                  "task.position_lost=0.02", "--set", "task.position_timeout=1"}}));
+  ASSERT_EQ(ended.status, 1) << ended.all();
+  for (const char* line : {"limit 0.02, m, standard deviation of the position", "for 1 s at most",
+                           "value 1, limit 1, s of waiting for the position, task.position_timeout"})
+    EXPECT_NE(ended.all().find(line), std::string::npos) << line << "\n" << ended.all();
+  EXPECT_EQ(ended.all().find("too long"), std::string::npos) << ended.all();
+}
+
+TEST(RexDrive, SaysThatItGoesOnWhenItsPositionIsBack) {
+  const Folder folder;
+  const Ended ended = run(folder, "rex_drive",
+                          words({drive_along(folder),
+                                 {"--processes", "one", "--set", "motion_capture.lost=[2, 4]", "--set",
+                                  "task.position_lost=0.02"}}));
+  ASSERT_EQ(ended.status, 0) << ended.all();
+  EXPECT_NE(ended.all().find("position known again after"), std::string::npos) << ended.all();
 }
 
 TEST(RexDrive, DoesNotBelieveAMapWithOutliers) {

@@ -41,6 +41,31 @@ TEST(Explain, SaysEverythingThatTheTableKnowsOfEveryError) {
   }
 }
 
+TEST(Explain, SaysWhatFollowsFromThatVeryError) {
+  const auto follows = [](FaultCode code) { return std::string(consequence(fault_entry(code))); };
+  for (const FaultEntry& e : all_faults()) {
+    if (e.code == FaultCode::none) continue;
+    EXPECT_NE(in_one_line(explanation(e.code)).find(consequence(e)), std::string::npos) << e.name;
+    EXPECT_EQ(exit_status(e.code) == 2, consequence(e) == "nothing is started") << e.name;
+    EXPECT_EQ(nlohmann::json::parse(run({std::string(e.name), "--json"}).out)["follows"], consequence(e));
+  }
+  // None of these is a command that is refused while the task goes on.
+  for (const FaultCode code : {FaultCode::time_limit, FaultCode::script_ended, FaultCode::operator_stop,
+                               FaultCode::interrupted, FaultCode::path_not_found, FaultCode::no_contact})
+    EXPECT_EQ(follows(code), "the effectors come to rest, and the task ends");
+  EXPECT_EQ(follows(FaultCode::bad_plan), "nothing is started");
+  EXPECT_NE(follows(FaultCode::position_lost).find("goes on when its position is back"), std::string::npos);
+  EXPECT_NE(follows(FaultCode::over_current).find("reset"), std::string::npos);
+  EXPECT_EQ(follows(FaultCode::process_died), "the task ends and the drives brake");
+}
+
+// A task that has ended takes no reset: what can be typed is told where it can be.
+TEST(Explain, NoAdviceAsksForAResetThatATaskWhichHasEndedCannotTake) {
+  for (const FaultEntry& e : all_faults())
+    if (e.code != FaultCode::reset_required)
+      EXPECT_EQ(e.remedy.find("reset"), std::string_view::npos) << e.name << ": " << e.remedy;
+}
+
 /// @return the words that come behind that one, anywhere in the text
 std::vector<std::string> words_behind(std::string_view text, std::string_view word) {
   std::vector<std::string> found;
