@@ -11,8 +11,10 @@ namespace mrroc::rex {
 /// measurement among others, it would be explained by a motion, as a least-squares fit does that finds 20 cm within its 0.4 s.
 /// While positions come, it is the other way round: what they contradict is how the platform was believed to move.
 /// @param k  stage with a map pose  @param z  what is believed of it
-/// @return the motion of the plane that takes the believed pose to that of the map, when no other stage has a map pose and it
-///         is further away than the estimate wanders while there is one: 15 mm or 15 mrad. Real-time safe
+/// @return the motion of the plane that takes the believed pose to that of the map, when it is further away than an estimate
+///         wanders: 15 mm or 15 mrad, when no other stage has a map pose; 40 mm or 60 mrad, when none within 0.16 s before has
+///         one, and none after it: so it is where the map itself jumps, as the map agent believes a position that contradicts the
+///         estimate only after others that agree with it. Nothing while positions come. Real-time safe
 [[nodiscard]] std::optional<PlanarPose> displacement_at(const StageWindow& window, int k,
                                                         const StageVector& z) noexcept;
 

@@ -21,7 +21,7 @@ struct DriveResults {
   FragmentTable fragments;          ///< a row per fragment
   std::vector<Plan> plans;          ///< as they were sent
   std::int64_t acked_in{};          ///< macrostep in which a_1 gave the last plan's ack; 0: it did not
-  std::vector<double> map_returns;  ///< when a map that had been lost was back [s]
+  std::vector<double> map_returns;  ///< when a map that had been lost was back, or had jumped [s]
   std::int32_t rejected{};          ///< readings of the motion capture that the map agent did not believe
   std::vector<std::int32_t> iterations;  ///< of the planner's search, one per fragment
   Room room;                             ///< in which it drove

@@ -193,6 +193,22 @@ TEST(RexDrive, IsNotKickedByAMapThatComesBack) {
   EXPECT_LE(figure(told, "return_kick_mps"), 0.1);
 }
 
+// The map jumps while it is seen: along the way, across it, and turned.
+TEST(RexDrive, IsNotKickedByAMapThatJumps) {
+  const Folder folder;
+  for (const char* offset : {"[0.2, 0, 0]", "[0, 0.2, 0]", "[-0.1, 0.1, 0]", "[0.05, -0.05, 0.1]"}) {
+    const std::string name = std::string("run") + offset;
+    const Ended ended = run(folder, "rex_drive",
+                            words({drive_along(folder, name),
+                                   {"--processes", "one", "--set", "motion_capture.displaced=[2.5, 100]",
+                                    "--set", std::string("motion_capture.offset=") + offset}}));
+    ASSERT_EQ(ended.status, 0) << ended.all();
+    const nlohmann::json told = summary(folder / name);
+    EXPECT_GT(figure(told, "map_rejected"), 1) << offset;
+    EXPECT_LE(figure(told, "return_kick_mps"), 0.1) << offset;
+  }
+}
+
 TEST(RexDrive, ErrorsOfCamerasNameTheEyes) {
   const Folder folder(false);
   const Ended ended = run(folder, "rex_drive", {"--eyes", "off", "--set", "cameras.light.exposure=0.01"});
