@@ -28,7 +28,8 @@ struct DriveResults {
   DriveGround ground;                    ///< on which it drove
 };
 
-/// @return figures; those that a run cannot have are missing. "While it drives" is while a fragment is under way, and true
+/// @return figures; those that a run cannot have are missing, errors of a friction that the estimator itself is unsure of are
+///         not a number. "While it drives" is while a fragment is under way, and true
 ///         is what the simulation tells.
 ///   track_rms_mm, track_max_mm        true place against the reference, while it drives
 ///   pivot_rms_mm                      the same during turns on the spot

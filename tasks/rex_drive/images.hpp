@@ -16,6 +16,7 @@ struct Parameters {
   PlannerParameters planner;  ///< of the trajectory planner
   double grip{0.4};           ///< share of the estimated friction that a curve may need
   double lost{0.2};           ///< standard deviation of the position above which the platform waits [m]
+  std::int64_t stale{500};    ///< age of a reading of the odometry above which there is none any more [steps]
 };
 
 /// c_c1

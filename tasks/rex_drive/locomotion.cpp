@@ -29,10 +29,6 @@ List list_add_last_del_first(const List& list, const Trajectory& data) {
 
 // --- parts of the functions ----------------------------------------------------------------------------------
 
-/// Standard deviation of the position, in the direction in which it is largest, from above [m].
-double uncertainty(const PlatformEstimate& estimate) {
-  return std::sqrt(std::max(0.0, estimate.covariance[0] + estimate.covariance[4]));
-}
 /// Whether the platform does not know where it is. It does again when it is clearly better, so that it does not stop and go
 /// in turns.
 bool position_lost(const X& x) {
@@ -113,10 +109,7 @@ int point_under_way(const X& x) {
 bool stands(const X& x) { return x.e.notified == x.c.handed && x.e.remaining == 0 && x.e.at_rest; }
 
 /// Whether the odometry measures; its last reading stays when it falls silent.
-bool sees_motion(const X& x) {
-  constexpr std::int64_t kOld = 500;  // [steps]: longer than a reading and the next one can take
-  return x.V.valid && x.e.step - x.V.step <= kOld && !pictures_stand(x);
-}
+bool sees_motion(const X& x) { return x.V.valid && x.e.step - x.V.step <= x.c.k.stale && !pictures_stand(x); }
 
 /// What the platform is and does, and where.
 Said tell_all(const X& x, int m) {
@@ -170,6 +163,10 @@ const std::array<Motion<Locomotion>, 3> kBehaviours{{
 const Motion<Locomotion> kWaitForStart{ 0, "wait for start", retain, go_on, route,       no_sensor, tell<0>, started, "start given" };
 const Motion<Locomotion> kGiveUp      { 4, "give up",        retain, go_on, route,       no_sensor, give_up, never };
 // clang-format on
+
+double uncertainty(const PlatformEstimate& estimate) {
+  return std::sqrt(std::max(0.0, estimate.covariance[0] + estimate.covariance[4]));
+}
 
 bool is_new(const X& x) { return x.T.desired.number > x.c.taken; }
 

@@ -46,7 +46,8 @@ Listener::Listener(Record& record, Scene scene, std::string session, std::int64_
       scene_(std::move(scene)),
       session_(std::move(session)),
       session_id_(session_id) {
-  for (const ArmScene& a : scene_.arms) arms_[a.name].scene = a;
+  for (const ArmScene& a : scene_.arms) arms_[a.name] = {.scene = a, .known = true};
+  for (const PlatformScene& p : scene_.platforms) arms_[p.name].known = true;
 }
 
 void Listener::receive(std::string_view channel, std::span<const std::uint8_t> bytes) noexcept {
@@ -109,9 +110,13 @@ void Listener::take(std::string_view name, std::span<const std::uint8_t> bytes) 
     decoded<effector_reply_t>(bytes, [&](const auto& m) { take_reply(*effector, m); });
     decoded<platform_reply_t>(bytes, [&](const auto& m) { take_reply(*effector, m); });
   } else if (const auto of = before(name, ".report")) {
-    decoded<agent_report_t>(bytes, [&](const auto& m) { arms_[*of].m = m.m; });
+    decoded<agent_report_t>(bytes, [&](const auto& m) { take_report(*of, m.m); });
+  } else if (!scene_.platforms.empty() && name == scene_.platforms.front().name + ".order") {
+    decoded<agent_order_t>(bytes, [&](const auto& m) { take_order(m); });
   } else if (const auto process = before(name, ".console")) {
     decoded<console_t>(bytes, [&](const auto& m) { log(*process, m.code, get_text(m.text)); });
+  } else if (const auto agent = before(name, ".status"); agent && agent->starts_with("ecp-")) {
+    decoded<process_status_t>(bytes, [&](const auto& m) { take_status(agent->substr(4), m); });
   } else if (const auto camera = before(name, ".frame")) {
     decoded<camera_frame_t>(bytes, [&](const auto& m) { take_frame(*camera, m); });
   } else if (name == "task_status") {
@@ -127,6 +132,7 @@ void Listener::take(std::string_view name, std::span<const std::uint8_t> bytes) 
 
 void Listener::take_reply(const std::string& name, const effector_reply_t& m) {
   Arm& arm = arms_[name];
+  arm.known = true;
   t_ = static_cast<double>(m.step) * kStep;
   take_refusal(name, arm, m.fault);
   if (m.position_known == 0) return;
@@ -148,6 +154,7 @@ void Listener::take_reply(const std::string& name, const effector_reply_t& m) {
 
 void Listener::take_reply(const std::string& name, const platform_reply_t& m) {
   Arm& agent = arms_[name];
+  agent.known = true;
   t_ = static_cast<double>(m.step) * kStep;
   take_refusal(name, agent, m.fault);
   platforms_.take(name, m, agent.m);
@@ -157,6 +164,21 @@ void Listener::take_refusal(const std::string& name, Arm& arm, const fault_t& fa
   if (fault.code == arm.fault) return;
   arm.fault = fault.code;
   if (fault.code != 0) log("edp-" + name, fault.code, what_happened(from_message(fault)));
+}
+
+void Listener::take_report(const std::string& name, int m) {
+  Arm& agent = arms_[name];
+  agent.m = m;
+  // Before the first reply it is not known what time it is.
+  if (!agent.known && t_ > 0) record_.add("agent:" + name, std::array{drawn(t_), static_cast<float>(m)});
+}
+
+void Listener::take_order(const agent_order_t& m) {
+  if (t_ > 0) record_.add("agent:mp", std::array{drawn(t_), static_cast<float>(m.m)});
+}
+
+void Listener::take_status(const std::string& agent, const process_status_t& m) {
+  name_behaviour(agent, m.m, get_text(m.behaviour));
 }
 
 void Listener::take_status(const task_status_t& m) {

@@ -63,6 +63,10 @@ inline constexpr std::size_t kPlanColumns = 4;
 /// map [m], [rad].
 inline constexpr std::size_t kBoxColumns = 4;
 
+/// The row of "agent:NAME", one per macrostep of an agent without an effector, or of the coordinator, "agent:mp": t [s]; m:
+/// its behaviour.
+inline constexpr std::size_t kAgentColumns = 2;
+
 /// The row of "fragment:NAME", one per fragment when it is handed over: t [s]; number; steps and notify [iterations]; x y phi
 /// of its 33 knots [m], [rad].
 inline constexpr std::size_t kFragmentColumns = 103;

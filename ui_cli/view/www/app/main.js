@@ -1,7 +1,7 @@
 // Puts the page together: news in, one picture per frame out, and only when something has changed.
 import {Cell} from './cell.js';
 import {Charts} from './charts.js';
-import {History} from './history.js';
+import {History, kMacrostep} from './history.js';
 import {Messages, Segments, show_empty, show_header, show_legend, show_readout} from './panels.js';
 import {Pictures} from './pictures.js';
 import {kSpeeds, Player} from './player.js';
@@ -110,7 +110,7 @@ spans.offer([[5, '5 s'], [20, '20 s'], [60, '60 s'], [0, 'all']], 20);
 addEventListener('keydown', (event) => {
   const keys = {
     ' ': () => player.toggle(), l: () => player.follow(),
-    ArrowLeft: () => player.seek(player.t - (event.shiftKey ? 1 : 0.02)), ArrowRight: () => player.seek(player.t + (event.shiftKey ? 1 : 0.02)),
+    ArrowLeft: () => player.seek(player.t - (event.shiftKey ? 1 : kMacrostep)), ArrowRight: () => player.seek(player.t + (event.shiftKey ? 1 : kMacrostep)),
     Home: () => player.seek(0), End: () => player.seek(history.end_time),
   };
   if (event.target.tagName === 'SELECT' || event.ctrlKey || event.metaKey || event.altKey) return;
