@@ -7,6 +7,7 @@
 #include "base/platform_transmission.hpp"
 #include "tasks/rex_drive/plan/proc.hpp"
 #include "tasks/rex_drive/planner/trajgen.hpp"
+#include "tasks/rex_drive/still_pictures.hpp"
 #include "tasks/rex_drive/wheel_watch.hpp"
 
 namespace mrroc::rex_drive {
@@ -33,7 +34,8 @@ struct Memory {
   std::vector<std::int32_t> points;  ///< of this plan, to which its fragments lead, in their order
   double pace{1};                    ///< to which the fragments' time is to go: 0 stands
   bool lost{};                       ///< the platform waits for its position
-  WheelWatch wheels;  ///< how the wheels have turned, against which a motion that is seen is held
+  WheelWatch wheels;    ///< how the wheels have turned, against which a motion that is seen is held
+  StillPictures still;  ///< since the pictures show none
 };
 
 /// Order::variant of the coordinator while the operator has a pause.

@@ -36,12 +36,17 @@ bool position_lost(const X& x) {
   return uncertainty(x.e.estimate) > (x.c.lost ? kFound : 1) * x.c.k.lost;
 }
 
+/// A camera hangs, or the platform is held back: e_x and r_x meet in c_1 alone, so that it is found here.
+StillPictures still_pictures(const X& x) { return seen(x.c.still, x.V, x.c.wheels); }
+bool pictures_stand(const X& x) { return still_pictures(x).against_wheels; }
+
 /// Memory that goes on: the pace follows the operator's pause, and the platform waits while it does not know where it is. The
 /// driver goes to it evenly; told its end at once, the tracker sees the standstill come.
 Memory go_on(const X& x) {
   Memory c = x.c;
   c.lost = position_lost(x);
   c.wheels = watched(std::move(c.wheels), x.e.estimate);
+  c.still = still_pictures(x);
   c.pace = x.T.variant == kPaused || c.lost ? 0 : 1;
   return c;
 }
@@ -83,9 +88,6 @@ Trajgen start_next(Memory& c) {
   c.plan.erase(c.plan.begin());
   return started;
 }
-
-/// A camera hangs: e_x and r_x meet in c_1 alone, so that it is found here.
-bool pictures_stand(const X& x) { return stands_against_wheels(x.V, x.c.wheels); }
 
 // --- f_ce ----------------------------------------------------------------------------------------------------
 

@@ -131,7 +131,7 @@ void RexRun::watch_odometry(const X& x) {
 
 const char* RexRun::why_no_odometry(const Report& r) const {
   if ((r.sensor & kPicturesStand) != 0)
-    return "the wheels turn, and its pictures stand still: a camera hangs";
+    return "the wheels turn, and its pictures stand still: a camera hangs, or the platform is held back";
   const odometry_reading_t* const newest = record_ ? record_->newest_odometry() : nullptr;
   return newest && is_proper(*newest) ? to_words(support_of(*newest).finding) : "its readings do not come";
 }
