@@ -71,6 +71,13 @@ void of_place(const DriveResults& r, mp::Figures& figures) {
   if (const auto pivot = rms(r.table, turns, tracking_error)) figures["pivot_rms_mm"] = kMm * *pivot;
 }
 
+/// From the end of the way to where the platform is when everything has ended [m].
+std::optional<double> end_error(const DriveResults& r) {
+  if (r.acked_in == 0 || r.table.empty() || r.fragments.empty()) return {};
+  const PlanarPose &end = r.fragments.back().fragment.knot.back().p, &is = r.table.back().truth.p;
+  return std::hypot(is.x - end.x, is.y - end.y);
+}
+
 /// By how much the speed departs from the planned one within 0.2 s after a position that comes back has got to the driver [m/s].
 std::optional<double> kick_of_return(const DriveResults& r) {
   constexpr double kLasts = 0.2, kHalf = kPlatformPeriod / 2;
@@ -282,6 +289,7 @@ std::string wanted_only(DriveCase drive) {
 mp::Figures figures_of(const DriveResults& results) {
   mp::Figures figures;
   of_place(results, figures);
+  if (const auto error = end_error(results)) figures["end_error_mm"] = kMm * *error;
   set(figures, "return_kick_mps", kick_of_return(results));
   of_friction(results.table, figures);
   set(figures, "friction_found_s", friction_found(results.table));

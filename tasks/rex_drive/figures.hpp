@@ -35,6 +35,7 @@ struct DriveResults {
 ///   pivot_rms_mm                      the same during turns on the spot
 ///   estimate_rms_mm, estimate_max_mm  true place against the estimate, while it drives
 ///   ellipse_95_pct                    how often the true place is within the estimate's 95 % ellipse
+///   end_error_mm                      true place at last against the end of the last plan, when it was acknowledged
 ///   return_kick_mps                   change of the speed less that of the reference, within 0.2 s after a map that was lost
 ///                                     is back and can act, which takes two macrosteps, while it drives
 ///   friction_err                      mean of the second half against the mean of what is true
@@ -68,6 +69,8 @@ inline constexpr std::array kFigures{
     mp::FigureInfo{.key = "estimate_max_mm", .words = "  at most", .unit = "mm"},
     mp::FigureInfo{
         .key = "ellipse_95_pct", .words = "  within its 95 % ellipse", .unit = "% of the time", .low = 80},
+    mp::FigureInfo{
+        .key = "end_error_mm", .words = "distance from the end of the plan", .unit = "mm", .high = 50},
     mp::FigureInfo{.key = "return_kick_mps", .words = "kick when the map is back", .unit = "m/s"},
     mp::FigureInfo{.key = "friction_err", .words = "error of the friction", .unit = ""},
     mp::FigureInfo{.key = "split_err", .words = "error of its split left and right", .unit = ""},
