@@ -125,6 +125,8 @@ void PlatformDriver::begin_macrostep(const PlatformReading& reading) noexcept {
       hold(true);
     }
   }
+  if (state_ == DriverState::holding && engaged() && !stopped_ && silent_ < p_.silence)
+    standstill_.regulated(reading.step + kPlatformSteps);
   if (state_ != DriverState::executing) return;
   pace_.go_to(wanted_pace_, Pace::rate(queue_.at(0).v, kPaceChange));
   commanded_until_ = reading.step + kPlatformSteps;
