@@ -11,6 +11,7 @@
 #include "base/link/run_folder.hpp"
 #include "base/msg/convert.hpp"
 #include "base/representation.hpp"
+#include "base/text_file.hpp"
 #include "ecp/generators/space.hpp"
 
 namespace mrroc::any_motion {
@@ -158,6 +159,8 @@ class Inserter {
                               .to = motion.number("to", 1e6, {from, 1e6}, "s, simulated time of the run")});
     } catch (const ConfigError&) {
       throw;
+    } catch (const FileError& e) {
+      throw wrong_value(motion, "recording", fmt::format("cannot be read: {}", e.what()));
     } catch (const FaultError& e) {
       throw wrong_value(motion, "recording", fmt::format("cannot be read: {}", e.what()));
     }
