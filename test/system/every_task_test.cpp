@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 
 #include "test/system/started_task.hpp"
 
@@ -139,6 +140,23 @@ TEST(EveryTaskOfTheTree, IsAmongTheseRuns) {
     EXPECT_TRUE(std::ranges::any_of(kRuns, [&](const ShortRun& k) {
       return k.task == entry.path().filename();
     })) << entry.path();
+  }
+}
+
+/// A generator that is added is to be executed by a task, and with it by these runs and those of the task's own tests.
+TEST(EveryGeneratorOfTheTree, IsExecutedByATask) {
+  const fs::path root = MRROC_SOURCE_DIR;
+  std::string included;
+  for (const auto& entry : fs::recursive_directory_iterator(root / "tasks")) {
+    if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
+    std::ifstream file(entry.path());
+    for (std::string line; std::getline(file, line);)
+      if (line.starts_with("#include")) included += line + "\n";
+  }
+  for (const auto& entry : fs::directory_iterator(root / "ecp" / "generators")) {
+    if (entry.path().extension() != ".hpp") continue;
+    EXPECT_NE(included.find("ecp/generators/" + entry.path().filename().string()), std::string::npos)
+        << entry.path();
   }
 }
 

@@ -40,6 +40,17 @@ TEST_P(GuideFixtures, HoldTheToolAgainstTenNewtonsAndLetItGoAlong) {
   EXPECT_LT(figure(s, "wall_depth_mm"), 8);
 }
 
+TEST(Guide, HoldsInNarrowBendsAgainstAHandThatPushesThereToo) {
+  const Folder folder;
+  const std::string zigzag =
+      "curve=[-45,0,-30,20,-15,0,0,20,15,0,30,20,45,0]";  // corners of 74 degrees, rounded over 3 mm
+  const auto s = led(folder, {"--set", "task.fixture=curve", "--set", "task." + zigzag});
+  EXPECT_GT(figure(s, "across_force_N"), 9);
+  EXPECT_LE(figure(s, "fixture_dev_mm"), 1);
+  EXPECT_LE(figure(s, "fixture_drag_N"), 2);
+  EXPECT_GE(figure(s, "least_energy_mJ"), -1);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, GuideFixtures, testing::Values("line", "plane", "circle", "svg"));
 
 TEST(Guide, IsRepeatedFromTheConfigurationOfARunWithoutTheFileOfItsCurve) {

@@ -145,8 +145,9 @@ void Listener::take_reply(const std::string& name, const effector_reply_t& m) {
   put(m.T_0E);
   put(m.F_a);
   *next++ = drawn(m.gripper);
-  const bool writes = arm.scene.gripper == "none" && !arm.scene.model.empty() &&
-                      on_paper(arm.scene, {m.T_0E[0], m.T_0E[1], m.T_0E[2]});
+  if (arm.scene.belt) belt_ = m.joints[0];
+  const bool writes = arm.scene.gripper == "none" && !arm.scene.model.empty() && !arm.scene.belt &&
+                      on_paper(arm.scene, {m.T_0E[0], m.T_0E[1], m.T_0E[2]}, belt_);
   *next = arm.new_sheet ? -1.0F : writes ? 1.0F : 0.0F;
   arm.new_sheet = false;
   record_.add(name, row);

@@ -98,6 +98,7 @@ class Listener final : public link::Sink {
   std::int64_t messages_{};
   std::int64_t lost_{};
   double t_{};
+  double belt_{};  // how far it has moved the sheets [m]
 };
 
 }  // namespace mrroc::view

@@ -32,6 +32,7 @@ ArmScene read_arm(const Config& config, const std::string& name, const std::arra
   a.place = six(robot, "place", usual);
   a.T_0P.R << 0, 1, 0, -1, 0, 0, 0, 0, 1;
   a.T_0P.p = {config.number("sim.paper.distance", 0.9), 0, config.number("sim.paper.height", 0.92)};
+  a.belt = a.model == "conveyor";
   a.gripper = robot.text("gripper", "none");
   a.fingers = robot.text("fingers", "none");
   a.tool = six(robot, "tool.pose", {0, 0, 0.25, 0, 0, 0});
@@ -61,6 +62,7 @@ Json json_of(const ArmScene& a) {
           {"model", a.model},
           {"place", numbers(a.place)},
           {"paper", {{"place", numbers(angle_axis_from_pose(a.T_0P))}, {"size", kSheet}}},
+          {"belt", a.belt},
           {"gripper", a.gripper},
           {"fingers", a.fingers},
           {"tool", numbers(a.tool)},
@@ -107,10 +109,10 @@ Scene read_scene(const Config& config) {
   return scene;
 }
 
-bool on_paper(const ArmScene& arm, const Vector3& E) {
+bool on_paper(const ArmScene& arm, const Vector3& E, double belt) {
   constexpr double kAbove = 2e-5;
   constexpr double kWithin = 5e-3;
-  const Vector3 p = arm.T_0P.inverse() * E;
+  const Vector3 p = arm.T_0P.inverse() * (E - belt * Vector3::UnitY());
   return p.z() < kAbove && p.z() > -kWithin && std::abs(p.x()) <= kSheet / 2 && std::abs(p.y()) <= kSheet / 2;
 }
 

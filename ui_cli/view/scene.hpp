@@ -19,6 +19,7 @@ struct ArmScene {
   std::string model;        ///< its description is robots/irb6/MODEL.urdf
   AngleAxisPose place;      ///< T_UB, its base in the world: x y z [m], angle-axis [rad]
   Pose T_0P;                ///< its sheet of paper in its base: x to the right, y away from the arm, z up
+  bool belt{};              ///< it is a conveyor, on whose belt the sheets of the arms lie
   std::string gripper;      ///< "none" or "two_jaw"
   std::string fingers;      ///< "none", "one_layer" or "two_layers" of a cube
   AngleAxisPose tool;       ///< T_WE: x y z [m], angle-axis [rad]
@@ -67,10 +68,11 @@ inline constexpr double kSheet = 0.3;
 /// @param config  of a run, complete  @throws FaultError bad_configuration
 [[nodiscard]] Scene read_scene(const Config& config);
 
-/// @param E  position of the end effector in the arm's base [m]
+/// @param E     position of the end effector in the arm's base [m]
+/// @param belt  how far the belt on which the sheet lies has moved it along y [m]
 /// @return whether a pen there leaves ink: on or in the sheet. Measured positions are 0.05 mm above it at least when
 ///         the pen is lifted and not above it at all when it writes; the sheet gives way by less than 5 mm
-[[nodiscard]] bool on_paper(const ArmScene& arm, const Vector3& E);
+[[nodiscard]] bool on_paper(const ArmScene& arm, const Vector3& E, double belt = 0);
 
 /// The scene as a page receives it.
 struct SceneFrame {

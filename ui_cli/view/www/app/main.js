@@ -40,7 +40,7 @@ async function begin(scene) {
   if (history.scene !== scene) return;
   cell.build(scene, descriptions);
   show_legend(scene);
-  by_id('sheets').replaceChildren(...[...cell.arms.values()].filter((e) => e.arm.gripper === 'none').map(sheet_figure));
+  by_id('sheets').replaceChildren(...[...cell.arms.values()].filter((e) => e.arm.gripper === 'none' && !e.arm.belt).map(sheet_figure));
   changed = true;
 }
 
@@ -62,7 +62,7 @@ function offer_arms() {
   if (!names.includes(arm)) arm = names[0] || '';
   arms.offer(names.map((name, k) => [name, name, `charts of ${name} (${k + 1})`]), arm);
   const {scene} = history;
-  const places = [...scene.arms.map((a) => [a.name, a.name, `the sheet of ${a.name}`]), ...scene.platforms.map((p) => [p.name, p.name, `the platform ${p.name}`])];
+  const places = [...scene.arms.filter((a) => !a.belt).map((a) => [a.name, a.name, `the sheet of ${a.name}`]), ...scene.platforms.map((p) => [p.name, p.name, `the platform ${p.name}`])];
   views.offer(places.length ? [scene.arms.length ? ['cell', 'cell', 'the whole cell'] : ['cell', 'room', 'the whole room'], ...places, ...(scene.cube.held_by ? [['cube', 'cube', 'the cube']] : []), ['top', 'top', 'from above']] : [], 'cell');
 }
 
