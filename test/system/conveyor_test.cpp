@@ -75,7 +75,8 @@ TEST_F(OnAConveyor, BothArmsDrawOnSheetsThatRunBelowThem) {
 }
 
 TEST_F(OnAConveyor, InkIsAtItsPlaceOnTheSheetAtEverySpeed) {
-  for (const auto& [speed, seed] : {std::pair{"0.01", "2"}, {"0.03", "5"}, {"0.07", "11"}, {"0.1", "3"}}) {
+  for (const auto& [speed, seed] :
+       {std::pair("0.01", "2"), std::pair("0.03", "5"), std::pair("0.07", "11"), std::pair("0.1", "3")}) {
     const std::string name = std::string("at") + speed;
     const Ended belt = draw(name, {"--belt-speed", speed, "--seed", seed}, crossing_);
     ASSERT_EQ(belt.status, 0) << belt.all();

@@ -42,9 +42,10 @@ TEST_P(GuideFixtures, HoldTheToolAgainstTenNewtonsAndLetItGoAlong) {
 
 TEST(Guide, HoldsInNarrowBendsAgainstAHandThatPushesThereToo) {
   const Folder folder;
-  const std::string zigzag =
-      "curve=[-45,0,-30,20,-15,0,0,20,15,0,30,20,45,0]";  // corners of 74 degrees, rounded over 3 mm
-  const auto s = led(folder, {"--set", "task.fixture=curve", "--set", "task." + zigzag});
+  const auto s = led(folder, {"--set", "task.fixture=curve", "--set",
+                              "task.curve=[-45,0,-20,30,0,0,20,-30,45,0,20,30,0,0,-20,-30,-45,0]", "--set",
+                              "sim.hand.stiffness=800", "--set", "sim.hand.damping=20", "--set",
+                              "sim.hand.mass=0", "--set", "sim.hand.tremor=0.001"});
   EXPECT_GT(figure(s, "across_force_N"), 9);
   EXPECT_LE(figure(s, "fixture_dev_mm"), 1);
   EXPECT_LE(figure(s, "fixture_drag_N"), 2);
