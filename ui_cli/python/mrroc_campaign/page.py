@@ -1,0 +1,5 @@
+"""The campaign as a page of HTML."""
+
+
+def of(results) -> str:
+    return "<html></html>"
