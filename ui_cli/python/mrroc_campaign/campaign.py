@@ -1,7 +1,7 @@
 """A campaign: a plan is made or taken up again, its runs are carried out and counted, and it ends when it may."""
 
 import shutil
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from pathlib import Path
 
 from distributed import Client
@@ -22,7 +22,7 @@ def begin(plan: Plan, folder: Path) -> Results:
     plans.check_extremes(plan, planned, varied)
     if folder.exists() and any(folder.iterdir()):
         raise bad_usage(f"{folder} is not empty; choose another --dir, or go on with --resume {folder}")
-    return Results.create(folder, plan, planned)
+    return Results.create(folder, plan, planned, [v.key for v in varied])
 
 
 def take_up(folder: Path) -> Results:
@@ -38,10 +38,12 @@ def runner_on(on: str, workers: int, scratch: Path, told):
     """Yields a Runner on this machine (on: local), or on a scheduler tcp://HOST:PORT."""
     if on == "local":
         with hosts.local_cluster(workers, scratch) as (cluster, _):
-            yield Runner(lambda: Client(cluster, set_as_default=False), told)
+            with closing(Runner(lambda: Client(cluster, set_as_default=False), told)) as runner:
+                yield runner
     else:
         hosts.configure()
-        yield Runner(lambda: Client(on, timeout=10, set_as_default=False), told)
+        with closing(Runner(lambda: Client(on, timeout=10, set_as_default=False), told)) as runner:
+            yield runner
 
 
 def carry_out(results: Results, on: str, workers: int) -> list[int]:

@@ -1,18 +1,17 @@
 """The words of the command line."""
 
 import argparse
-import os
 import shlex
 import signal
 import sys
 from datetime import datetime
 from pathlib import Path
 
-from . import program
+from . import program, repeat
 from .errors import CampaignError, bad_usage
 from .plan import METHODS, Plan
 
-CALLED = f"{os.environ.get('MRROC_CALLED', './run')} campaign"
+CALLED = f"{repeat.called()} campaign"
 
 _HELP = """Runs a task many times, with seeds and values of a plan, and tells how often it succeeds and what failures depend on.
 
@@ -187,8 +186,20 @@ def _tune(words: list[str]) -> int:
         raise bad_usage("--trials must be above 0")
     from . import tune
 
+    if chosen.resume and not chosen.dir:
+        raise bad_usage("--resume goes on in the folder that --dir names")
     plan = _plan_of(chosen, options, chosen.seeds, [])
-    return tune.tune(plan, chosen, _folder_of(chosen, "tune"), _workers_of(chosen))
+    search = tune.search_of(plan, chosen.goal, chosen.over, chosen.trials)
+    results = tune.begin(plan, search, _folder_of(chosen, "tune"), chosen.resume)
+    try:
+        trials = tune.tune(results, search, chosen.on, _workers_of(chosen))
+    except (CampaignError, KeyboardInterrupt):
+        print(f"what was tried is kept; to go on: the same line with --dir {results.folder} --resume", file=sys.stderr)
+        raise
+    for text in tune.lines(results, search, trials):
+        print(text)
+    print(f"search: {results.folder}")
+    return 0
 
 
 def _scheduler(words: list[str]) -> int:

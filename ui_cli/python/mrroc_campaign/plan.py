@@ -61,6 +61,8 @@ def seeds_of(text: str) -> list[int]:
 def variations(plan: Plan) -> list[Variation]:
     """How values vary, judged by the task itself."""
     known = program.parameters(plan.task, plan.options)
+    for text in plan.vary:
+        refuse_unknown(plan, text, known)
     parsed = [vary.parse(text, known) for text in plan.vary]
     keys = [v.key for v in parsed]
     for key in keys:
@@ -68,6 +70,13 @@ def variations(plan: Plan) -> list[Variation]:
         if keys.count(key) > 1:
             raise bad_usage(f"--vary names '{key}' twice")
     return parsed
+
+
+def refuse_unknown(plan: Plan, text: str, known: dict[str, program.Parameter]) -> None:
+    """Lets the task refuse a key that it does not know: it tells which one comes near."""
+    key, _, values = text.partition("=")
+    if values and key not in known:
+        program.check(plan.task, plan.options, {key: "0"})
 
 
 def rows(plan: Plan, varied: list[Variation]) -> list[Row]:

@@ -13,6 +13,7 @@ import os
 import shutil
 import sqlite3
 import tarfile
+from collections.abc import Iterable
 from contextlib import contextmanager
 from io import BytesIO
 from pathlib import Path
@@ -48,14 +49,13 @@ class Results:
         self._columns = {c["name"] for c in self._db.execute("PRAGMA table_info(runs)")}
 
     @classmethod
-    def create(cls, folder: Path, plan: Plan, planned: list[Row]) -> "Results":
-        """A new file. It appears when it is whole."""
+    def create(cls, folder: Path, plan: Plan, planned: list[Row], keys: list[str]) -> "Results":
+        """A new file. It appears when it is whole. keys: of the varied values."""
         new = folder / (FILE + ".new")
         with writing(folder):
             folder.mkdir(parents=True, exist_ok=True)
             new.unlink(missing_ok=True)
             db = sqlite3.connect(new, isolation_level=None)
-            keys = list(planned[0].settings) if planned else []
             columns = [f"{_quoted(n)} {t}" for n, t in _COLUMNS.items()] + [f"{_quoted(k)} NUMERIC" for k in keys]
             db.execute("BEGIN")
             db.execute("CREATE TABLE campaign (key TEXT PRIMARY KEY, value TEXT)")
@@ -103,6 +103,11 @@ class Results:
     def counted(self) -> list[dict]:
         """The table `runs`."""
         return [dict(r) for r in self._db.execute("SELECT * FROM runs ORDER BY run")]
+
+    def counted_among(self, runs: Iterable[int]) -> list[dict]:
+        """Rows of the table `runs` with these numbers."""
+        rows = (self._db.execute("SELECT * FROM runs WHERE run = ?", [run]).fetchone() for run in runs)
+        return [dict(r) for r in rows if r]
 
     def successes(self) -> dict[int, bool]:
         """Whether a run succeeded, by its number."""

@@ -5,6 +5,7 @@ import time
 import uuid
 from collections import Counter, deque
 from collections.abc import Callable, Iterable
+from contextlib import suppress
 
 from distributed import Client
 from distributed.scheduler import KilledWorker
@@ -54,7 +55,14 @@ class Runner:
                 else:  # cancelled or lost with the scheduler
                     waiting.append(job)
         finally:
-            self._leave()
+            self._running.clear()  # nobody waits for these any more, so the scheduler forgets them
+
+    def close(self) -> None:
+        """Leaves the scheduler."""
+        if self._client is not None:
+            with suppress(Exception):  # a client of a scheduler that is gone raises all kinds
+                self._client.close(timeout=2)
+            self._client = None
 
     def _hand_out(self, waiting: deque, more) -> None:
         """Every worker has a job and the next one beside it."""
@@ -94,7 +102,7 @@ class Runner:
     def _come_back(self, waiting: deque) -> None:
         """Connects, for the first time or again. What was running is handed out anew: only results that were taken count."""
         again = self._client is not None
-        self._leave()
+        self.close()
         waiting.extendleft(job for job, _ in reversed(self._running.values()))
         self._running.clear()
         deadline = time.monotonic() + (_PATIENCE_S if again else 0)
@@ -108,11 +116,3 @@ class Runner:
                 if time.monotonic() > deadline:
                     raise CampaignError(3, "no_scheduler", f"the scheduler is not reached: {failed}") from None
             time.sleep(1.0)
-
-    def _leave(self) -> None:
-        if self._client is not None:
-            try:
-                self._client.close(timeout=2)
-            except Exception:  # noqa: BLE001  a client of a scheduler that is gone raises all kinds
-                pass
-            self._client = None
