@@ -1,18 +1,39 @@
 """A campaign: a plan is made or taken up again, its runs are carried out and counted, and it ends when it may."""
 
 import shutil
+from collections.abc import Callable
 from contextlib import closing, contextmanager
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from distributed import Client
 
-from . import hosts, plan as plans, program
+from . import hosts, keys, plan as plans, program
 from .errors import bad_usage
 from .intervals import Sequence
-from .plan import Plan, Row
+from .plan import Plan
 from .progress import Progress
 from .results import Results, writing
 from .runner import Runner, job_of
+
+
+@dataclass(frozen=True)
+class Where:
+    """Where runs are carried out: on this machine (on: local) by some workers, or by those of a scheduler, tcp://HOST:PORT or, with
+    its key, tls://HOST:PORT."""
+
+    on: str
+    workers: int
+    key: Path | None = None
+
+    @property
+    def local(self) -> bool:
+        """Whether workers see our files."""
+        return self.on == "local"
+
+    def scratch(self, folder: Path) -> str:
+        """The folder for runs, as job_of() takes it."""
+        return str(folder.resolve()) if self.local else ""
 
 
 def begin(plan: Plan, folder: Path) -> Results:
@@ -34,19 +55,20 @@ def take_up(folder: Path) -> Results:
 
 
 @contextmanager
-def runner_on(on: str, workers: int, scratch: Path, told):
-    """Yields a Runner on this machine (on: local), or on a scheduler tcp://HOST:PORT."""
-    if on == "local":
-        with hosts.local_cluster(workers, scratch) as (cluster, _):
+def runner_on(where: Where, scratch: Path, told: Callable[[str], None]):
+    """Yields a Runner. told: takes lines for a person."""
+    if where.local:
+        with hosts.local_cluster(where.workers, scratch) as cluster:
             with closing(Runner(lambda: Client(cluster, set_as_default=False), told)) as runner:
                 yield runner
     else:
         hosts.configure()
-        with closing(Runner(lambda: Client(on, timeout=10, set_as_default=False), told)) as runner:
+        security = keys.read(where.key)
+        with closing(Runner(lambda: Client(where.on, timeout=10, set_as_default=False, security=security), told)) as runner:
             yield runner
 
 
-def carry_out(results: Results, on: str, workers: int) -> list[int]:
+def carry_out(results: Results, where: Where) -> list[int]:
     """Runs what is not counted yet. Returns the numbers of runs that were lost."""
     plan, done = results.plan, results.successes()
     rows = {row.run: row for row in results.planned()}
@@ -63,12 +85,8 @@ def carry_out(results: Results, on: str, workers: int) -> list[int]:
                 bar.count(result["success"])
             return not sequence.narrower_than(plan.stop_when)
 
-        with runner_on(on, min(workers, len(todo)), scratch, bar.say) as runner:
-            return runner.run(_jobs(plan, todo, scratch if on == "local" else None), take)
-
-
-def _jobs(plan: Plan, todo: list[Row], scratch: Path | None):
-    return (job_of(plan, row, str(scratch.resolve()) if scratch else "") for row in todo)
+        with runner_on(replace(where, workers=min(where.workers, len(todo))), scratch, bar.say) as runner:
+            return runner.run((job_of(plan, row, where.scratch(scratch)) for row in todo), take)
 
 
 @contextmanager

@@ -39,6 +39,10 @@ def main(words: list[str]) -> int:
         sys.stdout.flush()
         print(f"error: {failed.code}: {failed}", file=sys.stderr)
         return failed.status
+    except ModuleNotFoundError as missing:
+        packages = "python3-distributed python3-scipy python3-tqdm python3-optuna"
+        print(f"error: missing_packages: there is no Python module {missing.name}; type: apt-get install {packages}", file=sys.stderr)
+        return 2
     except KeyboardInterrupt:
         return 130
 
@@ -57,6 +61,11 @@ def _line(name: str, about: str) -> _Line:
 def _add_where(line: argparse.ArgumentParser) -> None:
     line.add_argument("--on", default="local", metavar="local|tcp://HOST:PORT", help="this machine (default), or a scheduler's workers")
     line.add_argument("--workers", type=int, default=0, metavar="N", help="on this machine (default: one a core)")
+    _add_key(line)
+
+
+def _add_key(line: argparse.ArgumentParser) -> None:
+    line.add_argument("--key-file", type=Path, metavar="FILE", help="the key of a scheduler tls://HOST:PORT, which makes the file")
 
 
 def _add_runs(line: argparse.ArgumentParser) -> None:
@@ -115,6 +124,14 @@ def _folder_of(chosen: argparse.Namespace, kind: str) -> Path:
     return chosen.dir or Path("runs") / f"{kind}-{chosen.task}-{datetime.now():%Y-%m-%dT%H-%M-%S}"
 
 
+def _where(chosen: argparse.Namespace):
+    from .campaign import Where
+
+    if chosen.on != "local" and not chosen.on.startswith("tls://" if chosen.key_file else "tcp://"):
+        raise bad_usage(f"--on {chosen.on}: write local, tcp://HOST:PORT, or with --key-file tls://HOST:PORT")
+    return Where(chosen.on, _workers_of(chosen), chosen.key_file)
+
+
 def _workers_of(chosen: argparse.Namespace) -> int:
     from . import hosts
 
@@ -127,8 +144,9 @@ def _carry_out(results, chosen: argparse.Namespace) -> int:
     from . import campaign, report
 
     again = f"{CALLED} --resume {shlex.quote(str(results.folder))}" + (f" --on {chosen.on}" if chosen.on != "local" else "")
+    again += f" --key-file {shlex.quote(str(chosen.key_file))}" if chosen.key_file else ""
     try:
-        lost = campaign.carry_out(results, chosen.on, _workers_of(chosen))
+        lost = campaign.carry_out(results, _where(chosen))
     except (CampaignError, KeyboardInterrupt) as ended:
         print(f"{len(results.successes())} runs are counted; to go on: {again}", file=sys.stderr)
         if isinstance(ended, CampaignError):
@@ -192,7 +210,7 @@ def _tune(words: list[str]) -> int:
     search = tune.search_of(plan, chosen.goal, chosen.over, chosen.trials)
     results = tune.begin(plan, search, _folder_of(chosen, "tune"), chosen.resume)
     try:
-        trials = tune.tune(results, search, chosen.on, _workers_of(chosen))
+        trials = tune.tune(results, search, _where(chosen))
     except (CampaignError, KeyboardInterrupt):
         print(f"what was tried is kept; to go on: the same line with --dir {results.folder} --resume", file=sys.stderr)
         raise
@@ -203,19 +221,21 @@ def _tune(words: list[str]) -> int:
 
 
 def _scheduler(words: list[str]) -> int:
-    line = _line(" scheduler", "Dask's scheduler, until Ctrl-C. Who reaches its port can run anything as you: keep it on 127.0.0.1 or a trusted network.")
+    line = _line(" scheduler", "Dask's scheduler, until Ctrl-C. Without --key-file whoever reaches its port can run anything as you.")
     line.add_argument("--listen", default="127.0.0.1", metavar="HOST", help="address of this host (default 127.0.0.1)")
     line.add_argument("--port", type=int, default=8786)
+    _add_key(line)
     from . import hosts
 
     chosen = line.parse_args(words)
-    hosts.serve_scheduler(chosen.listen, chosen.port)
+    hosts.serve_scheduler(chosen.listen, chosen.port, chosen.key_file)
     return 0
 
 
 def _worker(words: list[str]) -> int:
     line = _line(" worker", "Workers of this host for a scheduler, one a core, until Ctrl-C. Programs are those of this host.")
-    line.add_argument("scheduler", metavar="tcp://HOST:PORT")
+    line.add_argument("scheduler", metavar="tcp://HOST:PORT", help="or, with its key, tls://HOST:PORT")
+    _add_key(line)
     line.add_argument("--listen", default="127.0.0.1", metavar="HOST", help="address of this host (default 127.0.0.1)")
     line.add_argument("--workers", type=int, default=0, metavar="N", help="(default: one a core)")
     line.add_argument("--folder", type=Path, default=None, help=argparse.SUPPRESS)
@@ -226,10 +246,10 @@ def _worker(words: list[str]) -> int:
 
     chosen = line.parse_args(words)
     if chosen.single:
-        hosts.serve_one(chosen.scheduler, chosen.folder, chosen.listen)
+        hosts.serve_one(chosen.scheduler, chosen.folder, chosen.listen, chosen.key_file)
         return 0
     with TemporaryDirectory(prefix="mrroc-worker-") as folder:
-        workers = hosts.Workers(chosen.scheduler, _workers_of(chosen), Path(folder), chosen.listen)
+        workers = hosts.Workers(chosen.scheduler, _workers_of(chosen), Path(folder), chosen.listen, chosen.key_file)
         try:
             workers.wait()
         except KeyboardInterrupt:

@@ -3,7 +3,6 @@
 import asyncio
 import logging
 import os
-import signal
 import subprocess
 import sys
 import threading
@@ -13,6 +12,8 @@ from pathlib import Path
 
 import dask
 from distributed import LocalCluster, Scheduler, Worker
+
+from . import keys
 
 LOCAL = "127.0.0.1"
 # A run ends its worker only by chance; workers say much that is no news here.
@@ -30,8 +31,7 @@ _SETTINGS = {
 def configure() -> None:
     """Dask's settings, the same for everybody who takes part."""
     dask.config.set(_SETTINGS)
-    for name in ("distributed", "tornado", "asyncio"):
-        logging.getLogger(name).setLevel(logging.CRITICAL)
+    logging.disable(logging.CRITICAL)  # Dask tells what we tell in our own words
 
 
 def cores() -> list[int]:
@@ -42,17 +42,16 @@ def cores() -> list[int]:
 class Workers:
     """Processes of one worker each, which are started again when they end."""
 
-    def __init__(self, address: str, number: int, folder: Path, listen: str = LOCAL):
+    def __init__(self, address: str, number: int, folder: Path, listen: str, key: Path | None):
         self._words = [sys.executable, "-m", "mrroc_campaign", "worker", address, "--single", "--folder", str(folder), "--listen", listen]
+        self._words += ["--key-file", str(key)] if key else []
+        # Where every core has its worker each stays on its own: a run's threads then need not wait for another core to wake.
+        self._cores = cores() if number == len(cores()) else []
         self._ending = threading.Event()
         self._processes: dict[int, subprocess.Popen] = {}
         self._threads = [threading.Thread(target=self._keep, args=(k,), daemon=True) for k in range(number)]
         for thread in self._threads:
             thread.start()
-
-    def pids(self) -> list[int]:
-        """Of those that run."""
-        return [p.pid for p in list(self._processes.values()) if p.poll() is None]
 
     def wait(self) -> None:
         """Until somebody ends them."""
@@ -71,10 +70,11 @@ class Workers:
         package = str(Path(__file__).resolve().parents[1])
         path = os.pathsep.join([package, *filter(None, [os.environ.get("PYTHONPATH")])])
         environment = os.environ | {"PYTHONPATH": path, "PYTHONDONTWRITEBYTECODE": "1"}
+        place = ["taskset", "--cpu-list", str(self._cores[k])] if self._cores else []
         while not self._ending.is_set():
             # In a session of its own: Ctrl-C comes to the one who asked, who ends all others. The kernel ends it with him.
             self._processes[k] = subprocess.Popen(
-                ["setpriv", "--pdeathsig", "KILL", *self._words], env=environment, start_new_session=True, stdin=subprocess.DEVNULL
+                ["setpriv", "--pdeathsig", "KILL", *place, *self._words], env=environment, start_new_session=True, stdin=subprocess.DEVNULL
             )
             if self._ending.is_set():
                 self._processes[k].kill()
@@ -86,28 +86,31 @@ class Workers:
 
 @contextmanager
 def local_cluster(number: int, folder: Path):
-    """A scheduler and workers of this machine alone. Yields the cluster, which a Client takes, and its workers."""
+    """A scheduler and workers of this machine alone. Yields the cluster, which a Client takes."""
     configure()
+    key = folder / "key"
     cluster = LocalCluster(
-        n_workers=0, host=LOCAL, scheduler_port=0, dashboard_address=f"{LOCAL}:0", silence_logs=logging.CRITICAL
-    )
-    workers = Workers(cluster.scheduler_address, number, folder)
+        n_workers=0, host=LOCAL, scheduler_port=0, dashboard_address=f"{LOCAL}:0", silence_logs=logging.CRITICAL,
+        protocol="tls://", security=keys.make(key),
+    )  # fmt: skip
+    workers = Workers(cluster.scheduler_address, number, folder, LOCAL, key)
     try:
-        yield cluster, workers
+        yield cluster
     finally:
         workers.end()
         with suppress(Exception):
             cluster.close(timeout=5)
 
 
-def serve_one(address: str, folder: Path, listen: str) -> None:
+def serve_one(address: str, folder: Path, listen: str, key: Path | None) -> None:
     """One worker with one thread, until its scheduler is gone."""
     configure()
+    security = keys.read(key)
 
     async def until_the_end() -> None:
         worker = Worker(
             address, nthreads=1, host=listen, local_directory=str(folder), memory_limit=None, death_timeout=30,
-            dashboard_address=f"{LOCAL}:0", silence_logs=logging.CRITICAL,
+            dashboard_address=f"{LOCAL}:0", silence_logs=logging.CRITICAL, security=security,
         )  # fmt: skip
         async with worker:
             await worker.finished()
@@ -116,15 +119,16 @@ def serve_one(address: str, folder: Path, listen: str) -> None:
         asyncio.run(until_the_end())
 
 
-def serve_scheduler(listen: str, port: int) -> None:
-    """A scheduler, until a signal comes."""
+def serve_scheduler(listen: str, port: int, key: Path | None) -> None:
+    """A scheduler, until a signal comes. key: a file that is made if it is not there; none: nothing is encrypted."""
     configure()
+    security = keys.make(key) if key and not key.exists() else keys.read(key)
 
     async def until_the_end() -> None:
-        async with Scheduler(host=listen, port=port, dashboard_address=f"{LOCAL}:0") as scheduler:
+        protocol = "tls://" if security else "tcp://"
+        async with Scheduler(host=listen, port=port, protocol=protocol, security=security, dashboard_address=f"{LOCAL}:0") as scheduler:
             print(f"scheduler: {scheduler.address}", flush=True)
             await scheduler.finished()
 
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
     with suppress(KeyboardInterrupt):
         asyncio.run(until_the_end())

@@ -35,13 +35,13 @@ class Parameter:
 
 
 def folder() -> Path:
-    """Where programs are: MRROC_PROGRAMS, the build of the clone that this file is in, or an installation below the same prefix."""
+    """Where programs are: MRROC_PROGRAMS, the build of the clone that this file is in, or of an installation below the same prefix."""
     named = os.environ.get("MRROC_PROGRAMS")
     if named:
         return Path(named)
     here = Path(__file__).resolve()
     built = here.parents[3] / "build" / "release" / "bin"
-    return built if built.is_dir() else here.parents[3].parent / "mrroc"
+    return built if built.is_dir() else here.parents[3] / "mrroc"
 
 
 def find(task: str) -> Path:

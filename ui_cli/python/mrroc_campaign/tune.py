@@ -51,7 +51,7 @@ def search_of(plan: Plan, goal: str, over: list[str], trials: int) -> Search:
     return Search(figure, goal.startswith("max:") or figure == "success", space, trials)
 
 
-def tune(results: Results, search: Search, on: str, workers: int) -> list[Trial]:
+def tune(results: Results, search: Search, where: campaign.Where) -> list[Trial]:
     """Tries the default values, then what Optuna's estimator (TPE, Bergstra 2011) proposes, each with all seeds of the plan. Runs
     that are counted already are not carried out again: proposals follow from the seed and from what was found, so a search that was
     ended early goes on as if it had not been."""
@@ -62,13 +62,13 @@ def tune(results: Results, search: Search, on: str, workers: int) -> list[Trial]
     total = search.trials * len(seeds)
     bar = Progress(total, 0, 0)
     try:
-        with results.alone(), campaign.emptied(scratch), campaign.runner_on(on, workers, scratch, bar.say) as runner:
+        with results.alone(), campaign.emptied(scratch), campaign.runner_on(where, scratch, bar.say) as runner:
             for number in range(search.trials):
                 asked = study.ask(search.space)
                 settings = {key: _as_text(asked.params[key]) for key in search.space}
                 rows = [Row(number * len(seeds) + k, seed, settings) for k, seed in enumerate(seeds)]
                 results.plan_more(rows)
-                _carry_out(results, runner, rows, done, scratch if on == "local" else None, bar)
+                _carry_out(results, runner, rows, done, where.scratch(scratch), bar)
                 trials.append(_judge(results, search, rows))
                 asked.set_user_attr("failed", trials[-1].failed)
                 value = trials[-1].value
@@ -127,7 +127,7 @@ def _study(plan: Plan, search: Search) -> optuna.Study:
     return study
 
 
-def _carry_out(results: Results, runner: Runner, rows: list[Row], done: dict[int, bool], scratch: Path | None, bar: Progress) -> None:
+def _carry_out(results: Results, runner: Runner, rows: list[Row], done: dict[int, bool], scratch: str, bar: Progress) -> None:
     by_run = {row.run: row for row in rows}
     for row in rows:
         if row.run in done:
@@ -138,7 +138,7 @@ def _carry_out(results: Results, runner: Runner, rows: list[Row], done: dict[int
             bar.count(result["success"])
         return True
 
-    todo = [job_of(results.plan, row, str(scratch.resolve()) if scratch else "") for row in rows if row.run not in done]
+    todo = [job_of(results.plan, row, scratch) for row in rows if row.run not in done]
     if lost := runner.run(todo, take):
         raise CampaignError(1, "runs_lost", f"run {lost[0]} killed its workers again and again")
 
