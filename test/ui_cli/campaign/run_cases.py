@@ -94,16 +94,21 @@ class Campaigns(Place):
 
     def test_line_of_the_page_repeats_a_run_of_press_bit_for_bit(self):
         os.environ["MRROC_PROGRAMS"], self.programs = str(BIN), BIN
-        self.command(
-            "press", "--seeds", "7:8", "--vary", "task.force=2:8", "--vary", "sim.paper.stiffness=3000:30000", "--dir", "a", "--", "--max-time", "4"
-        )
-        rows, text = self.counted("a"), Page((self.home / "a" / "page.html").read_text()).text
-        self.assertEqual([r["fault"] for r in rows], ["time_limit", "time_limit"])
-        for r in rows:
-            line = shlex.split(re.search(rf"\./run press --seed {r['seed']} [^<]*?(?={r['log_hash']})", text)[0])
-            again = self.home / f"again-{r['run']}"
-            subprocess.run([BIN / "press", *line[2:], "--run-dir", again], capture_output=True, check=False)
-            self.assertEqual(json.loads((again / "summary.json").read_text())["log_hash"], r["log_hash"])
+        varied = ("--vary", "task.force=2:2.7", "--vary", "sim.paper.stiffness=20000:800000", "--vary", "sim.sensor.force_noise=0.9:1")
+        for folder, outcome, options in (("a", "done", ()), ("b", "fault", ("--", "--max-time", "4"))):
+            self.command("press", "--seeds", "7:8", *varied, "--dir", folder, *options)
+            rows, text = self.counted(folder), Page((self.home / folder / "page.html").read_text()).text
+            self.assertEqual([(r["outcome"], r["success"]) for r in rows], [(outcome, 0)] * 2)
+            for r in rows:
+                line = shlex.split(re.search(rf"\./run press --seed {r['seed']} [^<]*?(?={r['log_hash']})", text)[0])
+                again = self.home / f"again-{folder}-{r['run']}"
+                subprocess.run([BIN / "press", *line[2:], "--run-dir", again], capture_output=True, check=False)
+                compare = [BIN / "ui_cli", "log", "compare", self.home / folder / r["folder"] / "run", again, "--json"]
+                found = json.loads(subprocess.run(compare, capture_output=True, check=False).stdout)
+                self.assertGreater(found["compared"], 1000)
+                self.assertEqual(found["differences"], 0)
+                if outcome == "done":
+                    self.assertEqual(json.loads((again / "summary.json").read_text())["log_hash"], r["log_hash"])
 
     def test_workers_that_are_killed_at_random_moments_lose_nothing_and_count_nothing_twice(self):
         line = ("hop", "--seeds", "1:60", *_VARIED, "--workers", 2)
