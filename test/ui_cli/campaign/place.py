@@ -14,7 +14,11 @@ from pathlib import Path
 SOURCE, BIN = Path(sys.argv[1]), Path(sys.argv[2])
 sys.path.insert(0, str(SOURCE / "ui_cli" / "python"))
 HOP = Path(__file__).with_name("hop")
-_ENVIRONMENT = os.environ | {"PYTHONPATH": str(SOURCE / "ui_cli" / "python"), "PYTHONDONTWRITEBYTECODE": "1", "MRROC_CALLED": "./run"}
+_ENVIRONMENT = os.environ | {
+    "PYTHONPATH": str(SOURCE / "ui_cli" / "python"),
+    "PYTHONDONTWRITEBYTECODE": "1",
+    "MRROC_CALLED": "./run",
+}
 
 
 class Place(unittest.TestCase):

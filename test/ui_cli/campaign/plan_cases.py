@@ -23,7 +23,11 @@ class Plans(Place):
         cases = random.Random(1)
         for _ in range(30):
             runs, low = cases.randint(2, 60), cases.uniform(-5, 5)
-            texts = [f"a.number={low!r}:{low + cases.uniform(0.1, 9)!r}", f"a.count=1:{cases.randint(2, 9)}", "a.word=none,some"]
+            texts = [
+                f"a.number={low!r}:{low + cases.uniform(0.1, 9)!r}",
+                f"a.count=1:{cases.randint(2, 9)}",
+                "a.word=none,some",
+            ]
             varied = [vary.parse(t, KNOWN) for t in texts]
             plan = Plan("hop", f"1:{runs}", method=cases.choice(plans.METHODS), plan_seed=cases.randint(0, 999))
             rows = plans.rows(plan, varied)
@@ -40,7 +44,11 @@ class Plans(Place):
             self.assertNotEqual([r.settings for r in rows], [r.settings for r in other])
 
     def test_whole_numbers_and_words_come_equally_often(self):
-        varied = [vary.parse("a.count=2:5", KNOWN), vary.parse("a.word=none,some", KNOWN), vary.parse("a.list=[1, 2],[3],[4]", KNOWN)]
+        varied = [
+            vary.parse("a.count=2:5", KNOWN),
+            vary.parse("a.word=none,some", KNOWN),
+            vary.parse("a.list=[1, 2],[3],[4]", KNOWN),
+        ]
         rows = plans.rows(Plan("hop", "1:120"), varied)
         for key, values in (("a.count", "2345"), ("a.word", ("none", "some")), ("a.list", ("[1, 2]", "[3]", "[4]"))):
             for value in values:
@@ -105,6 +113,14 @@ class Plans(Place):
         )
         figures = {"peak": 4.339749996927797, "settled": 4.011499999999996, "hold": None, "steps": 34.0, "other": 4.0}
         self.assertEqual(bars.read(table, figures), {"settled": "4 +- 0.1", "hold": "4 +- 0.1", "steps": "<= 100"})
-        self.assertEqual(bars.read(table, figures | {"other": 4.0111}), {"hold": "4 +- 0.1", "steps": "<= 100"})  # whose is it?
-        for text, ends in (("4 +- 0.5", (3.5, 4.5)), ("<= 1e-3", (None, 0.001)), (">= 2", (2, None)), ("0", (0, 0)), ("good", (None, None))):
+        self.assertEqual(
+            bars.read(table, figures | {"other": 4.0111}), {"hold": "4 +- 0.1", "steps": "<= 100"}
+        )  # whose is it?
+        for text, ends in (
+            ("4 +- 0.5", (3.5, 4.5)),
+            ("<= 1e-3", (None, 0.001)),
+            (">= 2", (2, None)),
+            ("0", (0, 0)),
+            ("good", (None, None)),
+        ):
             self.assertEqual(bars.interval(text), ends)

@@ -65,7 +65,9 @@ class Campaigns(Place):
         self.assertEqual({*self.counted("a")[0]}, _COLUMNS)
         for r in a:
             slipped = r["task.force"] > 7 and r["sim.mode"] == "rough"
-            self.assertEqual((r["success"], r["fault"], r["height_m"] is None), (0, "slipped", True) if slipped else (1, "", False))
+            self.assertEqual(
+                (r["success"], r["fault"], r["height_m"] is None), (0, "slipped", True) if slipped else (1, "", False)
+            )
             self.assertEqual(r["force_N[1]"], 2 * r["task.force"])
             self.assertEqual(json.loads(r["bars"]), {"height_m": "<= 0.1"})
         self.assertIn("slipped", said)
@@ -94,7 +96,14 @@ class Campaigns(Place):
 
     def test_line_of_the_page_repeats_a_run_of_press_bit_for_bit(self):
         os.environ["MRROC_PROGRAMS"], self.programs = str(BIN), BIN
-        varied = ("--vary", "task.force=2:2.7", "--vary", "sim.paper.stiffness=20000:800000", "--vary", "sim.sensor.force_noise=0.9:1")
+        varied = (
+            "--vary",
+            "task.force=2:2.7",
+            "--vary",
+            "sim.paper.stiffness=20000:800000",
+            "--vary",
+            "sim.sensor.force_noise=0.9:1",
+        )
         for folder, outcome, options in (("a", "done", ()), ("b", "fault", ("--", "--max-time", "4"))):
             self.command("press", "--seeds", "7:8", *varied, "--dir", folder, *options)
             rows, text = self.counted(folder), Page((self.home / folder / "page.html").read_text()).text
@@ -185,7 +194,9 @@ class Campaigns(Place):
         while not (self.home / "hop.key").exists():
             time.sleep(0.02)
         self.start("worker", address, "--workers", 2, *key)
-        process = self.start("hop", "--seeds", "1:60", *_VARIED, "--dir", "rough", "--on", address, *key, "--", "--set", "sim.sleep=0.05")
+        process = self.start(
+            "hop", "--seeds", "1:60", *_VARIED, "--dir", "rough", "--on", address, *key, "--", "--set", "sim.sleep=0.05"
+        )
         for number in (3, 15):
             self.await_runs("rough", number, process)
             kill([scheduler.pid])
@@ -229,7 +240,9 @@ class Campaigns(Place):
         for where in ((f"tls://127.0.0.1:{port}", "--key-file", "b.key"), (f"tcp://127.0.0.1:{port}",)):
             said = self.command("hop", "--seeds", "1:2", "--dir", where[0][:3], "--on", *where, status=3)
             self.assertIn("no_scheduler", said)
-        said = self.command("hop", "--seeds", "1:2", "--dir", "c", "--on", f"tls://127.0.0.1:{port}", "--key-file", "hop", status=2)
+        said = self.command(
+            "hop", "--seeds", "1:2", "--dir", "c", "--on", f"tls://127.0.0.1:{port}", "--key-file", "hop", status=2
+        )
         self.assertIn("is no key of a scheduler", said)
 
     def test_campaign_ends_when_its_interval_is_narrow_enough(self):
@@ -284,7 +297,10 @@ class Campaigns(Place):
         self.assertAlmostEqual(best, 0.3, delta=0.08)
         self.assertEqual(self.counted("calm")[0]["task.gain"], 0.5)  # the default is tried first
         self.assertIn("campaign compare runs/before runs/after", said)
-        self.assertIn("there is no figure 'heigth'", self.command("tune", "hop", "--for", "heigth", "--over", "task.gain=0:1", status=2))
+        self.assertIn(
+            "there is no figure 'heigth'",
+            self.command("tune", "hop", "--for", "heigth", "--over", "task.gain=0:1", status=2),
+        )
 
     def test_help_needs_no_task(self):
         self.assertEqual(main(["--help"]), 0)

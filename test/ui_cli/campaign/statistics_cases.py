@@ -44,7 +44,11 @@ class Statistics(unittest.TestCase):
         random, missed = np.random.default_rng(4), 0
         for outcome in random.random((100, 300)) < 0.5:
             successes = np.cumsum(outcome)
-            missed += any(not (low <= 0.5 <= high) for n in range(5, 301) for low, high in [clopper_pearson(int(successes[n - 1]), n)])
+            missed += any(
+                not (low <= 0.5 <= high)
+                for n in range(5, 301)
+                for low, high in [clopper_pearson(int(successes[n - 1]), n)]
+            )
         self.assertGreater(missed, 15)
 
     def test_sequence_gets_narrower_and_holds_the_share(self):
@@ -71,7 +75,9 @@ class Statistics(unittest.TestCase):
 
     def test_mcnemar_is_the_toss_of_a_coin(self):
         for only_a, only_b in ((0, 0), (1, 0), (5, 1), (3, 9)):
-            found = paired.mcnemar([(True, False)] * only_a + [(False, True)] * only_b + [(True, True)] * 4 + [(False, False)] * 2)
+            found = paired.mcnemar(
+                [(True, False)] * only_a + [(False, True)] * only_b + [(True, True)] * 4 + [(False, False)] * 2
+            )
             n = only_a + only_b
             tosses = [sum(t) for t in itertools.product((0, 1), repeat=n)]
             extreme = sum(abs(t - n / 2) >= abs(only_a - n / 2) for t in tosses) / len(tosses)
@@ -85,7 +91,9 @@ class Statistics(unittest.TestCase):
             b = a + 0.4 + random.normal(0, 0.5, 25)
             found = paired.wilcoxon("x", a.tolist(), b.tolist())
             d = b - a
-            self.assertAlmostEqual(found.difference, float(np.median([(d[i] + d[j]) / 2 for i in range(25) for j in range(i, 25)])))
+            self.assertAlmostEqual(
+                found.difference, float(np.median([(d[i] + d[j]) / 2 for i in range(25) for j in range(i, 25)]))
+            )
             missed += not found.low <= 0.4 <= found.high
         self.assertLessEqual(missed, 0.05 * rounds + 3 * (0.05 * 0.95 * rounds) ** 0.5)
         same = paired.wilcoxon("x", [1.0, 2.0], [1.0, 2.0])

@@ -8,8 +8,8 @@ _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?"
 
 
 def read(said: str, figures: dict[str, float | list[float] | None]) -> dict[str, str]:
-    """What is wanted, such as "<= 0.5" or "1 +- 0.05", by a figure's key. The table names meanings, not keys: a row belongs to the
-    key whose numbers it shows. A row that could be of several is left out."""
+    """What is wanted, such as "<= 0.5" or "1 +- 0.05", by a figure's key. The table names meanings, not keys: a row
+    belongs to the key whose numbers it shows. A row that could be of several is left out."""
     wanted: dict[str, str] = {}
     by_cells: dict[tuple[str, ...], list[str]] = {}
     for key, value in figures.items():

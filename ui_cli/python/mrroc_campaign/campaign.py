@@ -19,8 +19,8 @@ from .runner import Runner, job_of
 
 @dataclass(frozen=True)
 class Where:
-    """Where runs are carried out: on this machine (on: local) by some workers, or by those of a scheduler, tcp://HOST:PORT or, with
-    its key, tls://HOST:PORT."""
+    """Where runs are carried out: on this machine (on: local) by some workers, or by those of a scheduler,
+    tcp://HOST:PORT or, with its key, tls://HOST:PORT."""
 
     on: str
     workers: int
@@ -50,7 +50,9 @@ def take_up(folder: Path) -> Results:
     """The campaign in a folder, to go on with it."""
     results = Results(folder)
     if program.digest(results.plan.task) != results.plan.program:
-        raise bad_usage(f"the program {results.plan.task} has changed since {folder} began: runs of two builds are not counted together; begin anew")
+        raise bad_usage(
+            f"the program {results.plan.task} has changed since {folder} began: runs of two builds are not counted together; begin anew"
+        )
     return results
 
 
@@ -64,7 +66,9 @@ def runner_on(where: Where, scratch: Path, told: Callable[[str], None]):
     else:
         hosts.configure()
         security = keys.read(where.key)
-        with closing(Runner(lambda: Client(where.on, timeout=10, set_as_default=False, security=security), told)) as runner:
+        with closing(
+            Runner(lambda: Client(where.on, timeout=10, set_as_default=False, security=security), told)
+        ) as runner:
             yield runner
 
 
@@ -108,4 +112,3 @@ def emptied(scratch: Path):
         yield
     finally:
         shutil.rmtree(scratch, ignore_errors=True)
-

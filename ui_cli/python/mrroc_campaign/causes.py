@@ -13,9 +13,9 @@ _SMALLEST_PART = 0.05  # of the runs, on either side of a cut
 
 @dataclass(frozen=True)
 class Dependence:
-    """A key and its best cut. p: how often failures that are dealt out at random would be told apart as well by any cut of this
-    key, times the number of keys that are as good or worse (Holm 1979). inside, outside: failures and runs where the rule holds,
-    and elsewhere. correlation: Spearman's, between value and failure; None for words."""
+    """A key and its best cut. p: how often failures that are dealt out at random would be told apart as well by any cut
+    of this key, times the number of keys that are as good or worse (Holm 1979). inside, outside: failures and runs
+    where the rule holds, and elsewhere. correlation: Spearman's, between value and failure; None for words."""
 
     key: str
     p: float
@@ -56,7 +56,9 @@ def _of_key(key: str, column: list, y: np.ndarray, shuffled: np.ndarray) -> Depe
     if numbers and parts[0][0] * parts[1][1] < parts[1][0] * parts[0][1]:  # tell where it fails
         parts.reverse()
         rules[cut] = rules[cut].replace(">", "<=")
-    return Dependence(key, p, rules[cut], parts[0], parts[1], spearman(np.asarray(column, float), y) if numbers else None)
+    return Dependence(
+        key, p, rules[cut], parts[0], parts[1], spearman(np.asarray(column, float), y) if numbers else None
+    )
 
 
 def _strength(sides: np.ndarray, shuffled: np.ndarray) -> np.ndarray:
@@ -89,8 +91,6 @@ def _large_enough(sides: np.ndarray, rules: list[str]) -> tuple[np.ndarray, list
     share = sides.mean(axis=1)
     kept = (share >= _SMALLEST_PART) & (share <= 1 - _SMALLEST_PART)
     return sides[kept], [rule for rule, keep in zip(rules, kept, strict=True) if keep]
-
-
 
 
 def spearman(x: np.ndarray, y: np.ndarray) -> float:

@@ -50,7 +50,9 @@ def histogram(values: list[float], bars: tuple[float | None, float | None], titl
     spread = max(values) - min(values)
     shown = [b for b in known if min(values) - 3 * spread <= b <= max(values) + 3 * spread] if spread else known
     axis = _Axis(min([*values, *shown]), max([*values, *shown]))
-    edges = np.linspace(min(values), max(values) if spread else min(values) + 1e-9, min(30, max(5, int(len(values) ** 0.5) + 1)) + 1)
+    edges = np.linspace(
+        min(values), max(values) if spread else min(values) + 1e-9, min(30, max(5, int(len(values) ** 0.5) + 1)) + 1
+    )
     every, _ = np.histogram(values, edges)
     bad, _ = np.histogram([v for v, f in zip(values, failed, strict=True) if f], edges)
     top, floor = max(1, every.max()), _H - _BOTTOM
@@ -60,7 +62,9 @@ def histogram(values: list[float], bars: tuple[float | None, float | None], titl
         for number, kind in ((count, "ok"), (of_failed, "bad")):
             height = (floor - _TOP) * number / top
             if number:
-                parts.append(f'<rect class="{kind}" x="{x:.1f}" y="{floor - height:.1f}" width="{width:.1f}" height="{height:.1f}"/>')
+                parts.append(
+                    f'<rect class="{kind}" x="{x:.1f}" y="{floor - height:.1f}" width="{width:.1f}" height="{height:.1f}"/>'
+                )
     parts += [f'<path class="bar" d="M{axis(b):.1f} {_TOP - 6}V{floor}"/>' for b in shown]
     parts.append(_text(_LEFT - 4, _TOP + 8, str(top), "end"))
     return _svg(parts, title)
@@ -75,8 +79,12 @@ def rates(groups: list[tuple[str, int, int, float, float]], title: str) -> str:
     for k, (name, failures, runs, low, high) in enumerate(groups):
         x = _LEFT + step * (k + 0.5)
         y, y_low, y_high = (floor - (floor - _TOP) * s for s in (failures / runs, low, high))
-        parts.append(f'<rect class="bad" x="{x - step * 0.3:.1f}" y="{y:.1f}" width="{step * 0.6:.1f}" height="{floor - y:.1f}"/>')
-        parts.append(f'<path class="whisker" d="M{x:.1f} {y_low:.1f}V{y_high:.1f}M{x - 4:.1f} {y_low:.1f}h8M{x - 4:.1f} {y_high:.1f}h8"/>')
+        parts.append(
+            f'<rect class="bad" x="{x - step * 0.3:.1f}" y="{y:.1f}" width="{step * 0.6:.1f}" height="{floor - y:.1f}"/>'
+        )
+        parts.append(
+            f'<path class="whisker" d="M{x:.1f} {y_low:.1f}V{y_high:.1f}M{x - 4:.1f} {y_low:.1f}h8M{x - 4:.1f} {y_high:.1f}h8"/>'
+        )
         parts.append(_text(x, floor + 14, name))
     return _svg(parts, title)
 

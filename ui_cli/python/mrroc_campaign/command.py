@@ -27,7 +27,8 @@ Each command has --help. Words behind -- are options of the task: {called} press
 
 
 def main(words: list[str]) -> int:
-    """Obeys a command line. Returns the exit status: 0 done, 1 not all was carried out, 2 bad usage, 3 the machine failed."""
+    """Obeys a command line. Returns the exit status: 0 done, 1 not all was carried out, 2 bad usage, 3 the machine
+    failed."""
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     commands = {"compare": _compare, "tune": _tune, "page": _page, "scheduler": _scheduler, "worker": _worker}
     if not words or words[0] in ("-h", "--help", "help"):
@@ -41,7 +42,10 @@ def main(words: list[str]) -> int:
         return failed.status
     except ModuleNotFoundError as missing:
         packages = "python3-distributed python3-scipy python3-tqdm python3-optuna"
-        print(f"error: missing_packages: there is no Python module {missing.name}; type: apt-get install {packages}", file=sys.stderr)
+        print(
+            f"error: missing_packages: there is no Python module {missing.name}; type: apt-get install {packages}",
+            file=sys.stderr,
+        )
         return 2
     except KeyboardInterrupt:
         return 130
@@ -55,25 +59,43 @@ class _Line(argparse.ArgumentParser):
 
 
 def _line(name: str, about: str) -> _Line:
-    return _Line(prog=f"{CALLED}{name}", description=about, allow_abbrev=False, formatter_class=argparse.RawDescriptionHelpFormatter)
+    return _Line(
+        prog=f"{CALLED}{name}",
+        description=about,
+        allow_abbrev=False,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
 
 
 def _add_where(line: argparse.ArgumentParser) -> None:
-    line.add_argument("--on", default="local", metavar="local|tcp://HOST:PORT", help="this machine (default), or a scheduler's workers")
+    line.add_argument(
+        "--on",
+        default="local",
+        metavar="local|tcp://HOST:PORT",
+        help="this machine (default), or a scheduler's workers",
+    )
     line.add_argument("--workers", type=int, default=0, metavar="N", help="on this machine (default: one a core)")
     _add_key(line)
 
 
 def _add_key(line: argparse.ArgumentParser) -> None:
-    line.add_argument("--key-file", type=Path, metavar="FILE", help="the key of a scheduler tls://HOST:PORT, which makes the file")
+    line.add_argument(
+        "--key-file", type=Path, metavar="FILE", help="the key of a scheduler tls://HOST:PORT, which makes the file"
+    )
 
 
 def _add_runs(line: argparse.ArgumentParser) -> None:
-    line.add_argument("--plan", choices=METHODS, default="lhs", help="Latin hypercube (default), or a scrambled Sobol sequence")
+    line.add_argument(
+        "--plan", choices=METHODS, default="lhs", help="Latin hypercube (default), or a scrambled Sobol sequence"
+    )
     line.add_argument("--plan-seed", type=int, default=1, metavar="N", help="of the plan (default 1)")
     line.add_argument("--processes", choices=("one", "separate"), default="one", help="of each run (default: one)")
-    line.add_argument("--timeout", type=float, default=600.0, metavar="S", help="longest run, by the wall clock (default 600)")
-    line.add_argument("--keep", choices=("failed", "all", "none"), default="failed", help="which run folders (default: failed)")
+    line.add_argument(
+        "--timeout", type=float, default=600.0, metavar="S", help="longest run, by the wall clock (default 600)"
+    )
+    line.add_argument(
+        "--keep", choices=("failed", "all", "none"), default="failed", help="which run folders (default: failed)"
+    )
     line.add_argument("--dir", type=Path, metavar="DIR", help="the campaign's folder (default runs/campaign-TASK-TIME)")
 
 
@@ -83,10 +105,25 @@ def _run(words: list[str]) -> int:
     line.add_argument("task", nargs="?", help="a task, such as press")
     line.add_argument("--seeds", metavar="FIRST:LAST", help="one run for each, also A,B,C")
     line.add_argument(
-        "--vary", action="append", default=[], metavar="KEY=VALUES", help="LOW:HIGH, normal(M,S) or A,B,C; may be repeated; keys: TASK --parameters"
+        "--vary",
+        action="append",
+        default=[],
+        metavar="KEY=VALUES",
+        help="LOW:HIGH, normal(M,S) or A,B,C; may be repeated; keys: TASK --parameters",
     )
-    line.add_argument("--stop-when", type=float, default=0.0, metavar="WIDTH", help="end when the success rate's interval is that narrow, such as 0.1")
-    line.add_argument("--resume", type=Path, metavar="DIR", help="go on with the campaign of that folder; only with --on and --workers")
+    line.add_argument(
+        "--stop-when",
+        type=float,
+        default=0.0,
+        metavar="WIDTH",
+        help="end when the success rate's interval is that narrow, such as 0.1",
+    )
+    line.add_argument(
+        "--resume",
+        type=Path,
+        metavar="DIR",
+        help="go on with the campaign of that folder; only with --on and --workers",
+    )
     _add_where(line)
     _add_runs(line)
     chosen = line.parse_args(words)
@@ -107,9 +144,20 @@ def _run(words: list[str]) -> int:
     return _carry_out(results, chosen)
 
 
-def _plan_of(chosen: argparse.Namespace, options: list[str], seeds: str, varied: list[str], stop_when: float = 0.0) -> Plan:
+def _plan_of(
+    chosen: argparse.Namespace, options: list[str], seeds: str, varied: list[str], stop_when: float = 0.0
+) -> Plan:
     given = {word.split("=", 1)[0] for word in options}
-    if taken := given & {"--seed", "--run-dir", "--processes", "--view", "--attended", "--clock", "--strict", "--session"}:
+    if taken := given & {
+        "--seed",
+        "--run-dir",
+        "--processes",
+        "--view",
+        "--attended",
+        "--clock",
+        "--strict",
+        "--session",
+    }:
         raise bad_usage(f"{sorted(taken)[0]} is given to each run by the campaign, or does not suit one")
     if not chosen.timeout > 0:
         raise bad_usage("--timeout must be above 0")
@@ -143,7 +191,9 @@ def _workers_of(chosen: argparse.Namespace) -> int:
 def _carry_out(results, chosen: argparse.Namespace) -> int:
     from . import campaign, report
 
-    again = f"{CALLED} --resume {shlex.quote(str(results.folder))}" + (f" --on {chosen.on}" if chosen.on != "local" else "")
+    again = f"{CALLED} --resume {shlex.quote(str(results.folder))}" + (
+        f" --on {chosen.on}" if chosen.on != "local" else ""
+    )
     again += f" --key-file {shlex.quote(str(chosen.key_file))}" if chosen.key_file else ""
     try:
         lost = campaign.carry_out(results, _where(chosen))
@@ -158,7 +208,11 @@ def _carry_out(results, chosen: argparse.Namespace) -> int:
     report.write_page(results)
     print(f"page: {results.folder / report.PAGE}\ncampaign: {results.folder}")
     if lost:
-        raise CampaignError(1, "runs_lost", f"{len(lost)} runs killed their workers again and again, the first is {lost[0]}; try: {again}")
+        raise CampaignError(
+            1,
+            "runs_lost",
+            f"{len(lost)} runs killed their workers again and again, the first is {lost[0]}; try: {again}",
+        )
     return 0
 
 
@@ -175,7 +229,10 @@ def _page(words: list[str]) -> int:
 
 
 def _compare(words: list[str]) -> int:
-    line = _line(" compare", "Two campaigns of one plan, paired by seed: McNemar's exact test for success, Wilcoxon's signed ranks for figures.")
+    line = _line(
+        " compare",
+        "Two campaigns of one plan, paired by seed: McNemar's exact test for success, Wilcoxon's signed ranks for figures.",
+    )
     line.add_argument("a", type=Path)
     line.add_argument("b", type=Path)
     line.add_argument("--json", action="store_true", help="one document instead of the table")
@@ -190,10 +247,24 @@ def _compare(words: list[str]) -> int:
 
 def _tune(words: list[str]) -> int:
     words, options = _apart(words)
-    line = _line(" tune", "Looks for the values that make a figure best (Optuna); words behind -- are options of the task.")
+    line = _line(
+        " tune", "Looks for the values that make a figure best (Optuna); words behind -- are options of the task."
+    )
     line.add_argument("task", help="a task, such as press")
-    line.add_argument("--for", dest="goal", required=True, metavar="KEY", help="figure that is to be small; max:KEY: large; its mean over the seeds")
-    line.add_argument("--over", action="append", required=True, metavar="KEY=VALUES", help="LOW:HIGH, log(LOW,HIGH) or A,B,C; may be repeated")
+    line.add_argument(
+        "--for",
+        dest="goal",
+        required=True,
+        metavar="KEY",
+        help="figure that is to be small; max:KEY: large; its mean over the seeds",
+    )
+    line.add_argument(
+        "--over",
+        action="append",
+        required=True,
+        metavar="KEY=VALUES",
+        help="LOW:HIGH, log(LOW,HIGH) or A,B,C; may be repeated",
+    )
     line.add_argument("--seeds", default="1:5", metavar="FIRST:LAST", help="of each trial (default 1:5)")
     line.add_argument("--trials", type=int, default=40, metavar="N", help="sets of values that are tried (default 40)")
     line.add_argument("--resume", action="store_true", help="go on with the search in --dir")
@@ -221,7 +292,10 @@ def _tune(words: list[str]) -> int:
 
 
 def _scheduler(words: list[str]) -> int:
-    line = _line(" scheduler", "Dask's scheduler, until Ctrl-C. Without --key-file whoever reaches its port can run anything as you.")
+    line = _line(
+        " scheduler",
+        "Dask's scheduler, until Ctrl-C. Without --key-file whoever reaches its port can run anything as you.",
+    )
     line.add_argument("--listen", default="127.0.0.1", metavar="HOST", help="address of this host (default 127.0.0.1)")
     line.add_argument("--port", type=int, default=8786)
     _add_key(line)
@@ -233,13 +307,17 @@ def _scheduler(words: list[str]) -> int:
 
 
 def _worker(words: list[str]) -> int:
-    line = _line(" worker", "Workers of this host for a scheduler, one a core, until Ctrl-C. Programs are those of this host.")
+    line = _line(
+        " worker", "Workers of this host for a scheduler, one a core, until Ctrl-C. Programs are those of this host."
+    )
     line.add_argument("scheduler", metavar="tcp://HOST:PORT", help="or, with its key, tls://HOST:PORT")
     _add_key(line)
     line.add_argument("--listen", default="127.0.0.1", metavar="HOST", help="address of this host (default 127.0.0.1)")
     line.add_argument("--workers", type=int, default=0, metavar="N", help="(default: one a core)")
     line.add_argument("--folder", type=Path, default=None, help=argparse.SUPPRESS)
-    line.add_argument("--single", action="store_true", help=argparse.SUPPRESS)  # one process of those that the others keep
+    line.add_argument(
+        "--single", action="store_true", help=argparse.SUPPRESS
+    )  # one process of those that the others keep
     from tempfile import TemporaryDirectory
 
     from . import hosts

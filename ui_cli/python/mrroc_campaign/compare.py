@@ -33,16 +33,25 @@ class Comparison:
         """A table for a terminal."""
         s = self.successes
         lines = [f"{self.pairs} pairs of runs with the same seed", *self.notes]
-        lines.append(f"success: both {s.both}, only A {s.only_a}, only B {s.only_b}, neither {s.neither}; p = {s.p:.3g} (McNemar, exact)")
-        lines.append(f"  {'figure':<30}{'pairs':>6}{'median A':>12}{'median B':>12}{'B - A':>12}  {'at 95 %':<26}p (Wilcoxon, Holm)")
+        lines.append(
+            f"success: both {s.both}, only A {s.only_a}, only B {s.only_b}, neither {s.neither}; p = {s.p:.3g} (McNemar, exact)"
+        )
+        lines.append(
+            f"  {'figure':<30}{'pairs':>6}{'median A':>12}{'median B':>12}{'B - A':>12}  {'at 95 %':<26}p (Wilcoxon, Holm)"
+        )
         for f in self.figures:
             between = f"{f.low:.4g} to {f.high:.4g}"
-            lines.append(f"  {f.figure:<30}{f.pairs:>6}{f.median_a:>12.4g}{f.median_b:>12.4g}{f.difference:>12.4g}  {between:<26}{f.p:.3g}")
+            lines.append(
+                f"  {f.figure:<30}{f.pairs:>6}{f.median_a:>12.4g}{f.median_b:>12.4g}{f.difference:>12.4g}  {between:<26}{f.p:.3g}"
+            )
         return "\n".join(lines)
 
 
 def compare(a: Results, b: Results) -> Comparison:
     """Raises CampaignError when there is no seed that both have."""
+    for results in (a, b):
+        if results.note("search"):
+            raise bad_usage(f"{results.folder} is a search, which has every seed many times; compare campaigns")
     of_a, of_b = ({r["seed"]: r for r in results.counted()} for results in (a, b))
     seeds = sorted(of_a.keys() & of_b.keys())
     if not seeds:
@@ -67,5 +76,7 @@ def _notes(a: Results, b: Results, pairs: list, of_a: dict, of_b: dict) -> list[
         notes.append(f"note: {single} runs have no counterpart and are left out")
     shared = [k for k in a.planned()[0].settings if k in b.planned()[0].settings]
     if differing := [k for k in shared if any(x[k] != y[k] for x, y in pairs)]:
-        notes.append(f"note: {', '.join(differing)} had other values in B; the same --vary, --plan and --plan-seed pair them too")
+        notes.append(
+            f"note: {', '.join(differing)} had other values in B; the same --vary, --plan and --plan-seed pair them too"
+        )
     return notes

@@ -43,7 +43,18 @@ class Workers:
     """Processes of one worker each, which are started again when they end."""
 
     def __init__(self, address: str, number: int, folder: Path, listen: str, key: Path | None):
-        self._words = [sys.executable, "-m", "mrroc_campaign", "worker", address, "--single", "--folder", str(folder), "--listen", listen]
+        self._words = [
+            sys.executable,
+            "-m",
+            "mrroc_campaign",
+            "worker",
+            address,
+            "--single",
+            "--folder",
+            str(folder),
+            "--listen",
+            listen,
+        ]
         self._words += ["--key-file", str(key)] if key else []
         # Where every core has its worker each stays on its own: a run's threads then need not wait for another core to wake.
         self._cores = cores() if number == len(cores()) else []
@@ -74,7 +85,10 @@ class Workers:
         while not self._ending.is_set():
             # In a session of its own: Ctrl-C comes to the one who asked, who ends all others. The kernel ends it with him.
             self._processes[k] = subprocess.Popen(
-                ["setpriv", "--pdeathsig", "KILL", *place, *self._words], env=environment, start_new_session=True, stdin=subprocess.DEVNULL
+                ["setpriv", "--pdeathsig", "KILL", *place, *self._words],
+                env=environment,
+                start_new_session=True,
+                stdin=subprocess.DEVNULL,
             )
             if self._ending.is_set():
                 self._processes[k].kill()
@@ -126,7 +140,9 @@ def serve_scheduler(listen: str, port: int, key: Path | None) -> None:
 
     async def until_the_end() -> None:
         protocol = "tls://" if security else "tcp://"
-        async with Scheduler(host=listen, port=port, protocol=protocol, security=security, dashboard_address=f"{LOCAL}:0") as scheduler:
+        async with Scheduler(
+            host=listen, port=port, protocol=protocol, security=security, dashboard_address=f"{LOCAL}:0"
+        ) as scheduler:
             print(f"scheduler: {scheduler.address}", flush=True)
             await scheduler.finished()
 

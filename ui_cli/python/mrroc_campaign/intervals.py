@@ -6,7 +6,8 @@ ALPHA = 0.05  # one interval in twenty may miss the true share
 
 
 def clopper_pearson(successes: int, runs: int, alpha: float = ALPHA) -> tuple[float, float]:
-    """The exact interval of a binomial share (Clopper, Pearson 1934), for a number of runs that was fixed beforehand."""
+    """The exact interval of a binomial share (Clopper, Pearson 1934), for a number of runs that was fixed
+    beforehand."""
     from scipy.stats import beta
 
     low = beta.ppf(alpha / 2, successes, runs - successes + 1) if successes else 0.0
@@ -15,10 +16,10 @@ def clopper_pearson(successes: int, runs: int, alpha: float = ALPHA) -> tuple[fl
 
 
 def confidence_sequence(successes: int, runs: int, alpha: float = ALPHA) -> tuple[float, float]:
-    """An interval that holds the true share at all times at once with probability 1 - alpha, so that one may look after every run
-    and stop when one likes: the shares p for which the mixture of likelihoods under Beta(1/2, 1/2) is less than 1 / alpha times
-    the likelihood under p. That ratio is a martingale under p, and Ville's inequality bounds how often it ever comes so high
-    (Robbins 1970; Howard, Ramdas, McAuliffe, Sekhon 2021)."""
+    """An interval that holds the true share at all times at once with probability 1 - alpha, so that one may look after
+    every run and stop when one likes: the shares p for which the mixture of likelihoods under Beta(1/2, 1/2) is less
+    than 1 / alpha times the likelihood under p. That ratio is a martingale under p, and Ville's inequality bounds how
+    often it ever comes so high (Robbins 1970; Howard, Ramdas, McAuliffe, Sekhon 2021)."""
     if runs == 0:
         return 0.0, 1.0
     s, f = successes, runs - successes
@@ -35,7 +36,8 @@ def confidence_sequence(successes: int, runs: int, alpha: float = ALPHA) -> tupl
 
 
 def _crossing(excess, outside: float, inside: float) -> float:
-    """Where excess changes its sign. At the share itself it is below 0, and it grows towards the ends. Rounded outwards."""
+    """Where excess changes its sign. At the share itself it is below 0, and it grows towards the ends. Rounded
+    outwards."""
     for _ in range(60):
         middle = (outside + inside) / 2
         if excess(middle) >= 0:
@@ -46,8 +48,8 @@ def _crossing(excess, outside: float, inside: float) -> float:
 
 
 class Sequence:
-    """Runs as they end, looked at in the order of the plan: those that take long, and may fail for it, are not left behind. Only a
-    beginning of the plan without gaps counts."""
+    """Runs as they end, looked at in the order of the plan: those that take long, and may fail for it, are not left
+    behind. Only a beginning of the plan without gaps counts."""
 
     def __init__(self, successes: dict[int, bool]):
         self._ended = dict(successes)

@@ -1,4 +1,5 @@
-"""One run, as a worker carries it out: a process in a session and a folder of its own. Imports little, for workers start often."""
+"""One run, as a worker carries it out: a process in a session and a folder of its own. Imports little, for workers
+start often."""
 
 import contextlib
 import json
@@ -23,8 +24,8 @@ _LARGEST_PACK_MB = 200
 
 
 def execute(job: dict) -> dict:
-    """Runs a job and tells how it ended. job: what runner.job_of() makes of a row. Raises HostFailed when it is not the run that
-    has failed, which is then not counted."""
+    """Runs a job and tells how it ended. job: what runner.job_of() makes of a row. Raises HostFailed when it is not the
+    run that has failed, which is then not counted."""
     try:
         place = Path(job["scratch"] or tempfile.gettempdir()) / f"{job['run']:06d}-{uuid.uuid4().hex[:8]}"
         place.mkdir(parents=True)
@@ -67,7 +68,9 @@ def _run(words: list[str], job: dict, place: Path) -> tuple[int | None, str]:
     guarded = ["setpriv", "--pdeathsig", "KILL", *words]
     where = job["folder"] if Path(job["folder"]).is_dir() else place
     with (place / "output.txt").open("w+") as out, (place / "errors.txt").open("w+") as err:
-        with subprocess.Popen(guarded, stdin=subprocess.DEVNULL, stdout=out, stderr=err, cwd=where, start_new_session=True) as process:
+        with subprocess.Popen(
+            guarded, stdin=subprocess.DEVNULL, stdout=out, stderr=err, cwd=where, start_new_session=True
+        ) as process:
             try:
                 status = process.wait(job["timeout_s"])
             except subprocess.TimeoutExpired:

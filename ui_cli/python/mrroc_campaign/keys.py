@@ -1,5 +1,5 @@
-"""Who may give work to a scheduler and its workers: whoever has the key. All traffic is encrypted (TLS) under a certificate that
-is made for the occasion."""
+"""Who may give work to a scheduler and its workers: whoever has the key. All traffic is encrypted (TLS) under a
+certificate that is made for the occasion."""
 
 import json
 import os
@@ -26,7 +26,11 @@ def read(file: Path | None) -> Security | None:
         return None
     try:
         found = json.loads(file.read_text())
-        parts = {f"tls_{role}_{part}": found[name] for role in _ROLES for part, name in (("cert", "certificate"), ("key", "key"))}
+        parts = {
+            f"tls_{role}_{part}": found[name]
+            for role in _ROLES
+            for part, name in (("cert", "certificate"), ("key", "key"))
+        }
         return Security(tls_ca_file=found["certificate"], require_encryption=True, **parts)
     except (OSError, ValueError, KeyError, TypeError) as wrong:
         raise bad_usage(f"--key-file {file} is no key of a scheduler: {wrong}") from None

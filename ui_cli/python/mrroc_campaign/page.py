@@ -1,4 +1,5 @@
-"""A campaign as a page of HTML that needs nothing else: success rate, figures, causes, and how to repeat each failure."""
+"""A campaign as a page of HTML that needs nothing else: success rate, figures, causes, and how to repeat each
+failure."""
 
 import json
 from collections import Counter
@@ -55,7 +56,15 @@ def _rate(results: Results, runs: list[dict]) -> str:
     for fault, count in Counter(r["fault"] for r in runs if r["fault"]).most_common():
         ends = clopper_pearson(count, number)
         example = next(r["text"] for r in runs if r["fault"] == fault)
-        rows.append([f"<code>{escape(fault)}</code>", str(count), _percent(count / number), f"{_percent(ends[0])} to {_percent(ends[1])}", escape(_without_advice(example))])
+        rows.append(
+            [
+                f"<code>{escape(fault)}</code>",
+                str(count),
+                _percent(count / number),
+                f"{_percent(ends[0])} to {_percent(ends[1])}",
+                escape(_without_advice(example)),
+            ]
+        )
     faults = _table(["failed by", "runs", "share", "at 95 %", "such as"], rows) if rows else "<p>No run failed.</p>"
     return (
         f'<section><h2>Success</h2><p class="big">{_percent(successes / number)}</p>'
@@ -117,7 +126,11 @@ def _causes(results: Results, runs: list[dict]) -> str:
     failed = [not r["success"] for r in runs]
     found = causes.dependences({k: [r[k] for r in runs] for k in keys}, failed)
     if not found:
-        text = "<p>There is nothing to tell apart: " + ("no run failed" if not any(failed) else "no run succeeded, or nothing varied enough") + ".</p>"
+        text = (
+            "<p>There is nothing to tell apart: "
+            + ("no run failed" if not any(failed) else "no run succeeded, or nothing varied enough")
+            + ".</p>"
+        )
         return f"<section><h2>What failures depend on</h2>{text}{_correlations(results, runs, keys)}</section>"
     rows = [
         [
@@ -127,7 +140,9 @@ def _causes(results: Results, runs: list[dict]) -> str:
         ]
         for d in found
     ]  # fmt: skip
-    cards = "".join(f"<figure><figcaption><b>{escape(d.key)}</b></figcaption>{_rates(d.key, runs)}</figure>" for d in found[:6])
+    cards = "".join(
+        f"<figure><figcaption><b>{escape(d.key)}</b></figcaption>{_rates(d.key, runs)}</figure>" for d in found[:6]
+    )
     return (
         "<section><h2>What failures depend on</h2><p>For each varied value the one cut that tells failures best from successes. p: how often failures dealt "
         "out at random are told apart as well by some cut of the same value (999 permutations), corrected for the number of values (Holm); 0.05 and less is "
@@ -159,8 +174,16 @@ def _correlations(results: Results, runs: list[dict], keys: list[str]) -> str:
     for name in results.figures():
         measured = [r for r in runs if r[name] is not None]
         if len(measured) >= 10 and numbers:
-            rho = [causes.spearman(np.array([r[k] for r in measured]), np.array([r[name] for r in measured])) for k in numbers]
-            rows.append([f"<code>{escape(name)}</code>", *(f'<span style="opacity:{0.35 + 0.65 * abs(x):.2f}">{x:+.2f}</span>' for x in rho)])
+            rho = [
+                causes.spearman(np.array([r[k] for r in measured]), np.array([r[name] for r in measured]))
+                for k in numbers
+            ]
+            rows.append(
+                [
+                    f"<code>{escape(name)}</code>",
+                    *(f'<span style="opacity:{0.35 + 0.65 * abs(x):.2f}">{x:+.2f}</span>' for x in rho),
+                ]
+            )
     if not rows:
         return ""
     return "<h3>Figures and values: Spearman's rank correlation</h3>" + _table(["figure", *numbers], rows)
@@ -175,10 +198,20 @@ def _failures(results: Results, runs: list[dict]) -> str:
     for r in failed[:_MOST_FAILURES]:
         folder = f'<a href="{escape(r["folder"])}/run/">{escape(r["folder"])}</a>' if r["folder"] else ""
         line = f"<code>{escape(repeat.line_of(results.plan, planned[r['run']]))}</code>"
-        rows.append([str(r["run"]), str(r["seed"]), f"<code>{escape(r['fault'])}</code> {escape(_without_advice(r['text']))}", line, f"<code>{r['log_hash']}</code>", folder])
+        rows.append(
+            [
+                str(r["run"]),
+                str(r["seed"]),
+                f"<code>{escape(r['fault'])}</code> {escape(_without_advice(r['text']))}",
+                line,
+                f"<code>{r['log_hash']}</code>",
+                folder,
+            ]
+        )
     more = f"<p>{len(failed) - _MOST_FAILURES} more are in results.sqlite.</p>" if len(failed) > _MOST_FAILURES else ""
     return (
-        "<section><h2>Failures</h2><p>Each line repeats its run bit for bit: its <code>log_hash</code> is the one that stands here.</p>"
+        "<section><h2>Failures</h2><p>Each line repeats its run bit for bit: <code>ui_cli log compare</code> finds no difference. The "
+        "<code>log_hash</code> is the one that stands here, but after some faults in which processes end by themselves.</p>"
         + _table(["run", "seed", "failed by", "to repeat it", "log_hash", "folder"], rows, "failures")
         + f"{more}</section>"
     )

@@ -21,9 +21,9 @@ class Successes:
 
 @dataclass(frozen=True)
 class Shift:
-    """How much larger a figure is under B. difference: the Hodges-Lehmann estimate, the median of the means of every two
-    differences; low, high: its interval at 95 %; p: Wilcoxon's signed-rank test that there is no shift, corrected for the number
-    of figures (Holm)."""
+    """How much larger a figure is under B. difference: the Hodges-Lehmann estimate, the median of the means of every
+    two differences; low, high: its interval at 95 %; p: Wilcoxon's signed-rank test that there is no shift, corrected
+    for the number of figures (Holm)."""
 
     figure: str
     pairs: int
@@ -55,7 +55,9 @@ def wilcoxon(figure: str, a: list[float], b: list[float]) -> Shift:
     if n == 0:
         return Shift(figure, 0, nan, nan, nan, nan, nan, 1.0)
     p = float(signed_ranks(d, method="auto").pvalue) if np.any(d) else 1.0
-    sample = d if n <= _MOST_FOR_ALL_MEANS else np.quantile(d, (np.arange(_MOST_FOR_ALL_MEANS) + 0.5) / _MOST_FOR_ALL_MEANS)
+    sample = (
+        d if n <= _MOST_FOR_ALL_MEANS else np.quantile(d, (np.arange(_MOST_FOR_ALL_MEANS) + 0.5) / _MOST_FOR_ALL_MEANS)
+    )
     i, j = np.triu_indices(len(sample))
     means = np.sort((sample[i] + sample[j]) / 2)
     # Ends by the normal approximation of the signed-rank statistic (Hollander, Wolfe 1999, 3.3), as a share of the means.
@@ -63,12 +65,20 @@ def wilcoxon(figure: str, a: list[float], b: list[float]) -> Shift:
     below = max(0.0, (total / 2 - norm.ppf(0.975) * scale) / total)
     at = min(int(below * len(means)), len(means) - 1)
     return Shift(
-        figure, n, float(np.median(x)), float(np.median(y)), float(np.median(means)), float(means[at]), float(means[len(means) - 1 - at]), p
+        figure,
+        n,
+        float(np.median(x)),
+        float(np.median(y)),
+        float(np.median(means)),
+        float(means[at]),
+        float(means[len(means) - 1 - at]),
+        p,
     )
 
 
 def holm(p: list[float]) -> list[float]:
-    """Corrected for their number: the smallest times n, the next times n - 1, and none below one before it (Holm 1979)."""
+    """Corrected for their number: the smallest times n, the next times n - 1, and none below one before it (Holm
+    1979)."""
     corrected, worst = [0.0] * len(p), 0.0
     for k, at in enumerate(np.argsort(p)):
         worst = max(worst, min(1.0, p[at] * (len(p) - k)))

@@ -80,17 +80,19 @@ def refuse_unknown(plan: Plan, text: str, known: dict[str, program.Parameter]) -
 
 
 def rows(plan: Plan, varied: list[Variation]) -> list[Row]:
-    """All runs. Each value's quantiles are those of a Latin hypercube, or of a scrambled Sobol sequence, over all runs."""
+    """All runs. Each value's quantiles are those of a Latin hypercube, or of a scrambled Sobol sequence, over all
+    runs."""
     seeds = seeds_of(plan.seeds)
     quantiles = _quantiles(plan, len(seeds), len(varied))
     return [
-        Row(run, seed, {v.key: v.value(u) for v, u in zip(varied, quantiles[run], strict=True)}) for run, seed in enumerate(seeds)
+        Row(run, seed, {v.key: v.value(u) for v, u in zip(varied, quantiles[run], strict=True)})
+        for run, seed in enumerate(seeds)
     ]
 
 
 def check_extremes(plan: Plan, planned: list[Row], varied: list[Variation]) -> None:
-    """Lets the task judge the smallest and the largest value of every key of the plan, and every word: what is out of range is
-    refused before anything runs. Values that do not go together show when they run."""
+    """Lets the task judge the smallest and the largest value of every key of the plan, and every word: what is out of
+    range is refused before anything runs. Values that do not go together show when they run."""
     for v in varied:
         values = {row.settings[v.key] for row in planned}
         tried = sorted(values) if v.kind == "choice" else {min(values, key=float), max(values, key=float)}

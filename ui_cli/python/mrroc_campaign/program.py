@@ -35,7 +35,8 @@ class Parameter:
 
 
 def folder() -> Path:
-    """Where programs are: MRROC_PROGRAMS, the build of the clone that this file is in, or of an installation below the same prefix."""
+    """Where programs are: MRROC_PROGRAMS, the build of the clone that this file is in, or of an installation below the
+    same prefix."""
     named = os.environ.get("MRROC_PROGRAMS")
     if named:
         return Path(named)
@@ -48,7 +49,9 @@ def find(task: str) -> Path:
     """The program of a task."""
     path = folder() / task
     if "/" in task or task.startswith(".") or not os.access(path, os.X_OK) or not path.is_file():
-        raise bad_usage(f"there is no task named '{task}' in {folder()}; build it, or set MRROC_PROGRAMS to the folder of the programs")
+        raise bad_usage(
+            f"there is no task named '{task}' in {folder()}; build it, or set MRROC_PROGRAMS to the folder of the programs"
+        )
     return path
 
 
@@ -82,11 +85,15 @@ def check(task: str, options: list[str], settings: dict[str, str]) -> None:
 def refuse_what_is_no_input(key: str) -> None:
     """Values of a simulation are varied, not which robot, host or file is used."""
     if key.startswith(_NOT_VARIED) or key.endswith(_NOT_VARIED_ENDS):
-        raise bad_usage(f"'{key}' is no input of a simulation and is not varied" + ("; use --seeds" if key == "seed" else ""))
+        raise bad_usage(
+            f"'{key}' is no input of a simulation and is not varied" + ("; use --seeds" if key == "seed" else "")
+        )
 
 
 def _ask(task: str, words: list[str]) -> str:
-    answer = subprocess.run([find(task), *words, "--parameters", "--json"], capture_output=True, text=True, check=False, timeout=60)
+    answer = subprocess.run(
+        [find(task), *words, "--parameters", "--json"], capture_output=True, text=True, check=False, timeout=60
+    )
     if answer.returncode != 0:
         code, text = last_error(answer.stderr)
         raise CampaignError(2, code or "bad_usage", text or f"{task} did not take {' '.join(words)}")

@@ -1,11 +1,10 @@
 """A campaign's file: its plan, and a row of a table for every run that has been counted (SQLite).
 
-Table `runs`: run (number in the plan, from 0), seed, a column per varied value under its key, success (1: done, and all figures as
-wanted), outcome (of summary.json; none: there is none), fault (code; empty: none), text (of the fault), exit_status (null: out of
-time), log_hash, sim_s and wall_s [s], host, folder (of a run that was kept), bars (JSON: what was wanted, by figure), and a column
-per figure under its key; one number of several is KEY[0], KEY[1].
-Table `planned`: run, seed, settings (JSON: value as text by key). Table `campaign`: key, value (JSON).
-"""
+Table `runs`: run (number in the plan, from 0), seed, a column per varied value under its key, success (1: done, and all
+figures as wanted), outcome (of summary.json; none: there is none), fault (code; empty: none), text (of the fault),
+exit_status (null: out of time), log_hash, sim_s and wall_s [s], host, folder (of a run that was kept), bars (JSON: what
+was wanted, by figure), and a column per figure under its key; one number of several is KEY[0], KEY[1]. Table `planned`:
+run, seed, settings (JSON: value as text by key). Table `campaign`: key, value (JSON)."""
 
 import fcntl
 import json
@@ -120,7 +119,10 @@ class Results:
     def add(self, row: Row, result: dict) -> bool:
         """Counts a run, all of it or nothing. Returns False when it is counted already."""
         figures = _flat(result["figures"])
-        values = {k: result[k] for k in _COLUMNS if k in result} | {"seed": row.seed, "bars": json.dumps(result["bars"])}
+        values = {k: result[k] for k in _COLUMNS if k in result} | {
+            "seed": row.seed,
+            "bars": json.dumps(result["bars"]),
+        }
         values |= row.settings | figures
         with writing(self.folder):
             if self._db.execute("SELECT 1 FROM runs WHERE run = ?", [row.run]).fetchone():
@@ -182,5 +184,7 @@ def writing(folder: Path):
         yield
     except (OSError, sqlite3.OperationalError) as failed:
         raise CampaignError(
-            3, "cannot_write", f"{folder} cannot be written ({failed}); all runs that are counted are kept: make room, then go on"
+            3,
+            "cannot_write",
+            f"{folder} cannot be written ({failed}); all runs that are counted are kept: make room, then go on",
         ) from None

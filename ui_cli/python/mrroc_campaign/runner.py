@@ -1,4 +1,5 @@
-"""Carries out jobs on Dask. Whatever happens to workers and scheduler, every job's result is taken once, or the job is told as lost."""
+"""Carries out jobs on Dask. Whatever happens to workers and scheduler, every job's result is taken once, or the job is
+told as lost."""
 
 import queue
 import time
@@ -15,12 +16,13 @@ from .job import execute
 from .plan import Plan, Row
 
 _ATTEMPTS = 3  # of a job whose workers died, ten of them each time
+_LOOK_S = 2.0  # between two looks at how many workers there are
 _PATIENCE_S = 600.0  # for a scheduler that is gone
 
 
 def job_of(plan: Plan, row: Row, scratch: str) -> dict:
-    """What a worker needs to know of a run. scratch: the folder for runs, which the worker sees as we do; empty: it takes one of
-    its own."""
+    """What a worker needs to know of a run. scratch: the folder for runs, which the worker sees as we do; empty: it
+    takes one of its own."""
     return {
         "task": plan.task, "program": plan.program, "options": plan.options, "processes": plan.processes, "keep": plan.keep,
         "timeout_s": plan.timeout_s, "folder": plan.folder, "scratch": scratch, "run": row.run, "seed": row.seed, "settings": row.settings,
@@ -35,6 +37,7 @@ class Runner:
         self._client: Client | None = None
         self._ended: queue.SimpleQueue = queue.SimpleQueue()
         self._running: dict[str, tuple[dict, object]] = {}
+        self._limit, self._looked = 0, -_LOOK_S
 
     def run(self, jobs: Iterable[dict], take: Callable[[dict], bool]) -> list[int]:
         """Carries out jobs. take: gets each result in this thread; False ends all. Returns the numbers of lost jobs."""
@@ -68,8 +71,10 @@ class Runner:
         """Every worker has a job and the next one beside it."""
         if self._client is None or self._client.status != "running":
             self._come_back(waiting)
-        limit = 2 * max(1, len(self._client.scheduler_info().get("workers", {}))) + 1
-        while len(self._running) < limit:
+        if time.monotonic() > self._looked + _LOOK_S:
+            self._looked = time.monotonic()
+            self._limit = 2 * max(1, len(self._client.scheduler_info().get("workers", {}))) + 1
+        while len(self._running) < self._limit:
             job = waiting.popleft() if waiting else next(more, None)
             if job is None:
                 return
@@ -90,9 +95,13 @@ class Runner:
 
     def _judge(self, failed: BaseException, job: dict, waiting: deque, killed: Counter, lost: list[int]) -> None:
         if isinstance(failed, HostFailed):
-            raise CampaignError(3, "host_failed", f"run {job['run']} could not be carried out, and is not counted: {failed}")
+            raise CampaignError(
+                3, "host_failed", f"run {job['run']} could not be carried out, and is not counted: {failed}"
+            )
         if not isinstance(failed, KilledWorker):
-            raise CampaignError(3, "host_failed", f"run {job['run']} could not be carried out: {type(failed).__name__}: {failed}")
+            raise CampaignError(
+                3, "host_failed", f"run {job['run']} could not be carried out: {type(failed).__name__}: {failed}"
+            )
         killed[job["run"]] += 1
         if killed[job["run"]] < _ATTEMPTS:
             waiting.append(job)
@@ -100,7 +109,8 @@ class Runner:
             lost.append(job["run"])
 
     def _come_back(self, waiting: deque) -> None:
-        """Connects, for the first time or again. What was running is handed out anew: only results that were taken count."""
+        """Connects, for the first time or again. What was running is handed out anew: only results that were taken
+        count."""
         again = self._client is not None
         self.close()
         waiting.extendleft(job for job, _ in reversed(self._running.values()))

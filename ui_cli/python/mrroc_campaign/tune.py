@@ -34,7 +34,8 @@ class Search:
 
 @dataclass(frozen=True)
 class Trial:
-    """Values and what came of them. value: mean of the figure over the seeds; None when a run did not come to its end."""
+    """Values and what came of them. value: mean of the figure over the seeds; None when a run did not come to its
+    end."""
 
     settings: dict[str, str]
     value: float | None
@@ -52,9 +53,9 @@ def search_of(plan: Plan, goal: str, over: list[str], trials: int) -> Search:
 
 
 def tune(results: Results, search: Search, where: campaign.Where) -> list[Trial]:
-    """Tries the default values, then what Optuna's estimator (TPE, Bergstra 2011) proposes, each with all seeds of the plan. Runs
-    that are counted already are not carried out again: proposals follow from the seed and from what was found, so a search that was
-    ended early goes on as if it had not been."""
+    """Tries the default values, then what Optuna's estimator (TPE, Bergstra 2011) proposes, each with all seeds of the
+    plan. Runs that are counted already are not carried out again: proposals follow from the seed and from what was
+    found, so a search that was ended early goes on as if it had not been."""
     optuna.logging.set_verbosity(optuna.logging.WARNING)
     plan, seeds = results.plan, plans.seeds_of(results.plan.seeds)
     study, trials = _study(plan, search), []
@@ -82,7 +83,9 @@ def best_of(trials: list[Trial], search: Search) -> Trial:
     """The fewest failed runs, then the best value."""
     measured = [t for t in trials if t.value is not None]
     if not measured:
-        raise CampaignError(1, "nothing_found", "no trial came to its end with all seeds; look at the runs that were kept")
+        raise CampaignError(
+            1, "nothing_found", "no trial came to its end with all seeds; look at the runs that were kept"
+        )
     return min(measured, key=lambda t: (t.failed, -t.value if search.largest else t.value))
 
 
@@ -93,7 +96,9 @@ def lines(results: Results, search: Search, trials: list[Trial]) -> list[str]:
     told = [f"{len(trials)} trials of {len(seeds)} runs"]
     for name, trial in (("default", first), ("best", best)):
         value = "not measured" if trial.value is None else f"{trial.value:.6g}"
-        told.append(f"  {name:8} {search.figure} {value}, {trial.failed} of {len(seeds)} runs failed: {shlex.join(f'{k}={v}' for k, v in trial.settings.items())}")
+        told.append(
+            f"  {name:8} {search.figure} {value}, {trial.failed} of {len(seeds)} runs failed: {shlex.join(f'{k}={v}' for k, v in trial.settings.items())}"
+        )
     fresh = replace(plan, seeds=f"{max(seeds) + 1}:{max(seeds) + 100}")
     found = replace(fresh, options=[*plan.options, *program.settings_as_words(best.settings)])
     told.append("to see whether it holds for other seeds:")
@@ -120,14 +125,18 @@ def begin(plan: Plan, search: Search, folder: Path, resume: bool) -> Results:
 def _study(plan: Plan, search: Search) -> optuna.Study:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # constraints are told to be new
-        sampler = optuna.samplers.TPESampler(seed=plan.plan_seed, constraints_func=lambda trial: (trial.user_attrs.get("failed", 0),))
+        sampler = optuna.samplers.TPESampler(
+            seed=plan.plan_seed, constraints_func=lambda trial: (trial.user_attrs.get("failed", 0),)
+        )
     study = optuna.create_study(direction="maximize" if search.largest else "minimize", sampler=sampler)
     known = program.parameters(plan.task, plan.options)
     study.enqueue_trial({key: _default(known[key], search.space[key]) for key in search.space})
     return study
 
 
-def _carry_out(results: Results, runner: Runner, rows: list[Row], done: dict[int, bool], scratch: str, bar: Progress) -> None:
+def _carry_out(
+    results: Results, runner: Runner, rows: list[Row], done: dict[int, bool], scratch: str, bar: Progress
+) -> None:
     by_run = {row.run: row for row in rows}
     for row in rows:
         if row.run in done:
@@ -170,7 +179,9 @@ def _distribution(plan: Plan, text: str, known: dict[str, Parameter]) -> tuple[s
     if log and low <= 0:
         raise bad_usage(f"--over {text}: logarithms need values above 0")
     kind = IntDistribution if variation.integer else FloatDistribution
-    return variation.key, kind(int(low) if variation.integer else low, int(high) if variation.integer else high, log=bool(log))
+    return variation.key, kind(
+        int(low) if variation.integer else low, int(high) if variation.integer else high, log=bool(log)
+    )
 
 
 def _default(parameter: Parameter, distribution: BaseDistribution):

@@ -35,7 +35,8 @@ class Variation:
 
 
 def parse(text: str, known: dict[str, Parameter]) -> Variation:
-    """A word behind --vary. Raises CampaignError when the key is no parameter of the task, or the values do not fit it."""
+    """A word behind --vary. Raises CampaignError when the key is no parameter of the task, or the values do not fit
+    it."""
     key, equals, values = text.partition("=")
     if not equals or not values:
         raise bad_usage(f"--vary {text}: write KEY=LOW:HIGH, KEY=normal(M,S) or KEY=A,B,C")
