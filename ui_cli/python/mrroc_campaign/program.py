@@ -17,7 +17,7 @@ _NOT_VARIED_ENDS = (".hardware", ".core", ".record")
 
 @dataclass(frozen=True)
 class Parameter:
-    """A row of `TASK --parameters`: default as text in TOML, range in words (empty: none), unit."""
+    """A row of `TASK --parameters`: default (or what options make of it) as text in TOML, range in words (empty: none), unit."""
 
     key: str
     default: str
@@ -74,7 +74,10 @@ def settings_as_words(settings: dict[str, str]) -> list[str]:
 def parameters(task: str, options: list[str]) -> dict[str, Parameter]:
     """What can be varied, by its key, as the task itself tells it with those options."""
     rows = json.loads(_ask(task, options))
-    return {r["key"]: Parameter(r["key"], r["default"], r["range"] or "", r["unit"] or "") for r in rows}
+    # With --set or --config among the options the task tells the value that they make, under that name.
+    return {
+        r["key"]: Parameter(r["key"], r.get("default", r.get("value")), r["range"] or "", r["unit"] or "") for r in rows
+    }
 
 
 def check(task: str, options: list[str], settings: dict[str, str]) -> None:
