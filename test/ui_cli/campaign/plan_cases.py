@@ -89,10 +89,11 @@ class Plans(Place):
             (["--vary", "robots.arm1.hardware=a,b"], "no input of a simulation"),
             (["--vary", "task.force=1:2", "--vary", "task.force=1:3"], "twice"),
             (["--stop-when", "2"], "--stop-when"),
-            (["--resume", "nowhere"], "--resume takes plan and task from the folder"),
+            (["--resume", "nowhere"], "name two folders"),
             (["--", "--seed", "3"], "--seed is given to each run by the campaign"),
             (["--", "--wrong"], "unknown option --wrong"),
-            (["--frobnicate"], "--frobnicate"),
+            (["--frobnicate"], "options of the task stand behind --"),
+            (["--on", "here"], "--on here: write local"),
         ):  # fmt: skip
             said = self.command("hop", "--seeds", "1:3", "--dir", "c", *words, status=2).strip()
             self.assertEqual(len(said.splitlines()), 1, said)

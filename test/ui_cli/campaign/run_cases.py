@@ -155,7 +155,8 @@ class Campaigns(Place):
             time.sleep(0.1)
         self.assertFalse(is_alive(str(self.home)), "a worker or a run has outlived its campaign")
         before = self.counted("rough")
-        self.command("--resume", "rough")  # nothing is left to do
+        self.command(*line, "--resume", "rough")  # nothing is left to do
+        self.assertIn("rough began as: ", self.command("hop", "--seeds", "1:41", "--resume", "rough", status=2))
         self.assertEqual(self.counted("rough"), before)
 
     def test_interrupted_campaign_ends_its_runs_and_tells_the_line_that_goes_on(self):

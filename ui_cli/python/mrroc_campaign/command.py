@@ -55,7 +55,8 @@ class _Line(argparse.ArgumentParser):
     """Errors in the words of all programs here."""
 
     def error(self, message: str):
-        raise bad_usage(f"{message}; look at {self.prog} --help")
+        behind = "options of the task stand behind --; " if message.startswith("unrecognized") else ""
+        raise bad_usage(f"{message}; {behind}look at {self.prog} --help")
 
 
 def _line(name: str, about: str) -> _Line:
@@ -122,26 +123,43 @@ def _run(words: list[str]) -> int:
         "--resume",
         type=Path,
         metavar="DIR",
-        help="go on with the campaign of that folder; only with --on and --workers",
+        help="go on with the campaign of that folder",
     )
     _add_where(line)
     _add_runs(line)
     chosen = line.parse_args(words)
     if chosen.resume:
-        if chosen.task or chosen.seeds or chosen.vary or options or chosen.dir:
-            raise bad_usage("--resume takes plan and task from the folder; name only --on and --workers beside it")
-        from . import campaign
-
-        return _carry_out(campaign.take_up(chosen.resume), chosen)
+        return _carry_out(_taken_up(chosen, options), chosen, _where(chosen))
     if not chosen.task or not chosen.seeds:
         raise bad_usage(f"name a task and its seeds: {CALLED} press --seeds 1:100")
     if not 0 <= chosen.stop_when < 1:
         raise bad_usage("--stop-when takes a width of the interval between 0 and 1")
     plan = _plan_of(chosen, options, chosen.seeds, chosen.vary, chosen.stop_when)
+    where = _where(chosen)
     from . import campaign
 
-    results = campaign.begin(plan, _folder_of(chosen, "campaign"))
-    return _carry_out(results, chosen)
+    return _carry_out(campaign.begin(plan, _folder_of(chosen, "campaign")), chosen, where)
+
+
+def _taken_up(chosen: argparse.Namespace, options: list[str]):
+    """The campaign that goes on. What is typed beside its folder must be what it began with."""
+    from . import campaign
+
+    if chosen.dir:
+        raise bad_usage("--resume and --dir name two folders")
+    results = campaign.take_up(chosen.resume)
+    plan = results.plan
+    for given, begun in (
+        (chosen.task, plan.task),
+        (chosen.seeds, plan.seeds),
+        (chosen.vary, plan.vary),
+        (options, plan.options),
+    ):
+        if given and given != begun:
+            raise bad_usage(
+                f"{chosen.resume} began as: {repeat.campaign_line(plan)}; {CALLED} --resume {chosen.resume} goes on"
+            )
+    return results
 
 
 def _plan_of(
@@ -188,7 +206,7 @@ def _workers_of(chosen: argparse.Namespace) -> int:
     return chosen.workers or len(hosts.cores())
 
 
-def _carry_out(results, chosen: argparse.Namespace) -> int:
+def _carry_out(results, chosen: argparse.Namespace, where) -> int:
     from . import campaign, report
 
     again = f"{CALLED} --resume {shlex.quote(str(results.folder))}" + (
@@ -196,7 +214,7 @@ def _carry_out(results, chosen: argparse.Namespace) -> int:
     )
     again += f" --key-file {shlex.quote(str(chosen.key_file))}" if chosen.key_file else ""
     try:
-        lost = campaign.carry_out(results, _where(chosen))
+        lost = campaign.carry_out(results, where)
     except (CampaignError, KeyboardInterrupt) as ended:
         print(f"{len(results.successes())} runs are counted; to go on: {again}", file=sys.stderr)
         if isinstance(ended, CampaignError):
@@ -278,10 +296,11 @@ def _tune(words: list[str]) -> int:
     if chosen.resume and not chosen.dir:
         raise bad_usage("--resume goes on in the folder that --dir names")
     plan = _plan_of(chosen, options, chosen.seeds, [])
+    where = _where(chosen)
     search = tune.search_of(plan, chosen.goal, chosen.over, chosen.trials)
     results = tune.begin(plan, search, _folder_of(chosen, "tune"), chosen.resume)
     try:
-        trials = tune.tune(results, search, _where(chosen))
+        trials = tune.tune(results, search, where)
     except (CampaignError, KeyboardInterrupt):
         print(f"what was tried is kept; to go on: the same line with --dir {results.folder} --resume", file=sys.stderr)
         raise
