@@ -107,6 +107,7 @@ class Statistics(unittest.TestCase):
             self.assertTrue(all(c >= q for c, q in zip(corrected, p, strict=True)))
             self.assertAlmostEqual(min(corrected), min(1, min(p) * len(p)))
             self.assertEqual(np.argsort(p).tolist(), sorted(range(len(p)), key=lambda k: (corrected[k], p[k])))
+        self.assertTrue(np.allclose(paired.holm([0.04, 0.01, 0.02]), [0.04, 0.03, 0.04]))
 
     def test_value_that_makes_runs_fail_comes_first_with_its_cut(self):
         random = np.random.default_rng(8)
