@@ -128,6 +128,11 @@ class Statistics(unittest.TestCase):
         found = causes.dependences({"word": words}, [w == "b" for w in words])
         self.assertEqual((found[0].rule, found[0].inside, found[0].outside), ("word = b", (40, 40), (0, 80)))
 
+        found = causes.dependences({"word": words}, [w != "b" for w in words])
+        self.assertEqual((found[0].rule, found[0].inside, found[0].outside), ("word is not b", (80, 80), (0, 40)))
+        words = ["a", "b"] * 60
+        self.assertEqual(causes.dependences({"word": words}, [w == "b" for w in words])[0].rule, "word = b")
+
     def test_values_without_influence_are_seldom_accused(self):
         random, accused, rounds = np.random.default_rng(9), 0, 60
         for k in range(rounds):

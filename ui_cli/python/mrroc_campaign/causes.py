@@ -50,15 +50,13 @@ def _of_key(key: str, column: list, y: np.ndarray, shuffled: np.ndarray) -> Depe
     strength = _strength(sides, shuffled)  # a row per permutation, the true order first
     best = strength.max(axis=1)
     p = float(np.count_nonzero(best >= best[0] - 1e-12)) / len(best)
-    cut = int(strength[0].argmax())
-    side = sides[cut]
+    fails_more = np.array([y[side].mean() > y.mean() for side in sides])
+    cut = int((strength[0] + 1e-9 * fails_more).argmax())  # of two words both cuts are one: tell where it fails
+    side, rule = sides[cut], rules[cut]
+    if not fails_more[cut]:
+        side, rule = ~side, rule.replace(" > ", " <= ") if numbers else rule.replace(" = ", " is not ")
     parts = [(int(y[s].sum()), int(s.sum())) for s in (side, ~side)]
-    if numbers and parts[0][0] * parts[1][1] < parts[1][0] * parts[0][1]:  # tell where it fails
-        parts.reverse()
-        rules[cut] = rules[cut].replace(">", "<=")
-    return Dependence(
-        key, p, rules[cut], parts[0], parts[1], spearman(np.asarray(column, float), y) if numbers else None
-    )
+    return Dependence(key, p, rule, parts[0], parts[1], spearman(np.asarray(column, float), y) if numbers else None)
 
 
 def _strength(sides: np.ndarray, shuffled: np.ndarray) -> np.ndarray:

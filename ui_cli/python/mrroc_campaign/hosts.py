@@ -16,7 +16,8 @@ from distributed import LocalCluster, Scheduler, Worker
 from . import keys
 
 LOCAL = "127.0.0.1"
-# A run ends its worker only by chance; workers say much that is no news here.
+# A run ends its worker only by chance. What Dask watches many times a second is of no use for runs of seconds, and
+# takes their time.
 _SETTINGS = {
     "distributed.scheduler.allowed-failures": 10,
     "distributed.scheduler.work-stealing": False,
@@ -24,7 +25,12 @@ _SETTINGS = {
     "distributed.worker.profile.interval": "10s",
     "distributed.worker.profile.cycle": "100s",
     "distributed.comm.retry.count": 0,
+    "distributed.admin.tick.interval": "2s",
     "distributed.admin.tick.limit": "1h",
+    "distributed.admin.system-monitor.interval": "10s",
+    "distributed.admin.system-monitor.disk": False,
+    "distributed.worker.memory.monitor-interval": "10s",
+    "distributed.scheduler.active-memory-manager.start": False,
 }
 
 
