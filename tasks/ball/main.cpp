@@ -27,7 +27,7 @@ struct Ball {
 };
 
 void add_options(CommandLine& line, Ball& b) {
-  line.option("--object", b.object, "what is carried: ball or box").choices({"ball", "box"});
+  line.option("--object", b.object, "what is carried: ball or box").one_of({"ball", "box"});
   line.flag("--hand", b.hand, "a simulated hand pushes an arm on its way, and both yield");
 }
 
