@@ -17,7 +17,7 @@ struct FreeBodyDescription {
   double size{0.2};                   ///< diameter of a ball, edge of a box, whose edges are all alike [m]
   double mass{0.5};                   ///< [kg]
   double friction{0.8};               ///< on rubber palms
-  Vector3 pedestal{0.5, 1.05, 0.85};  ///< middle of the pedestal's upper side in the world [m]
+  Vector3 pedestal{0.3, 1.05, 0.75};  ///< middle of the pedestal's upper side in the world [m]
 };
 
 /// Reads [free_body]: shape (none, ball, box), size, mass, friction, pedestal.
