@@ -10,6 +10,8 @@ namespace mrroc::sim {
 /// A body that can be touched by palms (sim/palm.hpp), by its pedestal and by the floor. At the beginning it rests on the
 /// pedestal: a plate that is open in the middle, so that a ball sits in the opening and a box lies across it.
 struct FreeBodyParameters : FreeBodyDescription {
+  /// Radius of the patch in which a rubber palm lies against a ball: its friction resists spinning about the normal [m].
+  double patch{0.008};
   double pedestal_edge{0.12};     ///< of the pedestal's upper side, which is square [m]
   double pedestal_opening{0.04};  ///< edge of the opening in it [m], below the body's size
 };

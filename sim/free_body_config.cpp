@@ -30,6 +30,7 @@ std::optional<FreeBodyParameters> read_true_body(const Config& config) {
   p.size = t.number("size", told->size, {0.06, 0.4}, "m, really");
   p.mass = t.number("mass", told->mass, {0.02, 20}, "kg, really");
   p.friction = t.number("friction", told->friction, {0, 2}, "really");
+  p.patch = t.number("patch", p.patch, {0, 0.05}, "m, radius in which a palm lies against a ball");
   const auto offset = t.numbers<3>("offset", std::array{0., 0., 0.}, {-0.1, 0.1},
                                    "m, by which body and pedestal stand elsewhere");
   p.pedestal += Vector3(offset[0], offset[1], offset[2]);

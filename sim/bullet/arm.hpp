@@ -52,6 +52,8 @@ class SimulatedArm {
   }
   /// What the pen draws on has moved since the construction. @param way  in the world [m]
   void carry_sheet(const Vector3& way) { sheet_way_ = T_BU_.R * way; }
+  /// @return angular velocity of the tool in the world [rad/s]
+  [[nodiscard]] Vector3 tool_turning() const { return load_.motion().angular_velocity; }
   /// @return its links and joints
   [[nodiscard]] const btMultiBody* body() const { return arm_.body.get(); }
   /// @return E in the world

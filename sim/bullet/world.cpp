@@ -55,9 +55,10 @@ struct World::Impl {
   }
 
   void add_free_body() {
-    std::vector<const btMultiBody*> bodies;
-    for (const auto& each : arms) bodies.push_back(each->body());
-    free_body = std::make_unique<FreeBody>(*p.free_body, std::move(bodies), scene, kStep / p.substeps);
+    std::vector<PalmBearer> bearers;
+    for (const auto& each : arms)
+      bearers.push_back({each->body(), [arm = each.get()] { return arm->tool_turning(); }});
+    free_body = std::make_unique<FreeBody>(*p.free_body, std::move(bearers), scene, kStep / p.substeps);
   }
 
   /// The sheets go where the belt goes.
@@ -98,6 +99,7 @@ void World::step(std::span<const HardwareCommand> commands) {
   for (int substep = 0; substep < w.p.substeps; ++substep) {
     for (const auto& arm : w.arms) arm->push();
     if (w.cube) w.cube->push();
+    if (w.free_body) w.free_body->push();
     w.scene.integrate(kStep / w.p.substeps);
     for (const auto& arm : w.arms) arm->follow();
     if (w.cube) w.cube->follow(1.0 / w.p.substeps);

@@ -15,10 +15,9 @@ struct Sums {
 
 Sums sums_of(const std::vector<BodyRow>& rows, const Parameters& k) {
   Sums s;
-  std::optional<Pose> lifted;  // of the object, at the beginning of the circle, less its way
+  const std::optional<Pose> lifted = lifted_pose(rows);
   for (const BodyRow& row : rows) {
     if (row.m != kCircle) continue;
-    if (!lifted) lifted = Pose{row.T_UO.R, row.T_UO.p - row.wanted - row.yielded};
     const double inner = std::min(row.press[0], row.press[1]);
     ++s.rows;
     s.force += inner;
@@ -40,6 +39,12 @@ bool fell(const std::vector<BodyRow>& rows) {
 }
 
 }  // namespace
+
+std::optional<Pose> lifted_pose(const std::vector<BodyRow>& rows) {
+  const auto first = std::ranges::find(rows, kCircle, &BodyRow::m);
+  if (first == rows.end()) return {};
+  return Pose{first->T_UO.R, first->T_UO.p - first->wanted - first->yielded};
+}
 
 mp::TaskFigures figures(const std::vector<BodyRow>& rows, const Parameters& k, bool pushed) {
   const Sums s = sums_of(rows, k);

@@ -1,5 +1,6 @@
 // What a run is judged by.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "mp/figure_table.hpp"
@@ -8,10 +9,13 @@
 
 namespace mrroc::ball {
 
+/// @return where the object was at the beginning of the circle, less its way until then; nothing: it has not come there
+[[nodiscard]] std::optional<Pose> lifted_pose(const std::vector<BodyRow>& rows);
+
 /// @param pushed  a person pushed an arm: the object is not where the circle is
 /// @return inner_force_N (mean of the weaker palm's normal force around the circle), inner_force_rms_N, inner_force_peak_N,
-///         circle_rms_mm and circle_max_mm (of the object off the circle, counted from where it was lifted), held_rms_mm (of the
-///         object off its place between the palms), turned_deg, yielded_mm, falls
+///         turned_deg, circle_rms_mm and circle_max_mm (of the object, from where it was lifted) or yielded_mm of a pushed
+///         pair, falls
 [[nodiscard]] mp::TaskFigures figures(const std::vector<BodyRow>& rows, const Parameters& k, bool pushed);
 
 }  // namespace mrroc::ball

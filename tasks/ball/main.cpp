@@ -11,6 +11,7 @@
 #include "tasks/ball/cell/ball_cell.hpp"
 #include "tasks/ball/config.hpp"
 #include "tasks/ball/figures.hpp"
+#include "tasks/ball/plots.hpp"
 #include "tasks/ball/pushing_operator.hpp"
 
 namespace {
@@ -61,6 +62,11 @@ void make_results(const Ball& b, launch::Results& r) {
   evaluation.behaviours = launch::words_of(ball::kBehaviours);
   evaluation.figures = [&](const auto&, const Config&) {
     return ball::figures(rows, b.k, b.push.has_value());
+  };
+  evaluation.pictures = [&](const auto&, const Config&) {
+    return std::vector<launch::Picture>{
+        {.name = "path", .script = ball::path_script(rows)},
+        {.name = "force", .chart = ball::force_chart(rows, b.k), .arms = {0}}};
   };
   launch::evaluate(evaluation, r);
 }

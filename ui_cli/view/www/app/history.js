@@ -76,13 +76,13 @@ function floats(base64) {
 }
 
 // Columns of the tracks that are no arm's.
-const kWidths = {object: 15, cube: 22};
+const kWidths = {object: 15, cube: 22, body: 13};
 // Columns of the tracks that a platform has besides its own, which are named KIND:PLATFORM.
 const kPlatformWidths = {telemetry: 127, truth: 7, plan: 4, fragment: 103, box: 4};
 const kPlatform = 'platform:';
 
 const kNothing = {
-  source: 'none', task: '', session: '', folder: '', note: '', pictures: [], columns: [], platform_columns: [], arms: [], platforms: [], cameras: [], cube: {held_by: ''}, object: {kind: 'none'},
+  source: 'none', task: '', session: '', folder: '', note: '', pictures: [], columns: [], platform_columns: [], arms: [], platforms: [], cameras: [], cube: {held_by: ''}, object: {kind: 'none'}, body: {shape: 'none'},
 };
 
 const is_effector = (name) => !(name in kWidths) && !name.includes(':');
