@@ -163,7 +163,7 @@ Orders held_with(const X& x, int m, double force, const std::array<PalmGoal, kAr
   Orders orders;
   for (std::size_t arm = 0; arm < kArms; ++arm) {
     TaskFrameCommand frame = hold_place(arm, s.T_UE[arm], goals[arm]);
-    frame.z = arm == 0 ? press_in_place(force, s.T_UE[arm], goals[arm].place) : press(force);
+    frame.z = arm == 0 ? press_in_place(force, s, (goals[0].place + goals[1].place) / 2) : press(force);
     orders[arm] = ecp::order(m, frame, kPacing);
   }
   return orders;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kPlaceGain = 2;          // of an error of the place [1/s]
 constexpr double kTurnGain = 2;           // of an error of the orientation [1/s]
-constexpr double kReturnGain = 1;         // along z of the palm that keeps its place [1/s]
+constexpr double kReturnGain = 1;         // of the middle between the palms along the line [1/s]
 constexpr double kShareMobility = 0.001;  // [m/s/N]
 constexpr double kShareReturn = 0.3;      // [1/s]
 constexpr double kMostShift = 0.003;      // [m]
@@ -53,8 +53,8 @@ TaskFrameCommand hold_place(std::size_t arm, const Pose& T_UE, const PalmGoal& g
 
 AxisCommand press(double force) { return c(force, ecp::kInertia, ecp::kMobility); }
 
-AxisCommand press_in_place(double force, const Pose& T_UE, const Vector3& goal) {
-  const double off = T_UE.R.col(2).dot(goal - T_UE.p);
+AxisCommand press_in_place(double force, const PairState& state, const Vector3& goal) {
+  const double off = -kLine.dot(goal - (state.T_UE[0].p + state.T_UE[1].p) / 2);
   return c(force + kReturnGain * off / ecp::kMobility, ecp::kInertia, ecp::kMobility);
 }
 

@@ -29,8 +29,8 @@ struct PalmGoal {
 
 /// The row along z of the palm that presses: CONTACT, wherever that leads.
 [[nodiscard]] AxisCommand press(double force);
-/// The same of the palm that keeps its place: it presses with the same force, and is drawn to its goal.
-[[nodiscard]] AxisCommand press_in_place(double force, const Pose& T_UE, const Vector3& goal);
+/// The same of the first palm, which keeps the pair in its place: the middle between the palms is drawn to its goal.
+[[nodiscard]] AxisCommand press_in_place(double force, const PairState& state, const Vector3& goal);
 
 /// @return shift of the palms one macrostep later: the one that bears more gives way
 [[nodiscard]] Vector3 share_load(const Vector3& shift, const PairState& state, double pace);

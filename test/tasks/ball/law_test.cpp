@@ -70,10 +70,11 @@ TEST(BallLaw, DrawsAPalmToItsPlaceAndTurnsItToTheOther) {
 }
 
 TEST(BallLaw, PressesWithTheSameForceInItsPlaceAndWithMoreWhenDriven) {
-  const Pose T_UE{palm_orientation(0), {0.3, 1.15, 1}};
-  EXPECT_EQ(press_in_place(12.5, T_UE, T_UE.p), press(12.5));
-  EXPECT_GT(press_in_place(12.5, T_UE, T_UE.p - 0.01 * kLine).force, 12.5);
-  EXPECT_LT(press_in_place(12.5, T_UE, T_UE.p + 0.01 * kLine).force, 12.5);
+  const PairState s = pair_state({}, holding(12.5, Vector3::Zero(), Vector3::Zero()));
+  const Vector3 middle(0.3, 1.05, 1);
+  EXPECT_NEAR(press_in_place(12.5, s, middle).force, press(12.5).force, 1e-9);
+  EXPECT_GT(press_in_place(12.5, s, middle - 0.01 * kLine).force, 12.5);
+  EXPECT_LT(press_in_place(12.5, s, middle + 0.01 * kLine).force, 12.5);
 }
 
 }  // namespace
