@@ -25,6 +25,9 @@ constexpr double kWeighing = 50;         // macrosteps
 constexpr int kBounce = 10;              // macrosteps that are more than a bounce
 constexpr int kSteady = 25;              // macrosteps of a force that has settled
 constexpr double kSettled = 0.7;         // [N]
+constexpr double kClosedIn = 0.02;       // of palms between which nothing is any more [m]
+constexpr double kNobody = 1.5;          // difference of both forces when nobody pushes [N]
+constexpr double kFollowing = 0.02;      // share per macrostep
 constexpr int kGone = 5;                 // macrosteps of what is no noise
 constexpr double kOnPedestal = 0.3;      // share of the load
 // From the reading of a pose to the beginning of the macrostep that answers it, in macrosteps.
@@ -62,13 +65,13 @@ void fail(Memory& c, Failure failure) {
   if (c.failure == Failure::none) c.failure = failure;
 }
 
-/// What a person adds at one palm, the other one does not feel.
+/// What happens to the object between the palms.
 void watch_force(Memory& c, const PairState& s) {
-  const auto [least, most] = std::minmax(s.press[0], s.press[1]);
-  c.lost = most < c.k.least_force ? c.lost + 1 : 0;
-  c.crushed = least > c.k.most_force ? c.crushed + 1 : 0;
-  if (c.lost > kGone) fail(c, Failure::lost);
-  if (c.crushed > 0) fail(c, Failure::crushed);
+  const double force = contact_force(s, c.closed);
+  c.lost = force < c.k.least_force ? c.lost + 1 : 0;
+  if (c.lost > kGone || s.distance < c.closed - kClosedIn) fail(c, Failure::lost);
+  if (force > c.k.most_force) fail(c, Failure::crushed);
+  if (std::abs(s.press[0] - s.press[1]) < kNobody) c.closed += kFollowing * (s.distance - c.closed);
 }
 
 Memory come_nearer(const X& x) {

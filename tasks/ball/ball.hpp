@@ -44,11 +44,11 @@ struct Memory {
   std::array<Vector3, kArms> grip{};  ///< where the palms were when the behaviour began
   Vector3 shift{Vector3::Zero()};  ///< of the second palm against the first, across, that shares the load [m]
   Vector3 yielded{Vector3::Zero()};   ///< how far both arms have yielded, across [m]
-  double closed{};                    ///< distance of the palms when the force had settled [m]
+  double closed{};                    ///< distance of the palms when nobody pushes [m]
   double load{};                      ///< weight that the palms bear together [N]
   std::array<int, kArms> touching{};  ///< macrosteps in succession in which each palm has touched
   int steady{};                       ///< macrosteps in succession in which what is waited for has been so
-  int lost{}, crushed{};              ///< ... in which too little, too much force has been felt
+  int lost{};                         ///< ... in which too little force has been felt
   Failure failure{Failure::none};     ///< the first one
 };
 

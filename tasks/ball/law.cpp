@@ -39,6 +39,11 @@ PairState pair_state(const Parameters& k, const std::array<Report, kArms>& repor
   return s;
 }
 
+double contact_force(const PairState& s, double closed) {
+  const auto [least, most] = std::minmax(s.press[0], s.press[1]);
+  return s.distance < closed ? most : least;
+}
+
 TaskFrameCommand hold_place(std::size_t arm, const Pose& T_UE, const PalmGoal& goal) {
   const Vector3 v = T_UE.R.transpose() * (goal.velocity + kPlaceGain * (goal.place - T_UE.p));
   const Vector3 w = kTurnGain * angle_axis_from_rotation(T_UE.R.transpose() * palm_orientation(arm));

@@ -18,6 +18,11 @@ struct PairState {
 /// @param reports  of both arms
 [[nodiscard]] PairState pair_state(const Parameters& k, const std::array<Report, kArms>& reports);
 
+/// What a person adds to one arm, its own sensor feels, and the object does not: of two forces one is that on the object. It is
+/// the larger one when the palms are nearer to each other than they are when nobody pushes.
+/// @param closed  distance of the palms when nobody pushes [m] @return force of the palms on the object [N]
+[[nodiscard]] double contact_force(const PairState& state, double closed);
+
 /// Where an arm is wanted.
 struct PalmGoal {
   Vector3 place{Vector3::Zero()};     ///< when the present reply was made [m]

@@ -59,6 +59,16 @@ TEST(BallLaw, YieldsTheWayOfThePushAndComesBack) {
   EXPECT_LT(yielded.norm(), 1e-4);
 }
 
+TEST(BallLaw, FindsTheForceOnTheObjectWhateverAPersonAddsToOneArm) {
+  PairState s;
+  s.distance = 0.199;  // pressed together
+  s.press = {21 - 30.0, 21};
+  EXPECT_EQ(contact_force(s, 0.2), 21) << "the first arm is pushed towards the second one";
+  s.distance = 0.201;
+  s.press = {9 + 30.0, 9};
+  EXPECT_EQ(contact_force(s, 0.2), 9) << "and away from it";
+}
+
 TEST(BallLaw, DrawsAPalmToItsPlaceAndTurnsItToTheOther) {
   const Pose T_UE{palm_orientation(1), {0.3, 0.95, 1}};
   const TaskFrameCommand there = hold_place(1, T_UE, {T_UE.p, Vector3::Zero()});
