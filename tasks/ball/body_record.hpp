@@ -18,7 +18,7 @@ struct BodyRow {
   int m{};                           ///< behaviour of the coordinator
   Vector3 wanted{Vector3::Zero()};   ///< way of the object since the palms closed, as it is led [m]
   Vector3 yielded{Vector3::Zero()};  ///< how far the arms have yielded, across [m]
-  Pose T_UO;                         ///< of the object in the world
+  Pose T_UO{};                       ///< of the object in the world
   std::array<double, 2> press{};     ///< normal forces of the palms [N]
   bool on_pedestal{};                ///< it touched the pedestal
   bool on_floor{};                   ///< it touched the floor

@@ -14,7 +14,9 @@ std::vector<BodyRow> rows_with(double off, double press) {
   const Parameters k;
   std::vector<BodyRow> rows;
   for (int n = 0; n <= k.turn; ++n) {
-    BodyRow row{.i = n, .m = kCircle};
+    BodyRow row;
+    row.i = n;
+    row.m = kCircle;
     row.wanted = path(k, kCircle, n);
     row.T_UO.p = Vector3(1, 2, 3) + row.wanted + (n > 0 ? off : 0) * kLine;
     row.press = {press, press + 1};
