@@ -7,8 +7,10 @@ namespace mrroc::mp {
 CoordinatedLinks::CoordinatedLinks(TaskRun& run, const CoordinatedParameters& parameters)
     : run_(run),
       k_(parameters),
-      operator_(run.process(), run.command_server(), parameters.gives_start),
-      links_(run.process(), parameters.arms, operator_, parameters.clock),
+      operator_(parameters.make_operator ? parameters.make_operator(run, parameters.gives_start)
+                                         : std::make_unique<AutoStartOperator>(
+                                               run.process(), run.command_server(), parameters.gives_start)),
+      links_(run.process(), parameters.arms, *operator_, parameters.clock),
       recorder_(parameters.arms.size(), TraceNumbers::coordinator, parameters.dt, parameters.n_s),
       traces_(parameters.arms.size()) {}
 

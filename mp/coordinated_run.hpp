@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,6 +24,8 @@ struct CoordinatedParameters {
   int n_s{10};                           ///< steps of a macrostep
   bool gives_start{true};                ///< false: a person or a script gives it
   TaskClock clock{TaskClock::ramped()};  ///< how the task obeys a pause
+  /// Makes the operator, who gives start unless gives_start is false. Empty: an AutoStartOperator.
+  std::function<std::unique_ptr<OperatorAgent>(TaskRun&, bool gives_start)> make_operator{};
 };
 
 /// Common part of every coordinator of that kind, besides its behaviours. m = 0 waits for the start.
@@ -47,7 +50,7 @@ class CoordinatedLinks {
  private:
   TaskRun& run_;
   CoordinatedParameters k_;
-  AutoStartOperator operator_;
+  std::unique_ptr<OperatorAgent> operator_;
   CoordinatorLinks links_;
   TraceRecorder recorder_;
   std::vector<ArmTrace> traces_;

@@ -84,6 +84,11 @@ bool Listener::is_new(std::string_view channel, std::span<const std::uint8_t> by
   return true;
 }
 
+/// Whose truth is told that is no platform and no box.
+bool is_of_the_cell(std::string_view name) {
+  return name == "object" || name == "cube" || name == "free_body";
+}
+
 bool Listener::take_of_platform(std::string_view name, std::span<const std::uint8_t> bytes) {
   const auto add = [&](const auto& platform) {
     return [this, &platform](const auto& m) { platforms_.take(platform, m); };
@@ -92,7 +97,7 @@ bool Listener::take_of_platform(std::string_view name, std::span<const std::uint
     decoded<platform_command_t>(bytes, add(*commanded));
   } else if (const auto platform = before(name, ".telemetry")) {
     decoded<platform_telemetry_t>(bytes, add(*platform));
-  } else if (const auto of = before(name, ".truth"); of && *of != "object" && *of != "cube") {
+  } else if (const auto of = before(name, ".truth"); of && !is_of_the_cell(*of)) {
     decoded<platform_truth_t>(bytes, add(*of));
     decoded<box_truth_t>(bytes, add(*of));
   } else if (const auto link = before(name, ".plan")) {
@@ -127,6 +132,8 @@ void Listener::take(std::string_view name, std::span<const std::uint8_t> bytes) 
     decoded<object_truth_t>(bytes, [&](const auto& m) { take_object(m); });
   } else if (name == "cube.truth") {
     decoded<cube_truth_t>(bytes, [&](const auto& m) { take_cube(m); });
+  } else if (name == "free_body.truth") {
+    decoded<free_body_truth_t>(bytes, [&](const auto& m) { take_body(m); });
   }
 }
 
@@ -229,6 +236,12 @@ void Listener::take_cube(const cube_truth_t& m) {
     *next++ = static_cast<float>(packed);
   }
   record_.add(std::string(kCubeTrack), row);
+}
+
+void Listener::take_body(const free_body_truth_t& m) {
+  std::array<float, kBodyColumns> row{drawn(t_)};
+  std::ranges::transform(m.T_UO, row.begin() + 1, drawn);
+  record_.add(std::string(kBodyTrack), row);
 }
 
 void Listener::take_frame(const std::string& camera, const camera_frame_t& m) {

@@ -16,6 +16,7 @@
 #include "mrroc/console_t.hpp"
 #include "mrroc/cube_truth_t.hpp"
 #include "mrroc/effector_reply_t.hpp"
+#include "mrroc/free_body_truth_t.hpp"
 #include "mrroc/hand_order_t.hpp"
 #include "mrroc/object_truth_t.hpp"
 #include "mrroc/platform_reply_t.hpp"
@@ -28,7 +29,7 @@
 namespace mrroc::view {
 
 /// Listens to every channel of one session. What it makes of them, in the record:
-///   tracks  one per arm from ARM.reply (samples.hpp); "object" from object.truth; "cube" from cube.truth; those of a
+///   tracks  one per arm from ARM.reply (samples.hpp); "object" from object.truth; "cube" from cube.truth; "body" from free_body.truth; those of a
 ///           platform from PLATFORM.reply, .telemetry, .truth and .command, and from the link .PLATFORM.plan of its
 ///           coordinator; "box:BOX" from BOX.truth; "agent:NAME" of an agent without an effector from NAME.report, and
 ///           "agent:mp" of the coordinator of platforms from the orders to the first one
@@ -83,6 +84,7 @@ class Listener final : public link::Sink {
   void take_hands(const hand_order_t& m);
   void take_object(const object_truth_t& m);
   void take_cube(const cube_truth_t& m);
+  void take_body(const free_body_truth_t& m);
   void take_frame(const std::string& camera, const camera_frame_t& m);
   void log(const std::string& process, std::int32_t code, const std::string& text);
 

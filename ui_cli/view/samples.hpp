@@ -36,6 +36,12 @@ inline constexpr std::size_t kCubeColumns = 22;
 /// Name of the cube's track.
 inline constexpr std::string_view kCubeTrack = "cube";
 
+/// The row of the track "body", one per macrostep of the simulator, of a free body: t [s]; the rows of [R P] of T_UO [m].
+inline constexpr std::size_t kBodyColumns = 13;
+
+/// Name of the free body's track.
+inline constexpr std::string_view kBodyTrack = "body";
+
 // Of a platform there are five tracks: "platform:NAME", "telemetry:NAME", "truth:NAME", "plan:NAME" and "fragment:NAME".
 
 /// A platform's row, one per reply of its driver. t: of the newest reading in the estimate [s]; m: behaviour of its

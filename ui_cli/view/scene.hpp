@@ -22,6 +22,7 @@ struct ArmScene {
   bool belt{};              ///< it is a conveyor, on whose belt the sheets of the arms lie
   std::string gripper;      ///< "none" or "two_jaw"
   std::string fingers;      ///< "none", "one_layer" or "two_layers" of a cube
+  bool palm{};              ///< the tool ends in a palm
   AngleAxisPose tool;       ///< T_WE: x y z [m], angle-axis [rad]
   std::string plate;        ///< on the sheet: "none", "rectangle" or "ellipse"
   Vector3 plate_size;       ///< along the sheet's x, y and z [m]
@@ -47,6 +48,13 @@ struct CameraScene {
   int height{};      ///< [pixel]
 };
 
+/// A body that belongs to no robot.
+struct BodyScene {
+  std::string shape{"none"};         ///< "ball", "box", or "none": there is none
+  double size{};                     ///< as it really is [m]
+  std::array<double, 3> pedestal{};  ///< middle of its upper side in the world [m]
+};
+
 /// Everything that does not move by itself.
 struct Scene {
   std::vector<ArmScene> arms;            ///< as robots.order has them
@@ -56,6 +64,7 @@ struct Scene {
   std::vector<BoxScene> boxes;           ///< in it
   std::vector<CameraScene> cameras;      ///< as cameras.order has them
   std::string cube_held_by;              ///< name of an arm; empty: there is no cube
+  BodyScene body;                        ///< between the arms
   std::string object;                    ///< what the cameras look for: "none", "chessboard", "apriltag", ...
   std::string object_arm;                ///< in whose base its place is told
   Vector3 object_size{Vector3::Zero()};  ///< of its plate [m]

@@ -3,6 +3,7 @@ import {
   AxesHelper, Color, DirectionalLight, Fog, GridHelper, Group, HemisphereLight, Mesh, MeshStandardMaterial, NeutralToneMapping, Object3D,
   OrbitControls, PCFShadowMap, PerspectiveCamera, PlaneGeometry, Scene, Vector3, WebGLRenderer,
 } from '../vendor/three.js';
+import {Body} from './body.js';
 import {Cube} from './cube.js';
 import {object, put, table, tool} from './furniture.js';
 import {Sheet} from './ink.js';
@@ -102,6 +103,8 @@ export class Cell {
     if (this.object) home.base.add(this.object);
     this.cube = scene.cube.held_by ? new Cube() : null;
     if (this.cube) this.cube.rest_in(this.arms.get(scene.cube.held_by));
+    this.body = scene.body.shape === 'none' ? null : new Body(scene.body);
+    if (this.body) this.things.add(this.body.root);
     this.look('cell');
   }
   add_platforms(scene, descriptions) {
@@ -155,6 +158,7 @@ export class Cell {
     this.boxes?.show(history, t);
     this.show_object(history.tracks.get('object'), t);
     this.cube?.show(history.tracks.get('cube'), t, this.things);
+    this.body?.show(history.tracks.get('body'), t);
     this.follow();
     this.dirty = true;
   }

@@ -54,10 +54,14 @@ export function table(arm, sheet, floor, belt) {
   return {group, texture};
 }
 
-/** A pen, or a hand with two jaws, in E. @return {group, open(gap)} */
+/** A pen, a palm, or a hand with two jaws, in E. @return {group, open(gap)} */
 export function tool(arm) {
   const group = put(new Group(), arm.tool);
   if (arm.belt) return {group, open() {}};
+  if (arm.palm) {
+    group.add(block([0.14, 0.14, 0.02], [0, 0, -0.01], paint.dark, 0.004));
+    return {group, open() {}};
+  }
   if (arm.gripper === 'none') {
     const tip = new Mesh(new CylinderGeometry(0.009, 0.0015, 0.03, 24).rotateX(Math.PI / 2), paint.steel);
     tip.position.z = -0.015;

@@ -76,7 +76,7 @@ function floats(base64) {
 }
 
 // Columns of the tracks that are no arm's.
-const kWidths = {object: 15, cube: 22};
+const kWidths = {object: 15, cube: 22, body: 13};
 // Columns of the tracks that a platform has besides its own, which are named KIND:PLATFORM.
 const kPlatformWidths = {telemetry: 127, truth: 7, plan: 4, fragment: 103, box: 4, agent: 2};
 const kPlatform = 'platform:';
@@ -87,7 +87,7 @@ const kAgent = 'agent:', kAgentColumn = {t: 0, m: 1}, kCoordinator = 'mp';
 export const kMacrostep = 0.02;
 
 const kNothing = {
-  source: 'none', task: '', session: '', folder: '', note: '', pictures: [], columns: [], platform_columns: [], arms: [], platforms: [], cameras: [], cube: {held_by: ''}, object: {kind: 'none'},
+  source: 'none', task: '', session: '', folder: '', note: '', pictures: [], columns: [], platform_columns: [], arms: [], platforms: [], cameras: [], cube: {held_by: ''}, object: {kind: 'none'}, body: {shape: 'none'},
 };
 
 const is_effector = (name) => !(name in kWidths) && !name.includes(':');
