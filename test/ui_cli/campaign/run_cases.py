@@ -175,14 +175,14 @@ class Campaigns(Place):
         self.assertTrue(set(kept) <= set(self.hashes("c d")))
 
     def test_full_disk_ends_the_campaign_with_one_clear_error_and_loses_nothing(self):
-        self.command("hop", "--seeds", "1:200", "--dir", "calm")
+        self.command("hop", "--seeds", "1:80", "--dir", "calm")
         # No file of the campaign may become larger than this, as if the disk were full.
         small = ("sh", "-c", 'ulimit -f 48; exec "$@"', "_")
-        said = self.command("hop", "--seeds", "1:200", "--dir", "full", status=3, before=small)
+        said = self.command("hop", "--seeds", "1:80", "--dir", "full", status=3, before=small)
         self.assertIn("error: cannot_write: full cannot be written", said)
         self.assertIn("to go on: ./run campaign --resume full", said)
         kept = self.hashes("full")
-        self.assertTrue(0 < len(kept) < 200)
+        self.assertTrue(0 < len(kept) < 80)
         self.command("--resume", "full")
         self.assertEqual(self.hashes("full"), self.hashes("calm"))
         self.assertTrue(set(kept) <= set(self.hashes("full")))
