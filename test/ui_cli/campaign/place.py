@@ -52,7 +52,7 @@ class Place(unittest.TestCase):
     def command(self, *words, status=0, before=()) -> str:
         """What a command says on both streams, when it ends with that status."""
         process = self.start(*words, before=before)
-        said = "\n".join(process.communicate(timeout=100))
+        said = "\n".join(process.communicate(timeout=400))
         self.assertEqual(process.returncode, status, said)
         return said
 
@@ -70,7 +70,7 @@ class Place(unittest.TestCase):
 
     def await_runs(self, folder: str, number: int, process: subprocess.Popen):
         """Until so many runs are counted, or the command has ended."""
-        deadline = time.monotonic() + 60
+        deadline = time.monotonic() + 200
         while time.monotonic() < deadline and process.poll() is None:
             if (self.home / folder / "results.sqlite").is_file() and len(self.counted(folder)) >= number:
                 return
