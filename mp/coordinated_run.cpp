@@ -2,13 +2,17 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace mrroc::mp {
 
 CoordinatedLinks::CoordinatedLinks(TaskRun& run, const CoordinatedParameters& parameters)
     : run_(run),
       k_(parameters),
-      operator_(run.process(), run.command_server(), parameters.gives_start),
-      links_(run.process(), parameters.arms, operator_, parameters.clock),
+      operator_(parameters.make_operator ? parameters.make_operator(run, parameters.gives_start)
+                                         : std::make_unique<AutoStartOperator>(
+                                               run.process(), run.command_server(), parameters.gives_start)),
+      links_(run.process(), parameters.arms, *operator_, parameters.clock),
       recorder_(parameters.arms.size(), TraceNumbers::coordinator, parameters.dt, parameters.n_s),
       traces_(parameters.arms.size()) {}
 
@@ -30,7 +34,7 @@ void CoordinatedLinks::observe(int m, std::string_view name, std::string_view un
   run_.set_state(m == 0                    ? TaskState::waiting_for_start
                  : links_.clock().paused() ? TaskState::paused
                                            : TaskState::running,
-                 false);
+                 std::ranges::find(k_.by_trigger, m) != k_.by_trigger.end());
   run_.board().set_behaviour(m, name, until);
   run_.board().set_progress(-1, std::string(name));
   for (std::size_t arm = 0; arm < reports.size(); ++arm) run_.board().set_arm(arm, reports[arm], "");

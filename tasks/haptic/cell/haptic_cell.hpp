@@ -1,0 +1,17 @@
+// What the task must know of robots and cells: what stands where, what the operator's hand is like, and whether both tools reach.
+#pragma once
+#include "base/config.hpp"
+#include "tasks/haptic/hand_way.hpp"
+
+namespace mrroc::haptic {
+
+/// @param config  of a run @return both cells
+/// @throws ConfigError, FaultError bad_configuration  the slave has no plate to meet
+[[nodiscard]] Scene read_scene(const Config& config);
+
+/// Refuses a way that one of the tools does not reach with the orientation that it has at the beginning.
+/// @throws FaultError bad_configuration
+void check_reach(const Config& config, const Scene& scene, const Law& law,
+                 const std::vector<mp::WayPoint>& way);
+
+}  // namespace mrroc::haptic
