@@ -6,6 +6,15 @@
 namespace mrroc::haptic {
 namespace {
 
+/// The force that the master may be put to: it grows by no more than a spring of the stiffness that the arm can be without
+/// swinging, and slowly by itself.
+Vector3 grown(const Law& law, const Vector3& before, const Vector3& wanted, double moved) {
+  const double most = law.grow_stiffness * moved + law.grow_rate * law.macrostep;
+  const double length = before.norm() + most;
+  if (wanted.norm() <= length) return wanted;
+  return length / wanted.norm() * wanted;
+}
+
 /// No longer than that.
 Vector3 limited(const Vector3& v, double most) {
   const double length = v.norm();
@@ -38,7 +47,8 @@ Coupling couple(Coupling c, const Law& law, const Sides& sides, std::int64_t i, 
   const Packet& from_slave = c.back.receive(i);
   c.master = hear(c.master, law.passivity, from_slave.energy / power_scale);
   const Vector3 force = limited(-law.force_scale * from_slave.value, law.most_force);
-  const Passed at_master = pass(c.master, law.passivity, force, v_m, dt);
+  const Passed at_master = pass(c.master, law.passivity, grown(law, c.F_d, force, dt * v_m.norm()), v_m, dt,
+                                dt * v_m.squaredNorm() / law.master.mobility);
   c.master = at_master.port;
   c.F_d = at_master.output;
 
