@@ -31,6 +31,7 @@ std::vector<Short> all_tasks(const fs::path& folder) {
       {"edge_follow", {}},
       {"weigh", {}},
       {"guide", {}},
+      {"haptic", {}},
       {"move", {}},
       {"manual", {"--words", words}},
       {"drawing", {}},

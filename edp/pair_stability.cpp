@@ -128,6 +128,15 @@ double pair_radius(const PairLoop& pair, double stiffness) {
   return radius(pair, stiffness);
 }
 
+bool pair_settles(PairLoop pair, double stiffness, double late) {
+  constexpr double kMargin = 1.5, kTime = 2, kLatest = 0.02;  // [s]
+  check(pair);
+  pair.delay += late;
+  if (pair.delay > kLatest) return false;
+  const double slowest = std::exp(-pair.n_s * pair.slave.dt / kTime);
+  return radius(pair, stiffness) < slowest && radius(pair, kMargin * stiffness) < slowest;
+}
+
 double pair_stiffness_limit(const PairLoop& pair) {
   check(pair);
   constexpr double kStride = 1.06, kPrecision = 1.01;  // stiffer walls may be stable again

@@ -31,6 +31,12 @@ struct PairLoop {
 /// @throw FaultError out_of_limits a parameter makes no sense; its text names it
 [[nodiscard]] double pair_radius(const PairLoop& pair, double stiffness);
 
+/// @param late  more delay that the channel may have [s], >= 0
+/// @return whether the pair is stable on that wall and on one half as stiff again, a push dies away by e within two seconds, and
+///         nothing is later than 20 ms: what may be left without a bound on how fast forces grow
+/// @throw FaultError out_of_limits
+[[nodiscard]] bool pair_settles(PairLoop pair, double stiffness, double late);
+
 /// Stiffnesses among which a limit is looked for [N/m].
 inline constexpr double kSoftestWall = 10, kStiffestWall = 1e7;
 

@@ -9,6 +9,7 @@ namespace {
 /// The force that the master may be put to: it grows by no more than a spring of the stiffness that the arm can be without
 /// swinging, and slowly by itself.
 Vector3 grown(const Law& law, const Vector3& before, const Vector3& wanted, double moved) {
+  if (!law.grows_gently) return wanted;
   const double most = law.grow_stiffness * moved + law.grow_rate * law.macrostep;
   const double length = before.norm() + most;
   if (wanted.norm() <= length) return wanted;

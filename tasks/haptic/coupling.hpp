@@ -20,12 +20,15 @@ struct Law {
   double force_scale{1};                               ///< force on the master per force of the slave
   Compliance master{.inertia = 8, .mobility = 0.003};  ///< CONTACT: of the arm that is led
   Compliance slave{.inertia = 2, .mobility = 0.0025};  ///< GUARDED: of the arm that follows
-  double return_rate{12};       ///< k: the slave returns to its place with k times its distance [1/s]
-  double smoothing{0.02};       ///< time constant of the velocity that it is fed [s]
-  double catch_up{0.03};        ///< so much faster than the master it takes up what was kept back [m/s]
-  double most_speed{0.15};      ///< of the slave [m/s]
-  double most_force{30};        ///< on the master, and of the slave [N]
-  double least_force{0.3};      ///< of the slave: less than this is noise, twice this is all felt [N]
+  double return_rate{12};   ///< k: the slave returns to its place with k times its distance [1/s]
+  double smoothing{0.02};   ///< time constant of the velocity that it is fed [s]
+  double catch_up{0.03};    ///< so much faster than the master it takes up what was kept back [m/s]
+  double most_speed{0.15};  ///< of the slave [m/s]
+  double most_force{30};    ///< on the master, and of the slave [N]
+  double least_force{0.3};  ///< of the slave: less than this is noise, twice this is all felt [N]
+  /// What is not known to be stable by itself, because it is late or the wall is stiff, goes on and off with the motion that
+  /// it makes itself. The force on the master then grows no faster than this spring and rate; it drops at once.
+  bool grows_gently{true};
   double grow_stiffness{5000};  ///< [N/m]
   double grow_rate{5};          ///< [N/s]
   ChannelParameters channel;    ///< each way

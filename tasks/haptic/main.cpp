@@ -53,6 +53,8 @@ void prepare(Run& run, const launch::Setup& s) {
   run.scene = haptic::read_scene(s.config);
   run.way = haptic::hand_way(run.scene, run.k.law, haptic::read_operator(s.config));
   haptic::check_reach(s.config, run.scene, run.k.law, run.way);
+  haptic::check_stability(run.scene, run.k.law);
+  run.k.law.grows_gently = haptic::grows_gently(run.scene, run.k.law);
 }
 
 mp::FarewellPlan farewell(const Run& run, bool gives_orders) {
@@ -86,7 +88,10 @@ void results(const Run& run, launch::Results& r) {
     return haptic::figures(run.record, run.k.law);
   };
   evaluation.pictures = [&](const std::vector<mp::ArmTrace>&, const Config&) {
-    return haptic::pictures(run.k.law);
+    const haptic::Law& law = run.k.law;
+    return std::vector<launch::Picture>{{.name = "motion", .chart = haptic::motion_chart(law), .arms = {0}},
+                                        {.name = "force", .chart = haptic::force_chart(law), .arms = {0}},
+                                        {.name = "energy", .chart = haptic::energy_chart(), .arms = {0}}};
   };
   launch::evaluate(evaluation, r);
 }

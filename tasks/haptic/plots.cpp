@@ -20,6 +20,8 @@ ChartCurve curve(int column, double scale, const char* title, std::size_t colour
           .width = width};
 }
 
+}  // namespace
+
 TimeChart motion_chart(const Law& law) {
   TimeChart chart{.title = "ways of master and slave"};
   for (int axis = 0; axis < 3; ++axis) {
@@ -53,14 +55,6 @@ TimeChart energy_chart() {
   age.curves = {curve(column::age, 1, "", 3)};
   chart.panels = {ports, kept, age};
   return chart;
-}
-
-}  // namespace
-
-std::vector<launch::Picture> pictures(const Law& law) {
-  return {{.name = "motion", .chart = motion_chart(law), .arms = {0}},
-          {.name = "force", .chart = force_chart(law), .arms = {0}},
-          {.name = "energy", .chart = energy_chart(), .arms = {0}}};
 }
 
 }  // namespace mrroc::haptic

@@ -61,7 +61,9 @@ Scene read_scene(const Config& config) {
           .top = slave.plate.thickness,
           .depth = slave.plate.width,
           .stiffness = slave.paper.stiffness,
-          .compliance = 1 / hand.stiffness + (hand.mass > 0 ? 1 / hand.grip_stiffness : 0)};
+          .damping = slave.paper.damping_ratio,
+          .compliance = 1 / hand.stiffness + (hand.mass > 0 ? 1 / hand.grip_stiffness : 0),
+          .hand_damping = hand.damping};
 }
 
 void check_reach(const Config& config, const Scene& scene, const Law& law,
@@ -73,6 +75,43 @@ void check_reach(const Config& config, const Scene& scene, const Law& law,
     master.go(way[n].p - start);
     slave.go(law.motion_scale * (way[n].p - start));
   }
+}
+
+edp::PairLoop pair_loop(const Scene& scene, const Law& law) {
+  return {.master = {.inertia = law.master.inertia, .mobility = law.master.mobility},
+          .slave = {.inertia = law.slave.inertia,
+                    .mobility = law.slave.mobility,
+                    .contact_damping = scene.damping},
+          .hand_stiffness = 1 / scene.compliance,
+          .hand_damping = scene.hand_damping,
+          .motion_scale = law.motion_scale,
+          .force_scale = law.force_scale,
+          .return_rate = law.return_rate,
+          .smoothing = law.smoothing,
+          .delay = law.channel.delay,
+          .n_s = kPacing.n_s};
+}
+
+bool grows_gently(const Scene& scene, const Law& law) {
+  return law.passivity.control &&
+         !edp::pair_settles(pair_loop(scene, law), scene.stiffness, law.channel.jitter);
+}
+
+void check_stability(const Scene& scene, const Law& law) {
+  const edp::PairLoop pair = pair_loop(scene, law);
+  const double alone = edp::stiffness_limit(pair.slave);
+  if (scene.stiffness >= alone)
+    refuse(fmt::format("on a wall of {:.3g} N/m the slave would swing by itself: it bears {:.3g} N/m",
+                       scene.stiffness, alone),
+           "make task.slave_mobility smaller; `ui_cli stability` tells how much");
+  if (law.passivity.control) return;
+  const double limit = edp::pair_stiffness_limit(pair);
+  if (scene.stiffness >= limit)
+    refuse(
+        fmt::format(
+            "without passivity control the pair bears a wall of {:.3g} N/m, and there is one of {:.3g} N/m",
+            limit, scene.stiffness),
+        "leave task.passivity on, or see `ui_cli stability --pair`");
 }
 
 }  // namespace mrroc::haptic
