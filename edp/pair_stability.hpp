@@ -47,8 +47,8 @@ inline constexpr double kSoftestWall = 10, kStiffestWall = 1e7;
 
 /// J. E. Colgate, G. G. Schenkel: Passivity of a class of sampled-data systems: application to haptic interfaces, J. Robotic
 /// Systems 14 (1997) 37-47: a haptic interface of damping b that feels a wall of stiffness K, sampled with T, is passive when
-/// b > K T / 2 (and no virtual damping). Passive with any hand and with the wall felt as it is, so a bound from below for small
-/// delays; it knows neither the following arm nor a delay beyond T.
+/// b > K T / 2 + B with the virtual damping B, here 0. It knows of no delay beyond that of sampling and of no arm that follows, so
+/// it stands beside the limit of the loop as what no pair with that master can pass: rough, and from above.
 /// @return K for b = 1 / B of the master, T a macrostep, as a stiffness of the slave's wall [N/m]
 [[nodiscard]] double colgate_bound(const PairLoop& pair);
 

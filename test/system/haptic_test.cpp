@@ -77,7 +77,7 @@ TEST(HapticTask, RefusesWhatCannotWorkBeforeAnythingMoves) {
   refused({"--set", "sim.paper.stiffness=500000"}, "swing");
   refused({"--set", "task.passivity=false", "--delay", "100"}, "passivity");
   refused({"--set", "task.motion_scale=0.5", "--set", "robots.arm2.plate.thickness=0.03"}, "table");
-  refused({"--set", "operator.circle=0.05", "--set", "task.motion_scale=3"}, "reach");
+  refused({"--set", "robots.arm2.plate.distance=0.2"}, "the hand leads arm1 by");
 }
 
 TEST(HapticTask, StopsInContactAsEveryTaskDoes) {
