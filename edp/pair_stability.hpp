@@ -14,8 +14,8 @@ namespace mrroc::edp {
 
 /// A pair, along one axis.
 struct PairLoop {
-  ContactLoop master{.inertia = 5,
-                     .mobility = 0.0025};  ///< the arm at the hand; its contact_damping does not count
+  ContactLoop master{.inertia = 8,
+                     .mobility = 0.003};  ///< the arm at the hand; its contact_damping does not count
   ContactLoop slave{.inertia = 2, .mobility = 0.0025};  ///< the arm at the wall; both have the same dt
   double hand_stiffness{1000};                          ///< of the hand at the master [N/m], > 0
   double hand_damping{30};                              ///< of the hand [N s/m], >= 0

@@ -175,7 +175,7 @@ inline edp::PairLoop pair_loop(const Law& law, const Surroundings& around, const
 
 /// @return whether a small push at a wall of that stiffness grows, or has grown until the contact breaks
 inline bool grows(Law law, Surroundings around, const edp::LagServo& servo, double wall) {
-  constexpr double kForce = 10, kPush = 0.02;  // [N], share of it
+  constexpr double kForce = 10, kPush = 0.02, kLeft = 0.05;  // [N], shares of it
   constexpr int kMacrosteps = 5000;
   law.passivity.control = false;
   around.wall = wall;
@@ -189,7 +189,8 @@ inline bool grows(Law law, Surroundings around, const edp::LagServo& servo, doub
     if (i >= kMacrosteps / 4 && i < kMacrosteps / 2) early += off * off;
     if (i >= 3 * kMacrosteps / 4) late += off * off;
   }
-  return late > std::max(early, 1e-12 * kMacrosteps) || late > kMacrosteps / 4. * 0.25 * kForce * kForce;
+  return late > std::max(early, 1e-12 * kMacrosteps) ||
+         late > kMacrosteps / 4. * kLeft * kLeft * kForce * kForce;
 }
 
 }  // namespace mrroc::haptic::test
