@@ -24,7 +24,8 @@ TEST(PairStability, IsStableBelowItsLimitAndNotAboveIt) {
 TEST(PairStability, HasTheLimitOfTheSlaveAloneWhenTheMasterFeelsNothing) {
   PairLoop pair;
   pair.force_scale = 1e-9;
-  EXPECT_NEAR(pair_stiffness_limit(pair) / stiffness_limit(pair.slave), 1, 0.02);
+  EXPECT_NEAR(pair_stiffness_limit(pair) / stiffness_limit(pair.slave), 1, 0.05)
+      << "the rest is the rate with which it returns to its place";
 }
 
 TEST(PairStability, BearsLessWithMoreDelayAndWithMoreForce) {

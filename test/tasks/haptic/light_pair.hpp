@@ -177,7 +177,7 @@ inline edp::PairLoop pair_loop(const Law& law, const Surroundings& around, const
 inline bool grows(Law law, Surroundings around, const edp::LagServo& servo, double wall) {
   constexpr double kForce = 10, kPush = 0.02, kLeft = 0.05;  // [N], shares of it
   constexpr int kMacrosteps = 5000;
-  law.passivity.control = false;
+  law.passivity.control = law.grows_gently = false;
   around.wall = wall;
   LightPair pair(law, around, servo);
   const double hand = pair.press(kForce);
