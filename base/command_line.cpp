@@ -60,8 +60,9 @@ FaultError unknown_word(const CLI::App& app, const WordSet& orders, const CLI::E
   for (const CLI::App* command : app.get_subcommands(nullptr))
     if (!orders.contains(command->get_name())) commands.insert(command->get_name());
   const bool none = commands.empty() && orders.empty();
-  if (words.empty() || words.front().starts_with("-") || none || !app.get_subcommands().empty())
-    return {FaultCode::bad_usage, e.what()};
+  if (words.empty() || words.front().starts_with("-")) return {FaultCode::bad_usage, e.what()};
+  if (none || !app.get_subcommands().empty())
+    return {FaultCode::bad_usage, fmt::format("no option and no command takes the word '{}'", words.front())};
   return no_such_word("command", words.front(), closest_match(words.front(), commands, orders));
 }
 
@@ -133,6 +134,15 @@ FaultError wrong_words(const CLI::App& app, const WordSet& orders, const CLI::Er
                         Range::no_number<double>(said.substr(equals + 3))),
             what_to_type(Examples{}, command, "")};
   }
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&e) && option && said.find("At Most") != std::string::npos)
+    return {FaultCode::bad_usage, fmt::format("{} is given {} times; once is enough", name, option->count()),
+            what_to_type(Examples{}, command, "")};
+  constexpr std::string_view kExcludes = " excludes ";
+  if (const std::size_t at_word = said.find(kExcludes);
+      dynamic_cast<const CLI::ExcludesError*>(&e) && at_word != std::string::npos)
+    return {FaultCode::bad_usage,
+            fmt::format("{} and {} cannot be given together", name, said.substr(at_word + kExcludes.size())),
+            what_to_type(Examples{}, command, "")};
   const bool requires_another = dynamic_cast<const CLI::RequiresError*>(&e) != nullptr;
   return {FaultCode::bad_usage, said,
           what_to_type(requires_another ? examples : Examples{}, command, fmt::format(" {} ", name))};

@@ -14,6 +14,7 @@ namespace {
 template <class B>
 std::string range_text(const B& bounds) {
   const B all;
+  if (bounds.min == bounds.max) return fmt::format("only {}", bounds.min);
   if (bounds.min > all.min && bounds.max < all.max) return fmt::format("{} to {}", bounds.min, bounds.max);
   if (bounds.min > all.min) return fmt::format("at least {}", bounds.min);
   if (bounds.max < all.max) return fmt::format("at most {}", bounds.max);

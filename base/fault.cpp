@@ -13,6 +13,7 @@
 #include "base/command_hint.hpp"
 #include "base/fault_table.hpp"
 #include "base/printable.hpp"
+#include "base/with_remedy.hpp"
 
 namespace mrroc {
 namespace {
@@ -117,14 +118,14 @@ std::string what_happened(const Fault& fault) {
 
 std::string describe(const Fault& fault) {
   const FaultEntry& entry = fault_entry(fault.code);
-  return fmt::format("{} {}: {}; {}", to_string(entry.fault_class), entry.name, what_happened(fault),
-                     entry.remedy);
+  return fmt::format("{} {}: {}", to_string(entry.fault_class), entry.name,
+                     with_remedy(what_happened(fault), entry.remedy));
 }
 
 std::string error_line(const Fault& fault, std::string_view session) {
   const FaultEntry& entry = fault_entry(fault.code);
-  return command_hint(fmt::format("error: {}: {}; {}", entry.name, what_happened(fault), entry.remedy),
-                      session);
+  return command_hint(
+      fmt::format("error: {}: {}", entry.name, with_remedy(what_happened(fault), entry.remedy)), session);
 }
 
 int exit_status(FaultCode code) noexcept {
@@ -149,7 +150,8 @@ std::string_view FaultError::remedy() const noexcept {
 }
 
 std::string FaultError::error_line(std::string_view session) const {
-  return command_hint(fmt::format("error: {}: {}; {}", to_string(fault_.code), what(), remedy()), session);
+  return command_hint(fmt::format("error: {}: {}", to_string(fault_.code), with_remedy(what(), remedy())),
+                      session);
 }
 
 }  // namespace mrroc

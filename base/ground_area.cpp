@@ -6,7 +6,8 @@ namespace mrroc {
 
 DriveGround read_ground(const Config& config) {
   return {.friction = config.numbers<2>("sim.ground.friction", Config::kRequired),
-          .areas = read_ground_areas(config)};
+          .areas = read_ground_areas(config),
+          .smooth = config.text("sim.ground.model", Config::kRequired) == "smooth"};
 }
 
 std::vector<GroundArea> read_ground_areas(const Config& config) {

@@ -20,6 +20,7 @@ struct GroundArea {
 struct DriveGround {
   std::array<double, 2> friction{};  ///< along and across the wheels, where there is no area
   std::vector<GroundArea> areas;     ///< with another friction; where some overlap, all their scales count
+  bool smooth{};                     ///< friction grows with slip as the kernels' model has it
 };
 
 /// @param config  from which the simulator has read its ground

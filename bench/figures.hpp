@@ -49,6 +49,8 @@ Figures run_robustness_group();
 Figures run_guide_group();
 /// Pairs of master and slave: 200 predictions, 500 random channels, and 21 runs of the task haptic. Takes some minutes.
 Figures run_haptic_group();
+/// The task ball with 100 seeds over masses, frictions, sizes, stiffnesses and places. Takes some minutes.
+Figures run_ball_group();
 /// The trajectory planner of a platform on 1,000 random plans. Takes some seconds.
 Figures rex_planner_figures();
 /// Visual odometry in 20 rooms: its drift and its work; and in rooms and with cameras that nobody tuned it to. Takes four minutes.

@@ -32,6 +32,7 @@ std::vector<Short> all_tasks(const fs::path& folder) {
       {"weigh", {}},
       {"guide", {}},
       {"haptic", {}},
+      {"ball", {"--set", "task.turn=400"}},
       {"move", {}},
       {"manual", {"--words", words}},
       {"drawing", {}},

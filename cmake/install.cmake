@@ -25,6 +25,10 @@ install(DIRECTORY tasks ui_cli DESTINATION share/doc/mrroc FILES_MATCHING PATTER
 set(MRROC_READER lib/python3/dist-packages/mrroc_runs)
 install(DIRECTORY ui_cli/python/mrroc_runs/ DESTINATION ${MRROC_READER} FILES_MATCHING PATTERN "*.py"
         PATTERN "__pycache__" EXCLUDE PATTERN "msg" EXCLUDE)
+# Campaigns beside it, and the command that starts them.
+install(DIRECTORY ui_cli/python/mrroc_campaign DESTINATION lib/python3/dist-packages FILES_MATCHING PATTERN "*.py" PATTERN "*.css"
+        PATTERN "__pycache__" EXCLUDE)
+install(PROGRAMS cmake/campaign.sh DESTINATION ${MRROC_PROGRAMS} RENAME campaign)
 install(PROGRAMS ui_cli/python/example.py DESTINATION share/doc/mrroc/ui_cli/python)
 install(DIRECTORY base/msg/ DESTINATION ${MRROC_READER}/msg FILES_MATCHING PATTERN "*.lcm")
 # The words of ui_cli for shells, where bash-completion and zsh look for them by the name of the command.
@@ -57,4 +61,5 @@ liborocos-kdl-dev, libtomlplusplus-dev, nlohmann-json3-dev, libpugixml-dev, libn
 libopencv-core-dev, libopencv-imgproc-dev, libopencv-imgcodecs-dev, libopencv-video-dev, libopencv-videoio-dev, libopencv-calib3d-dev, \
 libapriltag-dev")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++, cmake, gnuplot-nox, libegl-mesa0, libgl1-mesa-dri, python3-numpy")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-distributed, python3-scipy, python3-tqdm, python3-optuna") # campaigns
 include(CPack)

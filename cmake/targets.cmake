@@ -43,6 +43,9 @@ if(MRROC_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
+# A run records the build IDs of its programs (base/build_id.hpp).
+add_link_options(LINKER:--build-id)
+
 # Headers that most files need, compiled once for the libraries and programs, and once for the tests, which are
 # optimised less: they are compiled more often than run.
 # LCM asks for -pthread; a precompiled header serves only files with the same options. One that came damaged from a cache

@@ -39,17 +39,22 @@ class StandstillDetector {
     away_.setZero();
   }
 
+  /// The robot is regulated to the end of its way, as its last command wants it: what moves it there is no stop.
+  /// @param until  first step after that; never falls
+  void regulated(std::int64_t until) noexcept { regulated_until_ = until; }
+
   /// @return whether the robot rests: nothing commands it, the brakes are closed or the set point stands, and the motors
   ///         have not moved for kSettled steps
   [[nodiscard]] bool at_rest() const noexcept {
     return holds_ && now_ >= commanded_until_ && now_ - moved_ > kSettled;
   }
   /// @param stopped  step of the stop
-  /// @return steps from the end of the last commanded macrostep to rest; of a robot that had moved by itself for
-  ///         longer, as in homing, from the stop to rest
+  /// @return steps from the end of the last commanded macrostep, or of the last regulated one, to rest; of a robot that had
+  ///         moved by itself for longer, as in homing, from the stop to rest
   [[nodiscard]] int stop_steps(std::int64_t stopped) const noexcept {
-    const bool by_itself = moved_ - commanded_until_ > kLongestStop;
-    const std::int64_t from = by_itself ? std::max(stopped, commanded_until_) : commanded_until_;
+    const std::int64_t obeyed_until = std::max(commanded_until_, regulated_until_);
+    const bool by_itself = moved_ - obeyed_until > kLongestStop;
+    const std::int64_t from = by_itself ? std::max(stopped, obeyed_until) : obeyed_until;
     return static_cast<int>(std::max<std::int64_t>(0, moved_ + 1 - from));
   }
 
@@ -58,6 +63,7 @@ class StandstillDetector {
   std::int64_t now_{};
   std::int64_t moved_{-1};  // last step in which they moved
   std::int64_t commanded_until_{};
+  std::int64_t regulated_until_{};
   bool holds_{};
 };
 

@@ -2,13 +2,14 @@
 
 #include <fmt/core.h>
 
+#include "base/with_remedy.hpp"
 #include "mp/black_box.hpp"
 
 namespace mrroc::mp {
 
 void RecoverableFaults::report(const Fault& fault, const std::string& advice, std::int64_t i, double sim_s) {
   const std::string process(fault.process.view());
-  process_.log(fmt::format("{}; {}", what_happened(fault), advice), fault.code);
+  process_.log(with_remedy(what_happened(fault), advice), fault.code);
   faults_.push_back({fault, sim_s});
   if (!log_ || faults_.size() > kMostBoxes) return;
   // Nobody waits for a box in a macrostep: each is written beside those before it.

@@ -61,11 +61,12 @@ fs::path name_run_folder(const fs::path& wanted, const std::string& task) {
         fmt::format("{} cannot be a run folder: {}", shortened(folder.string()), error.message()),
         "choose another --run-dir");
   if (there && !fs::is_empty(folder, error))
-    throw FaultError(
-        FaultCode::bad_usage,
-        fmt::format("{} {}", folder.string(),
-                    fs::exists(folder / "config.toml", error) ? "holds a run already" : "is not empty"),
-        "choose another --run-dir or delete it");
+    throw FaultError(FaultCode::bad_usage,
+                     fmt::format("{} {}", folder.string(),
+                                 fs::exists(folder / "config.toml", error) ? "holds a run already"
+                                 : fs::is_directory(folder, error)         ? "is not empty"
+                                                                   : "is a file, and a folder is wanted"),
+                     "choose another --run-dir or delete it");
   return folder;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/build_id.hpp"
 #include "base/joined.hpp"
 #include "base/link/lossy_bus.hpp"
 #include "base/link/real_time.hpp"
@@ -102,9 +103,15 @@ void RunSession::open_bus() {
 void RunSession::write_processes(const std::vector<NodeSpec>& nodes) const {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   const std::string self = this_program().filename().string();
-  list.push_back({{"name", "mp"}, {"program", self}, {"arguments", nlohmann::ordered_json::array()}});
-  for (const NodeSpec& p : nodes)
+  list.push_back({{"name", "mp"},
+                  {"program", self},
+                  {"arguments", nlohmann::ordered_json::array()},
+                  {"build_id", build_id(this_program())}});
+  for (const NodeSpec& p : nodes) {
     list.push_back({{"name", p.name}, {"program", p.program}, {"arguments", p.arguments}});
+    // In one process all of them are this program; what another host has is not known here.
+    if (separate_ && p.start.empty()) list.back()["build_id"] = build_id(program_folder() / p.program);
+  }
   const nlohmann::ordered_json all{{"task", task_}, {"clock", word_of(context_.clock)}, {"processes", list}};
   write_text(folder_ / "processes.json", all.dump(2) + "\n");
 }

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "base/link/text.hpp"
+#include "base/with_remedy.hpp"
 
 namespace mrroc::mp {
 namespace {
@@ -241,8 +242,7 @@ void Supervisor::stop(const Fault& reason, std::int64_t as_of) {
     fault_ = reason;
     // The log writes class and code itself.
     messages_.write(reason.process.empty() ? mp_.context().name : std::string(reason.process.view()),
-                    fmt::format("{}; {}", what_happened(reason), fault_entry(reason.code).remedy),
-                    reason.code);
+                    with_remedy(what_happened(reason), fault_entry(reason.code).remedy), reason.code);
   }
   if (said_.phase >= static_cast<int>(Phase::stopping)) {
     // A death in a system that stops already must not wait for the agreed macrostep.

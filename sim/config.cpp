@@ -12,6 +12,7 @@
 
 #include "robots/catalogue.hpp"
 #include "sim/cube_config.hpp"
+#include "sim/free_body_config.hpp"
 
 namespace mrroc::sim {
 namespace {
@@ -130,6 +131,7 @@ ArmParameters read_arm(const Config& config, const std::string& key, std::string
   read_switches(robot.section("switches"), arm.switches);
   if (robot.choice("gripper", false, {{"none", false}, {"two_jaw", true}})) arm.jaws = JawParameters{};
   read_fingers(config, key, arm);
+  read_palm(config, key, arm);
   arm.object = robot.number("object", 0, {0, 0.09}, "m between the jaws, 0: nothing");
   arm.lines.loop_back = robot.flag("lines.loop_back", arm.lines.loop_back);
   arm.lines.inputs = static_cast<std::uint16_t>(robot.integer("lines.inputs", 0, {0, 65535}, "bit mask"));
@@ -167,6 +169,7 @@ WorldParameters read_world(const Config& config) {
     w.arms.push_back(read_arm(config, key, types[std::min(w.arms.size(), types.size() - 1)]->name));
   check_belt(w);
   w.cube = read_cube(config, keys);
+  w.free_body = read_true_body(config);
   return w;
 }
 

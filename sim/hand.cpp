@@ -33,6 +33,14 @@ struct Hand::Impl {
   Impl(const HandParameters& parameters, const PaperParameters& paper, std::uint64_t seed)
       : p(parameters), R_0P(paper.T_0P.R), T_P0(paper.T_0P.inverse()), random(seed), script(parameters) {}
 
+  void lead() {
+    pushing = false;
+    pushes.setZero();
+  }
+
+  // The hand takes hold of the tool, or lets it go.
+  void change_grip(double dt, bool holds) { grip = std::clamp(grip + (holds ? dt : -dt) / kFade, 0.0, 1.0); }
+
   void tremble(double dt) {
     for (Tremor& t : tremor) t.step(dt, p.tremor_frequency, normal(random));
     wander += -dt / kWanderTime * wander + std::sqrt(2 * dt / kWanderTime) * normal(random);
@@ -54,6 +62,8 @@ struct Hand::Impl {
   std::array<Tremor, 3> tremor{};
   double wander{};  // of the pressure, unit variance
   HandScript script;
+  Vector3 pushes{Vector3::Zero()};                                // with that force, in the sheet [N]
+  bool pushing{};                                                 // it pushes, and leads nowhere
   double grip{};                                                  // 0 the pen is free, 1 held
   Vector3 hand{Vector3::Zero()}, hand_velocity{Vector3::Zero()};  // of a hand with a mass, in the sheet
 };
@@ -64,15 +74,37 @@ Hand::~Hand() = default;
 Hand::Hand(Hand&&) noexcept = default;
 Hand& Hand::operator=(Hand&&) noexcept = default;
 
-void Hand::lead_along(const std::vector<Polyline>& strokes) { impl_->script.lead_along(strokes); }
-void Hand::lead_to(const Eigen::Vector2d& point, double height) { impl_->script.lead_to(point, height); }
-void Hand::follow(const HandTrack& track) { impl_->script.follow(track); }
-void Hand::release() { impl_->script.stop(); }
+void Hand::lead_along(const std::vector<Polyline>& strokes) {
+  impl_->lead();
+  impl_->script.lead_along(strokes);
+}
+void Hand::lead_to(const Eigen::Vector2d& point, double height) {
+  impl_->lead();
+  impl_->script.lead_to(point, height);
+}
+void Hand::follow(const HandTrack& track) {
+  impl_->lead();
+  impl_->script.follow(track);
+}
+void Hand::push(const Vector3& force) {
+  impl_->script.stop();
+  impl_->pushes = force;
+  impl_->pushing = true;
+}
+void Hand::release() {
+  impl_->script.stop();
+  impl_->pushing = false;
+}
 void Hand::pause(bool paused) { impl_->script.pause(paused); }
 HandStatus Hand::status() const { return impl_->script.status(); }
 
 Vector3 Hand::step(double dt, const Vector3& tip, const Vector3& velocity, bool on_paper) {
   Impl& h = *impl_;
+  if (h.pushing || !h.pushes.isZero(0)) {
+    h.change_grip(dt, h.pushing);
+    if (!h.pushing && h.grip <= 0) h.pushes.setZero();
+    return h.grip * (h.R_0P * h.pushes);
+  }
   const bool holds = h.script.status().phase != HandPhase::idle;
   if (!holds && h.grip <= 0) return Vector3::Zero();
 
@@ -83,7 +115,7 @@ Vector3 Hand::step(double dt, const Vector3& tip, const Vector3& velocity, bool 
     h.hand = at;
     h.hand_velocity = moving;
   }
-  h.grip = std::clamp(h.grip + (holds ? dt : -dt) / kFade, 0.0, 1.0);
+  h.change_grip(dt, holds);
   h.tremble(dt);
   h.script.step(dt, at, on_paper, h.p.press_wander * h.wander);
 

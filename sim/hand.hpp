@@ -80,6 +80,10 @@ class Hand {
   /// @param track  not empty
   void follow(const HandTrack& track);
 
+  /// Pushes the tool, wherever it goes; the force grows within 0.3 s. It leads nothing, and is idle.
+  /// @param force  along the axes of the sheet [N]
+  void push(const Vector3& force);
+
   /// Lets the pen go: the force fades to zero within 0.3 s; idle.
   void release();
 

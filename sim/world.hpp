@@ -1,5 +1,5 @@
 // The simulated work cell: arms with drives, wrist sensors, pens or grippers, their sheets, the operators'
-// hands, and a cube. One step of the world is one step of the effector drivers. The only code that knows
+// hands, a cube, and a free body. One step of the world is one step of the effector drivers. The only code that knows
 // Bullet is behind it.
 #pragma once
 #include <array>
@@ -15,11 +15,13 @@
 #include "robots/catalogue.hpp"
 #include "sim/cube.hpp"
 #include "sim/force_sensor.hpp"
+#include "sim/free_body.hpp"
 #include "sim/gripper_body.hpp"
 #include "sim/hand.hpp"
 #include "sim/jaws.hpp"
 #include "sim/link_shape.hpp"
 #include "sim/motor.hpp"
+#include "sim/palm.hpp"
 #include "sim/paper.hpp"
 #include "sim/plate.hpp"
 #include "sim/switches.hpp"
@@ -53,8 +55,9 @@ struct ArmParameters {
   HandParameters hand;                  ///< of the operator who leads the arm
   std::optional<JawParameters> jaws;    ///< none: a tool without motor-driven jaws
   std::optional<GripperBodyParameters>
-      gripper;      ///< jaws and palm that touch a cube, instead of the pen; needs jaws
-  double object{};  ///< width of what is between the jaws after reset() [m], 0: nothing
+      gripper;                         ///< jaws and palm that touch a cube, instead of the pen; needs jaws
+  std::optional<PalmParameters> palm;  ///< a palm that presses on a free body, instead of the pen
+  double object{};                     ///< width of what is between the jaws after reset() [m], 0: nothing
   std::array<SwitchParameters, kMaxAxes> switches{};  ///< for homing, one per motor
   LineParameters lines;                               ///< of the robot's controller
   std::vector<double>
@@ -70,10 +73,11 @@ ArmParameters arm_parameters(const robots::RobotType& type);
 
 /// The whole work cell.
 struct WorldParameters {
-  std::vector<ArmParameters> arms;     ///< at least one; a world without arms is refused
-  std::optional<CubeParameters> cube;  ///< none: there is no cube
-  int substeps{2};                     ///< integration steps per step, at least 1
-  int solver_iterations{100};          ///< of the contact and friction solver
+  std::vector<ArmParameters> arms;              ///< at least one; a world without arms is refused
+  std::optional<CubeParameters> cube;           ///< none: there is no cube
+  std::optional<FreeBodyParameters> free_body;  ///< none: there is no free body
+  int substeps{2};                              ///< integration steps per step, at least 1
+  int solver_iterations{100};                   ///< of the contact and friction solver
 };
 
 /// The truth, for tests and figures, not for drivers.
@@ -142,6 +146,8 @@ class World {
 
   /// @return the true state of the cube; null: there is none
   [[nodiscard]] const CubeTruth* cube() const;
+  /// @return the true state of the free body; null: there is none
+  [[nodiscard]] const FreeBodyTruth* free_body() const;
   /// From now on a face of the cube has this friction. Without a cube nothing happens.
   void set_face_friction(cube::Face face, const FaceFriction& friction);
   /// Lays the cube's layers anew, as a turn about another axis does. @param axis 0 x, 1 y, 2 z of the cube

@@ -183,11 +183,12 @@ test_release() {
 }
 
 run_test_command() {
-  local what=() filter=() page=false since='' share='' minutes=''
+  local what=() filter=() page=false campaign=false since='' share='' minutes=''
   while (($#)); do
     case $1 in
-      --all) what+=(release asan tsan fuzz format tidy) page=true ;;
+      --all) what+=(release asan tsan fuzz format tidy) page=true campaign=true ;;
       --page) page=true ;;
+      --campaign) campaign=true ;;
       --asan | --tsan | --fuzz | --format | --tidy) what+=("${1#--}") ;;
       -R | --since | --share | --minutes)
         [[ -n ${2:-} ]] || fail 2 bad_usage "$1 wants a value; look at ./run test --help"
@@ -210,6 +211,7 @@ run_test_command() {
   ((${#filter[@]} == 0)) || [[ ! " ${what[*]} " =~ " format "|" tidy "|" fuzz " ]] ||
     fail 2 bad_usage "-R is for tests; --format and --tidy look at sources, --fuzz makes inputs"
   if $page; then need_packages "${page_packages[@]}"; fi
+  if $campaign; then need_packages "${campaign_packages[@]}"; fi
   ((${#what[@]})) || what=(release)
   local part
   for part in "${what[@]}"; do

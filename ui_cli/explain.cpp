@@ -15,6 +15,7 @@
 #include "base/joined.hpp"
 #include "base/operator.hpp"
 #include "base/wrap.hpp"
+#include "ui_cli/consequence.hpp"
 #include "ui_cli/states.hpp"
 
 namespace mrroc::ui {
@@ -25,18 +26,6 @@ constexpr const char* kHelp =
     "Says what an error means, what it mostly comes from and what to do. CODE: its name or number,\n"
     "a state as it is shown, such as `holding` or `waiting for start`, or a whole line\n`error: CODE: ...`; "
     "without it, a list of all.\n";
-
-std::string_view meaning(FaultClass c) {
-  switch (c) {
-    case FaultClass::non_fatal:
-      return "a command is refused or a motion stopped; the effector goes on working";
-    case FaultClass::fatal:
-      return "the effector stops and accepts nothing but a reset";
-    case FaultClass::system:
-      break;
-  }
-  return "the task ends and the drives brake";
-}
 
 /// @return the code alone, where the words are an error line as programs write it; otherwise the words
 std::vector<std::string> without_error_line(const std::vector<std::string>& words) {
@@ -104,6 +93,7 @@ nlohmann::ordered_json json_of(const FaultEntry& e) {
           {"what", e.text},
           {"causes", e.causes},
           {"remedy", e.remedy},
+          {"follows", consequence(e.code)},
           {"exit_status", exit_status(e.code)}};
 }
 
@@ -175,7 +165,7 @@ std::string explanation(FaultCode code) {
   const FaultEntry& e = fault_entry(code);
   std::string text = fmt::format("{} ({}, number {}): {}\n", e.name, to_string(e.fault_class),
                                  static_cast<int>(code), e.text);
-  add(text, "  what follows:", fmt::format("{}; exit status {}", meaning(e.fault_class), exit_status(code)));
+  add(text, "  what follows:", fmt::format("{}; exit status {}", consequence(code), exit_status(code)));
   std::string_view rest = e.causes;
   for (std::string_view head = "  likely causes:"; !rest.empty(); head = "") {
     const std::size_t end = std::min(rest.find(';'), rest.size());

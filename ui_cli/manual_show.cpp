@@ -115,7 +115,9 @@ void show_arm(const EffectorReply& r, const std::string& arm, bool json, std::os
   const RobotModel& model = r.robot_model;
   const bool told = s.axes > 0;
   line(arm.c_str(), std::string(to_string(r.state)));
-  line("fault", r.fault ? command_hint(describe(r.fault)) : "none");
+  const bool resets = class_of(r.fault.code) == FaultClass::fatal;
+  const std::string then = resets ? fmt::format("; then `ui_cli manual reset {}`", arm) : "";
+  line("fault", r.fault ? command_hint(describe(r.fault) + then) : "none");
   row("motors", true, s.of_axes(r.motors), "rad");
   row("joints", s.known, s.of_axes(r.joints), "rad, m");
   row("angle-axis", s.known, r.T_0E, "m, rad");

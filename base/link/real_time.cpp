@@ -1,32 +1,34 @@
 #include "base/link/real_time.hpp"
 
 #include <fmt/core.h>
-#include <linux/capability.h>
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
-#include <sys/syscall.h>
 #include <unistd.h>
-
-#include <array>
 
 namespace mrroc::link {
 namespace {
 
-bool has_capability(unsigned capability) {
-  __user_cap_header_struct header{.version = _LINUX_CAPABILITY_VERSION_3, .pid = 0};
-  std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3> sets{};
-  return ::syscall(SYS_capget, &header, sets.data()) == 0 &&
-         (sets[capability / 32].effective >> (capability % 32) & 1) != 0;
+/// Tries it: root of a user namespace has the capability CAP_IPC_LOCK there, and the limit holds for it all the same.
+bool locks_more_than(rlim_t limit) {
+  const auto page = static_cast<rlim_t>(::sysconf(_SC_PAGESIZE));
+  const rlim_t size = limit / page * page + page;
+  if (size < limit) return false;
+  void* const memory =
+      ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (memory == MAP_FAILED) return false;
+  const bool locked = ::mlock2(memory, size, MLOCK_ONFAULT) == 0;  // takes no page before it is used
+  ::munmap(memory, size);
+  return locked;
 }
 
 }  // namespace
 
 bool may_keep_in_memory() {
   rlimit limit{};
-  // With a finite limit, MCL_FUTURE would let a later allocation fail.
-  return (::getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY) ||
-         has_capability(CAP_IPC_LOCK);
+  if (::getrlimit(RLIMIT_MEMLOCK, &limit) != 0) return false;
+  // With a limit that holds, MCL_FUTURE would let a later allocation fail.
+  return limit.rlim_cur == RLIM_INFINITY || locks_more_than(limit.rlim_cur);
 }
 
 bool keep_in_memory() { return may_keep_in_memory() && ::mlockall(MCL_CURRENT | MCL_FUTURE) == 0; }

@@ -4,8 +4,8 @@
 
 namespace mrroc::link {
 
-/// @return whether all memory of the process may be locked, also what it allocates later: by a limit that is infinite, or by
-///         the capability CAP_IPC_LOCK, which root has
+/// @return whether all memory of the process may be locked, also what it allocates later: the limit (RLIMIT_MEMLOCK) is
+///         infinite or does not hold, as for root. Tries to lock more than it; allocates address space, no memory
 [[nodiscard]] bool may_keep_in_memory();
 
 /// Keeps the process's memory in RAM, if that is permitted: code that has not run for a while, such as that of an

@@ -125,6 +125,8 @@ void PlatformDriver::begin_macrostep(const PlatformReading& reading) noexcept {
       hold(true);
     }
   }
+  if (state_ == DriverState::holding && engaged() && !stopped_ && silent_ < p_.silence)
+    standstill_.regulated(reading.step + kPlatformSteps);
   if (state_ != DriverState::executing) return;
   pace_.go_to(wanted_pace_, Pace::rate(queue_.at(0).v, kPaceChange));
   commanded_until_ = reading.step + kPlatformSteps;
@@ -245,8 +247,11 @@ void PlatformDriver::follow() noexcept {
   if (!followed) {
     follower_.begin(x);
     offset_.drop();
+    follow_watch_.forget();
   }
-  const Reference near = drawn_near(offset_.applied(reference_, platform_->horizon_period), x.estimate.p);
+  const Reference displaced = offset_.applied(reference_, platform_->horizon_period);
+  if (const std::optional<Fault> held = follow_watch_.step(displaced, x.estimate.p)) return trip(*held);
+  const Reference near = drawn_near(displaced, x.estimate.p);
   if (const std::optional<Fault> wrong = follower_.step(x, observer_.slip(), stage_.load, near)) trip(*wrong);
 }
 

@@ -7,6 +7,7 @@
 #include "base/platform_command.hpp"
 #include "base/platform_hardware.hpp"
 #include "edp/platform/automaton.hpp"
+#include "edp/platform/follow_watch.hpp"
 #include "edp/platform/follower.hpp"
 #include "edp/platform/fragment_queue.hpp"
 #include "edp/platform/observer.hpp"
@@ -180,6 +181,7 @@ class PlatformDriver {
   StageReading stage_{};
   Reference reference_{};
   ReferenceOffset offset_;
+  FollowWatch follow_watch_;
   bool followed_{};  // the tracker has given torques in this macrostep
   bool enabled_{};   // the drives follow them
   PerWheel torque_{};

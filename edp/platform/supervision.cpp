@@ -26,7 +26,6 @@ struct WheelSupervision::Wheel {
   bool stands{};      // although it is to turn
 
   [[nodiscard]] bool pushed() const noexcept { return forwards > kTorque; }
-  [[nodiscard]] bool side_follows() const noexcept { return other >= kFollows * rolls; }
 };
 
 WheelSupervision::Wheel WheelSupervision::seen(std::size_t k, const StageReading& stage,
@@ -54,9 +53,15 @@ bool WheelSupervision::is_dragged(std::size_t k, const Wheel& wheel) noexcept {
   return dragged_[k];
 }
 
+// The speed of the other one is pushed up and let down while a tracker drives against a wheel that stands: no single iteration tells.
+bool WheelSupervision::side_follows(std::size_t k, const Wheel& wheel) noexcept {
+  follows_[k] = wheel.stands ? follows_[k] + (wheel.other >= kFollows * wheel.rolls ? 1 : -1) : 0;
+  return follows_[k] > 0;
+}
+
 std::optional<Fault> WheelSupervision::stands_too_long(std::size_t k, const Wheel& wheel) noexcept {
   const bool dragged = is_dragged(k, wheel);
-  const bool blocks = dragged || !wheel.side_follows();
+  const bool blocks = dragged || !side_follows(k, wheel);
   blocked_[k] = wheel.stands && wheel.pushed() ? blocked_[k] + 1 : 0;
   // A wheel that brakes may stand for a while: it slips.
   missed_[k] = wheel.stands && wheel.forwards >= 0 ? missed_[k] + wheel.rolls * kPlatformPeriod : 0;

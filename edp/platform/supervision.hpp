@@ -16,7 +16,7 @@ class WheelSupervision {
   static constexpr double kTorque = 6;
   static constexpr int kBlocked = 15;
   static constexpr double kMissed = 0.25;
-  /// Then it is blocked, if the other one of its side turns by less than this share of what it is to, or if the platform began
+  /// Then it is blocked, if the other one of its side turns by less than this share of what it is to in most iterations, or if the platform began
   /// to turn to that side by more than so much beyond the way [rad/s^2] as it did: a blocked wheel drags its side, with nominal
   /// friction four times as much. Else it is the encoder that stands. On slippery ground the two look alike.
   static constexpr double kFollows = 0.8;
@@ -43,12 +43,14 @@ class WheelSupervision {
     blocked_ = wrong_ = {};
     missed_ = {};
     stood_ = dragged_ = {};
+    follows_ = {};
   }
 
  private:
   struct Wheel;
   [[nodiscard]] Wheel seen(std::size_t k, const StageReading& stage, const PathPoint& wanted) const noexcept;
   [[nodiscard]] bool is_dragged(std::size_t k, const Wheel& wheel) noexcept;
+  [[nodiscard]] bool side_follows(std::size_t k, const Wheel& wheel) noexcept;
   [[nodiscard]] std::optional<Fault> stands_too_long(std::size_t k, const Wheel& wheel) noexcept;
   [[nodiscard]] std::optional<Fault> contradicts(std::size_t k, const Wheel& wheel,
                                                  double estimated) noexcept;
@@ -59,6 +61,7 @@ class WheelSupervision {
   std::array<bool, kWheels> stood_{};      // an iteration before
   std::array<bool, kWheels> dragged_{};    // its side, when it began to stand
   std::array<PerWheel, 2> side_before_{};  // its Wheel::side an iteration before, and two [rad/s]
+  std::array<int, kWheels> follows_{};     // iterations in which its side did, less those in which it did not
   std::array<int, kWheels> wrong_{};
 };
 

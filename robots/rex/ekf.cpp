@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "robots/rex/displacement.hpp"
 #include "robots/rex/estimate.hpp"
 
 namespace mrroc::rex {
@@ -48,15 +47,15 @@ bool Ekf::add(const MapPose& pose) noexcept {
   const Eigen::Matrix3d covariance = pose_covariance(before(k), window_.centre());
   changed_ = std::min(changed_, k);
   inconsistent_ = inconsistent_ || beyond_ellipse(window_[k], before(k).z, covariance, window_.centre());
-  if (const auto displacement = displacement_at(window_, k, before(k).z)) displace(k, *displacement);
+  if (const auto displacement = displacement_at(window_, k, before(k).z, covariance)) displace(*displacement);
   return true;
 }
 
-void Ekf::displace(int k, const PlanarPose& displacement) noexcept {
-  window_.displace(k, displacement.phi);
+void Ekf::displace(const Displacement& displacement) noexcept {
+  window_.displace(displacement.motion.phi);
   for (int i = 0; i < window_.size(); ++i) before(i) = moved(before(i), displacement);
   newest_ = moved(newest_, displacement);
-  displacement_ = chained(displacement, displacement_);
+  displacement_ = chained(displacement.motion, displacement_);
   changed_ = 0;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 
+#include "robots/rex/displacement.hpp"
 #include "robots/rex/stage_belief.hpp"
 
 namespace mrroc::rex {
@@ -23,7 +24,7 @@ class Ekf final : public edp::Estimator {
   /// Filters from the oldest stage that has changed to the newest one.
   void filter() noexcept;
   /// Moves all that is believed, as a whole. @param k  stage whose map pose says so
-  void displace(int k, const PlanarPose& displacement) noexcept;
+  void displace(const Displacement& displacement) noexcept;
   /// Goes from stage k, whose belief with all measurements is newest_, to the next one.
   void go_on(int k) noexcept;
 

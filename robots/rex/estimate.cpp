@@ -48,12 +48,12 @@ Eigen::Matrix3d pose_covariance(const StageBelief& belief, const Eigen::Vector2d
 }
 
 bool beyond_ellipse(const WindowStage& stage, const StageVector& z, const Eigen::Matrix3d& covariance,
-                    const Eigen::Vector2d& centre) noexcept {
+                    const Eigen::Vector2d& centre, double times) noexcept {
   constexpr double kChiSquare = 16.27;  // 99.9 % of three numbers
   Eigen::Vector3d error = pose_of_body(z, centre, stage.map_delay).value - stage.map.value;
   error[2] = wrap_angle(error[2]);
   const Eigen::Matrix3d expected = covariance + stage.map.covariance;
-  return error.dot(expected.ldlt().solve(error)) > kChiSquare;
+  return error.dot(expected.ldlt().solve(error)) > times * times * kChiSquare;
 }
 
 }  // namespace mrroc::rex

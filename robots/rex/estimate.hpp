@@ -16,10 +16,11 @@ namespace mrroc::rex {
 [[nodiscard]] Eigen::Matrix3d pose_covariance(const StageBelief& belief,
                                               const Eigen::Vector2d& centre) noexcept;
 
-/// @param z  state of the stage  @param covariance  of the pose of B there
+/// @param z  state of the stage  @param covariance  of the pose of B there  @param times  the ellipse is as large
 /// @return whether the map pose of the stage is outside the ellipse that holds 99.9 % of what is to be expected.
 ///         Real-time safe
 [[nodiscard]] bool beyond_ellipse(const WindowStage& stage, const StageVector& z,
-                                  const Eigen::Matrix3d& covariance, const Eigen::Vector2d& centre) noexcept;
+                                  const Eigen::Matrix3d& covariance, const Eigen::Vector2d& centre,
+                                  double times = 1) noexcept;
 
 }  // namespace mrroc::rex

@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "robots/rex/displacement.hpp"
 #include "robots/rex/estimate.hpp"
 
 namespace mrroc::rex {
@@ -94,16 +93,16 @@ bool Mhe::add(const MapPose& pose) noexcept {
   if (k < 0) return false;
   const Eigen::Matrix3d covariance = pose_covariance(newest_, window_.centre());
   inconsistent_ = inconsistent_ || beyond_ellipse(window_[k], z_[k], covariance, window_.centre());
-  if (const auto displacement = displacement_at(window_, k, z_[k])) displace(k, *displacement);
+  if (const auto displacement = displacement_at(window_, k, z_[k], covariance)) displace(*displacement);
   return true;
 }
 
-void Mhe::displace(int k, const PlanarPose& displacement) noexcept {
-  window_.displace(k, displacement.phi);
-  for (int i = 0; i < window_.size(); ++i) z_.set(i, moved(z_[i], displacement));
+void Mhe::displace(const Displacement& displacement) noexcept {
+  window_.displace(displacement.motion.phi);
+  for (int i = 0; i < window_.size(); ++i) z_.set(i, moved(z_[i], displacement.motion));
   arrival_ = moved(arrival_, displacement);
   newest_ = moved(newest_, displacement);
-  displacement_ = chained(displacement, displacement_);
+  displacement_ = chained(displacement.motion, displacement_);
 }
 
 edp::EstimatorResult Mhe::step() noexcept {

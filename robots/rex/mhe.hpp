@@ -4,6 +4,7 @@
 #include <array>
 
 #include "robots/ocp/ocp_qp.hpp"
+#include "robots/rex/displacement.hpp"
 #include "robots/rex/window_states.hpp"
 
 namespace mrroc::rex {
@@ -43,7 +44,7 @@ class Mhe final : public edp::Estimator {
   static constexpr auto kStages = static_cast<std::size_t>(kWindowStages);
 
   /// Moves all that is believed, as a whole. @param k  stage whose map pose says so
-  void displace(int k, const PlanarPose& displacement) noexcept;
+  void displace(const Displacement& displacement) noexcept;
   /// Takes the oldest stage's measurements into the arrival cost, before it leaves.
   void leave() noexcept;
   /// Filters over a window that is not full.

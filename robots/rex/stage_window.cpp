@@ -106,9 +106,8 @@ void StageWindow::anchor_yaw(const WindowStage& stage, double heading, double ga
   yaw_offset_ += gain * std::clamp(wrap_angle(heading - (then + yaw_offset_)), -kMost, kMost);
 }
 
-void StageWindow::displace(int k, double turn) noexcept {
-  for (int i = 0; i < size_; ++i)
-    if (i != k) stage_[static_cast<std::size_t>(i)].map.valid = false;
+void StageWindow::displace(double turn) noexcept {
+  for (int i = 0; i < size_; ++i) stage_[static_cast<std::size_t>(i)].map.valid = false;
   yaw_offset_ = wrap_angle(yaw_offset_ + turn);
 }
 

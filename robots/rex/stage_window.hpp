@@ -44,9 +44,9 @@ class StageWindow {
   /// @param k  stage at which a motion begins that the odometry has told, < size()  @param heading  there, as it is believed [rad]
   void see_heading(int k, double heading) noexcept;
 
-  /// What is believed of all stages has been displaced to the map pose of one: only that pose is kept, and the offset of the IMU's
-  /// yaw goes along. @param k  its stage, < size()  @param turn  of the displacement [rad]
-  void displace(int k, double turn) noexcept;
+  /// What is believed of all stages has been displaced to a map pose: that pose is used, those before it are of another map, and
+  /// the offset of the IMU's yaw goes along. @param turn  of the displacement [rad]
+  void displace(double turn) noexcept;
 
   /// @return stages; 0 before begin()
   [[nodiscard]] int size() const noexcept { return size_; }

@@ -24,6 +24,7 @@ std::unique_ptr<edp::Robot> checked_robot(const ArmParameters& p) {
   if (!(p.paper.stiffness > 0 && p.paper.size > 0 && p.pen_radius > 0))
     refuse("the paper's stiffness and size and the pen's radius must be positive");
   if (p.gripper && !p.jaws) refuse("a gripper's body needs jaws");
+  if (p.gripper && p.palm) refuse("it has a gripper or a palm");
   return robot;
 }
 
@@ -88,6 +89,9 @@ SimulatedArm::SimulatedArm(const ArmParameters& p, Scene& scene, double h, int s
     gripper_->place(jaws_->distance());
   } else if (p.type->belt) {
     add_belt(*p.type->belt);
+  } else if (p.palm) {
+    palm_ = std::make_unique<PalmBody>(*p.palm, arm_, scene);
+    arm_.shapes.push_back(palm_shape(*p.palm, arm_));
   } else {
     add_pen();
   }
@@ -106,6 +110,7 @@ SimulatedArm::~SimulatedArm() {
   scene_.dynamics().removeMultiBodyConstraint(brakes_.get());
   if (collider_) scene_.dynamics().removeCollisionObject(collider_.get());
   gripper_.reset();
+  palm_.reset();
   scene_.dynamics().removeMultiBody(arm_.body.get());
 }
 
@@ -199,7 +204,7 @@ void SimulatedArm::push() {
   const ToolMotion& tool = load_.motion();
   const Vector3 tip_B = T_BU_ * (tool.T_UG * arm_.T_GE.p);
   const Vector3 tip_velocity_B = T_BU_.R * tool.velocity_of(arm_.T_GE.p);
-  const bool on_paper = !gripper_ && load_.contact_force().dot(paper_normal_) > 0;
+  const bool on_paper = !gripper_ && !palm_ && load_.contact_force().dot(paper_normal_) > 0;
   const Vector3 force_B = hand_.step(h_, tip_B, tip_velocity_B, on_paper);
   hand_force_ = p_.T_UB.R * force_B;
   truth_.hand_force += share_ * force_B;
@@ -214,7 +219,7 @@ void SimulatedArm::follow() {
   truth_.S_F += share_ * (belt_ ? load_.weight() : felt);
   if (gripper_)
     jaws_->set_load(gripper_->force());
-  else
+  else if (!palm_)
     truth_.paper_force += share_ * load_.contact_force().dot(paper_normal_);
 }
 

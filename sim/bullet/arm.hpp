@@ -10,6 +10,7 @@
 #include "sim/bullet/brakes.hpp"
 #include "sim/bullet/gripper_body.hpp"
 #include "sim/bullet/multibody.hpp"
+#include "sim/bullet/palm_body.hpp"
 #include "sim/bullet/scene.hpp"
 #include "sim/bullet/tool_load.hpp"
 #include "sim/world.hpp"
@@ -47,9 +48,14 @@ class SimulatedArm {
   /// After contacts have been found.
   void share_stiffness() {
     if (gripper_) gripper_->share_stiffness();
+    if (palm_) palm_->share_stiffness();
   }
   /// What the pen draws on has moved since the construction. @param way  in the world [m]
   void carry_sheet(const Vector3& way) { sheet_way_ = T_BU_.R * way; }
+  /// @return angular velocity of the tool in the world [rad/s]
+  [[nodiscard]] Vector3 tool_turning() const { return load_.motion().angular_velocity; }
+  /// @return its links and joints
+  [[nodiscard]] const btMultiBody* body() const { return arm_.body.get(); }
   /// @return E in the world
   [[nodiscard]] Pose T_UE() const { return load_.motion().T_UG * arm_.T_GE; }
   /// @return the operator's hand, which leads this arm
@@ -111,6 +117,7 @@ class SimulatedArm {
   btCompoundShape touching_;          // pen or belt
   std::unique_ptr<btMultiBodyLinkCollider> collider_;
   std::unique_ptr<GripperBody> gripper_;
+  std::unique_ptr<PalmBody> palm_;  // instead of a pen
 
   HardwareCommand command_{};
   double jaw_pwm_{};

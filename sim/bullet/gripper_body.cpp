@@ -1,8 +1,8 @@
 #include "sim/bullet/gripper_body.hpp"
 
-#include <algorithm>
 #include <cmath>
 
+#include "sim/bullet/contact_share.hpp"
 #include "sim/bullet/convert.hpp"
 
 namespace mrroc::sim {
@@ -77,23 +77,8 @@ void GripperBody::push(double distance) {
 
 void GripperBody::share_stiffness() {
   btDispatcher& dispatcher = *scene_.dynamics().getDispatcher();
-  for (std::size_t k = 0; k < colliders_.size(); ++k) {
-    const auto each_point = [&](auto take) {
-      for (int m = 0; m < dispatcher.getNumManifolds(); ++m) {
-        btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(m);
-        if (manifold.getBody0() != colliders_[k].get() && manifold.getBody1() != colliders_[k].get())
-          continue;
-        for (int i = 0; i < manifold.getNumContacts(); ++i) take(manifold.getContactPoint(i));
-      }
-    };
-    int touching = 0;
-    each_point([&](const btManifoldPoint& point) { touching += point.getDistance() < 0; });
-    const double share = stiffness_[k] / std::max(touching, 1);
-    each_point([&](btManifoldPoint& point) {
-      point.m_combinedContactStiffness1 = share;
-      point.m_combinedContactDamping1 = share * p_.relaxation;
-    });
-  }
+  for (std::size_t k = 0; k < colliders_.size(); ++k)
+    share_contact_stiffness(dispatcher, colliders_[k].get(), stiffness_[k], p_.relaxation);
 }
 
 // Both jaws close by half of what the distance shrinks, so the force that belongs to the distance is their mean.

@@ -5,8 +5,9 @@
 namespace mrroc::sim {
 namespace {
 
-constexpr double kGravity = 9.81;         // [m/s^2]
-constexpr double kTableThickness = 0.05;  // [m]
+constexpr double kGravity = 9.81;            // [m/s^2]
+constexpr double kTableThickness = 0.05;     // [m]
+constexpr double kPedestalThickness = 0.03;  // [m]
 /// Of what touches, along its surfaces, as a share of that along the normal: a block of rubber.
 constexpr double kShearStiffness = 0.2;
 
@@ -27,7 +28,22 @@ void Scene::add_table(const Pose& T_UP, double edge) {
            T_UP * Pose{Matrix3::Identity(), {0, 0, -kTableThickness / 2}});
 }
 
-void Scene::prepare_for_cube() {
+void Scene::add_pedestal(const Vector3& top, double edge, double opening) {
+  const double slat = (edge - opening) / 2;  // width of each of the four around the opening [m]
+  const double out = (opening + slat) / 2;
+  const auto add_slat = [&](double x, double y, double length_x, double length_y) {
+    add_body(std::make_unique<btBoxShape>(btVector3(length_x / 2, length_y / 2, kPedestalThickness / 2)),
+             Pose{Matrix3::Identity(), top + Vector3(x, y, -kPedestalThickness / 2)}, kFloorGroup,
+             kCubeGroup);
+    pedestal_.push_back(bodies_.back().get());
+  };
+  for (const double side : {-1., 1.}) {
+    add_slat(side * out, 0, slat, edge);
+    add_slat(0, side * out, opening, slat);
+  }
+}
+
+void Scene::prepare_for_grasping() {
   constexpr double kEdge = 10;  // [m]
   add_body(std::make_unique<btBoxShape>(btVector3(kEdge / 2, kEdge / 2, kEdge / 2)),
            Pose{Matrix3::Identity(), {0, 0, -kEdge / 2}}, kFloorGroup, kCubeGroup);

@@ -3,6 +3,7 @@
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 #include <btBulletDynamicsCommon.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -13,8 +14,8 @@
 
 namespace mrroc::sim {
 
-/// Pairs of bodies that may touch: pens touch paper, grippers and the floor touch a cube, nothing else
-/// touches anything.
+/// Pairs of bodies that may touch: pens touch paper, grippers, palms and the floor touch a cube or a free body, nothing
+/// else touches anything.
 inline constexpr int kPenGroup = 64;
 inline constexpr int kPaperGroup = 128;
 inline constexpr int kGripperGroup = 256;
@@ -80,9 +81,17 @@ class Scene {
   /// @param T_UP  of the table, as above
   void add_plate(const Pose& T_UP, const PlateParameters& plate);
 
-  /// Adds the floor, for a cube to fall on, tells contacts as it is right for hands that turn the cube, takes
+  /// Adds the plate of a pedestal for a free body: square, level, with a square opening in its middle.
+  /// @param top  middle of its upper side in the world [m] @param edge, opening [m]
+  void add_pedestal(const Vector3& top, double edge, double opening);
+  /// @return whether it is a part of a pedestal
+  [[nodiscard]] bool is_pedestal(const btCollisionObject* object) const {
+    return std::ranges::find(pedestal_, object) != pedestal_.end();
+  }
+
+  /// Adds the floor, for a cube or a free body to fall on, tells contacts as it is right for hands that turn the cube, takes
   /// friction in two directions, since in one alone a held cube turns in its pads, and lets the solver remember.
-  void prepare_for_cube();
+  void prepare_for_grasping();
 
   /// Integrates once. @param h [s]
   void integrate(double h) { dynamics_.stepSimulation(h, 0, h); }
@@ -107,6 +116,7 @@ class Scene {
   ObservedDynamics dynamics_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btCollisionObject>> bodies_;
+  std::vector<const btCollisionObject*> pedestal_;  // some of them
 };
 
 }  // namespace mrroc::sim

@@ -6,6 +6,7 @@
 
 #include "sim/bullet/arm.hpp"
 #include "sim/bullet/cube_body.hpp"
+#include "sim/bullet/free_body.hpp"
 #include "sim/bullet/scene.hpp"
 #include "sim/seed.hpp"
 
@@ -42,13 +43,22 @@ struct World::Impl {
       belt = arms.back().get();
       belt_start = belt->T_UE().p;
     }
-    if (!p.cube) return;
-    scene.prepare_for_cube();
+    if (!p.cube && !p.free_body) return;
+    scene.prepare_for_grasping();
     scene.on_contacts([this] {
       for (const auto& each : arms) each->share_stiffness();
     });
+    if (p.free_body) add_free_body();
+    if (!p.cube) return;
     cube = std::make_unique<CubeBody>(*p.cube, this->arm(p.cube->held_by).T_UE() * p.cube->T_EC, scene,
                                       kStep / p.substeps);
+  }
+
+  void add_free_body() {
+    std::vector<PalmBearer> bearers;
+    for (const auto& each : arms)
+      bearers.push_back({each->body(), [arm = each.get()] { return arm->tool_turning(); }});
+    free_body = std::make_unique<FreeBody>(*p.free_body, std::move(bearers), scene, kStep / p.substeps);
   }
 
   /// The sheets go where the belt goes.
@@ -65,6 +75,7 @@ struct World::Impl {
   SimulatedArm* belt{};  // one of them; null: the sheets lie on tables
   Vector3 belt_start{Vector3::Zero()};
   std::unique_ptr<CubeBody> cube;
+  std::unique_ptr<FreeBody> free_body;
   std::int64_t steps{};
 };
 
@@ -84,16 +95,20 @@ void World::step(std::span<const HardwareCommand> commands) {
   for (std::size_t k = 0; k < w.arms.size(); ++k)
     w.arms[k]->begin_step(k < commands.size() ? &commands[k] : nullptr);
   if (w.cube) w.cube->begin_step();
+  if (w.free_body) w.free_body->begin_step();
   for (int substep = 0; substep < w.p.substeps; ++substep) {
     for (const auto& arm : w.arms) arm->push();
     if (w.cube) w.cube->push();
+    if (w.free_body) w.free_body->push();
     w.scene.integrate(kStep / w.p.substeps);
     for (const auto& arm : w.arms) arm->follow();
     if (w.cube) w.cube->follow(1.0 / w.p.substeps);
+    if (w.free_body) w.free_body->follow(1.0 / w.p.substeps);
   }
   w.carry_sheets();
   for (const auto& arm : w.arms) arm->end_step(w.steps);
   if (w.cube) w.cube->end_step();
+  if (w.free_body) w.free_body->end_step();
 }
 
 const HardwareReading& World::reading(int arm) const { return impl_->arm(arm).reading(); }
@@ -105,6 +120,9 @@ std::vector<LinkShape> World::shapes(int arm) const { return impl_->arm(arm).sha
 const std::vector<InkPoint>& World::ink(int arm) const { return impl_->arm(arm).ink().points(); }
 void World::set_object(int arm, double width) { impl_->arm(arm).set_object(width); }
 const CubeTruth* World::cube() const { return impl_->cube ? &impl_->cube->truth() : nullptr; }
+const FreeBodyTruth* World::free_body() const {
+  return impl_->free_body ? &impl_->free_body->truth() : nullptr;
+}
 void World::set_face_friction(cube::Face face, const FaceFriction& friction) {
   if (impl_->cube) impl_->cube->set_friction(face, friction);
 }
@@ -115,10 +133,10 @@ void World::new_sheet(int arm) { impl_->arm(arm).ink().clear(); }
 std::uint64_t World::state_hash() const {
   constexpr std::uint64_t kPrime = 0x100000001b3;
   std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a over 64-bit words
-  for (const auto& arm : impl_->arms)
-    arm->visit_state([&](double x) { hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * kPrime; });
-  if (impl_->cube)
-    impl_->cube->visit_state([&](double x) { hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * kPrime; });
+  const auto take = [&](double x) { hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * kPrime; };
+  for (const auto& arm : impl_->arms) arm->visit_state(take);
+  if (impl_->cube) impl_->cube->visit_state(take);
+  if (impl_->free_body) impl_->free_body->visit_state(take);
   return hash;
 }
 

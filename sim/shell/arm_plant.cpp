@@ -11,6 +11,7 @@ namespace mrroc::sim {
 ArmPlant::ArmPlant(link::Process& process, World& world, const ShellParameters& parameters)
     : DrivenPlant(parameters.drivers), world_(world) {
   if (world_.cube()) cube_out_ = process.outbox<cube_truth_t>("cube.truth");
+  if (world_.free_body()) free_body_out_ = process.outbox<free_body_truth_t>("free_body.truth");
   for (const std::string& robot : parameters.robots)
     records_.push_back(std::make_unique<edp::RecordFiles>(recording_in(parameters.folder), parameters.folder,
                                                           "simulator-" + robot, kMaxAxes, kStep));
@@ -21,6 +22,7 @@ void ArmPlant::publish(std::int64_t step, std::int64_t macrostep, bool begins) {
   for (std::size_t arm = 0; arm < robots(); ++arm)
     publish_reading(arm, world_.reading(static_cast<int>(arm)), step, macrostep);
   if (cube_out_ && begins) publish_cube(macrostep);
+  if (free_body_out_ && begins) publish_free_body(macrostep);
 }
 
 void ArmPlant::publish_cube(std::int64_t i) {
@@ -38,6 +40,17 @@ void ArmPlant::publish_cube(std::int64_t i) {
   m.squeeze = cube.squeeze;
   m.on_floor = cube.on_floor;
   cube_out_->publish(m, i);
+}
+
+void ArmPlant::publish_free_body(std::int64_t i) {
+  const FreeBodyTruth& body = *world_.free_body();
+  free_body_truth_t m{};
+  put_rows(m.T_UO, body.T_UO);
+  std::ranges::copy(body.velocity, m.velocity);
+  std::ranges::copy(body.press, m.press);
+  m.on_pedestal = body.on_pedestal;
+  m.on_floor = body.on_floor;
+  free_body_out_->publish(m, i);
 }
 
 bool ArmPlant::obeyable(const hardware_command_t& command) const {

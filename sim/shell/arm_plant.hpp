@@ -5,13 +5,14 @@
 
 #include "edp/step_record.hpp"
 #include "mrroc/cube_truth_t.hpp"
+#include "mrroc/free_body_truth_t.hpp"
 #include "sim/shell/plant.hpp"
 #include "sim/shell/shell.hpp"
 #include "sim/world.hpp"
 
 namespace mrroc::sim {
 
-/// Publishes hardware_state of every arm, and cube.truth if there is a cube.
+/// Publishes hardware_state of every arm, cube.truth if there is a cube, and free_body.truth if there is a free body.
 class ArmPlant final : public DrivenPlant<ArmEffector> {
  public:
   /// @param process, world  outlive this object
@@ -27,9 +28,11 @@ class ArmPlant final : public DrivenPlant<ArmEffector> {
  private:
   [[nodiscard]] bool obeyable(const hardware_command_t& command) const override;
   void publish_cube(std::int64_t i);
+  void publish_free_body(std::int64_t i);
 
   World& world_;
-  std::unique_ptr<link::Outbox<cube_truth_t>> cube_out_;  // none: there is no cube
+  std::unique_ptr<link::Outbox<cube_truth_t>> cube_out_;            // none: there is no cube
+  std::unique_ptr<link::Outbox<free_body_truth_t>> free_body_out_;  // none: there is no free body
   std::vector<std::unique_ptr<edp::RecordFiles>> records_;
 };
 

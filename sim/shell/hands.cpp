@@ -49,6 +49,7 @@ void Hands::obey(const hand_order_t& order, bool paused) {
       if (action == HandAction::release) hand.release();
       if (action == HandAction::lead_along) hand.lead_along(k_.strokes);
       if (action == HandAction::follow && !k_.track.empty()) hand.follow(k_.track);
+      if (action == HandAction::push) hand.push({order.x[arm], order.y[arm], order.height[arm]});
       if (action == HandAction::lead_to) hand.lead_to({order.x[arm], order.y[arm]}, order.height[arm]);
     }
     hand.pause(paused);

@@ -32,7 +32,8 @@ Fault why_not(FaultCode code, double value, double limit, const char* what) {
 Fault reason(const Coordinator::X& x) {
   const CoordinatorMemory& c = x.c;
   if (position_gone(x))
-    return why_not(FaultCode::position_lost, seconds(x.i - c.lost_in), seconds(c.k.timeout), "seconds");
+    return why_not(FaultCode::position_lost, seconds(x.i - c.lost_in), seconds(c.k.timeout),
+                   "s of waiting for the position, task.position_timeout");
   if (c.dead_end == DeadEnd::for_box) return {.code = kNoWayForBox};
   if (c.dead_end == DeadEnd::for_platform) return {.code = kNoWayBehindBox};
   if (stays_behind(c.run)) return why_not(kBoxNotMoved, c.run.lag, kMostLag, "m that it has stayed behind");

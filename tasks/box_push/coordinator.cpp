@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/latency.hpp"
+#include "tasks/box_push/observation.hpp"
 
 namespace mrroc::box_push {
 namespace {
@@ -84,11 +85,11 @@ CoordinatorMemory begin_look(const X& x) {
 CoordinatorMemory look(const X& x) {
   CoordinatorMemory c = watch(x);
   const bool settled = static_cast<double>(x.i - x.i_0) - age(x) >= 1;
-  if (is_new(x) && settled && all_done(x)) c.look = with(c.look, x.V.box.p);
-  if (c.look.n > 0) c.box = pose_of(c.look);
+  if (is_new(x) && settled && all_done(x)) c.look.push_back(x.V.box.p);
+  if (!c.look.empty()) c.box = pose_of(c.look);
   return c;
 }
-bool has_looked(const X& x) { return x.c.look.n >= kReadings || position_gone(x); }
+bool has_looked(const X& x) { return x.c.look.size() >= kReadings || position_gone(x); }
 
 // --- coming behind the box -----------------------------------------------------------------------------------------
 

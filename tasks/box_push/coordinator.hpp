@@ -10,7 +10,6 @@
 #include "base/platform_transmission.hpp"
 #include "tasks/box_push/approach.hpp"
 #include "tasks/box_push/images.hpp"
-#include "tasks/box_push/observation.hpp"
 #include "tasks/box_push/push_run.hpp"
 
 namespace mrroc::box_push {
@@ -26,7 +25,7 @@ struct Tolerance {
 };
 
 /// Readings of the box at rest that make one look.
-inline constexpr int kReadings = 10;
+inline constexpr std::size_t kReadings = 10;
 
 /// Constant parameters of the coordinator.
 struct CoordinatorParameters {
@@ -66,7 +65,7 @@ struct CoordinatorMemory {
   CoordinatorParameters k{};              ///< constant during a run
   std::array<Track, kPlatforms> track{};  ///< of the platforms
   std::int64_t looked_at{-1};             ///< step of the newest reading of the box
-  PoseMean look{};                        ///< readings of the box since everything stands
+  std::vector<PlanarPose> look;           ///< readings of the box since everything stands
   PlanarPose box{};                       ///< where it was found last
   Approach approach{};                    ///< of the push that is next or under way
   DeadEnd dead_end{};                     ///< why there is no next push

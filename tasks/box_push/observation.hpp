@@ -1,30 +1,17 @@
-// Means of poses that were measured of something that stands.
+// Where something stands that was measured some times, by readings of which single ones are far off.
 #pragma once
+#include <vector>
+
 #include "base/planar.hpp"
 
 namespace mrroc::box_push {
 
-/// The mean of the poses so far.
-struct PoseMean {
-  int n{};             ///< poses
-  PlanarPose first{};  ///< the first one
-  PlanarPose sum{};    ///< of the differences from it
-};
+/// Readings further than this from the middle one, along x, y or phi, are no measurements of it.
+inline constexpr double kAgrees = 0.1;        // [m]
+inline constexpr double kTurnedAgrees = 0.2;  // [rad]
 
-/// @return the mean with one pose more
-[[nodiscard]] inline PoseMean with(PoseMean mean, const PlanarPose& p) {
-  if (mean.n == 0) mean.first = p;
-  mean.sum.x += p.x - mean.first.x;
-  mean.sum.y += p.y - mean.first.y;
-  mean.sum.phi += wrap_angle(p.phi - mean.first.phi);
-  ++mean.n;
-  return mean;
-}
-
-/// @return the mean of at least one pose; phi wrapped
-[[nodiscard]] inline PlanarPose pose_of(const PoseMean& mean) {
-  const PlanarPose& p = mean.first;
-  return {p.x + mean.sum.x / mean.n, p.y + mean.sum.y / mean.n, wrap_angle(p.phi + mean.sum.phi / mean.n)};
-}
+/// @param readings  at least one
+/// @return the mean of those that agree with the medians of all; phi wrapped
+[[nodiscard]] PlanarPose pose_of(const std::vector<PlanarPose>& readings);
 
 }  // namespace mrroc::box_push

@@ -67,10 +67,12 @@ PlanarPose told_before_end(const PushRun& run, double iterations) {
 PushRun with_reading(const PushRun& run, const PlanarPose& box, double iterations, const Formation& f) {
   // The side of the box lies flat against both noses: it turns with the pair. What it lags behind on a curve comes after on the
   // straight way, so nothing is learned of its heading.
-  constexpr double kShare = 0.2;  // of a reading
+  constexpr double kShare = 0.2;     // of a reading
+  constexpr double kOutlier = 0.25;  // [m], a box does not jump
   const PlanarPose told = told_before_end(run, iterations);
   if (way_to(run, told) < f.gap + kUntilBothPush) return run;
   const PlanarPose seen = seen_from(told, box);
+  if (std::hypot(seen.x - run.box.x, seen.y - run.box.y) > kOutlier) return run;
   PushRun next = run;
   const double touching = inverse(pair_at(f, run.push.side, 0)).x;
   next.lag = touching - seen.x;

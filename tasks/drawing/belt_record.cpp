@@ -11,6 +11,9 @@ constexpr double kRuns = 1e-4;    // of one that runs [m]
 /// After which the arms stand, too: the loop, and their servos.
 constexpr int kSettled = 8;  // [macrosteps]
 
+/// The arms have let go of the hands, and the belt has hardly moved [macrosteps].
+constexpr int kBegun = 4;
+
 /// y of E, which is upright [m].
 double y_of(const Report& r) { return -r.T_0E[1]; }
 
@@ -32,6 +35,13 @@ void BeltRecord::note(const Coordinator::X& x, int m) {
   rested_ = way < kStands ? rested_ + 1 : 0;
   if (way > kRuns && !running_) ++starts_;
   running_ = way > kRuns || (running_ && way > kStands);
+  if (m < 4) belt_begin_ = belt;
+  if (m == 4 && x.i - x.i_0 == kBegun)
+    for (std::size_t arm = 0; arm < kArms; ++arm)
+      if (auto& begin = begin_[arm]; !begin) {
+        const auto& E = x.T.agent[arm].T_0E;
+        begin = Vector3(E[0], E[1] + (belt - belt_begin_), E[2]);
+      }
   const bool nodes_stand = (m == 4 || m == 6) && x.i - x.i_0 > kSettled;
   if (rested_ != kSettled || !nodes_stand || starts_ == 0) return;
   for (std::size_t arm = 0; arm < kArms; ++arm)

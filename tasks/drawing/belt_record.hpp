@@ -1,6 +1,7 @@
 // How well the arms have kept their places on a belt that runs by itself.
 #pragma once
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "tasks/drawing/images.hpp"
@@ -15,6 +16,8 @@ class BeltRecord {
 
   /// @return how often the belt has begun to run
   [[nodiscard]] int starts() const { return starts_; }
+  /// @return E of an arm in its base when it began to reproduce, with the belt where that began to run [m]
+  [[nodiscard]] const std::optional<Vector3>& begin(std::size_t arm) const { return begin_[arm]; }
   /// @return how far an arm has moved over its sheet, beside what it was to move, from the first rest of the belt to the
   ///         last one [m]; NaN: there were no two of them
   [[nodiscard]] double drift(std::size_t arm) const;
@@ -24,6 +27,8 @@ class BeltRecord {
   int rested_{};   // macrosteps
   bool running_{};
   int starts_{};
+  std::array<std::optional<Vector3>, kArms> begin_;
+  double belt_begin_{};                             // y of E while it still stands [m]
   std::array<std::vector<double>, kArms> offsets_;  // of the rests [m]
 };
 

@@ -1,5 +1,6 @@
 // The drawing task: two arms copy a drawing that is taught to one of them.
 #include "launch/task.hpp"
+#include "tasks/drawing/belt_figures.hpp"
 #include "tasks/drawing/cell/paper.hpp"
 #include "tasks/drawing/conveyor.hpp"
 #include "tasks/drawing/drawing_run.hpp"
@@ -41,12 +42,14 @@ void make_results(const Drawing& d, launch::Results& r) {
   const drawing::RunRecord& record = r.coordinator_as<drawing::DrawingRun>().record();
   const auto ink = drawing::collect_ink(r.folder, launch::keys_of(kArms), input.taught_ink());
   drawing::write_tables(r.folder, ink);
-  r.add(drawing::figures_of(input.drawing, !input.taught, record, ink, k, !r.summary.fault),
-        drawing::kFigures);
+  const auto papers = drawing::paper_places(r.setup.config);
+  auto figures = drawing::figures_of(input.drawing, !input.taught, record, ink, k, !r.summary.fault);
+  figures.merge(drawing::belt_figures(record, ink, k, papers, !r.summary.fault));
+  r.add(figures, drawing::kFigures);
   r.columns.assign(drawing::kFigureColumns.begin(), drawing::kFigureColumns.end());
   r.remarks = drawing::warnings(r.summary);
   if (!d.options.save.empty()) drawing::save_taught(d.options.save, record, ink);
-  r.pictures = drawing::plots(r.folder, {drawing::paper_places(r.setup.config)});
+  r.pictures = drawing::plots(r.folder, {papers});
 }
 
 }  // namespace

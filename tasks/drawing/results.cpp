@@ -178,7 +178,6 @@ std::map<std::string, mp::Figure> figures_of(const Drawing& input, bool taught_h
     per_arm["travel_z_mm"].push_back(largest_travel_z_mm(record.traces[arm]));
     per_arm["pen_state_mismatches"].push_back(reproduces(record.traces[arm]) ? record.mismatches[arm]
                                                                              : std::nan(""));
-    if (k.belt_runs) per_arm["belt_drift_mm"].push_back(1e3 * record.belt.drift(arm));
     if (!taught || !ink.drawn[arm]) continue;
     const int in_teach_in =
         arm == 0 && taught_here ? wrong_strokes(*taught, paper_times(record.recording, record.node_t)) : 0;
@@ -188,7 +187,6 @@ std::map<std::string, mp::Figure> figures_of(const Drawing& input, bool taught_h
     per_arm["copy_rms_mm"].push_back(tells(f) ? f.rms_mm : std::nan(""));
     per_arm["copy_max_mm"].push_back(tells(f) ? f.max_mm : std::nan(""));
     per_arm["stray_ink_mm"].push_back(f.stray_mm);
-    if (k.belt_runs) per_arm["belt_rms_mm"].push_back(per_arm["copy_rms_mm"].back());
     per_arm["strokes_missing"].push_back(f.strokes_missing);
     per_arm["strokes_extra"].push_back(f.strokes_extra);
     per_arm["uncovered_mm"].push_back(f.uncovered_mm);
@@ -198,7 +196,6 @@ std::map<std::string, mp::Figure> figures_of(const Drawing& input, bool taught_h
   figures["segment_skew"] = segment_skew(record);
   figures["doubtful_strokes"] =
       record.recording.empty() ? std::nan("") : static_cast<double>(doubtful_strokes(record.recording));
-  if (k.belt_runs) figures["belt_starts"] = static_cast<double>(record.belt.starts());
   figures["nodes"] = static_cast<double>(record.recording.size());
   figures["macrostep_s"] = k.dt * k.n_s;
   return figures;

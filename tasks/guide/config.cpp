@@ -95,6 +95,7 @@ Law read_law(const Config& task) {
   k.inertia = task.number("inertia", k.inertia, {0.5, 20}, "kg");
   k.free_mobility = task.number("free_mobility", k.free_mobility, {0.002, 0.05}, "s/kg");
   k.free_inertia = task.number("free_inertia", k.free_inertia, {0.5, 20}, "kg");
+  k.bend = task.number("bend", k.bend, {0, 0.1}, "m");
   k.wall_stiffness = task.number("wall_stiffness", k.wall_stiffness, {500, 50'000}, "N/m");
   k.wall_softness = task.number("wall_softness", k.wall_softness, {0.0005, 0.01}, "m");
   k.most_force = task.number("most_force", k.most_force, {20, 60}, "N");

@@ -85,6 +85,7 @@ Curve::Curve(const Points& points, bool closed, double rounding) : closed_(close
   if (closed) samples.pop_back();
   points_ = std::move(samples);
   find_tangents();
+  find_bends();
   const auto bad = [&](std::size_t k) { return radius(static_cast<double>(k) * spacing_) < kLeastRadius; };
   for (std::size_t k = 0; k < points_.size(); ++k)
     if (bad(k)) throw SharpCorner(points_[k]);
@@ -110,6 +111,17 @@ double Curve::radius(double s) const {
   const std::ptrdiff_t k = index_near(s);
   const double bend = turn(tangents_[wrapped(k - base)], tangents_[wrapped(k + base)]);
   return 2 * static_cast<double>(base) * spacing_ / std::max(bend, 1e-9);
+}
+
+void Curve::find_bends() {
+  const auto reach = static_cast<std::ptrdiff_t>(std::ceil(kNear / spacing_));
+  std::vector<double> radii;
+  for (std::size_t k = 0; k < points_.size(); ++k) radii.push_back(radius(static_cast<double>(k) * spacing_));
+  for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(points_.size()); ++k) {
+    double least = HUGE_VAL;
+    for (std::ptrdiff_t j = k - reach; j <= k + reach; ++j) least = std::min(least, radii[wrapped(j)]);
+    narrowest_.push_back(least);
+  }
 }
 
 CurvePlace Curve::at(double s) const {

@@ -36,6 +36,8 @@ class Curve {
  public:
   /// Bends are at least so wide: a tool that is nearer than that has one nearest place [m].
   static constexpr double kLeastRadius = 0.5e-3;
+  /// What is near a place, along the curve to either side [m].
+  static constexpr double kNear = 3e-3;
   /// Shortest curve [m].
   static constexpr double kLeastLength = 5e-3;
 
@@ -61,6 +63,8 @@ class Curve {
   [[nodiscard]] CurvePlace nearest(const Point& p) const;
   /// @return radius of the narrowest bend around s [m]
   [[nodiscard]] double radius(double s) const;
+  /// @return radius of the narrowest bend within kNear of s [m]
+  [[nodiscard]] double narrowest(double s) const { return narrowest_[wrapped(index_near(s))]; }
   /// @return points at equal distances, for pictures; of a closed curve the first one is not repeated
   [[nodiscard]] const Points& points() const { return points_; }
 
@@ -70,10 +74,12 @@ class Curve {
   [[nodiscard]] std::ptrdiff_t index_near(double s) const;
   [[nodiscard]] CurvePlace place_around(const Point& p, std::ptrdiff_t k) const;
   void find_tangents();
+  void find_bends();
 
   bool closed_;
   double length_{}, spacing_{};
   Points points_, tangents_;
+  std::vector<double> narrowest_;  // at the points [m]
 };
 
 }  // namespace mrroc::guide

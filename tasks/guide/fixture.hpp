@@ -1,6 +1,7 @@
 // A virtual fixture: what a tool may move on, a curve or a piece of a plane.
 #pragma once
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -45,6 +46,8 @@ class Fixture {
   [[nodiscard]] Standing stand(const Vector3& tool, std::optional<double> s) const;
   /// @return axes of the task frame at a place, in the base
   [[nodiscard]] Matrix3 axes(double s) const;
+  /// @return radius of the narrowest bend around a place [m]; of a plane infinity
+  [[nodiscard]] double bend(double s) const { return curve_ ? curve_->narrowest(s) : HUGE_VAL; }
   /// @return points all over it, in the base, at most so far from one another [m]
   [[nodiscard]] std::vector<Vector3> points(double distance) const;
 

@@ -1,6 +1,7 @@
 #include "tasks/guide/hand_way.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -13,8 +14,12 @@ constexpr double kStep = 0.01;      // between points [s]
 constexpr double kRest = 1;         // at the ends [s]
 constexpr double kFade = 1;         // of the push, at the beginning and the end of the way [s]
 constexpr double kApproach = 0.03;  // speed from off the fixture [m/s]
-constexpr double kBend = 0.02;      // in bends that are narrower he pushes across their plane only [m]
-constexpr double kAhead = 0.03;     // he sees them so far ahead [m]
+constexpr double kAhead = 0.03;     // he sees bends so far ahead [m]
+constexpr double kSeen = 0.001;     // between the places that he looks at [m]
+// Into a bend he wants to be by so much of its radius: beyond its middle he would pull the tool back along the curve.
+constexpr double kInto = 0.5;
+// Where he wants to be goes around the outside of a bend no quicker than his hand does elsewhere, in shares of its speed.
+constexpr double kAround = 1;
 
 /// What he leads along, by its length.
 struct Way {
@@ -77,8 +82,10 @@ class Writer {
     double speed = 0;
     while (sense * (goal - place_) > 1e-6) {
       const double ahead = sense * (goal - place_);
-      const double bend = std::sqrt(plan_.acceleration * way_.line.radius(way_.line.at(place_).s));
-      const double wanted = std::min({plan_.speed, std::sqrt(plan_.acceleration * ahead), bend});
+      const double radius = way_.line.radius(way_.line.at(place_).s);
+      const double bend = std::sqrt(plan_.acceleration * radius);
+      const double around = kAround * plan_.speed * radius / (radius + pushed());
+      const double wanted = std::min({plan_.speed, std::sqrt(plan_.acceleration * ahead), bend, around});
       speed = std::min(wanted, speed + plan_.acceleration * kStep);
       place_ += sense * std::min(ahead, std::max(speed, 1e-3) * kStep);
       strength_ = std::min(1.0, strength_ + kStep / kFade);
@@ -87,21 +94,32 @@ class Writer {
     }
     if (!last) rest(kRest);
   }
-  /// A hand that pushed sideways in a narrow bend would be on the wrong side of it.
+  /// So far off the curve he wants to be: as far as the force takes both springs, the fixture's and that of the hand.
+  [[nodiscard]] double pushed() const {
+    return smooth(strength_) * plan_.push * (plan_.compliance + 1 / k_.law.stiffness);
+  }
+  /// How much of his push he can give to the left and to the right, in the bends around him.
   void look_ahead() {
-    bool bends = false;
-    for (double s = -kAhead; s <= kAhead; s += kBend / 20)
-      bends = bends || way_.line.radius(way_.line.at(place_ + s).s) < kBend;
-    sideways_ = std::clamp(sideways_ + (bends ? -2 : 1) * kStep / kFade, 0.0, 1.0);
+    std::array most{1.0, 1.0};
+    for (double s = -kAhead; s <= kAhead; s += kSeen) {
+      const Point before = way_.line.at(place_ + s - kSeen / 2).tangent;
+      const Point behind = way_.line.at(place_ + s + kSeen / 2).tangent;
+      const bool left = before.x() * behind.y() - before.y() * behind.x() > 0;
+      const double into = kInto * way_.line.radius(way_.line.at(place_ + s).s);
+      double& side = most[left ? 0 : 1];
+      side = std::min(side, into / std::max(pushed(), into));
+    }
+    for (const std::size_t side : {0U, 1U})
+      share_[side] = std::clamp(most[side], share_[side] - 2 * kStep / kFade, share_[side] + kStep / kFade);
   }
   void add(double above) {
     const CurvePlace on = way_.line.at(place_);
     const Point p = on.point + (way_.line.closed() ? 0 : place_ - on.s) * on.tangent;
-    // As far as the force takes both springs: the fixture's and that of the hand.
-    const double off = smooth(strength_) * plan_.push * (plan_.compliance + 1 / k_.law.stiffness);
+    const double off = pushed();
     const double angle = 2 * pi * t_ / plan_.turn;
     const Point across = k_.fixture.is_plane() ? Point(0, 0) : Point(-on.tangent.y(), on.tangent.x());
-    const Point q = p + smooth(sideways_) * off * std::cos(angle) * across;
+    const double sideways = std::cos(angle);
+    const Point q = p + share_[sideways > 0 ? 0 : 1] * off * sideways * across;
     points_.push_back({t_, k_.fixture.T_0F() * Vector3(q.x(), q.y(), above + off * std::sin(angle))});
     t_ += kStep;
   }
@@ -111,7 +129,8 @@ class Writer {
   Way way_;
   std::vector<WayPoint> points_;
   double t_{}, place_{}, strength_{};
-  double sideways_{1};  // share of the push in the plane of the fixture
+  std::array<double, 2> share_{1,
+                               1};  // of the push in the plane of the fixture, to the left and to the right
 };
 
 }  // namespace

@@ -17,9 +17,12 @@ AxisCommand across(const Law& law, double off, double share, double most_speed) 
   return between(law, -share * law.stiffness * off, share, most_speed);
 }
 
-AxisCommand along(const Law& law, double beyond, double share, double most_speed) {
+/// @param bend  radius of the narrowest bend near the tool [m]
+AxisCommand along(const Law& law, double beyond, double bend, double share, double most_speed) {
   const double held = share * smooth(std::abs(beyond) / law.wall_softness);
-  return between(law, share * wall_force(law, beyond), held, most_speed);
+  AxisCommand row = between(law, share * wall_force(law, beyond), held, most_speed);
+  row.mobility = std::min(row.mobility, law.free_mobility / (1 + share * std::max(0.0, law.bend / bend - 1)));
+  return row;
 }
 
 }  // namespace
@@ -47,8 +50,8 @@ double wall_energy(const Law& law, double depth) {
 TaskFrameCommand rows(const Law& law, const Fixture& fixture, const Standing& standing, double share,
                       double most_speed) {
   TaskFrameCommand frame;
-  frame.x = along(law, standing.beyond[0], share, most_speed);
-  frame.y = fixture.is_plane() ? along(law, standing.beyond[1], share, most_speed)
+  frame.x = along(law, standing.beyond[0], fixture.bend(standing.s), share, most_speed);
+  frame.y = fixture.is_plane() ? along(law, standing.beyond[1], HUGE_VAL, share, most_speed)
                                : across(law, standing.y, share, most_speed);
   frame.z = across(law, standing.z, share, most_speed);
   return frame;

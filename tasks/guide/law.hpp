@@ -9,11 +9,14 @@ namespace mrroc::guide {
 
 /// How stiff a fixture is, and how freely a tool goes along it. I and B are those of law MG (28).
 struct Law {
-  double stiffness{20'000};      ///< across the fixture [N/m]
-  double mobility{0.001};        ///< B across it and in its walls [s/kg]
-  double inertia{2};             ///< I across it [kg]
-  double free_mobility{0.035};   ///< B along it, and of a tool that is led without it [s/kg]
-  double free_inertia{3};        ///< I of the same [kg]
+  double stiffness{20'000};     ///< across the fixture [N/m]
+  double mobility{0.001};       ///< B across it and in its walls [s/kg]
+  double inertia{2};            ///< I across it [kg]
+  double free_mobility{0.035};  ///< B along it, and of a tool that is led without it [s/kg]
+  double free_inertia{3};       ///< I of the same [kg]
+  /// In bends of this radius the tool is as free along the fixture as elsewhere, in narrower ones less by the ratio of both:
+  /// it would be through them before the task frame has turned. 0: nowhere [m]
+  double bend{0.01};
   double wall_stiffness{5'000};  ///< of the walls at its ends [N/m]
   double wall_softness{
       0.002};             ///< depth in a wall from which on it is as stiff as that, and as little mobile [m]

@@ -6,6 +6,7 @@
 
 #include "base/fault.hpp"
 #include "base/link/text.hpp"
+#include "base/with_remedy.hpp"
 
 namespace mrroc::manual {
 namespace {
@@ -65,7 +66,7 @@ std::optional<CommandServer::Refusal> CommandServer::obey(std::int64_t i, const 
   try {
     wanted = understand(words, arms_);
   } catch (const FaultError& e) {
-    return Refusal{fmt::format("{}; {}", e.what(), e.remedy()), InstructionState::not_understood};
+    return Refusal{with_remedy(e.what(), e.remedy()), InstructionState::not_understood};
   }
   for (std::size_t k = 0; k < wanted.arms.size(); ++k) {
     const std::size_t arm = wanted.arms[k];

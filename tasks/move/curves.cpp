@@ -10,6 +10,7 @@
 #include "base/screw.hpp"
 #include "ecp/generators/nurbs.hpp"
 #include "ecp/generators/polyline.hpp"
+#include "ecp/generators/polynomials.hpp"
 
 namespace mrroc::any_motion {
 namespace {

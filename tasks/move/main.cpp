@@ -7,6 +7,7 @@
 #include "tasks/move/cell/arm_body.hpp"
 #include "tasks/move/config.hpp"
 #include "tasks/move/plots.hpp"
+#include "tasks/move/recorded_motion.hpp"
 
 namespace {
 
@@ -25,9 +26,26 @@ any_motion::Plan plan_of(const Config& config) {
   return any_motion::read_plan(config, any_motion::make_arm_body);
 }
 
-Config motions(const Options& o) {
-  return o.file.empty() ? Config::parse(any_motion::example(), "example.toml (built in)")
-                        : Config::load(o.file);
+/// The arms with their axes, of the task's own configuration: recordings are read before there is that of the run.
+std::vector<any_motion::ArmKey> known_arms() {
+  const Config config = Config::parse(any_motion::config(), "move.toml");
+  std::vector<any_motion::ArmKey> keys;
+  for (const launch::CellArm& arm : kArms)
+    keys.push_back({arm.key, any_motion::make_arm_body(config, arm.key)->axes()});
+  return keys;
+}
+
+/// The motions, with what their recordings hold.
+struct Motions {
+  Config file;
+  any_motion::Recordings recordings;
+};
+
+Motions motions(const Options& o) {
+  if (o.file.empty()) return {Config::parse(any_motion::example(), "example.toml (built in)"), {}};
+  Motions m{Config::load(o.file), {}};
+  m.recordings = any_motion::insert_recordings(m.file, known_arms(), o.file.parent_path());
+  return m;
 }
 
 /// The file is looked at as such, too: its errors name its lines.
@@ -36,7 +54,7 @@ void prepare(const Options& o, const launch::Setup& s, any_motion::Plan& plan) {
     std::vector<any_motion::ArmKey> keys;
     for (const launch::CellArm& arm : kArms)
       keys.push_back({arm.key, any_motion::make_arm_body(s.config, arm.key)->axes()});
-    std::ignore = any_motion::read_motions(motions(o), keys);
+    std::ignore = any_motion::read_motions(motions(o).file, keys);
   }
   try {
     plan = plan_of(s.config);
@@ -64,6 +82,7 @@ std::vector<launch::Picture> pictures(const std::vector<mp::ArmTrace>& arms, con
 int main(int argc, char** argv) {
   Options o;
   any_motion::Plan plan;
+  any_motion::Recordings recordings;
   launch::Task task = launch::task_of(
       {.name = "move",
        .about =
@@ -87,12 +106,17 @@ int main(int argc, char** argv) {
   task.instead_of_config = {"--file"};
   task.found = [&](mp::TaskOptions& options) {
     if (!options.check.empty()) return std::vector<std::string>{};
-    return any_motion::settings_of(motions(o), launch::keys_of(kArms));
+    Motions m = motions(o);
+    recordings = std::move(m.recordings);
+    return any_motion::settings_of(m.file, launch::keys_of(kArms));
   };
   const auto read_all = task.prepare;
   task.prepare = [&, read_all](const launch::Setup& s) {
     prepare(o, s, plan);
     read_all(s);
+  };
+  task.files = [&](const fs::path& folder) {
+    for (const auto& [motion, path] : recordings) ecp::save(folder / (motion + ".taught"), path);
   };
   task.words = [&](const launch::Setup&) {
     return o.file.empty() ? std::string("an example") : o.file.string();

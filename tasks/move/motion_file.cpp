@@ -15,18 +15,7 @@ namespace {
 constexpr Bounds kShare{.min = 1e-4, .max = 1};
 constexpr Bounds kTime{.min = 0, .max = 3600};
 constexpr Bounds kPositions{.min = -1e5, .max = 1e5};
-constexpr std::size_t kMostMotions = 900;     // of one arm: below kWorkDone
-constexpr std::size_t kMostPositions = 2000;  // of one motion
-
-/// The error of a list that is there, at the place where it stands.
-ConfigError wrong_list(const Config& config, std::string_view key, const std::string& text) {
-  try {
-    std::ignore = config.list(key, std::nullopt, {}, "", SIZE_MAX);  // no list has so many: tells the place
-  } catch (const ConfigError& e) {
-    return {e.place(), e.key(), fmt::format("'{}' {}", e.key(), text)};
-  }
-  return {{}, std::string(key), text};
-}
+constexpr std::size_t kMostMotions = 900;  // of one arm: below kWorkDone
 
 bool is_spline(Generator g) {
   return g == Generator::linear || g == Generator::cubic || g == Generator::quintic;
@@ -62,7 +51,10 @@ class MotionReader {
     read_timing();
     if (m_.generator == Generator::nurbs) read_nurbs();
     if (m_.generator == Generator::straight) read_path();
-    if (m_.generator == Generator::replay) read_forces();
+    if (m_.generator == Generator::replay) {
+      read_forces();
+      note_recording();
+    }
     return m_;
   }
 
@@ -86,7 +78,7 @@ class MotionReader {
   }
   /// @throws ConfigError  at the place of a word
   void refuse_word(std::string_view key, const std::string& text) const {
-    throw wrong_list(config_, key, "cannot be: " + text);
+    throw wrong_value(config_, key, "cannot be: " + text);
   }
 
   void read_positions() {
@@ -94,16 +86,16 @@ class MotionReader {
     if (!axes_ && per_axis(m_.space)) return;
     const auto each = static_cast<std::size_t>(numbers_used(m_.space, axes_.value_or(0)));
     if (numbers.size() % each != 0)
-      throw wrong_list(config_, "positions",
-                       fmt::format("has {} numbers, and a position has {}: position {} is cut off",
-                                   numbers.size(), each, numbers.size() / each + 1));
-    if (numbers.empty()) throw wrong_list(config_, "positions", "has no position");
+      throw wrong_value(config_, "positions",
+                        fmt::format("has {} numbers, and a position has {}: position {} is cut off",
+                                    numbers.size(), each, numbers.size() / each + 1));
+    if (numbers.empty()) throw wrong_value(config_, "positions", "has no position");
     if (numbers.size() / each > kMostPositions)
-      throw wrong_list(config_, "positions", fmt::format("has more than {} positions", kMostPositions));
+      throw wrong_value(config_, "positions", fmt::format("has more than {} positions", kMostPositions));
     for (std::size_t k = 0; k < numbers.size(); k += each)
       m_.positions.push_back(position(&numbers[k], each));
     if (m_.generator == Generator::constant && m_.positions.size() != 1)
-      throw wrong_list(config_, "positions", "must be one position: the motion has one velocity");
+      throw wrong_value(config_, "positions", "must be one position: the motion has one velocity");
   }
 
   [[nodiscard]] ecp::Coordinates position(const double* numbers, std::size_t count) const {
@@ -113,9 +105,9 @@ class MotionReader {
     std::copy_n(numbers, count, given.begin());
     const auto T = pose_from_numbers(m_.space, given);
     if (!T)
-      throw wrong_list(config_, "positions",
-                       fmt::format("has a position {} that is no homogeneous matrix with a rotation",
-                                   m_.positions.size() + 1));
+      throw wrong_value(config_, "positions",
+                        fmt::format("has a position {} that is no homogeneous matrix with a rotation",
+                                    m_.positions.size() + 1));
     return angle_axis_from_pose(*T);
   }
 
@@ -128,7 +120,7 @@ class MotionReader {
     std::vector<double> list = config_.list(key, std::vector<double>{fallback}, kShare, "of the limit");
     const bool several = takes_lists(m_.generator) && one_each(list.size());
     if (list.size() != 1 && !(several && !list.empty()))
-      throw wrong_list(
+      throw wrong_value(
           config_, key,
           takes_lists(m_.generator)
               ? fmt::format("must have one number, or one for each of {} positions", m_.positions.size())
@@ -141,12 +133,12 @@ class MotionReader {
         config_.list("times", required ? std::nullopt : std::optional(std::vector<double>{}), kTime, "s");
     if (m_.times.empty() && !required) return;
     if (!one_each(m_.times.size()) || m_.times.empty())
-      throw wrong_list(config_, "times",
-                       fmt::format("has {} times for {} positions", m_.times.size(), m_.positions.size()));
+      throw wrong_value(config_, "times",
+                        fmt::format("has {} times for {} positions", m_.times.size(), m_.positions.size()));
     const bool from_zero = m_.generator == Generator::replay;  // its first position is where it begins
     for (std::size_t k = 0; k < m_.times.size(); ++k)
       if (!(m_.times[k] > (k > 0 ? m_.times[k - 1] : from_zero ? -1 : 0)))
-        throw wrong_list(config_, "times", fmt::format("has a time {} that does not rise", k + 1));
+        throw wrong_value(config_, "times", fmt::format("has a time {} that does not rise", k + 1));
   }
 
   void read_timing() {
@@ -183,21 +175,29 @@ class MotionReader {
       m_.forces.push_back(F);
     }
     if (numbers.size() % 6 != 0 || (!m_.forces.empty() && !one_each(m_.forces.size())))
-      throw wrong_list(config_, "forces",
-                       fmt::format("has {} numbers, and must have six for each of {} positions",
-                                   numbers.size(), m_.positions.size()));
+      throw wrong_value(config_, "forces",
+                        fmt::format("has {} numbers, and must have six for each of {} positions",
+                                    numbers.size(), m_.positions.size()));
     if (m_.forces.empty()) return;
     if (m_.mu != Interpolation::tcim_pose)
-      throw wrong_list(config_, "forces", "needs interpolation = \"tcim\"");
+      throw wrong_value(config_, "forces", "needs interpolation = \"tcim\"");
     static const std::map<std::string, Axis> names{{"x", Axis::x},   {"y", Axis::y},   {"z", Axis::z},
                                                    {"ax", Axis::ax}, {"ay", Axis::ay}, {"az", Axis::az}};
     for (const std::string& word : config_.texts("contact", std::vector<std::string>{})) {
       const auto found = names.find(word);
       if (found == names.end())
-        throw wrong_list(config_, "contact",
-                         fmt::format("has '{:.20}', and axes are x, y, z, ax, ay, az", word));
+        throw wrong_value(config_, "contact",
+                          fmt::format("has '{:.20}', and axes are x, y, z, ax, ay, az", word));
       m_.contact.push_back(found->second);
     }
+  }
+
+  /// What a recording holds has been put into the other keys: here stands where it comes from.
+  void note_recording() const {
+    if (!config_.has("recording")) return;
+    std::ignore = config_.text("recording", std::nullopt);
+    for (const char* key : {"from", "to", "stretch"})
+      if (config_.has(key)) std::ignore = config_.number(key, std::nullopt);
   }
 
   const Config& config_;
@@ -209,21 +209,21 @@ ArmMotions read_arm(const Config& config, const ArmKey& arm) {
   ArmMotions motions{.arm = arm.key, .start = {}, .motions = {}};
   const auto start = config.list("start", std::vector<double>{}, {-10, 10}, "rad, track m");
   if (!start.empty() && arm.axes && start.size() != static_cast<std::size_t>(*arm.axes))
-    throw wrong_list(config, "start",
-                     fmt::format("has {} numbers, and {} has {} joints", start.size(), arm.key, *arm.axes));
-  if (start.size() > kMaxAxes) throw wrong_list(config, "start", "has more joints than an arm");
+    throw wrong_value(config, "start",
+                      fmt::format("has {} numbers, and {} has {} joints", start.size(), arm.key, *arm.axes));
+  if (start.size() > kMaxAxes) throw wrong_value(config, "start", "has more joints than an arm");
   if (!start.empty())
     motions.start = Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Eigen::Index>(start.size()));
   const auto order = config.texts("order", std::vector<std::string>{});
   if (order.size() > kMostMotions)
-    throw wrong_list(config, "order", fmt::format("has more than {} motions", kMostMotions));
+    throw wrong_value(config, "order", fmt::format("has more than {} motions", kMostMotions));
   const std::vector<std::string> known = config.tables("");
   std::map<std::string, MotionSpec> specs;
   for (const std::string& name : order) {
     if (std::ranges::find(known, name) == known.end())
-      throw wrong_list(config, "order",
-                       fmt::format("has '{:.40}', and there is no table [{}.{:.40}]{}", name, arm.key, name,
-                                   known.empty() ? "" : "; there are " + joined(known, ", ")));
+      throw wrong_value(config, "order",
+                        fmt::format("has '{:.40}', and there is no table [{}.{:.40}]{}", name, arm.key, name,
+                                    known.empty() ? "" : "; there are " + joined(known, ", ")));
     if (!specs.contains(name))
       specs.emplace(name, MotionReader(config.section(name), arm.key + "." + name, arm.axes).read());
     motions.motions.push_back(specs.at(name));
@@ -235,6 +235,15 @@ ArmMotions read_arm(const Config& config, const ArmKey& arm) {
 }
 
 }  // namespace
+
+ConfigError wrong_value(const Config& config, std::string_view key, const std::string& text) {
+  try {
+    std::ignore = config.list(key, std::nullopt, {}, "", SIZE_MAX);  // no list has so many: tells the place
+  } catch (const ConfigError& e) {
+    return {e.place(), e.key(), fmt::format("'{}' {}", e.key(), text)};
+  }
+  return {{}, std::string(key), text};
+}
 
 MotionFile read_motions(const Config& config, const std::vector<ArmKey>& arms) {
   MotionFile file;

@@ -13,6 +13,9 @@
 
 namespace mrroc::any_motion {
 
+/// Positions of one motion, at most.
+inline constexpr std::size_t kMostPositions = 2000;
+
 /// Generators of ecp/generators by which a motion can be made.
 enum class Generator : std::uint8_t {
   trapezoid,
@@ -81,6 +84,9 @@ struct ArmKey {
   std::string key;          ///< arm1
   std::optional<int> axes;  ///< nothing: not known yet, and the count of numbers is not looked at
 };
+
+/// @param text  what is wrong with it @return the error of a value that is there, at the place where it stands
+[[nodiscard]] ConfigError wrong_value(const Config& config, std::string_view key, const std::string& text);
 
 /// Reads
 ///     together = false            # arms begin their motions at the same time, and take the same time

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "tasks/rex_drive/config.hpp"
@@ -16,15 +18,21 @@ namespace {
 
 using Values = std::map<std::string, std::string>;
 
+/// @param tables  beginnings of the keys
+Values values_of(const Config& config, std::span<const std::string_view> tables) {
+  Values values;
+  for (const ConfigParameter& p : config.parameters())
+    if (std::ranges::any_of(tables, [&p](std::string_view table) { return p.key.starts_with(table); }))
+      values.emplace(p.key, p.value);
+  return values;
+}
+
 /// What platform, ground, sensors and kernels are made of; not where the platform stands at the beginning.
 Values plant_of(const Config& config) {
   constexpr std::array<std::string_view, 4> kPlant{"sim.ground.", "sim.platforms.", "motion_capture.",
                                                    "platforms.rex."};
-  Values values;
-  for (const ConfigParameter& p : config.parameters()) {
-    const auto begins = [&p](std::string_view table) { return p.key.starts_with(table); };
-    if (std::ranges::any_of(kPlant, begins) && !p.key.ends_with(".start")) values.emplace(p.key, p.value);
-  }
+  Values values = values_of(config, kPlant);
+  std::erase_if(values, [](const auto& value) { return value.first.ends_with(".start"); });
   return values;
 }
 
@@ -55,6 +63,22 @@ DriveCase drive_case(const Config& run, const std::function<void(const Config&)>
     return is_built_in(run.text("task.plan", "figure_eight")) ? DriveCase::usual : DriveCase::own_plan;
   }
   return DriveCase::other;
+}
+
+std::vector<std::string> changed_eyes(const Config& run, const std::function<void(const Config&)>& read) {
+  if (!read_eyes(run)) return {};
+  constexpr std::array<std::string_view, 2> kEyes{"cameras.", "odometry."};
+  Config usual = Config::parse(config(), "rex_drive.toml");
+  usual.underlay(Config::parse(eyes(), "eyes.toml"));
+  std::ignore = read_eyes(usual);  // as of the run above
+  read(usual);
+  const Values built_in = values_of(usual, kEyes);
+  std::vector<std::string> changed;
+  for (const auto& [key, value] : values_of(run, kEyes)) {
+    const auto was = built_in.find(key);
+    if (was == built_in.end() || was->second != value) changed.push_back(key);
+  }
+  return changed;
 }
 
 }  // namespace mrroc::rex_drive

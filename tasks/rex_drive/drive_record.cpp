@@ -102,13 +102,19 @@ DriveTable join(const DriveMessages& messages, double dt, int n_s) {
 }
 
 std::vector<double> map_returns(const DriveMessages& messages, double dt, int n_s) {
+  constexpr int kJumped = 2;  // positions in a row
   std::vector<double> times;
   bool lost = false, seen = false;
+  std::int64_t step = 0, rejected = 0;  // of the newest position that was believed
   for (const map_report_t& m : messages.poses) {
     const bool valid = m.pose.valid != 0;
-    if (valid && lost) times.push_back(static_cast<double>(m.header.stamp) * n_s * dt);
+    const bool jumped = seen && m.pose.step > step && m.rejected - rejected >= kJumped;
+    if (valid && (lost || jumped)) times.push_back(static_cast<double>(m.header.stamp) * n_s * dt);
     seen = seen || valid;
     lost = seen && !valid;
+    if (m.pose.step == step) continue;
+    step = m.pose.step;
+    rejected = m.rejected;
   }
   return times;
 }

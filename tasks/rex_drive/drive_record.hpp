@@ -38,7 +38,8 @@ struct DriveMessages {
 /// @return a row for every reply that has a telemetry of its reading and a truth about it
 [[nodiscard]] DriveTable join(const DriveMessages& messages, double dt, int n_s);
 
-/// @return when the map was valid again after it had been lost [s]
+/// @return when the map was valid again after it had been lost, or believed after it had jumped: after two positions in a row
+///         that were not [s]
 [[nodiscard]] std::vector<double> map_returns(const DriveMessages& messages, double dt, int n_s);
 
 /// Collects the messages of a run. Used by MP's thread.

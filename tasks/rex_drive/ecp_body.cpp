@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "base/link/clocked_inbox.hpp"
 #include "base/linked_port.hpp"
 #include "base/msg/convert_platform.hpp"
@@ -9,13 +11,14 @@
 namespace mrroc::rex_drive {
 
 void run_ecp(link::Process& process, const Config& config, const link::NodeArguments& arguments) {
-  const Parameters k = read_parameters(config);
+  Parameters k = read_parameters(config);
   link::IncomingLink<Plan> plan(process, plan_channel());
   link::IncomingLink<MapReport> map(process, pose_channel());
   link::OutgoingLink<PlatformEstimate> estimate(process, estimate_channel());
   link::OtherLinks others{.incoming = {&plan, &map}, .outgoing = {&estimate}};
   std::optional<link::ClockedInbox<odometry_reading_t>> odometry;
   if (const auto clock = read_eyes(config)) {
+    k.stale = std::max(k.stale, clock->latency + 2 * clock->period);
     odometry.emplace(process, std::string(kPlatform) + ".odometry", *clock);
     others.sources = {odometry->source()};
     others.here = [&odometry](std::int64_t, std::int64_t step) { return odometry->here(step); };

@@ -15,7 +15,9 @@ namespace mrroc::rex_drive {
 namespace {
 
 constexpr double kMm = 1e3;
-constexpr double kMoves = 0.1;  // [m/s], from which on a joint is passed at speed
+constexpr double kMoves = 0.1;          // [m/s], from which on a joint is passed at speed
+constexpr double kFrictionKnown = 0.1;  // standard deviation up to which an estimate of friction is one
+constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
 bool drives(const DriveRow& row) { return row.executing > 0; }
 
@@ -69,6 +71,13 @@ void of_place(const DriveResults& r, mp::Figures& figures) {
   if (const auto pivot = rms(r.table, turns, tracking_error)) figures["pivot_rms_mm"] = kMm * *pivot;
 }
 
+/// From the end of the way to where the platform is when everything has ended [m].
+std::optional<double> end_error(const DriveResults& r) {
+  if (r.acked_in == 0 || r.table.empty() || r.fragments.empty()) return {};
+  const PlanarPose &end = r.fragments.back().fragment.knot.back().p, &is = r.table.back().truth.p;
+  return std::hypot(is.x - end.x, is.y - end.y);
+}
+
 /// By how much the speed departs from the planned one within 0.2 s after a position that comes back has got to the driver [m/s].
 std::optional<double> kick_of_return(const DriveResults& r) {
   constexpr double kLasts = 0.2, kHalf = kPlatformPeriod / 2;
@@ -93,7 +102,7 @@ std::optional<double> kick_of_return(const DriveResults& r) {
 }
 
 void of_friction(const DriveTable& table, mp::Figures& figures) {
-  Statistics mu_x, mu_y, split, true_mu_x, true_mu_y, true_split, split_square;
+  Statistics mu_x, mu_y, split, true_mu_x, true_mu_y, true_split, split_square, sd, split_sd;
   const auto first = std::ranges::find_if(table, drives);
   const auto half = first + (table.end() - first) / 2;
   if (half == table.end()) return;
@@ -107,11 +116,16 @@ void of_friction(const DriveTable& table, mp::Figures& figures) {
     split_square.add(std::pow(row->slip.split - is.split, 2));
     true_mu_x.add(is.mu_x);
     true_mu_y.add(is.mu_y);
+    sd.add(std::max(row->slip_sd.mu_x, row->slip_sd.mu_y));
+    split_sd.add(row->slip_sd.split);
   }
-  set(figures, "friction_err",
-      std::max(std::abs(mu_x.mean() - true_mu_x.mean()), std::abs(mu_y.mean() - true_mu_y.mean())));
-  set(figures, "split_err", std::abs(split.mean() - true_split.mean()));
-  set(figures, "split_rms", std::sqrt(split_square.mean()));
+  const auto tell = [&figures](const char* key, double error, const Statistics& deviation) {
+    if (std::isfinite(error)) figures[key] = deviation.mean() > kFrictionKnown ? kNotMeasured : error;
+  };
+  tell("friction_err",
+       std::max(std::abs(mu_x.mean() - true_mu_x.mean()), std::abs(mu_y.mean() - true_mu_y.mean())), sd);
+  tell("split_err", std::abs(split.mean() - true_split.mean()), split_sd);
+  tell("split_rms", std::sqrt(split_square.mean()), split_sd);
 }
 
 /// Whether the ground changes by a quarter between two rows.
@@ -275,6 +289,7 @@ std::string wanted_only(DriveCase drive) {
 mp::Figures figures_of(const DriveResults& results) {
   mp::Figures figures;
   of_place(results, figures);
+  if (const auto error = end_error(results)) figures["end_error_mm"] = kMm * *error;
   set(figures, "return_kick_mps", kick_of_return(results));
   of_friction(results.table, figures);
   set(figures, "friction_found_s", friction_found(results.table));

@@ -21,19 +21,21 @@ struct DriveResults {
   FragmentTable fragments;          ///< a row per fragment
   std::vector<Plan> plans;          ///< as they were sent
   std::int64_t acked_in{};          ///< macrostep in which a_1 gave the last plan's ack; 0: it did not
-  std::vector<double> map_returns;  ///< when a map that had been lost was back [s]
+  std::vector<double> map_returns;  ///< when a map that had been lost was back, or had jumped [s]
   std::int32_t rejected{};          ///< readings of the motion capture that the map agent did not believe
   std::vector<std::int32_t> iterations;  ///< of the planner's search, one per fragment
   Room room;                             ///< in which it drove
   DriveGround ground;                    ///< on which it drove
 };
 
-/// @return figures; those that a run cannot have are missing. "While it drives" is while a fragment is under way, and true
+/// @return figures; those that a run cannot have are missing, errors of a friction that the estimator itself is unsure of are
+///         not a number. "While it drives" is while a fragment is under way, and true
 ///         is what the simulation tells.
 ///   track_rms_mm, track_max_mm        true place against the reference, while it drives
 ///   pivot_rms_mm                      the same during turns on the spot
 ///   estimate_rms_mm, estimate_max_mm  true place against the estimate, while it drives
 ///   ellipse_95_pct                    how often the true place is within the estimate's 95 % ellipse
+///   end_error_mm                      true place at last against the end of the last plan, when it was acknowledged
 ///   return_kick_mps                   change of the speed less that of the reference, within 0.2 s after a map that was lost
 ///                                     is back and can act, which takes two macrosteps, while it drives
 ///   friction_err                      mean of the second half against the mean of what is true
@@ -67,6 +69,8 @@ inline constexpr std::array kFigures{
     mp::FigureInfo{.key = "estimate_max_mm", .words = "  at most", .unit = "mm"},
     mp::FigureInfo{
         .key = "ellipse_95_pct", .words = "  within its 95 % ellipse", .unit = "% of the time", .low = 80},
+    mp::FigureInfo{
+        .key = "end_error_mm", .words = "distance from the end of the plan", .unit = "mm", .high = 50},
     mp::FigureInfo{.key = "return_kick_mps", .words = "kick when the map is back", .unit = "m/s"},
     mp::FigureInfo{.key = "friction_err", .words = "error of the friction", .unit = ""},
     mp::FigureInfo{.key = "split_err", .words = "error of its split left and right", .unit = ""},

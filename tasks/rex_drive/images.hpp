@@ -7,6 +7,7 @@
 #include "base/platform_transmission.hpp"
 #include "tasks/rex_drive/plan/proc.hpp"
 #include "tasks/rex_drive/planner/trajgen.hpp"
+#include "tasks/rex_drive/still_pictures.hpp"
 #include "tasks/rex_drive/wheel_watch.hpp"
 
 namespace mrroc::rex_drive {
@@ -16,6 +17,7 @@ struct Parameters {
   PlannerParameters planner;  ///< of the trajectory planner
   double grip{0.4};           ///< share of the estimated friction that a curve may need
   double lost{0.2};           ///< standard deviation of the position above which the platform waits [m]
+  std::int64_t stale{500};    ///< age of a reading of the odometry above which there is none any more [steps]
 };
 
 /// c_c1
@@ -32,7 +34,8 @@ struct Memory {
   std::vector<std::int32_t> points;  ///< of this plan, to which its fragments lead, in their order
   double pace{1};                    ///< to which the fragments' time is to go: 0 stands
   bool lost{};                       ///< the platform waits for its position
-  WheelWatch wheels;  ///< how the wheels have turned, against which a motion that is seen is held
+  WheelWatch wheels;    ///< how the wheels have turned, against which a motion that is seen is held
+  StillPictures still;  ///< since the pictures show none
 };
 
 /// Order::variant of the coordinator while the operator has a pause.

@@ -29,10 +29,6 @@ List list_add_last_del_first(const List& list, const Trajectory& data) {
 
 // --- parts of the functions ----------------------------------------------------------------------------------
 
-/// Standard deviation of the position, in the direction in which it is largest, from above [m].
-double uncertainty(const PlatformEstimate& estimate) {
-  return std::sqrt(std::max(0.0, estimate.covariance[0] + estimate.covariance[4]));
-}
 /// Whether the platform does not know where it is. It does again when it is clearly better, so that it does not stop and go
 /// in turns.
 bool position_lost(const X& x) {
@@ -40,12 +36,17 @@ bool position_lost(const X& x) {
   return uncertainty(x.e.estimate) > (x.c.lost ? kFound : 1) * x.c.k.lost;
 }
 
+/// A camera hangs, or the platform is held back: e_x and r_x meet in c_1 alone, so that it is found here.
+StillPictures still_pictures(const X& x) { return seen(x.c.still, x.V, x.c.wheels); }
+bool pictures_stand(const X& x) { return still_pictures(x).against_wheels; }
+
 /// Memory that goes on: the pace follows the operator's pause, and the platform waits while it does not know where it is. The
 /// driver goes to it evenly; told its end at once, the tracker sees the standstill come.
 Memory go_on(const X& x) {
   Memory c = x.c;
   c.lost = position_lost(x);
   c.wheels = watched(std::move(c.wheels), x.e.estimate);
+  c.still = still_pictures(x);
   c.pace = x.T.variant == kPaused || c.lost ? 0 : 1;
   return c;
 }
@@ -88,9 +89,6 @@ Trajgen start_next(Memory& c) {
   return started;
 }
 
-/// A camera hangs: e_x and r_x meet in c_1 alone, so that it is found here.
-bool pictures_stand(const X& x) { return stands_against_wheels(x.V, x.c.wheels); }
-
 // --- f_ce ----------------------------------------------------------------------------------------------------
 
 /// c_1 passes the map's position on, and the odometry where the wheels do not contradict it.
@@ -113,10 +111,7 @@ int point_under_way(const X& x) {
 bool stands(const X& x) { return x.e.notified == x.c.handed && x.e.remaining == 0 && x.e.at_rest; }
 
 /// Whether the odometry measures; its last reading stays when it falls silent.
-bool sees_motion(const X& x) {
-  constexpr std::int64_t kOld = 500;  // [steps]: longer than a reading and the next one can take
-  return x.V.valid && x.e.step - x.V.step <= kOld && !pictures_stand(x);
-}
+bool sees_motion(const X& x) { return x.V.valid && x.e.step - x.V.step <= x.c.k.stale && !pictures_stand(x); }
 
 /// What the platform is and does, and where.
 Said tell_all(const X& x, int m) {
@@ -170,6 +165,10 @@ const std::array<Motion<Locomotion>, 3> kBehaviours{{
 const Motion<Locomotion> kWaitForStart{ 0, "wait for start", retain, go_on, route,       no_sensor, tell<0>, started, "start given" };
 const Motion<Locomotion> kGiveUp      { 4, "give up",        retain, go_on, route,       no_sensor, give_up, never };
 // clang-format on
+
+double uncertainty(const PlatformEstimate& estimate) {
+  return std::sqrt(std::max(0.0, estimate.covariance[0] + estimate.covariance[4]));
+}
 
 bool is_new(const X& x) { return x.T.desired.number > x.c.taken; }
 

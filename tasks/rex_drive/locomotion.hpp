@@ -29,6 +29,8 @@ namespace mrroc::rex_drive {
 [[nodiscard]] bool is_ready(const Locomotion::X& x);
 /// f_tau of executing a plan: everything of it has been planned and handed over.
 [[nodiscard]] bool plan_is_handed_over(const Locomotion::X& x);
+/// @return standard deviation of the position, in the direction in which it is largest, from above [m]
+[[nodiscard]] double uncertainty(const PlatformEstimate& estimate);
 /// The planner finds no trajectory.
 [[nodiscard]] bool in_vain(const Locomotion::X& x);
 

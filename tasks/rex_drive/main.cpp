@@ -6,6 +6,7 @@
 #include "ecp/map/config.hpp"
 #include "launch/task.hpp"
 #include "tasks/rex_drive/config.hpp"
+#include "tasks/rex_drive/figure_notes.hpp"
 #include "tasks/rex_drive/figures.hpp"
 #include "tasks/rex_drive/keys.hpp"
 #include "tasks/rex_drive/options.hpp"
@@ -54,6 +55,7 @@ std::unique_ptr<mp::CoordinatorRun> make_coordinator(const Drive& d, mp::TaskRun
                                                      const launch::Setup& s) {
   rex_drive::RexRunParameters k;
   k.ontology = rex_drive::read_ontology(s.config);
+  k.lost = rex_drive::read_parameters(s.config).lost;
   k.plans = d.itinerary.plans;
   for (const auto& [plan, t] : d.itinerary.survey.found) k.iterations.push_back(t.iterations);
   k.gives_start = s.options.scripted();
@@ -72,8 +74,16 @@ void make_results(launch::Results& r) {
   rex_drive::write_fragment_table(r.folder / "fragments.csv", results.fragments, results.table);
   if (!results.odometry.empty()) rex_drive::write_odometry_table(r.folder / "odometry.csv", results.odometry);
   const auto read = [](const Config& config) { launch::check_cell(config, {}, platforms()); };
+  const auto read_all = [&read](const Config& config) {
+    read(config);
+    std::ignore = vsp::read_stereo(config, rex_drive::kPlatform);
+  };
   const rex_drive::DriveCase drive = rex_drive::drive_case(r.setup.config, read);
-  r.add(rex_drive::figures_of(results), rex_drive::figures_of_case(drive));
+  const rex_drive::FigureContext context{.smooth = results.ground.smooth,
+                                         .eyes = rex_drive::changed_eyes(r.setup.config, read_all)};
+  const mp::Figures figures = rex_drive::figures_of(results);
+  r.add(figures, rex_drive::figures_of_run(drive, figures, context));
+  r.remarks = rex_drive::figure_notes(figures, context);
   r.only = rex_drive::wanted_only(drive);
   if (!results.table.empty()) r.pictures = rex_drive::plots(results);
 }

@@ -70,6 +70,19 @@ std::vector<std::string> settings_of_ground(const std::string& name) {
       fmt::format("give one of {}, or a TOML file with [sim.ground]", fmt::join(names, ", ")));
 }
 
+/// A file that set something else, too, would change what its user does not think of. @throws ConfigError; FaultError bad_configuration
+Config load_ground(const std::string& file) {
+  using Tables = std::vector<std::string>;
+  Config ground = Config::load(file);
+  const Tables tables = ground.tables(""), of_sim = ground.tables("sim");
+  if (tables == Tables{"sim"} && of_sim == Tables{"ground"}) return ground;
+  throw FaultError(FaultCode::bad_configuration,
+                   tables.empty() ? fmt::format("--ground: {} has no table", file)
+                                  : fmt::format("--ground: {} has other tables than [sim.ground]", file),
+                   "a ground is a table [sim.ground] with friction = [along, across], model, or "
+                   "[sim.ground.patches.NAME]; other tables belong to --config");
+}
+
 /// Settings of cameras that the platform does not have would do nothing. @throws FaultError bad_configuration
 void refuse_settings_of_no_eyes(const Config& config) {
   if (config.has("cameras.order")) return;  // a cell of the user's own, or of an earlier run
@@ -144,7 +157,7 @@ void complete_drive(Config& config, const DriveOptions& o, PlanList& plans) {
     config.underlay(Config::parse(eyes(), "eyes.toml (built in)"));
   else
     refuse_settings_of_no_eyes(config);
-  if (o.ground && !is_ground(*o.ground)) config.overlay(Config::load(*o.ground));
+  if (o.ground && !is_ground(*o.ground)) config.overlay(load_ground(*o.ground));
   const std::string key = "sim.platforms.rex.start";
   if (config.has(key)) {
     const auto [x, y, phi] = config.numbers<3>(key, std::nullopt, {-100, 100}, "m, rad: x, y, phi of B");

@@ -36,7 +36,8 @@ void add_drive_options(CommandLine& line, DriveOptions& options);
 
 /// Sets what follows from the options: the ground of a file, the cameras unless the eyes are off, and where the simulated platform stands at the beginning.
 /// @param plans  begin there; their start becomes that of the configuration if it has one
-/// @throws ConfigError; FaultError bad_configuration: cameras are set, and there are none
+/// @throws ConfigError; FaultError bad_configuration: cameras are set, and there are none; the file of a ground has
+///         no table of one, or another table
 void complete_drive(Config& config, const DriveOptions& options, PlanList& plans);
 
 }  // namespace mrroc::rex_drive

@@ -135,7 +135,7 @@ std::string path_script(const DriveResults& r) {
   std::string s = gnuplot_head("plots/path.png", 1200, 900);
   s += ellipses(r.table) + plan_points(r.plans);
   s += "set title 'Rex: the way, seen from above' font 'sans:Bold,14' textcolor rgb '#1b2a41'\n"
-       "set size ratio -1\nset xlabel 'x [m]'\nset ylabel 'y [m]'\nset key below\n";
+       "set size ratio -1\nset xlabel 'x [m]'\nset ylabel 'y [m]'\nset key below height 1.5\n";
   s += ground(r) + plot_room(r.room);
   if (!r.table.empty()) s += start(r.table.front().truth.p);
   s += "plot " + ground_key(r) + way(column::x_d, 5, kObstacleColour, "reference");

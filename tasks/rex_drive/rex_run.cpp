@@ -8,6 +8,7 @@
 #include "base/counted.hpp"
 #include "base/latency.hpp"
 #include "tasks/rex_drive/keys.hpp"
+#include "tasks/rex_drive/locomotion.hpp"
 
 namespace mrroc::rex_drive {
 
@@ -39,7 +40,7 @@ Outcome RexRun::execute() {
     fault_ = {.code = FaultCode::position_lost,
               .value = seconds(x.i - x.c.lost_in),
               .limit = seconds(x.c.k.timeout),
-              .text = "seconds"};
+              .text = "s of waiting for the position, task.position_timeout"};
     o = Outcome::faulted;
   }
   if (o == Outcome::terminated) {
@@ -54,6 +55,7 @@ Outcome RexRun::execute() {
 void RexRun::observe(const Motion<Ontology>& motion, const X& x) {
   if (record_) record_->collect(x.c.plan.number);
   announce(motion, x);
+  watch_map(x);
   report_position(x);
   watch_odometry(x);
   note_ack(x);
@@ -69,35 +71,67 @@ void RexRun::announce(const Motion<Ontology>& motion, const X& x) {
   announced_ = now;
 }
 
+void RexRun::watch_map(const X& x) {
+  const Report& r = x.T.agent[kLocomotionAgent];
+  if (!r.ready) return;  // before its SYNCHRO has ended it does not tell
+  const bool lost = (r.sensor & kMapSeen) == 0;
+  if (lost && map_lost_in_ == 0) {
+    map_lost_in_ = x.i;
+    run_.announce()(seconds(x.i), fmt::format("map lost: the platform goes on by its wheels{}",
+                                              k_.eyes ? ", the IMU and its eyes" : " and the IMU"));
+  } else if (!lost && map_lost_in_ > 0) {
+    run_.announce()(seconds(x.i), fmt::format("map seen again after {:.1f} s", seconds(x.i - map_lost_in_)));
+    map_lost_in_ = 0;
+  }
+}
+
+Fault RexRun::uncertain() const {
+  Fault fault{.code = FaultCode::position_lost};
+  fault.process = fmt::format("ecp-{}", kMap);
+  if (!record_ || record_->messages().replies.empty()) return fault;
+  const platform_reply_t& reply = record_->messages().replies.back();
+  if (!is_proper(reply)) return fault;
+  fault.value = uncertainty(from_message(reply).estimate);
+  fault.limit = k_.lost;
+  fault.text = "m, standard deviation of the position, task.position_lost";
+  return fault;
+}
+
 void RexRun::report_position(const X& x) {
   const bool lost = (x.T.agent[kLocomotionAgent].sensor & kPositionLost) != 0;
-  if (lost && !lost_) {
-    Fault fault{.code = FaultCode::position_lost};
-    fault.process = fmt::format("ecp-{}", kMap);
-    run_.report_recoverable_fault(fault, "the platform stands, and goes on when it is seen again");
+  if (lost && position_lost_in_ == 0) {
+    position_lost_in_ = x.i;
+    const std::string waits =
+        "the platform waits for it" +
+        (x.c.k.timeout > 0 ? fmt::format(", {:g} s at most", seconds(x.c.k.timeout)) : std::string());
+    run_.report_recoverable_fault(uncertain(), waits);
+    run_.announce()(seconds(x.i), "position lost: " + waits);
+  } else if (!lost && position_lost_in_ > 0) {
+    run_.announce()(seconds(x.i), fmt::format("position known again after {:.1f} s: the platform goes on",
+                                              seconds(x.i - position_lost_in_)));
+    position_lost_in_ = 0;
   }
-  lost_ = lost;
 }
 
 void RexRun::watch_odometry(const X& x) {
   constexpr std::int64_t kLong = 100;
   const Report& r = x.T.agent[kLocomotionAgent];
   const bool sees = (r.sensor & kOdometrySeen) != 0;
-  if (sees || !r.ready) saw_in_ = x.i;  // before its SYNCHRO has ended it does not tell
-  if (!k_.eyes || sees != blind_) return;
+  if (sees || !r.ready) odometry_seen_in_ = x.i;  // before its SYNCHRO has ended it does not tell
+  if (!k_.eyes || sees != odometry_lost_) return;
   if (sees) {
-    blind_ = false;
+    odometry_lost_ = false;
     run_.announce()(seconds(x.i), "odometry sees again");
-  } else if (const char* const why = blindness(r);
-             x.i - saw_in_ >= kLong && std::string_view(why) != to_words(OdometryFinding::motion)) {
-    blind_ = true;
+  } else if (const char* const why = why_no_odometry(r);
+             x.i - odometry_seen_in_ >= kLong && std::string_view(why) != to_words(OdometryFinding::motion)) {
+    odometry_lost_ = true;
     run_.announce()(seconds(x.i), fmt::format("odometry sees nothing for {:.0f} s: {}", seconds(kLong), why));
   }
 }
 
-const char* RexRun::blindness(const Report& r) const {
+const char* RexRun::why_no_odometry(const Report& r) const {
   if ((r.sensor & kPicturesStand) != 0)
-    return "the wheels turn, and its pictures stand still: a camera hangs";
+    return "the wheels turn, and its pictures stand still: a camera hangs, or the platform is held back";
   const odometry_reading_t* const newest = record_ ? record_->newest_odometry() : nullptr;
   return newest && is_proper(*newest) ? to_words(support_of(*newest).finding) : "its readings do not come";
 }
@@ -119,11 +153,14 @@ double RexRun::progress(const X& x) const {
 std::string RexRun::progress_text(const X& x) const {
   const Report& r = x.T.agent[kLocomotionAgent];
   if ((r.sensor & kPositionLost) != 0)
-    return fmt::format("position lost for {:.1f} s", seconds(x.c.lost_in > 0 ? x.i - x.c.lost_in : 0));
+    return fmt::format("waits for its position, lost for {:.1f} s",
+                       seconds(position_lost_in_ > 0 ? x.i - position_lost_in_ : 0));
   const int point = point_of(r);
   std::string text = announced_;
   if (point > 0) text += fmt::format(", point {} of {}", point, x.c.plan.n);
-  if (blind_) text += fmt::format(", odometry sees nothing for {:.1f} s", seconds(x.i - saw_in_));
+  if (map_lost_in_ > 0) text += fmt::format(", map lost for {:.1f} s", seconds(x.i - map_lost_in_));
+  if (odometry_lost_)
+    text += fmt::format(", odometry sees nothing for {:.1f} s", seconds(x.i - odometry_seen_in_));
   return text;
 }
 
@@ -140,27 +177,27 @@ void RexRun::show(const Motion<Ontology>& motion, const X& x) {
 
 void RexRun::show_platform(const X& x) {
   auto& board = run_.board();
-  board.set_arm(kLocomotionAgent, x.T.agent[kLocomotionAgent], sensor_words(sensor_news(x)));
+  board.set_arm(kLocomotionAgent, x.T.agent[kLocomotionAgent], sensor_words(sensor_status(x)));
   if (!record_ || record_->messages().replies.empty()) return;
   const platform_reply_t& reply = record_->messages().replies.back();
   const bool known = is_proper(reply) && reply.position_known != 0;
   board.set_velocity(kLocomotionAgent, known ? from_message(reply).estimate.v : PlanarVelocity{});
 }
 
-SensorNews RexRun::sensor_news(const X& x) const {
+SensorStatus RexRun::sensor_status(const X& x) const {
   const int seen = x.T.agent[kLocomotionAgent].sensor;
-  SensorNews news{.map_seen = (seen & kMapSeen) != 0,
-                  .map_age = {},
-                  .eyes = k_.eyes.has_value(),
-                  .odometry_seen = (seen & kOdometrySeen) != 0,
-                  .odometry_inliers = {}};
-  if (!record_) return news;
+  SensorStatus status{.map_seen = (seen & kMapSeen) != 0,
+                      .map_age = {},
+                      .eyes = k_.eyes.has_value(),
+                      .odometry_seen = (seen & kOdometrySeen) != 0,
+                      .odometry_inliers = {}};
+  if (!record_) return status;
   const odometry_reading_t* const newest = record_->newest_odometry();
-  if (newest && newest->motion.valid != 0) news.odometry_inliers = newest->support.inliers;
-  if (record_->messages().poses.empty()) return news;
+  if (newest && newest->motion.valid != 0) status.odometry_inliers = newest->support.inliers;
+  if (record_->messages().poses.empty()) return status;
   const std::int64_t measured = record_->messages().poses.back().pose.step;
-  if (measured > 0) news.map_age = seconds(x.i) - static_cast<double>(measured) * k_.dt;
-  return news;
+  if (measured > 0) status.map_age = seconds(x.i) - static_cast<double>(measured) * k_.dt;
+  return status;
 }
 
 DriveMessages RexRun::messages(const std::filesystem::path& folder) const {

@@ -28,6 +28,7 @@ struct RexRunParameters {
   bool gives_start{true};                   ///< false: a person or a script does
   bool records{true};                       ///< false: nothing is written down, as in a check
   std::optional<link::SensorClock> eyes{};  ///< when the odometry measures; nothing: there is none
+  double lost{0.2};                         ///< as a_1 has it, for what is told [m]
   double dt{0.002};                         ///< duration of a step [s]
   int n_s{10};                              ///< steps of a macrostep
 };
@@ -52,13 +53,16 @@ class RexRun final : public mp::CoordinatorRun {
   void show_platform(const X& x);
   void announce(const Motion<Ontology>& motion, const X& x);
   void report_position(const X& x);
+  void watch_map(const X& x);
   void watch_odometry(const X& x);
   void note_ack(const X& x);
+  /// @return the fault of a platform that does not know its position well enough to drive
+  [[nodiscard]] Fault uncertain() const;
   [[nodiscard]] DriveMessages messages(const std::filesystem::path& folder) const;
   [[nodiscard]] std::string progress_text(const X& x) const;
-  [[nodiscard]] SensorNews sensor_news(const X& x) const;
+  [[nodiscard]] SensorStatus sensor_status(const X& x) const;
   /// @return why the odometry measures nothing, as far as it has told
-  [[nodiscard]] const char* blindness(const Report& r) const;
+  [[nodiscard]] const char* why_no_odometry(const Report& r) const;
   [[nodiscard]] double progress(const X& x) const;
   [[nodiscard]] double seconds(std::int64_t macrosteps) const;
 
@@ -69,12 +73,13 @@ class RexRun final : public mp::CoordinatorRun {
   mp::CoordinatorLinks links_;
   std::optional<DriveRecord> record_;
   Fault fault_;
-  std::string announced_;    // behaviour that was announced last
-  bool lost_{};              // the platform waits for its position
-  bool blind_{};             // the odometry has measured nothing for long, which has been told
-  std::int64_t saw_in_{};    // macrostep in which it measured last
-  std::int64_t acked_{};     // number of the plan whose ack came last
-  std::int64_t acked_in_{};  // macrostep in which a_1 gave it
+  std::string announced_;            // behaviour that was announced last
+  std::int64_t position_lost_in_{};  // macrostep from which on the platform waits for it; 0: it does not
+  std::int64_t map_lost_in_{};       // macrostep from which on the map has been lost; 0: it is not
+  bool odometry_lost_{};             // it has measured nothing for long, which has been told
+  std::int64_t odometry_seen_in_{};  // macrostep in which it measured last
+  std::int64_t acked_{};             // number of the plan whose ack came last
+  std::int64_t acked_in_{};          // macrostep in which a_1 gave it
   std::int64_t
       ended_in_{};  // macrostep whose motion the last report was about; 0: the run did not come to its end
 };

@@ -6,7 +6,7 @@
 namespace mrroc::rex_drive {
 
 /// What is known of the map and of the odometry at a moment.
-struct SensorNews {
+struct SensorStatus {
   bool map_seen{};  ///< the newest position on the map is valid
   std::optional<double>
       map_age;           ///< since the last one was measured [s]; nothing: there was none, or it is not known
@@ -16,6 +16,6 @@ struct SensorNews {
 };
 
 /// @return e.g. "odometry 260, map 0.1 s", "map lost 12 s", "odometry none, map lost"; at most 31 characters
-[[nodiscard]] std::string sensor_words(const SensorNews& news);
+[[nodiscard]] std::string sensor_words(const SensorStatus& status);
 
 }  // namespace mrroc::rex_drive

@@ -1,6 +1,7 @@
-// Whether the wheels contradict a motion that was seen.
+// How the wheels have turned lately.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/platform_command.hpp"
@@ -19,10 +20,7 @@ using WheelWatch = std::vector<WheelAngles>;
 /// @return the watch with an estimate that is newer than all others in it; else the watch
 [[nodiscard]] WheelWatch watched(WheelWatch watch, const PlatformEstimate& estimate);
 
-/// A camera that hangs gives a picture which does not move; with the sensor's noise on it, it looks like one of a platform that
-/// stands. Wheels which turn against it are believed: what is lost, should they really spin, is a reading.
-/// @return whether the reading is valid and shows no motion, though the wheels turned by more than they can slip between its two
-///         pictures; false when the watch does not reach back to them
-[[nodiscard]] bool stands_against_wheels(const OdometryReading& reading, const WheelWatch& watch);
+/// @return how far the wheels had turned at a step; nothing when the watch does not reach there
+[[nodiscard]] std::optional<PerWheel> angles_at(const WheelWatch& watch, std::int64_t step);
 
 }  // namespace mrroc::rex_drive

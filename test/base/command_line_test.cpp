@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/fault.hpp"
+#include "base/with_remedy.hpp"
 
 namespace mrroc::test {
 namespace {
@@ -145,7 +146,7 @@ struct Mill {
       return "";
     } catch (const FaultError& e) {
       EXPECT_EQ(e.fault().code, FaultCode::bad_usage);
-      return e.what() + std::string("; ") + std::string(e.remedy());
+      return with_remedy(e.what(), e.remedy());
     }
   }
 
@@ -190,7 +191,7 @@ TEST(CommandLine, ValuesThatAreNotGivenStayAsTheyWere) {
 TEST(CommandLine, AValueThatIsNoneOfSeveralIsToldWithThem) {
   EXPECT_EQ(refusal({"--grain", "oats"}), "--grain: oats not in {rye,wheat}; look at `mill --help`");
   EXPECT_EQ(refusal({"--grain", "wheet"}),
-            "--grain: wheet not in {rye,wheat}; did you mean 'wheat'?; look at `mill --help`");
+            "--grain: wheet not in {rye,wheat}; did you mean 'wheat'? Look at `mill --help`");
   EXPECT_EQ(refusal({"--crust", "1"}), "--crust: 1 not in {hard,soft}; look at `mill --help`");
 }
 
@@ -208,8 +209,10 @@ TEST(CommandLine, AValueThatIsNoNumberIsTold) {
 }
 
 TEST(CommandLine, OptionsThatExcludeEachOtherAreNamed) {
-  EXPECT_EQ(refusal({"--wind", "--water"}), "--wind excludes --water; look at `mill --help`");
-  EXPECT_EQ(refusal({"--sieves", "1", "--grain", "rye"}), "--grain excludes --sieves; look at `mill --help`");
+  EXPECT_EQ(refusal({"--wind", "--water"}),
+            "--wind and --water cannot be given together; look at `mill --help`");
+  EXPECT_EQ(refusal({"--sieves", "1", "--grain", "rye"}),
+            "--grain and --sieves cannot be given together; look at `mill --help`");
 }
 
 TEST(CommandLine, AnOptionThatNeedsAnotherIsToldWithALineToType) {
@@ -233,11 +236,11 @@ TEST(CommandLine, OtherErrorsOfAFunctionAreThrownAsTheyAre) {
 
 TEST(CommandLine, AnOptionThatIsGivenTwiceIsRefused) {
   EXPECT_EQ(refusal({"--stones", "1", "--stones", "2"}),
-            "--stones: At Most 1 required but received 2; look at `mill --help`");
+            "--stones is given 2 times; once is enough; look at `mill --help`");
 }
 
 TEST(CommandLine, AWordThatNobodyTakesIsRefused) {
-  EXPECT_EQ(refusal({"flour"}), "The following argument was not expected: flour; look at --help");
+  EXPECT_EQ(refusal({"flour"}), "no option and no command takes the word 'flour'; look at --help");
 }
 
 TEST(CommandLine, TheHelpHasWhatWasSaidOfTheOptions) {

@@ -16,10 +16,11 @@ Every error has one of three classes (MG 5):
 
 - **non-fatal**: a wrong argument or a failed computation. It is refused with a reason; the effector goes on
   with what it did, and the task goes on or ends.
-- **fatal**: the effector malfunctions. It stops safely and accepts nothing but a reset.
+- **fatal**: the effector malfunctions. It stops safely and accepts nothing but a reset, which the task `manual` takes;
+  every other task ends.
 - **system**: communication or a process failed. The task ends, the drives brake, nothing is left running.
 
-`ui_cli explain CODE` says the same in a terminal. A program that ends with an error prints `error: CODE: what happened; what to do` as its last line on standard
+`ui_cli explain CODE` says the same in a terminal, and what follows from that very error. A program that ends with an error prints `error: CODE: what happened; what to do` as its last line on standard
 error. Its exit status is 1 after a fault or a stop, 2 for a wrong input (nothing was started), 3 for a system
 error.
 

@@ -107,6 +107,20 @@ need_messages() {
   ui_cli doctor | grep -q '^multicast *ok' || { echo "no multicast" && exit 77; }
 }
 
+# What ./run campaign installs.
+need_dask() {
+  /usr/bin/python3 -c 'import distributed, optuna, scipy, tqdm' 2>/dev/null || { echo "no Dask" && exit 77; }
+}
+
+# address is that of a scheduler on this host, with a new key
+dask_scheduler() {
+  rm -f cell.key
+  background ./run campaign scheduler --port 0 --key-file cell.key
+  await 20 grep -q 'scheduler: tls://127.0.0.1' "$place/background.out"
+  # shellcheck disable=SC2034  # for who calls
+  address=$(grep -o 'tls://.*' "$place/background.out")
+}
+
 finish() {
   local status=$?
   trap - EXIT

@@ -32,6 +32,17 @@ TEST(StandstillDetector, ARobotThatMovesByItselfIsCountedFromTheStop) {
   EXPECT_EQ(moved(0, 2 * kLongestStop + 40, 3 * kLongestStop, 0).stop_steps(2 * kLongestStop), 40);
 }
 
+TEST(StandstillDetector, ARobotThatIsRegulatedToTheEndOfItsWayIsCountedFromThenOnAndMayRestMeanwhile) {
+  StandstillDetector d = moved(0, 530, 700, 200);
+  EXPECT_TRUE(d.at_rest());
+  EXPECT_EQ(d.stop_steps(500), 330);
+  d.regulated(500);
+  EXPECT_EQ(d.stop_steps(500), 30);
+  d.regulated(710);
+  EXPECT_EQ(d.stop_steps(500), 0) << "it stood already when that ended";
+  EXPECT_TRUE(d.at_rest());
+}
+
 TEST(StandstillDetector, RestsOnceTheMotorsHaveStoodForLongEnough) {
   EXPECT_FALSE(moved(0, 50, 50 + kSettled, 10).at_rest());
   EXPECT_TRUE(moved(0, 50, 51 + kSettled, 10).at_rest());

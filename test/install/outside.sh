@@ -26,6 +26,13 @@ import mrroc_runs, sys
 assert len(mrroc_runs.open_run(sys.argv[1]).messages("arm1.reply")["F_a"]) > 10' "$place/run" || fail "the installed reader does not read"
 fi
 
+# Campaigns are started by the name of the installed command.
+"$place/usr/bin/mrroc" campaign --help | grep -q 'mrroc campaign TASK --seeds' || fail "there are no campaigns"
+if /usr/bin/python3 -c 'import distributed, optuna, scipy, tqdm' 2>/dev/null; then
+  "$place/usr/bin/mrroc" campaign press --seeds 1:2 --workers 1 --dir "$place/campaign" | grep '2 of 2 runs' >/dev/null ||
+    fail "the installed campaign does not run"
+fi
+
 # bash-completion finds the words of ui_cli by the name of the command that is typed.
 for name in ui_cli mrroc; do
   bash -c 'source "$1" && complete -p ui_cli mrroc >/dev/null' _ "$place/usr/share/bash-completion/completions/$name" ||

@@ -186,6 +186,8 @@ TEST_F(RunFolder, WhyOneCannotBeUsedIsSaidWithWhatToDo) {
   write_text("full/notes", "x");
   EXPECT_NE(said("full").find("full is not empty; choose another --run-dir or delete it"), std::string::npos)
       << said("full");
+  EXPECT_NE(said("full/notes").find("full/notes is a file, and a folder is wanted"), std::string::npos)
+      << said("full/notes");
   write_text("full/config.toml", "x");
   EXPECT_NE(said("full").find("full holds a run already; choose another --run-dir or delete it"),
             std::string::npos)

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/representation.hpp"
+#include "ecp/generators/commands.hpp"
 #include "robots/catalogue.hpp"
 #include "tasks/move/agent.hpp"
 #include "tasks/move/config.hpp"
@@ -156,6 +157,14 @@ class WatchingPort {
   Pose pose_;
 };
 
+/// As the ECP of every task does before it begins: without it the tool's weight is taken for a contact.
+void bias_force(rig::DrivenArm& arm) {
+  constexpr int kBiasing = 60;  // macrosteps
+  arm.send(ecp::bias_force());
+  for (int k = 0; k < kBiasing; ++k)
+    if (arm.wait() != Outcome::terminated) throw FaultError(arm.fault());
+}
+
 }  // namespace
 
 std::string random_motions(std::mt19937& random, const std::string& model) {
@@ -188,6 +197,7 @@ Execution execute(const ArmPlan& plan, const std::string& model, std::uint64_t s
   sim::ArmParameters parameters = sim::arm_parameters(*robots::find(model));
   parameters.start.assign(plan.start.begin(), plan.start.end());
   rig::DrivenArm arm(parameters, seed);
+  bias_force(arm);
   WatchingPort port(arm);
   Arm::X x;
   port.read(x);

@@ -309,6 +309,26 @@ a_task_builds_only_what_it_starts_and_the_viewer_where_it_is_wanted() {
   says '--target sketch ui_cli'
 }
 
+a_campaign_builds_its_task_and_its_help_builds_nothing() {
+  printf '#!/bin/sh\necho "campaign $*, called $MRROC_CALLED in $PYTHONPATH"\n' >stubs/python
+  chmod +x stubs/python
+  export MRROC_PYTHON=python
+  touch tasks/sketch/main.cpp
+  said=$(./run campaign sketch --help 2>&1 && ./run campaign 2>&1 && ./run campaign compare a b 2>&1)
+  says "campaign -m mrroc_campaign sketch --help, called ./run in $clone/ui_cli/python"
+  [[ ! -e build ]] || fail 'it made a build folder'
+  sed -i 's/^\[\[ \$1 == --build/echo "$*" >>cmake.log\n&/' stubs/cmake
+  local words
+  for words in 'sketch --seeds 1:9' 'tune sketch --for height'; do
+    rm -f cmake.log
+    # shellcheck disable=SC2086  # a list
+    said=$(./run campaign $words 2>&1)
+    says "campaign -m mrroc_campaign $words, called"
+    said=$(tail -n 1 cmake.log)
+    says '--target sketch'
+  done
+}
+
 what_a_check_is_given_is_judged_before_anything_is_done() {
   local words status
   if command -v git >/dev/null; then

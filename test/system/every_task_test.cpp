@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 
 #include "test/system/started_task.hpp"
 
@@ -35,6 +36,7 @@ const std::vector<ShortRun> kRuns{
     {"edge_follow", {}, "", {"mp", "ecp-arm1", "ecp-arm2"}},
     {"guide", {"--fixture", "circle", "--set", "task.radius=0.02"}, "", {"mp", "ecp-arm1"}},
     {"haptic", {"--delay", "40", "--loss", "10"}, "", {"mp", "ecp-arm1", "ecp-arm2"}},
+    {"ball", {"--set", "task.turn=400"}, "", {"mp", "ecp-arm1", "ecp-arm2"}},
     {"move",
      {"--file", "FILE"},
      "[arm1]\norder = ['a']\n[arm1.a]\nvelocity = [0.5]\nacceleration = [0.3]\n"
@@ -140,6 +142,23 @@ TEST(EveryTaskOfTheTree, IsAmongTheseRuns) {
     EXPECT_TRUE(std::ranges::any_of(kRuns, [&](const ShortRun& k) {
       return k.task == entry.path().filename();
     })) << entry.path();
+  }
+}
+
+/// A generator that is added is to be executed by a task, and with it by these runs and those of the task's own tests.
+TEST(EveryGeneratorOfTheTree, IsExecutedByATask) {
+  const fs::path root = MRROC_SOURCE_DIR;
+  std::string included;
+  for (const auto& entry : fs::recursive_directory_iterator(root / "tasks")) {
+    if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
+    std::ifstream file(entry.path());
+    for (std::string line; std::getline(file, line);)
+      if (line.starts_with("#include")) included += line + "\n";
+  }
+  for (const auto& entry : fs::directory_iterator(root / "ecp" / "generators")) {
+    if (entry.path().extension() != ".hpp") continue;
+    EXPECT_NE(included.find("ecp/generators/" + entry.path().filename().string()), std::string::npos)
+        << entry.path();
   }
 }
 

@@ -40,6 +40,18 @@ TEST_P(GuideFixtures, HoldTheToolAgainstTenNewtonsAndLetItGoAlong) {
   EXPECT_LT(figure(s, "wall_depth_mm"), 8);
 }
 
+TEST(Guide, HoldsInNarrowBendsAgainstAHandThatPushesThereToo) {
+  const Folder folder;
+  const auto s = led(folder, {"--set", "task.fixture=curve", "--set",
+                              "task.curve=[-45,0,-20,30,0,0,20,-30,45,0,20,30,0,0,-20,-30,-45,0]", "--set",
+                              "sim.hand.stiffness=800", "--set", "sim.hand.damping=20", "--set",
+                              "sim.hand.mass=0", "--set", "sim.hand.tremor=0.001"});
+  EXPECT_GT(figure(s, "across_force_N"), 9);
+  EXPECT_LE(figure(s, "fixture_dev_mm"), 1);
+  EXPECT_LE(figure(s, "fixture_drag_N"), 2);
+  EXPECT_GE(figure(s, "least_energy_mJ"), -1);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, GuideFixtures, testing::Values("line", "plane", "circle", "svg"));
 
 TEST(Guide, IsRepeatedFromTheConfigurationOfARunWithoutTheFileOfItsCurve) {

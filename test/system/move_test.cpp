@@ -5,6 +5,7 @@
 #include <fstream>
 #include <set>
 
+#include "base/agent_images.hpp"
 #include "base/link/log_reader.hpp"
 #include "base/msg/convert.hpp"
 #include "mp/arm_trace.hpp"
@@ -167,6 +168,80 @@ TEST_F(Move, GoesThroughPositionsThatWereTaughtByHand) {
   const mp::ArmTrace trace = mp::read_arm_trace(folder_ / "run" / "arm1.csv");
   const Vector6 last = trace.back().pose;
   EXPECT_NEAR(std::atan2(last[1], last[0]), 0.2, 2e-3) << "the column has turned";
+}
+
+class Recorded : public Move {
+ protected:
+  /// Moves an arm in the task manual, which stands before and behind.
+  void SetUp() override {
+    Move::SetUp();
+    if (IsSkipped()) return;
+    const std::string instructions =
+        folder_.write("words",
+                      "3 home all\n"
+                      "100 move arm1 joints 0.1 -1.5 0 1.5 1.57 -1.57 speed 0.5 acceleration 0.2\n"
+                      "400 jog arm1 angle-axis 0 0 -0.05 0 0 0.1 speed 0.1 acceleration 0.02\n"
+                      "600 jog arm1 joints 0.2 0 0 0 0 0 speed 0.3 acceleration 0.2\n"
+                      "750 end\n");
+    const Ended ended =
+        run(folder_, "manual",
+            {"--processes", "one", "--words", instructions, "--run-dir", (folder_ / "hand").string(), "--set",
+             "robots.arm1.synchro=\"known_pose\"", "--set", "robots.arm2.synchro=\"known_pose\""});
+    ASSERT_EQ(ended.status, 0) << ended.all();
+  }
+  std::string motion(const std::string& keys) {
+    return folder_.write("again.toml",
+                         "[arm1]\norder = [\"again\"]\n[arm1.again]\ngenerator = \"replay\"\n" + keys);
+  }
+  Vector6 last_pose(const std::string& run_folder) {
+    return mp::read_arm_trace(folder_ / run_folder / "arm1.csv").back().pose;
+  }
+};
+
+TEST_F(Recorded, MotionsOfARunAreRepeatedAndSoAreTheFilesThatItLeaves) {
+  const EffectorReply there = from_message(
+      std::prev(link::LogReader(folder_ / "hand").messages<effector_reply_t>("arm1.reply").end())->second);
+  const Ended ended = move(motion("recording = \"hand\"\nfrom = 2\n"));
+  ASSERT_EQ(ended.status, 0) << ended.all();
+  expect_goals_reached(summary(folder_ / "run"), 1);
+  EXPECT_LT((last_pose("run").head<3>() - pose_of(there).p).norm(), 1e-4);
+  const auto first = summary(folder_ / "run")["log_hash"];
+  fs::rename(folder_ / "run", folder_ / "first");
+
+  const Ended again = move(motion("recording = \"first/arm1.again.taught\"\n"));
+  ASSERT_EQ(again.status, 0) << again.all();
+  EXPECT_EQ(summary(folder_ / "run")["log_hash"], first) << "17 digits are every bit";
+}
+
+TEST_F(Recorded, AreTakenInAnySpaceAbsoluteOrRelativeAsSlowlyAsAsked) {
+  for (const std::string keys :
+       {"space = \"motors\"\n", "space = \"xyz_angle_axis\"\ninterpolation = \"tcim\"\n",
+        "space = \"xyz_euler_zyz\"\nstretch = 2\n", "space = \"joints\"\nreference = \"relative\"\n",
+        "space = \"xyz_angle_axis\"\nreference = \"relative\"\ninterpolation = \"tcim\"\ncontact = "
+        "[\"z\"]\n"}) {
+    const Ended ended = move(motion("recording = \"hand\"\nfrom = 7.5\nto = 11.9\n" + keys), {"--dry-run"});
+    EXPECT_EQ(ended.status, 0) << keys << ended.all();
+  }
+}
+
+TEST_F(Recorded, WhatCannotBeRepeatedIsRefusedWithFileLineAndKey) {
+  const auto refused = [&](const std::string& keys, const std::string& words) {
+    const Ended ended = move(motion(keys));
+    EXPECT_EQ(ended.status, 2) << ended.all();
+    EXPECT_NE(ended.last_err().find("again.toml:"), std::string::npos) << ended.all();
+    EXPECT_NE(ended.last_err().find(words), std::string::npos) << ended.all();
+    EXPECT_FALSE(fs::exists(folder_ / "run"));
+  };
+  folder_.write("cut.taught", "mrroc-trajectory 1\nspace joints\n");
+  refused("recording = \"nothing\"\n", "no such file");
+  refused("recording = \"cut.taught\"\n", "cut.taught");
+  refused("recording = \"hand\"\npositions = [0, 0, 0, 0, 0, 0]\n",
+          "'arm1.again.positions' must not stand here");
+  refused("recording = \"hand\"\nspace = \"frame\"\n", "must be motors or joints");
+  refused("recording = \"hand\"\nfrom = 14\nto = 14.01\n", "positions of arm1, and a motion has 2 to 2000");
+  refused("recording = \"hand\"\nfrom = 3\nto = 2\n", "arm1.again.to");
+  const Ended midway = move(motion("recording = \"hand\"\nfrom = 3\n"));
+  EXPECT_NE(midway.last_err().find("too_fast: arm1.again, 0.00 s"), std::string::npos) << midway.all();
 }
 
 }  // namespace

@@ -135,7 +135,10 @@ TEST_P(RexDriveWithACameraThat, DrivesOnAndTellsWhy) {
   else
     EXPECT_GT(seen, 5);
   EXPECT_LT(seen, 70);
-  EXPECT_NE(ended.all().find("NOT OK"), std::string::npos) << ended.all();
+  EXPECT_EQ(ended.all().find("NOT OK"), std::string::npos) << "what was ordered and survived\n"
+                                                           << ended.all();
+  EXPECT_NE(ended.all().find("odometry: nothing is wanted of it, since cameras."), std::string::npos)
+      << ended.all();
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -193,6 +196,22 @@ TEST(RexDrive, IsNotKickedByAMapThatComesBack) {
   EXPECT_LE(figure(told, "return_kick_mps"), 0.1);
 }
 
+// The map jumps while it is seen: along the way, across it, and turned.
+TEST(RexDrive, IsNotKickedByAMapThatJumps) {
+  const Folder folder;
+  for (const char* offset : {"[0.2, 0, 0]", "[0, 0.2, 0]", "[-0.1, 0.1, 0]", "[0.05, -0.05, 0.1]"}) {
+    const std::string name = std::string("run") + offset;
+    const Ended ended = run(folder, "rex_drive",
+                            words({drive_along(folder, name),
+                                   {"--processes", "one", "--set", "motion_capture.displaced=[2.5, 100]",
+                                    "--set", std::string("motion_capture.offset=") + offset}}));
+    ASSERT_EQ(ended.status, 0) << ended.all();
+    const nlohmann::json told = summary(folder / name);
+    EXPECT_GT(figure(told, "map_rejected"), 1) << offset;
+    EXPECT_LE(figure(told, "return_kick_mps"), 0.1) << offset;
+  }
+}
+
 TEST(RexDrive, ErrorsOfCamerasNameTheEyes) {
   const Folder folder(false);
   const Ended ended = run(folder, "rex_drive", {"--eyes", "off", "--set", "cameras.light.exposure=0.01"});
@@ -209,6 +228,35 @@ TEST(RexDrive, DrivesOnWithoutTheMapForAWhile) {
   const nlohmann::json told = summary(folder / "run");
   EXPECT_EQ(told.at("outcome"), "done");
   EXPECT_LE(figure(told, "track_max_mm"), 100);
+  for (const char* line :
+       {"map lost: the platform goes on by its wheels and the IMU", "map seen again after 0.6 s"})
+    EXPECT_NE(ended.all().find(line), std::string::npos) << line << "\n" << ended.all();
+}
+
+// Of the standard deviation where the platform stops, of the time where the task ends.
+TEST(RexDrive, SaysWhichLimitAPositionThatIsLostHasPassed) {
+  const Folder folder;
+  const Ended ended = run(folder, "rex_drive",
+                          words({drive_along(folder),
+                                 {"--processes", "one", "--set", "motion_capture.lost=[2, 100]", "--set",
+                                  "task.position_lost=0.01", "--set", "task.position_timeout=1"}}));
+  ASSERT_EQ(ended.status, 1) << ended.all();
+  for (const char* line : {"position lost: the platform waits for it, 1 s at most",
+                           "value 1, limit 1, s of waiting for the position, task.position_timeout"})
+    EXPECT_NE(ended.all().find(line), std::string::npos) << line << "\n" << ended.all();
+  const std::string messages = bytes_of(folder / "run" / "messages.log");
+  EXPECT_NE(messages.find("limit 0.01, m, standard deviation of the position"), std::string::npos)
+      << messages;
+}
+
+TEST(RexDrive, SaysThatItGoesOnWhenItsPositionIsBack) {
+  const Folder folder;
+  const Ended ended = run(folder, "rex_drive",
+                          words({drive_along(folder),
+                                 {"--processes", "one", "--set", "motion_capture.lost=[2, 5]", "--set",
+                                  "task.position_lost=0.01"}}));
+  ASSERT_EQ(ended.status, 0) << ended.all();
+  EXPECT_NE(ended.all().find("position known again after"), std::string::npos) << ended.all();
 }
 
 TEST(RexDrive, DoesNotBelieveAMapWithOutliers) {

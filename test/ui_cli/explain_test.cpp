@@ -11,6 +11,7 @@
 #include "base/link/process.hpp"
 #include "base/operator.hpp"
 #include "test/docs/json_table.hpp"
+#include "ui_cli/consequence.hpp"
 
 namespace mrroc::ui {
 namespace {
@@ -39,6 +40,34 @@ TEST(Explain, SaysEverythingThatTheTableKnowsOfEveryError) {
     for (const std::string_view part : {e.name, e.text, e.remedy, e.causes.substr(0, e.causes.find(';'))})
       EXPECT_NE(text.find(part), std::string::npos) << e.name << " lacks: " << part << "\n" << text;
   }
+}
+
+TEST(Explain, SaysWhatFollowsFromThatVeryError) {
+  const auto follows = [](FaultCode code) { return std::string(consequence(code)); };
+  for (const FaultEntry& e : all_faults()) {
+    if (e.code == FaultCode::none) continue;
+    EXPECT_NE(in_one_line(explanation(e.code)).find(follows(e.code)), std::string::npos) << e.name;
+    EXPECT_EQ(exit_status(e.code) == 2, follows(e.code) == "nothing is started") << e.name;
+    EXPECT_EQ(nlohmann::json::parse(run({std::string(e.name), "--json"}).out)["follows"], follows(e.code));
+  }
+  // None of these is a command that is refused while the task goes on.
+  for (const FaultCode code : {FaultCode::time_limit, FaultCode::script_ended, FaultCode::operator_stop,
+                               FaultCode::interrupted, FaultCode::path_not_found, FaultCode::no_contact})
+    EXPECT_EQ(follows(code), "the effectors come to rest, and the task ends");
+  EXPECT_EQ(follows(FaultCode::bad_plan), "nothing is started");
+  EXPECT_NE(follows(FaultCode::position_lost).find("goes on when its position is back"), std::string::npos);
+  EXPECT_NE(follows(FaultCode::over_current).find("reset"), std::string::npos);
+  EXPECT_NE(follows(FaultCode::synchro_switch_stuck).find("a reset and then SYNCHRO"), std::string::npos);
+  EXPECT_NE(follows(FaultCode::wheel_blocked).find("no task takes a reset of a platform"), std::string::npos);
+  EXPECT_EQ(follows(FaultCode::process_died), "the task ends and the drives brake");
+}
+
+// A task that has ended takes no reset: what can be typed is told where it can be.
+TEST(Explain, NoAdviceAsksForAResetThatATaskWhichHasEndedCannotTake) {
+  for (const FaultEntry& e : all_faults())
+    if (e.code != FaultCode::reset_required) {
+      EXPECT_EQ(e.remedy.find("reset"), std::string_view::npos) << e.name << ": " << e.remedy;
+    }
 }
 
 /// @return the words that come behind that one, anywhere in the text

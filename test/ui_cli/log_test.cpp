@@ -108,6 +108,25 @@ TEST_F(RunFolder, ShowTellsTheMessagesOfAChannel) {
   EXPECT_NE(err_.str().find("did you mean 'arm1.report'"), std::string::npos);
 }
 
+// The names stand in messages that this version cannot read.
+TEST_F(RunFolder, ShowWarnsWhereTheNamesOfBehavioursAreOfAnotherVersion) {
+  const std::string warning = "warning: behaviours of the task have numbers only";
+  std::vector<std::uint8_t> old(400);
+  operator_image_t header{};
+  header.header = {1, 1, 2};
+  header.encode(old.data(), 0, static_cast<int>(old.size()));
+  old[0] ^= 0xff;
+  link::EventLog(a_ / link::kEventLog, 1).receive("s.task_status", old);
+  ASSERT_EQ(run({"show", a_.string()}), 0);
+  EXPECT_NE(err_.str().find(warning), std::string::npos) << err_.str();
+  {
+    link::EventLog to(a_ / link::kEventLog, 1);
+    log(to, "task_status", task_status_t{}, 1, 2, 3);
+  }
+  ASSERT_EQ(run({"show", a_.string()}), 0);
+  EXPECT_EQ(err_.str().find(warning), std::string::npos) << "names could be read";
+}
+
 TEST_F(RunFolder, AMessageThatEndsALinkHasNoTime) {
   const ui::RunRecord record(a_);
   const auto time_of = [&](std::int64_t stamp) {
@@ -272,31 +291,56 @@ TEST_F(RunFolder, CheckAsksEveryProgramAndJoinsTheVerdicts) {
     return link::to_json(v);
   });
   EXPECT_EQ(asked, (std::vector<std::string>{"press --check step", "ecp_press --check ecp-arm1"}));
-  EXPECT_EQ(ui::report_check(a_, verdicts, "", false, out_), 1);
+  EXPECT_EQ(ui::report_check(a_, verdicts, {}, "", false, out_), 1);
   for (const char* what : {"2 DIFFER", "behaviour 2, settle", "f_ce", "field arm.n_s",
                            "logged 10, recomputed 9", "20 messages recomputed, 2 differ"})
     EXPECT_NE(out_.str().find(what), std::string::npos) << out_.str();
   out_.str("");
-  EXPECT_EQ(ui::report_check(a_, verdicts, "", true, out_), 1);
+  EXPECT_EQ(ui::report_check(a_, verdicts, {}, "", true, out_), 1);
   EXPECT_TRUE(documented("log check RUN", Json::parse(out_.str())));
+}
+
+// A difference is then what was changed in the programs, and the run is not to blame.
+TEST_F(RunFolder, CheckTellsThatTheProgramsHaveChangedSinceTheRun) {
+  Json run = Json::parse(std::ifstream(a_ / "processes.json"));
+  run["processes"][0]["build_id"] = "0a1b";
+  run["processes"][1]["build_id"] = "2c3d";
+  std::ofstream(a_ / "processes.json") << run;
+  const ui::RunRecord record(a_);
+  const auto with = [&](const std::string& of_press, const std::string& of_ecp) {
+    return ui::changed_programs(
+        record, [&](const std::string& program) { return program == "press" ? of_press : of_ecp; });
+  };
+  EXPECT_TRUE(with("0a1b", "2c3d").empty());
+  EXPECT_TRUE(with("", "").empty()) << "what is not known is not told";
+  EXPECT_EQ(with("0a1b", "4e5f"), std::vector<std::string>{"ecp-arm1"});
+  EXPECT_EQ(ui::changed_programs_line({}), "");
+  EXPECT_EQ(
+      ui::changed_programs_line(with("9", "9")).find("this log is of other programs: mp, ecp-arm1 have"), 0U);
+  EXPECT_TRUE(ui::changed_programs(ui::RunRecord(make("b", 2, 0)),
+                                   [](const std::string&) { return std::string("1"); })
+                  .empty())
+      << "a log of an older version does not tell";
+  EXPECT_EQ(ui::report_check(a_, {{.process = "mp", .compared = 1}}, {"mp"}, "", true, out_), 0);
+  EXPECT_EQ(Json::parse(out_.str()).at("changed_programs"), Json({"mp"}));
 }
 
 TEST_F(RunFolder, ARunOfWhichNothingCanBeCheckedIsNotTakenForOneWithoutADifference) {
   std::vector<link::LogVerdict> verdicts{
       {.process = "mp", .not_checked = "the run went by the wall clock"},
       {.process = "simulator", .not_checked = "the run went by the wall clock"}};
-  EXPECT_EQ(ui::report_check(a_, verdicts, "", true, out_), 1);
+  EXPECT_EQ(ui::report_check(a_, verdicts, {}, "", true, out_), 1);
   const Json none = Json::parse(out_.str());
   EXPECT_EQ(none.at("checked"), false);
   EXPECT_EQ(none.at("differences"), nullptr);
   EXPECT_EQ(none.at("complete"), false);
   out_.str("");
-  EXPECT_EQ(ui::report_check(a_, verdicts, "", false, out_), 1);
+  EXPECT_EQ(ui::report_check(a_, verdicts, {}, "", false, out_), 1);
   EXPECT_NE(out_.str().find("NOT CHECKED"), std::string::npos) << out_.str();
   EXPECT_EQ(out_.str().find("differ"), std::string::npos) << out_.str();
   out_.str("");
   verdicts[0] = {.process = "mp", .compared = 10};
-  EXPECT_EQ(ui::report_check(a_, verdicts, "", true, out_), 0)
+  EXPECT_EQ(ui::report_check(a_, verdicts, {}, "", true, out_), 0)
       << "links that are not in the log are no fault";
   const Json some = Json::parse(out_.str());
   EXPECT_EQ(some.at("checked"), true);

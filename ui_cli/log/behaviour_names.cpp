@@ -14,9 +14,11 @@ namespace mrroc::ui {
 
 BehaviourNames::BehaviourNames(const RunRecord& run) {
   constexpr std::string_view kAgent = "ecp-", kStatus = ".status";
+  bool read = false, unread = false;  // what the task told
   for (const link::LoggedMessage& m : run.log().messages()) {
     if (m.channel == "task_status") {
       const auto s = link::decode<task_status_t>(m.bytes);
+      (s ? read : unread) = true;
       if (!s) continue;
       if (const std::string name = link::get_text(s->behaviour); s->m != 0 && !name.empty())
         coordinator_.try_emplace(s->m, name);
@@ -28,6 +30,8 @@ BehaviourNames::BehaviourNames(const RunRecord& run) {
               link::get_text(s->behaviour));
     }
   }
+  if (unread && !read)
+    missing_ = "behaviours of the task have numbers only: the log's task_status is of another version";
 }
 
 void BehaviourNames::learn(const std::string& arm, int m, const std::string& behaviour) {

@@ -19,12 +19,15 @@ class BehaviourNames {
   ///             nothing but what the coordinator orders
   /// @return the name; empty: it was not told
   [[nodiscard]] std::string name(const std::string& arm, int m) const;
+  /// @return why names are missing: the log's messages that tell them are of another version; empty: they are not
+  [[nodiscard]] const std::string& missing() const { return missing_; }
 
  private:
   void learn(const std::string& arm, int m, const std::string& behaviour);
 
   std::map<std::pair<std::string, int>, std::string> names_;  // of arm and m
   std::map<int, std::string> coordinator_;
+  std::string missing_;
 };
 
 /// @return the behaviours that an arm reported, in the order of time; stretches without a number are left out

@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "base/build_id.hpp"
 #include "base/counted.hpp"
 #include "base/fault.hpp"
+#include "base/joined.hpp"
 #include "base/program.hpp"
 #include "ui_cli/subprocess.hpp"
 
@@ -67,8 +69,30 @@ std::vector<link::LogVerdict> check_run(const RunRecord& run, const Prover& prov
   return verdicts;
 }
 
+BuildIds build_ids_beside() {
+  return [](const std::string& program) { return build_id(program_beside(program)); };
+}
+
+std::vector<std::string> changed_programs(const RunRecord& run, const BuildIds& build_ids) {
+  std::vector<std::string> changed;
+  for (const LoggedProcess& p : run.processes()) {
+    if (p.build_id.empty()) continue;
+    const std::string now = build_ids(p.program);
+    if (!now.empty() && now != p.build_id) changed.push_back(p.name);
+  }
+  return changed;
+}
+
+std::string changed_programs_line(const std::vector<std::string>& changed) {
+  if (changed.empty()) return {};
+  return fmt::format(
+      "this log is of other programs: {} {} changed since the run; a difference may come from that\n",
+      joined(changed, ", "), changed.size() == 1 ? "has" : "have");
+}
+
 int report_check(const std::filesystem::path& folder, const std::vector<link::LogVerdict>& verdicts,
-                 const std::string& damage, bool json, std::ostream& out) {
+                 const std::vector<std::string>& changed, const std::string& damage, bool json,
+                 std::ostream& out) {
   std::int64_t compared = 0, differences = 0;
   bool whole = damage.empty();
   const bool checked =
@@ -81,9 +105,10 @@ int report_check(const std::filesystem::path& folder, const std::vector<link::Lo
   if (json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const link::LogVerdict& v : verdicts) list.push_back(nlohmann::ordered_json::parse(to_json(v)));
-    nlohmann::ordered_json j{{"run", folder.string()}, {"checked", checked},           {"compared", compared},
-                             {"differences", nullptr}, {"complete", checked && whole}, {"damage", damage},
-                             {"processes", list}};
+    nlohmann::ordered_json j{{"run", folder.string()},       {"checked", checked},
+                             {"compared", compared},         {"differences", nullptr},
+                             {"complete", checked && whole}, {"damage", damage},
+                             {"changed_programs", changed},  {"processes", list}};
     if (checked) j["differences"] = differences;
     out << j.dump(2) << "\n";
   } else {

@@ -103,8 +103,11 @@ int check(const Words& w, std::ostream& out) {
   for (const fs::path& folder : w.runs) {
     if (list) document << std::exchange(between, ",\n");
     const RunRecord run(folder);
+    const std::vector<std::string> changed = changed_programs(run, build_ids_beside());
+    if (!w.json) out << changed_programs_line(changed) << std::flush;  // also when they cannot read the run
     const auto verdicts = check_run(run, programs_beside());
-    status = std::max(status, report_check(folder, verdicts, damage_of(run), w.json, list ? document : out));
+    status = std::max(status,
+                      report_check(folder, verdicts, changed, damage_of(run), w.json, list ? document : out));
   }
   if (list) out << document.str() << "]\n";
   return status;
@@ -168,7 +171,7 @@ void add_commands(CommandLine& line, Words& w) {
                        "give the earlier time first");
     const RunRecord run(w.run);
     warn_of_damage(run, err);
-    show_log(run, w.show, out);
+    show_log(run, w.show, out, err);
     return 0;
   });
   CommandLine& csv =

@@ -38,6 +38,8 @@ class Story {
  public:
   explicit Story(const RunRecord& run) : run_(run), names_(run) {}
 
+  [[nodiscard]] const std::string& missing_names() const { return names_.missing(); }
+
   std::vector<Line> lines() {
     for (const std::string& agent : run_.agents()) add_agent(agent);
     add_operator();
@@ -121,8 +123,10 @@ class Story {
   std::vector<Line> lines_;
 };
 
-void show_story(const RunRecord& run, const ShowOptions& o, std::ostream& out) {
-  for (const Line& line : Story(run).lines()) {
+void show_story(const RunRecord& run, const ShowOptions& o, std::ostream& out, std::ostream& err) {
+  Story story(run);
+  if (!story.missing_names().empty()) err << "warning: " << story.missing_names() << std::endl;
+  for (const Line& line : story.lines()) {
     const double t = static_cast<double>(line.i) * run.macrostep_s();
     if (t < o.from || t > o.to || (o.changes && !line.change)) continue;
     if (o.json)
@@ -205,9 +209,9 @@ void show_channel(const RunRecord& run, const ShowOptions& o, std::ostream& out)
 
 }  // namespace
 
-void show_log(const RunRecord& run, const ShowOptions& options, std::ostream& out) {
+void show_log(const RunRecord& run, const ShowOptions& options, std::ostream& out, std::ostream& err) {
   if (options.channel.empty()) {
-    show_story(run, options, out);
+    show_story(run, options, out, err);
     if (std::isinf(options.to)) show_outcome(run, options.json, out);
     return;
   }

@@ -19,7 +19,8 @@ struct ShowOptions {
 
 /// Prints a line per macrostep, and one per change of behaviour or state, order of the operator, refusal and line of a
 /// process, and at last how the run ended (when `to` is left open); or a line per message of one channel.
+/// @param err  gets a warning where names of behaviours cannot be read
 /// @throws FaultError bad_usage: there is no such channel
-void show_log(const RunRecord& run, const ShowOptions& options, std::ostream& out);
+void show_log(const RunRecord& run, const ShowOptions& options, std::ostream& out, std::ostream& err);
 
 }  // namespace mrroc::ui

@@ -264,7 +264,7 @@ int replay_run(const Words& w, const ReplayEnvironment& environment, std::ostrea
               : fmt::format("{}, until {:.2f} s\n", counted(replay.published(), "message"), replay.time()));
   if (!check) return 0;
   std::ostringstream unread;
-  return report_check(run.folder(), verdicts, "", false, w.json ? unread : out);
+  return report_check(run.folder(), verdicts, {}, "", false, w.json ? unread : out);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ RunRecord::RunRecord(const fs::path& folder) : folder_(link::checked_run_folder(
     for (const auto& p : json.at("processes"))
       processes_.push_back({p.at("name").get<std::string>(),
                             plain_name(file, p.at("program").get<std::string>()),
-                            p.at("arguments").get<std::vector<std::string>>()});
+                            p.at("arguments").get<std::vector<std::string>>(), p.value("build_id", "")});
   } catch (const nlohmann::json::exception& e) {
     throw FaultError(FaultCode::bad_log, fmt::format("{}: {}", file.string(), e.what()));
   }

@@ -16,6 +16,7 @@ struct LoggedProcess {
   std::string name;                    ///< in the roster
   std::string program;                 ///< beside ui_cli
   std::vector<std::string> arguments;  ///< beyond those that every node gets
+  std::string build_id{};              ///< of the program that ran; empty: not known
 };
 
 /// What an agent moves.

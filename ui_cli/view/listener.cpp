@@ -46,7 +46,8 @@ Listener::Listener(Record& record, Scene scene, std::string session, std::int64_
       scene_(std::move(scene)),
       session_(std::move(session)),
       session_id_(session_id) {
-  for (const ArmScene& a : scene_.arms) arms_[a.name].scene = a;
+  for (const ArmScene& a : scene_.arms) arms_[a.name] = {.scene = a, .known = true};
+  for (const PlatformScene& p : scene_.platforms) arms_[p.name].known = true;
 }
 
 void Listener::receive(std::string_view channel, std::span<const std::uint8_t> bytes) noexcept {
@@ -83,6 +84,11 @@ bool Listener::is_new(std::string_view channel, std::span<const std::uint8_t> by
   return true;
 }
 
+/// Whose truth is told that is no platform and no box.
+bool is_of_the_cell(std::string_view name) {
+  return name == "object" || name == "cube" || name == "free_body";
+}
+
 bool Listener::take_of_platform(std::string_view name, std::span<const std::uint8_t> bytes) {
   const auto add = [&](const auto& platform) {
     return [this, &platform](const auto& m) { platforms_.take(platform, m); };
@@ -91,7 +97,7 @@ bool Listener::take_of_platform(std::string_view name, std::span<const std::uint
     decoded<platform_command_t>(bytes, add(*commanded));
   } else if (const auto platform = before(name, ".telemetry")) {
     decoded<platform_telemetry_t>(bytes, add(*platform));
-  } else if (const auto of = before(name, ".truth"); of && *of != "object" && *of != "cube") {
+  } else if (const auto of = before(name, ".truth"); of && !is_of_the_cell(*of)) {
     decoded<platform_truth_t>(bytes, add(*of));
     decoded<box_truth_t>(bytes, add(*of));
   } else if (const auto link = before(name, ".plan")) {
@@ -109,9 +115,13 @@ void Listener::take(std::string_view name, std::span<const std::uint8_t> bytes) 
     decoded<effector_reply_t>(bytes, [&](const auto& m) { take_reply(*effector, m); });
     decoded<platform_reply_t>(bytes, [&](const auto& m) { take_reply(*effector, m); });
   } else if (const auto of = before(name, ".report")) {
-    decoded<agent_report_t>(bytes, [&](const auto& m) { arms_[*of].m = m.m; });
+    decoded<agent_report_t>(bytes, [&](const auto& m) { take_report(*of, m.m); });
+  } else if (!scene_.platforms.empty() && name == scene_.platforms.front().name + ".order") {
+    decoded<agent_order_t>(bytes, [&](const auto& m) { take_order(m); });
   } else if (const auto process = before(name, ".console")) {
     decoded<console_t>(bytes, [&](const auto& m) { log(*process, m.code, get_text(m.text)); });
+  } else if (const auto agent = before(name, ".status"); agent && agent->starts_with("ecp-")) {
+    decoded<process_status_t>(bytes, [&](const auto& m) { take_status(agent->substr(4), m); });
   } else if (const auto camera = before(name, ".frame")) {
     decoded<camera_frame_t>(bytes, [&](const auto& m) { take_frame(*camera, m); });
   } else if (name == "task_status") {
@@ -122,11 +132,14 @@ void Listener::take(std::string_view name, std::span<const std::uint8_t> bytes) 
     decoded<object_truth_t>(bytes, [&](const auto& m) { take_object(m); });
   } else if (name == "cube.truth") {
     decoded<cube_truth_t>(bytes, [&](const auto& m) { take_cube(m); });
+  } else if (name == "free_body.truth") {
+    decoded<free_body_truth_t>(bytes, [&](const auto& m) { take_body(m); });
   }
 }
 
 void Listener::take_reply(const std::string& name, const effector_reply_t& m) {
   Arm& arm = arms_[name];
+  arm.known = true;
   t_ = static_cast<double>(m.step) * kStep;
   take_refusal(name, arm, m.fault);
   if (m.position_known == 0) return;
@@ -139,8 +152,9 @@ void Listener::take_reply(const std::string& name, const effector_reply_t& m) {
   put(m.T_0E);
   put(m.F_a);
   *next++ = drawn(m.gripper);
-  const bool writes = arm.scene.gripper == "none" && !arm.scene.model.empty() &&
-                      on_paper(arm.scene, {m.T_0E[0], m.T_0E[1], m.T_0E[2]});
+  if (arm.scene.belt) belt_ = m.joints[0];
+  const bool writes = arm.scene.gripper == "none" && !arm.scene.model.empty() && !arm.scene.belt &&
+                      on_paper(arm.scene, {m.T_0E[0], m.T_0E[1], m.T_0E[2]}, belt_);
   *next = arm.new_sheet ? -1.0F : writes ? 1.0F : 0.0F;
   arm.new_sheet = false;
   record_.add(name, row);
@@ -148,6 +162,7 @@ void Listener::take_reply(const std::string& name, const effector_reply_t& m) {
 
 void Listener::take_reply(const std::string& name, const platform_reply_t& m) {
   Arm& agent = arms_[name];
+  agent.known = true;
   t_ = static_cast<double>(m.step) * kStep;
   take_refusal(name, agent, m.fault);
   platforms_.take(name, m, agent.m);
@@ -157,6 +172,21 @@ void Listener::take_refusal(const std::string& name, Arm& arm, const fault_t& fa
   if (fault.code == arm.fault) return;
   arm.fault = fault.code;
   if (fault.code != 0) log("edp-" + name, fault.code, what_happened(from_message(fault)));
+}
+
+void Listener::take_report(const std::string& name, int m) {
+  Arm& agent = arms_[name];
+  agent.m = m;
+  // Before the first reply it is not known what time it is.
+  if (!agent.known && t_ > 0) record_.add("agent:" + name, std::array{drawn(t_), static_cast<float>(m)});
+}
+
+void Listener::take_order(const agent_order_t& m) {
+  if (t_ > 0) record_.add("agent:mp", std::array{drawn(t_), static_cast<float>(m.m)});
+}
+
+void Listener::take_status(const std::string& agent, const process_status_t& m) {
+  name_behaviour(agent, m.m, get_text(m.behaviour));
 }
 
 void Listener::take_status(const task_status_t& m) {
@@ -206,6 +236,12 @@ void Listener::take_cube(const cube_truth_t& m) {
     *next++ = static_cast<float>(packed);
   }
   record_.add(std::string(kCubeTrack), row);
+}
+
+void Listener::take_body(const free_body_truth_t& m) {
+  std::array<float, kBodyColumns> row{drawn(t_)};
+  std::ranges::transform(m.T_UO, row.begin() + 1, drawn);
+  record_.add(std::string(kBodyTrack), row);
 }
 
 void Listener::take_frame(const std::string& camera, const camera_frame_t& m) {

@@ -10,14 +10,17 @@
 
 #include "base/fault.hpp"
 #include "base/link/bus.hpp"
+#include "mrroc/agent_order_t.hpp"
 #include "mrroc/agent_report_t.hpp"
 #include "mrroc/camera_frame_t.hpp"
 #include "mrroc/console_t.hpp"
 #include "mrroc/cube_truth_t.hpp"
 #include "mrroc/effector_reply_t.hpp"
+#include "mrroc/free_body_truth_t.hpp"
 #include "mrroc/hand_order_t.hpp"
 #include "mrroc/object_truth_t.hpp"
 #include "mrroc/platform_reply_t.hpp"
+#include "mrroc/process_status_t.hpp"
 #include "mrroc/task_status_t.hpp"
 #include "ui_cli/view/platform_track.hpp"
 #include "ui_cli/view/record.hpp"
@@ -26,9 +29,10 @@
 namespace mrroc::view {
 
 /// Listens to every channel of one session. What it makes of them, in the record:
-///   tracks  one per arm from ARM.reply (samples.hpp); "object" from object.truth; "cube" from cube.truth; those of a
+///   tracks  one per arm from ARM.reply (samples.hpp); "object" from object.truth; "cube" from cube.truth; "body" from free_body.truth; those of a
 ///           platform from PLATFORM.reply, .telemetry, .truth and .command, and from the link .PLATFORM.plan of its
-///           coordinator; "box:BOX" from BOX.truth
+///           coordinator; "box:BOX" from BOX.truth; "agent:NAME" of an agent without an effector from NAME.report, and
+///           "agent:mp" of the coordinator of platforms from the orders to the first one
 ///   lines   {t [s], process, code, text, fault: 0 or 1} from *.console, and what a driver refused
 ///   values  "status" (ui::status_json), "behaviours" {agent: {m: name}} with "" for the coordinator, "frames" {camera:
 ///           number}, "count" {messages, lost, refused: what the record had no room for}
@@ -58,6 +62,7 @@ class Listener final : public link::Sink {
   struct Arm {
     ArmScene scene;
     int m{};
+    bool known{};  // the scene has it, or its driver has replied: it is no agent without an effector
     bool new_sheet{};
     std::int32_t fault{};  // told last
   };
@@ -71,11 +76,15 @@ class Listener final : public link::Sink {
   void take_reply(const std::string& name, const effector_reply_t& m);
   void take_reply(const std::string& name, const platform_reply_t& m);
   void take_refusal(const std::string& name, Arm& arm, const fault_t& fault);
+  void take_report(const std::string& name, int m);
+  void take_order(const agent_order_t& m);
   void take_status(const task_status_t& m);
+  void take_status(const std::string& agent, const process_status_t& m);
   void name_behaviour(const std::string& agent, int m, const std::string& name);
   void take_hands(const hand_order_t& m);
   void take_object(const object_truth_t& m);
   void take_cube(const cube_truth_t& m);
+  void take_body(const free_body_truth_t& m);
   void take_frame(const std::string& camera, const camera_frame_t& m);
   void log(const std::string& process, std::int32_t code, const std::string& text);
 
@@ -91,6 +100,7 @@ class Listener final : public link::Sink {
   std::int64_t messages_{};
   std::int64_t lost_{};
   double t_{};
+  double belt_{};  // how far it has moved the sheets [m]
 };
 
 }  // namespace mrroc::view

@@ -36,6 +36,12 @@ inline constexpr std::size_t kCubeColumns = 22;
 /// Name of the cube's track.
 inline constexpr std::string_view kCubeTrack = "cube";
 
+/// The row of the track "body", one per macrostep of the simulator, of a free body: t [s]; the rows of [R P] of T_UO [m].
+inline constexpr std::size_t kBodyColumns = 13;
+
+/// Name of the free body's track.
+inline constexpr std::string_view kBodyTrack = "body";
+
 // Of a platform there are five tracks: "platform:NAME", "telemetry:NAME", "truth:NAME", "plan:NAME" and "fragment:NAME".
 
 /// A platform's row, one per reply of its driver. t: of the newest reading in the estimate [s]; m: behaviour of its
@@ -62,6 +68,10 @@ inline constexpr std::size_t kPlanColumns = 4;
 /// The row of "box:NAME", one per macrostep of the simulator, of a box that platforms push: t [s]; x y phi of its middle on the
 /// map [m], [rad].
 inline constexpr std::size_t kBoxColumns = 4;
+
+/// The row of "agent:NAME", one per macrostep of an agent without an effector, or of the coordinator, "agent:mp": t [s]; m:
+/// its behaviour.
+inline constexpr std::size_t kAgentColumns = 2;
 
 /// The row of "fragment:NAME", one per fragment when it is handed over: t [s]; number; steps and notify [iterations]; x y phi
 /// of its 33 knots [m], [rad].

@@ -32,14 +32,25 @@ ArmScene read_arm(const Config& config, const std::string& name, const std::arra
   a.place = six(robot, "place", usual);
   a.T_0P.R << 0, 1, 0, -1, 0, 0, 0, 0, 1;
   a.T_0P.p = {config.number("sim.paper.distance", 0.9), 0, config.number("sim.paper.height", 0.92)};
+  a.belt = a.model == "conveyor";
   a.gripper = robot.text("gripper", "none");
   a.fingers = robot.text("fingers", "none");
+  a.palm = robot.flag("palm", false);
   a.tool = six(robot, "tool.pose", {0, 0, 0.25, 0, 0, 0});
   a.plate = robot.text("plate.shape", "none");
   a.plate_size = {robot.number("plate.length", 0.08), robot.number("plate.width", 0.05),
                   robot.number("plate.thickness", 0.03)};
   a.plate_distance = robot.number("plate.distance", 0.06);
   return a;
+}
+
+void read_body(const Config& config, BodyScene& body) {
+  body.shape = config.text("free_body.shape", "none");
+  if (body.shape == "none") return;
+  body.size = config.number("sim.free_body.size", config.number("free_body.size", 0.2));
+  body.pedestal = config.numbers<3>("free_body.pedestal", std::array{0., 0., 0.});
+  const auto offset = config.numbers<3>("sim.free_body.offset", std::array{0., 0., 0.});
+  for (std::size_t k = 0; k < offset.size(); ++k) body.pedestal[k] += offset[k];
 }
 
 void read_object(const Config& t, Scene& scene) {
@@ -61,8 +72,10 @@ Json json_of(const ArmScene& a) {
           {"model", a.model},
           {"place", numbers(a.place)},
           {"paper", {{"place", numbers(angle_axis_from_pose(a.T_0P))}, {"size", kSheet}}},
+          {"belt", a.belt},
           {"gripper", a.gripper},
           {"fingers", a.fingers},
+          {"palm", a.palm},
           {"tool", numbers(a.tool)},
           {"plate", {{"shape", a.plate}, {"size", numbers(a.plate_size)}, {"distance", a.plate_distance}}}};
 }
@@ -103,35 +116,38 @@ Scene read_scene(const Config& config) {
     scene.cameras.push_back({name, camera.integer("width", 640), camera.integer("height", 480)});
   }
   scene.cube_held_by = config.text("cube.held_by", "");
+  read_body(config, scene.body);
   read_object(config.section("object"), scene);
   return scene;
 }
 
-bool on_paper(const ArmScene& arm, const Vector3& E) {
+bool on_paper(const ArmScene& arm, const Vector3& E, double belt) {
   constexpr double kAbove = 2e-5;
   constexpr double kWithin = 5e-3;
-  const Vector3 p = arm.T_0P.inverse() * E;
+  const Vector3 p = arm.T_0P.inverse() * (E - belt * Vector3::UnitY());
   return p.z() < kAbove && p.z() > -kWithin && std::abs(p.x()) <= kSheet / 2 && std::abs(p.y()) <= kSheet / 2;
 }
 
 std::string scene_json(const Scene& scene, const SceneFrame& frame) {
-  Json j{{"source", frame.source},
-         {"task", frame.task},
-         {"session", frame.session},
-         {"folder", frame.folder},
-         {"pictures", frame.pictures},
-         {"note", frame.note},
-         {"columns", kArmColumns},
-         {"platform_columns", kPlatformColumns},
-         {"arms", Json::array()},
-         {"platforms", Json::array()},
-         {"cameras", Json::array()},
-         {"cube", {{"held_by", scene.cube_held_by}}},
-         {"object",
-          {{"kind", scene.object},
-           {"arm", scene.object_arm},
-           {"size", numbers(scene.object_size)},
-           {"square", scene.object_square}}}};
+  Json j{
+      {"source", frame.source},
+      {"task", frame.task},
+      {"session", frame.session},
+      {"folder", frame.folder},
+      {"pictures", frame.pictures},
+      {"note", frame.note},
+      {"columns", kArmColumns},
+      {"platform_columns", kPlatformColumns},
+      {"arms", Json::array()},
+      {"platforms", Json::array()},
+      {"cameras", Json::array()},
+      {"cube", {{"held_by", scene.cube_held_by}}},
+      {"body", {{"shape", scene.body.shape}, {"size", scene.body.size}, {"pedestal", scene.body.pedestal}}},
+      {"object",
+       {{"kind", scene.object},
+        {"arm", scene.object_arm},
+        {"size", numbers(scene.object_size)},
+        {"square", scene.object_square}}}};
   for (const ArmScene& a : scene.arms) j["arms"].push_back(json_of(a));
   for (const PlatformScene& p : scene.platforms)
     j["platforms"].push_back({{"name", p.name}, {"model", p.model}});

@@ -19,8 +19,10 @@ struct ArmScene {
   std::string model;        ///< its description is robots/irb6/MODEL.urdf
   AngleAxisPose place;      ///< T_UB, its base in the world: x y z [m], angle-axis [rad]
   Pose T_0P;                ///< its sheet of paper in its base: x to the right, y away from the arm, z up
+  bool belt{};              ///< it is a conveyor, on whose belt the sheets of the arms lie
   std::string gripper;      ///< "none" or "two_jaw"
   std::string fingers;      ///< "none", "one_layer" or "two_layers" of a cube
+  bool palm{};              ///< the tool ends in a palm
   AngleAxisPose tool;       ///< T_WE: x y z [m], angle-axis [rad]
   std::string plate;        ///< on the sheet: "none", "rectangle" or "ellipse"
   Vector3 plate_size;       ///< along the sheet's x, y and z [m]
@@ -46,6 +48,13 @@ struct CameraScene {
   int height{};      ///< [pixel]
 };
 
+/// A body that belongs to no robot.
+struct BodyScene {
+  std::string shape{"none"};         ///< "ball", "box", or "none": there is none
+  double size{};                     ///< as it really is [m]
+  std::array<double, 3> pedestal{};  ///< middle of its upper side in the world [m]
+};
+
 /// Everything that does not move by itself.
 struct Scene {
   std::vector<ArmScene> arms;            ///< as robots.order has them
@@ -55,6 +64,7 @@ struct Scene {
   std::vector<BoxScene> boxes;           ///< in it
   std::vector<CameraScene> cameras;      ///< as cameras.order has them
   std::string cube_held_by;              ///< name of an arm; empty: there is no cube
+  BodyScene body;                        ///< between the arms
   std::string object;                    ///< what the cameras look for: "none", "chessboard", "apriltag", ...
   std::string object_arm;                ///< in whose base its place is told
   Vector3 object_size{Vector3::Zero()};  ///< of its plate [m]
@@ -67,10 +77,11 @@ inline constexpr double kSheet = 0.3;
 /// @param config  of a run, complete  @throws FaultError bad_configuration
 [[nodiscard]] Scene read_scene(const Config& config);
 
-/// @param E  position of the end effector in the arm's base [m]
+/// @param E     position of the end effector in the arm's base [m]
+/// @param belt  how far the belt on which the sheet lies has moved it along y [m]
 /// @return whether a pen there leaves ink: on or in the sheet. Measured positions are 0.05 mm above it at least when
 ///         the pen is lifted and not above it at all when it writes; the sheet gives way by less than 5 mm
-[[nodiscard]] bool on_paper(const ArmScene& arm, const Vector3& E);
+[[nodiscard]] bool on_paper(const ArmScene& arm, const Vector3& E, double belt = 0);
 
 /// The scene as a page receives it.
 struct SceneFrame {

@@ -86,6 +86,17 @@ TEST(RealTime, TheCapabilityIsAsGoodAsAnInfiniteLimit) {
   EXPECT_EQ(got, kLocked);
 }
 
+// As in a container without privileges: its root has every capability, and the system's limit holds.
+TEST(RealTime, RootOfAUserNamespaceLocksNothingBeyondTheLimit) {
+  const int got = apart([] {
+    if (!limit_memory_lock(1 << 20) || ::unshare(CLONE_NEWUSER) != 0) return kNotHere;
+    if (may_keep_in_memory() || keep_in_memory()) return kGranted;
+    return locked() == 0 ? kRefused : kLocked;
+  });
+  if (got == kNotHere) GTEST_SKIP() << "no user namespaces here";
+  EXPECT_EQ(got, kRefused);
+}
+
 TEST(RealTime, AThreadInTheBackgroundIsInNobodysWayAndLeavesTheOthersAsTheyAre) {
   const int got = apart([] {
     become_real_time(10);  // if it may

@@ -230,6 +230,40 @@ TEST_F(Driving, AStopComesToRestOnTheWayWhateverTheReason) {
   }
 }
 
+// Something presses it to and fro, as a box does against which it leans, so that the tracker goes on until the stop.
+TEST_F(Driving, AStopAtTheEndOfItsWayIsCountedFromTheStopAndNotFromTheEnd) {
+  Way way = rig.way();
+  hand({way.next(0.5, 0, 40), way.next(0, 0, 40)});
+  ASSERT_TRUE(rig.reach(DriverState::holding));
+  for (int k = 0; k < 40; ++k) {
+    rig.ground.push = k / 5 % 2 == 0 ? 2 : -2;
+    rig.wait(1);
+  }
+  ASSERT_TRUE(rig.last.enabled) << "it is still held at the end";
+  rig.ground.push = 0;
+  rig.driver.drop_owner();
+  const std::int64_t stopped = rig.ground.step;
+  for (int k = 0; k < 80; ++k) rig.quiet();
+  EXPECT_TRUE(rig.driver.standstill().at_rest());
+  EXPECT_GT(rig.driver.standstill().stop_steps(stopped), 0);
+  EXPECT_LE(rig.driver.standstill().stop_steps(stopped), 300);
+}
+
+TEST_F(Driving, AStopOfAPlatformThatRestsAtItsEndTakesNoStep) {
+  Way way = rig.way();
+  hand({way.next(0.5, 0, 40), way.next(0, 0, 40)});
+  ASSERT_TRUE(rig.reach(DriverState::holding));
+  rig.ground.push = 0.05;
+  rig.wait(40);
+  rig.ground.push = 0;
+  rig.wait(60);
+  ASSERT_FALSE(rig.last.enabled);
+  rig.driver.drop_owner();
+  const std::int64_t stopped = rig.ground.step;
+  for (int k = 0; k < 20; ++k) rig.quiet();
+  EXPECT_EQ(rig.driver.standstill().stop_steps(stopped), 0);
+}
+
 TEST_F(Driving, AStopAtSpeedDeceleratesByNoMoreThanTyresCanGive) {
   Way way = rig.way();
   hand({way.next(1, 0, 60), way.next(1, 0, 200)});

@@ -77,6 +77,27 @@ TEST(WheelSupervision, AWheelThatMissesAQuickTurnIsFoundAtOnceAndItsSideTellsWha
     }
 }
 
+// 1 rad/s: 13 iterations are a quarter of a radian; the last one tells nothing by itself.
+TEST(WheelSupervision, MostOfTheIterationsTellWhetherItsSideTurned) {
+  for (const int follows : {0, 5, 6, 7, 8, 13})
+    for (const bool at_last : {false, true}) {
+      if (at_last ? follows == 0 : follows == 13) continue;
+      WheelSupervision supervision(kPlatform);
+      StageReading s = turning(1);
+      s.theta_dot[2] = 0;
+      s.torque[2] = 7;
+      std::optional<Fault> fault;
+      for (int n = 0; n < 13 && !fault; ++n) {
+        const int left = at_last ? n - (13 - follows) : follows - 1 - n;
+        s.theta_dot[0] = left >= 0 ? 1 : 0.5;
+        fault = supervision.step(s, believed(s), {{}, 0.2, 0});
+      }
+      ASSERT_TRUE(fault);
+      EXPECT_EQ(fault->code, follows >= 7 ? FaultCode::encoder_fault : FaultCode::wheel_blocked)
+          << follows << at_last;
+    }
+}
+
 // The other one of its side turns as it should; the platform turns to the side of the wheel as soon as it stands.
 TEST(WheelSupervision, AWheelThatDragsItsSideAtOnceIsBlocked) {
   for (std::size_t k = 0; k < kWheels; ++k)

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "tasks/drawing/belt_figures.hpp"
 #include "test/tasks/drawing/coordinator_image.hpp"
 
 namespace mrroc::drawing {
@@ -168,6 +169,25 @@ TEST(RunningBelt, StandsUntilTheArmsReproduceAndRunsUntilTheTaskIsOver) {
   EXPECT_FALSE(kBeltRuns.f_tau(x));
   x.T.finished = true;
   EXPECT_TRUE(kBeltRuns.f_tau(x));
+}
+
+TEST(BeltFigures, TheDrawingIsInItsPlaceWhereTheNodesLeadFromTheStart) {
+  constexpr double kT = 0.02;
+  Recording recording(kT);
+  const auto node = [&](double vx, double vy, PenState pen) {
+    recording = recording.appended({Twist::from({vx, vy, 0}, {0, 0, 0}), pen});
+  };
+  node(0.05, 0, paper_surface);
+  node(0.05, 0.1, paper_surface);
+  node(0, 0.1, above_paper);
+  node(-0.05, 0, paper_surface);
+  const Drawing drawing = drawing_in_place(recording, {10, 20});
+  ASSERT_EQ(drawing.size(), 2U) << "a stroke for each stretch on the paper";
+  ASSERT_EQ(drawing[0].size(), 3U);
+  EXPECT_LT((drawing[0].front() - Point(10, 20)).norm(), 1e-9);
+  EXPECT_LT((drawing[0].back() - Point(12, 22)).norm(), 1e-9) << "x of E is y of the sheet";
+  EXPECT_LT((drawing[1].front() - Point(14, 22)).norm(), 1e-9);
+  EXPECT_LT((drawing[1].back() - Point(14, 21)).norm(), 1e-9);
 }
 
 TEST(ConveyorOptions, StandForAConfigurationThatSaysTheSame) {

@@ -62,6 +62,18 @@ TEST(Law, ALittleOfAFixtureIsNearlyNone) {
   for (const Axis a : {Axis::ax, Axis::ay, Axis::az}) EXPECT_EQ(little[a], u()) << "it does not turn";
 }
 
+TEST(Law, InNarrowBendsAndJustBeforeThemTheToolIsDampedAlongTheFixture) {
+  const Law law;
+  const Fixture square = fixture_of(2, {});
+  const double corner = square.stand({0.03, -0.03, 0}, {}).s, side = square.stand({0, -0.03, 0}, {}).s;
+  ASSERT_LT(square.bend(corner), law.bend / 2);
+  EXPECT_EQ(rows(law, square, {.s = side}, 1).x.mobility, law.free_mobility);
+  EXPECT_NEAR(rows(law, square, {.s = corner}, 1).x.mobility,
+              law.free_mobility * square.bend(corner) / law.bend, 1e-9);
+  EXPECT_LT(rows(law, square, {.s = corner - Curve::kNear}, 1).x.mobility, law.free_mobility / 1.5);
+  EXPECT_EQ(rows(law, square, {.s = corner}, 0).x.mobility, law.free_mobility) << "nothing holds it";
+}
+
 TEST(Law, AToolThatNobodyHoldsIsMovedNoFasterThanAsked) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> part(0, 1);

@@ -67,5 +67,33 @@ TEST(DriveCase, IsNotTheUsualOneWithAPlanOfTheUsers) {
             DriveCase::other);
 }
 
+/// Reads some of what cameras and odometry read.
+void read_eyes_too(const Config& c) {
+  for (const char* const camera : {"cameras.rex_left", "cameras.rex_right"}) {
+    const Config t = c.section(camera);
+    std::ignore = t.number("fx", std::nullopt);
+    std::ignore = t.numbers<2>("black", {{0, 0}});
+  }
+  std::ignore = c.number("odometry.rex.features", 600);
+}
+
+TEST(DriveCase, EyesAreChangedWhereTheyDifferFromTheBuiltInOnes) {
+  const auto changed = [](const std::vector<std::string>& settings) {
+    Config c = Config::parse(config(), "rex_drive.toml");
+    for (const std::string& s : settings) c.set(s);
+    if (c.flag("task.eyes", true)) c.underlay(Config::parse(eyes(), "eyes.toml"));
+    if (c.flag("task.eyes", true)) read_eyes_too(c);
+    return changed_eyes(c, read_eyes_too);
+  };
+  using Keys = std::vector<std::string>;
+  EXPECT_EQ(changed({}), Keys{});
+  EXPECT_EQ(changed({"cameras.rex_left.fx=420", "odometry.rex.features=600"}), Keys{})
+      << "as they are anyhow";
+  EXPECT_EQ(changed({"cameras.rex_left.black=[1, 2]"}), Keys{"cameras.rex_left.black"});
+  EXPECT_EQ(changed({"cameras.rex_right.fx=400", "odometry.rex.features=50"}),
+            (Keys{"cameras.rex_right.fx", "odometry.rex.features"}));
+  EXPECT_EQ(changed({"task.eyes=false"}), Keys{});
+}
+
 }  // namespace
 }  // namespace mrroc::rex_drive

@@ -82,6 +82,25 @@ TEST(DriveRecord, TheMapIsBackWhenItIsSeenAfterItWasLost) {
   EXPECT_NEAR(times[0], 0.14, 1e-12);
 }
 
+TEST(DriveRecord, TheMapIsBackAlsoWhenItIsBelievedAfterItHasJumpedButNotAfterOneOutlier) {
+  DriveMessages m;
+  struct Said {
+    std::int64_t step;
+    std::int32_t rejected;
+  };
+  for (const Said said : {Said{50, 0}, {50, 1}, {150, 1}, {150, 2}, {150, 3}, {300, 3}, {350, 3}}) {
+    MapReport report;
+    report.pose.valid = true;
+    report.pose.step = said.step;
+    report.rejected = said.rejected;
+    m.poses.push_back(to_message(report));
+    m.poses.back().header.stamp = static_cast<std::int64_t>(m.poses.size());
+  }
+  const std::vector<double> times = map_returns(m, 0.002, 10);
+  ASSERT_EQ(times.size(), 1U);
+  EXPECT_NEAR(times[0], 0.12, 1e-12);
+}
+
 TEST(DriveRecord, BetweenTwoTruthsThePlatformMovesEvenly) {
   DriveMessages m = messages(20);
   for (auto& reply : m.replies) reply.estimate.step += 5;

@@ -62,6 +62,15 @@ TEST(RexFigures, AnEstimateFarAwayIsOutsideOfItsEllipse) {
   EXPECT_EQ(value(figures_of(synthetic_drive(0.1)), "ellipse_95_pct"), 0);
 }
 
+TEST(RexFigures, TheEndIsJudgedWhenThePlanHasComeToItsEnd) {
+  DriveResults r = synthetic_drive();
+  const PlanarPose end = r.fragments.back().fragment.knot.back().p;
+  r.table.back().truth.p = {end.x + 0.03, end.y - 0.04, 1};
+  EXPECT_NEAR(value(figures_of(r), "end_error_mm"), 50, 1e-9);
+  r.acked_in = 0;
+  EXPECT_EQ(figures_of(r).count("end_error_mm"), 0U) << "it has not come so far";
+}
+
 // A position that is told at 1 s is in the driver's hands at 1.04 s.
 TEST(RexFigures, TheKickIsTheChangeOfSpeedShortlyAfterTheMapIsBack) {
   const auto kick = [](double from, double to) {

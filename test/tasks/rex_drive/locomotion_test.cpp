@@ -104,6 +104,12 @@ TEST(Report, TheSensorIsASumOfWhatIsSeenAndWhereThePlatformIs) {
   };
   EXPECT_EQ(after(500), kOdometrySeen + kStands);
   EXPECT_EQ(after(501), kStands) << "it has fallen silent";
+  EXPECT_EQ(told([](X& x) {
+              x.V = {.step = 40, .valid = true};
+              x.e.step = 40 + 900;
+              x.c.k.stale = 1000;  // slow cameras
+            }),
+            kOdometrySeen + kStands);
   EXPECT_EQ(told([](X& x) { x.e.at_rest = false; }), 0);
   EXPECT_EQ(told([](X& x) { x.e.remaining = 1; }), 0);
   EXPECT_EQ(told([](X& x) { x.e.notified = 5; }), 0);

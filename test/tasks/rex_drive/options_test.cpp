@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 
 #include "base/fault.hpp"
@@ -51,6 +55,44 @@ TEST(DriveOptions, OfAGroundThatIsNotKnownTheNearestIsNamed) {
   EXPECT_NE(error_of("ice").find("did you mean 'ice_right'?"), std::string::npos) << error_of("ice");
   EXPECT_NE(error_of("slipery").find("did you mean 'slippery'?"), std::string::npos);
   EXPECT_EQ(error_of("concrete").find("did you mean"), std::string::npos);
+}
+
+class GroundFile : public ::testing::Test {
+ protected:
+  ~GroundFile() override { std::filesystem::remove(file_); }
+
+  /// @return what is wrong with a file of that text; empty: it is a ground
+  std::string error_of(const std::string& text) const {
+    std::ofstream(file_) << text;
+    Config c = config_with({"task.eyes=false"});
+    PlanList plans = built_in_plan("slalom");
+    try {
+      complete_drive(c, {.ground = file_.string()}, plans);
+    } catch (const FaultError& e) {
+      EXPECT_EQ(e.fault().code, FaultCode::bad_configuration);
+      return e.error_line();
+    }
+    return {};
+  }
+
+  const std::filesystem::path file_ =
+      std::filesystem::temp_directory_path() / ("ground-" + std::to_string(::getpid()) + ".toml");
+};
+
+TEST_F(GroundFile, HasATableOfAGround) {
+  EXPECT_EQ(error_of("[sim.ground]\nfriction = [0.5, 0.4]\n"), "");
+  EXPECT_EQ(error_of("[sim.ground.patches.puddle]\narea = [0, 0, 1, 1]\n"), "");
+}
+
+TEST_F(GroundFile, ThatIsEmptyOrSaysSomethingElseIsToldWhatIsWanted) {
+  for (const char* text : {"", "# nothing\n", "friction = [0.5, 0.4]\n"})
+    EXPECT_NE(error_of(text).find("has no table; a ground is a table [sim.ground]"), std::string::npos)
+        << error_of(text);
+  for (const char* text : {"[ground]\nfriction = [0.5, 0.4]\n", "[sim.platforms.rex]\nstart = [0, 0, 0]\n",
+                           "[sim.ground]\nfriction = [0.5, 0.4]\n[task]\nspeed = 1\n",
+                           "[sim.ground]\nfriction = [0.5, 0.4]\n[sim.platforms.rex]\nstart = [0, 0, 0]\n"})
+    EXPECT_NE(error_of(text).find("has other tables than [sim.ground]; a ground is"), std::string::npos)
+        << error_of(text);
 }
 
 TEST(DriveOptions, AnEmptyWordIsNotTheDefault) {

@@ -275,6 +275,9 @@ def look_at_a_platform(page, folder: Path):
     charts = page.value("[...document.querySelectorAll('#charts .chart:not([hidden]) canvas')].map(c => c.title.split(' [')[0]).join()")
     check(charts == "Tracking error,Estimation error,Slip,Torque", f"the charts are those of a platform {charts}")
     check(page.share("#charts", BLUE) > 0.001, "the charts have its curves")
+    hover = "const t = document.querySelector('#timeline'), b = t.getBoundingClientRect(); t.dispatchEvent(new PointerEvent('pointermove', {clientX: b.left + 0.5 * b.width, clientY: b.top + y})); return t.title.split(',')[0];"
+    lanes = page.value(f"[...new Set(Array.from({{length: 200}}, (_, y) => {{ {hover} }}))].filter(name => name).join()")
+    check(lanes == "rex,map,mp", f"the time-line has a lane for each agent {lanes}")
     check("rex" in page.value("document.querySelector('#readout').innerText"), "its place is told")
     press(page, "rex")
     time.sleep(1.5)

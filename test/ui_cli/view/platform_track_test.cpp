@@ -13,7 +13,10 @@
 #include <vector>
 
 #include "base/effector_command.hpp"
+#include "base/link/text.hpp"
 #include "base/msg/convert_platform.hpp"
+#include "mrroc/agent_order_t.hpp"
+#include "mrroc/process_status_t.hpp"
 #include "test/ui_cli/view/sample_run.hpp"
 #include "ui_cli/view/listener.hpp"
 #include "ui_cli/view/samples.hpp"
@@ -84,6 +87,35 @@ TEST_F(ViewPlatform, TellsWhatItsDriverReplies) {
   EXPECT_EQ(from("mu_x", 6), (std::vector<float>{0.5, 0.25, -0.125, 0.0625, 0.03125, 0.5}));
   EXPECT_EQ(from("tau0", 4), (std::vector<float>{5, 6, 7, 8}));
   EXPECT_EQ(from("fragment", 3), (std::vector<float>{2, 11, 150}));
+}
+
+// The time-line shows the behaviours of all agents.
+TEST_F(ViewPlatform, TellsBehavioursOfAgentsWithoutAnEffectorAndOfTheCoordinator) {
+  Scene scene;
+  scene.platforms = {{"rex", "rex"}};
+  Listener heard(record, scene, "s", 7);
+  std::map<std::string, std::int64_t> sent;
+  const auto hear_of = [&](const std::string& channel, const auto& m) {
+    heard.receive("s." + channel, test::encoded(m, ++sent[channel], 0));
+  };
+  hear_of("map.report", test::report(1));  // nobody knows what time it is
+  hear_of("rex.reply", to_message(reply_of(50)));
+  agent_order_t order{};
+  order.m = 2;
+  hear_of("rex.order", order);
+  hear_of("map.order", order);
+  hear_of("rex.report", test::report(3));
+  hear_of("map.report", test::report(1));
+  process_status_t status{};
+  status.m = 1;
+  link::put_text(status.behaviour, "locate");
+  hear_of("ecp-map.status", status);
+  const float t = 509 * 0.002F;
+  EXPECT_EQ(rows("agent:map"), (std::vector<float>{t, 1}));
+  EXPECT_EQ(rows("agent:mp"), (std::vector<float>{t, 2})) << "once, not per agent";
+  EXPECT_EQ(record.rows("agent:rex"), 0U) << "its row is that of the platform";
+  Record::Cursor page;
+  EXPECT_EQ(json::parse(record.news(page)).at("values").at("behaviours").at("map").at("1"), "locate");
 }
 
 TEST_F(ViewPlatform, DrawsNothingBeforeThePositionIsKnown) {

@@ -159,6 +159,18 @@ TEST(ViewRun, KnowsWhenAPenLeavesInk) {
   EXPECT_FALSE(on_paper(arm, {0.9, 0, 0})) << "a driver that does not know where it is";
 }
 
+TEST(ViewRun, SheetsLieOnTheBeltOfAConveyorAndGoWithIt) {
+  const Scene scene = read_scene(Config::parse(
+      "[robots]\norder = ['arm1', 'conveyor']\n[robots.conveyor]\nmodel = 'conveyor'\n", "belt"));
+  const json j = json::parse(scene_json(scene, {.source = "run"}));
+  EXPECT_EQ(j.at("arms").at(0).at("belt"), false);
+  EXPECT_EQ(j.at("arms").at(1).at("belt"), true);
+  const ArmScene& arm = scene.arms.at(0);
+  EXPECT_FALSE(on_paper(arm, {0.9, 0.2, 0.92})) << "the belt has not moved";
+  EXPECT_TRUE(on_paper(arm, {0.9, 0.2, 0.92}, 0.1));
+  EXPECT_FALSE(on_paper(arm, {0.9, -0.1, 0.92}, 0.1)) << "the sheet has gone from there";
+}
+
 TEST(ViewListener, CountsWhatIsLostAndIgnoresWhatComesAgainOrFromOthers) {
   Record record;
   record.begin("{}");

@@ -3,6 +3,7 @@ import {
   AxesHelper, Color, DirectionalLight, Fog, GridHelper, Group, HemisphereLight, Mesh, MeshStandardMaterial, NeutralToneMapping, Object3D,
   OrbitControls, PCFShadowMap, PerspectiveCamera, PlaneGeometry, Scene, Vector3, WebGLRenderer,
 } from '../vendor/three.js';
+import {Body} from './body.js';
 import {Cube} from './cube.js';
 import {object, put, table, tool} from './furniture.js';
 import {Sheet} from './ink.js';
@@ -94,6 +95,7 @@ export class Cell {
     this.things = new Group();
     this.scene.add(this.things);
     this.arms.clear();
+    this.belt = scene.arms.find((arm) => arm.belt);
     for (const arm of scene.arms) this.add_arm(arm, scene, descriptions);
     this.add_platforms(scene, descriptions);
     const home = this.arms.get(scene.object.arm);
@@ -101,6 +103,8 @@ export class Cell {
     if (this.object) home.base.add(this.object);
     this.cube = scene.cube.held_by ? new Cube() : null;
     if (this.cube) this.cube.rest_in(this.arms.get(scene.cube.held_by));
+    this.body = scene.body.shape === 'none' ? null : new Body(scene.body);
+    if (this.body) this.things.add(this.body.root);
     this.look('cell');
   }
   add_platforms(scene, descriptions) {
@@ -121,9 +125,9 @@ export class Cell {
   room_size() { return Math.hypot(...[0, 1].map((k) => this.room.upper[k] - this.room.lower[k])); }
   add_arm(arm, scene, descriptions) {
     const base = put(new Group(), arm.place), sheet = new Sheet(arm.paper);
-    const {group, texture} = table(arm, sheet, -arm.place[2]);
-    base.add(group);
-    const entry = {arm, base, sheet, texture, mark: new AxesHelper(0.08)};
+    const {group, texture} = table(arm, sheet, -arm.place[2], this.belt);
+    if (!arm.belt) base.add(group);
+    const entry = {arm, base, sheet, texture, group, mark: new AxesHelper(0.08)};
     entry.tool = tool(arm);
     if (descriptions[arm.model]) {
       entry.robot = new Robot(descriptions[arm.model]);
@@ -138,19 +142,23 @@ export class Cell {
   /** Moves everything to an instant. */
   show(history, t) {
     const q = new Float64Array(8), gap = [0], column = history.column;
+    const belt = this.belt && history.tracks.get(this.belt.name), way = [0];
     for (const [name, entry] of this.arms) {
       const track = history.tracks.get(name);
       const known = track && track.mix(t, column.q0, 8, q);
       if (entry.robot) entry.robot.root.visible = Boolean(known);
       if (known && entry.robot) entry.robot.set(q);
       if (known) entry.tool.open(track.mix(t, column.gap, 1, gap)[0]);
-      if (entry.sheet.show(track, column, t)) entry.texture.needsUpdate = true;
+      if (entry.arm.belt) continue;
+      if (belt?.mix(t, column.q0, 1, way)) entry.group.position.y = entry.arm.paper.place[1] + way[0];  // bases stand as the world
+      if (entry.sheet.show(track, column, t, belt)) entry.texture.needsUpdate = true;
     }
     for (const platform of this.platforms.values()) platform.show(history, t);
     this.ground?.show(t);
     this.boxes?.show(history, t);
     this.show_object(history.tracks.get('object'), t);
     this.cube?.show(history.tracks.get('cube'), t, this.things);
+    this.body?.show(history.tracks.get('body'), t);
     this.follow();
     this.dirty = true;
   }
@@ -168,7 +176,7 @@ export class Cell {
     if (view === 'cube' && this.cube) return this.look_at(this.cube.place(), new Vector3(0.3, -0.14, 0.16));
     if (this.followed) return this.look_after(this.followed);
     if (this.room && !this.arms.size) return this.look_into_room(view === 'top');
-    const bases = [...this.arms.values()].map((e) => e.base.position);
+    const bases = [...this.arms.values()].filter((e) => !e.arm.belt).map((e) => e.base.position);
     const middle = bases.reduce((sum, p) => sum.add(p), new Vector3()).divideScalar(bases.length || 1);
     const spread = bases.length > 1 ? bases[0].distanceTo(bases[bases.length - 1]) : 0;
     const at = this.arms.get(view);

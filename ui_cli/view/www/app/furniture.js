@@ -23,18 +23,21 @@ export function block(size, at, material, radius = 0) {
   return mesh;
 }
 
-/** Table, sheet and plate in front of an arm, in the arm's base. @param floor  height of the floor there */
-export function table(arm, sheet, floor) {
+/** Table, sheet and plate in front of an arm, in the arm's base. @param floor  height of the floor there @param belt  the sheet lies on it, and not on a table */
+export function table(arm, sheet, floor, belt) {
   const group = put(new Group(), arm.paper.place);
   const edge = 0.6, thick = 0.05, tall = arm.paper.place[2] - floor - thick;
-  group.add(block([edge, edge, thick], [0, 0, -thick / 2 - 0.001], wood, 0.012));
-  for (const x of [-0.25, 0.25])
-    for (const y of [-0.25, 0.25]) group.add(block([0.05, 0.05, tall], [x, y, -thick - tall / 2], leg));
+  if (!belt) {
+    group.add(block([edge, edge, thick], [0, 0, -thick / 2 - 0.001], wood, 0.012));
+    for (const x of [-0.25, 0.25])
+      for (const y of [-0.25, 0.25]) group.add(block([0.05, 0.05, tall], [x, y, -thick - tall / 2], leg));
+  }
   const texture = new CanvasTexture(sheet.canvas);
   texture.colorSpace = SRGBColorSpace;
   texture.anisotropy = 4;
   const paper = new Mesh(new PlaneGeometry(arm.paper.size, arm.paper.size), new MeshStandardMaterial({map: texture, roughness: 0.9}));
   paper.receiveShadow = true;
+  if (belt) paper.position.z = 0.0005;  // above its board
   group.add(paper);
   if (arm.plate.shape !== 'none') {
     const [length, width, thickness] = arm.plate.size, at = [0, arm.plate.distance, thickness / 2];
@@ -51,9 +54,14 @@ export function table(arm, sheet, floor) {
   return {group, texture};
 }
 
-/** A pen, or a hand with two jaws, in E. @return {group, open(gap)} */
+/** A pen, a palm, or a hand with two jaws, in E. @return {group, open(gap)} */
 export function tool(arm) {
   const group = put(new Group(), arm.tool);
+  if (arm.belt) return {group, open() {}};
+  if (arm.palm) {
+    group.add(block([0.14, 0.14, 0.02], [0, 0, -0.01], paint.dark, 0.004));
+    return {group, open() {}};
+  }
   if (arm.gripper === 'none') {
     const tip = new Mesh(new CylinderGeometry(0.009, 0.0015, 0.03, 24).rotateX(Math.PI / 2), paint.steel);
     tip.position.z = -0.015;

@@ -55,7 +55,7 @@ export class Track {
   }
 }
 
-/** Stretches of time in which an arm or a platform had one behaviour. */
+/** Stretches of time in which an agent had one behaviour. */
 class Bands {
   constructor() { this.list = []; this.read = 0; }
   extend(track, column) {
@@ -76,16 +76,24 @@ function floats(base64) {
 }
 
 // Columns of the tracks that are no arm's.
-const kWidths = {object: 15, cube: 22};
+const kWidths = {object: 15, cube: 22, body: 13};
 // Columns of the tracks that a platform has besides its own, which are named KIND:PLATFORM.
-const kPlatformWidths = {telemetry: 127, truth: 7, plan: 4, fragment: 103, box: 4};
+const kPlatformWidths = {telemetry: 127, truth: 7, plan: 4, fragment: 103, box: 4, agent: 2};
 const kPlatform = 'platform:';
+// Tracks of agents without an effector, and of the coordinator among them, which tell their behaviour alone.
+const kAgent = 'agent:', kAgentColumn = {t: 0, m: 1}, kCoordinator = 'mp';
+
+/** Duration of a macrostep, and of an iteration of a platform's driver [s]. */
+export const kMacrostep = 0.02;
 
 const kNothing = {
-  source: 'none', task: '', session: '', folder: '', note: '', pictures: [], columns: [], platform_columns: [], arms: [], platforms: [], cameras: [], cube: {held_by: ''}, object: {kind: 'none'},
+  source: 'none', task: '', session: '', folder: '', note: '', pictures: [], columns: [], platform_columns: [], arms: [], platforms: [], cameras: [], cube: {held_by: ''}, object: {kind: 'none'}, body: {shape: 'none'},
 };
 
 const is_effector = (name) => !(name in kWidths) && !name.includes(':');
+const is_agent = (name) => name.startsWith(kAgent);
+/** @return name of what a track tells of, for people */
+export const title_of = (name) => (is_agent(name) ? name.slice(kAgent.length) : name);
 
 export class History {
   constructor() { this.begin(kNothing); }
@@ -111,7 +119,7 @@ export class History {
       if (!this.tracks.has(name)) this.tracks.set(name, new Track(this.width(full)));
       const track = this.tracks.get(name);
       track.append(floats(text));
-      if (!is_effector(name)) continue;
+      if (!is_effector(name) && !is_agent(name)) continue;
       if (!this.bands.has(name)) this.bands.set(name, new Bands());
       this.bands.get(name).extend(track, this.columns_of(name).m);
     }
@@ -120,19 +128,21 @@ export class History {
   }
   /** Names of the arms and platforms that have told something. */
   get effectors() { return [...this.tracks.keys()].filter(is_effector); }
-  columns_of(name) { return this.platforms.has(name) ? this.platform_column : this.column; }
+  /** Tracks of agents without an effector that have told something. */
+  get agents() { return [...this.tracks.keys()].filter(is_agent); }
+  columns_of(name) { return is_agent(name) ? kAgentColumn : this.platforms.has(name) ? this.platform_column : this.column; }
   get rows() { return this.effectors.reduce((sum, name) => sum + this.tracks.get(name).rows, 0); }
   get begin_time() { return Math.min(...this.effectors.map((a) => this.tracks.get(a).first), this.end_time); }
   get end_time() { return Math.max(0, ...this.effectors.map((a) => this.tracks.get(a).last)); }
-  /** @return behaviour of an arm or a platform at t, 0 when there is none */
-  behaviour(arm, t) {
-    const track = this.tracks.get(arm);
+  /** @param name  of a track @return behaviour of that agent at t, 0 when there is none */
+  behaviour(name, t) {
+    const track = this.tracks.get(name);
     const row = track ? track.find(t) : -1;
-    return row < 0 ? 0 : track.at(row, this.columns_of(arm).m);
+    return row < 0 ? 0 : track.at(row, this.columns_of(name).m);
   }
-  /** @return what the arm calls it, or else the coordinator, whose orders it copies */
-  name_of(arm, m) {
-    const names = this.values.behaviours || {};
-    return names[arm]?.[m] || names['']?.[m] || (m ? `m = ${m}` : '');
+  /** @return what the agent calls it, or else the coordinator, whose orders one with an effector copies */
+  name_of(name, m) {
+    const names = this.values.behaviours || {}, copies = !is_agent(name) || title_of(name) === kCoordinator;
+    return names[title_of(name)]?.[m] || (copies && names['']?.[m]) || (m ? `m = ${m}` : '');
   }
 }

@@ -33,11 +33,11 @@ export class Sheet {
     Object.assign(this.c, {strokeStyle: '#16233a', lineWidth: kLine, lineCap: 'round', lineJoin: 'round'});
     this.c.beginPath();
   }
-  /** Draws up to the instant. @return whether anything has changed */
-  show(track, column, t) {
+  /** Draws up to the instant. @param belt  track of the belt that carries the sheet along y, may be missing @return whether anything has changed */
+  show(track, column, t, belt) {
     const until = track ? track.find(t) : -1;
     if (until === this.drawn) return false;
-    const c = this.c, marks = this.marks;
+    const c = this.c, marks = this.marks, way = [0];
     let writing = false, cleared = until < this.drawn;
     if (cleared) this.clear();
     this.take_pen();
@@ -45,7 +45,8 @@ export class Sheet {
       const ink = track.at(row, column.ink);
       if (ink < 0 && row > this.drawn) { this.clear(); this.take_pen(); cleared = true; }
       if (ink > 0) {
-        const at = this.pixel(track.at(row, column.x), track.at(row, column.y));
+        belt?.mix(track.time(row), column.q0, 1, way);
+        const at = this.pixel(track.at(row, column.x), track.at(row, column.y) - way[0]);
         if (writing) c.lineTo(...at); else c.moveTo(...at);
         ++this.marks;
       }

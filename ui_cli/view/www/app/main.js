@@ -1,7 +1,7 @@
 // Puts the page together: news in, one picture per frame out, and only when something has changed.
 import {Cell} from './cell.js';
 import {Charts} from './charts.js';
-import {History} from './history.js';
+import {History, kMacrostep} from './history.js';
 import {Messages, Segments, show_empty, show_header, show_legend, show_readout} from './panels.js';
 import {Pictures} from './pictures.js';
 import {kSpeeds, Player} from './player.js';
@@ -40,7 +40,7 @@ async function begin(scene) {
   if (history.scene !== scene) return;
   cell.build(scene, descriptions);
   show_legend(scene);
-  by_id('sheets').replaceChildren(...[...cell.arms.values()].filter((e) => e.arm.gripper === 'none').map(sheet_figure));
+  by_id('sheets').replaceChildren(...[...cell.arms.values()].filter((e) => e.arm.gripper === 'none' && !e.arm.belt).map(sheet_figure));
   changed = true;
 }
 
@@ -62,7 +62,7 @@ function offer_arms() {
   if (!names.includes(arm)) arm = names[0] || '';
   arms.offer(names.map((name, k) => [name, name, `charts of ${name} (${k + 1})`]), arm);
   const {scene} = history;
-  const places = [...scene.arms.map((a) => [a.name, a.name, `the sheet of ${a.name}`]), ...scene.platforms.map((p) => [p.name, p.name, `the platform ${p.name}`])];
+  const places = [...scene.arms.filter((a) => !a.belt).map((a) => [a.name, a.name, `the sheet of ${a.name}`]), ...scene.platforms.map((p) => [p.name, p.name, `the platform ${p.name}`])];
   views.offer(places.length ? [scene.arms.length ? ['cell', 'cell', 'the whole cell'] : ['cell', 'room', 'the whole room'], ...places, ...(scene.cube.held_by ? [['cube', 'cube', 'the cube']] : []), ['top', 'top', 'from above']] : [], 'cell');
 }
 
@@ -110,7 +110,7 @@ spans.offer([[5, '5 s'], [20, '20 s'], [60, '60 s'], [0, 'all']], 20);
 addEventListener('keydown', (event) => {
   const keys = {
     ' ': () => player.toggle(), l: () => player.follow(),
-    ArrowLeft: () => player.seek(player.t - (event.shiftKey ? 1 : 0.02)), ArrowRight: () => player.seek(player.t + (event.shiftKey ? 1 : 0.02)),
+    ArrowLeft: () => player.seek(player.t - (event.shiftKey ? 1 : kMacrostep)), ArrowRight: () => player.seek(player.t + (event.shiftKey ? 1 : kMacrostep)),
     Home: () => player.seek(0), End: () => player.seek(history.end_time),
   };
   if (event.target.tagName === 'SELECT' || event.ctrlKey || event.metaKey || event.altKey) return;

@@ -1,4 +1,5 @@
 // The words around the pictures: title, state, readings, messages.
+import {kMacrostep} from './history.js';
 import {kLegend} from './platform.js';
 import {ground_colour} from './room.js';
 import {colour_of, fixed} from './theme.js';
@@ -59,7 +60,6 @@ export function show_header(history, connected, arm, t) {
 }
 
 const kDegrees = 180 / Math.PI;
-const kPeriod = 0.02;  // of the iterations of a platform's driver [s]
 
 /** @return rows of a table, [[what, numbers as text, unit]], or nothing where a track does not tell yet */
 function arm_readings(history, name, t) {
@@ -72,7 +72,7 @@ function fragment_readings(history, name, t) {
   const column = history.platform_column, track = history.tracks.get(name), handed = history.tracks.get(`fragment:${name}`);
   const row = track.find(t), [driven, remaining] = ['fragment', 'remaining'].map((key) => (row < 0 ? 0 : track.at(row, column[key]))), last = handed ? handed.find(t) : -1;
   if (!driven) return [];
-  return [['fragment', [`${driven}`, last < 0 ? '' : `of ${handed.at(last, 1)}`], ''], ['to its end', ['', fixed(kPeriod * remaining, 1)], 's']];
+  return [['fragment', [`${driven}`, last < 0 ? '' : `of ${handed.at(last, 1)}`], ''], ['to its end', ['', fixed(kMacrostep * remaining, 1)], 's']];
 }
 
 function platform_readings(history, name, t) {

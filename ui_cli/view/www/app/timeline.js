@@ -1,4 +1,5 @@
-// The time-line: behaviours of every arm and platform as coloured bands, messages as ticks, and the instant that is shown.
+// The time-line: behaviours of every agent as coloured bands, messages as ticks, and the instant that is shown.
+import {title_of} from './history.js';
 import {colour_of, label, nice_step, prepare, theme, ticks} from './theme.js';
 
 const kLeft = 64, kRight = 14, kTop = 14, kBottom = 20;
@@ -38,7 +39,7 @@ export class Timeline {
   lanes(height) {
     const {scene, bands, effectors} = this.history;
     const known = [...scene.arms, ...scene.platforms].map((e) => e.name).filter((name) => bands.has(name));
-    const names = known.length ? known : effectors;
+    const names = [...(known.length ? known : effectors), ...this.history.agents];
     const room = (height - kTop - kBottom) / Math.max(1, names.length), thick = Math.min(26, room - 4);
     return names.map((name, k) => ({name, y: kTop + k * room + (room - thick) / 2, h: thick}));
   }
@@ -46,7 +47,7 @@ export class Timeline {
     const box = this.canvas.getBoundingClientRect(), y = event.clientY - box.top, t = this.time(event.clientX - box.left);
     const lane = this.lanes(this.canvas.clientHeight).find((l) => y >= l.y && y <= l.y + l.h);
     const m = lane ? this.history.behaviour(lane.name, t) : 0;
-    this.canvas.title = m ? `${lane.name}, ${t.toFixed(2)} s: m = ${m}, ${this.history.name_of(lane.name, m)}` : '';
+    this.canvas.title = m ? `${title_of(lane.name)}, ${t.toFixed(2)} s: m = ${m}, ${this.history.name_of(lane.name, m)}` : '';
   }
   draw() {
     const {c, width, height} = prepare(this.canvas), {begin, end} = this.range;
@@ -70,10 +71,12 @@ export class Timeline {
   }
   draw_lane(c, {name, y, h}) {
     c.textAlign = 'right'; c.textBaseline = 'middle'; c.fillStyle = theme.text;
-    c.fillText(name, kLeft - 10, y + h / 2);
+    c.fillText(title_of(name), kLeft - 10, y + h / 2);
     c.textAlign = 'left';
     for (const band of this.history.bands.get(name)?.list || []) {
-      const from = this.x(band.begin), wide = Math.max(0.7, this.x(band.end) - from);
+      // Agents without an effector tell of a time before that which is shown.
+      const from = Math.max(kLeft, this.x(band.begin)), wide = Math.max(0.7, this.x(band.end) - from);
+      if (this.x(band.end) < kLeft) continue;
       c.fillStyle = colour_of(band.m);
       c.fillRect(from, y, wide, h);
       if (!band.m || wide < 16) continue;

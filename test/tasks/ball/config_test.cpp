@@ -1,0 +1,51 @@
+#include "tasks/ball/config.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tasks/ball/grip.hpp"
+
+namespace mrroc::ball {
+namespace {
+
+Config with(const std::vector<std::string>& settings) {
+  Config c = Config::parse(std::string(config()), "ball.toml");
+  for (const std::string& s : settings) c.set(s);
+  return c;
+}
+
+TEST(BallConfig, HasTheOriginalsForceCircleAndTurn) {
+  const Parameters k = read_parameters(with({}));
+  EXPECT_EQ(k.force, 12.5);
+  EXPECT_EQ(k.radius, 0.1);
+  EXPECT_EQ(k.turn, 800);
+  EXPECT_EQ(kPacing.n_s, 10);
+}
+
+TEST(BallConfig, RefusesExactlyWhatFrictionCannotHold) {
+  const double most = most_load(12.5, 0.8, 1.3) / kGravity;
+  EXPECT_NO_THROW(std::ignore = read_parameters(with({"free_body.mass=" + std::to_string(most - 0.01)})));
+  try {
+    std::ignore = read_parameters(with({"free_body.mass=" + std::to_string(most + 0.01)}));
+    ADD_FAILURE() << "was not refused";
+  } catch (const FaultError& e) {
+    EXPECT_EQ(e.fault().code, FaultCode::bad_configuration);
+    EXPECT_NE(std::string(e.what()).find("task.force=13"), std::string::npos) << e.what();
+  }
+  EXPECT_NO_THROW(std::ignore = read_parameters(
+                      with({"free_body.mass=" + std::to_string(most + 0.01), "task.force=13"})));
+}
+
+TEST(BallConfig, RefusesAForceThatWouldCrush) {
+  EXPECT_THROW(std::ignore = read_parameters(with({"task.force=25"})), FaultError);
+}
+
+TEST(BallConfig, HasNoHandUnlessItIsAskedFor) {
+  EXPECT_FALSE(read_hand_push(with({})));
+  const auto push = read_hand_push(with({"hand.arm=arm2", "hand.force=[1, 2, 3]"}));
+  ASSERT_TRUE(push);
+  EXPECT_EQ(push->arm, 1U);
+  EXPECT_EQ(push->force, Vector3(1, 2, 3));
+}
+
+}  // namespace
+}  // namespace mrroc::ball

@@ -1,0 +1,127 @@
+"""What a campaign is going to run, and what it refuses to."""
+
+import random
+
+from place import Place
+
+from mrroc_campaign import bars, plan as plans, vary
+from mrroc_campaign.errors import CampaignError
+from mrroc_campaign.plan import Plan
+from mrroc_campaign.program import Parameter
+
+KNOWN = {
+    p.key: p
+    for p in (
+        Parameter("a.number", "4.0", "1 to 10", "N"), Parameter("a.count", "3", "1 to 9", ""), Parameter("a.word", '"none"', "none or some", ""),
+        Parameter("a.list", "[0.0, 1.0]", "", ""), Parameter("a.flag", "true", "", ""),
+    )
+}  # fmt: skip
+
+
+class Plans(Place):
+    def test_plan_is_the_same_again_and_every_value_fills_its_range_evenly(self):
+        cases = random.Random(1)
+        for _ in range(30):
+            runs, low = cases.randint(2, 60), cases.uniform(-5, 5)
+            texts = [
+                f"a.number={low!r}:{low + cases.uniform(0.1, 9)!r}",
+                f"a.count=1:{cases.randint(2, 9)}",
+                "a.word=none,some",
+            ]
+            varied = [vary.parse(t, KNOWN) for t in texts]
+            plan = Plan("hop", f"1:{runs}", method=cases.choice(plans.METHODS), plan_seed=cases.randint(0, 999))
+            rows = plans.rows(plan, varied)
+            self.assertEqual(rows, plans.rows(plan, varied))
+            self.assertEqual([r.run for r in rows], list(range(runs)))
+            lowest, highest = varied[0].numbers
+            places = sorted((float(r.settings["a.number"]) - lowest) / (highest - lowest) for r in rows)
+            self.assertTrue(0 <= places[0] and places[-1] <= 1)
+            if plan.method == "lhs":  # one in each of as many parts as there are runs
+                for k, place in enumerate(places):
+                    self.assertTrue(k / runs - 1e-9 <= place <= (k + 1) / runs + 1e-9)
+            self.assertTrue(all(1 <= int(r.settings["a.count"]) <= varied[1].numbers[1] for r in rows))
+            other = plans.rows(Plan("hop", f"1:{runs}", method=plan.method, plan_seed=plan.plan_seed + 1), varied)
+            self.assertNotEqual([r.settings for r in rows], [r.settings for r in other])
+
+    def test_whole_numbers_and_words_come_equally_often(self):
+        varied = [
+            vary.parse("a.count=2:5", KNOWN),
+            vary.parse("a.word=none,some", KNOWN),
+            vary.parse("a.list=[1, 2],[3],[4]", KNOWN),
+        ]
+        rows = plans.rows(Plan("hop", "1:120"), varied)
+        for key, values in (("a.count", "2345"), ("a.word", ("none", "some")), ("a.list", ("[1, 2]", "[3]", "[4]"))):
+            for value in values:
+                self.assertEqual(sum(r.settings[key] == value for r in rows), 120 / len(values), (key, value))
+
+    def test_normal_values_have_their_mean_and_deviation(self):
+        rows = plans.rows(Plan("hop", "1:400"), [vary.parse("a.number=normal(5,0.5)", KNOWN)])
+        x = [float(r.settings["a.number"]) for r in rows]
+        mean = sum(x) / len(x)
+        self.assertAlmostEqual(mean, 5, delta=0.01)
+        self.assertAlmostEqual((sum((v - mean) ** 2 for v in x) / len(x)) ** 0.5, 0.5, delta=0.02)
+
+    def test_values_are_read_back_to_the_last_bit(self):
+        variation, cases = vary.parse("a.number=1e-9:3e5", KNOWN), random.Random(2)
+        for _ in range(200):
+            text = variation.value(cases.random())
+            self.assertEqual(repr(float(text)), text)
+
+    def test_what_cannot_be_meant_is_refused(self):
+        for text in (
+            "a.number", "a.number=", "a.number=1", "a.number=2:1", "a.number=1:x", "a.number=nan:1", "a.number=normal(1,0)", "a.number=1,1",
+            "a.count=1.5:3", "a.word=1:2", "a.word=none", "a.list=1:2", "a.list=normal(1,2)", "b=1:2",
+        ):  # fmt: skip
+            with self.assertRaises(CampaignError, msg=text):
+                vary.parse(text, KNOWN)
+        for text in ("", "1", "5:1", "1:99999999", "1,1", "a", "-1:3"):
+            if text != "1":
+                with self.assertRaises(CampaignError, msg=text):
+                    plans.seeds_of(text)
+        self.assertEqual(plans.seeds_of("3:5"), [3, 4, 5])
+
+    def test_wrong_line_is_refused_in_one_line_before_anything_is_made(self):
+        for words, told in (
+            (["--vary", "task.forc=1:2"], "did you mean 'task.force'?"),
+            (["--vary", "task.force=1:80"], "out of its range: 1 to 10"),
+            (["--vary", "sim.mode=plain,smooth"], "must be plain or rough"),
+            (["--vary", "seed=1:2"], "use --seeds"),
+            (["--vary", "robots.arm1.hardware=a,b"], "no input of a simulation"),
+            (["--vary", "task.force=1:2", "--vary", "task.force=1:3"], "twice"),
+            (["--stop-when", "2"], "--stop-when"),
+            (["--resume", "nowhere"], "name two folders"),
+            (["--", "--seed", "3"], "--seed is given to each run by the campaign"),
+            (["--", "--wrong"], "unknown option --wrong"),
+            (["--frobnicate"], "options of the task stand behind --"),
+            (["--on", "here"], "--on here: write local"),
+        ):  # fmt: skip
+            said = self.command("hop", "--seeds", "1:3", "--dir", "c", *words, status=2).strip()
+            self.assertEqual(len(said.splitlines()), 1, said)
+            self.assertRegex(said, "^error: bad_(usage|configuration): ")
+            self.assertIn(told, said)
+            self.assertFalse((self.home / "c").exists())
+        self.assertIn("there is no task named 'hopp'", self.command("hopp", "--seeds", "1:3", status=2))
+
+    def test_what_is_wanted_is_read_from_the_table_of_a_run(self):
+        table = (
+            "  figure                                              arm1   wanted\n"
+            "  peak of the approach [N]                            4.34\n"
+            "    settled [N]                                      4.011   4 +- 0.1    ok\n"
+            "  force held [N]                                         -   4 +- 0.1\n"
+            "  a meaning that has so many words that it needs more room      7   <= 8\n"
+            "  steps until the arms were at rest                     34   <= 100      NOT OK\n"
+            "picture: x\n  force held [N]                                      4.34   1\n"
+        )
+        figures = {"peak": 4.339749996927797, "settled": 4.011499999999996, "hold": None, "steps": 34.0, "other": 4.0}
+        self.assertEqual(bars.read(table, figures), {"settled": "4 +- 0.1", "hold": "4 +- 0.1", "steps": "<= 100"})
+        self.assertEqual(
+            bars.read(table, figures | {"other": 4.0111}), {"hold": "4 +- 0.1", "steps": "<= 100"}
+        )  # whose is it?
+        for text, ends in (
+            ("4 +- 0.5", (3.5, 4.5)),
+            ("<= 1e-3", (None, 0.001)),
+            (">= 2", (2, None)),
+            ("0", (0, 0)),
+            ("good", (None, None)),
+        ):
+            self.assertEqual(bars.interval(text), ends)

@@ -1,0 +1,145 @@
+"""Intervals, tests of pairs and causes, against simulations and against what is counted by hand."""
+
+import itertools
+import unittest
+
+import numpy as np
+
+from mrroc_campaign import causes, paired
+from mrroc_campaign.intervals import Sequence, clopper_pearson, confidence_sequence
+
+
+class Statistics(unittest.TestCase):
+    def test_interval_of_a_fixed_number_of_runs_covers_the_rate(self):
+        from scipy.stats import binom
+
+        for n in (1, 7, 40):
+            ends = [clopper_pearson(k, n) for k in range(n + 1)]
+            for p in np.linspace(0.001, 0.999, 97):
+                covered = sum(binom.pmf(k, n, p) for k, (low, high) in enumerate(ends) if low <= p <= high)
+                self.assertGreaterEqual(covered, 0.95 - 1e-12)
+        self.assertEqual(clopper_pearson(0, 10)[0], 0)
+        self.assertEqual(clopper_pearson(10, 10)[1], 1)
+
+    def test_sequence_holds_the_rate_at_all_times_at_once(self):
+        random, runs, ways = np.random.default_rng(3), 600, 400
+        for p in (0.02, 0.3, 0.5, 0.97):
+            ends = {}
+            missed = 0
+            for outcome in random.random((ways, runs)) < p:
+                successes = np.cumsum(outcome)
+                for n in range(1, runs + 1):  # somebody who stops as soon as the interval is wrong
+                    at = int(successes[n - 1]), n
+                    if at not in ends:
+                        low, high = confidence_sequence(*at)
+                        ends[at] = low <= p <= high
+                    if not ends[at]:
+                        missed += 1
+                        break
+            # at most 5 % of the ways, and three standard deviations of that number
+            self.assertLessEqual(missed, 0.05 * ways + 3 * (0.05 * 0.95 * ways) ** 0.5, p)
+
+    def test_exact_interval_would_not_bear_being_looked_at_all_the_time(self):
+        # The same somebody, so that the test above is known to tell.
+        random, missed = np.random.default_rng(4), 0
+        for outcome in random.random((100, 300)) < 0.5:
+            successes = np.cumsum(outcome)
+            missed += any(
+                not (low <= 0.5 <= high)
+                for n in range(5, 301)
+                for low, high in [clopper_pearson(int(successes[n - 1]), n)]
+            )
+        self.assertGreater(missed, 15)
+
+    def test_sequence_gets_narrower_and_holds_the_share(self):
+        widths = []
+        for n in (1, 10, 100, 1000, 100000):
+            for k in {0, 1, n // 3, n}:
+                low, high = confidence_sequence(k, n)
+                self.assertTrue(0 <= low <= k / n <= high <= 1)
+            widths.append(np.diff(confidence_sequence(n // 2, n))[0])
+        self.assertEqual(widths, sorted(widths, reverse=True))
+        self.assertEqual(confidence_sequence(0, 0), (0, 1))
+
+    def test_runs_count_in_the_order_of_the_plan_whichever_ends_first(self):
+        random = np.random.default_rng(5)
+        for _ in range(50):
+            n = int(random.integers(1, 40))
+            outcome, order = random.random(n) < 0.7, random.permutation(n)
+            sequence = Sequence({})
+            for k, run in enumerate(order):
+                sequence.add(int(run), bool(outcome[run]))
+                ended = set(order[: k + 1].tolist())
+                prefix = next(i for i in range(n + 1) if i not in ended)
+                self.assertEqual((sequence.runs, sequence.successes), (prefix, int(outcome[:prefix].sum())))
+
+    def test_mcnemar_is_the_toss_of_a_coin(self):
+        for only_a, only_b in ((0, 0), (1, 0), (5, 1), (3, 9)):
+            found = paired.mcnemar(
+                [(True, False)] * only_a + [(False, True)] * only_b + [(True, True)] * 4 + [(False, False)] * 2
+            )
+            n = only_a + only_b
+            tosses = [sum(t) for t in itertools.product((0, 1), repeat=n)]
+            extreme = sum(abs(t - n / 2) >= abs(only_a - n / 2) for t in tosses) / len(tosses)
+            self.assertAlmostEqual(found.p, extreme, places=9)
+            self.assertEqual((found.both, found.only_a, found.only_b, found.neither), (4, only_a, only_b, 2))
+
+    def test_shift_of_a_figure_is_found_and_its_interval_covers_it(self):
+        random, missed, rounds = np.random.default_rng(6), 0, 200
+        for _ in range(rounds):
+            a = random.normal(3, 1, 25)
+            b = a + 0.4 + random.normal(0, 0.5, 25)
+            found = paired.wilcoxon("x", a.tolist(), b.tolist())
+            d = b - a
+            self.assertAlmostEqual(
+                found.difference, float(np.median([(d[i] + d[j]) / 2 for i in range(25) for j in range(i, 25)]))
+            )
+            missed += not found.low <= 0.4 <= found.high
+        self.assertLessEqual(missed, 0.05 * rounds + 3 * (0.05 * 0.95 * rounds) ** 0.5)
+        same = paired.wilcoxon("x", [1.0, 2.0], [1.0, 2.0])
+        self.assertEqual((same.difference, same.p), (0, 1))
+
+    def test_correction_never_makes_a_figure_more_certain(self):
+        random = np.random.default_rng(7)
+        for _ in range(100):
+            p = random.random(int(random.integers(1, 9))).tolist()
+            corrected = paired.holm(p)
+            self.assertTrue(all(c >= q for c, q in zip(corrected, p, strict=True)))
+            self.assertAlmostEqual(min(corrected), min(1, min(p) * len(p)))
+            self.assertEqual(np.argsort(p).tolist(), sorted(range(len(p)), key=lambda k: (corrected[k], p[k])))
+        self.assertTrue(np.allclose(paired.holm([0.04, 0.01, 0.02]), [0.04, 0.03, 0.04]))
+
+    def test_value_that_makes_runs_fail_comes_first_with_its_cut(self):
+        random = np.random.default_rng(8)
+        for _ in range(10):
+            n, cut = 200, float(random.uniform(3, 7))
+            x, y, word = random.uniform(0, 10, n), random.uniform(0, 1, n), random.choice(["a", "b"], n)
+            failed = (x < cut) & (random.random(n) < 0.6)
+            found = causes.dependences({"y": y.tolist(), "x": x.tolist(), "word": word.tolist()}, failed.tolist())
+            self.assertEqual(found[0].key, "x")
+            self.assertLess(found[0].p, 0.01)
+            self.assertRegex(found[0].rule, r"^x <= ")
+            self.assertAlmostEqual(float(found[0].rule.split()[-1]), cut, delta=0.6)
+            self.assertEqual(found[0].inside[0] + found[0].outside[0], failed.sum())
+            self.assertEqual(found[0].inside[1] + found[0].outside[1], n)
+
+    def test_word_that_makes_runs_fail_is_named(self):
+        words = ["a", "b", "c"] * 40
+        found = causes.dependences({"word": words}, [w == "b" for w in words])
+        self.assertEqual((found[0].rule, found[0].inside, found[0].outside), ("word = b", (40, 40), (0, 80)))
+
+        found = causes.dependences({"word": words}, [w != "b" for w in words])
+        self.assertEqual((found[0].rule, found[0].inside, found[0].outside), ("word is not b", (80, 80), (0, 40)))
+        words = ["a", "b"] * 60
+        self.assertEqual(causes.dependences({"word": words}, [w == "b" for w in words])[0].rule, "word = b")
+
+    def test_values_without_influence_are_seldom_accused(self):
+        random, accused, rounds = np.random.default_rng(9), 0, 60
+        for k in range(rounds):
+            values = {name: random.random(50).tolist() for name in "abcd"}
+            accused += causes.dependences(values, (random.random(50) < 0.3).tolist(), seed=k)[0].p <= 0.05
+        self.assertLessEqual(accused, 0.05 * rounds + 3 * (0.05 * 0.95 * rounds) ** 0.5)
+
+    def test_nothing_is_told_where_all_runs_ended_alike(self):
+        self.assertEqual(causes.dependences({"a": [1.0, 2.0]}, [False, False]), [])
+        self.assertEqual(causes.dependences({"a": [1.0, 1.0]}, [True, False]), [])

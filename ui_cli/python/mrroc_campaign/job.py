@@ -1,0 +1,123 @@
+"""One run, as a worker carries it out: a process in a session and a folder of its own. Imports little, for workers
+start often."""
+
+import contextlib
+import json
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import tarfile
+import tempfile
+import time
+import uuid
+from io import BytesIO
+from pathlib import Path
+
+from . import bars, program
+from .errors import CampaignError, HostFailed
+
+# Faults of the machine, which say nothing of the run: a full disk, no multicast, nothing of the like.
+_OF_THE_HOST = ("cannot_write", "no_multicast")
+_LARGEST_PACK_MB = 200
+
+
+def execute(job: dict) -> dict:
+    """Runs a job and tells how it ended. job: what runner.job_of() makes of a row. Raises HostFailed when it is not the
+    run that has failed, which is then not counted."""
+    try:
+        place = Path(job["scratch"] or tempfile.gettempdir()) / f"{job['run']:06d}-{uuid.uuid4().hex[:8]}"
+        place.mkdir(parents=True)
+        try:
+            return _execute(job, place)
+        except BaseException:
+            shutil.rmtree(place, ignore_errors=True)
+            raise
+    except (OSError, CampaignError) as failed:
+        raise HostFailed(f"{socket.gethostname()}: {failed}") from None
+
+
+def words_of(job: dict, run_folder: Path | None) -> list[str]:
+    """The task's options, which repeat the run bit for bit."""
+    words = ["--seed", str(job["seed"]), "--processes", job["processes"], "--strict", *job["options"]]
+    words += program.settings_as_words(job["settings"])
+    return words if run_folder is None else [*words, "--run-dir", str(run_folder)]
+
+
+def _execute(job: dict, place: Path) -> dict:
+    path = program.find(job["task"])
+    if program.digest(job["task"]) != job["program"]:
+        raise HostFailed(f"{socket.gethostname()}: its program {path} is of another build than that of this campaign")
+    folder, began = place / "run", time.monotonic()
+    status, output = _run([str(path), *words_of(job, folder)], job, place)
+    result = _judge(status, output, folder)
+    result |= {"run": job["run"], "wall_s": round(time.monotonic() - began, 4), "host": socket.gethostname()}
+    if result["fault"] in _OF_THE_HOST and status == 3:
+        raise HostFailed(f"{socket.gethostname()}: {result['fault']}: {result['text']}")
+    if job["keep"] == "all" or (job["keep"] == "failed" and not result["success"]):
+        result |= _kept(place, shared=bool(job["scratch"]))
+    else:
+        shutil.rmtree(place, ignore_errors=True)
+    return result
+
+
+def _run(words: list[str], job: dict, place: Path) -> tuple[int | None, str]:
+    """Exit status (None: out of time) and all that the process said, its standard error last."""
+    # The kernel ends the process when this worker is killed; the group goes with a run that is out of time.
+    guarded = ["setpriv", "--pdeathsig", "KILL", *words]
+    where = job["folder"] if Path(job["folder"]).is_dir() else place
+    with (place / "output.txt").open("w+") as out, (place / "errors.txt").open("w+") as err:
+        with subprocess.Popen(
+            guarded, stdin=subprocess.DEVNULL, stdout=out, stderr=err, cwd=where, start_new_session=True
+        ) as process:
+            try:
+                status = process.wait(job["timeout_s"])
+            except subprocess.TimeoutExpired:
+                status = None
+            finally:
+                with contextlib.suppress(ProcessLookupError, PermissionError):
+                    os.killpg(process.pid, signal.SIGKILL)
+        out.seek(0)
+        err.seek(0)
+        return status, out.read() + "\n" + err.read()
+
+
+def _judge(status: int | None, output: str, folder: Path) -> dict:
+    try:
+        summary = json.loads((folder / "summary.json").read_text())
+    except (OSError, ValueError):
+        summary = {}
+    code, text = program.last_error(output)
+    if status is None:
+        code, text = "wall_time", "the run was ended, since it took longer than --timeout"
+    elif status < 0:
+        code, text = f"signal_{-status}", "the program was ended by a signal"
+    elif status > 0 and not code:
+        code, text = f"status_{status}", "the program told no reason"
+    figures = summary.get("figures", {})
+    return {
+        "success": status == 0,
+        "outcome": summary.get("outcome", "none"),
+        "fault": "" if status == 0 else code,
+        "text": "" if status == 0 else text,
+        "exit_status": status,
+        "log_hash": summary.get("log_hash", ""),
+        "sim_s": summary.get("sim_s"),
+        "figures": figures,
+        "bars": bars.read(output, figures),
+    }
+
+
+def _kept(place: Path, shared: bool) -> dict:
+    """The run's folder: its path, where the one who asked sees it too, otherwise all of it."""
+    if shared:
+        return {"folder": str(place)}
+    size = sum(f.stat().st_size for f in place.rglob("*") if f.is_file())
+    if size > _LARGEST_PACK_MB * 1_000_000:
+        return {"left_at": f"{socket.gethostname()}:{place}"}
+    packed = BytesIO()
+    with tarfile.open(fileobj=packed, mode="w:gz", compresslevel=1) as archive:
+        archive.add(place, arcname=".")
+    shutil.rmtree(place, ignore_errors=True)
+    return {"packed": packed.getvalue()}

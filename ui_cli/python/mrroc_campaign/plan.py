@@ -1,0 +1,112 @@
+"""What a campaign runs: every run's seed and values, the same whenever it is asked for."""
+
+import re
+import warnings
+from dataclasses import asdict, dataclass, field
+
+from . import program, vary
+from .errors import bad_usage
+from .vary import Variation
+
+METHODS = ("lhs", "sobol")
+_MOST_RUNS = 1_000_000
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Everything that decides what is run. A campaign's file keeps it, and the table of runs that follows from it."""
+
+    task: str
+    seeds: str
+    vary: list[str] = field(default_factory=list)  # as typed
+    options: list[str] = field(default_factory=list)  # of the task, for all runs
+    method: str = "lhs"
+    plan_seed: int = 1
+    processes: str = "one"
+    timeout_s: float = 600.0  # of the wall clock, for one run
+    keep: str = "failed"  # which run folders
+    stop_when: float = 0.0  # width of the interval; 0: all runs
+    program: str = ""  # fingerprint
+    folder: str = ""  # where the options' files are looked for
+
+    def as_dict(self) -> dict:
+        """For JSON."""
+        return asdict(self)
+
+
+@dataclass(frozen=True)
+class Row:
+    """One run of a plan: its number from 0, its seed, its varied values as text."""
+
+    run: int
+    seed: int
+    settings: dict[str, str]
+
+
+def seeds_of(text: str) -> list[int]:
+    """Seeds FIRST:LAST, both included, or A,B,C."""
+    if ends := re.fullmatch(r"(\d+):(\d+)", text):
+        first, last = int(ends[1]), int(ends[2])
+        if first > last or last - first >= _MOST_RUNS:
+            raise bad_usage(f"--seeds {text}: the first must not be above the last, and there are at most {_MOST_RUNS}")
+        return list(range(first, last + 1))
+    if not re.fullmatch(r"\d+(,\d+)*", text):
+        raise bad_usage(f"--seeds {text}: write FIRST:LAST or A,B,C")
+    seeds = [int(word) for word in text.split(",")]
+    if len(set(seeds)) != len(seeds):
+        raise bad_usage(f"--seeds {text}: a seed is there twice")
+    return seeds
+
+
+def variations(plan: Plan) -> list[Variation]:
+    """How values vary, judged by the task itself."""
+    known = program.parameters(plan.task, plan.options)
+    for text in plan.vary:
+        refuse_unknown(plan, text, known)
+    parsed = [vary.parse(text, known) for text in plan.vary]
+    keys = [v.key for v in parsed]
+    for key in keys:
+        program.refuse_what_is_no_input(key)
+        if keys.count(key) > 1:
+            raise bad_usage(f"--vary names '{key}' twice")
+    return parsed
+
+
+def refuse_unknown(plan: Plan, text: str, known: dict[str, program.Parameter]) -> None:
+    """Lets the task refuse a key that it does not know: it tells which one comes near."""
+    key, _, values = text.partition("=")
+    if values and key not in known:
+        program.check(plan.task, plan.options, {key: "0"})
+
+
+def rows(plan: Plan, varied: list[Variation]) -> list[Row]:
+    """All runs. Each value's quantiles are those of a Latin hypercube, or of a scrambled Sobol sequence, over all
+    runs."""
+    seeds = seeds_of(plan.seeds)
+    quantiles = _quantiles(plan, len(seeds), len(varied))
+    return [
+        Row(run, seed, {v.key: v.value(u) for v, u in zip(varied, quantiles[run], strict=True)})
+        for run, seed in enumerate(seeds)
+    ]
+
+
+def check_extremes(plan: Plan, planned: list[Row], varied: list[Variation]) -> None:
+    """Lets the task judge the smallest and the largest value of every key of the plan, and every word: what is out of
+    range is refused before anything runs. Values that do not go together show when they run."""
+    for v in varied:
+        values = {row.settings[v.key] for row in planned}
+        tried = sorted(values) if v.kind == "choice" else {min(values, key=float), max(values, key=float)}
+        for value in tried:
+            program.check(plan.task, plan.options, {v.key: value})
+
+
+def _quantiles(plan: Plan, runs: int, dimensions: int):
+    if dimensions == 0:
+        return [()] * runs
+    from scipy.stats import qmc  # slow to import: only who plans needs it
+
+    if plan.method == "sobol":
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # a number of runs that is no power of two loses some of the balance
+            return qmc.Sobol(dimensions, scramble=True, seed=plan.plan_seed).random(runs).tolist()
+    return qmc.LatinHypercube(dimensions, seed=plan.plan_seed).random(runs).tolist()

@@ -1,0 +1,112 @@
+"""The program of a task: where it is, which parameters it has, and whether it takes some values."""
+
+import hashlib
+import json
+import os
+import subprocess
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+from .errors import CampaignError, bad_usage
+
+# Another file, robot or host, or what the campaign itself gives: no input of a simulation.
+_NOT_VARIED = ("seed", "log.", "film.", "hosts.")
+_NOT_VARIED_ENDS = (".hardware", ".core", ".record")
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A row of `TASK --parameters`: default (or what options make of it) as text in TOML, range in words (empty: none), unit."""
+
+    key: str
+    default: str
+    range: str
+    unit: str
+
+    @property
+    def kind(self) -> str:
+        """number, integer, list or word."""
+        if self.default.startswith("["):
+            return "list"
+        if self.default.startswith('"') or self.default in ("true", "false"):
+            return "word"
+        return "integer" if self.default.lstrip("+-").isdigit() else "number"
+
+
+def folder() -> Path:
+    """Where programs are: MRROC_PROGRAMS, the build of the clone that this file is in, or of an installation below the
+    same prefix."""
+    named = os.environ.get("MRROC_PROGRAMS")
+    if named:
+        return Path(named)
+    here = Path(__file__).resolve()
+    built = here.parents[3] / "build" / "release" / "bin"
+    return built if built.is_dir() else here.parents[3] / "mrroc"
+
+
+def find(task: str) -> Path:
+    """The program of a task."""
+    path = folder() / task
+    if "/" in task or task.startswith(".") or not os.access(path, os.X_OK) or not path.is_file():
+        raise bad_usage(
+            f"there is no task named '{task}' in {folder()}; build it, or set MRROC_PROGRAMS to the folder of the programs"
+        )
+    return path
+
+
+def digest(task: str) -> str:
+    """Fingerprint of the program, so that runs of two builds are not counted together."""
+    path = find(task)
+    return _digest(path, path.stat().st_mtime_ns)
+
+
+@lru_cache(maxsize=8)
+def _digest(path: Path, _changed: int) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
+
+
+def settings_as_words(settings: dict[str, str]) -> list[str]:
+    """Options of a task that set values."""
+    return [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
+
+
+def parameters(task: str, options: list[str]) -> dict[str, Parameter]:
+    """What can be varied, by its key, as the task itself tells it with those options."""
+    rows = json.loads(_ask(task, options))
+    # With --set or --config among the options the task tells the value that they make, under that name.
+    return {
+        r["key"]: Parameter(r["key"], r.get("default", r.get("value")), r["range"] or "", r["unit"] or "") for r in rows
+    }
+
+
+def check(task: str, options: list[str], settings: dict[str, str]) -> None:
+    """Lets the task itself judge values, before anything runs. Raises its own words."""
+    _ask(task, [*options, *settings_as_words(settings)])
+
+
+def refuse_what_is_no_input(key: str) -> None:
+    """Values of a simulation are varied, not which robot, host or file is used."""
+    if key.startswith(_NOT_VARIED) or key.endswith(_NOT_VARIED_ENDS):
+        raise bad_usage(
+            f"'{key}' is no input of a simulation and is not varied" + ("; use --seeds" if key == "seed" else "")
+        )
+
+
+def _ask(task: str, words: list[str]) -> str:
+    answer = subprocess.run(
+        [find(task), *words, "--parameters", "--json"], capture_output=True, text=True, check=False, timeout=60
+    )
+    if answer.returncode != 0:
+        code, text = last_error(answer.stderr)
+        raise CampaignError(2, code or "bad_usage", text or f"{task} did not take {' '.join(words)}")
+    return answer.stdout
+
+
+def last_error(said: str) -> tuple[str, str]:
+    """Code and text of the last line `error: CODE: text` on a program's standard error; empty: there is none."""
+    for line in reversed(said.splitlines()):
+        if line.startswith("error: ") and ": " in line[7:]:
+            code, text = line[7:].split(": ", 1)
+            return code, text
+    return "", ""
