@@ -47,6 +47,8 @@ Figures run_pen_state_group(const std::filesystem::path& plots);
 Figures run_robustness_group();
 /// The task guide over its fixtures and over hands: worst figures. Takes some minutes.
 Figures run_guide_group();
+/// Pairs of master and slave: 200 predictions, 500 random channels, and 21 runs of the task haptic. Takes some minutes.
+Figures run_haptic_group();
 /// The task ball with 100 seeds over masses, frictions, sizes, stiffnesses and places. Takes some minutes.
 Figures run_ball_group();
 /// The trajectory planner of a platform on 1,000 random plans. Takes some seconds.

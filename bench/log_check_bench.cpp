@@ -31,6 +31,7 @@ std::vector<Short> all_tasks(const fs::path& folder) {
       {"edge_follow", {}},
       {"weigh", {}},
       {"guide", {}},
+      {"haptic", {}},
       {"ball", {"--set", "task.turn=400"}},
       {"move", {}},
       {"manual", {"--words", words}},

@@ -32,6 +32,7 @@ const std::vector<
         {"pen_state", [](const std::string& plots, bool) { return bench::run_pen_state_group(plots); }},
         {"robustness", [](const std::string&, bool) { return bench::run_robustness_group(); }},
         {"guide", [](const std::string&, bool) { return bench::run_guide_group(); }},
+        {"haptic", [](const std::string&, bool) { return bench::run_haptic_group(); }},
         {"ball", [](const std::string&, bool) { return bench::run_ball_group(); }},
         {"solver", [](const std::string&, bool) { return bench::run_solver_group(); }},
         {"cube", [](const std::string&, bool) { return bench::run_cube_group(); }},
@@ -92,7 +93,7 @@ int main(int argc, char** argv) {
   std::string plots;
   bool resume = false;
   line.option("group", groups,
-              "edp, servo, trajectory, stability, vision, drawing, pen_state, robustness, guide, ball, "
+              "edp, servo, trajectory, stability, vision, drawing, pen_state, robustness, guide, ball, haptic, "
               "solver, cube, plan, operator, rubik, rex, rex_eyes, rex_stops, box, mutation "
               "(default: all but the last six, which take long)")
       .one_of(group_names());

@@ -71,6 +71,9 @@ struct ContactMode {
   double frequency{};  ///< of that mode [Hz], 0 when it does not swing
 };
 
+/// @throw FaultError out_of_limits a parameter of the loop makes no sense; its text names it
+void check_loop(const ContactLoop& loop);
+
 /// @param stiffness of everything in series: surroundings, tool, pen [N/m], [N m/rad], >= 0
 /// @throw FaultError out_of_limits a parameter of the loop makes no sense; its text names it
 [[nodiscard]] ContactMode contact_mode(const ContactLoop& loop, double stiffness);

@@ -11,6 +11,7 @@
 #include "base/command_line.hpp"
 #include "base/counted.hpp"
 #include "base/fault.hpp"
+#include "edp/pair_stability_command.hpp"
 
 namespace mrroc::edp {
 namespace {
@@ -89,7 +90,7 @@ struct Arguments {
   ContactLoop loop;
   std::optional<double> stiffness;
   double bandwidth{20}, lag{}, servo_damping{1}, feed_forward{1};
-  bool json{}, map{}, ideal{}, sampled{};
+  bool json{}, map{}, ideal{}, sampled{}, pair{};
 };
 
 ServoModel servo_of(const Arguments& a) {
@@ -125,6 +126,7 @@ void add_options(CommandLine& line, Arguments& a) {
   ideal.excludes(bandwidth).excludes(lag);
   line.flag("--sampled", a.sampled, "the force at the end of a step, not its mean over it");
   const Option json = line.flag("--json", a.json, "print JSON");
+  line.flag("--pair", a.pair, "a pair of master and slave, with options of its own: --pair --help");
   line.flag("--map", a.map, "print the limit over I and B, for gnuplot").excludes(json);
   line.footer("\nExample: `ui_cli stability --I 20 --B 0.005 --K 1e4`\nMore: docs/stability.md");
 }
@@ -179,6 +181,8 @@ std::string stability_map(ContactLoop loop) {
 }
 
 int run_stability(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+  if (std::ranges::find(arguments, "--pair") != arguments.end())
+    return run_pair_stability(arguments, out, err);
   Arguments a;
   CommandLine line("Which contact is stable under the force law (28), and what to change when it is not",
                    "ui_cli stability");

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace mrroc::mp {
 
 CoordinatedLinks::CoordinatedLinks(TaskRun& run, const CoordinatedParameters& parameters)
@@ -32,7 +34,7 @@ void CoordinatedLinks::observe(int m, std::string_view name, std::string_view un
   run_.set_state(m == 0                    ? TaskState::waiting_for_start
                  : links_.clock().paused() ? TaskState::paused
                                            : TaskState::running,
-                 false);
+                 std::ranges::find(k_.by_trigger, m) != k_.by_trigger.end());
   run_.board().set_behaviour(m, name, until);
   run_.board().set_progress(-1, std::string(name));
   for (std::size_t arm = 0; arm < reports.size(); ++arm) run_.board().set_arm(arm, reports[arm], "");

@@ -24,8 +24,9 @@ struct CoordinatedParameters {
   int n_s{10};                           ///< steps of a macrostep
   bool gives_start{true};                ///< false: a person or a script gives it
   TaskClock clock{TaskClock::ramped()};  ///< how the task obeys a pause
-  /// Makes the operator, who gives start unless gives_start is false. Empty: an AutoStartOperator.
+  /// Makes the operator, who gives start and triggers unless gives_start is false. Empty: an AutoStartOperator.
   std::function<std::unique_ptr<OperatorAgent>(TaskRun&, bool gives_start)> make_operator{};
+  std::vector<int> by_trigger{};  ///< behaviours that his trigger ends
 };
 
 /// Common part of every coordinator of that kind, besides its behaviours. m = 0 waits for the start.
@@ -68,13 +69,15 @@ class CoordinatedRun final : public CoordinatorRun {
 
   /// @param begin    memory at the beginning
   /// @param program  begins with the behaviour that waits for the start
+  /// @param watch    is shown every macrostep, for a record; may be empty
   CoordinatedRun(TaskRun& run, const CoordinatedParameters& parameters, const decltype(X::c)& begin,
-                 Program program)
-      : links_(run, parameters), begin_(begin), program_(std::move(program)) {}
+                 Program program, Observer watch = {})
+      : links_(run, parameters), begin_(begin), program_(std::move(program)), watch_(std::move(watch)) {}
 
   Outcome execute() override {
     Port port(links_.links(), [this](const Motion<A>& motion, const X& x) {
       links_.observe(motion.m, motion.name, motion.until, x.T.agent);
+      if (watch_) watch_(motion, x);
     });
     X x;
     x.c = begin_;
@@ -91,6 +94,7 @@ class CoordinatedRun final : public CoordinatorRun {
   CoordinatedLinks links_;
   decltype(X::c) begin_;
   Program program_;
+  Observer watch_;
 };
 
 }  // namespace mrroc::mp

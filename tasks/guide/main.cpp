@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "launch/arm_task.hpp"
+#include "mp/leading_operator.hpp"
 #include "tasks/guide/cell/guide_cell.hpp"
 #include "tasks/guide/figures.hpp"
 #include "tasks/guide/hand_way.hpp"
-#include "tasks/guide/leading_operator.hpp"
 #include "tasks/guide/plots.hpp"
 
 namespace {
@@ -46,7 +46,7 @@ void prepare(Run& run, const launch::Setup& s) {
   run.way = guide::hand_way(*run.setup, guide::read_operator(s.config, guide::hand_compliance(s.config)));
 }
 
-guide::FarewellPlan farewell(const Run& run, bool gives_orders) {
+mp::FarewellPlan farewell(const Run& run, bool gives_orders) {
   const Vector3 away(0, -0.03, 0.02);  // towards the arm and up, in the sheet [m]
   const Vector3 p = run.T_0P.inverse() * run.way.back().p + away;
   return {.point = 1e3 * p.head<2>(),
@@ -84,7 +84,7 @@ int main(int argc, char** argv) {
                            .pictures = pictures,
                            .make_operator =
                                [&](mp::TaskRun& task, bool gives_orders) {
-                                 return std::make_unique<guide::LeadingOperator>(
+                                 return std::make_unique<mp::LeadingOperator>(
                                      task.process(), task.command_server(), task.board(),
                                      farewell(run, gives_orders));
                                },
@@ -101,9 +101,9 @@ int main(int argc, char** argv) {
     of_arm(s);
     prepare(run, s);
   };
-  task.strokes = guide::kHandFile;
+  task.strokes = mp::kHandFile;
   task.files = [&](const std::filesystem::path& folder) {
-    guide::write_hand_way(folder / guide::kHandFile, run.way, run.T_0P);
+    mp::write_hand_way(folder / mp::kHandFile, run.way, run.T_0P);
   };
   return launch::run_task(task, argc, argv);
 }

@@ -35,6 +35,7 @@ const std::vector<ShortRun> kRuns{
     {"weigh", {}, "", {"mp", "ecp-arm1"}},
     {"edge_follow", {}, "", {"mp", "ecp-arm1", "ecp-arm2"}},
     {"guide", {"--fixture", "circle", "--set", "task.radius=0.02"}, "", {"mp", "ecp-arm1"}},
+    {"haptic", {"--delay", "40", "--loss", "10"}, "", {"mp", "ecp-arm1", "ecp-arm2"}},
     {"ball", {"--set", "task.turn=400"}, "", {"mp", "ecp-arm1", "ecp-arm2"}},
     {"move",
      {"--file", "FILE"},

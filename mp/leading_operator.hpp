@@ -11,7 +11,7 @@
 #include "mrroc/hand_report_t.hpp"
 #include "mrroc/operator_image_t.hpp"
 
-namespace mrroc::guide {
+namespace mrroc::mp {
 
 /// What he does when he has led the tool along the fixture.
 struct FarewellPlan {
@@ -23,11 +23,11 @@ struct FarewellPlan {
 };
 
 /// Speaks with the simulated hand of the first arm.
-class LeadingOperator final : public mp::OperatorAgent {
+class LeadingOperator final : public OperatorAgent {
  public:
   /// Make this before the process assembles.
   /// @param command_server, board  must outlive this object; the board tells why a trigger would come early
-  LeadingOperator(link::Process& process, mp::OperatorCommandServer& command_server, mp::StatusBoard& board,
+  LeadingOperator(link::Process& process, OperatorCommandServer& command_server, StatusBoard& board,
                   const FarewellPlan& plan);
 
   void inform(std::int64_t i, int m) override;
@@ -47,8 +47,8 @@ class LeadingOperator final : public mp::OperatorAgent {
   bool triggered(bool done);
 
   link::Process& process_;
-  mp::OperatorCommandServer& command_server_;
-  mp::StatusBoard& board_;
+  OperatorCommandServer& command_server_;
+  StatusBoard& board_;
   FarewellPlan plan_;
   std::unique_ptr<link::Outbox<hand_order_t>> order_out_;
   std::unique_ptr<link::Outbox<operator_image_t>> image_out_;  // for the log
@@ -60,4 +60,4 @@ class LeadingOperator final : public mp::OperatorAgent {
   std::int64_t before_{};    // those before the part
 };
 
-}  // namespace mrroc::guide
+}  // namespace mrroc::mp

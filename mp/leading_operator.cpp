@@ -1,9 +1,9 @@
-#include "tasks/guide/leading_operator.hpp"
+#include "mp/leading_operator.hpp"
 
-namespace mrroc::guide {
+namespace mrroc::mp {
 
-LeadingOperator::LeadingOperator(link::Process& process, mp::OperatorCommandServer& command_server,
-                                 mp::StatusBoard& board, const FarewellPlan& plan)
+LeadingOperator::LeadingOperator(link::Process& process, OperatorCommandServer& command_server,
+                                 StatusBoard& board, const FarewellPlan& plan)
     : process_(process),
       command_server_(command_server),
       board_(board),
@@ -79,4 +79,4 @@ OperatorImage LeadingOperator::image(std::int64_t i) {
   return image;
 }
 
-}  // namespace mrroc::guide
+}  // namespace mrroc::mp
