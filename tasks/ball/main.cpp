@@ -64,6 +64,7 @@ void make_results(const Ball& b, launch::Results& r) {
     return ball::figures(rows, b.k, b.push.has_value());
   };
   evaluation.pictures = [&](const auto&, const Config&) {
+    if (!ball::lifted_pose(rows)) return std::vector<launch::Picture>{};
     return std::vector<launch::Picture>{
         {.name = "path", .script = ball::path_script(rows)},
         {.name = "force", .chart = ball::force_chart(rows, b.k), .arms = {0}}};

@@ -43,19 +43,22 @@ BelievedArm read_arm(const Config& config, std::size_t arm) {
                    "move free_body.pedestal, or make task.radius or task.lift smaller");
 }
 
+AxisVector usual_joints(const BelievedArm& a) {
+  return Eigen::Map<const Eigen::VectorXd>(a.type->start.data(),
+                                           static_cast<Eigen::Index>(a.type->start.size()));
+}
+
 /// @return joints with the palm there, near those of a place before
 AxisVector joints_at(const BelievedArm& a, std::size_t arm, const Vector3& p_U, const AxisVector& near) {
   const Pose T_UE{palm_orientation(arm), p_U};
   const edp::InverseSolution s = a.robot->inverse(a.T_UB.inverse() * T_UE * a.T_WE.inverse(), near);
   if (!s.reached) refuse(arm, p_U, "it does not reach that");
   const edp::AxisPositions to{s.joints, a.robot->motors_from_joints(s.joints)};
-  if (const auto fault = edp::check_range(*a.robot, to, to, 0)) refuse(arm, p_U, describe(*fault));
+  // From where it may stand: from beyond a limit the way back would be legal.
+  const AxisVector usual = usual_joints(a);
+  const edp::AxisPositions from{usual, a.robot->motors_from_joints(usual)};
+  if (const auto fault = edp::check_range(*a.robot, from, to, 0)) refuse(arm, p_U, describe(*fault));
   return s.joints;
-}
-
-AxisVector usual_joints(const BelievedArm& a) {
-  return Eigen::Map<const Eigen::VectorXd>(a.type->start.data(),
-                                           static_cast<Eigen::Index>(a.type->start.size()));
 }
 
 /// @param out  distance of the palm from the middle of the object [m]
