@@ -33,12 +33,12 @@ class PairMap {
         slave_(pair.slave, K),
         slave_at_(master_.size()),
         reports_at_(slave_at_ + slave_.size()),
-        there_at_(reports_at_ + kReport * kReports),
+        there_at_(reports_at_ + report_size * kReports),
         back_at_(there_at_ + delay_ + 1),
         own_at_(back_at_ + delay_ + 1) {}
 
   [[nodiscard]] MatrixXd matrix() const {
-    const int size = own_at_ + kOwn;
+    const int size = own_at_ + own_size;
     MatrixXd A(size, size);
     for (int k = 0; k < size; ++k) A.col(k) = macrostep(VectorXd::Unit(size, k));
     return A;
@@ -46,14 +46,14 @@ class PairMap {
 
  private:
   // What an arm's report says of the motion; the newest report stands first. Forces are per stiffness of the wall.
-  enum Report { x_m, x_s, F_s, kReport };
+  enum Report : int { x_m, x_s, F_s, report_size };
   // A motion is answered in the motion kLoop later.
   static constexpr int kReports = static_cast<int>(latency::kLoop);
   // The coordinator's memory.
-  enum Own { fed, kOwn };
+  enum Own { fed, own_size };
 
   [[nodiscard]] VectorXd macrostep(VectorXd s) const {
-    const auto report = [&](int age, Report r) -> double& { return s[reports_at_ + kReport * age + r]; };
+    const auto report = [&](int age, Report r) -> double& { return s[reports_at_ + report_size * age + r]; };
     const int oldest = kReports - 1;
     const double before = pair_.motion_scale * s[there_at_ + delay_];
     push(s, there_at_, report(oldest, x_m));
