@@ -27,17 +27,18 @@ Fault fault_of(const Coordinator::X& x) {
                   fmt::format("the palms are {:.0f} mm apart and do not both touch the object of {:.0f} mm",
                               1e3 * s.distance, 1e3 * k.body.size));
     case Failure::not_as_told:
-      return made(kNotAsTold, fmt::format("the palms closed at {:.0f} mm, free_body.size is {:.0f} mm",
-                                          1e3 * x.c.closed, 1e3 * k.body.size));
+      return made(kObjectNotAsTold, fmt::format("the palms closed at {:.0f} mm, free_body.size is {:.0f} mm",
+                                                1e3 * x.c.closed, 1e3 * k.body.size));
     case Failure::too_heavy:
-      return made(kTooHeavy, fmt::format("the palms bear {:.1f} N, with {:g} N they may bear {:.1f} N",
-                                         x.c.load, k.force, most_load(k.force, k.body.friction, k.margin)));
+      return made(kObjectTooHeavy,
+                  fmt::format("the palms bear {:.1f} N, with {:g} N they may bear {:.1f} N", x.c.load,
+                              k.force, most_load(k.force, k.body.friction, k.margin)));
     case Failure::lost:
       return made(kObjectLost, fmt::format("the palms feel {:.1f} N and {:.1f} N, and are {:.0f} mm apart",
                                            s.press[0], s.press[1], 1e3 * s.distance));
     case Failure::crushed:
-      return made(kCrushed, fmt::format("the palms feel {:.1f} N and {:.1f} N, the object bears {:g} N",
-                                        s.press[0], s.press[1], k.most_force));
+      return made(kObjectCrushed, fmt::format("the palms feel {:.1f} N and {:.1f} N, the object bears {:g} N",
+                                              s.press[0], s.press[1], k.most_force));
     case Failure::none:
       break;
   }
