@@ -50,7 +50,7 @@ TEST(HapticHandWay, RefusesToLeadTheMasterIntoItsTable) {
   law.motion_scale = 0.5;
   Scene low = scene();
   low.top = 0.03;
-  EXPECT_THROW(hand_way(low, law, {}), FaultError);
+  EXPECT_THROW(static_cast<void>(hand_way(low, law, {})), FaultError);
 }
 
 }  // namespace
