@@ -29,7 +29,7 @@ TEST(BallConfig, RefusesExactlyWhatFrictionCannotHold) {
     ADD_FAILURE() << "was not refused";
   } catch (const FaultError& e) {
     EXPECT_EQ(e.fault().code, FaultCode::bad_configuration);
-    EXPECT_NE(std::string(e.what()).find("task.force=13"), std::string::npos) << e.what();
+    EXPECT_NE(e.remedy().find("task.force=13"), std::string::npos) << e.remedy();
   }
   EXPECT_NO_THROW(std::ignore = read_parameters(
                       with({"free_body.mass=" + std::to_string(most + 0.01), "task.force=13"})));

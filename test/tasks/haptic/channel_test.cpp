@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <algorithm>
 #include <vector>
 
@@ -24,7 +26,7 @@ std::vector<std::int64_t> known(const ChannelParameters& k, std::uint64_t direct
 TEST(HapticChannel, DeliversAtOnceWithoutDelayAndLaterByTheDelay) {
   for (const double delay : {0.0, 0.004, 0.1, 0.2}) {
     const auto stamps = known({.delay = delay}, 0, 200);
-    const auto late = static_cast<std::int64_t>(delay / kMacrostep + 0.5);
+    const auto late = static_cast<std::int64_t>(std::lround(delay / kMacrostep));
     for (std::int64_t i = 0; i < 200; ++i)
       EXPECT_EQ(stamps[static_cast<std::size_t>(i)], i >= late ? i - late : -1) << delay;
   }
