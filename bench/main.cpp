@@ -32,12 +32,12 @@ const std::vector<
         {"pen_state", [](const std::string& plots, bool) { return bench::run_pen_state_group(plots); }},
         {"robustness", [](const std::string&, bool) { return bench::run_robustness_group(); }},
         {"guide", [](const std::string&, bool) { return bench::run_guide_group(); }},
-        {"haptic", [](const std::string&, bool) { return bench::run_haptic_group(); }},
-        {"ball", [](const std::string&, bool) { return bench::run_ball_group(); }},
         {"solver", [](const std::string&, bool) { return bench::run_solver_group(); }},
         {"cube", [](const std::string&, bool) { return bench::run_cube_group(); }},
         {"plan", [](const std::string&, bool) { return bench::run_plan_group(); }},
         {"operator", [](const std::string&, bool) { return bench::run_operator_group(); }},
+        {"ball", [](const std::string&, bool) { return bench::run_ball_group(); }},
+        {"haptic", [](const std::string&, bool) { return bench::run_haptic_group(); }},
         {"rubik", [](const std::string&, bool resume) { return bench::run_rubik_group(resume); }},
         {"rex", [](const std::string& plots, bool) { return bench::run_rex_group(plots); }},
         {"rex_stops", [](const std::string&, bool) { return bench::run_rex_stops_group(); }},
@@ -47,7 +47,8 @@ const std::vector<
     };
 
 /// Groups that have to be named.
-const std::vector<std::string> kLong{"rubik", "rex", "rex_eyes", "rex_stops", "box", "mutation"};
+const std::vector<std::string> kLong{"ball",     "haptic",    "rubik", "rex",
+                                     "rex_eyes", "rex_stops", "box",   "mutation"};
 
 std::vector<std::string> group_names() {
   std::vector<std::string> names;
@@ -93,9 +94,9 @@ int main(int argc, char** argv) {
   std::string plots;
   bool resume = false;
   line.option("group", groups,
-              "edp, servo, trajectory, stability, vision, drawing, pen_state, robustness, guide, ball, haptic, "
-              "solver, cube, plan, operator, rubik, rex, rex_eyes, rex_stops, box, mutation "
-              "(default: all but the last six, which take long)")
+              "edp, servo, trajectory, stability, vision, drawing, pen_state, robustness, guide, "
+              "solver, cube, plan, operator, ball, haptic, rubik, rex, rex_eyes, rex_stops, box, mutation "
+              "(default: all but the last eight, which take long)")
       .one_of(group_names());
   const Option to =
       line.option("--json", json.file,
