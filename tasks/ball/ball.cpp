@@ -30,6 +30,7 @@ constexpr double kNobody = 1.5;          // difference of both forces when nobod
 constexpr double kFollowing = 0.02;      // share per macrostep
 constexpr int kGone = 5;                 // macrosteps of what is no noise
 constexpr double kOnPedestal = 0.3;      // share of the load
+constexpr double kStayed = 0.25;  // share of the weight that is told: less than that has not been lifted
 // From the reading of a pose to the beginning of the macrostep that answers it, in macrosteps.
 constexpr double kReaction = 2;
 
@@ -120,6 +121,7 @@ Memory weigh(const X& x) {
   c.load += (borne(state_of(x)) - c.load) / std::max(1.0, c.age);
   if (c.age >= kWeighing && c.load > most_load(c.k.force, c.k.body.friction, c.k.margin))
     fail(c, Failure::too_heavy);
+  if (c.age >= kWeighing && c.load < kStayed * kGravity * c.k.body.mass) fail(c, Failure::stayed);
   return c;
 }
 

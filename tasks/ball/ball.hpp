@@ -35,7 +35,7 @@ struct Parameters {
 };
 
 /// What went wrong, and is remembered until the task ends.
-enum class Failure : std::uint8_t { none, no_contact, not_as_told, too_heavy, lost, crushed };
+enum class Failure : std::uint8_t { none, no_contact, not_as_told, too_heavy, stayed, lost, crushed };
 
 /// c_c0, the memory of the coordinator, MG (4). Vectors are in the world.
 struct Memory {

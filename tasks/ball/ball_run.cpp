@@ -33,6 +33,10 @@ Fault fault_of(const Coordinator::X& x) {
       return made(kObjectTooHeavy,
                   fmt::format("the palms bear {:.1f} N, with {:g} N they may bear {:.1f} N", x.c.load,
                               k.force, most_load(k.force, k.body.friction, k.margin)));
+    case Failure::stayed:
+      return made(kObjectLost,
+                  fmt::format("the palms bear {:.1f} N of the {:.1f} N of the object: it has stayed",
+                              x.c.load, kGravity * k.body.mass));
     case Failure::lost:
       return made(kObjectLost, fmt::format("the palms feel {:.1f} N and {:.1f} N, and are {:.0f} mm apart",
                                            s.press[0], s.press[1], 1e3 * s.distance));

@@ -1,4 +1,5 @@
 // Any trajectory: arms execute the motions of a file, each with a generator of ecp/generators.
+#include <algorithm>
 #include <fmt/core.h>
 
 #include <tuple>
@@ -54,7 +55,10 @@ void prepare(const Options& o, const launch::Setup& s, any_motion::Plan& plan) {
     std::vector<any_motion::ArmKey> keys;
     for (const launch::CellArm& arm : kArms)
       keys.push_back({arm.key, any_motion::make_arm_body(s.config, arm.key)->axes()});
-    std::ignore = any_motion::read_motions(motions(o).file, keys);
+    const any_motion::MotionFile file = any_motion::read_motions(motions(o).file, keys);
+    if (std::ranges::all_of(file.arms, [](const any_motion::ArmMotions& arm) { return arm.motions.empty(); }))
+      throw FaultError(FaultCode::bad_trajectory, fmt::format("{}: there is no motion", o.file.string()),
+                       "write a table of an arm, its motions, and their names in its `order`");
   }
   try {
     plan = plan_of(s.config);

@@ -132,6 +132,9 @@ class Inserter {
     const Config motion = file_.section(table_);
     for (const char* key : {"positions", "times", "forces"})
       if (motion.has(key)) throw wrong_value(motion, key, "must not stand here: the recording has it");
+    if (motion.has("contact") && motion.text("interpolation", "mim") != "tcim")
+      throw wrong_value(motion, "contact",
+                        "needs interpolation = \"tcim\", and a space of poses, such as xyz_angle_axis");
     const fs::path where = folder_ / motion.text("recording", std::nullopt);
     const Recorded recorded = read(motion, where);
     const std::size_t count = recorded.path.poses.size();
