@@ -7,6 +7,8 @@
 #include <random>
 #include <string>
 
+#include "test/tasks/rex_drive/random_plans.hpp"
+
 namespace mrroc::bench {
 namespace {
 
@@ -60,6 +62,20 @@ Arguments random_plant(std::uint32_t seed) {
   set("sim.platforms.rex.load_cells.noise=0.02");
   set("motion_capture.noise=[0.01, 0.02]");
   return a;
+}
+
+RexDrive random_drive(std::uint32_t seed) {
+  constexpr int kPoints = 8;
+  constexpr double kSpeed = 0.6, kLost = 8;
+  std::mt19937 random(1000 + seed);
+  RexDrive drive{.seed = seed, .more = random_plant(1000 + seed), .eyes = true};
+  const double from = std::uniform_real_distribution<>(3, 12)(random);
+  drive.more = drive.more +
+               Arguments{"--set", fmt::format("motion_capture.lost=[{:.1f}, {:.1f}]", from, from + kLost)};
+  const Plan plan = rex_drive::scattered_plan(random, kPoints, kSpeed);
+  for (std::size_t k = 0; k < kPoints; ++k)
+    drive.plan += fmt::format("{:.3f} {:.3f}\n", plan.point[k][0], plan.point[k][1]);
+  return drive;
 }
 
 double track_rms(const nlohmann::json& summary) {

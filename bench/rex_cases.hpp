@@ -19,6 +19,10 @@ namespace mrroc::bench {
 /// @return a plant that the driver does not know
 [[nodiscard]] Arguments random_plant(std::uint32_t seed);
 
+/// @return a drive with eyes in which everything is drawn that the driver does not know: plant, plan, room, and when the map is
+///         lost for 8 s
+[[nodiscard]] RexDrive random_drive(std::uint32_t seed);
+
 /// @return `track_rms_mm` of a plant; one that does not end well is worse than any: infinite
 [[nodiscard]] double track_rms(const nlohmann::json& summary);
 

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <map>
 #include <thread>
 
@@ -26,6 +27,11 @@ json drive(const RexDrive& d) {
   Arguments arguments{"--seed",    std::to_string(d.seed), "--processes", d.timed ? "separate" : "one",
                       "--run-dir", folder.string(),        "--eyes",      d.eyes ? "on" : "off"};
   arguments.insert(arguments.end(), d.more.begin(), d.more.end());
+  if (!d.plan.empty()) {
+    const std::filesystem::path plan = scratch.path() / "plan.txt";
+    std::ofstream(plan) << d.plan;
+    arguments.insert(arguments.end(), {"--plan", plan.string()});
+  }
   TaskProcess task("rex_drive", arguments);
   task.wait();
   return needed_summary(folder);

@@ -19,8 +19,9 @@ using Summaries = std::span<const nlohmann::json>;  ///< summary.json of runs
 /// A run of the platform's task to its end.
 struct RexDrive {
   std::uint32_t seed{1};
-  Arguments more{};  ///< further arguments
-  bool eyes{};       ///< the platform has cameras
+  Arguments more{};    ///< further arguments
+  std::string plan{};  ///< lines of a plan of its own; empty: none
+  bool eyes{};         ///< the platform has cameras
   bool timed{};  ///< its time is measured: it has the machine for itself, and its processes are separate ones
 };
 
