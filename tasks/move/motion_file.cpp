@@ -217,8 +217,6 @@ ArmMotions read_arm(const Config& config, const ArmKey& arm) {
   const auto order = config.texts("order", std::vector<std::string>{});
   if (order.size() > kMostMotions)
     throw wrong_value(config, "order", fmt::format("has more than {} motions", kMostMotions));
-  if (order.empty() && config.has("order"))
-    throw wrong_value(config, "order", "is empty; name the motions to execute, or leave the arm out");
   const std::vector<std::string> known = config.tables("");
   std::map<std::string, MotionSpec> specs;
   for (const std::string& name : order) {
