@@ -217,8 +217,11 @@ TEST_F(Recorded, AreTakenInAnySpaceAbsoluteOrRelativeAsSlowlyAsAsked) {
   for (const std::string keys :
        {"space = \"motors\"\n", "space = \"xyz_angle_axis\"\ninterpolation = \"tcim\"\n",
         "space = \"xyz_euler_zyz\"\nstretch = 2\n", "space = \"joints\"\nreference = \"relative\"\n",
-        "space = \"xyz_angle_axis\"\nreference = \"relative\"\ninterpolation = \"tcim\"\ncontact = "
-        "[\"z\"]\n"}) {
+        R"(space = "xyz_angle_axis"
+reference = "relative"
+interpolation = "tcim"
+contact = ["z"]
+)"}) {
     const Ended ended = move(motion("recording = \"hand\"\nfrom = 7.5\nto = 11.9\n" + keys), {"--dry-run"});
     EXPECT_EQ(ended.status, 0) << keys << ended.all();
   }
