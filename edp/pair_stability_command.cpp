@@ -64,8 +64,9 @@ std::string pair_report(const PairLoop& pair, std::optional<double> stiffness) {
       pair.master.inertia, pair.master.mobility, pair.slave.inertia, pair.slave.mobility, coupling,
       1e3 * pair.delay, pair.motion_scale, pair.force_scale, 1e3 * pair.n_s * pair.slave.dt);
   text += fmt::format("Without passivity control the pair bears {}.\n", limit_text(limit));
-  text += fmt::format("Colgate and Schenkel (b > K T / 2: any hand, but no slave and no latency): {:.3g} N/m\n",
-                      colgate_bound(pair));
+  text +=
+      fmt::format("Colgate and Schenkel (b > K T / 2: any hand, but no slave and no latency): {:.3g} N/m\n",
+                  colgate_bound(pair));
   text += "\ndelay each way [ms]   largest wall [N/m]\n";
   for (const double delay : {0.0, 0.02, 0.05, 0.1, 0.2}) {
     PairLoop other = pair;

@@ -1,6 +1,6 @@
 // Any trajectory: arms execute the motions of a file, each with a generator of ecp/generators.
-#include <algorithm>
 #include <fmt/core.h>
+#include <algorithm>
 
 #include <tuple>
 
