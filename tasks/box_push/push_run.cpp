@@ -72,11 +72,11 @@ PushRun with_reading(const PushRun& run, const PlanarPose& box, double iteration
   const PlanarPose told = told_before_end(run, iterations);
   if (way_to(run, told) < f.gap + kUntilBothPush) return run;
   const PlanarPose seen = seen_from(told, box);
-  if (std::hypot(seen.x - run.box.x, seen.y - run.box.y) > kOutlier) return run;
   PushRun next = run;
   const double touching = inverse(pair_at(f, run.push.side, 0)).x;
   next.lag = touching - seen.x;
   next.behind = next.lag > kMostLag ? run.behind + 1 : 0;
+  if (std::hypot(seen.x - run.box.x, seen.y - run.box.y) > kOutlier) return next;
   next.box.x += kShare * (seen.x - run.box.x);
   next.box.y += kShare * (seen.y - run.box.y);
   return next;

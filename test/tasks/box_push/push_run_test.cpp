@@ -76,6 +76,23 @@ TEST(PushRun, LearnsNothingBeforeBothPlatformsPush) {
   EXPECT_EQ(after.box.phi, run.box.phi);
 }
 
+TEST(PushRun, AnOutlierMovesTheBoxByNothingAndOneThatStaysIsABoxThatStaysBehind) {
+  const Formation f;
+  PushRun run = begin_push({Side::back, {3, 0, 0}}, pair_at(f, Side::back, f.gap), f);
+  for (int n = 0; n < 20; ++n) run = with_next_stretch(run, a_hall(), kSpeeds);
+  const PlanarPose with_pair = chained(end_of(run).p, inverse(pair_at(f, Side::back, 0)));
+  run = with_reading(run, with_pair, 0, f);
+  const PlanarPose before = run.box;
+  for (const auto& [x, y] : {std::pair(-0.5, 0.), {0., 0.5}, {0., -0.5}}) {
+    const PushRun after = with_reading(run, {with_pair.x + x, with_pair.y + y, with_pair.phi}, 0, f);
+    EXPECT_EQ(after.box.x, before.x);
+    EXPECT_EQ(after.box.y, before.y);
+    EXPECT_FALSE(stays_behind(after));
+  }
+  for (int n = 0; n < 3; ++n) run = with_reading(run, {with_pair.x - 0.5, with_pair.y, with_pair.phi}, 0, f);
+  EXPECT_TRUE(stays_behind(run)) << "it was left while nobody saw it";
+}
+
 TEST(PushRun, ABoxStaysBehindWhenItWasSeenSoSeveralTimesInSuccession) {
   const Formation f;
   PushRun run = begin_push({Side::back, {3, 0, 0}}, pair_at(f, Side::back, f.gap), f);
