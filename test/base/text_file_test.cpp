@@ -2,7 +2,7 @@
 #include "base/text_file.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
+#include <sys/fsuid.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -65,12 +65,13 @@ TEST_F(TextFile, WhatIsNoFileIsNamedAndNobodyWaitsForIt) {
 }
 
 TEST_F(TextFile, ThatIsThereAndCannotBeOpenedIsToldFromOneThatEndsTooEarly) {
-  rlimit usual{};
-  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &usual), 0);
-  const rlimit none{0, usual.rlim_max};  // permissions stop nobody who is root
-  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &none), 0);
+  fs::permissions(folder_, fs::perms::all);
+  fs::permissions(folder_ / "five", fs::perms::none);
+  // Permissions stop nobody who is root, so that root opens files as somebody else.
+  constexpr uid_t kNobody = 65534;
+  const auto self = static_cast<uid_t>(::setfsuid(kNobody));
   const std::string error = error_of("five");
-  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &usual), 0);
+  ::setfsuid(self);
   EXPECT_EQ(error, ": the file cannot be read");
 }
 

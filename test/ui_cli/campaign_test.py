@@ -13,6 +13,7 @@ for needed, package in (("distributed", "distributed"), ("scipy", "scipy"), ("tq
 sys.path.insert(0, str(Path(__file__).parent / "campaign"))
 from plan_cases import *  # noqa: E402, F403
 from run_cases import *  # noqa: E402, F403
+from runner_cases import *  # noqa: E402, F403
 from statistics_cases import *  # noqa: E402, F403
 
 if __name__ == "__main__":

@@ -94,7 +94,7 @@ TEST(RoomView, APlatformSeesTheOtherOneAndNotItself) {
   };
   EXPECT_EQ(bodies("rex"), bodies("max"));
   EXPECT_EQ(bodies(""), bodies("rex") + 1);
-  const camera::Body& other = view.scene(eye_of("rex"), 0).bodies.back();
+  const camera::Body other = view.scene(eye_of("rex"), 0).bodies.back();
   EXPECT_NEAR(other.T_UB.p.x(), 1.5, 1e-12);
 }
 

@@ -6,6 +6,7 @@ import time
 import uuid
 from collections import Counter, deque
 from collections.abc import Callable, Iterable
+from concurrent.futures import CancelledError
 from contextlib import suppress
 
 from distributed import Client
@@ -50,12 +51,13 @@ class Runner:
                 job, future = self._next(waiting)
                 if job is None:
                     continue
-                if future.status == "finished":
-                    if not take(future.result()):
+                result, failed = self._outcome(future)
+                if result is not None:
+                    if not take(result):
                         return lost
-                elif future.status == "error":
-                    self._judge(future.exception(), job, waiting, killed, lost)
-                else:  # cancelled or lost with the scheduler
+                elif failed is not None:
+                    self._judge(failed, job, waiting, killed, lost)
+                else:
                     waiting.append(job)
         finally:
             self._running.clear()  # nobody waits for these any more, so the scheduler forgets them
@@ -92,6 +94,17 @@ class Runner:
             return None, None
         job, _ = self._running.pop(future.key, (None, None))
         return job, future
+
+    @staticmethod
+    def _outcome(future) -> tuple[dict | None, BaseException | None]:
+        """A job's result, or why it failed; neither if it was cancelled or is gone with the scheduler, which may go
+        between its word that a job has ended and the result."""
+        try:
+            if future.status == "finished":
+                return future.result(), None
+            return None, future.exception() if future.status == "error" else None
+        except (OSError, CancelledError):
+            return None, None
 
     def _judge(self, failed: BaseException, job: dict, waiting: deque, killed: Counter, lost: list[int]) -> None:
         if isinstance(failed, HostFailed):
