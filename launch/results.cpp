@@ -36,10 +36,11 @@ bool is_always(const std::vector<mp::FigureInfo>& known, std::string_view key) {
 
 void make_results(Results& r, const std::function<void(Results&)>& of_task) {
   attempt(r.summary, [&] { make_tables(r, of_task); });
-  attempt(r.summary, [&] { mp::write_summary(r.folder, r.summary); });
-  attempt(r.summary, [&] { mp::draw(r.folder, r.pictures); });
   for (const mp::FigureInfo& info : mp::kRunFigures)
     if (!mp::info_of(info.key, r.known)) r.known.push_back(info);
+  r.summary.wanted = mp::bounds_of(r.summary.figures, r.known);
+  attempt(r.summary, [&] { mp::write_summary(r.folder, r.summary); });
+  attempt(r.summary, [&] { mp::draw(r.folder, r.pictures); });
 }
 
 mp::Ending ending_of(const Results& r) {

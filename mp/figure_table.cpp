@@ -74,6 +74,14 @@ std::string wanted(const FigureInfo& info) {
   return at_least ? fmt::format(">= {:g}", info.low) : "";
 }
 
+std::map<std::string, FigureBounds> bounds_of(const Figures& figures, std::span<const FigureInfo> known) {
+  std::map<std::string, FigureBounds> bounds;
+  for (const FigureInfo& info : known)
+    if (figures.contains(std::string(info.key)) && !wanted(info).empty())
+      bounds.emplace(info.key, FigureBounds{info.low, info.high});
+  return bounds;
+}
+
 FigureVerdict judge(const std::map<std::string, Figure>& figures, std::span<const FigureInfo> known) {
   FigureVerdict v;
   for (const FigureInfo& info : known) {

@@ -37,6 +37,10 @@ using TaskFigures = std::vector<TaskFigure>;  ///< in the order of the table
 /// @return what is wanted, such as "<= 0.5", "1 +- 0.05" or "0"; empty when nothing is
 [[nodiscard]] std::string wanted(const FigureInfo& info);
 
+/// @return what is wanted of those figures of which something is wanted, by key, for summary.json
+[[nodiscard]] std::map<std::string, FigureBounds> bounds_of(const Figures& figures,
+                                                            std::span<const FigureInfo> known);
+
 /// Comparison of a run's figures with their bounds.
 struct FigureVerdict {
   std::size_t judged{};  ///< figures of which something is wanted

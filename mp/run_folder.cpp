@@ -100,6 +100,8 @@ void write_summary(const fs::path& folder, const Summary& s) {
   json["log_hash"] = fmt::format("{:016x}", s.log_hash);
   json["figures"] = nlohmann::ordered_json::object();
   for (const auto& [key, figure] : s.figures) json["figures"][key] = to_json(figure);
+  json["wanted"] = nlohmann::ordered_json::object();
+  for (const auto& [key, bounds] : s.wanted) json["wanted"][key] = {number(bounds.low), number(bounds.high)};
   // Texts of faults can come from anywhere: bytes that are no UTF-8 are replaced.
   const std::string text = json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   // One that is there already stays whole if this one cannot be written.

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -18,6 +19,12 @@ using Figure = std::variant<double, std::vector<double>>;
 /// By their keys in summary.json.
 using Figures = std::map<std::string, Figure>;
 
+/// What is wanted of every number of a figure, in its unit.
+struct FigureBounds {
+  double low{-std::numeric_limits<double>::infinity()};  ///< at least; not finite: no bound
+  double high{std::numeric_limits<double>::infinity()};  ///< at most; not finite: no bound
+};
+
 /// A fault after which the task went on.
 struct RecoverableFault {
   Fault fault;     ///< with its process
@@ -26,14 +33,15 @@ struct RecoverableFault {
 
 /// Content of summary.json.
 struct Summary {
-  std::string task;                          ///< its name
-  std::optional<Fault> fault;                ///< none: the task is done
-  bool stopped{};                            ///< the operator ended it
-  double sim_s{};                            ///< simulated time [s]
-  double wall_s{};                           ///< wall time of the same [s]
-  std::uint64_t log_hash{};                  ///< 0: unknown
-  Figures figures;                           ///< of the task
-  std::vector<RecoverableFault> survived{};  ///< in the order in which they came
+  std::string task;                              ///< its name
+  std::optional<Fault> fault;                    ///< none: the task is done
+  bool stopped{};                                ///< the operator ended it
+  double sim_s{};                                ///< simulated time [s]
+  double wall_s{};                               ///< wall time of the same [s]
+  std::uint64_t log_hash{};                      ///< 0: unknown
+  Figures figures;                               ///< of the task
+  std::map<std::string, FigureBounds> wanted{};  ///< of those of which something is wanted, by key
+  std::vector<RecoverableFault> survived{};      ///< in the order in which they came
   std::vector<std::string> black_box{};  ///< files of the folder that tell of the seconds before the faults
 };
 

@@ -103,6 +103,22 @@ inline constexpr std::array kStates{
              "the first error is printed; all of them are in build/build-PRESET.log"},
   StateEntry{"tests_failed", "./run", "some tests did not pass", "the reasons are printed, and are in build/*.log"},
   StateEntry{"package_failed", "./run", "the Debian package could not be made", "look at build/package.log"},
+  // Campaigns
+  StateEntry{"wall_time", "a run of a campaign",
+             "it was ended with all its processes, since it took longer than --timeout, and counts as a failure",
+             "run the line that repeats it; a larger --timeout if it was only slow"},
+  StateEntry{"host_failed", "a campaign",
+             "a run could not be carried out, for a reason that is the machine's and not the run's; it is not counted",
+             "mend what the text says, such as a full disk, then go on with --resume"},
+  StateEntry{"no_scheduler", "a campaign",
+             "the scheduler that --on names is not reached",
+             "`./run campaign scheduler` starts one; then go on with --resume"},
+  StateEntry{"runs_lost", "a campaign",
+             "runs whose workers died again and again were given up; they are not counted",
+             "look whether memory was short; --resume tries them once more"},
+  StateEntry{"nothing_found", "a search of a campaign",
+             "no trial came to its end with all seeds, so that there is nothing to compare",
+             "look at the runs that were kept; narrow --over"},
 };
 // clang-format on
 

@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <functional>
 #include <iterator>
 #include <nlohmann/json.hpp>
+
+#include "mp/figure_table.hpp"
 
 namespace mrroc::mp {
 namespace {
@@ -95,6 +98,22 @@ TEST_F(RunFolder, ASummaryThatIsWrittenInPartIsNotLeft) {
   EXPECT_FALSE(fs::is_symlink(folder_ / "summary.json.new"));
   std::ifstream in(folder_ / "summary.json");
   EXPECT_EQ(nlohmann::json::parse(in).at("task"), "first");
+}
+
+TEST_F(RunFolder, TheSummaryHasWhatIsWantedOfItsFigures) {
+  constexpr std::array kKnown{
+      FigureInfo{.key = "low", .words = "", .unit = {}, .low = 1},
+      FigureInfo{.key = "high", .words = "", .unit = {}, .high = 0.5},
+      FigureInfo{.key = "both", .words = "", .unit = {}, .low = 0.9, .high = 1.1},
+      FigureInfo{.key = "nothing", .words = "", .unit = {}},
+      FigureInfo{.key = "elsewhere", .words = "", .unit = {}, .high = 7},
+  };
+  Summary s;
+  s.figures = {
+      {"low", 2.0}, {"high", 0.1}, {"both", std::vector{1.0, 1.05}}, {"nothing", 3.0}, {"unknown", 4.0}};
+  s.wanted = bounds_of(s.figures, kKnown);
+  EXPECT_EQ(summary(s).at("wanted"),
+            nlohmann::json::parse(R"({"low": [1.0, null], "high": [null, 0.5], "both": [0.9, 1.1]})"));
 }
 
 TEST_F(RunFolder, WithoutAWishItGetsANameThatIsFree) {

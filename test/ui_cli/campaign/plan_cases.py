@@ -102,26 +102,13 @@ class Plans(Place):
             self.assertFalse((self.home / "c").exists())
         self.assertIn("there is no task named 'hopp'", self.command("hopp", "--seeds", "1:3", status=2))
 
-    def test_what_is_wanted_is_read_from_the_table_of_a_run(self):
-        table = (
-            "  figure                                              arm1   wanted\n"
-            "  peak of the approach [N]                            4.34\n"
-            "    settled [N]                                      4.011   4 +- 0.1    ok\n"
-            "  force held [N]                                         -   4 +- 0.1\n"
-            "  a meaning that has so many words that it needs more room      7   <= 8\n"
-            "  steps until the arms were at rest                     34   <= 100      NOT OK\n"
-            "picture: x\n  force held [N]                                      4.34   1\n"
-        )
-        figures = {"peak": 4.339749996927797, "settled": 4.011499999999996, "hold": None, "steps": 34.0, "other": 4.0}
-        self.assertEqual(bars.read(table, figures), {"settled": "4 +- 0.1", "hold": "4 +- 0.1", "steps": "<= 100"})
-        self.assertEqual(
-            bars.read(table, figures | {"other": 4.0111}), {"hold": "4 +- 0.1", "steps": "<= 100"}
-        )  # whose is it?
-        for text, ends in (
-            ("4 +- 0.5", (3.5, 4.5)),
-            ("<= 1e-3", (None, 0.001)),
-            (">= 2", (2, None)),
-            ("0", (0, 0)),
-            ("good", (None, None)),
+    def test_what_is_wanted_is_told_and_a_value_takes_its_share(self):
+        for wanted, told, value, share in (
+            ((3.5, 4.5), "4 +- 0.5", 4.25, 0.5),
+            ((None, 0.001), "<= 0.001", 0.0005, 0.5),
+            ((2, None), ">= 2", 4, 0.5),
+            ((0, 0), "0", 1, None),
+            ((None, None), "", 1, None),
         ):
-            self.assertEqual(bars.interval(text), ends)
+            self.assertEqual(bars.text(wanted), told)
+            self.assertEqual(bars.share(value, wanted), share)

@@ -69,7 +69,7 @@ class Campaigns(Place):
                 (r["success"], r["fault"], r["height_m"] is None), (0, "slipped", True) if slipped else (1, "", False)
             )
             self.assertEqual(r["force_N[1]"], 2 * r["task.force"])
-            self.assertEqual(json.loads(r["bars"]), {"height_m": "<= 0.1"})
+            self.assertEqual(json.loads(r["bars"]), {"height_m": [None, 0.1]})
         self.assertIn("slipped", said)
         # The folders of failed runs are kept, and no others.
         kept = sorted(p.name for p in (self.home / "a" / "kept").iterdir())

@@ -90,17 +90,17 @@ def _figure(name: str, runs: list[dict]) -> str:
     if not measured:
         return ""
     key = name.split("[")[0]
-    wanted = [json.loads(r["bars"] or "{}").get(key, "") for r in measured]
+    wanted = [tuple(json.loads(r["bars"] or "{}").get(key, (None, None))) for r in measured]
     values, failed = [r[name] for r in measured], [not r["success"] for r in measured]
-    told = {w for w in wanted if w}
+    told = {w for w in wanted if w != (None, None)}
     limits, note = (None, None), "nothing is wanted of it"
     if len(told) == 1:
-        limits, note = bars.interval(next(iter(told))), f"wanted {next(iter(told))}"
+        limits, note = next(iter(told)), f"wanted {bars.text(next(iter(told)))}"
     elif told:
-        shares = [_share(v, bars.interval(w)) for v, w in zip(values, wanted, strict=True)]
+        shares = [bars.share(v, w) for v, w in zip(values, wanted, strict=True)]
         failed = [f for f, s in zip(failed, shares, strict=True) if s is not None]
         values = [s for s in shares if s is not None]
-        limits, note = (-1.0 if any("+-" in w for w in told) else None, 1.0), "as a share of what is wanted"
+        limits, note = (-1.0 if any(None not in w for w in told) else None, 1.0), "as a share of what is wanted"
     q = np.quantile(values, (0, 0.5, 0.95, 1))
     numbers = f"least {q[0]:.4g}, median {q[1]:.4g}, 95 % below {q[2]:.4g}, most {q[3]:.4g}"
     missing = f"; not measured in {len(runs) - len(measured)} runs" if len(measured) < len(runs) else ""
@@ -108,15 +108,6 @@ def _figure(name: str, runs: list[dict]) -> str:
         f'<figure><figcaption><b>{escape(name)}</b> <span class="dim">{escape(note)}</span></figcaption>'
         f'{charts.histogram(values, limits, name, failed)}<p class="dim">{numbers}{missing}</p></figure>'
     )
-
-
-def _share(value: float, limits: tuple[float | None, float | None]) -> float | None:
-    low, high = limits
-    if low is not None and high is not None:
-        return (2 * value - low - high) / (high - low) if high > low else None
-    if high:
-        return value / high
-    return low / value if low and value else None
 
 
 def _causes(results: Results, runs: list[dict]) -> str:

@@ -3,8 +3,8 @@
 Table `runs`: run (number in the plan, from 0), seed, a column per varied value under its key, success (1: done, and all
 figures as wanted), outcome (of summary.json; none: there is none), fault (code; empty: none), text (of the fault),
 exit_status (null: out of time), log_hash, sim_s and wall_s [s], host, folder (of a run that was kept), bars (JSON: what
-was wanted, by figure), and a column per figure under its key; one number of several is KEY[0], KEY[1]. Table `planned`:
-run, seed, settings (JSON: value as text by key). Table `campaign`: key, value (JSON)."""
+was wanted, [least, most] by figure, null: no bound), and a column per figure under its key; one number of several is
+KEY[0], KEY[1]. Table `planned`: run, seed, settings (JSON: value as text by key). Table `campaign`: key, value (JSON)."""
 
 import fcntl
 import json
