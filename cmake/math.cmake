@@ -1,0 +1,26 @@
+# The same bits on any x86-64. glibc chooses variants of sin, exp, ... by the processor that it runs on, and their last bits
+# differ; so every program brings one set of these functions along, musl's, as Debian builds it for plain x86-64. They
+# stand before glibc's for the program and for all libraries that it loads. Functions that are exact (sqrt, floor, fma,
+# fmod) stay glibc's.
+string(REPLACE "gnu" "musl" musl_architecture "${CMAKE_LIBRARY_ARCHITECTURE}")
+find_file(MRROC_MUSL libc.a PATHS /usr/lib/${musl_architecture} NO_DEFAULT_PATH)
+if(NOT MRROC_MUSL)
+  message(FATAL_ERROR "there is no libc.a of musl in /usr/lib/${musl_architecture}: apt-get install musl-dev")
+endif()
+
+set(MRROC_MATH_FUNCTIONS)
+foreach(function acos acosh asin asinh atan atan2 atanh cbrt cos cosh erf erfc exp exp2 expm1 hypot log log10 log1p log2
+                 pow sin sincos sinh tan tanh tgamma)
+  list(APPEND MRROC_MATH_FUNCTIONS ${function} ${function}f)
+endforeach()
+
+# One object file with these functions and what they need; only their names are seen outside.
+set(MRROC_MATH ${CMAKE_BINARY_DIR}/math/math.o)
+set(wanted ${MRROC_MATH_FUNCTIONS})
+list(TRANSFORM wanted PREPEND --undefined=)
+set(kept ${MRROC_MATH_FUNCTIONS})
+list(TRANSFORM kept PREPEND --keep-global-symbol=)
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/math)
+execute_process(COMMAND ${CMAKE_LINKER} -r ${wanted} -o ${MRROC_MATH} ${MRROC_MUSL} COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_OBJCOPY} ${kept} ${MRROC_MATH} COMMAND_ERROR_IS_FATAL ANY)
+add_link_options(${MRROC_MATH})
