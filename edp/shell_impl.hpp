@@ -179,7 +179,10 @@ class Shell {
     if (!stopped(macrostep_)) return;
     if (stop_step_ < 0) stop_step_ = step_;
     const bool at_rest = driver_.standstill().at_rest();
-    if (at_rest && !rested_) process_.report_rest(true, driver_.standstill().stop_steps(stop_step_));
+    if (at_rest && !rested_) {
+      process_.seal_fingerprints();
+      process_.report_rest(true, driver_.standstill().stop_steps(stop_step_));
+    }
     rested_ = at_rest;
   }
 

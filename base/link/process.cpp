@@ -246,11 +246,8 @@ void Process::log_counters() {
                     d.malformed, d.forged, d.replayed, d.crowded, d.kernel));
 }
 
-void Process::report_done() {
-  log_counters();
-  if (status_.state != static_cast<int>(ProcessState::faulted))
-    status_.state = static_cast<int>(ProcessState::done);
-  status_.n_hashes = 0;
+void Process::seal_fingerprints() {
+  if (status_.n_hashes > 0) return;
   for (const OutboxBase* box : outboxes_) {
     channel_hash_t& h = status_.hash[status_.n_hashes++];
     // The name of the session differs from run to run.
@@ -258,6 +255,13 @@ void Process::report_done() {
     h.hash = static_cast<std::int64_t>(box->hash());
     h.count = box->count();
   }
+}
+
+void Process::report_done() {
+  log_counters();
+  if (status_.state != static_cast<int>(ProcessState::faulted))
+    status_.state = static_cast<int>(ProcessState::done);
+  seal_fingerprints();
   send_status();
 }
 

@@ -184,7 +184,10 @@ class Shell {
     }
     const auto here = [&] { return control_in_->at(macrostep_) || stopped(); };
     process_.await_from(control_sources_, FaultCode::peer_silent, here);
-    if (stopped()) return true;
+    if (stopped()) {
+      process_.seal_fingerprints();
+      return true;
+    }
     obey(*control_in_->at(macrostep_));
     if (!led()) return true;
     hands_->report(macrostep_);
