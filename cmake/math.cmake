@@ -24,4 +24,6 @@ file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/math)
 execute_process(COMMAND ${CMAKE_LINKER} -r ${wanted} -o ${MRROC_MATH} ${MRROC_MUSL} COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_OBJCOPY} ${kept} ${MRROC_MATH} COMMAND_ERROR_IS_FATAL ANY)
 add_link_options(${MRROC_MATH})
+# Programs outside of this tree bring the same along (cmake/functions.cmake).
+install(FILES ${MRROC_MATH} DESTINATION ${MRROC_LIBRARIES})
 install(FILES /usr/share/doc/musl-dev/copyright DESTINATION share/doc/mrroc/licenses RENAME musl.txt)
