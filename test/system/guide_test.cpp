@@ -54,8 +54,10 @@ TEST(Guide, HoldsInNarrowBendsAgainstAHandThatPushesThereToo) {
 
 TEST(Guide, HoldsAHandInAZigzagOfSharpCorners) {
   const Folder folder;
-  const auto s = led(folder, {"--set", "task.fixture=curve", "--set",
-                              "task.curve=[-45,-20,-15,20,15,-20,45,20]"});  // 74 degrees between its sides
+  const auto s =
+      led(folder,
+          {"--set", "task.fixture=curve", "--set",
+           "task.curve=[-45,-10,-30,10,-15,-10,0,10,15,-10,30,10,45,-10]"});  // 74 degrees between its sides
   EXPECT_GT(figure(s, "across_force_N"), 9);
   EXPECT_LE(figure(s, "fixture_dev_mm"), 1);
   EXPECT_LE(figure(s, "fixture_drag_N"), 2);
