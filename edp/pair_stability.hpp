@@ -47,8 +47,9 @@ inline constexpr double kSoftestWall = 10, kStiffestWall = 1e7;
 
 /// J. E. Colgate, G. G. Schenkel: Passivity of a class of sampled-data systems: application to haptic interfaces, J. Robotic
 /// Systems 14 (1997) 37-47: a haptic interface of damping b that feels a wall of stiffness K, sampled with T, is passive when
-/// b > K T / 2 + B with the virtual damping B, here 0. It knows of no delay beyond that of sampling and of no arm that follows, so
-/// it stands beside the limit of the loop as what no pair with that master can pass: rough, and from above.
+/// b > K T / 2 + B with the virtual damping B, here 0. It knows of no delay beyond that of sampling, of no arm that follows and
+/// of no damping of the wall itself, and it holds for any hand. It stands beside the limit of the loop to compare with: neither
+/// bounds the other, since a wall that damps well may be stable with one hand and not passive for all.
 /// @return K for b = 1 / B of the master, T a macrostep, as a stiffness of the slave's wall [N/m]
 [[nodiscard]] double colgate_bound(const PairLoop& pair);
 

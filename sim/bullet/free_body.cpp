@@ -74,7 +74,7 @@ void FreeBody::push() {
     const double force = pressed_[arm].norm();
     if (force <= 0) continue;
     const Vector3 normal = pressed_[arm] / force;
-    const double most = 2.0 / 3 * p_.friction * force * p_.patch;
+    const double most = 2.0 / 3 * p_.friction * arms_[arm].friction * force * p_.patch;
     const double spin = normal.dot(turning - arms_[arm].turning());
     moment -= std::clamp(std::min(most / kSticking, most_damping) * spin, -most, most) * normal;
   }

@@ -15,6 +15,7 @@ namespace mrroc::sim {
 struct PalmBearer {
   const btMultiBody* body{};         ///< not null
   std::function<Vector3()> turning;  ///< angular velocity of its tool in the world [rad/s]
+  double friction{};                 ///< of its palm; that of a contact is the product with the body's
 };
 
 /// Touches palms, pedestal and floor.

@@ -56,8 +56,10 @@ struct World::Impl {
 
   void add_free_body() {
     std::vector<PalmBearer> bearers;
-    for (const auto& each : arms)
-      bearers.push_back({each->body(), [arm = each.get()] { return arm->tool_turning(); }});
+    for (std::size_t k = 0; k < arms.size(); ++k)
+      bearers.push_back({.body = arms[k]->body(),
+                         .turning = [arm = arms[k].get()] { return arm->tool_turning(); },
+                         .friction = p.arms[k].palm ? p.arms[k].palm->friction : 0});
     free_body = std::make_unique<FreeBody>(*p.free_body, std::move(bearers), scene, kStep / p.substeps);
   }
 

@@ -108,7 +108,7 @@ Memory carry(const X& x) {
   const PairState s = state_of(x);
   c.age += x.t.pace;
   const Vector3 pushed = yields ? pushed_by_hand(s, c.load) : Vector3::Zero();
-  if (pushed.isZero()) c.shift = share_load(c.shift, s, 1);
+  if (pushed.isZero()) c.shift = share_load(c.shift, s);
   c.yielded = yield(c.yielded, pushed);
   watch_force(c, s);
   return c;

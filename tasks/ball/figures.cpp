@@ -9,7 +9,7 @@ namespace {
 
 /// Sums around the circle.
 struct Sums {
-  double force{}, force_error{}, peak{}, off{}, farthest{}, turned{}, yielded{};
+  double force{}, force_error{}, peak{}, off{}, farthest{}, turned{};
   int rows{};
 };
 
@@ -28,7 +28,6 @@ Sums sums_of(const std::vector<BodyRow>& rows, const Parameters& k) {
     s.off += off * off;
     s.farthest = std::max(s.farthest, off);
     s.turned = std::max(s.turned, angle_axis_from_rotation(lifted->R.transpose() * row.T_UO.R).norm());
-    s.yielded = std::max(s.yielded, off);
   }
   return s;
 }
@@ -59,7 +58,7 @@ mp::TaskFigures figures(const std::vector<BodyRow>& rows, const Parameters& k, b
       {{"turned_deg", "the object turned between the palms, largest", "deg"}, any * s.turned * 180 / M_PI},
   };
   if (pushed) {
-    all.push_back({{"yielded_mm", "arms and object yielded to the hand", "mm"}, any * 1e3 * s.yielded});
+    all.push_back({{"yielded_mm", "arms and object yielded to the hand", "mm"}, any * 1e3 * s.farthest});
   } else {
     all.push_back({{.key = "circle_rms_mm", .words = "object off the circle", .unit = "mm rms", .high = 2},
                    1e3 * rms(s.off)});

@@ -63,9 +63,9 @@ AxisCommand press_in_place(double force, const PairState& state, const Vector3& 
   return c(force + kReturnGain * off / ecp::kMobility, ecp::kInertia, ecp::kMobility);
 }
 
-Vector3 share_load(const Vector3& shift, const PairState& state, double pace) {
+Vector3 share_load(const Vector3& shift, const PairState& state) {
   const Vector3 more = state.across[1] - state.across[0];
-  return limited(shift - pace * seconds() * (kShareMobility * more + kShareReturn * shift), kMostShift);
+  return limited(shift - seconds() * (kShareMobility * more + kShareReturn * shift), kMostShift);
 }
 
 Vector3 yield(const Vector3& yielded, const Vector3& pushed) {

@@ -38,7 +38,7 @@ struct PalmGoal {
 [[nodiscard]] AxisCommand press_in_place(double force, const PairState& state, const Vector3& goal);
 
 /// @return shift of the palms one macrostep later: the one that bears more gives way
-[[nodiscard]] Vector3 share_load(const Vector3& shift, const PairState& state, double pace);
+[[nodiscard]] Vector3 share_load(const Vector3& shift, const PairState& state);
 
 /// @param pushed  force of a person on the pair, across [N]
 /// @return how far the pair has yielded one macrostep later [m]

@@ -16,6 +16,8 @@ namespace {
 constexpr int kReproduction = 4;
 /// Height of the belt: the sheets lie on it [m].
 constexpr double kBeltTop = 0.9064;
+/// Of a slower belt it could not be told whether it runs or stands [m/s].
+constexpr double kSlowestBelt = 0.01;
 
 bool reproduces(const Belt::X& x) { return x.T.m >= kReproduction || x.T.finished; }
 
@@ -59,6 +61,12 @@ bool has_conveyor(const Config& config) {
 double read_belt_speed(const Config& config) {
   if (!has_conveyor(config)) return 0;
   const double speed = config.number("task.belt_speed", 0, {0, 0.1}, "m/s, 0: it moves for the arms");
+  if (speed > 0 && speed < kSlowestBelt)
+    throw ConfigError(
+        {}, "task.belt_speed",
+        fmt::format("'task.belt_speed' is {:g}, and a belt that runs by itself does so with {:g} m/s "
+                    "or more; 0: it moves for the arms",
+                    speed, kSlowestBelt));
   return speed;
 }
 

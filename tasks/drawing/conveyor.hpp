@@ -33,7 +33,8 @@ void add_conveyor_options(CommandLine& line, ConveyorOptions& options);
 /// @return whether a run with that configuration has a conveyor @throws ConfigError
 [[nodiscard]] bool has_conveyor(const Config& config);
 
-/// @return the speed of a belt that runs by itself [m/s]; 0: it moves for the arms, or there is none @throws ConfigError
+/// @return the speed of a belt that runs by itself [m/s], 0.01 to 0.1; 0: it moves for the arms, or there is none
+/// @throws ConfigError
 [[nodiscard]] double read_belt_speed(const Config& config);
 
 /// Way of a belt that runs by itself: to and fro, with a rest at either end.

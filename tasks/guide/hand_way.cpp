@@ -10,12 +10,13 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kStep = 0.01;      // between points [s]
-constexpr double kRest = 1;         // at the ends [s]
-constexpr double kFade = 1;         // of the push, at the beginning and the end of the way [s]
-constexpr double kApproach = 0.03;  // speed from off the fixture [m/s]
-constexpr double kAhead = 0.03;     // he sees bends so far ahead [m]
-constexpr double kSeen = 0.001;     // between the places that he looks at [m]
+constexpr double kStep = 0.01;       // between points [s]
+constexpr double kRest = 1;          // at the ends [s]
+constexpr double kFade = 1;          // of the push, at the beginning and the end of the way [s]
+constexpr double kApproach = 0.03;   // speed from off the fixture [m/s]
+constexpr double kAhead = 0.03;      // he sees bends so far ahead [m]
+constexpr double kSeen = 0.001;      // between the places that he looks at [m]
+constexpr double kBraking = 2.5e-4;  // the same for which he slows down [m]
 // Into a bend he wants to be by so much of its radius: beyond its middle he would pull the tool back along the curve.
 constexpr double kInto = 0.5;
 // Where he wants to be goes around the outside of a bend no quicker than his hand does elsewhere, in shares of its speed.
@@ -76,16 +77,13 @@ class Writer {
   void rest(double time) {
     for (double t = 0; t < time; t += kStep) add(0);
   }
-  /// With the acceleration that is allowed, slower in bends.
+  /// With the acceleration that is allowed, slower in bends and before them.
   void go_to(double goal, bool last) {
     const double sense = goal < place_ ? -1 : 1;
     double speed = 0;
     while (sense * (goal - place_) > 1e-6) {
       const double ahead = sense * (goal - place_);
-      const double radius = way_.line.radius(way_.line.at(place_).s);
-      const double bend = std::sqrt(plan_.acceleration * radius);
-      const double around = kAround * plan_.speed * radius / (radius + pushed());
-      const double wanted = std::min({plan_.speed, std::sqrt(plan_.acceleration * ahead), bend, around});
+      const double wanted = std::min(std::sqrt(plan_.acceleration * ahead), fastest(sense));
       speed = std::min(wanted, speed + plan_.acceleration * kStep);
       place_ += sense * std::min(ahead, std::max(speed, 1e-3) * kStep);
       strength_ = std::min(1.0, strength_ + kStep / kFade);
@@ -93,6 +91,22 @@ class Writer {
       add(0);
     }
     if (!last) rest(kRest);
+  }
+  /// Fastest at a place. In a bend he pulls the tool no harder than elsewhere, where it is damped less.
+  [[nodiscard]] double fastest_at(double place) const {
+    const double radius = way_.line.narrowest(place);
+    const double bend = std::sqrt(plan_.acceleration * radius);
+    const double around = kAround * plan_.speed * radius / (radius + pushed());
+    const double mobility = rows(k_.law, k_.fixture, {.s = place}, 1).x.mobility;
+    return std::min({bend, around, plan_.speed * mobility / k_.law.free_mobility});
+  }
+  /// Fastest where he is, so that he can still slow down for what he sees ahead.
+  [[nodiscard]] double fastest(double sense) const {
+    double speed = plan_.speed;
+    for (double s = 0; s <= kAhead; s += kBraking)
+      speed =
+          std::min(speed, std::hypot(fastest_at(place_ + sense * s), std::sqrt(2 * plan_.acceleration * s)));
+    return speed;
   }
   /// So far off the curve he wants to be: as far as the force takes both springs, the fixture's and that of the hand.
   [[nodiscard]] double pushed() const {

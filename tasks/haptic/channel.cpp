@@ -17,6 +17,12 @@ std::uint64_t mixed(std::uint64_t z) {
 
 }  // namespace
 
+double lateness(const ChannelParameters& k, double macrostep) {
+  constexpr double kRare = 1e-3;  // share of packets before which more are lost in succession
+  const double lost = k.loss > kRare ? std::ceil(std::log(kRare) / std::log(k.loss) - 1e-9) : 0;
+  return k.jitter + macrostep * lost;
+}
+
 Channel::Channel(const ChannelParameters& parameters, double macrostep, std::uint64_t direction)
     : k_(parameters), macrostep_(macrostep), direction_(direction) {}
 

@@ -16,6 +16,11 @@ struct ChannelParameters {
   std::uint64_t seed{1};  ///< of jitter and loss
 };
 
+/// @param macrostep  duration [s]
+/// @return how much older than the delay the newest packet is at most [s]: by the jitter, and by the losses in succession that
+///         are exceeded once in a thousand packets
+[[nodiscard]] double lateness(const ChannelParameters& parameters, double macrostep);
+
 /// What one side tells the other.
 struct Packet {
   std::int64_t stamp{-1};  ///< macrostep in which it was sent; -1: none has come

@@ -1,9 +1,5 @@
 #include "tasks/haptic/config.hpp"
 
-#include <fmt/core.h>
-
-#include <tuple>
-
 namespace mrroc::haptic {
 namespace {
 

@@ -200,7 +200,7 @@ TYPED_TEST_P(TaskContract, HasAConfigurationThatParses) {
   const std::filesystem::path file = this->folder() / (this->folder().filename().string() + ".toml");
   EXPECT_NO_THROW(TypeParam::configure(Config::load(file)));
   if constexpr (requires { TypeParam::kHasNoDefaults; }) {
-    EXPECT_THROW(TypeParam::configure(Config()), ConfigError);
+    EXPECT_THROW(TypeParam::configure(Config()), FaultError);
   } else {
     EXPECT_NO_THROW(TypeParam::configure(Config())) << "the defaults alone must do";
   }

@@ -48,6 +48,10 @@ TEST(PairStability, HasColgatesBoundForTheMastersDamping) {
   PairLoop pair;
   pair.master.mobility = 0.002;
   EXPECT_NEAR(colgate_bound(pair), 2 * 500 / 0.004, 1e-6) << "2 b / T";
+  pair.motion_scale = 2;
+  pair.force_scale = 1.5;
+  EXPECT_NEAR(colgate_bound(pair), 2 * 500 / 0.004 / 3, 1e-6)
+      << "the hand feels a wall of three times the stiffness";
 }
 
 TEST(PairStability, RefusesWhatMakesNoSense) {

@@ -126,6 +126,7 @@ TEST_F(OnAConveyor, BadInputIsRefusedBeforeAnythingMoves) {
   for (const auto& [more, word] : std::vector<std::pair<std::vector<std::string>, std::string>>{
            {{"--belt-speed", "0.2"}, "--belt-speed"},
            {{"--belt-speed", "-0.1"}, "--belt-speed"},
+           {{"--belt-speed", "0.005"}, "--belt-speed"},
            {{"--belt-speed", "nan"}, "--belt-speed"},
            {{"--belt-speed", "0.1", "--conveyor"}, "--conveyor"},
            {{"--conveyor", "--set", "sim.paper.height=0.95"}, "sim.paper.height"}}) {

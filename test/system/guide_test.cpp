@@ -52,6 +52,18 @@ TEST(Guide, HoldsInNarrowBendsAgainstAHandThatPushesThereToo) {
   EXPECT_GE(figure(s, "least_energy_mJ"), -1);
 }
 
+TEST(Guide, HoldsAHandInAZigzagOfSharpCorners) {
+  const Folder folder;
+  const auto s =
+      led(folder,
+          {"--set", "task.fixture=curve", "--set",
+           "task.curve=[-45,-10,-30,10,-15,-10,0,10,15,-10,30,10,45,-10]"});  // 74 degrees between its sides
+  EXPECT_GT(figure(s, "across_force_N"), 9);
+  EXPECT_LE(figure(s, "fixture_dev_mm"), 1);
+  EXPECT_LE(figure(s, "fixture_drag_N"), 2);
+  EXPECT_GE(figure(s, "least_energy_mJ"), -1);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, GuideFixtures, testing::Values("line", "plane", "circle", "svg"));
 
 TEST(Guide, IsRepeatedFromTheConfigurationOfARunWithoutTheFileOfItsCurve) {

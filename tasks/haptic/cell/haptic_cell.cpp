@@ -94,7 +94,7 @@ edp::PairLoop pair_loop(const Scene& scene, const Law& law) {
 
 bool grows_gently(const Scene& scene, const Law& law) {
   return law.passivity.control &&
-         !edp::pair_settles(pair_loop(scene, law), scene.stiffness, law.channel.jitter);
+         !edp::pair_settles(pair_loop(scene, law), scene.stiffness, lateness(law.channel, law.macrostep));
 }
 
 void check_stability(const Scene& scene, const Law& law) {

@@ -190,6 +190,15 @@ TEST(BeltFigures, TheDrawingIsInItsPlaceWhereTheNodesLeadFromTheStart) {
   EXPECT_LT((drawing[1].back() - Point(14, 21)).norm(), 1e-9);
 }
 
+TEST(ConveyorOptions, RefuseABeltThatHardlyRuns) {
+  for (const double speed : {0.001, 0.0099}) {
+    Config config;
+    for (const std::string& setting : conveyor_settings({.conveyor = false, .belt_speed = speed}))
+      config.set(setting);
+    EXPECT_THROW(static_cast<void>(read_belt_speed(config)), ConfigError) << speed;
+  }
+}
+
 TEST(ConveyorOptions, StandForAConfigurationThatSaysTheSame) {
   EXPECT_TRUE(conveyor_settings({}).empty());
   for (const ConveyorOptions& o :

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -140,6 +141,36 @@ TEST(HandWay, BeginsAndGoesOnWithoutAJumpAndComesToBothEnds) {
     EXPECT_NEAR(k->fixture.stand(way.front().p, {}).distance(), plan.start, 1e-3);
     EXPECT_LT(k->fixture.stand(way.back().p, {}).distance(), 1e-3) << "it ends without a push";
   }
+}
+
+TEST(HandWay, SlowsDownBeforeNarrowBendsAndPullsTheDampedToolThroughThemNoHarder) {
+  OperatorPlan plan;
+  plan.compliance = 1e-3;
+  plan.push = 0;
+  const auto k = setup_of({"task.fixture=curve", "task.curve=[-45,-20,-15,20,15,-20,45,20]"});
+  const auto way = hand_way(*k, plan);
+  const Curve& curve = *k->fixture.curve();
+  double before = 0;
+  int slow = 0, quick = 0;
+  for (std::size_t n = 1; n < way.size(); ++n) {
+    const Standing s = k->fixture.stand(way[n].p, {});
+    const double speed = (way[n].p - way[n - 1].p).norm() / 0.01;
+    if (s.off() > 1e-4 || s.beyond[0] != 0) {  // not on the fixture yet, or at its ends
+      before = speed;
+      continue;
+    }
+    ASSERT_LE(speed, plan.speed * 1.001);
+    ASSERT_GE(speed - before, -1.5 * plan.acceleration * 0.01 - 1e-3) << "he brakes in time, at " << way[n].t;
+    const double share = std::min(1.0, curve.narrowest(s.s) / k->law.bend);
+    if (share < 0.5) {
+      ASSERT_LE(speed, 1.1 * share * plan.speed + 1e-3) << way[n].t;
+    }
+    slow += speed > 0 && share < 0.5;
+    quick += speed > 0.99 * plan.speed;
+    before = speed;
+  }
+  EXPECT_GT(slow, 100);
+  EXPECT_GT(quick, 100) << "elsewhere he is as quick as ever";
 }
 
 }  // namespace

@@ -46,6 +46,23 @@ TEST(HapticChannel, LosesTheShareThatItIsToldTo) {
   EXPECT_NEAR(1 - static_cast<double>(fresh) / 20'000, 0.1, 0.01);
 }
 
+TEST(HapticChannel, IsHardlyEverLaterThanItsLateness) {
+  for (const ChannelParameters& k :
+       {ChannelParameters{}, ChannelParameters{.jitter = 0.02}, ChannelParameters{.delay = 0.1, .loss = 0.1},
+        ChannelParameters{.loss = 0.5}, ChannelParameters{.delay = 0.02, .jitter = 0.02, .loss = 0.3}}) {
+    const auto stamps = known(k, 0, 50'000);
+    const auto latest = std::lround((k.delay + lateness(k, kMacrostep)) / kMacrostep);
+    int later = 0, as_late = 0;
+    for (std::size_t i = 100; i < stamps.size(); ++i) {
+      const std::int64_t age = static_cast<std::int64_t>(i) - stamps[i];
+      later += age > latest;
+      as_late += age + 3 >= latest;
+    }
+    EXPECT_LE(later, 50) << "one in a thousand";
+    EXPECT_GT(as_late, 0) << "and it says no more than is so";
+  }
+}
+
 TEST(HapticChannel, IsTheSameWithTheSameSeedAndAnotherWithAnotherSeedOrDirection) {
   const ChannelParameters k{.delay = 0.02, .jitter = 0.03, .loss = 0.1, .seed = 1};
   ChannelParameters other = k;

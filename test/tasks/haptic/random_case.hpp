@@ -23,8 +23,8 @@ struct RandomCase {
 
   /// Sets what the task sets before it starts.
   void settle() {
-    law.grows_gently = law.passivity.control &&
-                       !edp::pair_settles(pair_loop(law, around, servo), around.wall, law.channel.jitter);
+    law.grows_gently = law.passivity.control && !edp::pair_settles(pair_loop(law, around, servo), around.wall,
+                                                                   lateness(law.channel, law.macrostep));
   }
 };
 
