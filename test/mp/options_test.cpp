@@ -254,6 +254,8 @@ TEST(TaskCommandLine, AnOptionWithoutItsValueIsToldWithALineToType) {
         {"press", "--session", "press --session cell"},
         {"press", "--host", "press --config cell.toml --host \"robot=ssh robot\""},
         {"press", "--url", "press --url udpm://239.255.76.67:7667?ttl=1"},
+        {"bake", "--json", "bake --parameters --json"},
+        {"bake", "--set", "press --set task.force=8"},
         {"bake", "--bread", "bake --bread rye --degrees 230"},
         {"bake", "--degrees", "bake --bread rye --degrees 230"}})
     EXPECT_EQ(line_for(program, option), std::string("type for example `./run ") + words + "`") << option;
