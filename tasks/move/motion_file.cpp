@@ -8,6 +8,7 @@
 
 #include "base/joined.hpp"
 #include "base/representation.hpp"
+#include "tasks/move/plan.hpp"
 
 namespace mrroc::any_motion {
 namespace {
