@@ -53,7 +53,7 @@ std::string path_script(const std::vector<BodyRow>& rows) {
              "set title 'ball: the way of the object, seen along the line between the palms' font "
              "'sans:Bold,15'\n"
              "set size ratio -1\nset xrange {1}\nset yrange {2}\nset xlabel 'x [mm]'\nset ylabel 'up [mm]'\n"
-             "set key outside bottom center horizontal reverse Left samplen 2\n"
+             "set bmargin 6\nset key outside bottom center horizontal reverse Left samplen 2\n"
              "plot $way using 1:2 with lines lw 7 lc rgb '#d0d7e2' title 'where it is led', \\\n"
              "  '' using 3:4 with lines lw 2 lc rgb '{3}' title 'object', \\\n"
              "  '' using 3:4 every ::{4}::{4} with points pt 7 ps 2 lc rgb '{3}' title 'its end', \\\n"
