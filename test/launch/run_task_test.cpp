@@ -159,7 +159,6 @@ TEST_F(RunTask, WhatIsWrongIsToldBeforeAnythingStarts) {
       {{"--set", "robots.arm1.fingers=two_layers"}, "robots.arm1.gripper"},
       {{"--set", "cube.held_by=arm1"}, "cube.held_by: arm1 has no fingers"},
       {{"--shallow"}, "--shallow"},
-      {{"--run-dir", ""}, "names no folder"},
       {{"--check", "/no/such/run"}, "/no/such/run"}};
   for (const auto& [words, named] : all) {
     order_.clear();

@@ -112,6 +112,11 @@ TEST(TaskOptions, ASeedThatCannotBeIsRefusedByItsName) {
       << refusal({"--seed", "-1"});
 }
 
+TEST(TaskOptions, ARunFolderWithoutANameIsRefused) {
+  EXPECT_NE(refusal({"--run-dir", ""}).find("names no folder; leave --run-dir out"), std::string::npos)
+      << refusal({"--run-dir", ""});
+}
+
 TEST(TaskOptions, ASpeedThatCannotBeIsRefusedWithTheLimit) {
   for (const std::string speed : {"0", "-2", "1e9", "nan", "inf", "fast", "2x"}) {
     const std::string why = refusal({"--speed=" + speed});
