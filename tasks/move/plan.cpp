@@ -48,6 +48,9 @@ std::string what_is_limited(Representation space, Eigen::Index axis) {
   return axis == 0 ? "the tip" : "the orientation";
 }
 
+/// A factor as it is told: the very number has to be enough.
+double rounded_up(double times) { return std::ceil(100 * times - 1e-6) / 100; }
+
 /// @return how many times as long a replay has to take: by how much its corners are less sharp then is found by trying
 double least_stretch(const PlannedMotion& m, double times, int axes) {
   constexpr double kMost = 100, kMore = 1.05;
@@ -59,14 +62,13 @@ double least_stretch(const PlannedMotion& m, double times, int axes) {
     const Rates rates = rates_of(replay.path(), m.spec.planned(), axes, kPacing.macrostep_s());
     return largest(rates.velocity) > 1 || largest(rates.acceleration) > 1;
   };
-  while (times < kMost && too_fast()) times *= kMore;
+  while (times < kMost && too_fast()) times = rounded_up(kMore * times);
   return times;
 }
 
 /// What to do about a motion with times that is too fast.
 std::string remedy_of(const MotionSpec& spec, double times) {
-  // Rounded up: the number that is told has to be enough.
-  const std::string text = fmt::format("give it {:.4g} times the time", std::ceil(100 * times) / 100);
+  const std::string text = fmt::format("give it {:.4g} times the time", times);
   if (spec.generator != Generator::replay) return text;
   return text + " by `stretch`, or by `times` that are written by hand" +
          (spec.space == Representation::motors
@@ -89,7 +91,7 @@ void demand_within(const std::vector<Coordinates>& shares, const MotionSpec& spe
 
 void check_rates(const PlannedMotion& m, int axes) {
   const double v = largest(m.rates.velocity), a = largest(m.rates.acceleration);
-  double times = std::max(v, std::sqrt(a)) * 1.01;
+  double times = rounded_up(std::max(v, std::sqrt(a)) * 1.01);
   std::string remedy = "give it more time, or smaller shares of the limits";
   if (times > 1 && m.replay) times = least_stretch(m, times, axes);
   if (!m.spec.times.empty() || m.spec.duration > 0) remedy = remedy_of(m.spec, times);

@@ -89,11 +89,11 @@ TEST(Guide, IsRepeatedByMoveAsPosesOfOneToolThoughTheFixtureTurnsItsFrame) {
     EXPECT_EQ(ended.status, 0) << space << ended.all();
   }
   const Ended fast = again("space = \"motors\"\n");
-  const std::string words = fast.last_err(), told = "give it ";
-  EXPECT_NE(words.find("space = \"joints\""), std::string::npos) << words;
-  ASSERT_NE(words.find(told), std::string::npos) << words;
+  const std::string error = fast.last_err(), told = "give it ";
+  EXPECT_NE(error.find("space = \"joints\""), std::string::npos) << error;
+  ASSERT_NE(error.find(told), std::string::npos) << error;
   const Ended slower = again("space = \"motors\"\nstretch = " +
-                             std::to_string(std::stod(words.substr(words.find(told) + told.size()))) + "\n");
+                             std::to_string(std::stod(error.substr(error.find(told) + told.size()))) + "\n");
   EXPECT_EQ(slower.status, 0) << "what is told is enough" << slower.all();
 }
 
@@ -115,7 +115,7 @@ TEST(Guide, RefusesWhatCannotBeAFixtureBeforeAnythingMoves) {
   };
   refused({"--fixture", drawn("point.svg", "M1 1 L1 1")}, "point.svg: the stroke is a single point");
   refused({"--fixture", drawn("sharp.svg", "M0 0 L100 0 L0 1")}, "sharp.svg");
-  refused({"--fixture", folder.string()}, "this is a folder");
+  refused({"--fixture", folder.path().string()}, "this is a folder");
   refused({"--size", "50"}, "--size and --stroke");
   refused({"--set", "task.centre=[1.6, 0, 1]"}, "does not reach");
   refused({"--set", "task.centre=[0.9, 0, 0.9]"}, "in the table");
