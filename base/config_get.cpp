@@ -39,6 +39,16 @@ std::string shown(const ConfigValue& value) {
   return text;
 }
 
+/// @return the end of an error about a lone number or text where a list is wanted
+template <class T>
+std::string bracket_hint(const ConfigValue& value) {
+  const bool number = std::holds_alternative<double>(value) || std::holds_alternative<std::int64_t>(value);
+  const bool wanted =
+      (std::is_same_v<T, std::vector<double>> && number) ||
+      (std::is_same_v<T, std::vector<std::string>> && std::holds_alternative<std::string>(value));
+  return wanted ? fmt::format("; a list stands in brackets: [{}]", shown(value)) : "";
+}
+
 bool finite(std::int64_t) { return true; }
 bool finite(double value) { return std::isfinite(value); }
 
@@ -74,7 +84,8 @@ T Config::take(std::string_view key, const std::optional<T>& fallback, const Ask
   const T* value = std::get_if<T>(&entry.value);
   if (value == nullptr)
     throw ConfigError(entry.place, path,
-                      fmt::format("'{}' must be {}, and it is {}", path, asked.words(), shown(entry.value)));
+                      fmt::format("'{}' must be {}, and it is {}{}", path, asked.words(), shown(entry.value),
+                                  bracket_hint<T>(entry.value)));
   if (entry.from_default && fallback && *value != *fallback)
     throw FaultError(FaultCode::internal_error, fmt::format("the key '{}' has two defaults", path));
   entry.range = asked.range;

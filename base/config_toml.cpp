@@ -72,8 +72,11 @@ struct Reader {
     }
     if (numbers.size() == array.size()) return numbers;
     if (texts.size() == array.size()) return texts;
+    const bool nested =
+        std::any_of(array.begin(), array.end(), [](const toml::node& node) { return node.is_array(); });
     throw ConfigError(place(array.source()), path,
-                      fmt::format("'{}' must be a list of numbers or a list of texts", path));
+                      fmt::format("'{}' must be a list of numbers or a list of texts{}", path,
+                                  nested ? ", without lists in it: all numbers one after another" : ""));
   }
 };
 

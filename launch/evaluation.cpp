@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "mp/behaviour_bands.hpp"
+#include "mp/print_line.hpp"
 #include "mp/step_forces.hpp"
 
 namespace mrroc::launch {
@@ -42,9 +43,10 @@ void evaluate(const Evaluation& e, Results& r) {
     }
   if (e.result && !r.summary.fault) r.remarks = e.result(traces);
   const bool moved = std::ranges::any_of(traces, [](const mp::ArmTrace& trace) { return !trace.empty(); });
-  if (e.pictures && moved)
-    for (const Picture& p : e.pictures(traces, config))
-      r.pictures.emplace_back(p.name, script_of(r, e, traces, p));
+  if (!e.pictures || !moved) return;
+  const std::vector<Picture> pictures = e.pictures(traces, config);
+  if (pictures.empty()) mp::print_line("no pictures: the run ended before there was anything to draw");
+  for (const Picture& p : pictures) r.pictures.emplace_back(p.name, script_of(r, e, traces, p));
 }
 
 }  // namespace mrroc::launch

@@ -46,6 +46,17 @@ FaultError naming_option(const FaultError& e, const Task& task, const std::vecto
   return e;
 }
 
+/// @throws FaultError  for a key that an option and --set give: which of them is meant is not guessed
+void refuse_twice(const Task& task, const mp::TaskOptions& options, const std::vector<std::string>& found) {
+  const auto sets = [](const std::vector<std::string>& settings, const std::string& key) {
+    return std::ranges::any_of(settings, [&](const std::string& s) { return s.starts_with(key + "="); });
+  };
+  for (const auto& [key, option] : task.typed)
+    if (sets(options.settings, key) && sets(found, key))
+      throw FaultError(FaultCode::bad_usage, fmt::format("{} and --set {} give the same value", option, key),
+                       "leave out one of them");
+}
+
 /// @return the configuration, from which all parts of the run have read what they need
 Setup read_setup(const Task& task, mp::TaskOptions options, const std::vector<std::string>& found) {
   Setup s;
@@ -100,6 +111,7 @@ std::vector<std::string> effectors_of(const Task& task, const Setup& s) {
 
 Setup prepare(const Task& task, mp::TaskOptions options) {
   const std::vector<std::string> found = task.found ? task.found(options) : std::vector<std::string>{};
+  refuse_twice(task, options, found);
   try {
     return read_setup(task, std::move(options), found);
   } catch (const ConfigError& e) {

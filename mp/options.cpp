@@ -97,7 +97,11 @@ void add_time_options(CommandLine& line, TaskOptions& o) {
 
 /// The run folder, and the values that the run has.
 void add_configuration_options(CommandLine& line, TaskOptions& o) {
-  line.option("--run-dir", o.run_dir, "the run folder (default runs/TASK-TIME)").type_name("DIR");
+  line.option("--run-dir", o.run_dir, "the run folder (default runs/TASK-TIME)")
+      .check([](const std::string& name) {
+        if (name.empty()) throw WrongValue("'' names no folder; leave --run-dir out for a fresh one");
+      })
+      .type_name("DIR");
   line.option("--config", o.config_file,
               "values over the built-in ones; the config.toml of a run: instead of them")
       .type_name("FILE");
@@ -145,6 +149,16 @@ void add_system_options(CommandLine& line, TaskOptions& o) {
       .type_name("NAME=WORDS");
 }
 
+/// @return the examples with this task instead of press, but for those of keys that only press has
+Examples examples_of(const std::string& task) {
+  constexpr std::string_view kOf = "./run press ", kItsKey = "--set task.force";
+  Examples examples = kExamples;
+  for (std::string& line : examples)
+    if (line.starts_with(kOf) && line.find(kItsKey) == std::string::npos)
+      line = "./run " + task + " " + line.substr(kOf.size());
+  return examples;
+}
+
 /// @return exit status of what the line asks for
 int run_parsed(CommandLine& line, int argc, char** argv, const std::function<int()>& run,
                const Examples& own) {
@@ -161,7 +175,7 @@ int run_parsed(CommandLine& line, int argc, char** argv, const std::function<int
   }
   try {
     line.refuse_unknown_options(argc, argv);
-    Examples examples = kExamples;
+    Examples examples = examples_of(line.name());
     examples.insert(examples.end(), own.begin(), own.end());
     line.parse(argc, argv, examples);
     return run();

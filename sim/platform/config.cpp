@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/closest_match.hpp"
 #include "base/step_interval.hpp"
 #include "sim/platform/platform_world.hpp"
 
@@ -158,7 +159,7 @@ void check_start(const PlatformWorldParameters& w, const BoxParameters& box,
       refuse(where, "the platform '" + platforms[k] + "' begins there");
   for (const BoxParameters& other : w.boxes)
     if (overlap(outline_of(box), outline_of(other)))
-      refuse(where, "the box '" + other.name + "' begins there");
+      refuse(where, "the box '" + other.name + "' begins there" + did_you_mean(box.name, {other.name}));
 }
 
 void read_boxes(const Config& config, const std::vector<std::string>& platforms, PlatformWorldParameters& w) {
@@ -168,6 +169,11 @@ void read_boxes(const Config& config, const std::vector<std::string>& platforms,
   for (const std::string& name : names) {
     if (std::ranges::find(platforms, name) != platforms.end())
       refuse("sim.boxes." + name, "a platform has this name");
+    WordSet others(names.begin(), names.end());
+    others.erase(name);
+    if (!config.has("sim.boxes." + name + ".start"))
+      refuse("sim.boxes." + name,
+             "a box that begins nowhere: its start is missing" + did_you_mean(name, others));
     const BoxParameters box = read_box(config, name);
     check_start(w, box, platforms);
     w.boxes.push_back(box);

@@ -23,7 +23,7 @@ Fault fault_of(const Coordinator::X& x) {
   const PairState s = pair_state(k, x.T.agent);
   switch (x.c.failure) {
     case Failure::no_contact:
-      return made(FaultCode::no_contact,
+      return made(kObjectNotAsTold,
                   fmt::format("the palms are {:.0f} mm apart and do not both touch the object of {:.0f} mm",
                               1e3 * s.distance, 1e3 * k.body.size));
     case Failure::not_as_told:

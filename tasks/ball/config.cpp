@@ -11,6 +11,21 @@
 namespace mrroc::ball {
 namespace {
 
+constexpr Bounds kForce{.min = 5, .max = 60};  // of both palms on the object [N]
+
+/// What to do where a force is needed.
+std::string remedy_of(const Parameters& k, double needed) {
+  const std::string more = fmt::format("press with more by --set task.force={:.0f}", std::ceil(needed));
+  if (std::ceil(needed) > kForce.max)
+    return fmt::format("take a lighter or rougher object: task.force is {:g} N at most", kForce.max);
+  if (std::ceil(needed) >= k.most_force)
+    return fmt::format(
+        "take a lighter or rougher object: this one bears {:g} N (task.most_force), and may not be pressed "
+        "with more",
+        k.most_force);
+  return more + ", or take a lighter or rougher object";
+}
+
 /// The least force with which friction holds the object as it is told.
 void check_grip(const Parameters& k) {
   const double needed = needed_force(k.body.mass, k.body.friction, k.margin);
@@ -21,10 +36,7 @@ void check_grip(const Parameters& k) {
             "the object of {:g} kg cannot be held by {:g} N: with friction {:g} on both palms it would "
             "slide; {:.1f} N are needed",
             k.body.mass, k.force, k.body.friction, needed),
-        needed < k.most_force
-            ? fmt::format("press with more by --set task.force={:.0f}, or take a lighter or rougher object",
-                          std::ceil(needed))
-            : "take a lighter or rougher object");
+        remedy_of(k, needed));
   if (k.force >= k.most_force)
     throw FaultError(
         FaultCode::bad_configuration,
@@ -44,7 +56,7 @@ Parameters read_parameters(const Config& config) {
   const Config t = config.section("task");
   Parameters k;
   k.body = *body;
-  k.force = t.number("force", k.force, {5, 60}, "N, of both palms on the object");
+  k.force = t.number("force", k.force, kForce, "N, of both palms on the object");
   k.radius = t.number("radius", k.radius, {0.01, 0.15}, "m");
   k.turn = t.integer("turn", k.turn, {400, 10'000}, "macrosteps of one turn");
   k.lift = t.number("lift", k.lift, {0.01, 0.1}, "m");

@@ -1,4 +1,5 @@
 // Two arms carry a ball or a box between their palms around a circle.
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -64,10 +65,12 @@ void make_results(const Ball& b, launch::Results& r) {
     return ball::figures(rows, b.k, b.push.has_value());
   };
   evaluation.pictures = [&](const auto&, const Config&) {
-    if (!ball::lifted_pose(rows)) return std::vector<launch::Picture>{};
-    return std::vector<launch::Picture>{
-        {.name = "path", .script = ball::path_script(rows)},
-        {.name = "force", .chart = ball::force_chart(rows, b.k), .arms = {0}}};
+    const auto has = [&](int m) { return std::ranges::find(rows, m, &ball::BodyRow::m) != rows.end(); };
+    std::vector<launch::Picture> pictures;
+    if (has(ball::kLift)) pictures.push_back({.name = "path", .script = ball::path_script(rows)});
+    if (has(ball::kSqueeze))
+      pictures.push_back({.name = "force", .chart = ball::force_chart(rows, b.k), .arms = {0}});
+    return pictures;
   };
   launch::evaluate(evaluation, r);
 }

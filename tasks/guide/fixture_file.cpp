@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "base/text_file.hpp"
 #include "tasks/drawing/svg.hpp"
@@ -19,7 +20,12 @@ drawing::Stroke chosen(const drawing::Drawing& drawing, const std::string& file,
     throw FaultError(
         FaultCode::bad_usage, fmt::format("{} has no stroke {}", file, stroke),
         strokes > 1 ? fmt::format("choose one with --stroke 1..{}", strokes) : "leave out --stroke");
-  return drawing[static_cast<std::size_t>(std::max(stroke, 1) - 1)];
+  const drawing::Stroke& points = drawing[static_cast<std::size_t>(std::max(stroke, 1) - 1)];
+  if (points.size() < 2)
+    throw FaultError(FaultCode::bad_drawing,
+                     fmt::format("{}: the stroke is a single point, and a fixture is a curve", file),
+                     "draw a line or a shape");
+  return points;
 }
 
 }  // namespace
@@ -32,6 +38,10 @@ std::vector<std::string> fixture_settings(const std::string& fixture, std::optio
                      "give --fixture FILE.svg, or set task.length, task.width or task.radius");
   if (fixture.empty()) return {};
   if (!file) {
+    if (std::error_code none; std::filesystem::is_directory(fixture, none))
+      throw FaultError(FaultCode::bad_usage,
+                       fmt::format("--fixture {}: this is a folder, and a fixture is a file", fixture),
+                       "name an SVG file in it, or give line, plane or circle");
     if (fixture != "line" && fixture != "plane" && fixture != "circle")
       throw FaultError(FaultCode::bad_usage, fmt::format("--fixture {}: there is no such fixture", fixture),
                        "give line, plane, circle or a file whose name ends with .svg");

@@ -1,4 +1,5 @@
 // The operator leads a tool that moves only on a virtual fixture.
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,6 +47,17 @@ void prepare(Run& run, const launch::Setup& s) {
   run.way = guide::hand_way(*run.setup, guide::read_operator(s.config, guide::hand_compliance(s.config)));
 }
 
+/// What is wrong with a curve is wrong with the file that draws it.
+void naming_file(const std::string& fixture, const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const FaultError& e) {
+    const std::string text = e.what(), key = "task.curve";
+    if (!fixture.ends_with(".svg") || !text.starts_with(key)) throw;
+    throw FaultError(FaultCode::bad_drawing, fixture + text.substr(key.size()), std::string(e.remedy()));
+  }
+}
+
 mp::FarewellPlan farewell(const Run& run, bool gives_orders) {
   const Vector3 away(0, -0.03, 0.02);  // towards the arm and up, in the sheet [m]
   const Vector3 p = run.T_0P.inverse() * run.way.back().p + away;
@@ -57,6 +69,7 @@ mp::FarewellPlan farewell(const Run& run, bool gives_orders) {
 
 std::vector<launch::Picture> pictures(const std::vector<mp::ArmTrace>& arms, const Config& config) {
   const auto k = guide::read_setup(config, "arm1");
+  if (guide::led_rows(arms[0], *k).empty()) return {};  // the tool never came to the fixture
   return {{.name = "fixture", .script = guide::fixture_script(*k)},
           {.name = "force", .chart = guide::force_chart(arms[0], *k), .arms = {0, 0}}};
 }
@@ -98,8 +111,10 @@ int main(int argc, char** argv) {
   };
   task.unattended = ", unattended: the simulated operator gives start and triggers";
   task.prepare = [&, of_arm = task.prepare](const launch::Setup& s) {
-    of_arm(s);
-    prepare(run, s);
+    naming_file(options.fixture, [&] {
+      of_arm(s);
+      prepare(run, s);
+    });
   };
   task.strokes = mp::kHandFile;
   task.files = [&](const std::filesystem::path& folder) {

@@ -56,7 +56,10 @@ std::string fixture_script(const Setup& k) {
     x.add((side < 0 ? x.low : x.high) + side * room);
     y.add((side < 0 ? y.low : y.high) + side * room);
   }
-  return gnuplot_head("plots/fixture.png", 900, 760) +
+  // As high as the plot with equal axes needs, so that the legend stands right below it.
+  const double share = (y.high - y.low) / (x.high - x.low);
+  const int height = static_cast<int>(std::clamp(210 + 790 * share, 320.0, 900.0));
+  return gnuplot_head("plots/fixture.png", 900, height) +
          fmt::format(
              "$fixture << EOD\n{0}EOD\n"
              "u(k) = {1}\nw(k) = {2}\nheld(v) = column(3) == {3} ? v : NaN\n"
@@ -64,9 +67,9 @@ std::string fixture_script(const Setup& k) {
              "set title 'guide: the fixture and the way of the tool, in the plane of the fixture' font "
              "'sans:Bold,15'\n"
              "set size ratio -1\nset xrange {6}\nset yrange {7}\nset xlabel 'x [mm]'\nset ylabel 'y [mm]'\n"
-             "set key outside bottom center horizontal reverse Left samplen 2\n"
+             "set bmargin 6\nset key outside bottom center horizontal reverse Left samplen 2\n"
              "plot $fixture using 1:2 with lines lw 7 lc rgb '#d0d7e2' title 'fixture', \\\n"
-             "  'arm1.csv' skip 1 using (taken(u(1))):(taken(w(1))) with lines lw 1.5 lc rgb '{8}' title "
+             "  'arm1.csv' skip 1 using (taken(u(1))):(taken(w(1))) with lines lw 3 lc rgb '{8}' title "
              "'tool while it "
              "enters and leaves', \\\n"
              "  '' skip 1 using (held(u(1))):(held(w(1))) with lines lw 1.5 lc rgb '{9}' title 'tool on the "

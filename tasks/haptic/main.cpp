@@ -34,10 +34,11 @@ struct ChannelOptions {
 };
 
 void add_options(CommandLine& line, ChannelOptions& o) {
-  line.option("--delay", o.delay, "delay of the channel between the arms, each way: 0 to 200")
+  line.option("--delay", o.delay, "delay of the channel between the arms, each way")
+      .range(0.0, 200.0)
       .type_name("MS");
-  line.option("--jitter", o.jitter, "more than that, at most: 0 to 100").type_name("MS");
-  line.option("--loss", o.loss, "share of packets that are lost: 0 to 50").type_name("PERCENT");
+  line.option("--jitter", o.jitter, "more than that, at most").range(0.0, 100.0).type_name("MS");
+  line.option("--loss", o.loss, "share of packets that are lost").range(0.0, 50.0).type_name("PERCENT");
 }
 
 std::vector<std::string> channel_settings(const ChannelOptions& o) {
@@ -88,6 +89,7 @@ void results(const Run& run, launch::Results& r) {
     return haptic::figures(run.record, run.k.law);
   };
   evaluation.pictures = [&](const std::vector<mp::ArmTrace>&, const Config&) {
+    if (run.record.empty()) return std::vector<launch::Picture>{};  // the arms were never coupled
     const haptic::Law& law = run.k.law;
     return std::vector<launch::Picture>{{.name = "motion", .chart = haptic::motion_chart(law), .arms = {0}},
                                         {.name = "force", .chart = haptic::force_chart(law), .arms = {0}},

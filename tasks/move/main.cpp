@@ -45,7 +45,8 @@ struct Motions {
 Motions motions(const Options& o) {
   if (o.file.empty()) return {Config::parse(any_motion::example(), "example.toml (built in)"), {}};
   Motions m{Config::load(o.file), {}};
-  m.recordings = any_motion::insert_recordings(m.file, known_arms(), o.file.parent_path());
+  m.recordings =
+      any_motion::insert_recordings(m.file, known_arms(), o.file.parent_path(), any_motion::make_arm_body);
   return m;
 }
 

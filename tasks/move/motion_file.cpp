@@ -8,6 +8,7 @@
 
 #include "base/joined.hpp"
 #include "base/representation.hpp"
+#include "tasks/move/plan.hpp"
 
 namespace mrroc::any_motion {
 namespace {
@@ -19,6 +20,9 @@ constexpr std::size_t kMostMotions = 900;  // of one arm: below kWorkDone
 
 bool is_spline(Generator g) {
   return g == Generator::linear || g == Generator::cubic || g == Generator::quintic;
+}
+std::string counted(std::size_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 bool takes_lists(Generator g) { return g == Generator::trapezoid || g == Generator::polyline; }
 
@@ -133,8 +137,10 @@ class MotionReader {
         config_.list("times", required ? std::nullopt : std::optional(std::vector<double>{}), kTime, "s");
     if (m_.times.empty() && !required) return;
     if (!one_each(m_.times.size()) || m_.times.empty())
-      throw wrong_value(config_, "times",
-                        fmt::format("has {} times for {} positions", m_.times.size(), m_.positions.size()));
+      throw wrong_value(
+          config_, "times",
+          fmt::format("has {} for {}, and each position has one", counted(m_.times.size(), "time"),
+                      counted(m_.positions.size(), "position")));
     const bool from_zero = m_.generator == Generator::replay;  // its first position is where it begins
     for (std::size_t k = 0; k < m_.times.size(); ++k)
       if (!(m_.times[k] > (k > 0 ? m_.times[k - 1] : from_zero ? -1 : 0)))
@@ -143,8 +149,15 @@ class MotionReader {
 
   void read_timing() {
     if (m_.generator == Generator::replay) return read_times(true);
-    if (m_.generator == Generator::straight) return;
-    if (is_spline(m_.generator)) read_times(false);
+    if (m_.generator == Generator::straight && !config_.has("times")) return;
+    if (is_spline(m_.generator)) {
+      read_times(false);
+    } else if (config_.has("times")) {
+      throw wrong_value(
+          config_, "times",
+          fmt::format("is for the generators linear, cubic, quintic and replay, and this one is {}",
+                      to_string(m_.generator)));
+    }
     if (m_.generator == Generator::nurbs)
       m_.duration = config_.number("time", 0, kTime, "s, 0: as fast as the shares permit");
     // The original's.

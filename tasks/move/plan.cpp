@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/representation.hpp"
 #include "ecp/generators/force.hpp"
@@ -47,9 +48,37 @@ std::string what_is_limited(Representation space, Eigen::Index axis) {
   return axis == 0 ? "the tip" : "the orientation";
 }
 
+/// A factor as it is told: the very number has to be enough.
+double rounded_up(double times) { return std::ceil(100 * times - 1e-6) / 100; }
+
+/// @return how many times as long a replay has to take: by how much its corners are less sharp then is found by trying
+double least_stretch(const PlannedMotion& m, double times, int axes) {
+  constexpr double kMost = 100, kMore = 1.05;
+  const ecp::TaughtPath taught = recording_of(m.spec, m.path.set_position(0));
+  const auto too_fast = [&] {
+    ecp::TaughtPath slower = taught;
+    for (ecp::TaughtPose& p : slower.poses) p.t *= times;
+    const ecp::Replay replay(slower, m.spec.mu, kPacing);
+    const Rates rates = rates_of(replay.path(), m.spec.planned(), axes, kPacing.macrostep_s());
+    return largest(rates.velocity) > 1 || largest(rates.acceleration) > 1;
+  };
+  while (times < kMost && too_fast()) times = rounded_up(kMore * times);
+  return times;
+}
+
+/// What to do about a motion with times that is too fast.
+std::string remedy_of(const MotionSpec& spec, double times) {
+  const std::string text = fmt::format("give it {:.4g} times the time", times);
+  if (spec.generator != Generator::replay) return text;
+  return text + " by `stretch`, or by `times` that are written by hand" +
+         (spec.space == Representation::motors
+              ? "; or set space = \"joints\", whose limits are wider than those of motors"
+              : "");
+}
+
 /// @throws FaultError too_fast  for the first of these that is above its limit
 void demand_within(const std::vector<Coordinates>& shares, const MotionSpec& spec, const char* what,
-                   double least_time) {
+                   const std::string& remedy) {
   for (std::size_t k = 0; k < shares.size(); ++k)
     for (Eigen::Index axis = 0; axis < shares[k].size(); ++axis)
       if (const double share = std::abs(shares[k][axis]); !(share <= 1 + kRounding))
@@ -57,16 +86,17 @@ void demand_within(const std::vector<Coordinates>& shares, const MotionSpec& spe
                          fmt::format("{}, {:.2f} s after its beginning: {} of {} is {:.0f} % of its limit",
                                      spec.name, time_of(static_cast<std::int64_t>(k)), what,
                                      what_is_limited(spec.planned(), axis), 100 * share),
-                         least_time > 0 ? fmt::format("give it {:.3g} times the time", least_time)
-                                        : "give it more time, or smaller shares of the limits");
+                         remedy);
 }
 
-void check_rates(const PlannedMotion& m) {
+void check_rates(const PlannedMotion& m, int axes) {
   const double v = largest(m.rates.velocity), a = largest(m.rates.acceleration);
-  const double times = std::max(v, std::sqrt(a)) * 1.01;
-  const bool timed = !m.spec.times.empty() || m.spec.duration > 0;
-  demand_within(m.rates.velocity, m.spec, "speed", timed ? times : 0);
-  demand_within(m.rates.acceleration, m.spec, "acceleration", timed ? times : 0);
+  double times = rounded_up(std::max(v, std::sqrt(a)) * 1.01);
+  std::string remedy = "give it more time, or smaller shares of the limits";
+  if (times > 1 && m.replay) times = least_stretch(m, times, axes);
+  if (!m.spec.times.empty() || m.spec.duration > 0) remedy = remedy_of(m.spec, times);
+  demand_within(m.rates.velocity, m.spec, "speed", remedy);
+  demand_within(m.rates.acceleration, m.spec, "acceleration", remedy);
 }
 
 /// Joints and poses at all set points. @throws FaultError unreachable_pose
@@ -168,7 +198,7 @@ Plan make_plan(const MotionFile& file, std::span<const Body* const> bodies) {
     if (plan.together) plan_all(longest);
     for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
       if (k >= file.arms[arm].motions.size()) continue;
-      check_rates(plan.arms[arm].motions[k]);
+      check_rates(plan.arms[arm].motions[k], bodies[arm]->axes());
       planners[arm].go_on_from(plan.arms[arm].motions[k]);
     }
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "base/agent_images.hpp"
 #include "base/link/log_reader.hpp"
@@ -39,6 +40,12 @@ struct Wanted {
   double from{}, to{};  // simulated time of the run [s]
 };
 
+/// A run folder, and what it says of itself.
+struct RecordedRun {
+  fs::path folder;
+  Config config;
+};
+
 /// A moment of a run.
 struct Moment {
   double t{};
@@ -59,12 +66,12 @@ std::vector<Moment> without_rests(const std::vector<Moment>& all) {
 }
 
 /// The macrosteps of a run in which the arm knows where it is, without its rests before and after its motion.
-std::vector<Moment> moments_of(const fs::path& run, const Wanted& wanted) {
-  const Config config = Config::load(link::checked_run_folder(run) / "config.toml");
-  const double T =
-      config.number("time.dt", 0.002, {1e-4, 0.1}, "s") * config.integer("time.n_s", 10, {2, 32}, "steps");
+std::vector<Moment> moments_of(const RecordedRun& run, const Wanted& wanted) {
+  const double T = run.config.number("time.dt", 0.002, {1e-4, 0.1}, "s") *
+                   run.config.integer("time.n_s", 10, {2, 32}, "steps");
   std::vector<Moment> moments;
-  for (const auto& [i, message] : link::LogReader(run).messages<effector_reply_t>(wanted.arm + ".reply")) {
+  for (const auto& [i, message] :
+       link::LogReader(run.folder).messages<effector_reply_t>(wanted.arm + ".reply")) {
     const double t = static_cast<double>(i) * T;
     const EffectorReply reply = from_message(message);
     if (!reply.position_known || t < wanted.from || t > wanted.to) continue;
@@ -73,9 +80,20 @@ std::vector<Moment> moments_of(const fs::path& run, const Wanted& wanted) {
   return without_rests(moments);
 }
 
+/// Pose and force of E as the arm's model has it. A run may have turned and moved E as it liked (guide turns it along the
+/// curve): a replay has one E, whatever that run called so.
+void see_in_own_E(EffectorReply& reply, const Wanted& wanted, const Body& body) {
+  const Pose T_0E = body.pose(Eigen::Map<const Eigen::VectorXd>(reply.joints.data(), wanted.axes));
+  reply.F_a = xi_F(T_0E.inverse() * pose_of(reply), reply.F_a);
+  reply.pose = numbers_from_pose(wanted.space, T_0E);
+}
+
 /// What the arm did, by the teach-in of ecp/generators.
-Recorded recorded_in_run(const fs::path& run, const Wanted& wanted) {
+Recorded recorded_in_run(const fs::path& folder, const Wanted& wanted, const MakeBody& make_body) {
+  const RecordedRun run{folder, Config::load(link::checked_run_folder(folder) / "config.toml")};
   const std::vector<Moment> moments = moments_of(run, wanted);
+  std::unique_ptr<Body> body;
+  if (!moments.empty() && !per_axis(wanted.space)) body = make_body(run.config, wanted.arm);
   ecp::TeachIn teach_in(wanted.space, wanted.reference, wanted.with_force, wanted.axes);
   for (const Moment& now : moments) {
     EffectorReply reply = now.reply;
@@ -84,7 +102,7 @@ Recorded recorded_in_run(const fs::path& run, const Wanted& wanted) {
     else if (wanted.space == Representation::joints)
       std::ranges::copy(reply.joints, reply.pose.begin());
     else
-      reply.pose = numbers_from_pose(wanted.space, pose_of(reply));
+      see_in_own_E(reply, wanted, *body);
     teach_in = teach_in.appended(reply, now.t);
   }
   Recorded recorded{teach_in.path(), {}};
@@ -125,8 +143,13 @@ std::string_view word_of(Representation space) {
 /// Fills in one motion.
 class Inserter {
  public:
-  Inserter(Config& file, const ArmKey& arm, std::string name, const fs::path& folder)
-      : file_(file), arm_(arm), table_(arm.key + "." + std::move(name)), folder_(folder) {}
+  Inserter(Config& file, const ArmKey& arm, std::string name, const fs::path& folder,
+           const MakeBody& make_body)
+      : file_(file),
+        arm_(arm),
+        table_(arm.key + "." + std::move(name)),
+        folder_(folder),
+        make_body_(make_body) {}
 
   ecp::TaughtPath insert() {
     const Config motion = file_.section(table_);
@@ -159,7 +182,8 @@ class Inserter {
                               .reference = read_reference(motion),
                               .with_force = motion.has("contact"),
                               .from = from,
-                              .to = motion.number("to", 1e6, {from, 1e6}, "s, simulated time of the run")});
+                              .to = motion.number("to", 1e6, {from, 1e6}, "s, simulated time of the run")},
+                             make_body_);
     } catch (const ConfigError&) {
       throw;
     } catch (const FileError& e) {
@@ -219,17 +243,19 @@ class Inserter {
   const ArmKey& arm_;
   std::string table_;
   const fs::path& folder_;
+  const MakeBody& make_body_;
 };
 
 }  // namespace
 
-Recordings insert_recordings(Config& file, const std::vector<ArmKey>& arms, const fs::path& folder) {
+Recordings insert_recordings(Config& file, const std::vector<ArmKey>& arms, const fs::path& folder,
+                             const MakeBody& make_body) {
   Recordings recordings;
   for (const ArmKey& arm : arms)
     for (const std::string& name : file.tables(arm.key)) {
       const std::string motion = arm.key + "." + name;
       if (file.has(motion + ".recording"))
-        recordings.emplace(motion, Inserter(file, arm, name, folder).insert());
+        recordings.emplace(motion, Inserter(file, arm, name, folder, make_body).insert());
     }
   return recordings;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ecp/generators/teach_in.hpp"
+#include "tasks/move/config.hpp"
 #include "tasks/move/motion_file.hpp"
 
 namespace mrroc::any_motion {
@@ -18,8 +19,9 @@ using Recordings = std::map<std::string, ecp::TaughtPath>;
 /// @param file    not read yet
 /// @param arms    with their axes
 /// @param folder  relative names of recordings begin there
+/// @param make_body  kinematics of an arm by the configuration of a recorded run: poses are those of E as the model has it
 /// @throws ConfigError  naming file, line and key, with what cannot be read of a recording
 [[nodiscard]] Recordings insert_recordings(Config& file, const std::vector<ArmKey>& arms,
-                                           const std::filesystem::path& folder);
+                                           const std::filesystem::path& folder, const MakeBody& make_body);
 
 }  // namespace mrroc::any_motion

@@ -137,6 +137,16 @@ TEST_F(RunTask, AnErrorOfAValueThatAnOptionSetsNamesTheOption) {
       << "a key that is not from an option keeps its name";
 }
 
+TEST_F(RunTask, AValueThatAnOptionAndSetGiveIsRefused) {
+  task_.typed = {{"task.force", "--force"}};
+  const Ended e = run({"--set", "task.force=7"});
+  EXPECT_EQ(e.status, 2);
+  EXPECT_NE(e.err.find("--force and --set task.force give the same value; leave out one of them"),
+            std::string::npos)
+      << e.err;
+  EXPECT_FALSE(began());
+}
+
 TEST_F(RunTask, WhatIsWrongIsToldBeforeAnythingStarts) {
   const std::vector<std::pair<Names, std::string>> all{
       {{"--set", "task.force=70"}, "task.force"},

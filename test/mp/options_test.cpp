@@ -112,6 +112,11 @@ TEST(TaskOptions, ASeedThatCannotBeIsRefusedByItsName) {
       << refusal({"--seed", "-1"});
 }
 
+TEST(TaskOptions, ARunFolderWithoutANameIsRefused) {
+  EXPECT_NE(refusal({"--run-dir", ""}).find("names no folder; leave --run-dir out"), std::string::npos)
+      << refusal({"--run-dir", ""});
+}
+
 TEST(TaskOptions, ASpeedThatCannotBeIsRefusedWithTheLimit) {
   for (const std::string speed : {"0", "-2", "1e9", "nan", "inf", "fast", "2x"}) {
     const std::string why = refusal({"--speed=" + speed});
@@ -254,6 +259,8 @@ TEST(TaskCommandLine, AnOptionWithoutItsValueIsToldWithALineToType) {
         {"press", "--session", "press --session cell"},
         {"press", "--host", "press --config cell.toml --host \"robot=ssh robot\""},
         {"press", "--url", "press --url udpm://239.255.76.67:7667?ttl=1"},
+        {"bake", "--json", "bake --parameters --json"},
+        {"bake", "--set", "press --set task.force=8"},
         {"bake", "--bread", "bake --bread rye --degrees 230"},
         {"bake", "--degrees", "bake --bread rye --degrees 230"}})
     EXPECT_EQ(line_for(program, option), std::string("type for example `./run ") + words + "`") << option;

@@ -94,10 +94,20 @@ TEST(Ball, FeelsThatThereIsNoObjectOrOneOfAnotherSize) {
   const Folder nothing, small;
   EXPECT_NE(
       failed(nothing, {"--set", "sim.free_body.offset=[0, 0, -0.1]", "--set", "sim.free_body.size=0.06"})
-          .find("no_contact"),
+          .find("do not both touch the object of 200 mm); set free_body.size"),
       std::string::npos);
   EXPECT_NE(failed(small, {"--set", "sim.free_body.size=0.25"}).find("object_not_as_told"),
             std::string::npos);
+}
+
+TEST(Ball, RefusesAnObjectThatWouldBeginInsideThePalms) {
+  const Folder folder;
+  const Ended ended = run_ball(folder, {"--object", "box", "--set", "sim.free_body.size=0.4"});
+  EXPECT_EQ(ended.status, 2) << ended.all();
+  EXPECT_NE(ended.last_err().find("sim.free_body.size: 0.4 m do not fit between the palms"),
+            std::string::npos)
+      << ended.all();
+  EXPECT_FALSE(std::filesystem::exists(folder / "run"));
 }
 
 TEST(Ball, StopsWhenTheObjectSlipsOutOrIsCrushed) {

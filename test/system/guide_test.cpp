@@ -75,6 +75,40 @@ TEST(Guide, IsRepeatedFromTheConfigurationOfARunWithoutTheFileOfItsCurve) {
   EXPECT_EQ(led(folder, {"--config", (folder / "first" / "config.toml").string()})["log_hash"], hash);
 }
 
+TEST(Guide, SaysThatThereIsNothingToDrawOfARunThatNeverCameToTheFixture) {
+  const Folder folder;
+  const Ended ended = run(folder, "guide",
+                          {"--processes", "one", "--run-dir", (folder / "run").string(), "--script",
+                           folder.write("orders", "3 start\n150 stop\n")});
+  EXPECT_EQ(ended.status, 1) << ended.all();
+  EXPECT_NE(ended.all().find("no pictures: the run ended before there was anything to draw"),
+            std::string::npos)
+      << ended.all();
+  EXPECT_EQ(ended.all().find("gnuplot"), std::string::npos) << ended.all();
+}
+
+TEST(Guide, IsRepeatedByMoveAsPosesOfOneToolThoughTheFixtureTurnsItsFrame) {
+  const Folder folder;
+  led(folder, {});
+  const auto again = [&](const std::string& keys) {
+    const std::string file = folder.write(
+        "again.toml",
+        "[arm1]\norder = [\"again\"]\n[arm1.again]\ngenerator = \"replay\"\nrecording = \"run\"\n" + keys);
+    return run(folder, "move", {"--file", file, "--dry-run"});
+  };
+  for (const std::string space : {"joints", "xyz_angle_axis", "xyz_euler_zyz"}) {
+    const Ended ended = again("space = \"" + space + "\"\n");
+    EXPECT_EQ(ended.status, 0) << space << ended.all();
+  }
+  const Ended fast = again("space = \"motors\"\n");
+  const std::string error = fast.last_err(), told = "give it ";
+  EXPECT_NE(error.find("space = \"joints\""), std::string::npos) << error;
+  ASSERT_NE(error.find(told), std::string::npos) << error;
+  const Ended slower = again("space = \"motors\"\nstretch = " +
+                             std::to_string(std::stod(error.substr(error.find(told) + told.size()))) + "\n");
+  EXPECT_EQ(slower.status, 0) << "what is told is enough" << slower.all();
+}
+
 TEST(Guide, RefusesWhatCannotBeAFixtureBeforeAnythingMoves) {
   const Folder folder;
   const std::string broken = folder.write("broken.svg", "<svg");
@@ -88,6 +122,12 @@ TEST(Guide, RefusesWhatCannotBeAFixtureBeforeAnythingMoves) {
   refused({"--fixture", "spiral"}, "no such fixture");
   refused({"--fixture", "none.svg"}, "none.svg");
   refused({"--fixture", broken}, "broken.svg");
+  const auto drawn = [&](const char* name, const std::string& path) {
+    return folder.write(name, "<svg xmlns='http://www.w3.org/2000/svg'><path d='" + path + "'/></svg>");
+  };
+  refused({"--fixture", drawn("point.svg", "M1 1 L1 1")}, "point.svg: the stroke is a single point");
+  refused({"--fixture", drawn("sharp.svg", "M0 0 L100 0 L0 1")}, "sharp.svg");
+  refused({"--fixture", folder.path().string()}, "this is a folder");
   refused({"--size", "50"}, "--size and --stroke");
   refused({"--set", "task.centre=[1.6, 0, 1]"}, "does not reach");
   refused({"--set", "task.centre=[0.9, 0, 0.9]"}, "in the table");

@@ -70,7 +70,9 @@ TEST(HapticTask, RefusesWhatCannotWorkBeforeAnythingMoves) {
     EXPECT_NE(ended.last_err().find(why), std::string::npos) << ended.all();
     EXPECT_FALSE(std::filesystem::exists(folder / "run"));
   };
-  refused({"--delay", "300"}, "--delay");
+  refused({"--delay", "201"}, "201");  // [ms], as it was typed
+  refused({"--delay", "300"}, "200");
+  refused({"--delay", "100", "--set", "task.delay=0.05"}, "--delay and --set task.delay");
   refused({"--loss", "90"}, "--loss");
   refused({"--set", "task.motion_scale=0"}, "motion_scale");
   refused({"--set", "robots.arm2.plate.shape=none"}, "plate");

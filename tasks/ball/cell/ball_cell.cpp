@@ -4,12 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <string>
 
 #include "edp/guard.hpp"
 #include "robots/catalogue.hpp"
 #include "sim/config.hpp"
+#include "sim/free_body_config.hpp"
 #include "tasks/ball/config.hpp"
 #include "tasks/ball/path.hpp"
 
@@ -68,6 +70,22 @@ Vector3 palm_place(const Parameters& k, std::size_t arm, double out) {
 
 double out_at_start(const Parameters& k) { return k.body.size / 2 + k.gap; }
 
+/// The palms stand where an object as it is told leaves room for them: a larger one would begin inside them.
+void check_room(const Config& config, const Parameters& k) {
+  const auto true_body = sim::read_true_body(config);
+  if (!true_body) return;
+  const double aside = std::abs((true_body->pedestal - k.body.pedestal).dot(kLine));
+  const double most = 2 * (out_at_start(k) - aside);
+  if (true_body->size < most) return;
+  throw FaultError(
+      FaultCode::bad_configuration,
+      fmt::format("sim.free_body.size: {:g} m do not fit between the palms, which begin {:.3g} m apart{}",
+                  true_body->size, 2 * out_at_start(k),
+                  aside > 0 ? fmt::format(" and {:.3g} m beside the object", aside) : ""),
+      fmt::format("take less than {:.3g} m, or tell of a larger object by free_body.size (0.3 m at most)",
+                  most));
+}
+
 /// The whole way of the palm.
 void check_reach(const Parameters& k, const BelievedArm& a, std::size_t arm) {
   AxisVector near = joints_at(a, arm, palm_place(k, arm, out_at_start(k)), usual_joints(a));
@@ -93,6 +111,7 @@ void complete_start(Config& config) {
 
 Parameters read_setup(const Config& config) {
   Parameters k = read_parameters(config);
+  check_room(config, k);
   for (std::size_t arm = 0; arm < kArms; ++arm) {
     const BelievedArm a = read_arm(config, arm);
     k.T_UB[arm] = a.T_UB;

@@ -91,6 +91,19 @@ TEST(PlatformConfig, BoxesStandWhereTheyAreTold) {
   EXPECT_EQ(w.boxes[1].start.phi, 2);
 }
 
+TEST(PlatformConfig, ABoxThatBeginsNowhereMayBeAnotherOneMisspelt) {
+  try {
+    std::ignore = world("[sim.boxes.crate]\nstart = [1, 0.5, 2]\n[sim.boxes.crat]\nmass = 30\n");
+    ADD_FAILURE() << "was not refused";
+  } catch (const FaultError& e) {
+    EXPECT_NE(
+        std::string(e.what()).find("sim.boxes.crat: a box that begins nowhere: its start is missing; did you "
+                                   "mean 'crate'?"),
+        std::string::npos)
+        << e.what();
+  }
+}
+
 TEST(PlatformConfig, WhatARunHasWrittenMakesTheSameWorldOfTwo) {
   const Config config = Config::parse(
       "[sim.platforms.b]\nstart = [1.5, 0, 0]\nfaults.imu_nan = [5, 9]\n[sim.ground.patches.ice]\narea = [0, "

@@ -35,6 +35,21 @@ TEST(BallConfig, RefusesExactlyWhatFrictionCannotHold) {
                       with({"free_body.mass=" + std::to_string(most + 0.01), "task.force=13"})));
 }
 
+TEST(BallConfig, AdvisesMoreForceOnlyWhereMoreIsPossible) {
+  const auto remedy = [](const std::vector<std::string>& settings) {
+    try {
+      std::ignore = read_parameters(with(settings));
+    } catch (const FaultError& e) {
+      return std::string(e.remedy());
+    }
+    return std::string("was not refused");
+  };
+  EXPECT_EQ(remedy({"free_body.mass=9", "task.force=60", "task.most_force=100"}),
+            "take a lighter or rougher object: task.force is 60 N at most");
+  EXPECT_EQ(remedy({"free_body.mass=3"}).find("press with more by"), std::string::npos);
+  EXPECT_NE(remedy({"free_body.mass=3"}).find("task.most_force"), std::string::npos);
+}
+
 TEST(BallConfig, RefusesAForceThatWouldCrush) {
   EXPECT_THROW(std::ignore = read_parameters(with({"task.force=25"})), FaultError);
 }

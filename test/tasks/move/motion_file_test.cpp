@@ -75,8 +75,10 @@ TEST(MotionFile, ErrorsNameFileLineAndKey) {
   expect("\"cubic\"", "\"cubical\"", "6:", "did you mean \"cubic\"");
   expect("0, 0.2, 0, 0, 0, 0.3", "0, 0.2, 0",
          "11:", "'arm1.a.positions' has 9 numbers, and a position has 6: position 2 is cut off");
-  expect("times = [1.0, 2.5]", "times = [1.0]", "10:", "'arm1.a.times' has 1 times for 2 positions");
+  expect("times = [1.0, 2.5]", "times = [1.0]", "10:", "'arm1.a.times' has 1 time for 2 positions");
   expect("[1.0, 2.5]", "[2.5, 1.0]", "10:", "'arm1.a.times' has a time 2 that does not rise");
+  expect("[1.0, 2.5]", "3", "10:", "and it is 3; a list stands in brackets: [3]");
+  expect("[1.0, 2.5]", "[[1.0], [2.5]]", "10:", "without lists in it: all numbers one after another");
   expect("\"xyz_euler_zyz\"", "\"joints\"", "9:", "TCIM takes poses in space");
   expect("\"b\", \"a\"]", "\"c\", \"a\"]", "4:", "there is no table [arm1.c]; there are a, b");
   expect("start = [0, ", "start = [", "3:", "'arm1.start' has 5 numbers, and arm1 has 6 joints");

@@ -1,6 +1,9 @@
 """What a campaign is going to run, and what it refuses to."""
 
+import os
 import random
+import subprocess
+import sys
 
 from place import Place
 
@@ -112,3 +115,22 @@ class Plans(Place):
         ):
             self.assertEqual(bars.text(wanted), told)
             self.assertEqual(bars.share(value, wanted), share)
+
+    def test_help_needs_no_packages_and_all_else_names_those_that_are_missing(self):
+        lacking = "import sys; sys.modules.update(dict.fromkeys(('distributed', 'dask', 'scipy', 'numpy', 'optuna', 'tqdm')))\n"
+        called = lacking + "from mrroc_campaign.command import main; sys.exit(main(sys.argv[1:]))"
+
+        def run(*words: str) -> subprocess.CompletedProcess:
+            path = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+            return subprocess.run([sys.executable, "-c", called, *words], env=path, capture_output=True, text=True)
+
+        for command in ("", "press", "compare", "tune", "page", "scheduler", "worker"):
+            with self.subTest(command):
+                asked = run(*command.split(), "--help")
+                self.assertEqual((asked.returncode, asked.stderr), (0, ""))
+        for words in ("scheduler", "worker tcp://127.0.0.1:1", "compare a b", "hop --seeds 1:2"):
+            with self.subTest(words):
+                asked = run(*words.split())
+                self.assertEqual(asked.returncode, 2, asked.stderr)
+                self.assertIn("error: missing_packages: there is no Python module", asked.stderr)
+                self.assertIn("apt-get install python3-distributed", asked.stderr)

@@ -11,10 +11,11 @@ from distributed import Client
 from . import hosts, keys, plan as plans, program
 from .errors import bad_usage
 from .intervals import Sequence
+from .job import job_of
 from .plan import Plan
 from .progress import Progress
 from .results import Results, writing
-from .runner import Runner, job_of
+from .runner import Runner
 
 
 @dataclass(frozen=True)

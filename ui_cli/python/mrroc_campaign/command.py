@@ -237,10 +237,11 @@ def _carry_out(results, chosen: argparse.Namespace, where) -> int:
 def _page(words: list[str]) -> int:
     line = _line(" page", "Makes the page of a campaign anew, also while it runs.")
     line.add_argument("folder", type=Path)
+    folder = line.parse_args(words).folder
     from . import report
     from .results import Results
 
-    results = Results(line.parse_args(words).folder)
+    results = Results(folder)
     report.write_page(results)
     print(f"page: {results.folder / report.PAGE}")
     return 0
@@ -254,10 +255,10 @@ def _compare(words: list[str]) -> int:
     line.add_argument("a", type=Path)
     line.add_argument("b", type=Path)
     line.add_argument("--json", action="store_true", help="one document instead of the table")
+    chosen = line.parse_args(words)
     from . import compare
     from .results import Results
 
-    chosen = line.parse_args(words)
     found = compare.compare(Results(chosen.a), Results(chosen.b))
     print(found.as_json() if chosen.json else found.as_text())
     return 0
@@ -318,9 +319,9 @@ def _scheduler(words: list[str]) -> int:
     line.add_argument("--listen", default="127.0.0.1", metavar="HOST", help="address of this host (default 127.0.0.1)")
     line.add_argument("--port", type=int, default=8786)
     _add_key(line)
+    chosen = line.parse_args(words)
     from . import hosts
 
-    chosen = line.parse_args(words)
     hosts.serve_scheduler(chosen.listen, chosen.port, chosen.key_file)
     return 0
 
@@ -337,11 +338,11 @@ def _worker(words: list[str]) -> int:
     line.add_argument(
         "--single", action="store_true", help=argparse.SUPPRESS
     )  # one process of those that the others keep
+    chosen = line.parse_args(words)
     from tempfile import TemporaryDirectory
 
     from . import hosts
 
-    chosen = line.parse_args(words)
     if chosen.single:
         hosts.serve_one(chosen.scheduler, chosen.folder, chosen.listen, chosen.key_file)
         return 0

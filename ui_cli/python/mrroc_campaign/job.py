@@ -17,14 +17,24 @@ from pathlib import Path
 
 from . import program
 from .errors import CampaignError, HostFailed
+from .plan import Plan, Row
 
 # Faults of the machine, which say nothing of the run: a full disk, no multicast, nothing of the like.
 _OF_THE_HOST = ("cannot_write", "no_multicast")
 _LARGEST_PACK_MB = 200
 
 
+def job_of(plan: Plan, row: Row, scratch: str) -> dict:
+    """What a worker needs to know of a run. scratch: the folder for runs, which the worker sees as we do; empty: it
+    takes one of its own."""
+    return {
+        "task": plan.task, "program": plan.program, "options": plan.options, "processes": plan.processes, "keep": plan.keep,
+        "timeout_s": plan.timeout_s, "folder": plan.folder, "scratch": scratch, "run": row.run, "seed": row.seed, "settings": row.settings,
+    }  # fmt: skip
+
+
 def execute(job: dict) -> dict:
-    """Runs a job and tells how it ended. job: what runner.job_of() makes of a row. Raises HostFailed when it is not the
+    """Runs a job and tells how it ended. job: what job_of() makes of a row. Raises HostFailed when it is not the
     run that has failed, which is then not counted."""
     try:
         place = Path(job["scratch"] or tempfile.gettempdir()) / f"{job['run']:06d}-{uuid.uuid4().hex[:8]}"

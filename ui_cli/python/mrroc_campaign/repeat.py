@@ -3,9 +3,8 @@
 import os
 import shlex
 
-from .job import words_of
+from .job import job_of, words_of
 from .plan import Plan, Row
-from .runner import job_of
 
 
 def called() -> str:

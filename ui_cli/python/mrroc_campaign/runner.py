@@ -21,15 +21,6 @@ _LOOK_S = 2.0  # between two looks at how many workers there are
 _PATIENCE_S = 600.0  # for a scheduler that is gone
 
 
-def job_of(plan: Plan, row: Row, scratch: str) -> dict:
-    """What a worker needs to know of a run. scratch: the folder for runs, which the worker sees as we do; empty: it
-    takes one of its own."""
-    return {
-        "task": plan.task, "program": plan.program, "options": plan.options, "processes": plan.processes, "keep": plan.keep,
-        "timeout_s": plan.timeout_s, "folder": plan.folder, "scratch": scratch, "run": row.run, "seed": row.seed, "settings": row.settings,
-    }  # fmt: skip
-
-
 class Runner:
     """Jobs on one scheduler. connect: makes a client; raises OSError (or a TimeoutError) when there is no scheduler."""
 

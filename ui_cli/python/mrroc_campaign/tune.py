@@ -13,11 +13,12 @@ from optuna.trial import TrialState
 
 from . import campaign, plan as plans, program, repeat, vary
 from .errors import CampaignError, bad_usage
+from .job import job_of
 from .plan import Plan, Row
 from .program import Parameter
 from .progress import Progress
 from .results import Results
-from .runner import Runner, job_of
+from .runner import Runner
 
 _LOG = re.compile(r"(?P<key>[^=]+)=log\((?P<low>[^,()]+),(?P<high>[^,()]+)\)$")
 
