@@ -19,6 +19,7 @@
 #include "sim/gripper_body.hpp"
 #include "sim/hand.hpp"
 #include "sim/jaws.hpp"
+#include "sim/link_error.hpp"
 #include "sim/link_shape.hpp"
 #include "sim/motor.hpp"
 #include "sim/palm.hpp"
@@ -43,6 +44,12 @@ struct LineParameters {
   std::uint16_t inputs{};  ///< inputs that are on besides
 };
 
+/// What those believe who put an arm where it begins: its tool stands above the middle of the sheet as they see it.
+struct StartBelief {
+  int model{};  ///< number of the kinematic model
+  Pose T_0P;    ///< of the sheet in the arm's base
+};
+
 /// One arm of the world, or a conveyor: where there is one, the sheets of all arms lie on it instead of on tables.
 struct ArmParameters {
   const robots::RobotType* type{};      ///< decides kinematics, masses and gears; not null; lives on
@@ -62,9 +69,11 @@ struct ArmParameters {
   LineParameters lines;                               ///< of the robot's controller
   std::vector<double>
       start;  ///< joints after reset() [rad], track [m], one per axis; empty: those of the type
-  std::optional<ToolParameters> tool;  ///< the true tool; none: that of the description
-  double pen_radius{0.002};            ///< of the ball that touches the paper [m]
-  double start_height{0.02};           ///< of the pen above the sheet's centre after reset() [m]
+  std::optional<StartBelief> start_belief;  ///< where they are computed; none: the truth is known
+  std::optional<ToolParameters> tool;       ///< the true tool; none: that of the description
+  std::vector<LinkError> links;             ///< those that are otherwise than described
+  double pen_radius{0.002};                 ///< of the ball that touches the paper [m]
+  double start_height{0.02};                ///< of the pen above the sheet's centre after reset() [m]
 };
 
 /// @return the parameters of an arm as documented in docs/plant.md; links and tool are those of the type's description.

@@ -45,7 +45,7 @@ ArmBody build_arm(const ArmParameters& p, const edp::Robot& robot, const AxisVec
   const robots::RobotType& type = *p.type;
   const auto inertia = type.rotor_inertia ? type.rotor_inertia : robots::reflected_inertia;
   return build_arm(type.urdf, lengths_of(type, p.model), p.T_UB, inertia(robot, p.motors, joints), tool,
-                   p.gripper);
+                   p.gripper, p.links);
 }
 
 bool usable(const HardwareCommand& command) {
@@ -65,7 +65,7 @@ SimulatedArm::SimulatedArm(const ArmParameters& p, Scene& scene, double h, int s
       T_BU_(p.T_UB.inverse()),
       T_PU_((p.T_UB * p.paper.T_0P).inverse()),
       paper_normal_(T_PU_.R.row(2).transpose()),
-      start_joints_(sim::start_joints(*robot_, p)),
+      start_joints_(sim::start_joints(p)),
       start_motors_(robot_->motors_from_joints(start_joints_)),
       arm_(build_arm(p, *robot_, start_joints_, tool_mass(p, scene))),
       brakes_(std::make_unique<Brakes>(*arm_.body, brake_torques(p), h)),

@@ -19,6 +19,7 @@ constexpr double kSliderMass = 0.02;     // of a link that only gives way [kg]
 constexpr double kSliderInertia = 1e-4;  // of it and of a jaw [kg m^2]
 
 struct LinkPlan {
+  std::string name;
   bool fixed{}, prismatic{};
   int back{1};  // the parent is so many links before
   Pose T_PL;    // link frame in that of the link before, joint at zero
@@ -53,6 +54,7 @@ Pose place_of(const urdf::Joint& joint, std::span<const robots::LinkLength> leng
 
 LinkPlan plan_link(const urdf::Joint& joint, const urdf::Link& link, const Pose& T_PL) {
   LinkPlan plan;
+  plan.name = link.name;
   plan.fixed = joint.type == urdf::Joint::FIXED;
   plan.prismatic = joint.type == urdf::Joint::PRISMATIC;
   plan.T_PL = T_PL;
@@ -119,6 +121,24 @@ Plan plan_chain(const urdf::ModelInterface& model, std::span<const robots::LinkL
   return plan;
 }
 
+/// Makes links as they really are.
+void apply(Plan& plan, const LinkError& error) {
+  for (LinkPlan& link : plan.links) {
+    if (link.name != error.link) continue;
+    if (!(error.mass_scale > 0)) refuse("the mass of link " + link.name + " is not positive");
+    link.mass *= error.mass_scale;
+    link.inertia *= error.mass_scale;
+    link.mass_centre += error.mass_centre_error;
+    if (&link == &plan.links.back()) plan.T_TE.p += error.tip_error;
+  }
+}
+
+std::shared_ptr<const urdf::ModelInterface> parsed(std::string_view urdf) {
+  auto model = urdf::parseURDF(std::string(urdf));
+  if (!model) refuse("it is not URDF");
+  return model;
+}
+
 LinkPlan slider(const Vector3& axis, const Vector3& place, double mass, int back) {
   LinkPlan link;
   link.prismatic = true;
@@ -177,12 +197,16 @@ std::vector<robots::LinkLength> lengths_of(const robots::RobotType& type, int mo
   return type.lengths ? type.lengths(model) : std::vector<robots::LinkLength>();
 }
 
+std::vector<std::string> link_names(const robots::RobotType& type) {
+  std::vector<std::string> names;
+  for (const LinkPlan& link : plan_chain(*parsed(type.urdf), {}).links) names.push_back(link.name);
+  return names;
+}
+
 ArmBody build_arm(std::string_view urdf, std::span<const robots::LinkLength> lengths, const Pose& T_UB,
                   const AxisVector& rotor_inertia, const std::optional<ToolMass>& tool,
-                  const std::optional<GripperBodyParameters>& gripper) {
-  const auto model = urdf::parseURDF(std::string(urdf));
-  if (!model) refuse("it is not URDF");
-  Plan plan = plan_chain(*model, lengths);
+                  const std::optional<GripperBodyParameters>& gripper, std::span<const LinkError> errors) {
+  Plan plan = plan_chain(*parsed(urdf), lengths);
   if (tool) {
     LinkPlan& link = plan.links.back();
     if (!(tool->mass > 0) || !tool->centre.allFinite()) refuse("the tool has no mass");
@@ -190,6 +214,7 @@ ArmBody build_arm(std::string_view urdf, std::span<const robots::LinkLength> len
     link.mass = tool->mass;
     link.mass_centre = tool->centre;  // the tool's frame is W
   }
+  for (const LinkError& error : errors) apply(plan, error);
   if (gripper) add_gripper(plan, *gripper);
   if (plan.joints != rotor_inertia.size()) refuse("it has another number of joints than the robot");
 

@@ -14,6 +14,7 @@
 #include "base/shape.hpp"
 #include "robots/catalogue.hpp"
 #include "sim/gripper_body.hpp"
+#include "sim/link_error.hpp"
 
 namespace mrroc::sim {
 
@@ -55,10 +56,12 @@ struct ToolMass {
 ///                       the joint's axis
 /// @param tool  instead of the described mass of the tool; its inertia grows with its mass
 /// @param gripper  its jaws are part of the tool's mass; none: the tool has no jaws that touch anything
+/// @param errors   of links, and of the tool, whatever its mass is
 /// @throws std::invalid_argument  the description is not such a chain
 ArmBody build_arm(std::string_view urdf, std::span<const robots::LinkLength> lengths, const Pose& T_UB,
                   const AxisVector& rotor_inertia, const std::optional<ToolMass>& tool = {},
-                  const std::optional<GripperBodyParameters>& gripper = {});
+                  const std::optional<GripperBodyParameters>& gripper = {},
+                  std::span<const LinkError> errors = {});
 
 /// @return the lengths of a kinematic model of a robot that its description has otherwise
 std::vector<robots::LinkLength> lengths_of(const robots::RobotType& type, int model);
