@@ -17,6 +17,7 @@
 namespace mrroc::sim {
 namespace {
 
+constexpr double kLeastElasticity = 5;  // [Hz]
 constexpr double kLeastHandMass = 0.2;  // [kg] that a grip moves without ringing from step to step
 
 PaperParameters read_paper(const Config& t, PaperParameters p) {
@@ -114,6 +115,19 @@ void read_start(const Config& robot, const std::string& key, ArmParameters& arm)
                                arm.type->name, arm.motors.size(), arm.start.size()));
 }
 
+/// @param truth  the arm's table of what is true
+ElasticityParameters read_elasticity(const Config& truth, ElasticityParameters e) {
+  e.frequency = truth.number("elasticity", e.frequency, {0, 40}, "Hz of the first mode from 5 on, 0: rigid");
+  if (e.frequency > 0 && e.frequency < kLeastElasticity)
+    throw FaultError(
+        FaultCode::bad_configuration,
+        fmt::format("sim.robots.ARM.elasticity: {:g} Hz is less than an arm has that bears its own "
+                    "weight: 0 for rigid gears, or from {:g} on",
+                    e.frequency, kLeastElasticity));
+  e.damping = truth.number("elasticity_damping", e.damping, {0, 0.5});
+  return e;
+}
+
 /// @param usual  name of the robot that it is unless the table says another
 ArmParameters read_arm(const Config& config, const std::string& key, std::string_view usual) {
   const Config robot = config.section("robots." + key);
@@ -121,6 +135,7 @@ ArmParameters read_arm(const Config& config, const std::string& key, std::string
   ArmParameters arm = arm_parameters(robots::read_type(config, key, robots::catalogue(), usual));
   arm.T_UB = robots::read_place(config, key, "sim", *arm.type);
   arm.model = read_true_model(robot, *arm.type);
+  arm.elasticity = read_elasticity(sim.section("robots." + key), arm.elasticity);
   arm.paper = read_paper(sim.section("paper"), arm.paper);
   arm.hand = read_hand(sim.section("hand"), arm.hand);
   arm.sensor = read_sensor(sim.section("sensor"), arm.sensor);
