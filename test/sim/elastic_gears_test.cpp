@@ -123,9 +123,9 @@ TEST(ElasticArm, LowestModeHasTheFrequencyGiven) {
   for (const double frequency : {5., 8., 15., 40.}) {
     World world(elastic_world(frequency, 0.01));
     HardwareCommand shove{.enabled = true};
-    shove.pwm[0] = 60;
+    shove.pwm[0] = 15;
     for (int k = 0; k < 10; ++k) world.step({&shove, 1});
-    for (int k = 0; k < 50; ++k) world.step({});  // brakes close: rotors are held
+    for (int k = 0; k < 200; ++k) world.step({});  // brakes close: rotors are held
     std::vector<double> column;
     for (int k = 0; k < 1000; ++k) {
       world.step({});
@@ -138,9 +138,9 @@ TEST(ElasticArm, LowestModeHasTheFrequencyGiven) {
 TEST(ElasticArm, EncodersReadTheMotors) {
   World world(elastic_world(8));
   HardwareCommand shove{.enabled = true};
-  shove.pwm[0] = 60;
+  shove.pwm[0] = 15;
   for (int k = 0; k < 10; ++k) world.step({&shove, 1});
-  for (int k = 0; k < 50; ++k) world.step({});
+  for (int k = 0; k < 200; ++k) world.step({});
   const auto counts = world.reading(0).encoder;
   double least = 1e9, most = -1e9;
   for (int k = 0; k < 100; ++k) {
