@@ -241,9 +241,8 @@ Figures run_stability_group() {
   return {
       stability_limit_figure(),
       {"elastic_limit_err_pct", std::ranges::max(elastic_contacts()), "%",
-       "predicted limit of the gain B with elastic gears of 8 to 15 Hz against the time domain, worst of 100 "
-       "random "
-       "contacts"},
+       "predicted limit of the gain B with elastic gears of 8 to 15 Hz against the time domain, worst of "
+       "100 random contacts"},
       {"stability_drive_err_pct", std::ranges::max(real_regulators(kDefault.algorithm_no)), "%",
        "the same against the real regulators, motors and encoders without friction, worst of 16"},
       {"stability_drive_err_original_pct", std::ranges::max(real_regulators(kOriginal.algorithm_no)), "%",
