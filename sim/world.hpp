@@ -1,6 +1,6 @@
 // The simulated work cell: arms with drives, wrist sensors, pens or grippers, their sheets, the operators'
-// hands, a cube, and a free body. One step of the world is one step of the effector drivers. The only code that knows
-// Bullet is behind it.
+// hands, a cube, and a free body. One step of the world is one step of the effector drivers. Nothing outside knows which
+// engine computes it (sim/engine.hpp).
 #pragma once
 #include <array>
 #include <cstdint>
