@@ -101,4 +101,12 @@ class Engine {
 [[nodiscard]] std::unique_ptr<Engine> bullet_engine(const WorldParameters& parameters,
                                                     const std::vector<ArmPlan>& plans);
 
+/// @return whether this build has MuJoCo
+[[nodiscard]] bool has_mujoco();
+
+/// The same in MuJoCo, which has no cube, no free body, and no fingers or palms.
+/// @throws std::invalid_argument  there is one of them, or no MuJoCo in this build
+[[nodiscard]] std::unique_ptr<Engine> mujoco_engine(const WorldParameters& parameters,
+                                                    const std::vector<ArmPlan>& plans);
+
 }  // namespace mrroc::sim

@@ -36,7 +36,7 @@ std::vector<ArmPlan> plans_of(const WorldParameters& p) {
 struct World::Impl {
   Impl(const WorldParameters& parameters, std::uint64_t seed) : p(checked(parameters)) {
     std::vector<ArmPlan> plans = plans_of(p);
-    engine = bullet_engine(p, plans);
+    engine = p.engine == PhysicsEngine::mujoco ? mujoco_engine(p, plans) : bullet_engine(p, plans);
     for (std::size_t k = 0; k < plans.size(); ++k) {
       seed = mixed(seed);
       arms.push_back(std::make_unique<SimulatedArm>(p.arms[k], std::move(plans[k]),
