@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "robots/catalogue.hpp"
+#include "sim/artefact_config.hpp"
 #include "sim/cube_config.hpp"
 #include "sim/free_body_config.hpp"
 
@@ -170,6 +171,7 @@ WorldParameters read_world(const Config& config) {
   check_belt(w);
   w.cube = read_cube(config, keys);
   w.free_body = read_true_body(config);
+  w.artefact = read_true_artefact(config);
   return w;
 }
 

@@ -43,6 +43,7 @@ struct World::Impl {
       belt = arms.back().get();
       belt_start = belt->T_UE().p;
     }
+    if (p.artefact) scene.add_artefact(*p.artefact);
     if (!p.cube && !p.free_body) return;
     scene.prepare_for_grasping();
     scene.on_contacts([this] {
