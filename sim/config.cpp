@@ -19,6 +19,7 @@
 namespace mrroc::sim {
 namespace {
 
+constexpr double kLeastElasticity = 5;  // [Hz]
 constexpr double kLeastHandMass = 0.2;  // [kg] that a grip moves without ringing from step to step
 
 Pose sheet_at(Pose T_0P, double distance, double height) {
@@ -226,6 +227,21 @@ void read_hand_parts(const Config& config, const std::string& key, ArmParameters
   arm.object = robot.number("object", 0, {0, 0.09}, "m between the jaws, 0: nothing");
 }
 
+/// @param truth  the arm's table of what is true
+ElasticityParameters read_elasticity(const Config& truth, ElasticityParameters e) {
+  e.frequency =
+      truth.number("elasticity", e.frequency, {0, 40},
+                   {"Hz", "of the first mode of the gears, from 5 on; 0: rigid", "robots.ARM.elasticity"});
+  if (e.frequency > 0 && e.frequency < kLeastElasticity)
+    throw FaultError(
+        FaultCode::bad_configuration,
+        fmt::format("sim.robots.ARM.elasticity: {:g} Hz is less than an arm has that bears its own "
+                    "weight: 0 for rigid gears, or from {:g} on",
+                    e.frequency, kLeastElasticity));
+  e.damping = truth.number("elasticity_damping", e.damping, {0, 0.5}, {"", "ratio of that mode", "the same"});
+  return e;
+}
+
 /// @param usual  name of the robot that it is unless the table says another
 ArmParameters read_arm(const Config& config, const std::string& key, std::string_view usual) {
   const Config robot = config.section("robots." + key);
@@ -239,6 +255,7 @@ ArmParameters read_arm(const Config& config, const std::string& key, std::string
                 read_displacement(own.section("base_error"), "true base in the believed one",
                                   "robots.ARM.place, cell.robots.ARM.place", {.shift = 1, .turn = 3.2}));
   arm.model = read_true_model(own, *arm.type, believed);
+  arm.elasticity = read_elasticity(own, arm.elasticity);
   arm.paper = read_paper(sim.section("paper"), table, arm.paper);
   arm.hand = read_hand(sim.section("hand"), arm.hand);
   arm.sensor = read_own_sensor(own.section("sensor"), read_sensor(sim.section("sensor"), arm.sensor));

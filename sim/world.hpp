@@ -14,6 +14,7 @@
 #include "base/pose.hpp"
 #include "robots/catalogue.hpp"
 #include "sim/cube.hpp"
+#include "sim/elastic_gears.hpp"
 #include "sim/force_sensor.hpp"
 #include "sim/free_body.hpp"
 #include "sim/gripper_body.hpp"
@@ -56,6 +57,7 @@ struct ArmParameters {
   int model{};                          ///< number of the true kinematic model; a driver of another one errs
   Pose T_UB;                            ///< the arm's base (its frame 0) in the world U
   std::vector<MotorParameters> motors;  ///< one per axis
+  ElasticityParameters elasticity;      ///< of the gears; rigid unless given
   ForceSensorParameters sensor;         ///< in the wrist
   PaperParameters paper;                ///< on its table
   PlateParameters plate;                ///< on the paper

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "sim/bullet/arm_at_rest.hpp"
 #include "sim/bullet/convert.hpp"
 #include "sim/start_joints.hpp"
 
@@ -44,8 +45,9 @@ ArmBody build_arm(const ArmParameters& p, const edp::Robot& robot, const AxisVec
                   const std::optional<ToolMass>& tool) {
   const robots::RobotType& type = *p.type;
   const auto inertia = type.rotor_inertia ? type.rotor_inertia : robots::reflected_inertia;
-  return build_arm(type.urdf, lengths_of(type, p.model), p.T_UB, inertia(robot, p.motors, joints), tool,
-                   p.gripper, p.links);
+  AxisVector rotors = inertia(robot, p.motors, joints);
+  if (p.elasticity.frequency > 0) rotors *= kGearShare;  // the others turn by themselves
+  return build_arm(type.urdf, lengths_of(type, p.model), p.T_UB, rotors, tool, p.gripper, p.links);
 }
 
 bool usable(const HardwareCommand& command) {
@@ -96,6 +98,7 @@ SimulatedArm::SimulatedArm(const ArmParameters& p, Scene& scene, double h, int s
     add_pen();
   }
   set_joints(*arm_.body, start_joints_);
+  if (p.elasticity.frequency > 0) add_gears();
   load_.reset();
   scene_.dynamics().addMultiBodyConstraint(brakes_.get());
   brakes_->finalizeMultiDof();
@@ -112,6 +115,12 @@ SimulatedArm::~SimulatedArm() {
   gripper_.reset();
   palm_.reset();
   scene_.dynamics().removeMultiBody(arm_.body.get());
+}
+
+void SimulatedArm::add_gears() {
+  gears_.emplace(p_.elasticity, arm_at_rest(arm_, scene_.gravity()), p_.motors,
+                 robot_->motors_per_joints(start_joints_), h_);
+  start_motors_ = robot_->motors_from_joints(gears_->joints());
 }
 
 void SimulatedArm::add_pen() {
@@ -168,13 +177,13 @@ void SimulatedArm::begin_step(const HardwareCommand* command) {
   jaws_enabled_ = command && command->jaws_enabled && std::isfinite(jaw_pwm_);
   if (jaws_) jaws_->begin_step();
   read_joints();
-  motors_per_joints_ = robot_->motors_per_joints(truth_.joints);
+  motors_per_joints_ = robot_->motors_per_joints(driven_joints());
   if (command && usable(*command)) {
     command_ = *command;
     brakes_->open();
   } else {
     command_ = {};
-    brakes_->close(motors_per_joints_);
+    if (!gears_) brakes_->close(motors_per_joints_);
   }
   reading_.current.fill(0);
   limited_.fill(false);
@@ -183,8 +192,15 @@ void SimulatedArm::begin_step(const HardwareCommand* command) {
   truth_.paper_force = 0;
 }
 
+AxisVector SimulatedArm::geared(const AxisVector& torques) {
+  if (!gears_) return motors_per_joints_.transpose() * torques;
+  AxisVector joints(arm_.joints);
+  for (int k = 0; k < arm_.joints; ++k) joints[k] = arm_.body->getJointPos(k);
+  return gears_->step(joints, joint_speeds(), torques, !command_.enabled, motors_per_joints_);
+}
+
 void SimulatedArm::push() {
-  const AxisVector speeds = motors_per_joints_ * joint_speeds();
+  const AxisVector speeds = gears_ ? gears_->shaft_speeds() : AxisVector(motors_per_joints_ * joint_speeds());
   AxisVector torques(arm_.joints);
   for (int k = 0; k < arm_.joints; ++k) {
     const auto i = static_cast<std::size_t>(k);
@@ -195,7 +211,7 @@ void SimulatedArm::push() {
     torques[k] = motor_torque(m, in.current) + friction_[i].step(m, speeds[k], h_);
     reading_.current[i] += share_ * in.current;
   }
-  const AxisVector joint_torques = motors_per_joints_.transpose() * torques;
+  const AxisVector joint_torques = geared(torques);
   for (int k = 0; k < arm_.joints; ++k) arm_.body->addJointTorque(k, joint_torques[k]);
 
   if (jaws_) jaws_->step(jaw_pwm_, jaws_enabled_, share_);
@@ -231,7 +247,7 @@ void SimulatedArm::end_step(std::int64_t step) {
 
 void SimulatedArm::measure(std::int64_t step) {
   read_joints();
-  const AxisVector motors = robot_->motors_from_joints(truth_.joints);
+  const AxisVector motors = robot_->motors_from_joints(driven_joints());
   reading_.step = step;
   reading_.S_F_m = sensor_.measure(truth_.S_F);
   for (int k = 0; k < arm_.joints; ++k) {

@@ -13,6 +13,7 @@
 #include "sim/bullet/palm_body.hpp"
 #include "sim/bullet/scene.hpp"
 #include "sim/bullet/tool_load.hpp"
+#include "sim/elastic_gears.hpp"
 #include "sim/world.hpp"
 
 namespace mrroc::sim {
@@ -75,6 +76,10 @@ class SimulatedArm {
       take(arm_.body->getJointVel(k));
       take(friction_[static_cast<std::size_t>(k)].deflection());
     }
+    for (int k = 0; gears_ && k < arm_.joints; ++k) {
+      take(gears_->joints()[k]);
+      take(gears_->shaft_speeds()[k]);
+    }
     for (int k = arm_.joints; gripper_ && k < arm_.body->getNumLinks(); ++k) {
       if (k == arm_.tool) continue;  // it has no joint
       take(arm_.body->getJointPos(k));
@@ -84,6 +89,11 @@ class SimulatedArm {
 
  private:
   [[nodiscard]] AxisVector joint_speeds() const;
+  void add_gears();
+  /// @return where the motors have the joints: where they are, unless gears give way
+  [[nodiscard]] const AxisVector& driven_joints() const { return gears_ ? gears_->joints() : truth_.joints; }
+  /// @param torques  on the shafts @return on the joints
+  [[nodiscard]] AxisVector geared(const AxisVector& torques);
   void read_joints();
   void add_pen();
   void add_belt(const robots::Belt& belt);
@@ -102,7 +112,8 @@ class SimulatedArm {
 
   AxisVector start_joints_, start_motors_;
   ArmBody arm_;
-  std::unique_ptr<Brakes> brakes_;
+  std::unique_ptr<Brakes> brakes_;     // open for good where gears have rotors of their own
+  std::optional<ElasticGears> gears_;  // none: rigid, rotors are part of the links
   ToolLoad load_;
   std::array<ShaftFriction, kMaxAxes> friction_{};
   std::vector<Encoder> encoders_;

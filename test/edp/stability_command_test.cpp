@@ -30,6 +30,14 @@ TEST(StabilityCommand, TellsTheLimitAndJudgesAStiffness) {
   EXPECT_TRUE(r.err.empty());
 }
 
+TEST(StabilityCommand, GearsThatGiveWayLowerTheLimit) {
+  const auto limit = [](const std::vector<std::string>& arguments) {
+    return nlohmann::json::parse(run(arguments).out).at("limit_N_per_m").get<double>();
+  };
+  EXPECT_LT(limit({"--json", "--elasticity", "10", "--link-mass", "12"}), limit({"--json"}));
+  EXPECT_NE(run({"--elasticity", "10"}).out.find("gears      10 Hz"), std::string::npos);
+}
+
 TEST(StabilityCommand, AdviceHelps) {
   const auto bad = nlohmann::json::parse(run({"--K", "1e5", "--json"}).out);
   EXPECT_FALSE(bad.at("stable"));
