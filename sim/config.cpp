@@ -13,6 +13,7 @@
 #include "base/table_config.hpp"
 #include "robots/catalogue.hpp"
 #include "sim/cube_config.hpp"
+#include "sim/engine.hpp"
 #include "sim/errors.hpp"
 #include "sim/free_body_config.hpp"
 
@@ -291,10 +292,34 @@ void check_belt(const WorldParameters& world) {
   }
 }
 
+PhysicsEngine read_engine(const Config& sim) {
+  const auto engine = sim.choice("engine", PhysicsEngine::bullet,
+                                 {{"bullet", PhysicsEngine::bullet}, {"mujoco", PhysicsEngine::mujoco}},
+                                 {"", "which physics moves arms, pens, paper and plates"});
+  if (engine == PhysicsEngine::mujoco && !has_mujoco())
+    throw FaultError(
+        FaultCode::bad_configuration,
+        "sim.engine: this build has no MuJoCo; take \"bullet\", or build with it: ./run takes it from PyPI "
+        "where MRROC_MUJOCO is not OFF");
+  return engine;
+}
+
+/// What touches cubes and free bodies stands in Bullet only.
+void check_engine(const WorldParameters& world) {
+  if (world.engine != PhysicsEngine::mujoco) return;
+  const bool grasps = std::ranges::any_of(
+      world.arms, [](const ArmParameters& arm) { return arm.gripper.has_value() || arm.palm.has_value(); });
+  if (world.cube || world.free_body || grasps)
+    throw FaultError(
+        FaultCode::bad_configuration,
+        "sim.engine: \"mujoco\" has no cube, no free body, and no fingers or palms; take \"bullet\"");
+}
+
 }  // namespace
 
 WorldParameters read_world(const Config& config) {
   WorldParameters w;
+  w.engine = read_engine(config.section("sim"));
   w.substeps = config.integer("sim.substeps", w.substeps, {1, 16}, {"per step", "of the integration"});
   w.solver_iterations = config.integer("sim.solver_iterations", w.solver_iterations, {10, 1000},
                                        {"", "of the solver of contacts"});
@@ -307,6 +332,7 @@ WorldParameters read_world(const Config& config) {
   check_belt(w);
   w.cube = read_cube(config, keys);
   w.free_body = read_true_body(config);
+  check_engine(w);
   return w;
 }
 

@@ -1,6 +1,6 @@
 // The simulated work cell: arms with drives, wrist sensors, pens or grippers, their sheets, the operators'
-// hands, a cube, and a free body. One step of the world is one step of the effector drivers. The only code that knows
-// Bullet is behind it.
+// hands, a cube, and a free body. One step of the world is one step of the effector drivers. Nothing outside knows which
+// engine computes it (sim/engine.hpp).
 #pragma once
 #include <array>
 #include <cstdint>
@@ -82,11 +82,18 @@ struct ArmParameters {
 /// @param type  lives on
 ArmParameters arm_parameters(const robots::RobotType& type);
 
+/// Who computes how bodies move and touch.
+enum class PhysicsEngine : std::uint8_t {
+  bullet,
+  mujoco  ///< without cube, free body, fingers and palms; not in every build (sim/engine.hpp)
+};
+
 /// The whole work cell.
 struct WorldParameters {
   std::vector<ArmParameters> arms;              ///< at least one; a world without arms is refused
   std::optional<CubeParameters> cube;           ///< none: there is no cube
   std::optional<FreeBodyParameters> free_body;  ///< none: there is no free body
+  PhysicsEngine engine{};                       ///< of all bodies
   int substeps{2};                              ///< integration steps per step, at least 1
   int solver_iterations{100};                   ///< of the contact and friction solver
 };

@@ -1,7 +1,7 @@
 // What the gears of an arm feel of its body at rest.
 #pragma once
 #include "base/spatial.hpp"
-#include "sim/bullet/multibody.hpp"
+#include "sim/bullet/arm_body.hpp"
 #include "sim/elastic_gears.hpp"
 
 namespace mrroc::sim {
