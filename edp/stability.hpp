@@ -58,12 +58,7 @@ struct GearMode {
   double damping{0.03};  ///< damping ratio of that mode, 0..1
   /// Of the links as felt at the tip, the tool's included, rotors' not [kg], > 0; of a drive's inertia it is a part.
   double mass{10};
-  double tool{1.2};    ///< beyond the force sensor, which measures what accelerates it [kg], 0..mass
-};                     ///< of the links on their springs, rotors held [Hz], 0: gears are rigid, else 1..100
-double damping{0.03};  ///< damping ratio of that mode, 0..1
-double mass{
-    10};  ///< of the links as felt at the tip, rotors not included [kg], > 0; of a drive's inertia it is a
-          ///< part
+  double tool{1.2};  ///< beyond the force sensor, which measures what accelerates it [kg], 0..mass
 };
 
 /// One axis under law (28) that presses against a spring. Rotational axes in N m, rad, kg m^2, s/(kg m^2).
