@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "started_task.hpp"
+#include "test/system/started_task.hpp"
 
 namespace mrroc::test {
 namespace {
