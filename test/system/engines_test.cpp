@@ -24,13 +24,17 @@ void expect_within(const nlohmann::json& figure, const nlohmann::json& bounds, c
     for (const auto& each : figure) expect_within(each, bounds, name);
     return;
   }
-  if (!bounds[0].is_null()) EXPECT_GE(figure.get<double>(), bounds[0].get<double>()) << name;
-  if (!bounds[1].is_null()) EXPECT_LE(figure.get<double>(), bounds[1].get<double>()) << name;
+  if (!bounds[0].is_null()) {
+    EXPECT_GE(figure.get<double>(), bounds[0].get<double>()) << name;
+  }
+  if (!bounds[1].is_null()) {
+    EXPECT_LE(figure.get<double>(), bounds[1].get<double>()) << name;
+  }
 }
 
 class TaskOnMujoco : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Engines, TaskOnMujoco, testing::Values("press", "weigh", "edge_follow", "drawing"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& of) { return std::string(of.param); });
 
 TEST_P(TaskOnMujoco, ReachesWhatItWantsWithTheBarsOfTheFirstEngine) {
   const Folder folder;
