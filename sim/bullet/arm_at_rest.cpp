@@ -54,7 +54,7 @@ ArmAtRest arm_at_rest(const ArmBody& arm, const Vector3& gravity) {
     inverse.col(k) = accelerations.take();
   }
   for (int link = 0; link < body.getNumLinks(); ++link)
-    body.addLinkForce(link, to_bullet(body.getLinkMass(link) * gravity));
+    body.addLinkForce(link, to_bullet(Vector3(body.getLinkMass(link) * gravity)));
   const Eigen::VectorXd falling = accelerations.take();
 
   const Eigen::MatrixXd mass = inverse.inverse();
