@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/command_line.hpp"
+#include "base/fault.hpp"
 #include "ecp/transparent.hpp"
 
 namespace mrroc::drawing {
@@ -64,10 +65,10 @@ double read_belt_speed(const Config& config) {
   if (!has_conveyor(config)) return 0;
   const double speed = config.number("task.belt_speed", 0, {0, 0.1}, "m/s, 0: it moves for the arms");
   if (speed > 0 && speed < kSlowestBelt)
-    throw ConfigError(
-        {}, "task.belt_speed",
-        fmt::format("'task.belt_speed' is {:g}, and a belt that runs by itself does so with {:g} m/s "
-                    "or more; 0: it moves for the arms",
+    throw FaultError(
+        FaultCode::bad_configuration,
+        fmt::format("--belt-speed {:g} (task.belt_speed): a belt that runs by itself does so with {:g} "
+                    "m/s or more; 0: it moves for the arms",
                     speed, kSlowestBelt));
   return speed;
 }

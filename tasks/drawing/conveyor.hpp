@@ -34,7 +34,7 @@ void add_conveyor_options(CommandLine& line, ConveyorOptions& options);
 [[nodiscard]] bool has_conveyor(const Config& config);
 
 /// @return the speed of a belt that runs by itself [m/s], 0.01 to 0.1; 0: it moves for the arms, or there is none
-/// @throws ConfigError
+/// @throws FaultError bad_configuration
 [[nodiscard]] double read_belt_speed(const Config& config);
 
 /// Way of a belt that runs by itself: to and fro, with a rest at either end.

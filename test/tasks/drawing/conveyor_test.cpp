@@ -195,7 +195,7 @@ TEST(ConveyorOptions, RefuseABeltThatHardlyRuns) {
     Config config;
     for (const std::string& setting : conveyor_settings({.conveyor = false, .belt_speed = speed}))
       config.set(setting);
-    EXPECT_THROW(static_cast<void>(read_belt_speed(config)), ConfigError) << speed;
+    EXPECT_THROW(static_cast<void>(read_belt_speed(config)), FaultError) << speed;
   }
 }
 
