@@ -196,8 +196,8 @@ void read_boxes(const Config& config, const std::vector<std::string>& platforms,
     WordSet others(names.begin(), names.end());
     others.erase(name);
     if (!config.has("sim.boxes." + name + ".start"))
-      refuse("sim.boxes." + name,
-             "a box that begins nowhere: its start is missing" + did_you_mean(name, others));
+      refuse("sim.boxes." + name + ".start",
+             "it is missing, and the box begins nowhere" + did_you_mean(name, others));
     const BoxParameters box = read_box(config, name);
     check_start(w, box, platforms);
     w.boxes.push_back(box);

@@ -97,7 +97,7 @@ TEST(PlatformConfig, ABoxThatBeginsNowhereMayBeAnotherOneMisspelt) {
     ADD_FAILURE() << "was not refused";
   } catch (const FaultError& e) {
     EXPECT_NE(
-        std::string(e.what()).find("sim.boxes.crat: a box that begins nowhere: its start is missing; did you "
+        std::string(e.what()).find("sim.boxes.crat.start: it is missing, and the box begins nowhere; did you "
                                    "mean 'crate'?"),
         std::string::npos)
         << e.what();
