@@ -56,23 +56,19 @@ TEST_P(SameBits, OfARunOnAProcessorWithoutTheNewestInstructions) {
   EXPECT_EQ(hash_of("old"), here);
 }
 
-// When all arms rest is heard at another moment in each run; what is sent until then is the same.
+// When the arm rests is heard at another moment in each run; what is sent until then is the same.
 TEST(SameBits, OfRunsThatAStopHasEnded) {
-  for (const std::vector<std::string>& cause :
-       {std::vector<std::string>{"--max-time", "4", "--set", "task.force=5.1"},
-        std::vector<std::string>{"--set", "robots.arm1.limits.contact_force=[2, 2, 2, 1, 1, 1]"}}) {
-    const Folder folder(false);
-    std::set<std::string> hashes;
-    for (int k = 0; k < 6; ++k) {
-      const fs::path place = folder / std::to_string(k);
-      run(folder, "press", words({cause, {"--processes", "one", "--run-dir", place.string()}}));
-      const nlohmann::json told = summary(place);
-      EXPECT_EQ(told.at("outcome"), "fault");
-      hashes.insert(told.at("log_hash"));
-    }
-    EXPECT_EQ(hashes.size(), 1U) << cause.back();
-    EXPECT_FALSE(hashes.contains(std::string(16, '0'))) << cause.back();
+  const Folder folder(false);
+  std::set<std::string> hashes;
+  for (int k = 0; k < 8; ++k) {
+    const fs::path place = folder / std::to_string(k);
+    run(folder, "press", {"--max-time", "2.5", "--processes", "one", "--run-dir", place.string()});
+    const nlohmann::json told = summary(place);
+    EXPECT_EQ(told.at("fault").at("code"), "time_limit");
+    hashes.insert(told.at("log_hash"));
   }
+  EXPECT_EQ(hashes.size(), 1U);
+  EXPECT_FALSE(hashes.contains(std::string(16, '0')));
 }
 
 INSTANTIATE_TEST_SUITE_P(Tasks, SameBits,
