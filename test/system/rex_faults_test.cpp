@@ -78,6 +78,7 @@ INSTANTIATE_TEST_SUITE_P(
                {"sim.platforms.rex.imu.bias=0.1"},
                "estimate_lost",
                "",
+               "",
                "figure_eight"},
         Broken{"AnObstacleThatNobodyKnows",
                {"sim.boxes.wall.start=[1.3, 0, 0]", "sim.boxes.wall.mass=2000", "sim.boxes.wall.friction=1"},

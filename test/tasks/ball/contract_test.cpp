@@ -46,13 +46,13 @@ struct Ball {
       void dispatch(const Motion<Agent>& motion, const Agent::Y& y) { inner.dispatch(motion, y); }
       Outcome wait() { return inner.wait(); }
       void read(Agent::X& image) {
-        const auto agents = kept_;
+        const auto agents = kept;
         if (agents) image.T.agent = *agents;
         inner.read(image);
-        kept_ = image.T.agent;
+        kept = image.T.agent;
         hold_an_object(image);
       }
-      std::optional<decltype(Agent::X::T.agent)> kept_{};  // as they wander
+      std::optional<decltype(Agent::X::T.agent)> kept{};  // as they wander
     } holding{port};
     return ball::run_program(x, holding);
   }
