@@ -68,7 +68,7 @@ double least_stretch(const PlannedMotion& m, double times, int axes) {
 
 /// What to do about a motion with times that is too fast.
 std::string remedy_of(const MotionSpec& spec, double times) {
-  const std::string text = fmt::format("give it {:.4g} times the time", times);
+  std::string text = fmt::format("give it {:.4g} times the time", times);
   if (spec.generator != Generator::replay) return text;
   return text + " by `stretch`, or by `times` that are written by hand" +
          (spec.space == Representation::motors
