@@ -7,7 +7,7 @@ install(TARGETS mrroc_options mrroc_msg EXPORT mrroc)
 export(EXPORT mrroc FILE ${CMAKE_BINARY_DIR}/mrroc-targets.cmake)
 install(EXPORT mrroc FILE mrroc-targets.cmake DESTINATION ${MRROC_PACKAGE})
 configure_package_config_file(cmake/mrroc-config.cmake.in ${CMAKE_BINARY_DIR}/mrroc-config.cmake
-                              INSTALL_DESTINATION ${MRROC_PACKAGE} PATH_VARS MRROC_PROGRAMS MRROC_LIBRARIES)
+                              INSTALL_DESTINATION ${MRROC_PACKAGE} PATH_VARS MRROC_PROGRAMS)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/mrroc-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/mrroc-config.cmake ${CMAKE_BINARY_DIR}/mrroc-config-version.cmake
               cmake/dependencies.cmake cmake/functions.cmake cmake/embedded_text.cpp.in

@@ -1,7 +1,7 @@
 # The same bits on any x86-64. glibc chooses variants of sin, exp, ... by the processor that it runs on, and their last bits
-# differ; so every program brings one set of these functions along, musl's, as Debian builds it for plain x86-64. They
-# stand before glibc's for the program and for all libraries that it loads. Functions that are exact (sqrt, floor, fma,
-# fmod) stay glibc's.
+# differ; so every program, also one outside of this tree, brings one set of these functions along, musl's, as Debian builds
+# it for plain x86-64. They stand before glibc's for the program and for all libraries that it loads. Functions that are
+# exact (sqrt, floor, fma, fmod) stay glibc's.
 string(REPLACE "gnu" "musl" musl_architecture "${CMAKE_LIBRARY_ARCHITECTURE}")
 find_file(MRROC_MUSL libc.a PATHS /usr/lib/${musl_architecture} NO_DEFAULT_PATH)
 if(NOT MRROC_MUSL)
@@ -23,7 +23,7 @@ list(TRANSFORM kept PREPEND --keep-global-symbol=)
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/math)
 execute_process(COMMAND ${CMAKE_LINKER} -r ${wanted} -o ${MRROC_MATH} ${MRROC_MUSL} COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_OBJCOPY} ${kept} ${MRROC_MATH} COMMAND_ERROR_IS_FATAL ANY)
-add_link_options(${MRROC_MATH})
-# Programs outside of this tree bring the same along (cmake/functions.cmake).
+target_link_options(mrroc_options INTERFACE
+  $<BUILD_INTERFACE:${MRROC_MATH}> $<INSTALL_INTERFACE:$<INSTALL_PREFIX>/${MRROC_LIBRARIES}/math.o>)
 install(FILES ${MRROC_MATH} DESTINATION ${MRROC_LIBRARIES})
 install(FILES /usr/share/doc/musl-dev/copyright DESTINATION share/doc/mrroc/licenses RENAME musl.txt)

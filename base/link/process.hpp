@@ -193,7 +193,8 @@ class Process {
   /// A line for the operator and the log.
   void log(const std::string& text, FaultCode code = FaultCode::none);
   /// Takes the fingerprints of what it has sent: what it sends from now on is not in them. After a stop a robot's
-  /// driver and the simulator go on until the supervisor knows that all rest, and when that is lies with the wall clock.
+  /// driver and the simulator go on until the supervisor knows that all rest, and when that is lies with the wall clock. Only the first
+  /// call counts. Real-time safe.
   void seal_fingerprints();
   /// Says that this process has ended, with the fingerprints of what it sent, and what was wrong on the links
   /// that it read. A fault that it has reported stays its state. Its links must still be there.

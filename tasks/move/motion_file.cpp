@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "base/counted.hpp"
 #include "base/joined.hpp"
 #include "base/representation.hpp"
 #include "tasks/move/plan.hpp"
@@ -20,9 +21,6 @@ constexpr std::size_t kMostMotions = 900;  // of one arm: below kWorkDone
 
 bool is_spline(Generator g) {
   return g == Generator::linear || g == Generator::cubic || g == Generator::quintic;
-}
-std::string counted(std::size_t count, const char* what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 bool takes_lists(Generator g) { return g == Generator::trapezoid || g == Generator::polyline; }
 

@@ -42,6 +42,7 @@ struct Case {
 class SameBits : public ::testing::TestWithParam<Case> {};
 
 TEST_P(SameBits, OfARunOnAProcessorWithoutTheNewestInstructions) {
+  if (kSanitized) GTEST_SKIP() << "of sanitized programs nobody compares runs";
   const auto& [task, options] = GetParam();
   const Folder folder(false);
   const auto hash_of = [&](const std::string& name) {
@@ -58,6 +59,7 @@ TEST_P(SameBits, OfARunOnAProcessorWithoutTheNewestInstructions) {
 
 // When the arm rests is heard at another moment in each run; what is sent until then is the same.
 TEST(SameBits, OfRunsThatAStopHasEnded) {
+  if (kSanitized) GTEST_SKIP() << "of sanitized programs nobody compares runs";
   const Folder folder(false);
   std::set<std::string> hashes;
   for (int k = 0; k < 8; ++k) {
