@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "base/statistics.hpp"
-#include "sim/engine.hpp"
+#include "test/rig/engines.hpp"
 #include "test/sim/driver.hpp"
 
 namespace mrroc::sim {
@@ -43,14 +43,13 @@ class Sliding : public testing::Test {
   Cell cell_;
 };
 
-class SlidingOnMujoco : public Sliding {
+class SlidingOnAnyEngine : public Sliding, public testing::WithParamInterface<PhysicsEngine> {
  public:
-  SlidingOnMujoco() : Sliding(has_mujoco() ? PhysicsEngine::mujoco : PhysicsEngine::bullet) {}
+  SlidingOnAnyEngine() : Sliding(GetParam()) {}
 };
+INSTANTIATE_TEST_SUITE_P(Engines, SlidingOnAnyEngine, testing::ValuesIn(rig::engines()), rig::engine_name);
 
-// Bullet's multi-bodies have friction along one direction of the world only (docs/plant.md).
-TEST_F(SlidingOnMujoco, IsResistedByTheFrictionOfThePaperAgainstTheMotion) {
-  if (!has_mujoco()) GTEST_SKIP() << "this build has no MuJoCo";
+TEST_P(SlidingOnAnyEngine, IsResistedByTheFrictionOfThePaperAgainstTheMotion) {
   constexpr double kSpeed = 0.02, kFriction = 0.2;
   for (int direction = 0; direction < 8; ++direction) {
     const double angle = direction * std::numbers::pi / 4;

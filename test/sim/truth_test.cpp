@@ -143,10 +143,14 @@ const std::map<std::string, std::string> kOfArm{{"base_error.x", "0.005"},
                                                 {"friction_scale", "2"},
                                                 {"torque_constant_scale", "1.1"},
                                                 {"resistance_scale", "1.1"},
-                                                {"rotor_inertia_scale", "1.2"}};
+                                                {"rotor_inertia_scale", "1.2"},
+                                                {"elasticity", "10"}};
 
-/// Keys whose effect needs more than these cells do; other tests have them: where the arms begin, and faces that turn.
+/// Keys whose effect needs more than these cells do; other tests have them: where the arms begin, the engine, how gears
+/// that give way are damped, and faces that turn.
 const std::set<std::string> kElsewhere{"sim.start_height",
+                                       "sim.engine",
+                                       "sim.robots.ARM.elasticity_damping",
                                        "sim.cube.breakaway",
                                        "sim.cube.kinetic",
                                        "sim.cube.jam",
