@@ -191,7 +191,8 @@ void Config::check_all_used() const {
 std::vector<ConfigParameter> Config::parameters() const {
   std::vector<ConfigParameter> all;
   for (const auto& [key, entry] : store_->entries)
-    if (store_->asked.contains(key)) all.push_back({key, to_toml(entry.value), entry.range, entry.unit});
+    if (store_->asked.contains(key))
+      all.push_back({key, to_toml(entry.value), entry.range, entry.unit, entry.about, entry.believed});
   return all;
 }
 

@@ -68,10 +68,27 @@ struct IntegerBounds {
 
 /// A key that the program reads, for lists.
 struct ConfigParameter {
-  std::string key;    ///< dotted, from the root
-  std::string value;  ///< in TOML: given, or the default
-  std::string range;  ///< legal values in words; empty: any of its type
-  std::string unit;   ///< empty: it has none
+  std::string key{};       ///< dotted, from the root
+  std::string value{};     ///< in TOML: given, or the default
+  std::string range{};     ///< legal values in words; empty: any of its type
+  std::string unit{};      ///< empty: it has none
+  std::string about{};     ///< as Meaning::about
+  std::string believed{};  ///< as Meaning::believed
+};
+
+/// What a value is, for messages, dump() and lists. A unit alone converts to it.
+struct Meaning {
+  std::string_view unit{};   ///< of the value and its bounds; empty: it has none
+  std::string_view about{};  ///< in words; empty: the key says it
+  /// Of a value that is true of the plant: where stands what controllers believe of it, a key or words; empty: of none.
+  std::string_view believed{};
+
+  Meaning() = default;
+  Meaning(const char* u) : unit(u) {}         // NOLINT(google-explicit-constructor)
+  Meaning(std::string_view u) : unit(u) {}    // NOLINT(google-explicit-constructor)
+  Meaning(const std::string& u) : unit(u) {}  // NOLINT(google-explicit-constructor)
+  /// @param u  unit @param a  about @param b  believed
+  Meaning(std::string_view u, std::string_view a, std::string_view b = {}) : unit(u), about(a), believed(b) {}
 };
 
 struct ConfigStore;
@@ -118,17 +135,17 @@ class Config {
   // it. The fallback must be the same wherever a key is read. ConfigError: missing and required, another
   // type, not finite, or out of bounds.
 
-  /// @param unit of the value and the bounds, for messages and dump()
+  /// @param meaning at least the unit of the value and the bounds
   [[nodiscard]] double number(std::string_view key, std::optional<double> fallback, Bounds bounds = {},
-                              std::string_view unit = "") const;
+                              const Meaning& meaning = {}) const;
   /// @return a list of exactly N numbers, each within the bounds: `cfg.numbers<3>("up", {{0, 0, 1}})`
   template <std::size_t N>
   [[nodiscard]] std::array<double, N> numbers(std::string_view key,
                                               const std::optional<std::array<double, N>>& fallback,
-                                              Bounds bounds = {}, std::string_view unit = "") const {
+                                              Bounds bounds = {}, const Meaning& meaning = {}) const {
     std::optional<std::vector<double>> given;
     if (fallback) given.emplace(fallback->begin(), fallback->end());
-    given = list(key, given, bounds, unit, N);
+    given = list(key, given, bounds, meaning, N);
     std::array<double, N> result{};
     std::copy_n(given->begin(), N, result.begin());
     return result;
@@ -136,19 +153,20 @@ class Config {
   /// @param size number of elements that the list must have, if not any number
   [[nodiscard]] std::vector<double> list(std::string_view key,
                                          const std::optional<std::vector<double>>& fallback,
-                                         Bounds bounds = {}, std::string_view unit = "",
+                                         Bounds bounds = {}, const Meaning& meaning = {},
                                          std::optional<std::size_t> size = {}) const;
   /// @return a whole number, of any integer type
   template <class T = int>
   [[nodiscard]] T integer(std::string_view key, std::type_identity_t<std::optional<T>> fallback,
-                          IntegerBounds bounds = {}, std::string_view unit = "") const {
+                          IntegerBounds bounds = {}, const Meaning& meaning = {}) const {
     static_assert(std::is_integral_v<T> && !std::is_same_v<T, bool>);
     std::optional<std::int64_t> wide;
     if (fallback) wide = static_cast<std::int64_t>(*fallback);
-    return static_cast<T>(whole(key, wide, bounds, within<T>(bounds), unit));
+    return static_cast<T>(whole(key, wide, bounds, within<T>(bounds), meaning));
   }
   /// @return true or false
-  [[nodiscard]] bool flag(std::string_view key, std::optional<bool> fallback) const;
+  [[nodiscard]] bool flag(std::string_view key, std::optional<bool> fallback,
+                          const Meaning& meaning = {}) const;
   /// @return any text, also an empty one
   [[nodiscard]] std::string text(std::string_view key, const std::optional<std::string>& fallback) const;
   /// @return a list of texts of any length
@@ -156,22 +174,23 @@ class Config {
                                                const std::optional<std::vector<std::string>>& fallback) const;
   /// @param names the legal texts and what they stand for
   template <class T>
-  [[nodiscard]] T choice(
-      std::string_view key, T fallback,
-      std::type_identity_t<std::initializer_list<std::pair<std::string_view, T>>> names) const {
-    return choice(key, fallback, std::span<const std::pair<std::string_view, T>>(names));
+  [[nodiscard]] T choice(std::string_view key, T fallback,
+                         std::type_identity_t<std::initializer_list<std::pair<std::string_view, T>>> names,
+                         const Meaning& meaning = {}) const {
+    return choice(key, fallback, std::span<const std::pair<std::string_view, T>>(names), meaning);
   }
   /// The same, of names that are not known when the program is compiled.
   template <class T>
   [[nodiscard]] T choice(std::string_view key, T fallback,
-                         std::type_identity_t<std::span<const std::pair<std::string_view, T>>> names) const {
+                         std::type_identity_t<std::span<const std::pair<std::string_view, T>>> names,
+                         const Meaning& meaning = {}) const {
     std::vector<std::string> legal;
     std::string name;
     for (const auto& [word, value] : names) {
       legal.emplace_back(word);
       if (value == fallback) name = word;
     }
-    return names[one_of(key, name, legal)].second;
+    return names[one_of(key, name, legal, meaning)].second;
   }
 
   /// Call this when everything has been read.
@@ -198,9 +217,9 @@ class Config {
     return b;
   }
   [[nodiscard]] std::int64_t whole(std::string_view key, std::optional<std::int64_t> fallback,
-                                   IntegerBounds bounds, IntegerBounds in_type, std::string_view unit) const;
+                                   IntegerBounds bounds, IntegerBounds in_type, const Meaning& meaning) const;
   [[nodiscard]] std::size_t one_of(std::string_view key, const std::string& fallback,
-                                   const std::vector<std::string>& legal) const;
+                                   const std::vector<std::string>& legal, const Meaning& meaning) const;
   template <class T>
   [[nodiscard]] T take(std::string_view key, const std::optional<T>& fallback, const Asked& asked) const;
   template <class T, class B>

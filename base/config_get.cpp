@@ -60,12 +60,12 @@ std::string limits_text(std::string_view range, std::string_view unit) {
 
 /// A getter's expectation of a value.
 struct Config::Asked {
-  std::string type;    ///< in words, for messages
-  std::string range;   ///< in words, may be empty
-  std::string unit{};  ///< may be empty
+  std::string type;   ///< in words, for messages
+  std::string range;  ///< in words, may be empty
+  Meaning meaning{};  ///< all of it may be empty
 
   /// @return range and unit
-  [[nodiscard]] std::string limits() const { return limits_text(range, unit); }
+  [[nodiscard]] std::string limits() const { return limits_text(range, meaning.unit); }
   [[nodiscard]] std::string words() const { return limits().empty() ? type : type + ", " + limits(); }
 };
 
@@ -89,7 +89,9 @@ T Config::take(std::string_view key, const std::optional<T>& fallback, const Ask
   if (entry.from_default && fallback && *value != *fallback)
     throw FaultError(FaultCode::internal_error, fmt::format("the key '{}' has two defaults", path));
   entry.range = asked.range;
-  entry.unit = asked.unit;
+  entry.unit = asked.meaning.unit;
+  if (!asked.meaning.about.empty()) entry.about = asked.meaning.about;
+  if (!asked.meaning.believed.empty()) entry.believed = asked.meaning.believed;
   return *value;
 }
 
@@ -104,18 +106,18 @@ void Config::check(std::string_view key, T value, B bounds, const Asked& asked) 
 }
 
 double Config::number(std::string_view key, std::optional<double> fallback, Bounds bounds,
-                      std::string_view unit) const {
-  const Asked asked{"a number", range_text(bounds), std::string(unit)};
+                      const Meaning& meaning) const {
+  const Asked asked{"a number", range_text(bounds), meaning};
   const auto value = take<double>(key, fallback, asked);
   check(key, value, bounds, asked);
   return value;
 }
 
 std::vector<double> Config::list(std::string_view key, const std::optional<std::vector<double>>& fallback,
-                                 Bounds bounds, std::string_view unit,
+                                 Bounds bounds, const Meaning& meaning,
                                  std::optional<std::size_t> size) const {
   const Asked asked{size ? fmt::format("a list of {} numbers", *size) : "a list of numbers",
-                    range_text(bounds), std::string(unit)};
+                    range_text(bounds), meaning};
   auto value = take<std::vector<double>>(key, fallback, asked);
   for (const double element : value) check(key, element, bounds, asked);
   if (size && *size != value.size()) {
@@ -127,16 +129,16 @@ std::vector<double> Config::list(std::string_view key, const std::optional<std::
 }
 
 std::int64_t Config::whole(std::string_view key, std::optional<std::int64_t> fallback, IntegerBounds bounds,
-                           IntegerBounds in_type, std::string_view unit) const {
-  const Asked asked{"a whole number", range_text(bounds), std::string(unit)};
+                           IntegerBounds in_type, const Meaning& meaning) const {
+  const Asked asked{"a whole number", range_text(bounds), meaning};
   const auto value = take<std::int64_t>(key, fallback, asked);
   check(key, value, bounds, asked);
-  check(key, value, in_type, {asked.type, range_text(in_type), asked.unit});
+  check(key, value, in_type, {asked.type, range_text(in_type), meaning});
   return value;
 }
 
-bool Config::flag(std::string_view key, std::optional<bool> fallback) const {
-  return take<bool>(key, fallback, {"true or false", ""});
+bool Config::flag(std::string_view key, std::optional<bool> fallback, const Meaning& meaning) const {
+  return take<bool>(key, fallback, {"true or false", "", meaning});
 }
 
 std::string Config::text(std::string_view key, const std::optional<std::string>& fallback) const {
@@ -149,8 +151,8 @@ std::vector<std::string> Config::texts(std::string_view key,
 }
 
 std::size_t Config::one_of(std::string_view key, const std::string& fallback,
-                           const std::vector<std::string>& legal) const {
-  const Asked asked{"a text", joined(legal, " or ")};
+                           const std::vector<std::string>& legal, const Meaning& meaning) const {
+  const Asked asked{"a text", joined(legal, " or "), meaning};
   const auto value = take<std::string>(key, fallback, asked);
   const auto found = std::find(legal.begin(), legal.end(), value);
   if (found != legal.end()) return static_cast<std::size_t>(found - legal.begin());

@@ -21,7 +21,9 @@ struct ConfigEntry {
   ConfigValue value{};       ///< as it was given; its range is checked when it is read
   ConfigPlace place{};       ///< where it was given
   std::string range{};       ///< legal values in words, known once it was read; empty: any of its type
-  std::string unit{};        ///< the same
+  std::string unit{};        ///< the same, as Meaning has it; so are the next two
+  std::string about{};       ///< in words; empty: the key says it
+  std::string believed{};    ///< of what is true of the plant: what controllers have instead
   bool from_default{false};  ///< nobody gave it: the code's default
 };
 

@@ -9,7 +9,8 @@ namespace mrroc {
 
 StepInterval read_step_interval(const Config& config, const std::string& key) {
   constexpr double kLastStep = 100'000'000;
-  const auto steps = config.list(key, std::vector<double>{}, {0, kLastStep}, "steps from, to; empty: never");
+  const auto steps = config.list(key, std::vector<double>{}, {0, kLastStep},
+                                 {"steps from, to; empty: never", "steps in which that is broken"});
   if (steps.empty()) return {};
   if (steps.size() != 2 || steps[0] != std::floor(steps[0]) || steps[1] != std::floor(steps[1]) ||
       steps[0] >= steps[1])

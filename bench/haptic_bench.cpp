@@ -88,7 +88,7 @@ Figures run_haptic_group() {
         scratch.path() / "run",
         {fmt::format("seed={}", n + 1), fmt::format("task.delay={:.3f}", even(0, 0.2)),
          fmt::format("task.jitter={:.3f}", even(0, 0.05)), fmt::format("task.loss={:.3f}", even(0, 0.1)),
-         fmt::format("sim.paper.stiffness={:.0f}", 500 * std::pow(100, even(0, 1))),
+         fmt::format("table.stiffness={:.0f}", 500 * std::pow(100, even(0, 1))),
          fmt::format("sim.hand.stiffness={:.0f}", even(300, 2000))});
     failed += figures.is_null();
     if (figures.is_object()) least = std::min(least, number(figures, "energy_min_mJ"));

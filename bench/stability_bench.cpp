@@ -20,6 +20,7 @@ using edp::stiffness_limit;
 using edp::test::limit_between;
 
 constexpr int kRandomLoops = 200;
+constexpr int kElasticContacts = 100;
 constexpr edp::ServoChoice kOriginal{0, 0};  // the regulators that edp::RegulatedDrive models
 constexpr edp::ServoChoice kDefault{1, 0};   // those that edp::CompensatedDrive models
 constexpr double kPrecision = 0.01;          // of simulated limits
@@ -95,6 +96,34 @@ std::vector<double> random_default_loops() {
         return edp::test::random_loop(random, default_drive_of(one_axis(kPressingAxes[axis])));
       },
       1e7);
+}
+
+/// Gears of 8 to 15 Hz, half of them behind the default drives, half behind any servo, on a contact of any stiffness and
+/// damping: the largest gain B that is stable. @return errors [%]
+std::vector<double> elastic_contacts() {
+  constexpr double kLeast = 1e-4, kMost = 0.2;  // B that is looked at [s/kg]
+  std::mt19937_64 random(3);
+  std::vector<double> errors;
+  while (errors.size() < kElasticContacts) {
+    const std::size_t axis = std::uniform_int_distribution<std::size_t>(0, kPressingAxes.size() - 1)(random);
+    ContactLoop loop = errors.size() % 2 == 0
+                           ? edp::test::random_loop(random)
+                           : edp::test::random_loop(random, default_drive_of(one_axis(kPressingAxes[axis])));
+    loop = edp::test::elastic(random, loop);
+    const double K = 2e3 * std::pow(50, std::uniform_real_distribution<>(0, 1)(random));
+    const auto with = [&](double B) {
+      loop.mobility = B;
+      return loop;
+    };
+    const auto predicted_unstable = [&](double B) { return edp::contact_mode(with(B), K).radius >= 1; };
+    const double predicted = edp::test::first_limit(kLeast, kMost, 1e-4, predicted_unstable);
+    if (predicted < 2 * kLeast || predicted > kMost / 2) continue;
+    const double simulated = edp::test::first_limit(predicted / 2, predicted * 2, kPrecision, [&](double B) {
+      return edp::test::ContactSimulation(with(B), K).unstable();
+    });
+    errors.push_back(error_pct(predicted, simulated));
+  }
+  return errors;
 }
 
 /// Whether a force that settles at F_d well below the limit keeps swinging.
@@ -211,6 +240,9 @@ Figure stability_limit_figure() {
 Figures run_stability_group() {
   return {
       stability_limit_figure(),
+      {"elastic_limit_err_pct", std::ranges::max(elastic_contacts()), "%",
+       "predicted limit of the gain B with elastic gears of 8 to 15 Hz against the time domain, worst of "
+       "100 random contacts"},
       {"stability_drive_err_pct", std::ranges::max(real_regulators(kDefault.algorithm_no)), "%",
        "the same against the real regulators, motors and encoders without friction, worst of 16"},
       {"stability_drive_err_original_pct", std::ranges::max(real_regulators(kOriginal.algorithm_no)), "%",

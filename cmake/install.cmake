@@ -52,9 +52,11 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-if(MRROC_REX)
-  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${MRROC_CASADI})
-endif()
+foreach(folder MRROC_CASADI MRROC_MUJOCO)
+  if(EXISTS "${${folder}}")
+    list(APPEND CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${${folder}})
+  endif()
+endforeach()
 # What the libraries' users link, and what a run calls.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libeigen3-dev, libfmt-dev, liblcm-dev, libglib2.0-dev, libsodium-dev, libbullet-dev, liburdfdom-dev, \
 liborocos-kdl-dev, libtomlplusplus-dev, nlohmann-json3-dev, libpugixml-dev, libncurses-dev, \

@@ -13,6 +13,7 @@ struct TipPlant {
   Eigen::MatrixXd A;   ///< of the state
   Eigen::VectorXd b;   ///< of the input
   int x{};             ///< number of the tip's position in the state
+  int motor{};         ///< of what the encoder reads; the tip's, unless gears give way
   Eigen::VectorXd dx;  ///< the tip's velocity, of the state
   double dx_input{};   ///< and of the input
 };
@@ -45,6 +46,9 @@ class ContactMap {
   ContactLoop loop_;
   CompensationGains gains_{};
   double K_, D_;
+  double unit_;  // a reading is the force over it [N/m]; K, unless the inertia of a tool is measured, too
+  Eigen::VectorXd felt_;  // present reading, of the plant's state
+  double felt_input_{};   // and of its input
   TipPlant plant_;
   int n_{}, history_{}, size_{};
   Eigen::MatrixXd over_step_;

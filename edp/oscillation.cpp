@@ -13,13 +13,14 @@ namespace {
 constexpr double kNoise = 1. / 6;    // hysteresis over the swing that matters
 constexpr double kRinging = 1. / 3;  // hysteresis over the last swing
 constexpr double kRegular = 0.7;     // least factor between neighbouring swings
+constexpr double kNear = 0.3;        // of the gears' mode, which contact and servo shift
 constexpr double kUneven = 2;        // longest over shortest period
 
 }  // namespace
 
 bool is_usable(const OscillationParameters& p) noexcept {
   return p.force > 0 && p.torque > 0 && p.growth >= 1 && p.sustained > 0 && p.periods >= 2 &&
-         p.periods <= kMostPeriods && p.lowest > 0 && p.highest > p.lowest;
+         p.periods <= kMostPeriods && p.lowest > 0 && p.highest > p.lowest && p.gears >= 0 && p.gears <= 100;
 }
 
 AxisSet force_axes(const TaskFrameCommand& rows) noexcept {
@@ -103,9 +104,11 @@ Fault OscillationObserver::told(const History& h, std::size_t axis, double least
   double time = 0;
   for (int back = 0; back < p_.periods; ++back) time += period(h, back).time;
   constexpr std::array kNames{"x", "y", "z", "ax", "ay", "az"};
-  std::array<char, 80> text{};
-  std::snprintf(text.data(), text.size(), "along %s of E at %.1f Hz, %.2f times larger with each period",
-                kNames[axis], p_.periods / time, factor(h));
+  const double frequency = p_.periods / time;
+  const bool of_gears = std::abs(frequency - p_.gears) < kNear * p_.gears;
+  std::array<char, 120> text{};
+  std::snprintf(text.data(), text.size(), "along %s of E at %.1f Hz, %.2f times larger with each period%s",
+                kNames[axis], frequency, factor(h), of_gears ? "; the gears give way there" : "");
   return make_fault(FaultCode::contact_unstable, text.data(), static_cast<int>(axis), period(h, 0).swing,
                     least);
 }

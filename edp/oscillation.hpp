@@ -23,6 +23,8 @@ struct OscillationParameters {
   double lowest{4};        ///< frequency of the swings, at least [Hz]: people lead
                            ///< arms more slowly
   double highest{60};      ///< at most [Hz]
+  double gears{};          ///< mode in which the gears give way [Hz], 0: rigid. A fault tells
+                           ///< whether it is that which swings, 0..100
 };
 
 /// Most periods that an observer looks at.

@@ -26,6 +26,16 @@ void check(const CompensatedDrive& drive) {
                      "stability: a drive needs its regulator, model, increments, inertia and lever");
 }
 
+bool sensible(const GearMode& gears, const ServoModel& servo) {
+  if (gears.frequency == 0) return true;
+  const auto has_rotor = [&](const auto& of) {
+    if constexpr (requires { of.lever; }) return gears.mass * of.lever * of.lever < of.inertia;
+    return true;
+  };
+  return gears.frequency >= 1 && gears.frequency <= 100 && gears.damping >= 0 && gears.damping <= 1 &&
+         gears.mass > 0 && gears.tool >= 0 && gears.tool <= gears.mass && std::visit(has_rotor, servo);
+}
+
 ContactMode mode_of(const ContactLoop& loop, double K) {
   ContactMode worst{.damping = 1};
   for (const std::complex<double>& z : ContactMap(loop, K).matrix().eigenvalues()) {
@@ -55,6 +65,9 @@ void check_loop(const ContactLoop& loop) {
   demand(loop.low_pass >= 0, "the corner of the low pass must not be negative");
   demand(loop.contact_damping >= 0 && loop.contact_damping <= 1,
          "contact damping must lie between 0 and 1 s");
+  demand(sensible(loop.gears, loop.servo),
+         "gears need 1 to 100 Hz, or 0, a damping ratio of 0 to 1, and a mass that leaves the rotor some "
+         "inertia, and a tool that is a part of it");
   if (const auto* lag = std::get_if<LagServo>(&loop.servo)) {
     demand(lag->bandwidth > 0 && lag->bandwidth <= 1e4, "the bandwidth must be above 0, at most 1e4 Hz");
     demand(lag->order == 1 || lag->order == 2, "the order of the servo must be 1 or 2");

@@ -51,6 +51,16 @@ struct CompensatedDrive {
 /// Any of these servos.
 using ServoModel = std::variant<IdealServo, LagServo, RegulatedDrive, CompensatedDrive>;
 
+/// Gears that give way between servo and tip: what the servo moves is a rotor, whose encoder it reads, and a spring pulls
+/// the links behind it.
+struct GearMode {
+  double frequency{};    ///< of the links on their springs, rotors held [Hz], 0: gears are rigid, else 1..100
+  double damping{0.03};  ///< damping ratio of that mode, 0..1
+  /// Of the links as felt at the tip, the tool's included, rotors' not [kg], > 0; of a drive's inertia it is a part.
+  double mass{10};
+  double tool{1.2};  ///< beyond the force sensor, which measures what accelerates it [kg], 0..mass
+};
+
 /// One axis under law (28) that presses against a spring. Rotational axes in N m, rad, kg m^2, s/(kg m^2).
 struct ContactLoop {
   double inertia{20};            ///< I of law (28) [kg], >= 0
@@ -62,6 +72,7 @@ struct ContactLoop {
   bool mean_of_step{true};       ///< a reading is the mean over its step; false: the force at its end
   double contact_damping{};      ///< damping of the surroundings per stiffness [s]
   ServoModel servo{LagServo{}};  ///< what follows the set point
+  GearMode gears{};              ///< between it and the tip
 };
 
 /// The least damped mode of a loop.

@@ -33,8 +33,13 @@ std::string loop_text(const ContactLoop& l) {
   return fmt::format(
       "law (28)   I = {:g} kg, B = {:g} s/kg, every {:g} ms\n"
       "servo      {}\n"
+      "gears      {}\n"
       "force      {}, average of {}, {}, {} late beyond the law's own\n",
       l.inertia, l.mobility, 1e3 * l.dt, servo_text(l.servo),
+      l.gears.frequency > 0
+          ? fmt::format("{:g} Hz, damping {:g}, links of {:g} kg at the tip, {:g} kg beyond the sensor",
+                        l.gears.frequency, l.gears.damping, l.gears.mass, l.gears.tool)
+          : "rigid",
       l.mean_of_step ? "mean over its step" : "at the end of its step", l.average,
       l.low_pass > 0 ? fmt::format("low pass {:g} Hz", l.low_pass) : "no low pass", counted(l.delay, "step"));
 }
@@ -124,6 +129,14 @@ void add_options(CommandLine& line, Arguments& a) {
   const Option ideal = line.flag("--ideal", a.ideal, "no servo at all: the arm is where it is set to be");
   lag.excludes(bandwidth);
   ideal.excludes(bandwidth).excludes(lag);
+  line.option("--elasticity", l.gears.frequency, "mode of the gears with rotors held [Hz], 0: rigid")
+      .show_default();
+  line.option("--elasticity-damping", l.gears.damping, "its damping ratio").show_default();
+  line.option("--link-mass", l.gears.mass, "links as felt at the tip, which swing in that mode [kg]")
+      .show_default();
+  line.option("--tool-mass", l.gears.tool,
+              "of them beyond the force sensor, which measures its inertia, too [kg]")
+      .show_default();
   line.flag("--sampled", a.sampled, "the force at the end of a step, not its mean over it");
   const Option json = line.flag("--json", a.json, "print JSON");
   line.flag("--pair", a.pair, "a pair of master and slave, with options of its own: --pair --help");

@@ -136,6 +136,9 @@ void add_parameter_options(CommandLine& line, TaskOptions& o) {
   const Option parameters =
       line.flag("--parameters", o.parameters,
                 "instead of a run: list every parameter with its default, range and unit");
+  line.flag("--truth", o.truth,
+            "with --parameters: those of the plant, which no controller reads, and what is believed instead")
+      .needs(parameters);
   line.flag("--json", o.json, "with --parameters: as JSON").needs(parameters);
 }
 

@@ -34,6 +34,7 @@ struct TaskOptions {
   double max_time{};                  ///< simulated time after which the run is ended [s]; 0: none
   bool strict{};                      ///< a figure that misses what is wanted makes the exit status 1
   bool parameters{};                  ///< instead of a run: list the parameters
+  bool truth{};                       ///< of the parameters: those of the plant, with what is believed
   bool json{};                        ///< of the parameters: as JSON
   std::string session;                ///< empty: a unique name
   std::string url;                    ///< empty: from the session's name

@@ -15,6 +15,12 @@ namespace mrroc::mp {
 /// @return the same as a JSON list of key, default (or value), range and unit; null: there is none
 [[nodiscard]] std::string parameter_json(const Config& config, const std::string& value = "default");
 
+/// @return lines of what is true of the plant: key, unit, value, range, what controllers believe instead, meaning
+[[nodiscard]] std::string truth_table(const Config& config, const std::string& value = "default");
+
+/// @return the same as a JSON list
+[[nodiscard]] std::string truth_json(const Config& config, const std::string& value = "default");
+
 /// Prints one of these instead of a run, see TaskOptions::parameters.
 /// @return exit status
 int list_parameters(const Config& config, const TaskOptions& options);

@@ -59,7 +59,9 @@ Pose read_place(const Config& config, const std::string& key, const std::string&
   const auto given =
       config.numbers<6>("robots." + key + ".place", usual, kBounds, "m, rad, of the base in the world");
   const std::string own = whose + ".robots." + key + ".place";
-  auto place = config.list(own, std::vector<double>{}, kBounds, "m, rad; empty: as robots." + key + ".place");
+  const std::string unit = "m, rad; empty: as robots." + key + ".place";
+  auto place = config.list(own, std::vector<double>{}, kBounds,
+                           {unit, "base of the arm in the world", "robots.ARM.place"});
   if (place.empty()) place.assign(given.begin(), given.end());
   if (place.size() != usual.size())
     throw FaultError(FaultCode::bad_configuration,

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/cube/cube_config.hpp"
+#include "sim/errors.hpp"
 
 namespace mrroc::sim {
 namespace {
@@ -33,10 +34,63 @@ std::optional<Fingers> fingers_of(const Config& config, const std::string& key) 
   const int given = layers_given(config, key);
   const int own = config.section("sim.robots." + key)
                       .choice("fingers", kAsGiven,
-                              {{"as_given", kAsGiven}, {"none", 0}, {"one_layer", 1}, {"two_layers", 2}});
+                              {{"as_given", kAsGiven}, {"none", 0}, {"one_layer", 1}, {"two_layers", 2}},
+                              {"", "layers of the cube that they cover", "robots.ARM.fingers"});
   const int layers = own == kAsGiven ? given : own;
   if (layers == 0) return {};
   return layers == 1 ? Fingers::one_layer : Fingers::two_layers;
+}
+
+void read_pads(const Config& t, GripperBodyParameters& p) {
+  const char* const none = "none";
+  p.friction =
+      t.number("friction", p.friction, {0, 3}, {"", "of the pads, times that of the stickers", none});
+  p.palm_friction = t.number("palm_friction", p.palm_friction, {0, 3},
+                             {"", "of the palm, times that of the stickers", none});
+  p.pad_stiffness =
+      t.number("stiffness", p.pad_stiffness, {1e4, 2e6}, {"N/m", "of a pad, all its points together", none});
+  p.palm_stiffness = t.number("palm_stiffness", p.palm_stiffness, {1e3, 1e6},
+                              {"N/m", "of the palm, all its points together", none});
+  p.wrist_stiffness = t.number("wrist_stiffness", p.wrist_stiffness, {2e3, 2e5},
+                               {"N/m", "of the wrist before the sensor, along each axis", none});
+}
+
+/// The faces' friction, and what is wrong with them.
+void read_faces(const Config& t, FaceFrictionSpread& faces) {
+  const char* const none = "none";
+  faces.mean.breakaway = t.number("breakaway", faces.mean.breakaway, {0.1, 50},
+                                  {"N m", "of a face that leaves its seat, in the mean", none});
+  faces.mean.kinetic =
+      t.number("kinetic", faces.mean.kinetic, {0, 50}, {"N m", "of a face on its way, in the mean", none});
+  faces.jam = t.number("jam", faces.jam, {0, 50}, {"N m", "largest jam of a face", none});
+  faces.mean.jam_direction =
+      t.choice("jam_direction", 0, {{"both", 0}, {"clockwise", -1}, {"counterclockwise", 1}},
+               {"", "in which faces jam", none});
+  faces.mean.jam_loosening =
+      t.number("jam_loosening", 0, {0, 1}, {"", "share that a jam loses each time the face leaves it", none});
+  const double scale =
+      t.number("face_friction_scale", 1, {0.05, 20}, {"", "of breakaway, kinetic and jam", none});
+  for (double* const each : {&faces.mean.breakaway, &faces.mean.kinetic, &faces.jam}) *each *= scale;
+}
+
+/// By how much the cube is another, or held otherwise, than it should be.
+void read_errors(const Config& t, CubeParameters& p) {
+  const double more = t.number("size_error", 0, {-0.002, 0.002},
+                               {"m", "true edge less the believed one; the palm stays on its face", "57 mm"});
+  p.edge += more;
+  p.T_EC.p.z() += more / 2;
+  p.mass = t.number("mass", p.mass, {0.02, 1}, {"kg", "of the cube", "none"});
+  p.friction = t.number("friction", p.friction, {0, 2}, {"", "of the stickers, times that of a pad", "none"});
+  const Pose error =
+      read_displacement(t.section("place_error"), "true place of the cube in the hand's believed one",
+                        "cube.facing, cell.cube.facing");
+  if (std::abs(error.p.y()) > kMostInJaws)
+    throw FaultError(
+        FaultCode::bad_configuration,
+        fmt::format("sim.cube.place_error.y: from jaw to jaw the cube cannot be farther off than {} m",
+                    kMostInJaws));
+  p.T_EC.p += error.p;
+  if (!is_none(error)) p.T_EC.R = error.R * p.T_EC.R;
 }
 
 }  // namespace
@@ -48,7 +102,10 @@ void read_fingers(const Config& config, const std::string& key, ArmParameters& a
                      fmt::format("{0}robots.{1}.fingers: they are those of a gripper, and {1} has none",
                                  layers_given(config, key) == 0 ? "sim." : "", key),
                      fmt::format("give robots.{}.gripper = \"two_jaw\", too", key));
-  if (fingers) arm.gripper = gripper_body(cube::gripper_with(*fingers));
+  if (fingers) {
+    arm.gripper = gripper_body(cube::gripper_with(*fingers));
+    read_pads(config.section("sim.pads"), *arm.gripper);
+  }
   if (arm.jaws)
     arm.jaws->start = config.section("robots." + key).number("jaws", arm.jaws->start, {0.053, 0.09}, "m");
 }
@@ -67,23 +124,12 @@ std::optional<CubeParameters> read_cube(const Config& config, const std::vector<
   p.held_by = static_cast<int>(found - arms.begin());
   p.state = cube::read_given_cube(config);
   p.faces.seed = cube::read_cube_seed(config);
-  p.faces.mean.breakaway = t.number("breakaway", p.faces.mean.breakaway, {0.1, 50}, "N m");
-  p.faces.mean.kinetic = t.number("kinetic", p.faces.mean.kinetic, {0, 50}, "N m");
-  p.faces.jam = t.number("jam", p.faces.jam, {0, 50}, "N m");
-  p.faces.mean.jam_direction =
-      t.choice("jam_direction", 0, {{"both", 0}, {"clockwise", -1}, {"counterclockwise", 1}});
-  p.faces.mean.jam_loosening =
-      t.number("jam_loosening", 0, {0, 1}, "share that a jam loses each time the face leaves it");
-  p.friction = t.number("friction", p.friction, {0, 2}, "of the stickers, times that of a pad");
   const auto names = cube::face_names();
   const Face facing = t.choice("facing", Face::U, std::span(std::as_const(names)));
   p.T_EC = cube::cube_in_hand(*fingers, facing);
-  const auto offset =
-      t.numbers<3>("offset", std::array{0., 0., 0.}, {-0.1, 0.1}, "m, of the cube in the hand");
-  if (std::abs(offset[1]) > kMostInJaws)
-    refuse(fmt::format("offset: along y, from jaw to jaw, the cube cannot be farther off than {} m",
-                       kMostInJaws));
-  p.T_EC.p += Vector3(offset[0], offset[1], offset[2]);
+  const Config truth = config.section("sim.cube");
+  read_faces(truth, p.faces);
+  read_errors(truth, p);
   return p;
 }
 

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "sim/seed.hpp"
+#include "sim/world.hpp"
 
 namespace mrroc::sim {
 namespace {
@@ -14,10 +18,17 @@ double quantised(double x, double resolution) {
 }  // namespace
 
 ForceSensor::ForceSensor(const ForceSensorParameters& parameters, std::uint64_t seed)
-    : parameters_(parameters), random_(seed) {
+    : parameters_(parameters),
+      random_(seed),
+      R_true_S_(rotation_from_angle_axis(parameters.turn).transpose()),
+      loads_(static_cast<std::size_t>(parameters.delay)) {
   std::uniform_real_distribution<double> offset(-1, 1);
   for (const Axis a : kAxes)
     bias_[a] = offset(random_) * (a < Axis::ax ? parameters_.force_bias : parameters_.torque_bias);
+  std::mt19937_64 of_drift(mixed(seed));
+  for (const Axis a : kAxes)
+    drift_[a] =
+        kStep * offset(of_drift) * (a < Axis::ax ? parameters_.force_drift : parameters_.torque_drift);
 }
 
 Wrench ForceSensor::measure(const Wrench& true_load) {
@@ -43,9 +54,24 @@ Wrench ForceSensor::measure(const Wrench& true_load) {
   return reading;
 }
 
-Wrench ForceSensor::healthy(const Wrench& true_load) {
+/// Until there are readings so old, that of the beginning.
+Wrench ForceSensor::delayed(const Wrench& load) {
+  if (loads_.empty()) return load;
+  const auto place = static_cast<std::size_t>(readings_ - 1) % loads_.size();
+  if (readings_ == 1) std::ranges::fill(loads_, load);
+  return std::exchange(loads_[place], load);
+}
+
+Wrench ForceSensor::amplified(const Wrench& load) const {
+  if (parameters_.gain == 1 && parameters_.turn.isZero(0)) return load;
+  return parameters_.gain * xi_star(R_true_S_, load);
+}
+
+Wrench ForceSensor::healthy(const Wrench& load) {
   std::normal_distribution<double> normal;
-  Wrench reading = true_load + bias_;
+  Wrench reading = amplified(delayed(load)) + bias_;
+  if (parameters_.force_drift != 0 || parameters_.torque_drift != 0)
+    reading = reading + static_cast<double>(readings_ - 1) * drift_;
   for (const Axis a : kAxes) {
     const bool force = a < Axis::ax;
     const double noise = force ? parameters_.force_noise : parameters_.torque_noise;

@@ -2,8 +2,9 @@
 #pragma once
 #include <cstdint>
 #include <random>
+#include <vector>
 
-#include "base/spatial.hpp"
+#include "base/pose.hpp"
 
 namespace mrroc::sim {
 
@@ -24,6 +25,11 @@ struct ForceSensorParameters {
   double torque_resolution{0.0006};  ///< [N m], 0: none
   double force_bias{3};              ///< largest constant offset, drawn once per seed [N]
   double torque_bias{0.1};           ///< largest constant offset, drawn once per seed [N m]
+  double gain{1};                    ///< reading over load, of all axes
+  Vector3 turn{Vector3::Zero()};     ///< of its true axes against those of S, angle times axis [rad]
+  double force_drift{};              ///< largest drift of the offset, drawn once per seed [N/s]
+  double torque_drift{};             ///< the same [N m/s]
+  int delay{};                       ///< readings are so many steps old
   double range_xy{65};               ///< readings saturate at +- this [N]
   double range_z{200};               ///< [N]
   double range_torque{5};            ///< [N m]
@@ -43,16 +49,21 @@ class ForceSensor {
   /// @return raw reading S_F_m
   Wrench measure(const Wrench& true_load);
 
-  /// @return the constant offset of this sensor [N, N m]; for tests
+  /// @return the constant part of the offset of this sensor [N, N m]; for tests
   [[nodiscard]] const Wrench& bias() const { return bias_; }
 
  private:
-  [[nodiscard]] Wrench healthy(const Wrench& true_load);
+  [[nodiscard]] Wrench healthy(const Wrench& load);
+  [[nodiscard]] Wrench delayed(const Wrench& load);
+  [[nodiscard]] Wrench amplified(const Wrench& load) const;
 
   ForceSensorParameters parameters_;
   std::mt19937_64 random_;
   Wrench bias_;
-  Wrench last_;  // good reading
+  Wrench drift_;               // per reading
+  Matrix3 R_true_S_;           // S as its true axes have it
+  std::vector<Wrench> loads_;  // the last ones, round about; empty: none is kept
+  Wrench last_;                // good reading
   std::int64_t readings_{};
 };
 

@@ -14,10 +14,13 @@ void read_palm(const Config& config, const std::string& key, ArmParameters& arm)
                      fmt::format("leave out robots.{0}.fingers or robots.{0}.palm", key));
   const Config t = config.section("sim.palm");
   PalmParameters p;
-  p.width = t.number("width", p.width, {0.05, 0.3}, "m");
-  p.friction = t.number("friction", p.friction, {0, 2}, "of the palms, times that of the body");
-  p.stiffness = t.number("stiffness", p.stiffness, {500, 5e4}, "N/m");
-  p.relaxation = t.number("relaxation", p.relaxation, {0, 0.1}, "s");
+  p.width = t.number("width", p.width, {0.05, 0.3}, {"m", "edge of a palm", "none"});
+  p.friction = t.number("friction", p.friction, {0, 2},
+                        {"", "of the palms, times that of the body", "free_body.friction"});
+  p.stiffness =
+      t.number("stiffness", p.stiffness, {500, 5e4}, {"N/m", "of a palm, all its points together", "none"});
+  p.relaxation =
+      t.number("relaxation", p.relaxation, {0, 0.1}, {"s", "damping of a palm over its stiffness", "none"});
   arm.palm = p;
 }
 
@@ -27,12 +30,14 @@ std::optional<FreeBodyParameters> read_true_body(const Config& config) {
   FreeBodyParameters p;
   static_cast<FreeBodyDescription&>(p) = *told;
   const Config t = config.section("sim.free_body");
-  p.size = t.number("size", told->size, {0.06, 0.4}, "m, really");
-  p.mass = t.number("mass", told->mass, {0.02, 20}, "kg, really");
-  p.friction = t.number("friction", told->friction, {0, 2}, "really");
-  p.patch = t.number("patch", p.patch, {0, 0.05}, "m, radius in which a palm lies against a ball");
+  p.size = t.number("size", told->size, {0.06, 0.4}, {"m", "diameter or edge of the body", "free_body.size"});
+  p.mass = t.number("mass", told->mass, {0.02, 20}, {"kg", "of the body", "free_body.mass"});
+  p.friction = t.number("friction", told->friction, {0, 2},
+                        {"", "of the body, times that of the palms", "free_body.friction"});
+  p.patch =
+      t.number("patch", p.patch, {0, 0.05}, {"m", "radius in which a palm lies against a ball", "none"});
   const auto offset = t.numbers<3>("offset", std::array{0., 0., 0.}, {-0.1, 0.1},
-                                   "m, by which body and pedestal stand elsewhere");
+                                   {"m", "by which body and pedestal stand elsewhere", "free_body.pedestal"});
   p.pedestal += Vector3(offset[0], offset[1], offset[2]);
   return p;
 }

@@ -1,5 +1,6 @@
 // A flat rubber palm at the end of an arm's tool, which presses on free bodies.
 #pragma once
+#include "base/pose.hpp"
 
 namespace mrroc::sim {
 
@@ -11,5 +12,10 @@ struct PalmParameters {
   double stiffness{1e4};     ///< all points of contact together [N/m]
   double relaxation{0.004};  ///< damping of the contact over its stiffness [s]
 };
+
+/// @return middle of the palm's box in E
+[[nodiscard]] inline Pose palm_middle(const PalmParameters& p) {
+  return {Matrix3::Identity(), {0, 0, -p.thickness / 2}};
+}
 
 }  // namespace mrroc::sim

@@ -14,7 +14,8 @@ AxisVector of_robot(const edp::Robot& robot, const std::vector<double>& joints) 
 
 /// The tool stands upright above the middle of the sheet.
 AxisVector above_sheet(const edp::Robot& robot, const ArmParameters& arm) {
-  const Vector3 tip = arm.paper.T_0P * Vector3(0, 0, arm.start_height);
+  const Pose& T_0P = arm.start_belief ? arm.start_belief->T_0P : arm.paper.T_0P;
+  const Vector3 tip = T_0P * Vector3(0, 0, arm.start_height);
   const Pose T_0E{Eigen::DiagonalMatrix<double, 3>(1, -1, -1), tip};
   const auto solution =
       robot.inverse(T_0E * arm.type->driver.T_WE.inverse(), of_robot(robot, arm.type->start));
@@ -25,11 +26,10 @@ AxisVector above_sheet(const edp::Robot& robot, const ArmParameters& arm) {
 
 }  // namespace
 
-AxisVector start_joints(const edp::Robot& robot, const ArmParameters& arm) {
-  if (!arm.start.empty()) return of_robot(robot, arm.start);
-  return arm.type->starts_above_sheet ? above_sheet(robot, arm) : of_robot(robot, arm.type->start);
+AxisVector start_joints(const ArmParameters& arm) {
+  const auto robot = arm.type->make(arm.start_belief ? arm.start_belief->model : arm.model);
+  if (!arm.start.empty()) return of_robot(*robot, arm.start);
+  return arm.type->starts_above_sheet ? above_sheet(*robot, arm) : of_robot(*robot, arm.type->start);
 }
-
-AxisVector start_joints(const ArmParameters& arm) { return start_joints(*arm.type->make(arm.model), arm); }
 
 }  // namespace mrroc::sim

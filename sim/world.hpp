@@ -1,6 +1,6 @@
 // The simulated work cell: arms with drives, wrist sensors, pens or grippers, their sheets, the operators'
-// hands, a cube, and a free body. One step of the world is one step of the effector drivers. The only code that knows
-// Bullet is behind it.
+// hands, a cube, and a free body. One step of the world is one step of the effector drivers. Nothing outside knows which
+// engine computes it (sim/engine.hpp).
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,11 +14,13 @@
 #include "base/pose.hpp"
 #include "robots/catalogue.hpp"
 #include "sim/cube.hpp"
+#include "sim/elastic_gears.hpp"
 #include "sim/force_sensor.hpp"
 #include "sim/free_body.hpp"
 #include "sim/gripper_body.hpp"
 #include "sim/hand.hpp"
 #include "sim/jaws.hpp"
+#include "sim/link_error.hpp"
 #include "sim/link_shape.hpp"
 #include "sim/motor.hpp"
 #include "sim/palm.hpp"
@@ -43,12 +45,19 @@ struct LineParameters {
   std::uint16_t inputs{};  ///< inputs that are on besides
 };
 
+/// What those believe who put an arm where it begins: its tool stands above the middle of the sheet as they see it.
+struct StartBelief {
+  int model{};  ///< number of the kinematic model
+  Pose T_0P;    ///< of the sheet in the arm's base
+};
+
 /// One arm of the world, or a conveyor: where there is one, the sheets of all arms lie on it instead of on tables.
 struct ArmParameters {
   const robots::RobotType* type{};      ///< decides kinematics, masses and gears; not null; lives on
   int model{};                          ///< number of the true kinematic model; a driver of another one errs
   Pose T_UB;                            ///< the arm's base (its frame 0) in the world U
   std::vector<MotorParameters> motors;  ///< one per axis
+  ElasticityParameters elasticity;      ///< of the gears; rigid unless given
   ForceSensorParameters sensor;         ///< in the wrist
   PaperParameters paper;                ///< on its table
   PlateParameters plate;                ///< on the paper
@@ -62,20 +71,29 @@ struct ArmParameters {
   LineParameters lines;                               ///< of the robot's controller
   std::vector<double>
       start;  ///< joints after reset() [rad], track [m], one per axis; empty: those of the type
-  std::optional<ToolParameters> tool;  ///< the true tool; none: that of the description
-  double pen_radius{0.002};            ///< of the ball that touches the paper [m]
-  double start_height{0.02};           ///< of the pen above the sheet's centre after reset() [m]
+  std::optional<StartBelief> start_belief;  ///< where they are computed; none: the truth is known
+  std::optional<ToolParameters> tool;       ///< the true tool; none: that of the description
+  std::vector<LinkError> links;             ///< those that are otherwise than described
+  double pen_radius{0.002};                 ///< of the ball that touches the paper [m]
+  double start_height{0.02};                ///< of the pen above the sheet's centre after reset() [m]
 };
 
 /// @return the parameters of an arm as documented in docs/plant.md; links and tool are those of the type's description.
 /// @param type  lives on
 ArmParameters arm_parameters(const robots::RobotType& type);
 
+/// Who computes how bodies move and touch.
+enum class PhysicsEngine : std::uint8_t {
+  bullet,
+  mujoco  ///< without cube, free body, fingers and palms; not in every build (sim/engine.hpp)
+};
+
 /// The whole work cell.
 struct WorldParameters {
   std::vector<ArmParameters> arms;              ///< at least one; a world without arms is refused
   std::optional<CubeParameters> cube;           ///< none: there is no cube
   std::optional<FreeBodyParameters> free_body;  ///< none: there is no free body
+  PhysicsEngine engine{};                       ///< of all bodies
   int substeps{2};                              ///< integration steps per step, at least 1
   int solver_iterations{100};                   ///< of the contact and friction solver
 };

@@ -4,6 +4,7 @@
 #include "base/standard_files.hpp"
 #include "edp/stability_command.hpp"
 #include "ui_cli/commands.hpp"
+#include "ui_cli/config_command.hpp"
 #include "ui_cli/doctor.hpp"
 #include "ui_cli/explain.hpp"
 #include "ui_cli/log/log_command.hpp"
@@ -29,6 +30,8 @@ int main(int argc, char** argv) {
                  {"--json"}},
                 {"explain", "Say what an error means, what it mostly comes from, what to do (no task needed)",
                  ui::run_explain, ui::explain_words()},
+                {"config", "List what --set changes; --truth: what the plant really is (no task needed)",
+                 ui::run_config, ui::config_words()},
                 {"new", "Write the files of a new robot, platform, task or sensor (no task needed)",
                  ui::run_new, ui::new_words()},
                 {"log", "Show, plot, compare and recompute runs that have been (no task needed)", ui::run_log,

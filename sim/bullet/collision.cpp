@@ -2,8 +2,8 @@
 
 #include <btBulletCollisionCommon.h>
 
+#include "sim/bullet/arm_body.hpp"
 #include "sim/bullet/convert.hpp"
-#include "sim/bullet/multibody.hpp"
 
 namespace mrroc::sim {
 namespace {
@@ -90,10 +90,11 @@ LinkChain::LinkChain(const robots::RobotType& type, int model, const Pose& T_UB)
     : impl_(std::make_unique<Impl>()) {
   impl_->T_UB = T_UB;
   const int axes = static_cast<int>(type.motors.size());
-  impl_->body = build_arm(type.urdf, lengths_of(type, model), T_UB, AxisVector::Zero(axes), {},
-                          GripperBodyParameters{});
-  for (const BodyShape& s : impl_->body.shapes) {
-    if (s.body >= impl_->body.tool) continue;  // what the tool carries
+  const Chain chain =
+      read_chain(type.urdf, lengths_of(type, model), AxisVector::Zero(axes), {}, GripperBodyParameters{});
+  impl_->body = build_arm(chain, T_UB);
+  for (const BodyShape& s : chain.shapes) {
+    if (s.body >= chain.tool) continue;  // what the tool carries
     impl_->shapes.push_back(s);
     impl_->solids.push_back({s.link, s.body + 1, s.shape, s.size});
   }

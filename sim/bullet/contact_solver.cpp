@@ -76,14 +76,28 @@ void ContactSolver::solve(const Row& row) {
   apply(row, std::clamp<double>(wanted(row), row.of->m_lowerLimit, row.of->m_upperLimit));
 }
 
+/// Bullet shortens what both rows want by themselves. An arm has less inertia along one of them, so that what slips would
+/// be pulled aside: here rows that slip take steps of one size, and come to rest where friction is against the slip.
 /// @param limit  of the impulse along both directions together
 void ContactSolver::solve_cone(const Row& a, const Row& b, double limit) {
-  if (limit == 0 && a.of->m_appliedImpulse == 0 && b.of->m_appliedImpulse == 0) return;
-  const double wanted_a = wanted(a), wanted_b = wanted(b);
-  const double size = wanted_a * wanted_a + wanted_b * wanted_b;
-  const double share = size > limit * limit ? limit / std::sqrt(size) : 1;
-  apply(a, share * wanted_a);
-  apply(b, share * wanted_b);
+  const double applied_a = a.of->m_appliedImpulse, applied_b = b.of->m_appliedImpulse;
+  if (limit == 0 && applied_a == 0 && applied_b == 0) return;
+  double next_a = wanted(a), next_b = wanted(b);
+  if (next_a * next_a + next_b * next_b > limit * limit) {
+    const double inertia_a = a.of->m_jacDiagABInv, inertia_b = b.of->m_jacDiagABInv;
+    const double step = std::min(inertia_a, inertia_b);
+    if (step > 0) {
+      next_a = applied_a + step / inertia_a * (next_a - applied_a);
+      next_b = applied_b + step / inertia_b * (next_b - applied_b);
+    }
+    const double size = std::hypot(next_a, next_b);
+    if (size > limit) {
+      next_a *= limit / size;
+      next_b *= limit / size;
+    }
+  }
+  apply(a, next_a);
+  apply(b, next_b);
 }
 
 /// A spring and a damper along the surfaces: the row gives way by what the impulse is more than the spring's.

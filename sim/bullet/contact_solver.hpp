@@ -10,10 +10,11 @@
 namespace mrroc::sim {
 
 /// The projected Gauss-Seidel iteration of btMultiBodyConstraintSolver with friction in two directions: the same rows
-/// in the same order with the same bounds, so the same forces but for rounding, as long as nothing is remembered. What
-/// it leaves out is zero: freedoms of fixed bases, friction where nothing presses (docs/decisions.md). Bodies other
-/// than multi-bodies must not move. With friction in one direction, along both by themselves, or Bullet's own warm
-/// start it is the solver of Bullet itself; friction against rolling is left out.
+/// in the same order with the same bounds, so the same forces but for rounding, as long as nothing is remembered or
+/// slips. What slips is held back against its slip, whatever inertia the bodies have along either direction; Bullet's
+/// own pulls it aside. What is left out is zero: freedoms of fixed bases, friction where nothing presses
+/// (docs/decisions.md). Bodies other than multi-bodies must not move. With friction in one direction, along both by
+/// themselves, or Bullet's own warm start it is the solver of Bullet itself; friction against rolling is left out.
 class ContactSolver final : public btMultiBodyConstraintSolver {
  public:
   /// From now on the iteration begins with the impulses of the integration before, not with none, as Bullet's own

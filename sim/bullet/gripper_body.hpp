@@ -5,8 +5,8 @@
 #include <array>
 #include <memory>
 
+#include "sim/bullet/arm_body.hpp"
 #include "sim/bullet/joint_drive.hpp"
-#include "sim/bullet/multibody.hpp"
 #include "sim/bullet/scene.hpp"
 #include "sim/gripper_body.hpp"
 

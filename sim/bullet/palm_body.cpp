@@ -4,20 +4,12 @@
 #include "sim/bullet/convert.hpp"
 
 namespace mrroc::sim {
-namespace {
-
-Pose middle_of(const PalmParameters& p, const ArmBody& arm) {
-  return arm.T_GE * Pose{Matrix3::Identity(), {0, 0, -p.thickness / 2}};
-}
-
-}  // namespace
-
 PalmBody::PalmBody(const PalmParameters& p, const ArmBody& arm, Scene& scene)
     : p_(p),
       scene_(scene),
       box_(btVector3(p.width / 2, p.width / 2, p.thickness / 2)),
       collider_(std::make_unique<btMultiBodyLinkCollider>(arm.body.get(), arm.tool)) {
-  palm_.addChildShape(to_bullet(middle_of(p, arm)), &box_);
+  palm_.addChildShape(to_bullet(arm.T_GE * palm_middle(p)), &box_);
   collider_->setCollisionShape(&palm_);
   collider_->setFriction(p.friction);
   collider_->setContactStiffnessAndDamping(p.stiffness, p.stiffness * p.relaxation);
@@ -30,10 +22,6 @@ PalmBody::~PalmBody() { scene_.dynamics().removeCollisionObject(collider_.get())
 
 void PalmBody::share_stiffness() {
   share_contact_stiffness(*scene_.dynamics().getDispatcher(), collider_.get(), p_.stiffness, p_.relaxation);
-}
-
-BodyShape palm_shape(const PalmParameters& p, const ArmBody& arm) {
-  return {"palm", arm.tool, Shape::box, {p.width, p.width, p.thickness}, middle_of(p, arm)};
 }
 
 }  // namespace mrroc::sim

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "sim/bullet/multibody.hpp"
+#include "sim/bullet/arm_body.hpp"
 #include "sim/bullet/scene.hpp"
 #include "sim/palm.hpp"
 
@@ -29,8 +29,5 @@ class PalmBody {
   btCompoundShape palm_;
   std::unique_ptr<btMultiBodyLinkCollider> collider_;
 };
-
-/// @return what it looks like, moving with the tool of the arm
-[[nodiscard]] BodyShape palm_shape(const PalmParameters& parameters, const ArmBody& arm);
 
 }  // namespace mrroc::sim

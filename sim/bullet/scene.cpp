@@ -1,11 +1,11 @@
 #include "sim/bullet/scene.hpp"
 
 #include "sim/bullet/convert.hpp"
+#include "sim/engine.hpp"
 
 namespace mrroc::sim {
 namespace {
 
-constexpr double kGravity = 9.81;            // [m/s^2]
 constexpr double kTableThickness = 0.05;     // [m]
 constexpr double kPedestalThickness = 0.03;  // [m]
 /// Of what touches, along its surfaces, as a share of that along the normal: a block of rubber.

@@ -2,25 +2,13 @@
 #pragma once
 #include <BulletDynamics/Featherstone/btMultiBody.h>
 
-#include <Eigen/Geometry>
 #include <array>
 
 #include "base/pose.hpp"
-#include "sim/bullet/multibody.hpp"
+#include "sim/bullet/arm_body.hpp"
+#include "sim/tool_motion.hpp"
 
 namespace mrroc::sim {
-
-/// Motion of the tool in the world.
-struct ToolMotion {
-  Pose T_UG;                                  ///< frame of the tool's link, origin in the mass centre
-  Vector3 velocity{Vector3::Zero()};          ///< of the mass centre [m/s]
-  Vector3 angular_velocity{Vector3::Zero()};  ///< [rad/s]
-
-  /// @param point_G  fixed to the tool, in its link's frame @return its velocity in the world [m/s]
-  [[nodiscard]] Vector3 velocity_of(const Vector3& point_G) const {
-    return velocity + angular_velocity.cross(T_UG.R * point_G);
-  }
-};
 
 /// The balance: what the flange exerts on the tool is the change of the tool's momentum less all other forces
 /// on it. Bullet's own joint feedback counts joint torques twice and is not used. It contains the tool's

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "base/target/target_config.hpp"
+#include "sim/errors.hpp"
 
 namespace mrroc::sim {
 namespace {
@@ -52,6 +53,23 @@ CameraFaults read_camera_faults(const Config& config, const std::string& key) {
   return faults;
 }
 
+/// What nobody else knows of a camera: where it really stands, and its true lens.
+void read_camera_errors(const Config& t, SimulatedCamera& c) {
+  c.error = read_displacement(t.section("place_error"), "true place of the camera in the believed one",
+                              "cameras.KEY.pose", {.shift = 0.5, .turn = 0.5});
+  const double scale = t.number("focal_scale", 1, {0.5, 2},
+                                {"", "true focal lengths over the believed ones", "cameras.KEY.fx, .fy"});
+  const auto centre = [&](const char* axis) {
+    return t.number(std::string("centre_error.") + axis, 0, {-200, 200},
+                    {"pixels", "true middle of the lens less the believed one", "cameras.KEY.cx, .cy"});
+  };
+  CameraModel& lens = c.setup.model;
+  lens.fx *= scale;
+  lens.fy *= scale;
+  lens.cx += centre("x");
+  lens.cy += centre("y");
+}
+
 SimulatedCamera read_simulated(const Config& config, const std::string& key, const RenderProfile& profile) {
   const Config t = config.section("cameras." + key);
   SimulatedCamera c;
@@ -66,8 +84,7 @@ SimulatedCamera read_simulated(const Config& config, const std::string& key, con
   if (c.exposure >= c.setup.period || after > std::min(c.setup.latency, c.setup.period - 1))
     refuse("cameras." + key + ".exposure",
            "the exposure must be shorter than the period, and half of it not longer than the latency");
-  const auto error = t.numbers<6>("calibration_error", {{}}, {-0.5, 0.5}, "m, angle times axis in rad");
-  c.error = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(error.data()));
+  read_camera_errors(config.section("sim.cameras." + key), c);
   c.faults = read_camera_faults(config, key);
   return c;
 }

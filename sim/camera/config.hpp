@@ -24,12 +24,12 @@ struct CameraFaults {
 
 /// One camera of the simulator.
 struct SimulatedCamera {
-  CameraSetup setup;              ///< as the configuration says: lens, size, place, times
+  CameraSetup setup;              ///< size, place, times as the configuration says; the true lens
   camera::RenderProfile profile;  ///< how it is drawn
   std::int64_t
       exposure{};  ///< steps over which the light is gathered, half of them before the picture's step, half after
   int instants{1};      ///< of the exposure that are drawn; 1: nothing is blurred by motion
-  Pose error;           ///< of the calibration: the true place is setup.place * error
+  Pose error;           ///< of the place: the true one is setup.place * error
   CameraFaults faults;  ///< that come on purpose
 };
 

@@ -15,13 +15,20 @@ namespace {
 constexpr Bounds kPlace{-100, 100};  // [m]
 constexpr Bounds kTime{0, 1e6};      // [s]
 
+// What is believed instead.
+constexpr const char* kModel = "the model of the platform";
+constexpr const char* kSensors = "the noise that its estimator expects";
+constexpr const char* kGround = "platforms.KEY.friction";
+constexpr const char* kBox = "what the task is told of it";
+
 [[noreturn]] void refuse(const std::string& key, const std::string& text) {
   throw FaultError(FaultCode::bad_configuration, key + ": " + text);
 }
 
 PlatformFaults read_faults(const Config& config, const std::string& table) {
   PlatformFaults f;
-  f.wheel = config.integer(table + ".wheel", f.wheel, {0, static_cast<int>(kWheels) - 1}, "FL, FR, RL, RR");
+  f.wheel = config.integer(table + ".wheel", f.wheel, {0, static_cast<int>(kWheels) - 1},
+                           {"FL, FR, RL, RR", "which of the wheels the faults are of", "none"});
   f.wheel_blocked = read_step_interval(config, table + ".wheel_blocked");
   f.encoder_stuck = read_step_interval(config, table + ".encoder_stuck");
   f.imu_silent = read_step_interval(config, table + ".imu_silent");
@@ -33,11 +40,14 @@ PlatformFaults read_faults(const Config& config, const std::string& table) {
 }
 
 void read_sensors(const Config& t, PlatformParameters& p) {
-  p.imu.noise = t.number("imu.noise", p.imu.noise, {0, 1}, "rad/s");
-  p.imu.bias = t.number("imu.bias", p.imu.bias, {0, 0.1}, "rad/s");
-  p.imu.bias_walk = t.number("imu.bias_walk", p.imu.bias_walk, {0, 0.1}, "rad/s per root of a second");
-  p.load_cells.noise = t.number("load_cells.noise", p.load_cells.noise, {0, 0.5}, "of the load");
-  p.load_cells.bias = t.number("load_cells.bias", p.load_cells.bias, {0, 100}, "N");
+  p.imu.noise = t.number("imu.noise", p.imu.noise, {0, 1}, {"rad/s", "of the IMU's yaw rate", kSensors});
+  p.imu.bias = t.number("imu.bias", p.imu.bias, {0, 0.1}, {"rad/s", "of the IMU's yaw rate", kSensors});
+  p.imu.bias_walk = t.number("imu.bias_walk", p.imu.bias_walk, {0, 0.1},
+                             {"rad/s per root of a second", "of the IMU's yaw rate", kSensors});
+  p.load_cells.noise = t.number("load_cells.noise", p.load_cells.noise, {0, 0.5},
+                                {"of the load", "of the load cells", kSensors});
+  p.load_cells.bias =
+      t.number("load_cells.bias", p.load_cells.bias, {0, 100}, {"N", "of the load cells", kSensors});
 }
 
 /// @param key  of the platform
@@ -47,22 +57,29 @@ PlatformParameters read_platform(const Config& config, const std::string& key,
   const Config t = config.section(table);
   PlatformParameters p;
   p.body = type.plant;
-  p.body.mass = t.number("mass", type.plant.mass, {type.plant.mass / 4, type.plant.mass * 4}, "kg");
+  p.body.mass = t.number("mass", type.plant.mass, {type.plant.mass / 4, type.plant.mass * 4},
+                         {"kg", "of the platform", kModel});
   const double inertia = type.plant.inertia * p.body.mass / type.plant.mass;
-  p.body.inertia = t.number("inertia", inertia, {type.plant.inertia / 10, type.plant.inertia * 10}, "kg m^2");
-  p.body.bearing_friction = t.number("bearing_friction", p.body.bearing_friction, {0, 10}, "N m s/rad");
-  p.body.brake = t.number("brake", p.body.brake, {0, 50}, "N m s/rad");
-  p.body.quick_stop = t.number("quick_stop", p.body.quick_stop, {0, p.body.max_torque}, "N m");
-  p.centre = t.numbers<2>("centre", p.centre, {-10, 10}, "m, of mass, x and y in B");
+  p.body.inertia = t.number("inertia", inertia, {type.plant.inertia / 10, type.plant.inertia * 10},
+                            {"kg m^2", "of the platform about its vertical axis", kModel});
+  p.body.bearing_friction =
+      t.number("bearing_friction", p.body.bearing_friction, {0, 10}, {"N m s/rad", "of a wheel", kModel});
+  p.body.brake =
+      t.number("brake", p.body.brake, {0, 50}, {"N m s/rad", "of a short-circuited drive", kModel});
+  p.body.quick_stop = t.number("quick_stop", p.body.quick_stop, {0, p.body.max_torque},
+                               {"N m", "of the brakes without commands", kModel});
+  p.centre =
+      t.numbers<2>("centre", p.centre, {-10, 10}, {"m, of mass, x and y in B", "centre of mass", kModel});
   if (std::hypot(p.centre[0] / p.body.half_wheelbase, p.centre[1] / p.body.half_track) >= 1)
     refuse(table + ".centre",
            fmt::format("the centre of mass must be between the wheels, which stand at +-{:g} m, +-{:g} m",
                        p.body.half_wheelbase, p.body.half_track));
-  p.height = t.number("height", p.height, {0, 2}, "m, of the centre of mass");
-  p.load_time = t.number("load_time", p.load_time, {0, 1}, "s");
-  p.motor_lag = t.number("motor_lag", p.motor_lag, {0, 0.1}, "s");
-  p.ripple = t.number("ripple", p.ripple, {0, 0.5}, "of the torque");
-  const auto start = t.numbers<3>("start", {{0, 0, 0}}, kPlace, "m, rad: x, y, phi of B");
+  p.height = t.number("height", p.height, {0, 2}, {"m", "of the centre of mass", kModel});
+  p.load_time = t.number("load_time", p.load_time, {0, 1}, {"s", "in which loads shift", "none"});
+  p.motor_lag = t.number("motor_lag", p.motor_lag, {0, 0.1}, {"s", "of the drives", "none"});
+  p.ripple = t.number("ripple", p.ripple, {0, 0.5}, {"of the torque", "of the drives", "none"});
+  const auto start = t.numbers<3>("start", {{0, 0, 0}}, kPlace,
+                                  {"m, rad: x, y, phi of B", "place at the beginning", "motion capture"});
   p.start = {.x = start[0], .y = start[1], .phi = start[2]};
   read_sensors(t, p);
   p.faults = read_faults(config, table + ".faults");
@@ -71,24 +88,27 @@ PlatformParameters read_platform(const Config& config, const std::string& key,
 
 GroundPatch read_patch(const Config& config, const std::string& table) {
   const Config t = config.section(table);
-  const auto area =
-      t.numbers<4>("area", std::nullopt, kPlace, "m: x y of the lower corner, of the upper one");
+  const auto area = t.numbers<4>(
+      "area", std::nullopt, kPlace,
+      {"m: x y of the lower corner, of the upper one", "rectangle with other friction", kGround});
   if (area[0] >= area[2] || area[1] >= area[3])
     refuse(table + ".area",
            "the upper corner, its last two numbers, must be beyond the lower one in x and in y");
   return {.lower = {area[0], area[1]},
           .upper = {area[2], area[3]},
-          .scale = t.number("scale", 0.5, {0.01, 10}, "of the friction"),
-          .from = t.number("from", 0, kTime, "s")};
+          .scale = t.number("scale", 0.5, {0.01, 10}, {"of the friction", "in that rectangle", kGround}),
+          .from = t.number("from", 0, kTime, {"s", "when the ground changes there", kGround})};
 }
 
 GroundParameters read_ground(const Config& config) {
   const Config t = config.section("sim.ground");
   GroundParameters g;
-  g.model = t.choice("model", g.model, {{"sharp", GroundModel::sharp}, {"smooth", GroundModel::smooth}});
-  g.slip_speed = t.number("slip_speed", g.slip_speed, {0.005, 0.2}, "m/s, of the model sharp");
+  g.model = t.choice("model", g.model, {{"sharp", GroundModel::sharp}, {"smooth", GroundModel::smooth}},
+                     {"", "of friction over slip", kGround});
+  g.slip_speed = t.number("slip_speed", g.slip_speed, {0.005, 0.2},
+                          {"m/s", "slip at which the model sharp has 71 % of its friction", kGround});
   const auto friction = t.numbers<2>("friction", {{g.friction.mu_x, g.friction.mu_y}}, {0.02, 1.5},
-                                     "along and across the wheels");
+                                     {"along and across the wheels", "coefficients of the ground", kGround});
   g.friction = {.mu_x = friction[0], .mu_y = friction[1]};
   for (const std::string& name : config.tables("sim.ground.patches"))
     g.patches.push_back(read_patch(config, "sim.ground.patches." + name));
@@ -116,13 +136,17 @@ BoxParameters read_box(const Config& config, const std::string& name) {
   const Config t = config.section("sim.boxes." + name);
   BoxParameters b;
   b.name = name;
-  const auto size = t.numbers<2>("size", {{b.length, b.width}}, {0.05, 10}, "m, along x and y of the box");
+  const auto size = t.numbers<2>("size", {{b.length, b.width}}, {0.05, 10},
+                                 {"m, along x and y of the box", "of the box", kBox});
   b.length = size[0];
   b.width = size[1];
-  b.mass = t.number("mass", b.mass, {0.1, 10'000}, "kg");
-  b.friction = t.number("friction", b.friction, {0, 2}, "of its base on the ground");
-  b.grip = t.number("grip", b.grip, {0, 2}, "friction of its sides against what touches them");
-  const auto start = t.numbers<3>("start", std::nullopt, kPlace, "m, rad: x, y, phi of its middle");
+  b.mass = t.number("mass", b.mass, {0.1, 10'000}, {"kg", "of the box", kBox});
+  b.friction = t.number("friction", b.friction, {0, 2}, {"", "of the box's base on the ground", kBox});
+  b.grip =
+      t.number("grip", b.grip, {0, 2}, {"", "friction of the box's sides against what touches them", kBox});
+  const auto start =
+      t.numbers<3>("start", std::nullopt, kPlace,
+                   {"m, rad: x, y, phi of its middle", "where the box is at the beginning", kBox});
   b.start = {.x = start[0], .y = start[1], .phi = start[2]};
   return b;
 }
@@ -203,7 +227,8 @@ PlatformWorldParameters read_platform_world(const Config& config, const std::vec
     refuse("platforms.order",
            fmt::format("one or {} platforms can be simulated, not {}", kMostPlatforms, keys.size()));
   PlatformWorldParameters w;
-  w.micro_steps = config.integer("sim.micro_steps", w.micro_steps, {2, 100}, "per ms, of wheels");
+  w.micro_steps =
+      config.integer("sim.micro_steps", w.micro_steps, {2, 100}, {"per ms", "of the integration of wheels"});
   w.ground = read_ground(config);
   w.room = read_room(config);
   w.motion_capture = read_capture(config);

@@ -49,7 +49,7 @@ void add_conveyor_options(CommandLine& line, ConveyorOptions& o) {
 std::vector<std::string> conveyor_settings(const ConveyorOptions& o) {
   if (!o.conveyor && !o.belt_speed) return {};
   std::vector<std::string> settings{fmt::format("robots.order=[\"arm1\", \"arm2\", \"{}\"]", kConveyorKey),
-                                    fmt::format("sim.paper.height={}", kBeltTop),
+                                    fmt::format("table.height={}", kBeltTop),
                                     fmt::format("robots.{0}.model=\"{0}\"", kConveyorKey),
                                     fmt::format("robots.{}.synchro=\"known_pose\"", kConveyorKey)};
   if (o.belt_speed) settings.push_back(fmt::format("task.belt_speed={}", *o.belt_speed));

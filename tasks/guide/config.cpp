@@ -131,9 +131,15 @@ std::shared_ptr<const Setup> read_setup(const Config& config, const std::string&
   return k;
 }
 
-OperatorPlan read_operator(const Config& config, double compliance) {
+OperatorPlan read_operator(const Config& config, const Law& law, double compliance) {
   const Config t = config.section("operator");
   OperatorPlan k;
+  k.learnt.stiffness =
+      t.number("stiffness", law.stiffness, {1000, 50'000}, "N/m, that he expects of the fixture");
+  k.learnt.wall_stiffness =
+      t.number("wall_stiffness", law.wall_stiffness, {500, 50'000}, "N/m, that he expects of its ends");
+  k.learnt.wall_softness =
+      t.number("wall_softness", law.wall_softness, {0.0005, 0.01}, "m, that he expects of its ends");
   k.speed = t.number("speed", k.speed, {0.005, 0.1}, "m/s");
   k.acceleration = t.number("acceleration", k.acceleration, {0.02, 1}, "m/s^2");
   k.push = t.number("push", k.push, {0, 40}, "N");

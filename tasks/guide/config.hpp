@@ -28,10 +28,12 @@ struct OperatorPlan {
   double wall_push{15};      ///< against the walls [N]
   double start{0.03};        ///< he begins and ends so far off the fixture [m]
   double compliance{};       ///< of his hand, from where he wants to be to the tool [m/N]
+  Law learnt;  ///< what he expects of the fixture: its stiffness, that of its walls and their softness
 };
 
+/// @param law  that he expects unless [operator] says otherwise
 /// @param compliance  of the simulated hand [m/N] @return from [operator] @throws ConfigError
-OperatorPlan read_operator(const Config& config, double compliance);
+OperatorPlan read_operator(const Config& config, const Law& law, double compliance);
 
 /// What --fixture and --size ask for, as settings KEY=VALUE of the configuration.
 /// @param fixture  line, plane, circle or an SVG file; empty: as the configuration says

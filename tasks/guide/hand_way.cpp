@@ -29,8 +29,9 @@ struct Way {
 };
 
 /// So far beyond an end a hand wants to be that pushes with that force.
-double beyond(const Setup& k, const OperatorPlan& plan) {
-  return plan.wall_push / k.law.wall_stiffness + k.law.wall_softness / 2 + plan.wall_push * plan.compliance;
+double beyond(const OperatorPlan& plan) {
+  return plan.wall_push / plan.learnt.wall_stiffness + plan.learnt.wall_softness / 2 +
+         plan.wall_push * plan.compliance;
 }
 
 /// An eight over the whole plane and into its walls.
@@ -45,7 +46,7 @@ Curve eight(const std::array<double, 2>& sides, double more) {
 }
 
 Way way_along(const Setup& k, const OperatorPlan& plan) {
-  const double more = beyond(k, plan);
+  const double more = beyond(plan);
   if (k.fixture.is_plane()) {
     const Curve line = eight(k.fixture.sides(), more);
     return {line, {0, line.length()}};
@@ -110,7 +111,7 @@ class Writer {
   }
   /// So far off the curve he wants to be: as far as the force takes both springs, the fixture's and that of the hand.
   [[nodiscard]] double pushed() const {
-    return smooth(strength_) * plan_.push * (plan_.compliance + 1 / k_.law.stiffness);
+    return smooth(strength_) * plan_.push * (plan_.compliance + 1 / plan_.learnt.stiffness);
   }
   /// How much of his push he can give to the left and to the right, in the bends around him.
   void look_ahead() {

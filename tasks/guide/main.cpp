@@ -44,7 +44,8 @@ void prepare(Run& run, const launch::Setup& s) {
   run.setup = guide::read_setup(s.config, "arm1");
   guide::check_reach(s.config, *run.setup);
   run.T_0P = guide::sheet_of(s.config);
-  run.way = guide::hand_way(*run.setup, guide::read_operator(s.config, guide::hand_compliance(s.config)));
+  run.way = guide::hand_way(*run.setup,
+                            guide::read_operator(s.config, run.setup->law, guide::hand_compliance(s.config)));
 }
 
 /// What is wrong with a curve is wrong with the file that draws it.

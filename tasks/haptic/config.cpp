@@ -50,9 +50,12 @@ Parameters read_parameters(const Config& config) {
   return k;
 }
 
-OperatorPlan read_operator(const Config& config) {
+OperatorPlan read_operator(const Config& config, const Law& law) {
   const Config t = config.section("operator");
   OperatorPlan k;
+  k.slave_mobility =
+      t.number("slave_mobility", law.slave.mobility, {2e-4, 0.05}, "s/kg, that he expects of the slave");
+  k.return_rate = t.number("return_rate", law.return_rate, {1, 40}, "1/s, that he expects of the slave");
   k.speed = t.number("speed", k.speed, {0.005, 0.1}, "m/s");
   k.touch = t.number("touch", k.touch, {0.002, 0.05}, "m/s");
   k.push = t.number("push", k.push, {1, 25}, "N");

@@ -71,7 +71,7 @@ class Writer {
   /// Against a surface, along it and back, and off it.
   void touch(const Vector3& surface, const Vector3& into) {
     const double force = plan_.push / law_.force_scale;  // of the slave
-    const double spring = law_.slave.mobility / law_.return_rate + 1 / scene_.stiffness;
+    const double spring = plan_.slave_mobility / plan_.return_rate + 1 / scene_.stiffness;
     const Vector3 pushed =
         surface + (force * spring + law_.motion_scale * plan_.push * scene_.compliance) * into;
     const Vector3 before = at_;

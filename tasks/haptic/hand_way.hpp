@@ -9,15 +9,13 @@ namespace mrroc::haptic {
 
 /// What the hand has to know of both cells. Sheets: x to the right, y away from the arm, z up.
 struct Scene {
-  Pose T_0P;                ///< sheet of the master in its base
-  double height{};          ///< of both tools above their sheets at the beginning [m]
-  double side{};            ///< y of the slave's tool when it touches the near side of the plate [m]
-  double top{};             ///< z of the slave's tool when it touches the top of the plate [m]
-  double depth{};           ///< from the near side to the far one [m]
-  double stiffness{1e4};    ///< of what the slave meets [N/m]
-  double damping{};         ///< of the same, per stiffness [s]
-  double compliance{};      ///< of the hand, from where it wants to be to the tool [m/N]
-  double hand_damping{30};  ///< [N s/m]
+  Pose T_0P;              ///< sheet of the master in its base
+  double height{};        ///< of both tools above their sheets at the beginning [m]
+  double side{};          ///< y of the slave's tool when it touches the near side of the plate [m]
+  double top{};           ///< z of the slave's tool when it touches the top of the plate [m]
+  double depth{};         ///< from the near side to the far one [m]
+  double stiffness{1e4};  ///< of what the slave meets [N/m]
+  double compliance{};    ///< of the hand, from where it wants to be to the tool [m/N]
 };
 
 /// @return a point every 10 ms, in the base of the master

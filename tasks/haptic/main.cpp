@@ -52,10 +52,11 @@ std::vector<std::string> channel_settings(const ChannelOptions& o) {
 void prepare(Run& run, const launch::Setup& s) {
   run.k = haptic::read_parameters(s.config);
   run.scene = haptic::read_scene(s.config);
-  run.way = haptic::hand_way(run.scene, run.k.law, haptic::read_operator(s.config));
+  run.way = haptic::hand_way(run.scene, run.k.law, haptic::read_operator(s.config, run.k.law));
   haptic::check_reach(s.config, run.scene, run.k.law, run.way);
-  haptic::check_stability(run.scene, run.k.law);
-  run.k.law.grows_gently = haptic::grows_gently(run.scene, run.k.law);
+  const haptic::Surroundings around = haptic::read_surroundings(s.config);
+  haptic::check_stability(around, run.k.law);
+  run.k.law.grows_gently = haptic::grows_gently(around, run.k.law);
 }
 
 mp::FarewellPlan farewell(const Run& run, bool gives_orders) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <tuple>
 
 #include "test/base/robots_config.hpp"
 
@@ -54,6 +55,22 @@ TEST(Config, GivesTheDefaultsOfWhatTheFileLeavesOut) {
   EXPECT_EQ(cfg.text("name", "x y"), "x y");
   EXPECT_EQ(cfg.list("via", {{1, 2}}), (std::vector<double>{1, 2}));
   EXPECT_EQ(cfg.numbers<2>("home", {{0.5, -0.5}}), (std::array<double, 2>{0.5, -0.5}));
+}
+
+TEST(Config, KeepsTheMeaningOfAKeyForListsAlsoWhenItIsReadAgainWithoutOne) {
+  const Config cfg;
+  const auto meaning = [&cfg] {
+    const ConfigParameter p = cfg.parameters().at(0);
+    return p.unit + "; " + p.about + "; " + p.believed;
+  };
+  std::ignore = cfg.number("sim.mass", 2, {1, 3}, {"kg", "of the cube", "cube.mass"});
+  EXPECT_EQ(meaning(), "kg; of the cube; cube.mass");
+  std::ignore = cfg.number("sim.mass", 2, {1, 3}, "kg");
+  EXPECT_EQ(meaning(), "kg; of the cube; cube.mass");
+  std::ignore = cfg.flag("a", true, {"", "whether"});
+  std::ignore = cfg.choice("b", 1, {{"one", 1}}, {"", "how many"});
+  EXPECT_EQ(cfg.parameters().at(0).about, "whether");
+  EXPECT_EQ(cfg.parameters().at(1).about, "how many");
 }
 
 TEST(Config, ReadsNumbersWithoutAFractionAsNumbers) {

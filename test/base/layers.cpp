@@ -48,6 +48,7 @@ constexpr std::array kLibraries{
     Library{"BulletDynamics/", "sim"},
     Library{"BulletCollision/", "sim"},
     Library{"LinearMath/", "sim"},
+    Library{"mujoco/", "sim/mujoco"},
     Library{"EGL/", "sim/camera"},
     Library{"GL/", "sim/camera"},
     Library{"opencv2/", "vsp"},

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -110,6 +113,8 @@ TEST(Layers, KeepEachLibraryInItsFolder) {
                                       {"bench/main.cpp", "CLI/App.hpp"},
                                       {"mp/options.cpp", "CLI/App.hpp"},
                                       {"sim/world.cpp", "GL/glcorearb.h"},
+                                      {"sim/world.cpp", "mujoco/mujoco.h"},
+                                      {"launch/arm_task.cpp", "mujoco/mujoco.h"},
                                       {"vsp/cube_face/colours.cpp", "opencv2/opencv.hpp"},
                                       {"sim/camera.cpp", "opencv2/opencv.hpp"}})
     EXPECT_NE(layer_violation(path, include, false), "") << path << ' ' << include;
@@ -210,6 +215,22 @@ std::map<std::string, std::size_t> lengths_of_functions(const std::vector<std::s
     k = end;
   }
   return lengths;
+}
+
+/// Nor does anything else, but what builds, tests, measures and describes it: tasks, drivers and whatever stands beside the
+/// plant run on an engine that they do not know.
+TEST(Tree, KnowsEnginesOfThePlantInThePlantOnly) {
+  const std::set<std::string> knowing{"sim", "test", "bench", "cmake", "docs"};
+  std::size_t told = 0;
+  for (const auto& path : project_files(kRoot)) {
+    if (knowing.contains(path.begin()->string()) || path.begin() == std::prev(path.end())) continue;
+    for (std::string line : lines_of(kRoot / path)) {
+      std::ranges::transform(line, line.begin(), [](unsigned char c) { return std::tolower(c); });
+      EXPECT_EQ(line.find("mujoco"), std::string::npos) << path << ": " << line;
+      ++told;
+    }
+  }
+  EXPECT_GT(told, 10000U) << "the tree was not found";
 }
 
 TEST(Tree, MeasuresFunctions) {

@@ -5,7 +5,7 @@ set -eu  # no pipefail: grep -q leaves as soon as it has seen enough
 source=$1 build=$2 place=$3
 clone=$place/clone
 export XDG_RUNTIME_DIR=$place/sessions XDG_CACHE_HOME=$place/cache MRROC_SKIP_INSTALL=1 LC_ALL=C.UTF-8 TERM=xterm
-export MRROC_CASADI=$build/bin # whatever is built is there: nothing is looked for
+export MRROC_CASADI=$build/bin MRROC_MUJOCO=$build/bin # whatever is built is there: nothing is looked for
 export PATH=$place/stubs:$build/bin:$PATH
 unset DISPLAY
 

@@ -21,7 +21,11 @@ class ContactSimulation {
   /// @param loop with a LagServo, or a drive, whose regulator is the real one
   ContactSimulation(const ContactLoop& loop, double stiffness) : l_(loop), K_(stiffness) {
     // It rests with the desired force, but for a hundredth of it.
-    r_ = x_ = last_x_ = 1.01 * kForce / K_;
+    r_ = x_ = last_x_ = y_ = 1.01 * kForce / K_;
+    const double omega = 2 * std::numbers::pi * l_.gears.frequency;
+    spring_ = l_.gears.mass * omega * omega;
+    damper_ = 2 * l_.gears.damping * l_.gears.mass * omega;
+    if (spring_ > 0) r_ = x_ = last_x_ = y_ + 1.01 * kForce / spring_;
     if (const auto* drive = std::get_if<CompensatedDrive>(&loop.servo)) {
       const DriveModel& m = drive->model;
       const double constant = m.torque_constant * m.torque_constant;
@@ -40,6 +44,11 @@ class ContactSimulation {
       incremental_.resume(0, 0, holding);
     } else {
       servo_ = std::get<LagServo>(loop.servo);
+    }
+    if (motor_ && spring_ > 0) {
+      const double rotor = motor_->inertia - l_.gears.mass * motor_->lever * motor_->lever;
+      motor_->time_constant *= rotor / motor_->inertia;
+      motor_->inertia = rotor;
     }
     readings_.assign(static_cast<std::size_t>(l_.delay + l_.average), 1.01 * kForce);
     filtered_ = 1.01 * kForce;
@@ -87,16 +96,31 @@ class ContactSimulation {
     if (motor_) regulate();
     const double h = l_.dt / kSubsteps;
     double sum = 0;
+    const double before_step = s_;
     for (int k = 0; k < kSubsteps; ++k) {
       const double before = push();
+      if (spring_ > 0) {
+        s_ += h * (load() - push()) / l_.gears.mass;
+        y_ += h * s_;
+      }
       move(h);
       sum += (before + push()) / 2;
     }
     reading_ = l_.mean_of_step ? sum / kSubsteps : push();
+    if (spring_ > 0)
+      reading_ +=
+          l_.gears.tool * (l_.mean_of_step ? (s_ - before_step) / l_.dt : (load() - push()) / l_.gears.mass);
     return push();
   }
 
-  [[nodiscard]] double push() const { return std::max(0.0, K_ * x_ + K_ * l_.contact_damping * w_); }
+  [[nodiscard]] double push() const {
+    const bool rigid = spring_ == 0;
+    return std::max(0.0, K_ * (rigid ? x_ : y_) + K_ * l_.contact_damping * (rigid ? w_ : s_));
+  }
+  /// @return force of the tip on what moves it: the surroundings', or that of the gears' spring
+  [[nodiscard]] double load() const {
+    return spring_ > 0 ? spring_ * (x_ - y_) + damper_ * (w_ - s_) : push();
+  }
 
   /// The compensating regulator is told the load of the desired force.
   void regulate() {
@@ -120,7 +144,7 @@ class ContactSimulation {
   /// @return of the tip, with its present position and speed
   [[nodiscard]] double acceleration() const {
     const RegulatedDrive& m = *motor_;
-    return (m.speed_gain * pwm_ * m.lever - w_) / m.time_constant - push() * m.lever * m.lever / m.inertia;
+    return (m.speed_gain * pwm_ * m.lever - w_) / m.time_constant - load() * m.lever * m.lever / m.inertia;
   }
 
   /// Midpoint rule.
@@ -152,7 +176,9 @@ class ContactSimulation {
   IncrementalRegulator incremental_;
   double set_{}, pwm_{}, last_x_{};
   double K_;
+  double spring_{}, damper_{};  // of the gears, 0: rigid
   double r_{}, x_{}, w_{}, v_{};
+  double y_{}, s_{};  // the links' place and speed where gears give way; then x and w are the rotor's
   double reading_{}, filtered_{};
   std::deque<double> readings_;
 };
@@ -205,6 +231,20 @@ ContactLoop random_loop(Random& random, CompensatedDrive drive) {
   drive.model.friction = 0;
   drive.model.current_limit = drive.model.max_current = std::numeric_limits<double>::infinity();
   l.servo = drive;
+  return l;
+}
+
+/// @return such a loop with gears whose mode is that of arms of this class, with servo or drive as it is
+template <class Random>
+ContactLoop elastic(Random& random, ContactLoop l) {
+  l.gears.frequency = std::uniform_real_distribution<>(8, 15)(random);
+  l.gears.damping = std::uniform_real_distribution<>(0.01, 0.1)(random);
+  l.gears.tool = std::uniform_real_distribution<>(0, 2)(random);
+  l.gears.mass = std::uniform_real_distribution<>(5, 20)(random);
+  const double share =
+      std::uniform_real_distribution<>(0.2, 0.7)(random);  // of the links in a drive's inertia
+  if (const auto* drive = std::get_if<CompensatedDrive>(&l.servo))
+    l.gears.mass = share * drive->inertia / (drive->lever * drive->lever);
   return l;
 }
 

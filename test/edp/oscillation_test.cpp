@@ -62,6 +62,20 @@ TEST(Oscillation, GrowingSwingsAreToldWithAxisAndFrequency) {
     }
 }
 
+TEST(Oscillation, OfTheGearsIsToldAsSuch) {
+  for (const double gears : {0., 10., 30.}) {
+    OscillationObserver observer({.gears = gears}, kDt);
+    std::optional<Fault> fault;
+    for (int k = 0; k < 1500 && !fault; ++k) {
+      Wrench F;
+      F[Axis::z] = 5 + std::pow(1.001, k) * std::sin(2 * std::numbers::pi * 11 * k * kDt);
+      fault = observer.step(F, kAll);
+    }
+    ASSERT_TRUE(fault);
+    EXPECT_EQ(fault->text.view().find("gears give way") != std::string_view::npos, gears == 10) << gears;
+  }
+}
+
 /// Swings between given extrema, each over its own number of steps: half a cosine.
 struct Swings {
   std::vector<double> extremum;

@@ -30,6 +30,15 @@ TEST(StabilityCommand, TellsTheLimitAndJudgesAStiffness) {
   EXPECT_TRUE(r.err.empty());
 }
 
+TEST(StabilityCommand, GearsThatGiveWayTakeDamping) {
+  const auto damping = [](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--json", "--K", "1e4"});
+    return nlohmann::json::parse(run(arguments).out).at("damping_ratio").get<double>();
+  };
+  EXPECT_LT(damping({"--elasticity", "10", "--link-mass", "12"}), damping({}) / 2);
+  EXPECT_NE(run({"--elasticity", "10"}).out.find("gears      10 Hz"), std::string::npos);
+}
+
 TEST(StabilityCommand, AdviceHelps) {
   const auto bad = nlohmann::json::parse(run({"--K", "1e5", "--json"}).out);
   EXPECT_FALSE(bad.at("stable"));

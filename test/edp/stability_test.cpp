@@ -114,6 +114,56 @@ TEST(Stability, PredictedLimitOfTheCompensatingRegulatorIsThatOfTheTimeDomain) {
   EXPECT_GT(judged, 10);
 }
 
+TEST(Stability, PredictedLimitWithElasticGearsIsThatOfTheTimeDomain) {
+  std::mt19937_64 random(3);
+  int judged = 0;
+  for (int run = 0; run < 30; ++run) {
+    const ContactLoop l = test::elastic(
+        random, run % 2 == 0 ? test::random_loop(random) : test::random_loop(random, upper_arm()));
+    const double limit = stiffness_limit(l);
+    if (limit == 0 || limit > 1e7) continue;
+    ++judged;
+    EXPECT_FALSE(test::ContactSimulation(l, 0.9 * limit).unstable()) << "run " << run;
+    EXPECT_TRUE(test::ContactSimulation(l, 1.1 * limit).unstable()) << "run " << run;
+  }
+  EXPECT_GT(judged, 10);
+}
+
+TEST(Stability, StiffGearsAreAsRigidOnes) {
+  for (const ServoModel& servo : {ServoModel(LagServo{}), ServoModel(upper_arm())}) {
+    ContactLoop l = loop_of(5, 0.0025, servo);
+    const ContactMode rigid = contact_mode(l, 5e3);
+    l.gears = {100, 0.03, 10, 0};
+    EXPECT_NEAR(contact_mode(l, 5e3).radius, rigid.radius, 2e-3);
+  }
+}
+
+TEST(Stability, GearsSofterThanTheLimitBearAnyContactButRingInIt) {
+  ContactLoop l = loop_of(20, 0.005);
+  const double rigid_limit = stiffness_limit(l), rigid_damping = contact_mode(l, 1e4).damping;
+  l.gears = {10, 0.03, 10};
+  const double omega = 2 * std::numbers::pi * l.gears.frequency;
+  ASSERT_LT(l.gears.mass * omega * omega, rigid_limit) << "no servo feels more than the spring of its gears";
+  EXPECT_EQ(stiffness_limit(l), std::numeric_limits<double>::infinity());
+  EXPECT_LT(contact_mode(l, 1e4).damping, rigid_damping / 4);
+}
+
+TEST(Stability, ModeOfGearsIsThatOfTheLinksBetweenTheirSpringAndTheContact) {
+  ContactLoop l = loop_of(20, 1e-6);  // a servo that hardly moves
+  l.gears = {10, 0.03, 10};
+  const double own = 2 * std::numbers::pi * 10;
+  EXPECT_NEAR(contact_mode(l, 1e4).frequency, std::sqrt(own * own + 1e4 / 10) / (2 * std::numbers::pi), 0.1);
+}
+
+TEST(Stability, InertiaOfTheToolIsMeasuredWithoutContact) {
+  ContactLoop l = loop_of(1, 0.02);
+  l.gears = {10, 0.01, 10, 0};
+  const double without = contact_mode(l, 0).damping;
+  EXPECT_NEAR(without, 0.01, 1e-4);
+  l.gears.tool = 1;
+  EXPECT_GT(std::abs(contact_mode(l, 0).damping - without), 0.01);
+}
+
 /// @return the drive of an axis with its original regulator, pressing with a pen
 RegulatedDrive original_drive(std::size_t axis, double lever) {
   const AxisProperties& a = irb6::kPostument.axes[axis].properties;
@@ -268,6 +318,14 @@ TEST(Stability, ParametersThatMakeNoSenseAreRefusedByName) {
   EXPECT_TRUE(refused(changed([](ContactLoop& l) { l.low_pass = -1e-9; }), "low pass"));
   EXPECT_TRUE(refused(loop_of(5, 1001), "B "));
   EXPECT_TRUE(refused(loop_of(1.1e6, 0.005), "I "));
+  for (const GearMode& gears : {GearMode{-1}, GearMode{101}, GearMode{nan}, GearMode{10, -0.1},
+                                GearMode{10, 0.03, 0}, GearMode{10, 0.03, 1, 1.1}})
+    EXPECT_TRUE(refused(changed([&](ContactLoop& l) { l.gears = gears; }), "gears"));
+  EXPECT_TRUE(refused(changed([](ContactLoop& l) {
+                        l.servo = upper_arm();
+                        l.gears = {10, 0.03, 1e3};
+                      }),
+                      "rotor"));
   EXPECT_TRUE(refused(loop_of(5, 0.005, LagServo{nan}), "bandwidth"));
   EXPECT_TRUE(refused(loop_of(5, 0.005, LagServo{20, 3}), "order"));
   EXPECT_TRUE(refused(loop_of(5, 0.005, RegulatedDrive{}), "drive"));

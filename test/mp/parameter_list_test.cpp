@@ -61,6 +61,25 @@ TEST(ParameterTable, WhatOptionsGiveIsLeftOutAndALongValueDoesNotPushTheOthersAs
                 "b       1.0      0 to 2  N\n");
 }
 
+TEST(TruthTable, HasWhatThePlantIsWithItsMeaningAndWhatIsBelievedInstead) {
+  Config c = read_config();
+  std::ignore = c.number("sim.paper.stiffness", 1e4, {100, 1e6}, {"N/m", "of the paper", "table.stiffness"});
+  std::ignore = c.number("sim.speed", 1);
+  EXPECT_EQ(truth_table(c),
+            "key                  unit  default  range           believed         meaning\n"
+            "sim.fast                   true\n"
+            "sim.paper.stiffness  N/m   10000.0  100 to 1000000  table.stiffness  of the paper\n");
+  const auto list = nlohmann::json::parse(truth_json(c));
+  ASSERT_EQ(list.size(), 2U);
+  EXPECT_EQ(list.at(1), (nlohmann::json{{"key", "sim.paper.stiffness"},
+                                        {"unit", "N/m"},
+                                        {"default", "10000.0"},
+                                        {"range", "100 to 1000000"},
+                                        {"believed", "table.stiffness"},
+                                        {"meaning", "of the paper"}}));
+  EXPECT_TRUE(list.at(0).at("believed").is_null());
+}
+
 TEST(ParameterList, ValuesThatWereGivenAreNotCalledDefaults) {
   const auto listed = [](const TaskOptions& options) {
     ::testing::internal::CaptureStdout();

@@ -262,16 +262,17 @@ pip() {
   printf '#!/usr/bin/env bash\necho "$*" >>pip.log\n%s\n' "$1" >stubs/python
   chmod +x stubs/python
   export MRROC_PYTHON=python
-  touch built cmake/requirements.txt
+  touch built cmake/requirements.txt cmake/mujoco.txt
 }
 
 without_pypi_a_line_says_so_and_all_but_rex_is_built() {
   pip 'echo "no route to host"; exit 1'
   said=$(./run build 2>&1)
   says 'all is built but the platform Rex'
+  says 'the simulator has one engine, Bullet'
   says_not 'no route to host' # which is in the log
   said=$(cat cmake.log)
-  says '-D MRROC_REX=OFF'
+  says '-D MRROC_REX=OFF -D MRROC_MUJOCO=OFF'
   mkdir -p tasks/rex_drive
   touch tasks/rex_drive/main.cpp
   said=$(./run rex_drive 2>&1) && fail 'the task of Rex is built'
@@ -279,6 +280,7 @@ without_pypi_a_line_says_so_and_all_but_rex_is_built() {
 }
 
 casadi_is_installed_once_and_only_what_is_needed_of_it() {
+  export MRROC_MUJOCO=OFF
   pip 'while [[ $1 != --target ]]; do shift; done
     mkdir -p "$2"/casadi/include/licenses/{casadi,hpipm-external,blasfeo-external,highs}
     cd "$2/casadi"
@@ -291,7 +293,24 @@ casadi_is_installed_once_and_only_what_is_needed_of_it() {
   [[ -e build/python/casadi/libhpipm.so && -e build/python/casadi/include/hpipm_common.h ]] || fail 'something is missing'
   [[ ! -e build/python/casadi/libipopt.so && ! -e build/python/casadi/include/licenses/highs ]] || fail 'there is too much'
   said=$(cat cmake.log)
-  says '-D MRROC_REX=ON'
+  says '-D MRROC_REX=ON -D MRROC_MUJOCO=OFF'
+}
+
+mujoco_is_installed_once_and_only_what_is_needed_of_it() {
+  export MRROC_CASADI=/opt/casadi
+  pip 'while [[ $1 != --target ]]; do shift; done
+    mkdir -p "$2"/mujoco/include/mujoco "$2"/mujoco-9.dist-info/licenses
+    cd "$2"
+    touch mujoco/{libmujoco.so.9,_render.so,include/mujoco/mujoco.h} mujoco-9.dist-info/licenses/LICENSE'
+  touch cmake/mujoco.txt
+  said=$(./run build 2>&1 && ./run build 2>&1)
+  said=$(cat pip.log)
+  says '--require-hashes --only-binary :all: --python-version 3.11 --implementation cp --abi cp311'
+  [[ $(wc -l <pip.log) == 1 ]] || fail 'it is installed again'
+  [[ -e build/mujoco/mujoco/libmujoco.so.9 && -e build/mujoco/mujoco/include/mujoco/mujoco.h ]] || fail 'something is missing'
+  [[ -e build/mujoco/mujoco-9.dist-info/licenses/LICENSE && ! -e build/mujoco/mujoco/_render.so ]] || fail 'not what is needed'
+  said=$(cat cmake.log)
+  says "-D MRROC_MUJOCO=$PWD/build/mujoco/mujoco"
 }
 
 a_task_builds_only_what_it_starts_and_the_viewer_where_it_is_wanted() {

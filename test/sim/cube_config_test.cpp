@@ -56,8 +56,8 @@ TEST(CubeConfig, PutsTheCubeIntoTheHandThatHoldsIt) {
 TEST(CubeConfig, TakesWhatIsWrongWithTheCubeAndWithItsPlace) {
   const WorldParameters right = read("");
   const WorldParameters wrong = read(
-      "jam = 12\njam_direction = \"clockwise\"\njam_loosening = 0.5\nfriction = 0.01\noffset = [0.03, 0, "
-      "-0.002]");
+      "[sim.cube]\njam = 12\njam_direction = \"clockwise\"\njam_loosening = 0.5\nfriction = 0.01\n"
+      "place_error = { x = 0.03, z = -0.002 }");
   EXPECT_EQ(right.cube->faces.mean.jam_direction, 0);
   EXPECT_EQ(wrong.cube->faces.mean.jam_direction, -1) << "a positive angle is counterclockwise";
   EXPECT_EQ(wrong.cube->faces.jam, 12);
@@ -66,7 +66,8 @@ TEST(CubeConfig, TakesWhatIsWrongWithTheCubeAndWithItsPlace) {
   EXPECT_LT((wrong.cube->T_EC.p - right.cube->T_EC.p - Vector3(0.03, 0, -0.002)).norm(), 1e-12);
   EXPECT_FALSE(cube::is_reachable(read("scramble = \"R U\"\ntwist = 1").cube->state));
   EXPECT_TRUE(cube::is_reachable(read("scramble = \"R U\"").cube->state));
-  EXPECT_THROW(read("jam_direction = \"up\""), FaultError);
+  EXPECT_THROW(read("[sim.cube]\njam_direction = \"up\""), FaultError);
+  EXPECT_THROW(read("[sim.cube]\nplace_error.y = 0.002"), FaultError) << "farther off than a pad gives way";
 }
 
 TEST(CubeConfig, RefusesWhatContradictsItselfOrCannotBe) {

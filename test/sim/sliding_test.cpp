@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/statistics.hpp"
+#include "test/rig/engines.hpp"
 #include "test/sim/driver.hpp"
 
 namespace mrroc::sim {
@@ -14,7 +15,15 @@ constexpr int kLeftOut = 100;  // the first 0.2 s of a stroke
 
 // Both pens on the paper under 1 N, at rest.
 class Sliding : public testing::Test {
+ public:
+  explicit Sliding(PhysicsEngine engine = {}) : cell_(cell_of(engine)) {}
+
  protected:
+  static WorldParameters cell_of(PhysicsEngine engine) {
+    WorldParameters p = rig::irb6_cell();
+    p.engine = engine;
+    return p;
+  }
   void SetUp() override {
     cell_.prepare();
     press(g(0.01, 20, 0.005), 1800);
@@ -33,6 +42,32 @@ class Sliding : public testing::Test {
 
   Cell cell_;
 };
+
+class SlidingOnAnyEngine : public Sliding, public testing::WithParamInterface<PhysicsEngine> {
+ public:
+  SlidingOnAnyEngine() : Sliding(GetParam()) {}
+};
+INSTANTIATE_TEST_SUITE_P(Engines, SlidingOnAnyEngine, testing::ValuesIn(rig::engines()), rig::engine_name);
+
+TEST_P(SlidingOnAnyEngine, IsResistedByTheFrictionOfThePaperAgainstTheMotion) {
+  constexpr double kSpeed = 0.02, kFriction = 0.2;
+  for (int direction = 0; direction < 8; ++direction) {
+    const double angle = direction * std::numbers::pi / 4;
+    const double x = std::cos(angle), y = std::sin(angle);
+    slide(kSpeed * x, kSpeed * y);
+    cell_.run(kLeftOut);
+    Statistics along, across;
+    cell_.run(500, [&] {
+      const Wrench& force = cell_.drivers[0].force();  // of the pen on the paper
+      along.add(force[Axis::x] * x + force[Axis::y] * y);
+      across.add(force[Axis::y] * x - force[Axis::x] * y);
+    });
+    EXPECT_NEAR(along.mean(), kFriction, 0.03) << angle;
+    EXPECT_NEAR(across.mean(), 0, 0.03) << angle;
+    slide(-kSpeed * x, -kSpeed * y);
+    cell_.run(kLeftOut + 500);
+  }
+}
 
 TEST_F(Sliding, KeepsOneNewtonInEveryDirection) {
   constexpr double kSpeed = 0.02;

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "base/statistics.hpp"
+#include "test/rig/engines.hpp"
 #include "test/rig/irb6_cell.hpp"
 #include "test/sim/driver.hpp"
 
@@ -17,14 +18,25 @@ namespace {
 constexpr double kRest = 0.0005;           // slower is at rest [m/s]
 constexpr double kRestTurn = kRest / 0.2;  // the same 0.2 m from the axis [rad/s]
 
-WorldParameters one_arm() {
-  WorldParameters p = rig::irb6_cell();
-  p.arms.resize(1);
-  return p;
-}
+/// What holds with every engine.
+class EveryEngine : public testing::TestWithParam<PhysicsEngine> {
+ protected:
+  static WorldParameters irb6_cell() {
+    WorldParameters p = rig::irb6_cell();
+    p.engine = GetParam();
+    return p;
+  }
+  static WorldParameters one_arm() {
+    WorldParameters p = irb6_cell();
+    p.arms.resize(1);
+    return p;
+  }
+};
 
-TEST(World, BeginsWithPensUprightAboveTheMiddleOfTheirSheets) {
-  const World world(rig::irb6_cell());
+INSTANTIATE_TEST_SUITE_P(World, EveryEngine, testing::ValuesIn(rig::engines()), rig::engine_name);
+
+TEST_P(EveryEngine, BeginsWithPensUprightAboveTheMiddleOfTheirSheets) {
+  const World world(irb6_cell());
   ASSERT_EQ(world.arms(), 2);
   for (int arm = 0; arm < 2; ++arm) {
     const ArmTruth& truth = world.truth(arm);
@@ -36,8 +48,8 @@ TEST(World, BeginsWithPensUprightAboveTheMiddleOfTheirSheets) {
   }
 }
 
-TEST(World, BodiesAgreeWithTheKinematicsOfTheRobots) {
-  Cell cell;
+TEST_P(EveryEngine, BodiesAgreeWithTheKinematicsOfTheRobots) {
+  Cell cell(irb6_cell());
   cell.drivers[0].command = {u(0.02), u(-0.03), u(0.01), u(0.2), u(-0.1), u(0.3)};
   cell.drivers[1].command = {u(-0.02), u(0.03), u(-0.01), u(-0.2), u(0.1), u(-0.3)};
   cell.run(1000);
@@ -51,8 +63,8 @@ TEST(World, BodiesAgreeWithTheKinematicsOfTheRobots) {
   }
 }
 
-TEST(World, BrakesHoldTheArmsWithoutDrift) {
-  World world(rig::irb6_cell());
+TEST_P(EveryEngine, BrakesHoldTheArmsWithoutDrift) {
+  World world(irb6_cell());
   const auto joints = world.truth(0).joints;
   for (int k = 0; k < 2000; ++k) world.step({});
   for (int arm = 0; arm < 2; ++arm) {
@@ -62,9 +74,9 @@ TEST(World, BrakesHoldTheArmsWithoutDrift) {
   EXPECT_LT((world.truth(0).joints - joints).norm(), 1e-7);
 }
 
-TEST(World, DrivesBrakeToRestByThemselvesWhenCommandsStop) {
+TEST_P(EveryEngine, DrivesBrakeToRestByThemselvesWhenCommandsStop) {
   for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
-    Cell cell;
+    Cell cell(irb6_cell());
     for (Driver& driver : cell.drivers) driver.command[axis] = u(-0.05);
     cell.run(500);
     ASSERT_GT(cell.world.truth(0).tip_velocity.norm(), 0.045);
@@ -78,8 +90,8 @@ TEST(World, DrivesBrakeToRestByThemselvesWhenCommandsStop) {
   }
 }
 
-TEST(World, ATurnAboutTheTipIsSeenInTheTurnOfTheToolAndBrakedToRestToo) {
-  Cell cell;
+TEST_P(EveryEngine, ATurnAboutTheTipIsSeenInTheTurnOfTheToolAndBrakedToRestToo) {
+  Cell cell(irb6_cell());
   for (Driver& driver : cell.drivers) driver.command.az = u(0.2);
   cell.run(500);
   for (int arm = 0; arm < 2; ++arm) {
@@ -97,8 +109,8 @@ TEST(World, ATurnAboutTheTipIsSeenInTheTurnOfTheToolAndBrakedToRestToo) {
   EXPECT_LT(moved, 50);
 }
 
-TEST(World, OnlyTheArmWithoutACommandBrakes) {
-  Cell cell;
+TEST_P(EveryEngine, OnlyTheArmWithoutACommandBrakes) {
+  Cell cell(irb6_cell());
   for (Driver& driver : cell.drivers) driver.command.x = u(0.02);
   cell.run(500);
   for (int k = 0; k < 200; ++k) {
@@ -109,7 +121,7 @@ TEST(World, OnlyTheArmWithoutACommandBrakes) {
   EXPECT_LT(cell.world.truth(1).tip_velocity.norm(), kRest);
 }
 
-TEST(World, ACommandThatIsNotFiniteBrakes) {
+TEST_P(EveryEngine, ACommandThatIsNotFiniteBrakes) {
   World world(one_arm());
   HardwareCommand command{.enabled = true};
   command.pwm[1] = std::numeric_limits<double>::quiet_NaN();
@@ -118,8 +130,8 @@ TEST(World, ACommandThatIsNotFiniteBrakes) {
   EXPECT_NEAR(world.truth(0).pen_height, 0.02, 1e-6);
 }
 
-TEST(World, EncodersFollowTheMotorsToWithinOneIncrement) {
-  Cell cell;
+TEST_P(EveryEngine, EncodersFollowTheMotorsToWithinOneIncrement) {
+  Cell cell(irb6_cell());
   for (Driver& driver : cell.drivers) driver.command = {u(0.02), u(0.02), u(0.01), u(0.1), u(0.1), u(0.2)};
   for (int arm = 0; arm < 2; ++arm) {
     const auto robot = irb6::make_arm(arm == 0 ? "irb6_postument" : "irb6_track");
@@ -134,12 +146,12 @@ TEST(World, EncodersFollowTheMotorsToWithinOneIncrement) {
   }
 }
 
-TEST(World, SensorFeelsTheWeightOfTheStillToolInEveryOrientation) {
+TEST_P(EveryEngine, SensorFeelsTheWeightOfTheStillToolInEveryOrientation) {
   const std::array<Twist, 3> turns{Twist::from({0, 0, -0.05}, {0.4, 0, 0}),
                                    Twist::from({0, 0, -0.05}, {0, 0.4, 0}),
                                    Twist::from({0, 0, -0.05}, {-0.3, 0.3, 0.5})};
   for (const Twist& turn : turns) {
-    Cell cell;
+    Cell cell(irb6_cell());
     for (Driver& driver : cell.drivers)
       for (const Axis a : kAxes) driver.command[a] = u(turn[a]);
     cell.run(1000);
@@ -158,7 +170,7 @@ TEST(World, SensorFeelsTheWeightOfTheStillToolInEveryOrientation) {
   }
 }
 
-TEST(World, SensorFeelsInertialForcesOfTheTool) {
+TEST_P(EveryEngine, SensorFeelsInertialForcesOfTheTool) {
   Cell cell(one_arm());
   cell.run(500);
   cell.drivers[0].command.x = u(0.02);
@@ -167,7 +179,7 @@ TEST(World, SensorFeelsInertialForcesOfTheTool) {
   EXPECT_GT(force.most(), 1) << "1.1 kg that reach 20 mm/s within about 15 ms";
 }
 
-TEST(World, PaperYieldsWithItsStiffness) {
+TEST_P(EveryEngine, PaperYieldsWithItsStiffness) {
   Cell cell(one_arm());
   cell.prepare();
   cell.drivers[0].command.z = c(4, 20, 0.005);
@@ -181,7 +193,7 @@ TEST(World, PaperYieldsWithItsStiffness) {
   EXPECT_NEAR(force.mean() / depth.mean(), 1e4, 200);
 }
 
-TEST(World, ThePaperPushesWhatTheSensorFeels) {
+TEST_P(EveryEngine, ThePaperPushesWhatTheSensorFeels) {
   Cell cell(one_arm());
   cell.prepare();
   cell.drivers[0].command.z = c(4, 20, 0.005);
@@ -194,7 +206,7 @@ TEST(World, ThePaperPushesWhatTheSensorFeels) {
   EXPECT_NEAR(paper.mean(), sensor.mean(), 1e-2);
 }
 
-TEST(World, InkAppearsOnlyWhileThePenPressesThePaper) {
+TEST_P(EveryEngine, InkAppearsOnlyWhileThePenPressesThePaper) {
   Cell cell(one_arm());
   cell.prepare();
   std::size_t points = 0;
@@ -215,9 +227,9 @@ TEST(World, InkAppearsOnlyWhileThePenPressesThePaper) {
   EXPECT_EQ(points, lifted);
 }
 
-TEST(World, RunsAreIdenticalToTheBitAndSeedsMatter) {
+TEST_P(EveryEngine, RunsAreIdenticalToTheBitAndSeedsMatter) {
   const auto run = [](std::uint64_t seed) {
-    Cell cell(rig::irb6_cell(), seed);
+    Cell cell(irb6_cell(), seed);
     cell.prepare();
     for (Driver& driver : cell.drivers)
       driver.command = {c(0, 20, 0.005), c(0, 20, 0.005), c(1, 20, 0.005), u(), u(), u()};
@@ -230,8 +242,8 @@ TEST(World, RunsAreIdenticalToTheBitAndSeedsMatter) {
   EXPECT_NE(run(2), first);
 }
 
-TEST(World, ResetBeginsAnew) {
-  World fresh(rig::irb6_cell(), 4), used(rig::irb6_cell(), 9);
+TEST_P(EveryEngine, ResetBeginsAnew) {
+  World fresh(irb6_cell(), 4), used(irb6_cell(), 9);
   for (int k = 0; k < 50; ++k) used.step({});
   used.reset(4);
   EXPECT_EQ(used.steps(), 0);
@@ -243,14 +255,14 @@ TEST(World, ResetBeginsAnew) {
   EXPECT_EQ(used.state_hash(), fresh.state_hash());
 }
 
-TEST(World, RefusesParametersThatMakeNoSense) {
-  WorldParameters p = rig::irb6_cell();
+TEST_P(EveryEngine, RefusesParametersThatMakeNoSense) {
+  WorldParameters p = irb6_cell();
   p.substeps = 0;
   EXPECT_THROW(World{p}, std::invalid_argument);
-  p = rig::irb6_cell();
+  p = irb6_cell();
   p.arms[0].motors.pop_back();
   EXPECT_THROW(World{p}, std::invalid_argument);
-  p = rig::irb6_cell();
+  p = irb6_cell();
   p.arms[1].paper.T_0P.p.x() = 3;
   EXPECT_THROW(World{p}, std::invalid_argument);
   EXPECT_THROW(World{WorldParameters{}}, std::invalid_argument) << "no arm";

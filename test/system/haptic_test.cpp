@@ -42,7 +42,7 @@ TEST(HapticTask, ScalesMotionAndForce) {
 TEST(HapticTask, StaysPassiveOverTheWorstChannelOnTheStiffestWall) {
   const Folder folder;
   const auto s = coupled(
-      folder, {"--delay", "200", "--jitter", "20", "--loss", "10", "--set", "sim.paper.stiffness=50000"});
+      folder, {"--delay", "200", "--jitter", "20", "--loss", "10", "--set", "table.stiffness=50000"});
   EXPECT_GE(figure(s, "energy_min_mJ"), -1);
   EXPECT_GT(figure(s, "exerted_force_N"), 3) << "the slave meets the plate";
   EXPECT_LE(figure(s, "exerted_force_N"), 45) << "and does not swing on it";
@@ -76,7 +76,7 @@ TEST(HapticTask, RefusesWhatCannotWorkBeforeAnythingMoves) {
   refused({"--loss", "90"}, "--loss");
   refused({"--set", "task.motion_scale=0"}, "motion_scale");
   refused({"--set", "robots.arm2.plate.shape=none"}, "plate");
-  refused({"--set", "sim.paper.stiffness=500000"}, "swing");
+  refused({"--set", "table.stiffness=500000"}, "swing");
   refused({"--set", "task.passivity=false", "--delay", "100"}, "passivity");
   refused({"--set", "task.motion_scale=0.5", "--set", "robots.arm2.plate.thickness=0.03"}, "table");
   refused({"--set", "robots.arm2.plate.distance=0.2"}, "the hand leads arm1 by");

@@ -48,8 +48,7 @@ class EveryTaskAfterHoming : public ::testing::TestWithParam<HomedRun> {
         words({{"--processes", "one", "--seed", std::to_string(seed), "--run-dir", (folder / "run").string()},
                k.arguments});
     if (!k.file.empty()) std::ranges::replace(arguments, "FILE", folder.write("file", k.file));
-    const std::vector<std::string> settings{"synchro=homing", "kinematics=" + kinematics,
-                                            "true_kinematics=" + kinematics};
+    const std::vector<std::string> settings{"synchro=homing", "kinematics=" + kinematics};
     for (int arm = 1; arm <= k.arms; ++arm)
       for (const std::string& setting : settings)
         arguments.insert(arguments.end(), {"--set", "robots.arm" + std::to_string(arm) + "." + setting});

@@ -36,7 +36,7 @@ class RubikErrors : public testing::Test {
 };
 
 TEST_F(RubikErrors, AFaceThatJamsClockwiseIsTurnedByThreeQuartersTheOtherWay) {
-  const CubeRun r(set({"cube.jam=20", "cube.seed=7", "cube.jam_direction=clockwise", "task.attempts=2"}));
+  const CubeRun r(set({"sim.cube.jam=20", "cube.seed=7", "sim.cube.jam_direction=clockwise", "task.attempts=2"}));
   ASSERT_EQ(r.ended.status, 0) << r.ended.all();
   EXPECT_TRUE(r.said("U jams clockwise: it will be turned the other way round")) << r.ended.all();
   EXPECT_EQ(r.figure("solved"), 1);
@@ -48,7 +48,7 @@ TEST_F(RubikErrors, AFaceThatJamsClockwiseIsTurnedByThreeQuartersTheOtherWay) {
 }
 
 TEST_F(RubikErrors, AFaceThatGivesWayAtALaterAttemptIsTurned) {
-  const CubeRun r(set({"cube.jam=3", "cube.seed=7", "cube.jam_loosening=0.6"}));
+  const CubeRun r(set({"sim.cube.jam=3", "cube.seed=7", "sim.cube.jam_loosening=0.6"}));
   ASSERT_EQ(r.ended.status, 0) << r.ended.all();
   EXPECT_TRUE(r.said("turned at attempt 2")) << r.ended.all();
   EXPECT_EQ(r.figure("solved"), 1);
@@ -72,28 +72,28 @@ TEST_F(RubikErrors, ABaseThatIsElsewhereThanBelievedIsToldAndNotAdaptedTo) {
 }
 
 TEST_F(RubikErrors, AFaceThatJamsInBothDirectionsIsAFault) {
-  const CubeRun r(set({"cube.jam=20", "cube.seed=7", "task.attempts=1"}));
+  const CubeRun r(set({"sim.cube.jam=20", "cube.seed=7", "task.attempts=1"}));
   expect_fault(r, "face_jammed");
   EXPECT_EQ(r.figure("other_way"), 1);
   EXPECT_LT(r.figure("turn_torque_peak_Nm"), kTorqueMost);
 }
 
 TEST_F(RubikErrors, AFaceThatDoesNotLeaveItsSeatIsAFault) {
-  const CubeRun r(set({"cube.breakaway=30", "task.attempts=2"}));
+  const CubeRun r(set({"sim.cube.breakaway=30", "task.attempts=2"}));
   expect_fault(r, "face_jammed");
   EXPECT_LT(r.figure("turn_torque_peak_Nm"), kTorqueMost);
 }
 
 TEST_F(RubikErrors, ACubeThatIsBesideThePalmIsPassedByAndNotGripped) {
-  expect_fault(CubeRun(set({"cube.offset=[0.045, 0, 0]"})), "cube_slipped");
+  expect_fault(CubeRun(set({"sim.cube.place_error.x=0.045"})), "cube_slipped");
 }
 
 TEST_F(RubikErrors, ACubeThatHasSlippedOutOfThePalmIsNotGripped) {
-  expect_fault(CubeRun(set({"cube.offset=[0, 0, 0.007]"})), "cube_slipped");
+  expect_fault(CubeRun(set({"sim.cube.place_error.z=0.007"})), "cube_slipped");
 }
 
 TEST_F(RubikErrors, ACubeThatSlidesOutOfItsHandIsNamedAsDropped) {
-  expect_fault(CubeRun(set({"cube.friction=0.0005"})), "cube_dropped");
+  expect_fault(CubeRun(set({"sim.cube.friction=0.0005"})), "cube_dropped");
 }
 
 TEST_F(RubikErrors, AnImpossibleCubeIsReadTwiceAndIsAFault) {

@@ -72,7 +72,7 @@ TEST(Rubik, RefusesWhatItCannotDoBeforeAnythingStarts) {
         {words({{"--scramble", "R", "--set", "task.torqe=3"}}), "torqe"},
         {words({{"--scramble", "R", "--set", "cube.held_by=arm3"}}), "arm3"},
         {words({{"--scramble", "R", "--set", "cube.held_by=arm1"}}), "arm2 holds the cube"},
-        {words({{"--scramble", "R", "--set", "cube.offset=[0, 0.002, 0]"}}), "from jaw to jaw"}}) {
+        {words({{"--scramble", "R", "--set", "sim.cube.place_error.y=0.002"}}), "from jaw to jaw"}}) {
     const Ended ended = run(folder, "rubik", arguments);
     EXPECT_EQ(ended.status, 2) << ended.all();
     EXPECT_NE(ended.last_err().find(word), std::string::npos) << ended.last_err();

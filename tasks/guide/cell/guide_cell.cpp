@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "base/table_config.hpp"
 #include "edp/guard.hpp"
 #include "robots/catalogue.hpp"
 #include "sim/config.hpp"
@@ -31,14 +32,14 @@ double hand_compliance(const Config& config) {
 }
 
 void check_reach(const Config& config, const Setup& setup) {
-  const sim::ArmParameters arm = sim::read_world(config).arms.at(0);
+  const double table = read_table(config).height;
   const robots::RobotType& type = robots::read_type(config, "arm1", robots::catalogue(), "irb6_postument");
   const auto robot = robots::read_robot(config, "arm1", type);
-  edp::AxisPositions from{sim::start_joints(arm), {}};
+  edp::AxisPositions from{sim::start_joints(sim::read_world(config).arms.at(0)), {}};
   from.motors = robot->motors_from_joints(from.joints);
   const Matrix3 R_0W = robot->forward(from.joints).R;
   for (const Vector3& p : setup.fixture.points(kBetween)) {
-    if (p.z() < arm.paper.T_0P.p.z() + kAbove) refuse(p, "that is in the table");
+    if (p.z() < table + kAbove) refuse(p, "that is in the table");
     const edp::InverseSolution solution = robot->inverse({R_0W, p - R_0W * setup.T_WE.p}, from.joints);
     if (!solution.reached) refuse(p, "the tool does not reach it");
     const edp::AxisPositions to{solution.joints, robot->motors_from_joints(solution.joints)};

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "base/table_config.hpp"
 #include "edp/guard.hpp"
 #include "robots/catalogue.hpp"
 #include "sim/config.hpp"
@@ -61,9 +62,17 @@ Scene read_scene(const Config& config) {
           .top = slave.plate.thickness,
           .depth = slave.plate.width,
           .stiffness = slave.paper.stiffness,
-          .damping = slave.paper.damping_ratio,
-          .compliance = 1 / hand.stiffness + (hand.mass > 0 ? 1 / hand.grip_stiffness : 0),
-          .hand_damping = hand.damping};
+          .compliance = 1 / hand.stiffness + (hand.mass > 0 ? 1 / hand.grip_stiffness : 0)};
+}
+
+Surroundings read_surroundings(const Config& config) {
+  const TableDescription table = read_table(config);
+  const Config task = config.section("task");
+  Surroundings s{.stiffness = table.stiffness, .damping = table.damping_ratio};
+  s.hand_stiffness =
+      task.number("hand_stiffness", s.hand_stiffness, {50, 5000}, "N/m, believed of a hand with its grip");
+  s.hand_damping = task.number("hand_damping", s.hand_damping, {0, 500}, "N s/m, believed of a hand");
+  return s;
 }
 
 void check_reach(const Config& config, const Scene& scene, const Law& law,
@@ -77,13 +86,13 @@ void check_reach(const Config& config, const Scene& scene, const Law& law,
   }
 }
 
-edp::PairLoop pair_loop(const Scene& scene, const Law& law) {
+edp::PairLoop pair_loop(const Surroundings& around, const Law& law) {
   return {.master = {.inertia = law.master.inertia, .mobility = law.master.mobility},
           .slave = {.inertia = law.slave.inertia,
                     .mobility = law.slave.mobility,
-                    .contact_damping = scene.damping},
-          .hand_stiffness = 1 / scene.compliance,
-          .hand_damping = scene.hand_damping,
+                    .contact_damping = around.damping},
+          .hand_stiffness = around.hand_stiffness,
+          .hand_damping = around.hand_damping,
           .motion_scale = law.motion_scale,
           .force_scale = law.force_scale,
           .return_rate = law.return_rate,
@@ -92,25 +101,25 @@ edp::PairLoop pair_loop(const Scene& scene, const Law& law) {
           .n_s = kPacing.n_s};
 }
 
-bool grows_gently(const Scene& scene, const Law& law) {
+bool grows_gently(const Surroundings& around, const Law& law) {
   return law.passivity.control &&
-         !edp::pair_settles(pair_loop(scene, law), scene.stiffness, lateness(law.channel, law.macrostep));
+         !edp::pair_settles(pair_loop(around, law), around.stiffness, lateness(law.channel, law.macrostep));
 }
 
-void check_stability(const Scene& scene, const Law& law) {
-  const edp::PairLoop pair = pair_loop(scene, law);
+void check_stability(const Surroundings& around, const Law& law) {
+  const edp::PairLoop pair = pair_loop(around, law);
   const double alone = edp::stiffness_limit(pair.slave);
-  if (scene.stiffness >= alone)
+  if (around.stiffness >= alone)
     refuse(fmt::format("on a wall of {:.3g} N/m the slave would swing by itself: it bears {:.3g} N/m",
-                       scene.stiffness, alone),
+                       around.stiffness, alone),
            "make task.slave_mobility smaller; `ui_cli stability` tells how much");
   if (law.passivity.control) return;
   const double limit = edp::pair_stiffness_limit(pair);
-  if (scene.stiffness >= limit)
+  if (around.stiffness >= limit)
     refuse(
         fmt::format(
             "without passivity control the pair bears a wall of {:.3g} N/m, and there is one of {:.3g} N/m",
-            limit, scene.stiffness),
+            limit, around.stiffness),
         "leave task.passivity on, or see `ui_cli stability --pair`");
 }
 

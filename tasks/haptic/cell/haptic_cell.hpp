@@ -6,7 +6,18 @@
 
 namespace mrroc::haptic {
 
-/// @param config  of a run @return both cells
+/// What the law has been told of what the arms meet.
+struct Surroundings {
+  double stiffness{1e4};       ///< of what the slave meets [N/m]
+  double damping{0.002};       ///< of the same, per stiffness [s]
+  double hand_stiffness{800};  ///< of a hand with its grip [N/m]
+  double hand_damping{30};     ///< of a hand [N s/m]
+};
+
+/// @return [table], and task.hand_stiffness, task.hand_damping @throws ConfigError
+[[nodiscard]] Surroundings read_surroundings(const Config& config);
+
+/// @param config  of a run @return both cells as the operator sees them
 /// @throws ConfigError, FaultError bad_configuration  the slave has no plate to meet
 [[nodiscard]] Scene read_scene(const Config& config);
 
@@ -16,13 +27,13 @@ void check_reach(const Config& config, const Scene& scene, const Law& law,
                  const std::vector<mp::WayPoint>& way);
 
 /// @return what edp/pair_stability.hpp has to know of a pair, with servos of 20 Hz
-[[nodiscard]] edp::PairLoop pair_loop(const Scene& scene, const Law& law);
+[[nodiscard]] edp::PairLoop pair_loop(const Surroundings& around, const Law& law);
 
 /// @return whether forces have to grow gently, see Law::grows_gently
-[[nodiscard]] bool grows_gently(const Scene& scene, const Law& law);
+[[nodiscard]] bool grows_gently(const Surroundings& around, const Law& law);
 
 /// Refuses a wall on which the slave would swing by itself, and, without passivity control, one that the pair does not bear.
 /// @throws FaultError bad_configuration
-void check_stability(const Scene& scene, const Law& law);
+void check_stability(const Surroundings& around, const Law& law);
 
 }  // namespace mrroc::haptic

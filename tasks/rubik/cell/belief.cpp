@@ -8,6 +8,7 @@
 #include "base/cube/move.hpp"
 #include "base/fault.hpp"
 #include "base/representation.hpp"
+#include "base/table_config.hpp"
 #include "tasks/rubik/cell/layout.hpp"
 #include "tasks/rubik/config.hpp"
 #include "tasks/rubik/cube/names.hpp"
@@ -92,9 +93,10 @@ CellBelief read_belief(const Config& config) {
   CellBelief cell = usual_cell();
   for (std::size_t k = 0; k < cell.arms.size(); ++k)
     cell.arms[k] = read_arm(config, kArmKeys[k], *cell.arms[k].type);
+  const TableDescription told = read_table(config);
   const Config table = config.section("cell.table");
-  cell.T_0P.p.x() = table.number("distance", cell.T_0P.p.x(), {0.7, 1.1}, "m");
-  cell.T_0P.p.z() = table.number("height", cell.T_0P.p.z(), {0.7, 1.2}, "m");
+  cell.T_0P.p.x() = table.number("distance", told.distance, TableBounds::kDistance, "m");
+  cell.T_0P.p.z() = table.number("height", told.height, TableBounds::kHeight, "m");
   cell.grasp = read_grasp(config);
   cell.known = read_known(config);
   return cell;

@@ -10,7 +10,7 @@ struct Guide : SoloTask<guide::Arm, guide::kGuide> {
     for (const char* tool : {"pose=[0, 0, 0.25, 0, 0, 0]", "weight=10", "mass_centre=[0, 0, 0]"})
       config.set(std::string("robots.arm1.tool.") + tool);  // the cell's, not the task's
     std::ignore = guide::read_setup(config, "arm1");
-    std::ignore = guide::read_operator(config, 1e-3);
+    std::ignore = guide::read_operator(config, {}, 1e-3);
   }
   /// A plane that takes hold of a tool from afar, and never too strongly to go on.
   static Outcome run(guide::Arm::X& x, auto& port) {

@@ -24,7 +24,7 @@ TEST(HapticConfig, RefusesWhatIsOutOfRange) {
        {"delay = 0.3", "loss = 0.9", "jitter = -1", "motion_scale = 0", "force_scale = 100",
         "master_mobility = 1", "return_rate = 0", "start_energy = 0.1"})
     EXPECT_THROW(read_parameters(Config::parse("[task]\n" + line, "test")), FaultError) << line;
-  EXPECT_THROW(read_operator(Config::parse("[operator]\npush = 100", "test")), FaultError);
+  EXPECT_THROW(read_operator(Config::parse("[operator]\npush = 100", "test"), {}), FaultError);
 }
 
 }  // namespace

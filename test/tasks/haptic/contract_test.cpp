@@ -12,7 +12,7 @@ struct Haptic {
   using Agent = haptic::Coordinator;
   static void configure(const Config& config) {
     std::ignore = haptic::read_parameters(config);
-    std::ignore = haptic::read_operator(config);
+    std::ignore = haptic::read_operator(config, haptic::read_parameters(config).law);
   }
   static auto behaviours() {
     std::vector<Motion<Agent>> all(haptic::kBehaviours.begin(), haptic::kBehaviours.end());

@@ -1,30 +1,29 @@
-// One arm of the simulator: its body, drives, brakes, encoders, sensor and pen, and the hand that leads it.
+// One arm of the simulator: its drives, encoders, switches, sensor and jaws, and the hand that leads it. Its bodies are
+// those of an engine.
 #pragma once
-#include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
-
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "edp/robot.hpp"
-#include "sim/bullet/brakes.hpp"
-#include "sim/bullet/gripper_body.hpp"
-#include "sim/bullet/multibody.hpp"
-#include "sim/bullet/palm_body.hpp"
-#include "sim/bullet/scene.hpp"
-#include "sim/bullet/tool_load.hpp"
+#include "sim/elastic_gears.hpp"
+#include "sim/engine.hpp"
 #include "sim/world.hpp"
 
 namespace mrroc::sim {
 
-/// An arm in the scene. In every step: begin_step, then for each substep push, (integrate the scene), follow,
-/// then end_step.
+/// @throws std::invalid_argument  a parameter is out of range
+[[nodiscard]] ArmPlan plan_arm(const ArmParameters& parameters);
+
+/// An arm. In every step: begin_step, then for each substep push, (integrate), follow, then end_step.
 class SimulatedArm {
  public:
-  /// @param scene  outlives the arm @param h  integration step [s] @param substeps  of a step
-  /// @throws std::invalid_argument  a parameter is out of range
-  SimulatedArm(const ArmParameters& parameters, Scene& scene, double h, int substeps, std::uint64_t seed);
-  ~SimulatedArm();
+  /// @param plan  of these parameters @param body  built from it, outlives the arm @param h  integration step [s]
+  /// @param substeps  of a step
+  SimulatedArm(const ArmParameters& parameters, ArmPlan plan, ArmMechanics& body, double h, int substeps,
+               std::uint64_t seed);
+  ~SimulatedArm() = default;
   SimulatedArm(const SimulatedArm&) = delete;
   SimulatedArm& operator=(const SimulatedArm&) = delete;
 
@@ -45,19 +44,10 @@ class SimulatedArm {
   [[nodiscard]] const AxisVector& start_joints() const { return start_joints_; }
   /// @return what it looks like at present
   [[nodiscard]] std::vector<LinkShape> shapes() const;
-  /// After contacts have been found.
-  void share_stiffness() {
-    if (gripper_) gripper_->share_stiffness();
-    if (palm_) palm_->share_stiffness();
-  }
   /// What the pen draws on has moved since the construction. @param way  in the world [m]
   void carry_sheet(const Vector3& way) { sheet_way_ = T_BU_.R * way; }
-  /// @return angular velocity of the tool in the world [rad/s]
-  [[nodiscard]] Vector3 tool_turning() const { return load_.motion().angular_velocity; }
-  /// @return its links and joints
-  [[nodiscard]] const btMultiBody* body() const { return arm_.body.get(); }
   /// @return E in the world
-  [[nodiscard]] Pose T_UE() const { return load_.motion().T_UG * arm_.T_GE; }
+  [[nodiscard]] Pose T_UE() const { return body_.tool().T_UG * chain_.T_GE; }
   /// @return the operator's hand, which leads this arm
   Hand& hand() { return hand_; }
   /// @return what the pen has drawn
@@ -70,29 +60,31 @@ class SimulatedArm {
   /// Calls take(double) with every number of the mechanical state.
   template <class Take>
   void visit_state(Take take) const {
-    for (int k = 0; k < arm_.joints; ++k) {
-      take(arm_.body->getJointPos(k));
-      take(arm_.body->getJointVel(k));
+    for (int k = 0; k < chain_.joints; ++k) {
+      take(body_.position(k));
+      take(body_.speed(k));
       take(friction_[static_cast<std::size_t>(k)].deflection());
     }
-    for (int k = arm_.joints; gripper_ && k < arm_.body->getNumLinks(); ++k) {
-      if (k == arm_.tool) continue;  // it has no joint
-      take(arm_.body->getJointPos(k));
-      take(arm_.body->getJointVel(k));
+    for (int k = 0; gears_ && k < chain_.joints; ++k) {
+      take(gears_->joints()[k]);
+      take(gears_->shaft_speeds()[k]);
     }
+    body_.visit_rest(take);
   }
 
  private:
   [[nodiscard]] AxisVector joint_speeds() const;
+  void add_gears();
+  /// @return where the motors have the joints: where they are, unless gears give way
+  [[nodiscard]] const AxisVector& driven_joints() const { return gears_ ? gears_->joints() : truth_.joints; }
+  /// @param torques  on the shafts @return on the joints
+  [[nodiscard]] AxisVector geared(const AxisVector& torques);
   void read_joints();
-  void add_pen();
-  void add_belt(const robots::Belt& belt);
-  void add_collider(int group, int mask);
   void measure(std::int64_t step);
   void observe();
 
   ArmParameters p_;
-  Scene& scene_;
+  ArmMechanics& body_;
   double h_;
   double share_;  // of a substep in the means over a step
   std::unique_ptr<edp::Robot> robot_;
@@ -101,9 +93,8 @@ class SimulatedArm {
   Vector3 paper_normal_;  // in the world
 
   AxisVector start_joints_, start_motors_;
-  ArmBody arm_;
-  std::unique_ptr<Brakes> brakes_;
-  ToolLoad load_;
+  Chain chain_;
+  std::optional<ElasticGears> gears_;  // none: rigid, rotors are part of the links
   std::array<ShaftFriction, kMaxAxes> friction_{};
   std::vector<Encoder> encoders_;
   std::optional<Jaws> jaws_;
@@ -112,12 +103,6 @@ class SimulatedArm {
   Hand hand_;
   Ink ink_;
   Vector3 sheet_way_{Vector3::Zero()};  // since the construction, in the base
-  btSphereShape ball_;
-  std::unique_ptr<btBoxShape> belt_;  // none: a pen
-  btCompoundShape touching_;          // pen or belt
-  std::unique_ptr<btMultiBodyLinkCollider> collider_;
-  std::unique_ptr<GripperBody> gripper_;
-  std::unique_ptr<PalmBody> palm_;  // instead of a pen
 
   HardwareCommand command_{};
   double jaw_pwm_{};
