@@ -71,6 +71,8 @@ edp::DriverParameters read_driver(const Config& config, const std::string& key, 
   d.oscillation.force = table.number("oscillation.force", d.oscillation.force, {0.1, 1e6}, "N");
   d.oscillation.torque = table.number("oscillation.torque", d.oscillation.torque, {0.01, 1e6}, "N m");
   d.oscillation.lowest = table.number("oscillation.lowest", d.oscillation.lowest, {0.5, 50}, "Hz");
+  d.oscillation.softest = table.number("oscillation.softest", d.oscillation.softest, {0.001, 1},
+                                       "share of its mobility that an axis keeps while its contact swings");
   d.oscillation.gears =
       table.number("elasticity", d.oscillation.gears, {0, 100}, "Hz of the gears, as believed, 0: rigid");
   d.force.stuck_after =

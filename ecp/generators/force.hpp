@@ -1,5 +1,6 @@
 // Force generators: rows of the task frame and pure rules for guided motion, approach and edge following.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 
@@ -55,6 +56,9 @@ struct EdgeRule {
   double least_force{0.5};        ///< below this the direction of the force means nothing [N]
 };
 
+/// A force counts up to so many times F_d: an impact on a stiff edge is no reason to turn away from it.
+inline constexpr double kImpact = 1.5;
+
 /// Decision of edge following in one macrostep.
 struct EdgeStep {
   double angle{};          ///< of the task frame about z from now on [rad]
@@ -67,13 +71,14 @@ struct EdgeStep {
 /// @param now    angle that is commanded now [rad]: kept when the force is too small to show the edge
 [[nodiscard]] inline EdgeStep follow_edge(const EdgeRule& rule, double angle, const Wrench& F_a, double now) {
   const double force = std::hypot(F_a[Axis::x], F_a[Axis::y]);
+  const double counted = std::min(force, kImpact * rule.force);
   EdgeStep step{now, {}};
   step.frame.x = c(rule.force, rule.I, rule.B);
-  step.frame.y = u(rule.speed_per_force * force);
+  step.frame.y = u(rule.speed_per_force * counted);
   if (force < rule.least_force) return step;
   const double sense = rule.speed_per_force < 0 ? -1 : 1;
   step.angle =
-      angle + std::atan2(F_a[Axis::y], F_a[Axis::x]) + sense * rule.turn_per_force * (force - rule.force);
+      angle + std::atan2(F_a[Axis::y], F_a[Axis::x]) + sense * rule.turn_per_force * (counted - rule.force);
   return step;
 }
 
