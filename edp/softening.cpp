@@ -32,12 +32,12 @@ AxisSet Softening::step(const Wrench& F_a, AxisSet watched) noexcept {
   AxisSet softened = observer_.swinging(F_a, watched);
   for (std::size_t axis = 0; axis < shares_.size(); ++axis) {
     double& share = shares_[axis];
-    softened[axis] = softened[axis] && share > softest_;
+    softened[axis] = softened[axis] && kSofter * share >= softest_;
     const double touches = kTouches * (axis < 3 ? early_.force : early_.torque);
     if (!watched[axis])
       share = 1;
     else if (softened[axis])
-      share = std::max(kSofter * share, softest_);
+      share *= kSofter;
     else if (std::abs(F_a.v[axis]) < touches)
       share = std::min(recovery_ * share, 1.);
   }
