@@ -10,6 +10,7 @@
 #include "base/link/event_log.hpp"
 #include "base/link/lossy_bus.hpp"
 #include "base/link/session.hpp"
+#include "launch/calibrated.hpp"
 #include "mp/hosts.hpp"
 #include "mp/operator_command_server.hpp"
 
@@ -99,6 +100,7 @@ void complete_config(Config& c, const mp::TaskOptions& o, const std::filesystem:
   set_text(c, "run.strokes", strokes);
   std::ignore = c.number("sim.speed", Config::kRequired, {0, 1e4}, "of real time, 0: as fast as possible");
   for (const char* key : {"run.folder", "run.strokes"}) std::ignore = c.text(key, Config::kRequired);
+  take_calibrated(c);
   c.check_all_used();
 }
 
