@@ -1,6 +1,5 @@
 // The task calibrate_cell over cells: bases, balls and sensors that nobody tells the arms.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "base/pose.hpp"
+#include "base/spatial.hpp"
 #include "bench/figures.hpp"
 #include "bench/run_summary.hpp"
 #include "bench/task_process.hpp"
@@ -42,9 +41,11 @@ class Cell {
   std::mt19937 random_;
 };
 
-std::string text_of(const Pose& T) {
-  const AngleAxisPose r = angle_axis_from_pose(T);
-  return fmt::format("[{:.7f}]", fmt::join(r.data(), r.data() + r.size(), ", "));
+/// @return a displacement as a table @param turn, shift  lengths of the longest [rad], [m]
+std::string displacement(Cell& cell, double turn, double shift) {
+  const Vector3 a = cell.vector(turn), p = cell.vector(shift);
+  return fmt::format("{{ x = {:.7f}, y = {:.7f}, z = {:.7f}, ax = {:.7f}, ay = {:.7f}, az = {:.7f} }}", p.x(),
+                     p.y(), p.z(), a.x(), a.y(), a.z());
 }
 
 std::vector<std::string> arguments(const fs::path& folder, unsigned seed) {
@@ -53,13 +54,12 @@ std::vector<std::string> arguments(const fs::path& folder, unsigned seed) {
                              "one",    "--run-dir",          folder.string()};
   const auto set = [&](const std::string& what) { a.insert(a.end(), {"--set", what}); };
   for (const char* arm : {"arm1", "arm2"}) {
-    const Vector3 turn = cell.vector(kTurned), shift = cell.vector(kFar);
-    set(
-        fmt::format("sim.robots.{}.base_error={{ x = {:.7f}, y = {:.7f}, z = {:.7f}, ax = {:.7f}, ay = "
-                    "{:.7f}, az = {:.7f} }}",
-                    arm, shift.x(), shift.y(), shift.z(), turn.x(), turn.y(), turn.z()));
+    set(fmt::format("sim.robots.{}.base_error={}", arm, displacement(cell, kTurned, kFar)));
+    set(fmt::format("sim.robots.{}.tool.mass_scale={:.3f}", arm, cell.between(0.9, 1.1)));
+    set(fmt::format("sim.robots.{}.sensor.gain={:.3f}", arm, cell.between(0.97, 1.03)));
+    set(fmt::format("sim.robots.{}.friction_scale={:.3f}", arm, cell.between(0.5, 2)));
   }
-  set("sim.artefact.offset=" + text_of({rotation_from_angle_axis(cell.vector(0.02)), cell.vector(0.005)}));
+  set("sim.artefact.place_error=" + displacement(cell, 0.02, 0.005));
   set(fmt::format("sim.sensor.force_noise={:.4f}", cell.between(0.02, 0.15)));
   set(fmt::format("sim.paper.friction={:.3f}", cell.between(0.05, 0.3)));
   set(fmt::format("sim.paper.stiffness={:.1f}", std::exp(cell.between(std::log(5000), std::log(40000)))));

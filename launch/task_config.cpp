@@ -36,10 +36,17 @@ void set_text(Config& config, std::string_view key, const std::string& text) {
   config.set(fmt::format("{}={}", key, to_toml(text)));
 }
 
+/// @return the configuration file of the options, or nothing
+Config load_given(const mp::TaskOptions& options) {
+  return options.config_file.empty() ? Config() : Config::load(options.config_file);
+}
+
+bool has_everything(const Config& given) { return given.has("run.folder") && given.has("robots.order"); }
+
 Config load_below_settings(const mp::TaskOptions& options, std::string_view built_in, const std::string& task,
                            const std::vector<std::string>& found) {
-  const Config given = options.config_file.empty() ? Config() : Config::load(options.config_file);
-  if (given.has("run.folder") && given.has("robots.order")) {  // of a run: it has everything
+  const Config given = load_given(options);
+  if (has_everything(given)) {
     Config config = given;
     const std::string folder = config.text("run.folder", Config::kRequired);
     if (config.has("film.directory") && config.text("film.directory", "") == folder)
@@ -53,6 +60,8 @@ Config load_below_settings(const mp::TaskOptions& options, std::string_view buil
 }
 
 }  // namespace
+
+bool is_of_run(const mp::TaskOptions& options) { return has_everything(load_given(options)); }
 
 Config load_task_config(const mp::TaskOptions& options, std::string_view built_in, const std::string& task,
                         const std::vector<std::string>& found) {

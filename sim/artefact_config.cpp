@@ -1,17 +1,17 @@
 #include "sim/artefact_config.hpp"
 
 #include "base/artefact.hpp"
-#include "base/representation.hpp"
+#include "sim/errors.hpp"
 
 namespace mrroc::sim {
 
 std::optional<ArtefactParameters> read_true_artefact(const Config& config) {
   const auto told = read_artefact(config);
   if (!told) return {};
-  const auto offset = config.numbers<6>(
-      "sim.artefact.offset", {{0, 0, 0, 0, 0, 0}}, {-0.5, 0.5},
-      {"m, rad", "by which all balls stand elsewhere, in their own frame", "artefact.place"});
-  const Pose T_UA = told->T_UA * pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(offset.data()));
+  const Pose error =
+      read_displacement(config.section("sim.artefact.place_error"), "true balls in the believed place",
+                        "artefact.place", {.shift = 0.5, .turn = 0.5});
+  const Pose T_UA = displaced(told->T_UA, error);
   ArtefactParameters p;
   p.diameter = told->diameter;
   for (const Vector3& ball : told->balls) p.balls.push_back(T_UA * ball);
