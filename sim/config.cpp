@@ -12,6 +12,7 @@
 
 #include "base/table_config.hpp"
 #include "robots/catalogue.hpp"
+#include "sim/artefact_config.hpp"
 #include "sim/cube_config.hpp"
 #include "sim/engine.hpp"
 #include "sim/errors.hpp"
@@ -332,6 +333,7 @@ WorldParameters read_world(const Config& config) {
   check_belt(w);
   w.cube = read_cube(config, keys);
   w.free_body = read_true_body(config);
+  w.artefact = read_true_artefact(config);
   check_engine(w);
   return w;
 }
