@@ -87,6 +87,20 @@ double largest_deviation(const mp::ArmTrace& rows, std::initializer_list<Axis> a
   return most;
 }
 
+/// @return share of the turns that needed no second attempt at a grip since the last turn, nor at the turn itself
+std::optional<double> first_try_share(const ExecutionLog& log) {
+  double turns = 0, at_once = 0;
+  bool first = true;
+  for (const CycleRecord& entry : log) {
+    first &= entry.grips <= 1 && entry.attempts <= 1;
+    if (!entry.turn) continue;
+    ++turns;
+    at_once += first && entry.done;
+    first = true;
+  }
+  return turns > 0 ? std::optional(at_once / turns) : std::nullopt;
+}
+
 }  // namespace
 
 TurnRow turn_of(const CycleRecord& entry, int k, const RunRecord& record, const CubeRecord& cube) {
@@ -153,6 +167,7 @@ mp::Figures figures_of(const RunRecord& record, const CubeRecord& cube, const st
   f["regrasps"] = regrasps;
   f["retries"] = retries;
   f["other_way"] = given_up;
+  if (const auto share = first_try_share(record.execution_log)) f["first_try_share"] = *share;
   if (approaches > 0) {
     f["approach_settled_N"] = settled / approaches;
     f["approach_peak_N"] = peak;

@@ -166,6 +166,26 @@ class RubikFigures : public RubikResults {
   }
 };
 
+TEST_F(RubikFigures, ATurnIsDoneAtTheFirstTryWhenNeitherItNorAGripBeforeItWasTriedAgain) {
+  const auto share = [this](const ExecutionLog& log) {
+    record_.execution_log = log;
+    return figure("first_try_share");
+  };
+  const Move R = parse_moves("R").front();
+  const CycleRecord good{.turn = R, .grips = 1, .attempts = 1, .done = true};
+  const CycleRecord shown{};
+  CycleRecord again = good, twice = good, jammed = good, regrasp, regrasped;
+  again.attempts = 2;
+  regrasp.grips = 1;
+  regrasped.grips = 2;
+  twice.grips = 2;
+  jammed.done = false;
+  EXPECT_EQ(share({}), -1) << "nothing was turned";
+  EXPECT_EQ(share({shown, regrasp, good}), 1);
+  for (const CycleRecord& other : {again, twice, jammed}) EXPECT_EQ(share({good, other}), 0.5);
+  EXPECT_EQ(share({regrasped, good, good}), 0.5) << "a grip counts for the turn that follows";
+}
+
 TEST_F(RubikFigures, ATurnHasItsTimesItsForcesAndWhatTheCubeDidMeanwhile) {
   const auto turns = turns_of(record_, cube_);
   ASSERT_EQ(turns.size(), 2U);
