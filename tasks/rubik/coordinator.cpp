@@ -20,7 +20,7 @@ using latency::kLoop;
 
 constexpr std::int64_t kStillBeforeLook = 25;  // macrosteps until the arms have come to rest
 // A face that makes its progress in more macrosteps is slow, in fewer it is fast; F_d per macrostep, and per progress.
-constexpr std::int64_t kSlow = 15;
+constexpr std::int64_t kSlow = 8;
 constexpr std::int64_t kFast = 3;
 constexpr double kHarder = 1.02;
 constexpr double kSofter = 0.9;

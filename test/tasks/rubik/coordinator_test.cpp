@@ -115,9 +115,9 @@ double next_torque(double torque, std::int64_t took, bool progress, double most 
 
 TEST(RubikCoordinator, TheTorqueGrowsWhileAFaceIsSlowAndFallsAgainWhenItIsFast) {
   for (const double sign : {1., -1.}) {
-    EXPECT_EQ(next_torque(sign * 5, 14, false), sign * 5) << "not yet slow";
-    EXPECT_GT(sign * next_torque(sign * 5, 15, false), 5);
-    EXPECT_EQ(next_torque(sign * 5, 15, true), sign * 5) << "it goes on";
+    EXPECT_EQ(next_torque(sign * 5, 7, false), sign * 5) << "not yet slow";
+    EXPECT_GT(sign * next_torque(sign * 5, 8, false), 5);
+    EXPECT_EQ(next_torque(sign * 5, 8, true), sign * 5) << "it goes on";
     EXPECT_EQ(next_torque(sign * 5, 3, true), sign * 5) << "as fast as usual";
     EXPECT_LT(sign * next_torque(sign * 5, 2, true), 5);
     EXPECT_EQ(next_torque(sign * 7.99, 99, false), sign * 8) << "no farther than this";
