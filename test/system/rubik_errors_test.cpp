@@ -79,6 +79,14 @@ TEST_F(RubikErrors, ACubeOfAnotherSizeIsHeldAndTakenOver) {
   }
 }
 
+TEST_F(RubikErrors, ABaseThatIsAFewMillimetresOffIsNoMatterForOpenJaws) {
+  const CubeRun r(set({"sim.robots.arm1.base_error.z=0.003"}),
+                  {"--scramble", "R", "--eyes", "none", "--set", "task.tables=small"});
+  ASSERT_EQ(r.ended.status, 0) << r.ended.all();
+  EXPECT_EQ(r.figure("solved"), 1);
+  EXPECT_EQ(r.figure("retries"), 0);
+}
+
 TEST_F(RubikErrors, ABaseThatIsElsewhereThanBelievedIsToldAndNotAdaptedTo) {
   constexpr const char* kTruth = "sim.robots.arm2.place=[0.045, 0, 0, 0, 0, 0]";
   const CubeRun wrong(set({kTruth}));
