@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kQuarter = std::numbers::pi / 2;
+constexpr double kSolution = 5;  // turns from which on their mean is one: the only one may need two re-grasps
 constexpr double kHalfWay =
     0.57;  // of a quarter turn: also a face that is behind the tool is nearest to the seat to which it goes
 // From its seat, by which the face is drawn in [rad]: as the simulator has it (sim::kDetent), which tasks do
@@ -179,7 +180,7 @@ mp::Figures figures_of(const RunRecord& record, const CubeRecord& cube, const st
     f["turn_torque_peak_Nm"] = most(&TurnRow::torque_peak_Nm);
     f["turn_slip_mm"] = most(&TurnRow::slip_mm);
     f["turn_angle_err_deg"] = most(&TurnRow::behind_deg);
-    if (moves > 0) f["sim_s_per_turn"] = seconds(record.turning) / moves;
+    if (moves >= kSolution) f["sim_s_per_turn"] = seconds(record.turning) / moves;
   }
   if (record.verified) f["verified"] = *record.verified ? 1. : 0.;
   if (!cube.rows().empty()) {
