@@ -9,6 +9,7 @@
 #include "base/link/real_time.hpp"
 #include "edp/driver.hpp"
 #include "edp/shell.hpp"
+#include "robots/force_sensor_type.hpp"
 #include "robots/gripper/jaws.hpp"
 
 namespace mrroc::robots {
@@ -66,6 +67,8 @@ edp::DriverParameters read_driver(const Config& config, const std::string& key, 
       table.number("limits.angular_velocity", d.limits.angular_velocity, {0.001, 5}, "rad/s");
   read_limits(table, defaults, d.limits);
   d.force.T_WS = read_pose(table, "sensor_in_wrist", defaults.T_WS);
+  d.force.range = read_force_sensor_type(config, key).range;
+  for (const Axis a : {Axis::ax, Axis::ay, Axis::az}) d.limits.force[a] = d.force.range[a];
   d.force.average = table.integer("force_average", d.force.average, {1, 4}, "readings");
   d.force.low_pass = table.number("force_low_pass", d.force.low_pass, {0, 250}, "Hz, 0: none");
   d.oscillation.force = table.number("oscillation.force", d.oscillation.force, {0.1, 1e6}, "N");
