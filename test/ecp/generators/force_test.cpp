@@ -231,7 +231,7 @@ TEST(EdgeFollowing, IsAsTheRuleSays) {
 
 TEST(EdgeFollowing, AnImpactIsNoReasonToTurnAwayFromTheEdge) {
   const EdgeRule rule;
-  const auto turned = [&](double force) { return follow_edge(rule, 0, pushed(0, 0, force), 0); };
+  const auto turned = [&](double force) { return follow_edge(rule, 0, pushed(0, pi, force), 0); };
   EXPECT_NEAR(turned(6).angle, 0.4, 1e-12);
   EXPECT_EQ(turned(30).angle, turned(6).angle);
   EXPECT_EQ(turned(30).frame.y.velocity, turned(6).frame.y.velocity);
