@@ -51,6 +51,8 @@ Figures run_guide_group();
 Figures run_haptic_group();
 /// The task ball with 100 seeds over masses, frictions, sizes, stiffnesses and places. Takes some minutes.
 Figures run_ball_group();
+/// The task calibrate_cell in 50 cells whose bases, balls and sensors are drawn. Takes a quarter of an hour.
+Figures run_calibrate_cell_group();
 /// The trajectory planner of a platform on 1,000 random plans. Takes some seconds.
 Figures rex_planner_figures();
 /// Visual odometry in 20 rooms: its drift and its work; and in rooms and with cameras that nobody tuned it to. Takes four minutes.

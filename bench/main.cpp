@@ -37,6 +37,7 @@ const std::vector<
         {"plan", [](const std::string&, bool) { return bench::run_plan_group(); }},
         {"operator", [](const std::string&, bool) { return bench::run_operator_group(); }},
         {"ball", [](const std::string&, bool) { return bench::run_ball_group(); }},
+        {"calibrate_cell", [](const std::string&, bool) { return bench::run_calibrate_cell_group(); }},
         {"haptic", [](const std::string&, bool) { return bench::run_haptic_group(); }},
         {"rubik", [](const std::string&, bool resume) { return bench::run_rubik_group(resume); }},
         {"rex", [](const std::string& plots, bool) { return bench::run_rex_group(plots); }},
@@ -47,8 +48,8 @@ const std::vector<
     };
 
 /// Groups that have to be named.
-const std::vector<std::string> kLong{"ball",     "haptic",    "rubik", "rex",
-                                     "rex_eyes", "rex_stops", "box",   "mutation"};
+const std::vector<std::string> kLong{"ball",     "calibrate_cell", "haptic", "rubik",   "rex",
+                                     "rex_eyes", "rex_stops",      "box",    "mutation"};
 
 std::vector<std::string> group_names() {
   std::vector<std::string> names;
@@ -95,8 +96,9 @@ int main(int argc, char** argv) {
   bool resume = false;
   line.option("group", groups,
               "edp, servo, trajectory, stability, vision, drawing, pen_state, robustness, guide, "
-              "solver, cube, plan, operator, ball, haptic, rubik, rex, rex_eyes, rex_stops, box, mutation "
-              "(default: all but the last eight, which take long)")
+              "solver, cube, plan, operator, ball, calibrate_cell, haptic, rubik, rex, rex_eyes, rex_stops, "
+              "box, mutation "
+              "(default: all but the last nine, which take long)")
       .one_of(group_names());
   const Option to =
       line.option("--json", json.file,

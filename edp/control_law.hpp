@@ -2,6 +2,9 @@
 // Zielinski & Winiarski, "Motion Generation in the MRROC++ Robot Programming Framework" (MG), sec. 8.1, eq.
 // (28).
 #pragma once
+#include <array>
+#include <cstddef>
+
 #include "base/axis_command.hpp"
 #include "base/spatial.hpp"
 
@@ -34,6 +37,23 @@ constexpr double axis_velocity(const AxisCommand& row, double F_a, double v_prev
   const AxisCommand a = behaving(row);
   const double BI = a.mobility * a.inertia;
   return ((a.mobility * (a.force - F_a) + a.velocity) * dt + BI * v_prev) / (dt + BI);
+}
+
+/// Of each axis of E, 0 < share <= 1: how much of the commanded mobility it has (edp/softening.hpp).
+using MobilityShares = std::array<double, 6>;
+
+/// @return the rows with mobility s B, inertia I / s and velocity s v_d on axes on which force acts: (28) then gives s times
+///         the velocity of the rows as commanded, and the force still settles at F_d or v_d / B. Real-time safe
+constexpr TaskFrameCommand softened(TaskFrameCommand rows, const MobilityShares& shares) noexcept {
+  for (const Axis a : kAxes) {
+    AxisCommand& row = rows[a];
+    const double s = shares[static_cast<std::size_t>(a)];
+    if (row.b == Behaviour::unguarded || s == 1) continue;
+    row.velocity *= s;
+    row.mobility *= s;
+    row.inertia /= s;
+  }
+  return rows;
 }
 
 /// Eq. (28) for all six axes of E. No state: the caller keeps v_prev. Real-time safe.

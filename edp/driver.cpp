@@ -50,6 +50,7 @@ Driver::Driver(const Robot& robot, const DriverParameters& parameters)
       force_(parameters.force, parameters.dt),
       generator_({&robot, parameters.limits, parameters.dt, parameters.stop_steps}, parameters.T_WE),
       oscillation_(parameters.oscillation, parameters.dt),
+      softening_(parameters.oscillation, parameters.dt),
       servo_(robot, parameters.dt),
       homing_(robot, parameters.homing, parameters.dt),
       torque_(parameters.supervision.torque_steps) {
@@ -292,6 +293,8 @@ void Driver::move(const HardwareReading& reading) noexcept {
     fail(*heavy);
   }
   const AxisSet watched = state_ == DriverState::executing ? force_axes_ : AxisSet();
+  oscillation_.forget(softening_.step(measured_.F_a, watched));
+  generator_.set_mobility_shares(softening_.shares());
   if (const std::optional<Fault> swings = oscillation_.step(measured_.F_a, watched)) {
     generator_.stop();
     fire(Event::failed);

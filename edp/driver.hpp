@@ -17,6 +17,7 @@
 #include "edp/reply_builder.hpp"
 #include "edp/robot.hpp"
 #include "edp/servo.hpp"
+#include "edp/softening.hpp"
 #include "edp/standstill_detector.hpp"
 #include "edp/step_generator.hpp"
 #include "edp/torque_watch.hpp"
@@ -172,6 +173,7 @@ class Driver {
   ForceSensor force_;
   StepGenerator generator_;
   OscillationObserver oscillation_;
+  Softening softening_;
   Servo servo_;
   Homing homing_;
   std::optional<Gripper> gripper_;

@@ -20,7 +20,8 @@ constexpr double kUneven = 2;        // longest over shortest period
 
 bool is_usable(const OscillationParameters& p) noexcept {
   return p.force > 0 && p.torque > 0 && p.growth >= 1 && p.sustained > 0 && p.periods >= 2 &&
-         p.periods <= kMostPeriods && p.lowest > 0 && p.highest > p.lowest && p.gears >= 0 && p.gears <= 100;
+         p.periods <= kMostPeriods && p.lowest > 0 && p.highest > p.lowest && p.softest > 0 &&
+         p.softest <= 1 && p.gears >= 0 && p.gears <= 100;
 }
 
 AxisSet force_axes(const TaskFrameCommand& rows) noexcept {
@@ -29,24 +30,31 @@ AxisSet force_axes(const TaskFrameCommand& rows) noexcept {
   return set;
 }
 
-std::optional<Fault> OscillationObserver::step(const Wrench& F_a, AxisSet watched) noexcept {
-  std::optional<Fault> found;
+AxisSet OscillationObserver::swinging(const Wrench& F_a, AxisSet watched) noexcept {
+  forget(~watched);
+  AxisSet found;
   for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
     History& h = axes_[axis];
-    if (!watched[axis]) {
-      if (h.begun) h = {};
-      continue;
-    }
-    const double least = axis < 3 ? p_.force : p_.torque;
-    if (!turned(h, F_a.v[axis], least) || found) continue;
+    if (!watched[axis] || !turned(h, F_a.v[axis], least(axis))) continue;
     if (h.count < static_cast<std::size_t>(2 * p_.periods)) continue;
     // After a trough the effector is about to press.
     const bool at_peak = std::abs(h.extremum) > std::abs(h.best);
-    const double last = period(h, 0).swing;
-    const double needed = last < 2 * least ? p_.growth : p_.sustained;
-    if (at_peak && regular(h, least) && factor(h) >= needed) found = told(h, axis, least);
+    const double needed = period(h, 0).swing < 2 * least(axis) ? p_.growth : p_.sustained;
+    found[axis] = at_peak && regular(h, least(axis)) && factor(h) >= needed;
   }
   return found;
+}
+
+std::optional<Fault> OscillationObserver::step(const Wrench& F_a, AxisSet watched) noexcept {
+  const AxisSet found = swinging(F_a, watched);
+  for (std::size_t axis = 0; axis < axes_.size(); ++axis)
+    if (found[axis]) return told(axis);
+  return {};
+}
+
+void OscillationObserver::forget(AxisSet axes) noexcept {
+  for (std::size_t axis = 0; axis < axes_.size(); ++axis)
+    if (axes[axis] && axes_[axis].begun) axes_[axis] = {};
 }
 
 bool OscillationObserver::turned(History& h, double force, double least) const noexcept {
@@ -100,7 +108,8 @@ bool OscillationObserver::regular(const History& h, double least) const noexcept
   return longest <= kUneven * shortest;
 }
 
-Fault OscillationObserver::told(const History& h, std::size_t axis, double least) const noexcept {
+Fault OscillationObserver::told(std::size_t axis) const noexcept {
+  const History& h = axes_[axis];
   double time = 0;
   for (int back = 0; back < p_.periods; ++back) time += period(h, back).time;
   constexpr std::array kNames{"x", "y", "z", "ax", "ay", "az"};
@@ -110,7 +119,7 @@ Fault OscillationObserver::told(const History& h, std::size_t axis, double least
   std::snprintf(text.data(), text.size(), "along %s of E at %.1f Hz, %.2f times larger with each period%s",
                 kNames[axis], frequency, factor(h), of_gears ? "; the gears give way there" : "");
   return make_fault(FaultCode::contact_unstable, text.data(), static_cast<int>(axis), period(h, 0).swing,
-                    least);
+                    least(axis));
 }
 
 }  // namespace mrroc::edp

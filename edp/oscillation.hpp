@@ -14,17 +14,19 @@ namespace mrroc::edp {
 /// Definition of an unstable contact. A swing is the way of the force from an
 /// extremum to the next one, in the mean over a period.
 struct OscillationParameters {
-  double force{2};         ///< least swing that counts [N], > 0; infinite: never
-  double torque{0.2};      ///< the same of the torques [N m], > 0
-  double growth{1.1};      ///< mean factor from period to period that is growth, >= 1
-  double sustained{0.97};  ///< mean factor that will do from twice the swings above on, > 0:
-                           ///< a contact that breaks and comes back grows no more
-  int periods{4};          ///< that are looked at, 2..kMostPeriods
-  double lowest{4};        ///< frequency of the swings, at least [Hz]: people lead
-                           ///< arms more slowly
-  double highest{60};      ///< at most [Hz]
-  double gears{};          ///< mode in which the gears give way [Hz], 0: rigid. A fault tells
-                           ///< whether it is that which swings, 0..100
+  double force{2};          ///< least swing that counts [N], > 0; infinite: never
+  double torque{0.2};       ///< the same of the torques [N m], > 0
+  double growth{1.1};       ///< mean factor from period to period that is growth, >= 1
+  double sustained{0.97};   ///< mean factor that will do from twice the swings above on, > 0:
+                            ///< a contact that breaks and comes back grows no more
+  int periods{4};           ///< that are looked at, 2..kMostPeriods
+  double lowest{4};         ///< frequency of the swings, at least [Hz]: people lead
+                            ///< arms more slowly
+  double highest{60};       ///< at most [Hz]
+  double softest{1. / 64};  ///< share of its mobility that an axis keeps at least while its contact swings
+                            ///< (edp/softening.hpp), 0..1; 1: it keeps all
+  double gears{};           ///< mode in which the gears give way [Hz], 0: rigid. A fault tells
+                            ///< whether it is that which swings, 0..100
 };
 
 /// Most periods that an observer looks at.
@@ -56,10 +58,16 @@ class OscillationObserver {
 
   /// One step. @param F_a adjusted force in E  @param watched axes to look at;
   /// the others are forgotten
-  /// @return contact_unstable, with the axis, the last swing and its bound as
+  /// @return the axes on which the contact is unstable, at a peak of the force
+  [[nodiscard]] AxisSet swinging(const Wrench& F_a, AxisSet watched) noexcept;
+
+  /// One step, as swinging(). @return contact_unstable, with the axis, the last swing and its bound as
   /// figures, frequency and growth per
   ///         period in the text
   [[nodiscard]] std::optional<Fault> step(const Wrench& F_a, AxisSet watched) noexcept;
+
+  /// What these axes have done so far does not count.
+  void forget(AxisSet axes) noexcept;
 
  private:
   static constexpr std::size_t kMostHalves = 2 * kMostPeriods;
@@ -87,7 +95,8 @@ class OscillationObserver {
   [[nodiscard]] Period period(const History& h, int back) const noexcept;
   [[nodiscard]] double factor(const History& h) const noexcept;
   [[nodiscard]] bool regular(const History& h, double least) const noexcept;
-  [[nodiscard]] Fault told(const History& h, std::size_t axis, double least) const noexcept;
+  [[nodiscard]] double least(std::size_t axis) const noexcept { return axis < 3 ? p_.force : p_.torque; }
+  [[nodiscard]] Fault told(std::size_t axis) const noexcept;
 
   OscillationParameters p_;
   double dt_;

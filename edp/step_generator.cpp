@@ -228,7 +228,7 @@ std::optional<Fault> StepGenerator::execute(const Wrench& F_a, Candidate& next) 
     for (const Axis a : kAxes) macrostep_.frame[a].velocity = v_d[a];
   }
   const Twist v_before = previous_velocity();
-  const Twist v_c = step_velocity(macrostep_.frame, F_a, v_before, dt);
+  const Twist v_c = step_velocity(softened(macrostep_.frame, shares_), F_a, v_before, dt);
   if (std::optional<Fault> wrong = check_velocity(v_c, rules_.limits)) return wrong;
   if (std::optional<Fault> wrong = check_contact_force(F_a, v_c, rules_.limits)) return wrong;
   const bool stood = set_.motor_increment.isZero(0);

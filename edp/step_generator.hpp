@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "base/effector_command.hpp"
+#include "edp/control_law.hpp"
 #include "edp/guard.hpp"
 #include "edp/macrostep.hpp"
 #include "edp/robot.hpp"
@@ -43,6 +44,9 @@ class StepGenerator {
   /// The tool is another one from now on; the wrist stays where it is, or ends where it was told to be.
   /// @param T_WE tool in the wrist
   void set_tool(const Pose& T_WE) noexcept;
+
+  /// From now on each axis has so much of the mobility that it is commanded. @param shares  0 < share <= 1
+  void set_mobility_shares(const MobilityShares& shares) noexcept { shares_ = shares; }
 
   /// No command follows: the set point comes to rest at the goal of the motion. One that brakes before its goal goes on
   /// to it; one that has arrived there at speed stops as by stop() and returns. A motion without a goal stops.
@@ -113,6 +117,7 @@ class StepGenerator {
   SetPoint set_;
   Matrix3 R_0W_;  // orientation of the wrist at the set point
   Macrostep macrostep_;
+  MobilityShares shares_{1, 1, 1, 1, 1, 1};
   MotionPhase phase_{MotionPhase::standing};
   std::optional<Goal>
       goal_;  // that the set point is on its way to when it is not there at the end of its macrostep

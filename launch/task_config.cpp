@@ -10,6 +10,7 @@
 #include "base/link/event_log.hpp"
 #include "base/link/lossy_bus.hpp"
 #include "base/link/session.hpp"
+#include "launch/calibrated.hpp"
 #include "mp/hosts.hpp"
 #include "mp/operator_command_server.hpp"
 
@@ -35,10 +36,17 @@ void set_text(Config& config, std::string_view key, const std::string& text) {
   config.set(fmt::format("{}={}", key, to_toml(text)));
 }
 
+/// @return the configuration file of the options, or nothing
+Config load_given(const mp::TaskOptions& options) {
+  return options.config_file.empty() ? Config() : Config::load(options.config_file);
+}
+
+bool has_everything(const Config& given) { return given.has("run.folder") && given.has("robots.order"); }
+
 Config load_below_settings(const mp::TaskOptions& options, std::string_view built_in, const std::string& task,
                            const std::vector<std::string>& found) {
-  const Config given = options.config_file.empty() ? Config() : Config::load(options.config_file);
-  if (given.has("run.folder") && given.has("robots.order")) {  // of a run: it has everything
+  const Config given = load_given(options);
+  if (has_everything(given)) {
     Config config = given;
     const std::string folder = config.text("run.folder", Config::kRequired);
     if (config.has("film.directory") && config.text("film.directory", "") == folder)
@@ -52,6 +60,8 @@ Config load_below_settings(const mp::TaskOptions& options, std::string_view buil
 }
 
 }  // namespace
+
+bool is_of_run(const mp::TaskOptions& options) { return has_everything(load_given(options)); }
 
 Config load_task_config(const mp::TaskOptions& options, std::string_view built_in, const std::string& task,
                         const std::vector<std::string>& found) {
@@ -99,6 +109,7 @@ void complete_config(Config& c, const mp::TaskOptions& o, const std::filesystem:
   set_text(c, "run.strokes", strokes);
   std::ignore = c.number("sim.speed", Config::kRequired, {0, 1e4}, "of real time, 0: as fast as possible");
   for (const char* key : {"run.folder", "run.strokes"}) std::ignore = c.text(key, Config::kRequired);
+  take_calibrated(c);
   c.check_all_used();
 }
 

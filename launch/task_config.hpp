@@ -11,6 +11,10 @@
 
 namespace mrroc::launch {
 
+/// @return whether the file of the options is the configuration of a run, which has everything
+/// @throws ConfigError
+bool is_of_run(const mp::TaskOptions& options);
+
 /// @return a task's configuration: its own, over it what the task finds out, over that the file of the options, over
 ///         that their settings. A file that a run has left has everything: it stands alone, without what belonged to
 ///         that run, such as its folder. For a check that of the run.

@@ -9,6 +9,7 @@
 #include "base/link/real_time.hpp"
 #include "edp/driver.hpp"
 #include "edp/shell.hpp"
+#include "robots/force_sensor_type.hpp"
 #include "robots/gripper/jaws.hpp"
 
 namespace mrroc::robots {
@@ -66,11 +67,15 @@ edp::DriverParameters read_driver(const Config& config, const std::string& key, 
       table.number("limits.angular_velocity", d.limits.angular_velocity, {0.001, 5}, "rad/s");
   read_limits(table, defaults, d.limits);
   d.force.T_WS = read_pose(table, "sensor_in_wrist", defaults.T_WS);
+  d.force.range = read_force_sensor_type(config, key).range;
+  for (const Axis a : {Axis::ax, Axis::ay, Axis::az}) d.limits.force[a] = d.force.range[a];
   d.force.average = table.integer("force_average", d.force.average, {1, 4}, "readings");
   d.force.low_pass = table.number("force_low_pass", d.force.low_pass, {0, 250}, "Hz, 0: none");
   d.oscillation.force = table.number("oscillation.force", d.oscillation.force, {0.1, 1e6}, "N");
   d.oscillation.torque = table.number("oscillation.torque", d.oscillation.torque, {0.01, 1e6}, "N m");
   d.oscillation.lowest = table.number("oscillation.lowest", d.oscillation.lowest, {0.5, 50}, "Hz");
+  d.oscillation.softest = table.number("oscillation.softest", d.oscillation.softest, {0.001, 1},
+                                       "share of its mobility that an axis keeps while its contact swings");
   d.oscillation.gears =
       table.number("elasticity", d.oscillation.gears, {0, 100}, "Hz of the gears, as believed, 0: rigid");
   d.force.stuck_after =

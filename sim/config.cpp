@@ -12,6 +12,8 @@
 
 #include "base/table_config.hpp"
 #include "robots/catalogue.hpp"
+#include "robots/force_sensor_type.hpp"
+#include "sim/artefact_config.hpp"
 #include "sim/cube_config.hpp"
 #include "sim/engine.hpp"
 #include "sim/errors.hpp"
@@ -118,6 +120,15 @@ ForceSensorParameters read_own_sensor(const Config& t, ForceSensorParameters s) 
   s.delay =
       t.integer("delay", s.delay, {0, 50}, {"steps", "age of the force sensor's readings", kExactSensor});
   return s;
+}
+
+/// The transducer that everybody knows.
+void take_type(const robots::ForceSensorType& type, ForceSensorParameters& s) {
+  s.range_xy = type.range[Axis::x];
+  s.range_z = type.range[Axis::z];
+  s.range_torque = type.range[Axis::az];
+  for (double* const each : {&s.force_noise, &s.torque_noise, &s.force_resolution, &s.torque_resolution})
+    *each *= type.coarseness;
 }
 
 void read_sensor_fault(const Config& robot, ForceSensorParameters& s) {
@@ -260,6 +271,7 @@ ArmParameters read_arm(const Config& config, const std::string& key, std::string
   arm.paper = read_paper(sim.section("paper"), table, arm.paper);
   arm.hand = read_hand(sim.section("hand"), arm.hand);
   arm.sensor = read_own_sensor(own.section("sensor"), read_sensor(sim.section("sensor"), arm.sensor));
+  take_type(robots::read_force_sensor_type(config, key), arm.sensor);
   read_sensor_fault(robot, arm.sensor);
   arm.plate = read_true_plate(own.section("plate"), read_told_plate(robot.section("plate"), arm.plate));
   arm.pen_radius = sim.number("pen_radius", arm.pen_radius, {0.0005, 0.02},
@@ -315,6 +327,13 @@ void check_engine(const WorldParameters& world) {
         "sim.engine: \"mujoco\" has no cube, no free body, and no fingers or palms; take \"bullet\"");
 }
 
+/// Who put the cube into the hand closed its jaws on it, however large it is.
+void close_on_cube(WorldParameters& w) {
+  if (!w.cube) return;
+  auto& jaws = w.arms[static_cast<std::size_t>(w.cube->held_by)].jaws;
+  if (jaws) jaws->start += w.cube->edge - kCubeEdge;
+}
+
 }  // namespace
 
 WorldParameters read_world(const Config& config) {
@@ -331,7 +350,9 @@ WorldParameters read_world(const Config& config) {
     w.arms.push_back(read_arm(config, key, types[std::min(w.arms.size(), types.size() - 1)]->name));
   check_belt(w);
   w.cube = read_cube(config, keys);
+  close_on_cube(w);
   w.free_body = read_true_body(config);
+  w.artefact = read_true_artefact(config);
   check_engine(w);
   return w;
 }

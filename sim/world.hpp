@@ -13,6 +13,7 @@
 #include "base/hardware.hpp"
 #include "base/pose.hpp"
 #include "robots/catalogue.hpp"
+#include "sim/artefact.hpp"
 #include "sim/cube.hpp"
 #include "sim/elastic_gears.hpp"
 #include "sim/force_sensor.hpp"
@@ -93,6 +94,7 @@ struct WorldParameters {
   std::vector<ArmParameters> arms;              ///< at least one; a world without arms is refused
   std::optional<CubeParameters> cube;           ///< none: there is no cube
   std::optional<FreeBodyParameters> free_body;  ///< none: there is no free body
+  std::optional<ArtefactParameters> artefact;   ///< none: there are no balls to touch
   PhysicsEngine engine{};                       ///< of all bodies
   int substeps{2};                              ///< integration steps per step, at least 1
   int solver_iterations{100};                   ///< of the contact and friction solver

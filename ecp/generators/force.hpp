@@ -1,5 +1,6 @@
 // Force generators: rows of the task frame and pure rules for guided motion, approach and edge following.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 
@@ -55,6 +56,29 @@ struct EdgeRule {
   double least_force{0.5};        ///< below this the direction of the force means nothing [N]
 };
 
+/// An edge of stiffness K that is met with v_d = B F is hit with B sqrt(K I) times F, its damping ratio being the half of the
+/// inverse: a hard impact tells that the edge is too stiff for the rule, however the arm gives way.
+/// @param peak  of the impact [N] @param settled  force at which the approach settles [N]
+/// @return share of its speed with which the rule suits the edge as if the impact had been kSoftImpact times the settled force
+[[nodiscard]] inline double share_after_impact(double peak, double settled) {
+  constexpr double kSoftImpact = 2;
+  const double hard = peak / (kSoftImpact * settled);
+  return hard > 1 ? 1 / (hard * hard) : 1;
+}
+
+/// @return the rule with s times the speed everywhere, and the forces as they were; it turns less, too, as readings
+///         are as late as before
+[[nodiscard]] constexpr EdgeRule slowed(EdgeRule rule, double s) {
+  rule.B *= s;
+  rule.I /= s;
+  rule.speed_per_force *= s;
+  rule.turn_per_force *= s;
+  return rule;
+}
+
+/// A force counts up to so many times F_d: an impact on a stiff edge is no reason to turn away from it.
+inline constexpr double kImpact = 1.5;
+
 /// Decision of edge following in one macrostep.
 struct EdgeStep {
   double angle{};          ///< of the task frame about z from now on [rad]
@@ -67,13 +91,14 @@ struct EdgeStep {
 /// @param now    angle that is commanded now [rad]: kept when the force is too small to show the edge
 [[nodiscard]] inline EdgeStep follow_edge(const EdgeRule& rule, double angle, const Wrench& F_a, double now) {
   const double force = std::hypot(F_a[Axis::x], F_a[Axis::y]);
+  const double counted = std::min(force, kImpact * rule.force);
   EdgeStep step{now, {}};
   step.frame.x = c(rule.force, rule.I, rule.B);
-  step.frame.y = u(rule.speed_per_force * force);
+  step.frame.y = u(rule.speed_per_force * counted);
   if (force < rule.least_force) return step;
   const double sense = rule.speed_per_force < 0 ? -1 : 1;
   step.angle =
-      angle + std::atan2(F_a[Axis::y], F_a[Axis::x]) + sense * rule.turn_per_force * (force - rule.force);
+      angle + std::atan2(F_a[Axis::y], F_a[Axis::x]) + sense * rule.turn_per_force * (counted - rule.force);
   return step;
 }
 

@@ -22,6 +22,7 @@ class BulletEngine final : public Engine {
       scene_.add_plate(arm.T_UB * arm.paper.T_0P, arm.plate);
       arms_.push_back(std::make_unique<BulletArm>(arm, plans[k], scene_, h_));
     }
+    if (p.artefact) scene_.add_artefact(*p.artefact);
     if (!p.cube && !p.free_body) return;
     scene_.prepare_for_grasping();
     scene_.on_contacts([this] {

@@ -28,6 +28,11 @@ void Scene::add_table(const Pose& T_UP, double edge) {
            T_UP * Pose{Matrix3::Identity(), {0, 0, -kTableThickness / 2}});
 }
 
+void Scene::add_artefact(const ArtefactParameters& artefact) {
+  for (const Vector3& ball : artefact.balls)
+    add_body(std::make_unique<btSphereShape>(artefact.diameter / 2), Pose{Matrix3::Identity(), ball});
+}
+
 void Scene::add_pedestal(const Vector3& top, double edge, double opening) {
   const double slat = (edge - opening) / 2;  // width of each of the four around the opening [m]
   const double out = (opening + slat) / 2;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/pose.hpp"
+#include "sim/artefact.hpp"
 #include "sim/bullet/contact_solver.hpp"
 #include "sim/plate.hpp"
 
@@ -80,6 +81,9 @@ class Scene {
   /// Adds a plate that lies on a table.
   /// @param T_UP  of the table, as above
   void add_plate(const Pose& T_UP, const PlateParameters& plate);
+
+  /// Adds balls that stand still, for pens to touch.
+  void add_artefact(const ArtefactParameters& artefact);
 
   /// Adds the plate of a pedestal for a free body: square, level, with a square opening in its middle.
   /// @param top  middle of its upper side in the world [m] @param edge, opening [m]

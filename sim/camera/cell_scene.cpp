@@ -77,6 +77,10 @@ CellScene::CellScene(const WorldParameters& world) : arms_(world.arms) {
   floor.casts_shadow = false;
   still_.push_back(floor);
   for (const ArmParameters& arm : arms_) add_table(still_, arm);
+  if (!world.artefact) return;
+  for (const Vector3& ball : world.artefact->balls)
+    still_.push_back(body(Shape::sphere, Vector3::Constant(world.artefact->diameter),
+                          {Matrix3::Identity(), ball}, kSteel, 0.5));
 }
 
 Scene CellScene::take(const World& world) const {

@@ -66,6 +66,8 @@ Wrench MujocoArm::follow(const Vector3& /*tip_force*/) {
 }
 
 ArmAtRest MujocoArm::at_rest() {
+  mj_fwdPosition(&model_, &data_);  // masses belong to the present joints from here on
+  mj_fwdVelocity(&model_, &data_);
   std::vector<mjtNum> all(static_cast<std::size_t>(model_.nv) * static_cast<std::size_t>(model_.nv));
   mj_fullM(&model_, all.data(), data_.qM);
   ArmAtRest rest;

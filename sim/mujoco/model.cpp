@@ -51,6 +51,7 @@ class CellBuilder {
       add_plate(k, T_UP, arm.plate);
       add_arm(k);
     }
+    if (p_.artefact) add_artefact(*p_.artefact);
     for (std::size_t k = 0; k < p_.arms.size(); ++k)
       if (has_pen(k)) add_pairs(k);
     return compile();
@@ -108,6 +109,15 @@ class CellBuilder {
       mjs_setString(add_shape(world_, name, mjGEOM_MESH, half, T_U)->meshname, name.c_str());
     }
     surfaces_.push_back(name);
+  }
+
+  void add_artefact(const ArtefactParameters& artefact) {
+    for (std::size_t k = 0; k < artefact.balls.size(); ++k) {
+      const std::string name = "artefact" + std::to_string(k);
+      add_shape(world_, name, mjGEOM_SPHERE, Vector3(artefact.diameter / 2, 0, 0),
+                {Matrix3::Identity(), artefact.balls[k]});
+      surfaces_.push_back(name);
+    }
   }
 
   /// An ellipse as a polygon whose sides are off by 2 micrometres.

@@ -1,5 +1,6 @@
 #include "tasks/edge_follow/edge_follow.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -29,17 +30,22 @@ double measured_angle(const X& x) {
 
 double distance(const X& x) { return (pose_of(x.e).p - x.c.T_0E.p).head<2>().norm(); }
 
+/// At which the approach settles [N].
+double touching_force(const X& x) { return x.c.rule.force / 2; }
+
 // --- f_cc ---------------------------------------------------------------------------------------------------
 
 Memory count_contact(const X& x) {
   Memory c = x.c;
-  c.pushing = ecp::in_contact(c.pushing, x.e.F_a[Axis::x], c.rule.force / 2);
+  c.pushing = ecp::in_contact(c.pushing, x.e.F_a[Axis::x], touching_force(x));
+  c.impact = std::max(c.impact, x.e.F_a[Axis::x]);
   return c;
 }
 
 Memory note_contact(const X& x) {
   Memory c = x.c;
   c.T_0E = pose_of(x.e);
+  c.rule = ecp::slowed(c.rule, ecp::share_after_impact(c.impact, touching_force(x)));
   c.angle = 0;
   c.farthest = 0;
   return c;
@@ -59,7 +65,7 @@ Memory turn(const X& x) {
 // --- f_ce ---------------------------------------------------------------------------------------------------
 
 EffectorCommand to_the_edge(const X& x) {
-  return ecp::move_arm(ecp::approach(Axis::x, 0.01, x.c.rule.force / 2, x.c.rule.I), kPacing);
+  return ecp::move_arm(ecp::approach(Axis::x, 0.01, touching_force(x), x.c.rule.I), kPacing);
 }
 
 EffectorCommand along_the_edge(const X& x) {

@@ -15,11 +15,12 @@ namespace mrroc::edge_follow {
 
 /// c_c: what an arm remembers.
 struct Memory {
-  ecp::EdgeRule rule;  ///< constant during a run
+  ecp::EdgeRule rule;  ///< from the contact on as slow as suits the edge
   Pose T_WE;           ///< the tool before anything is turned
   Pose T_0E;           ///< of the tool when the edge was found
   double angle{};      ///< of the task frame about z now [rad], grows with every round
   int pushing{};       ///< macrosteps in succession with contact
+  double impact{};     ///< largest force so far on the way to the edge [N]
   double farthest{};   ///< largest distance from the place of contact so far [m]
 };
 

@@ -27,7 +27,9 @@ Parameters read_parameters(const Config& config) {
   std::ignore = config.number("time.dt", 0.002, {0.002, 0.002}, "s");
   std::ignore = config.integer("time.n_s", 10, {10, 10}, "steps");
   Parameters k;
-  k.torque = config.number("task.torque", k.torque, {0.5, 5}, "N m about the face's axis");
+  k.torque = config.number("task.torque", k.torque, {0.5, 10}, "N m about the face's axis");
+  k.most_torque = config.number("task.most_torque", k.most_torque, {0.5, 10},
+                                "N m to which it grows while a face stands");
   k.mobility = config.number("task.mobility", k.mobility, {0.001, 0.5}, "s/(kg m^2): B about it");
   k.attempts = config.integer("task.attempts", k.attempts, {1, 10}, "at a turn or a grip");
   k.timeout = config.integer("task.timeout", k.timeout, {50, 10'000}, "macrosteps of a behaviour");

@@ -19,7 +19,12 @@ using Orders = std::array<ArmOrder, kArms>;
 using latency::kLoop;
 
 constexpr std::int64_t kStillBeforeLook = 25;  // macrosteps until the arms have come to rest
-constexpr std::int64_t kLongestLook = 100;     // macrosteps after which what there is must do
+// A face that makes its progress in more macrosteps is slow, in fewer it is fast; F_d per macrostep, and per progress.
+constexpr std::int64_t kSlow = 8;
+constexpr std::int64_t kFast = 3;
+constexpr double kHarder = 1.02;
+constexpr double kSofter = 0.9;
+constexpr std::int64_t kLongestLook = 100;  // macrosteps after which what there is must do
 
 /// @return the hand that acts in behaviour m of the cycle
 Hand actor(const Cycle& cycle, int m) {
@@ -50,6 +55,16 @@ bool lost(const X& x, const Cycle& cycle, int m) {
   return empty(x, cycle.holds) || (m == 5 && empty(x, cycle.comes));
 }
 
+/// @param took  macrosteps since the face made progress @param now  it makes some
+/// @return F_d about the face's axis: more while it is slow, less again once it is fast [N m]
+double torque_for(double torque, std::int64_t took, bool now, const Parameters& k) {
+  if (torque == 0) return torque;  // a re-grasp turns nothing
+  if (now && took < kFast) return std::copysign(std::max(kSofter * std::abs(torque), k.torque), torque);
+  if (!now && took >= kSlow)
+    return std::copysign(std::min(kHarder * std::abs(torque), std::max(k.most_torque, k.torque)), torque);
+  return torque;
+}
+
 template <int m>
 FailureReason watch(const X& x, const Memory0& c) {
   const Parameters& k = x.c.k;
@@ -71,7 +86,9 @@ Memory0 coordinate_arms(const X& x) {
   if (m == 1) c.travelled = (c.begun.R.transpose() * (now.p - c.begun.p)).z();
   if (m == 5) {
     c.angle = angle_about_z(c.begun, now, c.angle);
-    if (std::abs(c.angle - c.last_angle) >= c.k.progress) {
+    const bool progress = std::abs(c.angle - c.last_angle) >= c.k.progress;
+    c.cycle.turn.torque = torque_for(c.cycle.turn.torque, x.i - c.last_progress, progress, c.k);
+    if (progress) {
       c.last_angle = c.angle;
       c.last_progress = x.i;
     }

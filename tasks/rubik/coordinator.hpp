@@ -28,7 +28,8 @@ struct Load {
 
 /// Parameters of the task, constant during a run.
 struct Parameters {
-  double torque{4.0};         ///< F_d about the face's axis [N m]
+  double torque{4.0};         ///< F_d about the face's axis [N m], of a face that turns
+  double most_torque{4.0};    ///< to which it grows while a face stands, not below `torque` [N m]
   double mobility{0.1};       ///< B about it [s/(kg m^2)]
   int attempts{3};            ///< at a turn or at a grip, until it is a fault
   int timeout{400};           ///< macrosteps until a behaviour that has not ended has failed

@@ -17,6 +17,7 @@ inline constexpr std::array kFigures{
     mp::FigureInfo{.key = "regrasps", .words = "re-grasps without a turn", .unit = ""},
     mp::FigureInfo{.key = "retries", .words = "attempts at a grip or turn besides the first", .unit = ""},
     mp::FigureInfo{.key = "other_way", .words = "  faces that jam, turned the other way round", .unit = ""},
+    mp::FigureInfo{.key = "first_try_share", .words = "turns without such, share", .unit = ""},
     mp::FigureInfo{
         .key = "sim_s_per_turn", .words = "time per turn, re-grasps included", .unit = "s", .high = 30},
     mp::FigureInfo{.key = "approach_settled_N",

@@ -1,5 +1,6 @@
 // The task of the cube: two arms read a scrambled cube, find a solution and turn its faces until it is solved.
 #include "launch/task.hpp"
+#include "launch/task_config.hpp"
 #include "tasks/rubik/cell/cell_settings.hpp"
 #include "tasks/rubik/cell/planning_context.hpp"
 #include "tasks/rubik/config.hpp"
@@ -21,9 +22,12 @@ struct Rubik {
 };
 
 std::vector<std::string> find_out(const Rubik& r, mp::TaskOptions& task) {
+  if (r.options.eyes && launch::is_of_run(task))
+    throw FaultError(FaultCode::bad_usage, "--eyes: the configuration of a run says whether it has a camera",
+                     "leave out --eyes");
   const std::vector<std::string> cube = rubik::cube_settings(r.options);
   task.settings.insert(task.settings.begin(), cube.begin(), cube.end());
-  return rubik::cell_settings(r.options.eyes == "camera");
+  return rubik::cell_settings(r.options.eyes.value_or("camera") == "camera");
 }
 
 void prepare(Rubik& r, const launch::Setup& s) {
@@ -57,7 +61,6 @@ int main(int argc, char** argv) {
        .ecp = rubik::run_ecp,
        .options = [&](CommandLine& line) { rubik::add_cube_options(line, r.options); },
        .examples = {"./run rubik --scramble \"R U'\""},
-       .instead_of_config = {"--eyes"},
        .found = [&](mp::TaskOptions& task) { return find_out(r, task); },
        .complete = [](Config& config, const mp::TaskOptions&) { rubik::complete_cube(config); },
        .prepare = [&](const launch::Setup& s) { prepare(r, s); },

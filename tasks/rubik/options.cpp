@@ -15,9 +15,8 @@ void add_cube_options(CommandLine& line, CubeOptions& o) {
       line.option("--scramble", o.scramble,
                   "Turns that scramble the cube, such as \"R U' F2\"; \"\": none (default: 20 by the seed)");
   line.option("--state", o.state, "The cube as 54 facelets, U R F D L B").excludes(scramble);
-  line.option("--eyes", o.eyes, "How the state becomes known: camera, or none: it is told")
-      .one_of({"camera", "none"})
-      .show_default();
+  line.option("--eyes", o.eyes, "How the state becomes known: camera (default), or none: it is told")
+      .one_of({"camera", "none"});
 }
 
 std::vector<std::string> cube_settings(const CubeOptions& o) {

@@ -17,7 +17,8 @@ struct CubeOptions {
   std::optional<std::string>
       scramble;                      ///< turns; none: the configuration says, or 20 random ones by the seed
   std::optional<std::string> state;  ///< 54 facelets; none: the same
-  std::string eyes{"camera"};        ///< how the state becomes known: camera, or none: it is told
+  std::optional<std::string>
+      eyes{};  ///< how the state becomes known: camera (unless given), or none: it is told
 };
 
 /// Adds the options to a program's command line.

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kQuarter = std::numbers::pi / 2;
+constexpr double kSolution = 5;  // turns from which on their mean is one: the only one may need two re-grasps
 constexpr double kHalfWay =
     0.57;  // of a quarter turn: also a face that is behind the tool is nearest to the seat to which it goes
 // From its seat, by which the face is drawn in [rad]: as the simulator has it (sim::kDetent), which tasks do
@@ -87,6 +88,20 @@ double largest_deviation(const mp::ArmTrace& rows, std::initializer_list<Axis> a
   return most;
 }
 
+/// @return share of the turns that needed no second attempt at a grip since the last turn, nor at the turn itself
+std::optional<double> first_try_share(const ExecutionLog& log) {
+  double turns = 0, at_once = 0;
+  bool first = true;
+  for (const CycleRecord& entry : log) {
+    first &= entry.grips <= 1 && entry.attempts <= 1;
+    if (!entry.turn) continue;
+    ++turns;
+    at_once += first && entry.done;
+    first = true;
+  }
+  return turns > 0 ? std::optional(at_once / turns) : std::nullopt;
+}
+
 }  // namespace
 
 TurnRow turn_of(const CycleRecord& entry, int k, const RunRecord& record, const CubeRecord& cube) {
@@ -153,6 +168,7 @@ mp::Figures figures_of(const RunRecord& record, const CubeRecord& cube, const st
   f["regrasps"] = regrasps;
   f["retries"] = retries;
   f["other_way"] = given_up;
+  if (const auto share = first_try_share(record.execution_log)) f["first_try_share"] = *share;
   if (approaches > 0) {
     f["approach_settled_N"] = settled / approaches;
     f["approach_peak_N"] = peak;
@@ -164,7 +180,7 @@ mp::Figures figures_of(const RunRecord& record, const CubeRecord& cube, const st
     f["turn_torque_peak_Nm"] = most(&TurnRow::torque_peak_Nm);
     f["turn_slip_mm"] = most(&TurnRow::slip_mm);
     f["turn_angle_err_deg"] = most(&TurnRow::behind_deg);
-    if (moves > 0) f["sim_s_per_turn"] = seconds(record.turning) / moves;
+    if (moves >= kSolution) f["sim_s_per_turn"] = seconds(record.turning) / moves;
   }
   if (record.verified) f["verified"] = *record.verified ? 1. : 0.;
   if (!cube.rows().empty()) {

@@ -20,7 +20,7 @@ inline constexpr std::array kFaults{
                "a cube that is held so that the other arm cannot reach it; arms placed too far from each other"},
     FaultEntry{kGraspMissed, "grasp_missed", FaultClass::non_fatal, "a hand did not grip the cube, or did not let go of it", "look at where the cube is and how far the jaws go",
                "the cube is not where it should be; a cube of another size; a gripper that is blocked"},
-    FaultEntry{kFaceJammed, "face_jammed", FaultClass::non_fatal, "a face of the cube does not turn", "take the cube out and turn the face by hand, or allow more torque with --set task.torque=4.2",
+    FaultEntry{kFaceJammed, "face_jammed", FaultClass::non_fatal, "a face of the cube does not turn", "take the cube out and turn the face by hand, or allow more torque with --set task.most_torque=9.5",
                "a cube that jams; layers that are not in their seats; a hand that holds the wrong layers"},
     FaultEntry{kCubeSlipped, "cube_slipped", FaultClass::non_fatal, "the cube is not where the hand that holds it should have it", "put the cube into the hand anew",
                "a grip that slipped; somebody or something touched the cube; a cube of another size"},

@@ -26,6 +26,7 @@ constexpr std::array kReaders{
     Reader{"tasks/drawing/cell/paper.cpp", "the sheets of the pictures"},
     Reader{"tasks/edge_follow/plots.cpp", "the plates of a picture"},
     Reader{"tasks/ball/cell/ball_cell.cpp", "the sheet in whose axes a simulated hand pushes"},
+    Reader{"tasks/calibrate_cell/cell/cell.cpp", "figures compare with it what a run has found"},
     Reader{"tasks/guide/cell/guide_cell.cpp",
            "the way of a simulated hand; where the arms begin, which is told"},
     Reader{"tasks/haptic/cell/haptic_cell.cpp",

@@ -15,7 +15,13 @@ namespace {
 
 /// A rig whose sensor says that the force along z swings, at 10 Hz, by 10 N.
 struct Swinging : Rig {
-  Swinging() {
+  /// @param softest  share of its mobility that an axis keeps; 1: nothing comes before the fault
+  static DriverParameters never_softer_than(double softest) {
+    DriverParameters p = parameters();
+    p.oscillation.softest = softest;
+    return p;
+  }
+  explicit Swinging(double softest = 1) : Rig(never_softer_than(softest)) {
     synchronise();
     after_each_step = [this] {
       world.sensor_offset[Axis::z] = 5 * std::sin(2 * std::numbers::pi * ++k / 50.);
@@ -39,6 +45,19 @@ TEST(DriverContact, OneThatSwingsOnAndOnFailsAndTheArmComesToRest) {
   EXPECT_EQ(class_of(reply.fault.code), FaultClass::non_fatal);
   EXPECT_EQ(rig.silence(10).state, DriverState::holding);
   EXPECT_TRUE(rig.driver.set_point().motor_increment.isZero(0));
+}
+
+TEST(DriverContact, OneThatSwingsHoweverSoftTheAxisHasBecomeFailsToo) {
+  const auto macrosteps_until_fault = [](double softest) {
+    Swinging rig(softest);
+    EffectorReply reply;
+    int macrosteps = 0;
+    for (; macrosteps < 500 && reply.fault.code == FaultCode::none; ++macrosteps)
+      reply = rig.macrostep(rig.velocity(stiff()));
+    EXPECT_EQ(reply.fault.code, FaultCode::contact_unstable);
+    return macrosteps;
+  };
+  EXPECT_GT(macrosteps_until_fault(OscillationParameters{}.softest), 2 * macrosteps_until_fault(1));
 }
 
 // The way along x leads to a pose, as that of a motion that brakes before its goal; the force does not let it.

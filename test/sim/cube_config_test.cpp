@@ -70,6 +70,14 @@ TEST(CubeConfig, TakesWhatIsWrongWithTheCubeAndWithItsPlace) {
   EXPECT_THROW(read("[sim.cube]\nplace_error.y = 0.002"), FaultError) << "farther off than a pad gives way";
 }
 
+TEST(CubeConfig, TheHandIsClosedOnACubeOfAnotherSizeAsFirmly) {
+  for (const double error : {-0.0003, 0.0003}) {
+    const WorldParameters w = read("[sim.cube]\nsize_error = " + std::to_string(error));
+    EXPECT_NEAR(w.arms[1].jaws->start, 0.0568 + error, 1e-12);
+    EXPECT_NEAR(w.cube->edge - w.arms[1].jaws->start, kCubeEdge - 0.0568, 1e-12);
+  }
+}
+
 TEST(CubeConfig, RefusesWhatContradictsItselfOrCannotBe) {
   EXPECT_THROW(read("scramble = \"R\"\nrandom_turns = 3"), FaultError);
   EXPECT_THROW(read("scramble = \"R Q\""), FaultError);

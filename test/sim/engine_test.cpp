@@ -169,5 +169,14 @@ TEST(Engines, RefuseInMujocoWhatItDoesNotHave) {
   EXPECT_THROW(World{p}, std::invalid_argument);
 }
 
+TEST(Engines, SayTheSameOfAnArmAtRestForItsGears) {
+  if (!has_mujoco()) GTEST_SKIP() << "this build has no MuJoCo";
+  Bodies bullet(PhysicsEngine::bullet), mujoco(PhysicsEngine::mujoco);
+  const ArmAtRest a = bullet.arm().at_rest(), b = mujoco.arm().at_rest();
+  EXPECT_EQ(a.joints, b.joints);
+  EXPECT_LT((a.mass - b.mass).cwiseAbs().maxCoeff(), 1e-6 * a.mass.maxCoeff());
+  EXPECT_LT((a.holding - b.holding).cwiseAbs().maxCoeff(), 1e-6 * a.holding.cwiseAbs().maxCoeff());
+}
+
 }  // namespace
 }  // namespace mrroc::sim

@@ -316,6 +316,22 @@ TEST(Truth, OfABodyAndOfPalmsIsWhatTheSimulatorGets) {
   for (const auto& [key, value] : kAtRest) changes_the_plant_alone(cells().back(), key, value, of_body);
 }
 
+/// Where the balls stand that arms touch to find each other.
+std::uint64_t of_balls(const Config& config) {
+  std::uint64_t hash = 0;
+  for (const Vector3& ball : read_world(config).artefact.value_or(ArtefactParameters{}).balls)
+    for (const double x : ball) hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x100000001b3;
+  return hash;
+}
+
+TEST(Truth, OfBallsIsWhereTheyStandAndNothingThatTheTaskReads) {
+  const std::string text =
+      std::string(kPens) + "[artefact]\nballs = [0.1, 0.02, 0.03]\nplace = [0, 1, 1, 0, 0, 0]\n";
+  const Cell cell{text.c_str(), {}};
+  for (const std::string axis : {"x", "y", "z", "ax", "ay", "az"})
+    changes_the_plant_alone(cell, "sim.artefact.place_error." + axis, "0.01", of_balls);
+}
+
 TEST(Truth, OfACameraChangesItAndNothingThatItsReceptorReads) {
   for (const std::string axis : {"x", "y", "z", "ax", "ay", "az"})
     changes_the_plant_alone(cells().front(), "sim.cameras.eye.place_error." + axis, "0.003", seen);

@@ -25,6 +25,7 @@ Outcome press(double stiffness, const AxisCommand& law, int macrosteps, bool obs
   w.arms[0].start_height = 0.005;
   edp::DriverParameters p = PressingArm::driver_parameters();
   p.servo = edp::ServoChoice{0, 0};  // with which these contacts are known to be unstable
+  p.oscillation.softest = 1;
   if (!observed) p.oscillation.force = std::numeric_limits<double>::infinity();
   PressingArm arm(w, p);
   arm.prepare();
@@ -79,6 +80,32 @@ TEST(Contact, ThatIsStableIsNotDisturbed) {
     const Outcome o = press(c.stiffness, c.law, 300);
     EXPECT_FALSE(o.fault) << what_happened(o.fault);
   }
+}
+
+// MG fig. 16: oscillations after B, which are those of gears that give way.
+TEST(Contact, OfGearsThatGiveWaySettlesWhenTheDriverMaySoftenItAndIsUnstableElse) {
+  for (const double softest : {1. / 64, 1.})
+    for (const double frequency : {8., 15.}) {
+      WorldParameters w = PressingArm::world_of_one();
+      w.arms[0].elasticity = {frequency, 0.03};
+      w.arms[0].paper.stiffness = 1e5;
+      w.arms[0].start_height = 0.005;
+      edp::DriverParameters p = PressingArm::driver_parameters();
+      p.oscillation.softest = softest;
+      PressingArm arm(w, p);
+      arm.prepare();
+      Fault fault;
+      for (int k = 0; k < 250 && !fault; ++k) {
+        const EffectorReply reply = arm.move({u(), u(), g(0.01, 5, 0.0025), u(), u(), u()});
+        if (reply.verdict != Verdict::executed) fault = reply.fault;
+      }
+      if (softest == 1) {
+        EXPECT_EQ(fault.code, FaultCode::contact_unstable) << frequency << " Hz";
+        continue;
+      }
+      EXPECT_FALSE(fault) << frequency << " Hz: " << what_happened(fault);
+      EXPECT_NEAR(arm.force(), 4, 0.3) << frequency << " Hz";
+    }
 }
 
 }  // namespace

@@ -67,5 +67,28 @@ TEST(WorldConfig, StartJointsAreOnePerAxisOrNone) {
   }
 }
 
+TEST(WorldConfig, DriverAndPlantHaveTheSameForceSensor) {
+  for (const bool wide : {false, true}) {
+    const Config config = Config::parse(
+        std::string("[robots.arm1]\nstart_joints = []\n") + (wide ? "sensor = \"si_130_10\"\n" : ""),
+        "test.toml");
+    const ForceSensorParameters plant = read_world(config.copy()).arms.front().sensor;
+    const robots::RobotType& type = *robots::catalogue().front();
+    const edp::DriverParameters driver =
+        robots::read_driver(config, "arm1", type, std::vector<double>(type.motors.size())).driver;
+    const ForceSensorParameters usual;
+    const double times = wide ? 2 : 1;
+    EXPECT_EQ(plant.range_xy, times * usual.range_xy);
+    EXPECT_EQ(plant.range_z, times * usual.range_z);
+    EXPECT_EQ(plant.range_torque, times * usual.range_torque);
+    EXPECT_EQ(plant.force_noise, times * usual.force_noise) << "what measures more does it more coarsely";
+    EXPECT_EQ(plant.torque_resolution, times * usual.torque_resolution);
+    EXPECT_EQ(driver.force.range[Axis::x], plant.range_xy);
+    EXPECT_EQ(driver.force.range[Axis::z], plant.range_z);
+    EXPECT_EQ(driver.force.range[Axis::az], plant.range_torque);
+    EXPECT_EQ(driver.limits.force[Axis::az], plant.range_torque) << "what may be asked for";
+  }
+}
+
 }  // namespace
 }  // namespace mrroc::sim

@@ -37,6 +37,12 @@ const std::vector<ShortRun> kRuns{
     {"guide", {"--fixture", "circle", "--set", "task.radius=0.02"}, "", {"mp", "ecp-arm1"}},
     {"haptic", {"--delay", "40", "--loss", "10"}, "", {"mp", "ecp-arm1", "ecp-arm2"}},
     {"ball", {"--set", "task.turn=400"}, "", {"mp", "ecp-arm1", "ecp-arm2"}},
+    {"calibrate_cell",
+     {"--set", "artefact.balls=[-0.15, -0.02, -0.06, 0.15, 0.02, -0.06, 0.15, -0.02, 0.06]", "--set",
+      "task.readings=5"},
+     "",
+     {"mp", "ecp-arm1", "ecp-arm2"},
+     true},
     {"move",
      {"--file", "FILE"},
      "[arm1]\norder = ['a']\n[arm1.a]\nvelocity = [0.5]\nacceleration = [0.3]\n"

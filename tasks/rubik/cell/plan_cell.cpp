@@ -10,9 +10,9 @@ namespace mrroc::rubik {
 namespace {
 
 constexpr double kOfMotors = 0.984;  // share of the motors' speed that is used
-// From rest to full speed [s]. The large motors draw four fifths of their largest current then, more than which their
-// regulators do not ask for; those of V and N a fifth.
-constexpr double kRamp = 0.25;
+// From rest to full speed [s]. The large motors draw three fifths of their largest current then, more than which their
+// regulators do not ask for; so arms that are heavier than believed follow, too. Those of V and N draw a fifth.
+constexpr double kRamp = 0.35;
 constexpr double kWristRamp = 0.12;
 constexpr double kHandSpeed = 1.4;      // [m/s]: the task's drivers allow 1.5
 constexpr double kHandTurnSpeed = 3.7;  // [rad/s]: they allow 4

@@ -109,6 +109,7 @@ ArmMemory track_angle(const X& x) {
 
 ArmMemory track_turn(const X& x) {
   ArmMemory c = track_angle(x);
+  c.turn.torque = x.T.cube.turn.torque;
   const double least = least_mobility(c.turn);
   const bool resists = std::abs(x.e.F_a[Axis::az]) > kResists * std::abs(c.turn.torque);
   c.mobility = resists ? least : std::min(kQuicken * c.mobility, c.turn.mobility);

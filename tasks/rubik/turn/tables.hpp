@@ -51,7 +51,7 @@ ArmMemory keep_gap(const Arm::X& x);     ///< (76), on entry
 ArmMemory keep_pose(const Arm::X& x);    ///< (74), on entry
 ArmMemory begin_turn(const Arm::X& x);   ///< the same, and what is ordered
 ArmMemory track_angle(const Arm::X& x);  ///< follows the angle over whole turns
-/// The same, and the mobility about z: kOfStanding of the order's, at least that of tab. 7, from entry on and while the
+/// The same, with the torque that is ordered now, and the mobility about z: kOfStanding of the order's, at least that of tab. 7, from entry on and while the
 /// face resists with more than kResists of the torque, so that a face that does not turn is felt without an overshoot;
 /// else it grows to the order's.
 ArmMemory track_turn(const Arm::X& x);

@@ -229,6 +229,24 @@ TEST(EdgeFollowing, IsAsTheRuleSays) {
   EXPECT_NE(follow_edge(rule, 0.5, {{2.1, 0, 0, 0, 0, 0}}, 9).angle, 9);
 }
 
+TEST(EdgeFollowing, AnImpactIsNoReasonToTurnAwayFromTheEdge) {
+  const EdgeRule rule;
+  const auto turned = [&](double force) { return follow_edge(rule, 0, pushed(0, pi, force), 0); };
+  EXPECT_NEAR(turned(6).angle, 0.4, 1e-12);
+  EXPECT_EQ(turned(30).angle, turned(6).angle);
+  EXPECT_EQ(turned(30).frame.y.velocity, turned(6).frame.y.velocity);
+}
+
+TEST(EdgeFollowing, IsSlowerOnAnEdgeThatIsHitHarderAndPressesAsMuch) {
+  EXPECT_EQ(share_after_impact(3.9, 2), 1);
+  EXPECT_NEAR(share_after_impact(8, 2), 0.25, 1e-12) << "four times as stiff";
+  const EdgeRule rule, slow = slowed(rule, 0.25);
+  EXPECT_EQ(slow.force, rule.force);
+  EXPECT_EQ(slow.I * slow.B, rule.I * rule.B) << "time constant of (28)";
+  EXPECT_EQ(slow.speed_per_force / slow.B, rule.speed_per_force / rule.B)
+      << "what the force lacks along the edge";
+}
+
 TEST(EdgeFollowing, KeepsItsDirectionWhenItFeelsNothing) {
   const EdgeStep step = follow_edge({}, 0.3, {{0.1, 0.2, 0, 0, 0, 0}}, 0.7);
   EXPECT_EQ(step.angle, 0.7);

@@ -22,7 +22,8 @@ TEST(RubikConfig, EveryNumberHasItsKeyAndItsBounds) {
     std::function<double(const Parameters&)> value;
   };
   const std::vector<Number> numbers{
-      {"torque", 0.5, 5, [](const Parameters& k) { return k.torque; }},
+      {"torque", 0.5, 10, [](const Parameters& k) { return k.torque; }},
+      {"most_torque", 0.5, 10, [](const Parameters& k) { return k.most_torque; }},
       {"mobility", 0.001, 0.5, [](const Parameters& k) { return k.mobility; }},
       {"attempts", 1, 10, [](const Parameters& k) { return k.attempts; }},
       {"timeout", 50, 10'000, [](const Parameters& k) { return k.timeout; }},

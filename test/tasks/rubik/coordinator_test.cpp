@@ -100,6 +100,48 @@ TEST(RubikCoordinator, ProgressIsATurnOfTheTrackArmByItsShareEitherWay) {
     }
 }
 
+/// @param took  macrosteps since the last progress @param progress  the face makes some now
+/// @return F_d of the next order, after `torque`
+double next_torque(double torque, std::int64_t took, bool progress, double most = 8) {
+  X x = image(300);
+  x.c.k.most_torque = most;
+  x.c.cycle.turn.torque = torque;
+  x.c.last_progress = x.i - took;
+  put(x.T.agent[kT],
+      Pose{rotation_from_angle_axis({0, 0, progress ? 1.1 * x.c.k.progress : 0}), Vector3::Zero()});
+  x.c = row(5).f_cc(x);
+  return row(5).f_cT(x)[kT].cube.turn.torque;
+}
+
+TEST(RubikCoordinator, TheTorqueGrowsWhileAFaceIsSlowAndFallsAgainWhenItIsFast) {
+  for (const double sign : {1., -1.}) {
+    EXPECT_EQ(next_torque(sign * 5, 7, false), sign * 5) << "not yet slow";
+    EXPECT_GT(sign * next_torque(sign * 5, 8, false), 5);
+    EXPECT_EQ(next_torque(sign * 5, 8, true), sign * 5) << "it goes on";
+    EXPECT_EQ(next_torque(sign * 5, 3, true), sign * 5) << "as fast as usual";
+    EXPECT_LT(sign * next_torque(sign * 5, 2, true), 5);
+    EXPECT_EQ(next_torque(sign * 7.99, 99, false), sign * 8) << "no farther than this";
+    EXPECT_EQ(next_torque(sign * Parameters{}.torque, 1, true), sign * Parameters{}.torque)
+        << "nor less than usual";
+    EXPECT_EQ(next_torque(sign * 4, 99, false, 3), sign * 4) << "the usual torque counts, where it is more";
+  }
+  EXPECT_EQ(next_torque(0, 99, false), 0) << "a re-grasp turns nothing";
+}
+
+TEST(RubikCoordinator, TheTorqueHasGrownToItsMostLongBeforeAFaceCountsAsJammed) {
+  X x = image(0);
+  x.c.k.most_torque = 8.5;
+  x.c.cycle.turn.torque = x.c.k.torque;
+  std::int64_t grown = 0;
+  for (x.c.failure = FailureReason::none; x.c.failure == FailureReason::none; ++x.i) {
+    x.c = row(5).f_cc(x);
+    if (grown == 0 && x.c.cycle.turn.torque == 8.5) grown = x.i - x.i_0;
+  }
+  EXPECT_EQ(x.c.failure, FailureReason::jammed);
+  EXPECT_GT(grown, 0);
+  EXPECT_LT(grown, x.c.k.stall / 2);
+}
+
 TEST(RubikCoordinator, TheDistanceOfTheWorkerIsAlongItsOwnZFromWhereItBegan) {
   const Pose begun{rotation_from_angle_axis({1, -2, 0.5}), {0.3, 1, 1.2}};
   for (const double distance : {-0.01, 0.004, 0.0149}) {

@@ -26,7 +26,7 @@ std::string random_turns(const std::string& toml) {
 TEST(CubeOptions, SayNothingOfTheCubeUnlessTheyAreGiven) {
   EXPECT_TRUE(cube_settings(parsed({})).empty());
   EXPECT_TRUE(cube_settings(parsed({"--eyes", "none"})).empty());
-  EXPECT_EQ(parsed({}).eyes, "camera");
+  EXPECT_FALSE(parsed({}).eyes);
 }
 
 TEST(CubeOptions, AreTheWholeStateOfTheCube) {

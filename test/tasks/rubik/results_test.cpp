@@ -166,6 +166,26 @@ class RubikFigures : public RubikResults {
   }
 };
 
+TEST_F(RubikFigures, ATurnIsDoneAtTheFirstTryWhenNeitherItNorAGripBeforeItWasTriedAgain) {
+  const auto share = [this](const ExecutionLog& log) {
+    record_.execution_log = log;
+    return figure("first_try_share");
+  };
+  const Move R = parse_moves("R").front();
+  const CycleRecord good{.turn = R, .grips = 1, .attempts = 1, .done = true};
+  const CycleRecord shown{};
+  CycleRecord again = good, twice = good, jammed = good, regrasp, regrasped;
+  again.attempts = 2;
+  regrasp.grips = 1;
+  regrasped.grips = 2;
+  twice.grips = 2;
+  jammed.done = false;
+  EXPECT_EQ(share({}), -1) << "nothing was turned";
+  EXPECT_EQ(share({shown, regrasp, good}), 1);
+  for (const CycleRecord& other : {again, twice, jammed}) EXPECT_EQ(share({good, other}), 0.5);
+  EXPECT_EQ(share({regrasped, good, good}), 0.5) << "a grip counts for the turn that follows";
+}
+
 TEST_F(RubikFigures, ATurnHasItsTimesItsForcesAndWhatTheCubeDidMeanwhile) {
   const auto turns = turns_of(record_, cube_);
   ASSERT_EQ(turns.size(), 2U);
@@ -205,7 +225,11 @@ TEST_F(RubikFigures, AreCountedOverTheCycles) {
   EXPECT_EQ(figure("turn_torque_peak_Nm"), 2.5);
   EXPECT_NEAR(figure("turn_slip_mm"), std::hypot(1., 2.), 1e-9);
   EXPECT_GT(figure("turn_lateral_std_N"), 0);
-  EXPECT_NEAR(figure("sim_s_per_turn"), 20, 1e-12);
+  EXPECT_EQ(figure("sim_s_per_turn"), -1) << "one turn has no mean";
+  CycleRecord turned;
+  turned.done = true;
+  record_.execution_log.insert(record_.execution_log.end(), 4, turned);
+  EXPECT_NEAR(figure("sim_s_per_turn"), 4, 1e-12);
   EXPECT_EQ(figure("squeeze_N"), 30);
   EXPECT_EQ(figure("solved"), 1);
   EXPECT_EQ(figure("verified"), -1) << "nobody has looked";

@@ -57,6 +57,10 @@ class Plans(Place):
             for value in values:
                 self.assertEqual(sum(r.settings[key] == value for r in rows), 120 / len(values), (key, value))
 
+    def test_a_value_that_stands_twice_comes_twice_as_often(self):
+        rows = plans.rows(Plan("hop", "1:120"), [vary.parse("a.word=none,none,some", KNOWN)])
+        self.assertEqual(sum(r.settings["a.word"] == "none" for r in rows), 80)
+
     def test_normal_values_have_their_mean_and_deviation(self):
         rows = plans.rows(Plan("hop", "1:400"), [vary.parse("a.number=normal(5,0.5)", KNOWN)])
         x = [float(r.settings["a.number"]) for r in rows]
@@ -84,6 +88,8 @@ class Plans(Place):
         self.assertEqual(plans.seeds_of("3:5"), [3, 4, 5])
 
     def test_wrong_line_is_refused_in_one_line_before_anything_is_made(self):
+        file = self.home / "plants.txt"
+        file.write_text("# remark\n\n--vary task.force=1:80  # too far\n")
         for words, told in (
             (["--vary", "task.forc=1:2"], "did you mean 'task.force'?"),
             (["--vary", "task.force=1:80"], "out of its range: 1 to 10"),
@@ -97,6 +103,8 @@ class Plans(Place):
             (["--", "--wrong"], "unknown option --wrong"),
             (["--frobnicate"], "options of the task stand behind --"),
             (["--on", "here"], "--on here: write local"),
+            (["@nowhere.txt"], "nowhere.txt"),
+            ([f"@{file}"], "task.force=1:80"),
         ):  # fmt: skip
             said = self.command("hop", "--seeds", "1:3", "--dir", "c", *words, status=2).strip()
             self.assertEqual(len(said.splitlines()), 1, said)

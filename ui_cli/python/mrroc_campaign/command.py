@@ -16,6 +16,7 @@ CALLED = f"{repeat.called()} campaign"
 _HELP = """Runs a task many times, with seeds and values of a plan, and tells how often it succeeds and what failures depend on.
 
   {called} TASK --seeds 1:1000 [--vary KEY=VALUES]...   runs a campaign
+  {called} TASK --seeds 1:1000 @FILE                    the same, with --vary and other words from a file: tasks/TASK/plants.txt
   {called} --resume DIR                                 goes on with one that was ended early
   {called} compare A B                                  two campaigns, paired by seed
   {called} tune TASK --for KEY --over KEY=VALUES...     looks for the values that make a figure best
@@ -52,11 +53,14 @@ def main(words: list[str]) -> int:
 
 
 class _Line(argparse.ArgumentParser):
-    """Errors in the words of all programs here."""
+    """Errors in the words of all programs here; @FILE stands for the words of a file, where # begins a remark."""
 
     def error(self, message: str):
         behind = "options of the task stand behind --; " if message.startswith("unrecognized") else ""
         raise bad_usage(f"{message}; {behind}look at {self.prog} --help")
+
+    def convert_arg_line_to_args(self, arg_line: str) -> list[str]:
+        return shlex.split(arg_line, comments=True)
 
 
 def _line(name: str, about: str) -> _Line:
@@ -65,6 +69,7 @@ def _line(name: str, about: str) -> _Line:
         description=about,
         allow_abbrev=False,
         formatter_class=argparse.RawDescriptionHelpFormatter,
+        fromfile_prefix_chars="@",
     )
 
 

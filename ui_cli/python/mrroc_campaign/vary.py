@@ -58,7 +58,7 @@ def parse(text: str, known: dict[str, Parameter]) -> Variation:
         variation = Variation(key, "uniform", (low, high), integer=integer)
     else:
         words = split_words(values)
-        if len(words) < 2 or len(set(words)) != len(words):
+        if len(set(words)) < 2:
             raise bad_usage(f"--vary {text}: name at least two different values, or LOW:HIGH")
         return Variation(key, "choice", words=words)
     if parameter.kind in ("list", "word"):

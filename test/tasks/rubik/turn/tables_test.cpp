@@ -238,6 +238,17 @@ TEST(RubikTables, MobilityGrowsByATenthUntilTheFaceResistsEitherWay) {
   }
 }
 
+TEST(RubikTables, TheHolderTurnsWithTheTorqueThatIsOrderedNow) {
+  X x;
+  x.T.cube.turn = {.torque = -4, .mobility = 0.1, .angle = 1.5};
+  x.c = begin_turn(x);
+  x.T.cube.turn.torque = -6;
+  x.e.F_a[Axis::az] = 0.7 * 6;
+  x.c = kHolder[4].f_cc(x);
+  EXPECT_EQ(commanded(kHolder, 5, x).arm.frame.az.force, -6);
+  EXPECT_GT(x.c.mobility, kOfStanding * 0.1) << "a share of the torque of now tells whether the face stands";
+}
+
 TEST(RubikTables, ATurnBeginsWhereTheArmIsWithWhatIsOrdered) {
   X x = at(0.7, {Matrix3::Identity(), {1, 2, 3}});
   x.c.angle = 9;

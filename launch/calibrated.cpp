@@ -1,0 +1,23 @@
+#include "launch/calibrated.hpp"
+
+#include <string>
+#include <tuple>
+
+namespace mrroc::launch {
+
+void take_calibrated(const Config& config) {
+  if (!config.has("calibration.run")) return;
+  std::ignore = config.text("calibration.run", "");
+  for (const std::string& arm : config.tables("cell.robots"))
+    if (const std::string key = "cell.robots." + arm + ".place"; config.has(key))
+      std::ignore =
+          config.list(key, std::vector<double>{}, {-10, 10}, "m, rad; empty: as robots." + arm + ".place");
+  for (const std::string& arm : config.tables("robots")) {
+    const Config tool = config.section("robots." + arm + ".tool");
+    if (tool.has("weight")) std::ignore = tool.number("weight", Config::kRequired, {0, 50}, "N");
+    if (tool.has("mass_centre"))
+      std::ignore = tool.numbers<3>("mass_centre", Config::kRequired, {-1, 1}, "m");
+  }
+}
+
+}  // namespace mrroc::launch

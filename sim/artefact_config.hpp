@@ -1,0 +1,15 @@
+// Reads the balls by which a cell is calibrated from a configuration.
+#pragma once
+#include <optional>
+
+#include "base/config.hpp"
+#include "sim/artefact.hpp"
+
+namespace mrroc::sim {
+
+/// Reads [artefact], what is told (base/artefact.hpp), and sim.artefact.place_error, by which all of it stands elsewhere.
+/// @return nothing: there is no artefact
+/// @throws ConfigError; FaultError bad_configuration
+[[nodiscard]] std::optional<ArtefactParameters> read_true_artefact(const Config& config);
+
+}  // namespace mrroc::sim

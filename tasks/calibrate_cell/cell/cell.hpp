@@ -1,0 +1,21 @@
+// What the task must know of the robots and of the simulated cell: where the bases are believed, where they are, and whether
+// the arms reach the balls.
+#pragma once
+#include "base/config.hpp"
+#include "tasks/calibrate_cell/figures.hpp"
+
+namespace mrroc::calibrate_cell {
+
+/// @return where the bases are believed before the run: cell.robots.ARM.place @throws ConfigError
+[[nodiscard]] Bases believed_bases(const Config& config);
+/// @return where they are: the simulator's sim.robots.ARM.place and .base_error, for figures only @throws ConfigError
+[[nodiscard]] Bases true_bases(const Config& config);
+
+/// Sets what follows from belief: task.ARM.balls, and robots.ARM.start_joints before the balls where there are none.
+/// @throws ConfigError; FaultError bad_configuration: an arm does not reach that
+void complete(Config& config);
+
+/// Refuses balls that an arm does not reach from every side. @throws FaultError bad_configuration
+void check_reach(const Config& config);
+
+}  // namespace mrroc::calibrate_cell

@@ -1,0 +1,46 @@
+// What a run has found: the balls in both bases, the bases to each other, and the tools; and the figures by which it is
+// judged.
+#pragma once
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "ecp/generators/weighing.hpp"
+#include "mp/arm_trace.hpp"
+#include "tasks/calibrate_cell/fit.hpp"
+#include "tasks/calibrate_cell/probing.hpp"
+
+namespace mrroc::calibrate_cell {
+
+inline constexpr std::size_t kArms = 2;
+/// Keys of the arms.
+inline constexpr std::array<const char*, kArms> kKeys{"arm1", "arm2"};
+
+/// Where the bases stand in the world.
+using Bases = std::array<Pose, kArms>;
+
+/// @return the touches in a table, in order, from the rows of `measure`
+[[nodiscard]] std::vector<Touch> touches_of(const mp::ArmTrace& trace, const ProbePlan& plan);
+/// @return the tool that was weighed; without weight when it was not
+[[nodiscard]] ecp::ForceTool tool_of(const mp::ArmTrace& trace);
+
+/// What the touches say.
+struct Calibration {
+  std::array<std::vector<BallFit>, kArms> balls;  ///< in the bases of the arms
+  PoseFit T_12;  ///< base of arm2 in that of arm1, and how well the balls agree
+};
+/// @param traces  of both arms
+/// @return nothing: balls were not touched, or leave a direction open
+[[nodiscard]] std::optional<Calibration> calibration_of(const std::vector<mp::ArmTrace>& traces,
+                                                        const std::array<ProbePlan, kArms>& plans);
+
+/// @return base of the second arm in that of the first one
+[[nodiscard]] inline Pose relation(const Bases& bases) { return bases[0].inverse() * bases[1]; }
+
+/// @param believed,real  bases before the run, and as they are in the simulator; none: nobody knows
+/// @return base_err_mm, base_err_deg and the rest; NaN where nothing was found
+[[nodiscard]] mp::TaskFigures figures(const std::vector<mp::ArmTrace>& traces,
+                                      const std::optional<Calibration>& found, const Bases& believed,
+                                      const std::optional<Bases>& real);
+
+}  // namespace mrroc::calibrate_cell

@@ -1,0 +1,90 @@
+// The task calibrate_cell as a user starts it: what it finds, what it tells when there is nothing to find, and that other
+// tasks take what it leaves.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "test/system/cube_run.hpp"
+
+namespace mrroc::test {
+namespace {
+
+/// 5 mm and half a degree about a level axis across the line between the arms: up, where the arms meet.
+const std::vector<std::string> kWrongBase{
+    "--set", "sim.robots.arm2.base_error={ x = 0.003, z = 0.004, ax = 0.0087266 }"};
+
+struct Calibrated {
+  explicit Calibrated(const std::vector<std::string>& arguments)
+      : ended(run(folder, "calibrate_cell",
+                  words({{"--processes", "one", "--run-dir", (folder / "run").string()}, arguments}))) {
+    if (std::filesystem::exists(folder / "run" / "summary.json")) told = summary((folder / "run").string());
+  }
+  [[nodiscard]] std::string result() const { return (folder / "run" / "calibrated.toml").string(); }
+
+  Folder folder;
+  Ended ended;
+  nlohmann::json told;
+};
+
+TEST(CalibrateCell, TellsThatABallIsNotThere) {
+  if (kSanitized) GTEST_SKIP() << "too long";
+  const Calibrated c({"--set", "sim.artefact.place_error.z=0.25"});
+  EXPECT_EQ(c.ended.status, 1) << c.ended.all();
+  EXPECT_EQ(c.told.at("fault").at("code"), "nothing_touched");
+  EXPECT_FALSE(std::filesystem::exists(c.result())) << "nothing that others might take";
+}
+
+/// One calibration of a cell whose base and balls are elsewhere than they are believed.
+class CalibratedCell : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    if (kSanitized) return;
+    calibrated() = std::make_unique<Calibrated>(words(
+        {kWrongBase, {"--set", "sim.artefact.place_error={ x = 0.006, y = -0.004, z = 0.005, az = 0.02 }"}}));
+  }
+  static void TearDownTestSuite() { calibrated().reset(); }
+  void SetUp() override {
+    if (kSanitized) GTEST_SKIP() << "too long";
+    ASSERT_EQ(calibrated()->ended.status, 0) << calibrated()->ended.all();
+  }
+  static std::unique_ptr<Calibrated>& calibrated() {
+    static std::unique_ptr<Calibrated> run;
+    return run;
+  }
+};
+
+TEST_F(CalibratedCell, HasItsBasesWhereTheyAreFound) {
+  const nlohmann::json& told = calibrated()->told;
+  EXPECT_NEAR(figure(told, "base_before_mm"), 5, 0.01);
+  EXPECT_NEAR(figure(told, "base_before_deg"), 0.5, 0.01);
+  EXPECT_LE(figure(told, "base_err_mm"), 0.5);
+  EXPECT_LE(figure(told, "base_err_deg"), 0.05);
+  EXPECT_LE(figure(told, "touch_rms_mm"), 0.2);
+  EXPECT_TRUE(std::filesystem::exists(calibrated()->result()));
+  EXPECT_TRUE(std::filesystem::exists(calibrated()->folder / "run" / "plots" / "balls.png"));
+}
+
+TEST_F(CalibratedCell, LeavesAFileThatATaskWithOneArmTakes) {
+  const Folder folder;
+  const Ended press =
+      run(folder, "press",
+          {"--processes", "one", "--run-dir", (folder / "run").string(), "--config", calibrated()->result()});
+  EXPECT_EQ(press.status, 0) << press.all();
+}
+
+TEST_F(CalibratedCell, SolvesTheCubeThatHandsMissBefore) {
+  const std::vector<std::string> turns{"--scramble", "R U'", "--eyes", "none", "--set", "task.tables=small"};
+  const std::vector<std::string> truth = words({{"--processes", "one"}, kWrongBase});
+  const CubeRun before(truth, turns);
+  EXPECT_EQ(before.ended.status, 1) << before.ended.all();
+  EXPECT_EQ(before.figure("solved"), 0);
+  const CubeRun after(words({truth, {"--config", calibrated()->result()}}), turns);
+  EXPECT_EQ(after.ended.status, 0) << after.ended.all();
+  EXPECT_EQ(after.figure("solved"), 1);
+  const CubeRun again({"--config", (after.folder / "run" / "config.toml").string()}, {"--eyes", "none"});
+  EXPECT_EQ(again.ended.status, 2) << "a run's configuration has a camera or none";
+}
+
+}  // namespace
+}  // namespace mrroc::test
