@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
+#include "bench/arm_contact.hpp"
 #include "bench/figures.hpp"
 #include "edp/stability.hpp"
 #include "robots/irb6/parameters.hpp"
@@ -238,7 +240,7 @@ Figure stability_limit_figure() {
 }
 
 Figures run_stability_group() {
-  return {
+  Figures figures = {
       stability_limit_figure(),
       {"elastic_limit_err_pct", std::ranges::max(elastic_contacts()), "%",
        "predicted limit of the gain B with elastic gears of 8 to 15 Hz against the time domain, worst of "
@@ -254,6 +256,8 @@ Figures run_stability_group() {
       {"stability_margin_drawing", margin({20, 0.005}), "", "I 20, B 0.005: limit over 1e4 N/m"},
       {"stability_margin_press", margin({5, 0.0025}), "", "I 5, B 0.0025: limit over 1e4 N/m"},
   };
+  for (Figure& figure : arm_limit_figures()) figures.push_back(std::move(figure));
+  return figures;
 }
 
 }  // namespace mrroc::bench
