@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <random>
 
@@ -122,12 +120,6 @@ std::vector<double> arm_limit_errors(sim::PhysicsEngine engine, bool elastic) {
       return swings(contact, B, predicted / 5);
     });
     errors.push_back(100 * std::abs(predicted / simulated - 1));
-    if (std::getenv("SHOW")) {
-      const auto& a = contact.world.arms[0];
-      std::printf("I %.1f K %.0f f %.1f predicted %.5f simulated %.5f ratio %.3f\n", contact.inertia,
-                  a.paper.stiffness, a.elasticity.frequency, predicted, simulated, simulated / predicted);
-      std::fflush(stdout);
-    }
   }
   return errors;
 }

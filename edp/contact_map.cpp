@@ -111,9 +111,6 @@ TipPlant elastic_plant(const GearMode& gears, ServoModel servo, double K, double
   return p;
 }
 
-/// @return numbers that the regulator of each motor remembers, the place of its encoder first
-int memory_of(const ServoModel& servo) { return std::holds_alternative<RegulatedDrive>(servo) ? 5 : 6; }
-
 /// @return gains of each motor that has a CompensatingRegulator
 std::vector<CompensationGains> gains_of(const ServoModel& servo, double dt) {
   std::vector<CompensationGains> gains;
@@ -139,10 +136,9 @@ double regulate(const RegulatorCoefficients& k, double e, double* m) {
 }
 
 /// CompensatingRegulator::step without friction and limits.
-/// @param moved motion of the shaft in the step before @param m error, then its p, v, d, r
-double compensate(const CompensationGains& k, double set_increment, double moved, double* m) {
-  const double behind = m[0] - moved;
-  double &p = m[1], &v = m[2], &d = m[3], &r = m[4];
+/// @param behind set position before the step less the measured one @param m its p, v, d, r
+double compensate(const CompensationGains& k, double set_increment, double behind, double* m) {
+  double &p = m[0], &v = m[1], &d = m[2], &r = m[3];
   const double surprise = -behind - p;
   p += k.l_p * surprise;
   v += k.l_v * surprise;
@@ -153,13 +149,15 @@ double compensate(const CompensationGains& k, double set_increment, double moved
   p += k.beta * v + (1 - k.beta) * driving - set_increment;
   v = k.alpha * v + (1 - k.alpha) * driving;
   r = set_increment;
-  m[0] = behind + set_increment;
   return u;
 }
 
-// What the state holds behind the plant and the readings, these with the newest first: the first two, and from the third
-// on the memory of each motor's regulator.
-enum Rest { filtered, velocity, own };
+// What the state holds behind the plant and the readings, these with the newest first: the first two, and of drives one
+// number and each regulator's memory. That number is what a RegulatedDrive's encoder read last. Of CompensatingRegulators
+// it is the set way of the tip, which tells all their errors: with errors of their own, axes that feel no contact would add
+// modes that neither grow nor fade.
+enum Rest { filtered, velocity, placed, own };
+constexpr int kMemory = 4;  // of either regulator
 
 /// @return a plant with contact, and with what the loop has between servo and tip
 TipPlant plant_with(const ContactLoop& loop, double K) {
@@ -179,8 +177,7 @@ ContactMap::ContactMap(const ContactLoop& loop, double K)
       felt_(plant_.x + loop.contact_damping * plant_.dx),
       felt_input_(loop.contact_damping * plant_.dx_input),
       n_(static_cast<int>(plant_.A.rows())),
-      history_(loop.average + loop.delay),
-      memory_(memory_of(loop.servo)) {
+      history_(loop.average + loop.delay) {
   if (plant_.tool.size() > 0) {
     unit_ = std::max(K, 1.0);
     felt_ = (K * felt_ + plant_.tool) / unit_;
@@ -194,7 +191,8 @@ ContactMap::ContactMap(const ContactLoop& loop, double K)
   M.block(n_, 0, 1, n_) = felt_.transpose() / loop.dt;
   M.block(n_, n_ + 1, 1, inputs) = felt_input_.transpose() / loop.dt;
   over_step_ = MatrixXd(M * loop.dt).exp();
-  size_ = n_ + history_ + own + memory_ * static_cast<int>(plant_.encoders.rows());
+  const int motors = static_cast<int>(plant_.encoders.rows());
+  size_ = n_ + history_ + (motors > 0 ? own + kMemory * motors : placed);
 }
 
 MatrixXd ContactMap::matrix() const {
@@ -206,16 +204,19 @@ MatrixXd ContactMap::matrix() const {
 VectorXd ContactMap::inputs(VectorXd& s, double velocity) const {
   if (plant_.encoders.rows() == 0) return VectorXd::Constant(1, velocity);
   const VectorXd read = plant_.encoders * s.head(n_);
-  const VectorXd set = velocity * loop_.dt * plant_.set;
-  const auto* incremental = std::get_if<RegulatedDrive>(&loop_.servo);
-  VectorXd duty(read.size());
-  for (Eigen::Index k = 0; k < read.size(); ++k) {
-    double* last = &s[n_ + history_ + own + memory_ * k];
-    const double moved = read[k] - *last;
-    duty[k] = incremental ? regulate(incremental->regulator, set[k] - moved, last + 1)
-                          : compensate(gains_[static_cast<std::size_t>(k)], set[k], moved, last + 1);
-    *last = read[k];
+  double& place = s[n_ + history_ + placed];
+  double* memory = &s[n_ + history_ + own];
+  const double way = velocity * loop_.dt;
+  if (const auto* drive = std::get_if<RegulatedDrive>(&loop_.servo)) {
+    const double e = way * plant_.set[0] - (read[0] - place);
+    place = read[0];
+    return VectorXd::Constant(1, regulate(drive->regulator, e, memory));
   }
+  VectorXd duty(read.size());
+  for (Eigen::Index k = 0; k < read.size(); ++k)
+    duty[k] = compensate(gains_[static_cast<std::size_t>(k)], way * plant_.set[k],
+                         place * plant_.set[k] - read[k], memory + kMemory * k);
+  place += way;
   return duty;
 }
 

@@ -56,7 +56,7 @@ class ContactMap {
   TipPlant plant_;
   Eigen::VectorXd felt_;        // present reading, of the plant's state
   Eigen::VectorXd felt_input_;  // and of its inputs
-  int n_{}, history_{}, memory_{}, size_{};
+  int n_{}, history_{}, size_{};
   Eigen::MatrixXd over_step_;
 };
 
