@@ -13,9 +13,11 @@ namespace mrroc::visual_servo {
 /// @param reports  one per control step, in order
 /// @param truths   in order; between two of them the object and E move evenly
 /// @param T_EGd    E_G T_d @param dt  duration of a step [s]
+/// @param D  what the tool's camera takes for the identity, see tool_camera_error()
 /// @return a row per report; without a truth about its step the object is not there
 [[nodiscard]] ServoTable join(const std::vector<servo_report_t>& reports,
-                              const std::vector<object_truth_t>& truths, const Pose& T_EGd, double dt);
+                              const std::vector<object_truth_t>& truths, const Pose& T_EGd, double dt,
+                              const Pose& D = {});
 
 /// Collects the messages of a run. Used by MP's thread.
 class ServoRecord {

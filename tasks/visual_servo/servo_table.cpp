@@ -42,19 +42,20 @@ double overshoot(const ServoTable& table, std::size_t first) {
   return 100 * beyond;
 }
 
-/// Control steps until the true error stays below 2 mm; nan: it does not.
+/// Control steps until the error that the tool's camera can know stays below 2 mm; nan: it does not.
 double steps_to_2mm(const ServoTable& table, std::size_t first) {
   std::size_t k = table.size();
-  while (k > first && kMm * table[k - 1].true_e.p.norm() < 2) --k;
+  while (k > first && kMm * table[k - 1].known_e.p.norm() < 2) --k;
   return k == table.size() ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(k - first);
 }
 
 void of_rest(const ServoTable& table, mp::Figures& figures) {
   const double end = table.back().t - kEnd;
   const auto last = [&](const ServoRow& row) { return row.t > end; };
-  figures["final_err_mm"] = mean(table, last, [](const ServoRow& r) { return kMm * r.true_e.p.norm(); });
+  figures["final_err_mm"] = mean(table, last, [](const ServoRow& r) { return kMm * r.known_e.p.norm(); });
   figures["final_err_deg"] =
-      mean(table, last, [](const ServoRow& r) { return kDegrees * angle_of(r.true_e); });
+      mean(table, last, [](const ServoRow& r) { return kDegrees * angle_of(r.known_e); });
+  figures["true_err_mm"] = mean(table, last, [](const ServoRow& r) { return kMm * r.true_e.p.norm(); });
   if (std::ranges::any_of(table, moves)) return;
   const auto seen = std::ranges::find_if_not(table, blind);
   const auto first = static_cast<std::size_t>(seen - table.begin());

@@ -51,6 +51,12 @@ TEST(ServoRecord, JoinsReportsWithTheTruthOfTheirStep) {
   EXPECT_EQ(table[2].v, Vector3(0, 0, 0));
 }
 
+TEST(ServoRecord, TheToolsCameraKnowsTheErrorAsItsPlaceIsBelieved) {
+  const Pose D{Matrix3::Identity(), {0, 3e-3, 0}};
+  const auto table = join({report(100)}, {truth(100, 0.1), truth(120, 0.1)}, {}, 0.002, D);
+  EXPECT_NEAR((table.at(0).known_e.p - table[0].true_e.p - D.p).norm(), 0, 1e-12);
+}
+
 TEST(ServoRecord, NumbersBehavioursAsThePaperDoes) {
   const auto table = join(
       {report(0, kIdle), report(21, 1), report(42, 2), report(63, 3), report(84, kGiveUp.m)}, {}, {}, 0.002);
