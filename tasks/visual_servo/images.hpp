@@ -52,11 +52,20 @@ struct Parameters {
   std::int64_t timeout{150};  ///< control steps without seeing anything until the task is given up; 0: none
 };
 
+/// Cameras that are out of place disagree about the object. When others are used than before, the arm goes over from
+/// what the former ones said to what the new ones say by little in every control step.
+struct Handover {
+  std::array<bool, kCameras> used{};  ///< whose errors counted in the last control step
+  Pose T_0G;        ///< object at the start of its command, as believed then, when any was used
+  Pose difference;  ///< believed = seen * difference; identity: nothing is left to go over
+};
+
 /// c_c: what c_1 remembers.
 struct Memory {
   Parameters k;                                      ///< constant during a run
   ObjectTrack track;                                 ///< estimate after the last control step
   std::array<std::int64_t, kCameras> taken{-1, -1};  ///< frames that the track knows
+  Handover handover;                                 ///< from cameras to others
   Pose e;                                            ///< error of the last control step; identity in idle
   Pose under_way;                                    ///< displacement of control step made_in + 1
   Pose before;                                       ///< displacement of the control step before that

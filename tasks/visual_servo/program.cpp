@@ -52,6 +52,7 @@ Memory remember(const X& x) {
   Memory c = x.c;
   c.track = concluded.track;
   c.taken = concluded.taken;
+  c.handover = concluded.handover;
   c.e = concluded.e;
   c.before = c.under_way;
   c.under_way = concluded.T_dc;

@@ -72,6 +72,29 @@ Pose following(const Start& start, const Pose& T_0G, const ObjectMotion& motion,
   return start.T_0E.inverse() * (T_0G_end * T_0G.inverse()) * start.T_0E;
 }
 
+/// The way that is left after one control step: a tenth less, but at most by kStep and kTurn.
+Pose gone_over(const Pose& difference) {
+  constexpr double kShare = 0.1, kStep = 5e-4, kTurn = 2.5e-3;  // [m], [rad]: half a millimetre at E each
+  const Twist way = log_screw(difference);
+  const double share = std::min({kShare, kStep / std::max(difference.p.norm(), kStep),
+                                 kTurn / std::max(angle_axis_from_rotation(difference.R).norm(), kTurn)});
+  return exp_screw((1 - share) * way);
+}
+
+/// @param seen  object at the start of the command, as the cameras that are used now have it
+Handover hand_over(const X& x, const std::array<bool, kCameras>& uses, const Pose& seen,
+                   const ObjectMotion& motion) {
+  const Handover& before = x.c.handover;
+  Handover next{uses, seen, {}};
+  const bool any = before.used[0] || before.used[1];
+  if (!any) return next;
+  const double passed = static_cast<double>(x.i - x.c.made_in) * x.c.k.pacing.macrostep_s();
+  next.difference = before.used == uses ? gone_over(before.difference)
+                                        : seen.inverse() * carried(before.T_0G, motion, passed);
+  next.T_0G = seen * next.difference;
+  return next;
+}
+
 }  // namespace
 
 int longest_age(const Parameters& k) {
@@ -129,7 +152,7 @@ CameraError error_of(const X& x, Camera camera, const Start& start, const Object
 
 Conclusion conclude(const X& x, const std::array<bool, kCameras>& uses) {
   const Parameters& k = x.c.k;
-  Conclusion c{x.c.track, x.c.taken, {sees(x, Camera::sac), sees(x, Camera::eih)}, {}, {}, {}, {}};
+  Conclusion c{x.c.track, x.c.taken, {sees(x, Camera::sac), sees(x, Camera::eih)}, {}, {}, {}, {}, {}};
   look(x, c);
   const bool refused = not_made(x);
   c.refused = refused ? x.c.refused + 1 : has(x.e.parts, Part::arm) ? 0 : x.c.refused;
@@ -141,9 +164,10 @@ Conclusion conclude(const X& x, const std::array<bool, kCameras>& uses) {
   const auto error = [&](Camera camera) { return error_of(x, camera, start, motion); };
   const CameraError seen = sac && eih ? aggregate(k.aggregation, error(Camera::sac), error(Camera::eih))
                                       : error(sac ? Camera::sac : Camera::eih);
-  c.e = seen.e;
+  c.handover = hand_over(x, uses, start.T_0E * seen.e * k.T_EGd, motion);
+  const Pose& T_0G = c.handover.T_0G;
+  c.e = start.T_0E.inverse() * T_0G * k.T_EGd.inverse();
   const double duration = k.pacing.macrostep_s();
-  const Pose T_0G = start.T_0E * c.e * k.T_EGd;
   const RegulatorParameters R_T = quieted(eased(k.regulator, c.ease), c.e, seen.covariance);
   const Pose wanted = following(start, T_0G, motion, duration) * regulate(R_T, c.e, duration);
   if (x.waiting == 0) c.T_dc = smooth(R_T, wanted, commanded_already(x).now, duration);

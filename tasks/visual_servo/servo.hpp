@@ -43,10 +43,11 @@ struct Conclusion {
   ObjectTrack track;                         ///< with the pictures that are new
   std::array<std::int64_t, kCameras> taken;  ///< as Memory
   std::array<bool, kCameras> sees;           ///< P(x_r) of each camera
-  Pose e;       ///< aggregated error E T_d,c of the cameras that the behaviour uses; identity without any
-  Pose T_dc;    ///< E T_d,c': the effector's displacement; identity without any
-  double ease;  ///< as Memory
-  int refused;  ///< as Memory
+  Pose e;     ///< aggregated error E T_d,c of the cameras that the behaviour uses; identity without any
+  Pose T_dc;  ///< E T_d,c': the effector's displacement; identity without any
+  Handover handover;  ///< as Memory
+  double ease;        ///< as Memory
+  int refused;        ///< as Memory
 };
 
 /// Pure: f_cc and f_ce are made of it.

@@ -13,7 +13,7 @@ namespace {
 using mrroc::test::distance;
 using X = Arm::X;
 
-constexpr std::array kNone{false, false}, kSac{true, false}, kBoth{true, true};
+constexpr std::array kNone{false, false}, kSac{true, false}, kEih{false, true}, kBoth{true, true};
 
 /// Both cameras see an object that is off by so much from where it is wanted; step 1000, control step 110.
 X image(const Vector3& off = {0.01, 0, 0}) {
@@ -43,6 +43,22 @@ X image(const Vector3& off = {0.01, 0, 0}) {
 void refuse(X& x, Verdict verdict = Verdict::refused) {
   x.e.verdict = verdict;
   x.e.fault.code = FaultCode::unreachable_pose;
+}
+
+TEST(ServoMemory, AChangeToACameraThatSaysOtherwiseIsGoneOverInStepsOfHalfAMillimetre) {
+  X x = image();
+  x.V.camera[0].reading.T_CG.p += Vector3(0.02, 0, 0);
+  const Pose sac = conclude(x, kSac).e, eih = conclude(x, kEih).e;
+  ASSERT_GT((sac.p - eih.p).norm(), 0.015);
+  x.c.handover = conclude(x, kSac).handover;
+  Pose e = sac;
+  for (int k = 0; k < 200; ++k) {
+    const Conclusion c = conclude(x, kEih);
+    ASSERT_LT((c.e.p - e.p).norm(), 1e-3) << k;
+    x.c.handover = c.handover;
+    e = c.e;
+  }
+  EXPECT_LT((e.p - eih.p).norm(), 1e-5);
 }
 
 TEST(ServoMemory, SpeedsAreHalvedByARefusalDownToATenthAndComeBackInTenSteps) {
