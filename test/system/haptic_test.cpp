@@ -41,8 +41,8 @@ TEST(HapticTask, ScalesMotionAndForce) {
 
 TEST(HapticTask, StaysPassiveOverTheWorstChannelOnTheStiffestWall) {
   const Folder folder;
-  const auto s = coupled(
-      folder, {"--delay", "200", "--jitter", "20", "--loss", "10", "--set", "table.stiffness=50000"});
+  const auto s =
+      coupled(folder, {"--delay", "200", "--jitter", "20", "--loss", "10", "--set", "table.stiffness=50000"});
   EXPECT_GE(figure(s, "energy_min_mJ"), -1);
   EXPECT_GT(figure(s, "exerted_force_N"), 3) << "the slave meets the plate";
   EXPECT_LE(figure(s, "exerted_force_N"), 45) << "and does not swing on it";

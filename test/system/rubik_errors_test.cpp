@@ -91,8 +91,8 @@ TEST_F(RubikErrors, ABaseThatIsElsewhereThanBelievedIsToldAndNotAdaptedTo) {
   constexpr const char* kTruth = "sim.robots.arm2.place=[0.045, 0, 0, 0, 0, 0]";
   const CubeRun wrong(set({kTruth}));
   EXPECT_EQ(wrong.ended.status, 1) << wrong.ended.all();
-  EXPECT_EQ(wrong.left.fault(), "force_limit")
-      << "a hand presses where it expects nothing: " << wrong.ended.all();
+  EXPECT_EQ(wrong.left.fault(), "cube_slipped")
+      << "the cube is not where the hand comes to it: " << wrong.ended.all();
   EXPECT_EQ(wrong.figure("solved"), 0);
   // The tables end with the fault; the supervisor has waited for rest.
   EXPECT_GT(wrong.figure("stop_steps_max"), 0) << "the arms came to rest";
