@@ -58,7 +58,7 @@ AxisVector ElasticGears::step(const AxisVector& joints, const AxisVector& speeds
                               bool braked, const AxisMatrix& motors_per_joints) {
   const Eigen::PartialPivLU<AxisMatrix> gear(motors_per_joints);
   const AxisVector rotor_speeds = gear.solve(shaft_speeds_);
-  const AxisVector springs =
+  AxisVector springs =
       stiffness_.cwiseProduct(joints_ - joints) + damping_.cwiseProduct(rotor_speeds - speeds);
   const AxisVector load = gear.transpose().solve(springs);
   shaft_speeds_ += h_ * (torques - load).cwiseQuotient(rotors_);

@@ -32,17 +32,9 @@ struct Memory {
 struct Arm : ArmAgent<Memory> {};
 
 /// Numbers of behaviours. Those from 1 to 10 weigh, see ecp::WeighingRows.
-enum : int {
-  kWithToolUp = 6,
-  kWithToolSideways = 9,
-  kGetReady = 11,
-  kWait,
-  kGo,
-  kFeel,
-  kMeasure,
-  kLeave,
-  kGiveUp
-};
+inline constexpr int kWithToolUp = 6, kWithToolSideways = 9;  ///< those that read the force
+inline constexpr int kGetReady = 11, kWait = 12, kGo = 13, kFeel = 14, kMeasure = 15, kLeave = 16,
+                     kGiveUp = 17;
 
 /// The behaviours, m = 1, 2, ...
 extern const std::array<Motion<Arm>, kGiveUp> kBehaviours;
