@@ -25,7 +25,8 @@ TEST_F(Fit, BallIsFoundFromFourTouchesWithARadiusThatIsNotKnown) {
   for (int k = 0; k < 100; ++k) {
     const Vector3 centre = anywhere(1);
     std::vector<Vector3> points;
-    for (const Vector3& n : kFourSides) points.push_back(centre + 0.0398 * (n + anywhere(0.1)).normalized());
+    for (const Vector3& n : kFourSides)
+      points.emplace_back(centre + 0.0398 * (n + anywhere(0.1)).normalized());
     const auto ball = fit_ball(points, centre + anywhere(0.01), 0.04);
     ASSERT_TRUE(ball);
     EXPECT_NEAR((ball->centre - centre).norm(), 0, 1e-9);
@@ -40,7 +41,7 @@ TEST_F(Fit, BallAveragesNoiseAndTellsIt) {
   for (int run = 0; run < kRuns; ++run) {
     std::vector<Vector3> points;
     for (int k = 0; k < 16; ++k)
-      points.push_back(0.04 * kFourSides[static_cast<std::size_t>(k % 4)] + noise(kSigma));
+      points.emplace_back(0.04 * kFourSides[static_cast<std::size_t>(k % 4)] + noise(kSigma));
     const auto ball = fit_ball(points, Vector3(0.005, 0, 0), 0.04);
     ASSERT_TRUE(ball);
     error += ball->centre.squaredNorm() / kRuns;
@@ -89,8 +90,8 @@ TEST_F(Fit, PoseAveragesNoiseOverThePoints) {
       const Pose T_AB = any_pose();
       std::vector<Vector3> a, b;
       for (std::size_t point = 0; point < n; ++point) {
-        b.push_back(0.2 * (kFourSides[point % 4] + anywhere(0.1)));
-        a.push_back(T_AB * b.back() + noise(1e-4));
+        b.emplace_back(0.2 * (kFourSides[point % 4] + anywhere(0.1)));
+        a.emplace_back(T_AB * b.back() + noise(1e-4));
       }
       const auto fit = fit_pose(a, b);
       ASSERT_TRUE(fit);
