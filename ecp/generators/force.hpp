@@ -59,7 +59,7 @@ struct EdgeRule {
 /// An edge of stiffness K that is met with v_d = B F is hit with B sqrt(K I) times F, its damping ratio being the half of the
 /// inverse: a hard impact tells that the edge is too stiff for the rule, however the arm gives way.
 /// @param peak  of the impact [N] @param settled  force at which the approach settles [N]
-/// @return share of its speed with which the rule suits the edge as if the impact had been kSoftImpact times the settled force
+/// @return share of its speed with which the rule suits the edge as if the impact had been twice the settled force
 [[nodiscard]] inline double share_after_impact(double peak, double settled) {
   constexpr double kSoftImpact = 2;
   const double hard = peak / (kSoftImpact * settled);
