@@ -186,6 +186,7 @@ bool arm_swings(const Law& law, edp::ServoChoice servo, double K) {
   w.arms[0].start_height = 0.005;
   edp::DriverParameters p = sim::PressingArm::driver_parameters();
   p.servo = servo;
+  p.oscillation.softest = 1;  // the law as it is commanded
   sim::PressingArm arm(w, p);
   arm.prepare();
   // Softly down, then the law that is tried.
