@@ -204,8 +204,9 @@ run_test_command() {
   [[ -z $share ]] || { [[ $share =~ ^[0-9]+/[0-9]+$ ]] && ((10#${share%/*} < 10#${share#*/})); } ||
     fail 2 bad_usage "--share: '$share' is not of the form K/N with K from 0 to N - 1"
   [[ -z $minutes || $minutes =~ ^[1-9][0-9]*$ ]] || fail 2 bad_usage "--minutes: '$minutes' is no number of minutes"
-  [[ -z $since$share || " ${what[*]} " == *" tidy "* ]] ||
-    fail 2 bad_usage "--since and --share are for --tidy; look at ./run test --help"
+  [[ -z $since || " ${what[*]} " == *" tidy "* ]] || fail 2 bad_usage "--since is for --tidy; look at ./run test --help"
+  [[ -z $share || " ${what[*]} " =~ " tidy "|" asan "|" tsan " ]] ||
+    fail 2 bad_usage "--share is for --tidy, --asan and --tsan; look at ./run test --help"
   [[ -z $minutes || " ${what[*]} " =~ " tidy "|" fuzz " ]] ||
     fail 2 bad_usage "--minutes is for --tidy and --fuzz; look at ./run test --help"
   ((${#filter[@]} == 0)) || [[ ! " ${what[*]} " =~ " format "|" tidy "|" fuzz " ]] ||
@@ -217,7 +218,7 @@ run_test_command() {
   for part in "${what[@]}"; do
     case $part in
       release) test_release "${filter[@]}" ;;
-      asan | tsan) test_sanitized "$part" "${filter[@]}" ;;
+      asan | tsan) test_sanitized "$part" "${filter[@]}" ${share:+-I "$((10#${share%/*} + 1)),,$((10#${share#*/}))"} ;;
       fuzz) test_fuzz "${minutes:-1}" ;;
       format) test_format ;;
       tidy) test_tidy "$since" "$share" "$minutes" ;;

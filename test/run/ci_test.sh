@@ -98,6 +98,12 @@ what_cannot_run_here_fails_nothing_and_comes_first_the_next_time() {
   says_not 'NOT RUN'
 }
 
+the_bare_machine_comes_first_whatever_was_left_out() {
+  printf 'tsan\nshare\n' >memory/left_out
+  ci 0
+  [[ $(head -n 3 calls | cut -d ' ' -f 1-3 | tr '\n' ' ') == 'bare ./run test --tsan ./run test --tidy ' ]] || fail "$(cat calls)"
+}
+
 what_has_not_begun_in_time_is_told_and_fails_nothing() {
   MRROC_CI_LAST_BEGIN=-1 ci 0
   [[ ! -e calls ]] || fail "$(cat calls)"
@@ -107,15 +113,17 @@ what_has_not_begun_in_time_is_told_and_fails_nothing() {
   [[ ! -e memory/landed ]] || fail 'what nobody looked at has landed'
 }
 
-tidy_looks_at_what_differs_from_the_commit_that_passed_last_and_at_shares_by_turns() {
+checks_look_at_what_differs_from_the_commit_that_passed_last_and_at_shares_by_turns() {
   local before
   ci 0
   before=$(git rev-parse HEAD)
-  grep -q -- '--share 1/24' calls || fail "$(cat calls)"
+  grep -q -- '--tidy --share 1/24' calls || fail "$(cat calls)"
+  grep -q -- '--asan --share 1/3' calls || fail "$(cat calls)"
   git -c user.name=a -c user.email=a@b commit -q --allow-empty -m next
   ci 0
   grep -q -- "--since $before" calls || fail "$(cat calls)"
   grep -q -- '--share 2/24' calls || fail "$(cat calls)"
+  grep -q -- '--asan --share 2/3' calls || fail "$(cat calls)"
   # Files for which no time was left belong to the next run's.
   before=$(git rev-parse HEAD)
   git -c user.name=a -c user.email=a@b commit -q --allow-empty -m third

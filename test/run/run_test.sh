@@ -353,7 +353,7 @@ what_a_check_is_given_is_judged_before_anything_is_done() {
   if command -v git >/dev/null; then
     git init -q . && git -c user.name=a -c user.email=a@b commit -q --allow-empty -m made-up
   fi
-  for words in '--tidy --share 3' '--tidy --share 3/3' '--since HEAD' '--tidy --since nowhere' '--tidy --minutes x' '--since' '--usan' '--format -R X' '-R X --tidy' '--all -R X' '--fuzz -R X' '--minutes 2' '--asan --minutes 2' '--fuzz --minutes 0'; do
+  for words in '--tidy --share 3' '--tidy --share 3/3' '--since HEAD' '--share 0/2' '--asan --share 2/2' '--tidy --since nowhere' '--tidy --minutes x' '--since' '--usan' '--format -R X' '-R X --tidy' '--all -R X' '--fuzz -R X' '--minutes 2' '--asan --minutes 2' '--fuzz --minutes 0'; do
     status=0
     # shellcheck disable=SC2086  # a list
     said=$(./run test $words 2>&1) || status=$?
