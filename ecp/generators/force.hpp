@@ -67,10 +67,9 @@ struct EdgeRule {
 }
 
 /// @return the rule with s times the speed everywhere, and the forces as they were; it turns less, too, as readings
-///         are as late as before
+///         are as late as before. I stays, so that the damping ratio on an edge of stiffness K, 1 / (2 B sqrt(K I)), grows by 1 / s
 [[nodiscard]] constexpr EdgeRule slowed(EdgeRule rule, double s) {
   rule.B *= s;
-  rule.I /= s;
   rule.speed_per_force *= s;
   rule.turn_per_force *= s;
   return rule;

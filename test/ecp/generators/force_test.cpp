@@ -237,12 +237,14 @@ TEST(EdgeFollowing, AnImpactIsNoReasonToTurnAwayFromTheEdge) {
   EXPECT_EQ(turned(30).frame.y.velocity, turned(6).frame.y.velocity);
 }
 
-TEST(EdgeFollowing, IsSlowerOnAnEdgeThatIsHitHarderAndPressesAsMuch) {
+TEST(EdgeFollowing, IsSlowerOnAnEdgeThatIsHitHarderPressesAsMuchAndIsBetterDamped) {
   EXPECT_EQ(share_after_impact(3.9, 2), 1);
   EXPECT_NEAR(share_after_impact(8, 2), 0.25, 1e-12) << "four times as stiff";
   const EdgeRule rule, slow = slowed(rule, 0.25);
   EXPECT_EQ(slow.force, rule.force);
-  EXPECT_EQ(slow.I * slow.B, rule.I * rule.B) << "time constant of (28)";
+  EXPECT_EQ(slow.I, rule.I);
+  EXPECT_EQ(slow.B * std::sqrt(4 * slow.I), rule.B * std::sqrt(rule.I) / 2)
+      << "half the damping's inverse, four times the stiffness";
   EXPECT_EQ(slow.speed_per_force / slow.B, rule.speed_per_force / rule.B)
       << "what the force lacks along the edge";
 }
