@@ -82,7 +82,7 @@ TEST(CalibrateCellResult, FiguresCompareWithTheTruth) {
 TEST(CalibrateCellResult, IsTakenByEveryTask) {
   const Bases bases = some_bases();
   const std::string text =
-      as_toml(bases, {ecp::ForceTool{10.8, {0.004, 0, 0.156}}, ecp::ForceTool{11, {}}}, "runs/a");
+      as_toml(bases, {ecp::ForceTool{10.8, {0.004, 0, 0.156}}, ecp::ForceTool{11, Vector3::Zero()}}, "runs/a");
   Config one_arm = Config::parse("seed = 1\n", "task");
   one_arm.overlay(Config::parse(text, "calibrated.toml"));
   std::ignore = one_arm.integer("seed", 1);
