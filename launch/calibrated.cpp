@@ -13,6 +13,8 @@ void take_calibrated(const Config& config) {
       std::ignore =
           config.list(key, std::vector<double>{}, {-10, 10}, "m, rad; empty: as robots." + arm + ".place");
   for (const std::string& arm : config.tables("robots")) {
+    if (const std::string key = "robots." + arm + ".kinematics"; config.has(key))
+      std::ignore = config.text(key, "");
     const Config tool = config.section("robots." + arm + ".tool");
     if (tool.has("weight")) std::ignore = tool.number("weight", Config::kRequired, {0, 50}, "N");
     if (tool.has("mass_centre"))

@@ -86,6 +86,22 @@ std::optional<Calibration> calibration_of(const std::vector<mp::ArmTrace>& trace
   return found;
 }
 
+double misfit(const Calibration& found) {
+  constexpr double kOfBall = 4, kOfPose = 6;  // unknowns
+  constexpr double kMorePerBall = kTouchesPerBall - kOfBall;
+  double sum = 0, more = 0;
+  for (const auto& balls : found.balls)
+    for (const BallFit& ball : balls) {
+      sum += kMorePerBall * ball.rms * ball.rms;
+      more += kMorePerBall;
+    }
+  for (const double apart : found.T_12.residuals) {
+    sum += apart * apart;
+    more += 3;
+  }
+  return std::sqrt(sum / (more - kOfPose));
+}
+
 mp::TaskFigures figures(const std::vector<mp::ArmTrace>& traces, const std::optional<Calibration>& found,
                         const Bases& believed, const std::optional<Bases>& real) {
   PoseDistance before{NAN, NAN}, after{NAN, NAN};

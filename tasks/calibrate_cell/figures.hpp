@@ -34,6 +34,10 @@ struct Calibration {
 [[nodiscard]] std::optional<Calibration> calibration_of(const std::vector<mp::ArmTrace>& traces,
                                                         const std::array<ProbePlan, kArms>& plans);
 
+/// @return distances of the touches from the spheres of their balls, and of the balls of one arm from those of the other,
+///         per number that is too many, rms [m]: what is left of them with errors of the arms' geometry, and noise
+[[nodiscard]] double misfit(const Calibration& found);
+
 /// @return base of the second arm in that of the first one
 [[nodiscard]] inline Pose relation(const Bases& bases) { return bases[0].inverse() * bases[1]; }
 

@@ -7,6 +7,7 @@
 #include "mp/run_folder.hpp"
 #include "tasks/calibrate_cell/calibrate_cell.hpp"
 #include "tasks/calibrate_cell/cell/cell.hpp"
+#include "tasks/calibrate_cell/cell/kinematic_sets.hpp"
 #include "tasks/calibrate_cell/plots.hpp"
 #include "tasks/calibrate_cell/result.hpp"
 #include "tasks/calibrate_cell/vocabulary.hpp"
@@ -16,17 +17,17 @@ namespace {
 using namespace mrroc;
 using namespace mrroc::calibrate_cell;
 
-std::array<ProbePlan, kArms> plans_of(const Config& config) {
-  return {read_plan(config, kKeys[0]), read_plan(config, kKeys[1])};
-}
-
 mp::TaskFigures figures_of(const std::vector<mp::ArmTrace>& traces, const Config& config) {
-  return figures(traces, calibration_of(traces, plans_of(config)), believed_bases(config),
-                 true_bases(config));
+  const SetsVerdict verdict = fit_sets(traces, config);
+  mp::TaskFigures all =
+      figures(traces, verdict.fits[verdict.chosen].found, believed_bases(config), true_bases(config));
+  add_figures(all, verdict, true_sets(config));
+  return all;
 }
 
 std::vector<launch::Picture> pictures(const std::vector<mp::ArmTrace>& traces, const Config& config) {
-  const auto found = calibration_of(traces, plans_of(config));
+  const SetsVerdict verdict = fit_sets(traces, config);
+  const auto& found = verdict.fits[verdict.chosen].found;
   if (!found) return {};
   return {{.name = "balls", .script = balls_script(*found, believed_bases(config))}};
 }
@@ -36,12 +37,16 @@ void write_result(launch::Results& r) {
   if (r.summary.fault || r.summary.stopped) return;
   const Config& config = r.setup.config;
   const std::vector<mp::ArmTrace> traces(r.coordinator.traces().begin(), r.coordinator.traces().end());
-  const auto found = calibration_of(traces, plans_of(config));
-  if (!found) throw FaultError(kTouchesDoNotFit, "the balls leave open how the bases stand");
+  const SetsVerdict verdict = fit_sets(traces, config);
+  const SetsFit& chosen = verdict.fits[verdict.chosen];
+  if (!chosen.found) throw FaultError(kTouchesDoNotFit, "the balls leave open how the bases stand");
   const auto file = r.folder / kResultFile;
-  mp::write_text(file, as_toml(corrected(believed_bases(config), *found),
-                               {tool_of(traces[0]), tool_of(traces[1])}, r.folder.filename().string()));
-  r.remarks = fmt::format("what was found, for the other tasks: --config {}\n", file.string());
+  mp::write_text(file, as_toml(corrected(believed_bases(config), *chosen.found),
+                               {tool_of(traces[0]), tool_of(traces[1])},
+                               verdict.told_apart ? chosen.names : std::array<std::string, kArms>{},
+                               r.folder.filename().string()));
+  r.remarks =
+      describe(verdict) + fmt::format("what was found, for the other tasks: --config {}\n", file.string());
 }
 
 }  // namespace

@@ -10,18 +10,19 @@ Bases corrected(const Bases& believed, const Calibration& found) {
 }
 
 std::string as_toml(const Bases& bases, const std::array<ecp::ForceTool, kArms>& tools,
-                    const std::string& run) {
+                    const std::array<std::string, kArms>& sets, const std::string& run) {
   std::string text = fmt::format(
       "# Where the arms stand and what their tools weigh, as calibrate_cell found it.\n"
       "# ./run rubik --config {}; a task leaves out what it has no use for.\n\n[calibration]\nrun = '{}'\n",
       kResultFile, run);
   for (std::size_t arm = 0; arm < kArms; ++arm) {
     const AngleAxisPose place = angle_axis_from_pose(bases[arm]);
-    text += fmt::format(
-        "\n[cell.robots.{0}]\nplace = [{1:.7f}]\n\n[robots.{0}.tool]\nweight = {2:.3f}\nmass_centre = "
-        "[{3:.4f}]\n",
-        kKeys[arm], fmt::join(place.data(), place.data() + place.size(), ", "), tools[arm].w,
-        fmt::join(tools[arm].P.data(), tools[arm].P.data() + 3, ", "));
+    text += fmt::format("\n[cell.robots.{}]\nplace = [{:.7f}]\n", kKeys[arm],
+                        fmt::join(place.data(), place.data() + place.size(), ", "));
+    if (!sets[arm].empty())
+      text += fmt::format("\n[robots.{}]\nkinematics = \"{}\"\n", kKeys[arm], sets[arm]);
+    text += fmt::format("\n[robots.{}.tool]\nweight = {:.3f}\nmass_centre = [{:.4f}]\n", kKeys[arm],
+                        tools[arm].w, fmt::join(tools[arm].P.data(), tools[arm].P.data() + 3, ", "));
   }
   return text;
 }

@@ -15,9 +15,10 @@ inline constexpr const char* kResultFile = "calibrated.toml";
 /// @return the bases as they are believed from now on
 [[nodiscard]] Bases corrected(const Bases& believed, const Calibration& found);
 
+/// @param sets  names of the arms' kinematic sets, for robots.ARM.kinematics; empty: nothing is said of them
 /// @param run  where it was found, for people
 /// @return the text of the file
 [[nodiscard]] std::string as_toml(const Bases& bases, const std::array<ecp::ForceTool, kArms>& tools,
-                                  const std::string& run);
+                                  const std::array<std::string, kArms>& sets, const std::string& run);
 
 }  // namespace mrroc::calibrate_cell

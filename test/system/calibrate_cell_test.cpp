@@ -2,6 +2,7 @@
 // tasks take what it leaves.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -84,6 +85,29 @@ TEST_F(CalibratedCell, SolvesTheCubeThatHandsMissBefore) {
   EXPECT_EQ(after.figure("solved"), 1);
   const CubeRun again({"--config", (after.folder / "run" / "config.toml").string()}, {"--eyes", "none"});
   EXPECT_EQ(again.ended.status, 2) << "a run's configuration has a camera or none";
+}
+
+TEST(CalibrateCell, FindsTheSetsOfBothArmsWithWhichDrawingCopies) {
+  if (kSanitized) GTEST_SKIP() << "too long";
+  const std::vector<std::string> truth{"--set", "sim.robots.arm1.kinematics=calibrated", "--set",
+                                       "sim.robots.arm2.kinematics=calibrated"};
+  const Calibrated c(truth);
+  ASSERT_EQ(c.ended.status, 0) << c.ended.all();
+  EXPECT_EQ(figure(c.told, "sets_wrong"), 0);
+  EXPECT_LE(figure(c.told, "base_err_mm"), 0.5);
+  EXPECT_LE(figure(c.told, "base_err_deg"), 0.05);
+  EXPECT_GT(figure(c.told, "other_sets_rms_mm"), 10 * figure(c.told, "sets_rms_mm"));
+  const Folder folder;
+  const auto copy_rms = [&](const std::string& name, const std::vector<std::string>& told) {
+    const std::string to = (folder / name).string();
+    const Ended drawing =
+        run(folder, "drawing", words({{"--processes", "one", "--run-dir", to}, truth, told}));
+    EXPECT_EQ(drawing.status, 0) << drawing.all();
+    const auto of_arms = summary(to).at("figures").at("copy_rms_mm").get<std::vector<double>>();
+    return std::ranges::max(of_arms);
+  };
+  EXPECT_GT(copy_rms("before", {}), 1);
+  EXPECT_LT(copy_rms("after", {"--config", c.result()}), 0.03);
 }
 
 }  // namespace

@@ -17,7 +17,6 @@
 namespace mrroc::calibrate_cell {
 namespace {
 
-constexpr std::array<const char*, kArms> kModels{"irb6_postument", "irb6_track"};
 constexpr double kReadyDistance = 0.1;  // of the tip from the nearest ball, before the search begins [m]
 
 Bases read_bases(const Config& config) {
@@ -100,6 +99,16 @@ Bases believed_bases(const Config& config) { return read_bases(config); }
 Bases true_bases(const Config& config) {
   const sim::WorldParameters world = sim::read_world(config);
   return {world.arms.at(0).T_UB, world.arms.at(1).T_UB};
+}
+
+SetNumbers true_sets(const Config& config) {
+  const sim::WorldParameters world = sim::read_world(config);
+  SetNumbers sets{};
+  for (std::size_t arm = 0; arm < kArms; ++arm) {
+    const auto& type = robots::read_type(config, kKeys[arm], robots::catalogue(), kModels[arm]);
+    sets[arm] = world.arms.at(arm).model % std::max(1, static_cast<int>(type.parameter_sets.size()));
+  }
+  return sets;
 }
 
 void complete(Config& config) {

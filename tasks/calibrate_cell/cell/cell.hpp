@@ -6,10 +6,19 @@
 
 namespace mrroc::calibrate_cell {
 
+/// Types of the arms unless robots.ARM.model says otherwise.
+inline constexpr std::array<const char*, kArms> kModels{"irb6_postument", "irb6_track"};
+
+/// Numbers of the arms' sets, in the order of their types' parameter_sets.
+using SetNumbers = std::array<int, kArms>;
+
 /// @return where the bases are believed before the run: cell.robots.ARM.place @throws ConfigError
 [[nodiscard]] Bases believed_bases(const Config& config);
 /// @return where they are: the simulator's sim.robots.ARM.place and .base_error, for figures only @throws ConfigError
 [[nodiscard]] Bases true_bases(const Config& config);
+
+/// @return the sets of the simulator's arms, for figures only @throws ConfigError
+[[nodiscard]] SetNumbers true_sets(const Config& config);
 
 /// Sets what follows from belief: task.ARM.balls, and robots.ARM.start_joints before the balls where there are none.
 /// @throws ConfigError; FaultError bad_configuration: an arm does not reach that

@@ -82,7 +82,8 @@ TEST(CalibrateCellResult, FiguresCompareWithTheTruth) {
 TEST(CalibrateCellResult, IsTakenByEveryTask) {
   const Bases bases = some_bases();
   const std::string text =
-      as_toml(bases, {ecp::ForceTool{10.8, {0.004, 0, 0.156}}, ecp::ForceTool{11, Vector3::Zero()}}, "runs/a");
+      as_toml(bases, {ecp::ForceTool{10.8, {0.004, 0, 0.156}}, ecp::ForceTool{11, Vector3::Zero()}},
+              {"calibrated", "nominal"}, "runs/a");
   Config one_arm = Config::parse("seed = 1\n", "task");
   one_arm.overlay(Config::parse(text, "calibrated.toml"));
   std::ignore = one_arm.integer("seed", 1);
@@ -96,6 +97,7 @@ TEST(CalibrateCellResult, IsTakenByEveryTask) {
     EXPECT_LT(distance(read[arm], bases[arm]).deg, 1e-4);
   }
   EXPECT_EQ(planner.number("robots.arm1.tool.weight", Config::kRequired), 10.8);
+  EXPECT_EQ(planner.text("robots.arm1.kinematics", ""), "calibrated");
 }
 
 TEST(CalibrateCellResult, OtherKeysOfSuchAFileAreErrorsAsEver) {
