@@ -174,6 +174,8 @@ std::array<ecp::HeldShares, kArms> held(const X& x) {
 Memory watch_contact(const X& x) {
   Memory c = following(x);
   if (both_on_paper(x) && !c.touched) c.instant = x.t.time + x.t.pace;
+  for (std::size_t arm = 0; arm < kArms; ++arm)
+    if (both_on_paper(x) && !c.met[arm]) c.met[arm] = pose_of(x.T.agent[arm]).p;
   c.touched = both_on_paper(x);
   c.held = held(x);
   return c;
@@ -266,7 +268,9 @@ bool settled(const X& x) {                                          // (45)
   return both_on_paper(x) && x.c.touched && x.t.time - x.c.instant >= x.c.k.settle;
 }
 bool lowered(const X& x) { return settled(x) || no_contact(x); }
-bool stroke_ends(const X& x) { return !next_node_is(x.c.recording, x.c.p, true); }   // (48)
+bool stroke_ends(const X& x) {  // (48)
+  return !next_node_is(x.c.recording, x.c.p, true) || arm_off_its_sheet(x);
+}
 bool lifted(const X& x) { return x.t.time - x.c.instant >= x.c.k.lift_off; }         // (50)
 bool travel_ends(const X& x) { return !next_node_is(x.c.recording, x.c.p, false); }  // (52)
 
@@ -275,6 +279,18 @@ None nothing(const X&) { return {}; }
 }  // namespace
 
 bool no_contact(const X& x) { return !x.c.touched && x.t.time - x.c.begun >= x.c.k.touch_timeout; }
+
+std::optional<std::size_t> arm_off_its_sheet(const X& x) {
+  constexpr double kSteepest = 0.1;  // that a sheet lies, per metre
+  constexpr double kUneven =
+      0.008;  // [m]: what the sheet, the tool and the robot's lengths give way or err by
+  for (std::size_t arm = 0; arm < kArms; ++arm) {
+    if (!x.c.met[arm]) continue;
+    const Vector3 way = pose_of(x.T.agent[arm]).p - *x.c.met[arm];
+    if (std::abs(way.z()) > kUneven + kSteepest * way.head<2>().norm()) return arm;
+  }
+  return {};
+}
 
 const Motion<Coordinator> kWaitForStart{0,
                                         "wait for start",
@@ -293,7 +309,7 @@ const std::array<Motion<Coordinator>, 7> kCoordinator{{
   {  2, "record",             note_pose_and_trigger, record,           nothing, nothing, teach<2>,              triggered, "the operator's trigger"},
   {  3, "lead to the start",  note_trigger,          in_time,          nothing, nothing, both<3, kCompliant>,   triggered, "the operator's trigger"},
   {  4, "lowering",           not_touched,           watch_contact,    nothing, nothing, lower,                 lowered, "both pens settled on the paper"},
-  {  5, "draw on the paper",  retain,                reproduce<true>,  nothing, nothing, replay<5, true>,       stroke_ends, "the stroke ended"},
+  {  5, "draw on the paper",  retain,                reproduce<true>,  nothing, nothing, replay<5, true>,       stroke_ends, "the stroke ended, or a pen is off its sheet"},
   {  6, "lift off",           note_instant,          following,        nothing, nothing, lift,                  lifted, "the time of the lift-off elapsed"},
   {  7, "travel above paper", retain,                reproduce<false>, nothing, nothing, replay<7, false>,      travel_ends, "the next stroke begins"},
 }};

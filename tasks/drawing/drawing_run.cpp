@@ -44,6 +44,18 @@ Fault no_contact_fault(const Coordinator::X& x) {
   return fault;
 }
 
+/// Names an arm that believes to draw and is off its sheet.
+Fault off_the_sheet_fault(std::size_t arm) {
+  Fault fault;
+  fault.code = FaultCode::no_contact;
+  fault.process = fmt::format("vsp-arm{}", arm + 1);
+  fault.text = fmt::format(
+      "arm{} tells of a force, but is not where its pen met the sheet: its force sensor drifts, or the sheet "
+      "has moved",
+      arm + 1);
+  return fault;
+}
+
 }  // namespace
 
 void note_nodes(RunRecord& record, const Recording& recording, double t) {
@@ -88,9 +100,15 @@ Outcome DrawingRun::execute() {
   const Outcome outcome = run_program(x, port);
   record_.recording = x.c.recording;
   if (outcome != Outcome::terminated) {
-    // What the links have seen comes first: no_contact is about m = 4 alone.
+    // What the links have seen comes first: no_contact is about m = 4 and 5 alone.
     fault_ = links_.fault();
-    if (!fault_ && outcome == Outcome::faulted && no_contact(x)) fault_ = no_contact_fault(x);
+    if (!fault_ && outcome == Outcome::faulted) {
+      const std::optional<std::size_t> off = arm_off_its_sheet(x);
+      if (no_contact(x))
+        fault_ = no_contact_fault(x);
+      else if (off)
+        fault_ = off_the_sheet_fault(*off);
+    }
     return outcome;
   }
   first.finished = true;

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "base/agent_images.hpp"
 #include "base/latency.hpp"
@@ -59,6 +60,8 @@ struct CoordinatorMemory {
   std::int64_t trigger{};  ///< operator's trigger number at entry
   /// Pace of task time in the macrostep that the reports are about, and in those that have been ordered since.
   std::array<double, latency::kLoop> paces = kFullPace;
+  std::array<std::optional<Vector3>, kArms>
+      met{};                                  ///< where E of each arm first met its sheet, in its base [m]
   bool touched{};                             ///< m = 4: both pens are on the paper since `instant`
   std::array<ecp::HeldShares, kArms> held{};  ///< m = 4: of each arm's velocities
   BeltTrack belt;                             ///< of a conveyor that runs by itself

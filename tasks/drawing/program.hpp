@@ -7,7 +7,8 @@ namespace mrroc::drawing {
 /// Executes the task: teach-in unless the memory holds a recording already, then reproduction to its end.
 /// @param x     images of the first macrostep
 /// @param port  a Port of the coordinator
-/// @return terminated at the end of the drawing; faulted when a pen found no paper, with no_contact(x); otherwise why
+/// @return terminated at the end of the drawing; faulted when a pen found no paper, with no_contact(x), or left it,
+///         with arm_off_its_sheet(x); otherwise why
 ///         the port gave up
 template <class P>
 Outcome run_program(Coordinator::X& x, P& port) {
@@ -25,8 +26,9 @@ Outcome run_program(Coordinator::X& x, P& port) {
   while (o == Outcome::terminated) {
     o = behaviour(4);
     if (o == Outcome::terminated && no_contact(x)) return Outcome::faulted;
-    for (const int m : {5, 6})
-      if (o == Outcome::terminated) o = behaviour(m);
+    if (o == Outcome::terminated) o = behaviour(5);
+    if (o == Outcome::terminated && arm_off_its_sheet(x)) return Outcome::faulted;
+    if (o == Outcome::terminated) o = behaviour(6);
     if (o != Outcome::terminated || !nodes_left()) break;
     o = behaviour(7);
     if (!nodes_left()) break;

@@ -1,6 +1,8 @@
 // Tables 1-4 of MS: rows of the effectors' commands, and the coordinator's behaviours m = 1..7.
 #pragma once
 #include <array>
+#include <cstddef>
+#include <optional>
 
 #include "base/axis_command.hpp"
 #include "base/motion.hpp"
@@ -35,5 +37,9 @@ extern const Motion<Arm> kTransparent;
 
 /// @return whether m = 4 has ended because the pens were not both on the paper in time
 bool no_contact(const Coordinator::X& x);
+
+/// A sensor that drifts tells of a force that is none: its arm draws in the air, or pushes the sheet down.
+/// @return the arm whose pen is farther from the level at which it first met its sheet than any sheet lies, in m = 5
+std::optional<std::size_t> arm_off_its_sheet(const Coordinator::X& x);
 
 }  // namespace mrroc::drawing

@@ -3,6 +3,7 @@
 
 #include "base/camera_config.hpp"
 #include "launch/task.hpp"
+#include "tasks/visual_servo/cell/tool_camera.hpp"
 #include "tasks/visual_servo/config.hpp"
 #include "tasks/visual_servo/figure_info.hpp"
 #include "tasks/visual_servo/plots.hpp"
@@ -28,7 +29,8 @@ void prepare(visual_servo::Parameters& k, const Config& config) {
 }
 
 void make_results(launch::Results& r) {
-  const auto table = r.coordinator_as<visual_servo::ServoRun>().table();
+  const auto table =
+      r.coordinator_as<visual_servo::ServoRun>().table(visual_servo::tool_camera_error(r.setup.config));
   visual_servo::write_servo_table(r.folder / "servo.csv", table);
   r.add(visual_servo::figures_of(table), visual_servo::kFigures);
   if (!table.empty()) r.pictures = visual_servo::plots(table);

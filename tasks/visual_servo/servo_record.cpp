@@ -21,7 +21,7 @@ Pose between(const Pose& a, const Pose& b, double share) {
 
 /// Fills in what is true at a step, when there is a truth about it.
 void add_truth(const std::vector<object_truth_t>& truths, std::int64_t step, const Pose& T_EGd, double dt,
-               ServoRow& row) {
+               const Pose& D, ServoRow& row) {
   row.object_there = false;
   const auto after = std::ranges::upper_bound(truths, step, {}, &object_truth_t::step);
   if (after == truths.begin()) return;
@@ -34,6 +34,7 @@ void add_truth(const std::vector<object_truth_t>& truths, std::int64_t step, con
   const Pose T_0G = between(pose_from_rows(a.T_0G), pose_from_rows(b.T_0G), share);
   row.T_0E = between(pose_from_rows(a.T_0E), pose_from_rows(b.T_0E), share);
   row.true_e = row.T_0E.inverse() * T_0G * T_EGd.inverse();
+  row.known_e = D * row.true_e;
   row.v = (pose_from_rows(b.T_0G).p - pose_from_rows(a.T_0G).p) / (steps * dt);
   if (row.v.norm() < kRest) row.v.setZero();
 }
@@ -41,19 +42,20 @@ void add_truth(const std::vector<object_truth_t>& truths, std::int64_t step, con
 }  // namespace
 
 ServoTable join(const std::vector<servo_report_t>& reports, const std::vector<object_truth_t>& truths,
-                const Pose& T_EGd, double dt) {
+                const Pose& T_EGd, const ecp::Pacing& pacing, const Pose& D) {
   ServoTable table;
   for (const servo_report_t& r : reports) {
     ServoRow& row = table.emplace_back();
     row.k = static_cast<std::int64_t>(table.size()) - 1;
-    row.t = static_cast<double>(r.step) * dt;
+    row.t = static_cast<double>(r.step) * pacing.dt;
     row.behaviour = r.m == kIdle || r.m == kGiveUp.m ? 0 : r.m;
     row.sac_seen = r.seen[0] != 0;
     row.eih_seen = r.seen[1] != 0;
     row.refused = r.refused != 0;
     row.e = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(r.e));
+    row.set_step = Eigen::Map<const Vector3>(r.T_dc).norm() / pacing.n_s;
     row.T_0E = pose_of(r);
-    add_truth(truths, r.step, T_EGd, dt, row);
+    add_truth(truths, r.step, T_EGd, pacing.dt, D, row);
   }
   return table;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/link/process.hpp"
+#include "ecp/generators/trajectory.hpp"
 #include "mrroc/object_truth_t.hpp"
 #include "mrroc/servo_report_t.hpp"
 #include "tasks/visual_servo/servo_table.hpp"
@@ -12,10 +13,12 @@ namespace mrroc::visual_servo {
 
 /// @param reports  one per control step, in order
 /// @param truths   in order; between two of them the object and E move evenly
-/// @param T_EGd    E_G T_d @param dt  duration of a step [s]
+/// @param T_EGd    E_G T_d @param pacing  of the control steps
+/// @param D  what the tool's camera takes for the identity, see tool_camera_error()
 /// @return a row per report; without a truth about its step the object is not there
 [[nodiscard]] ServoTable join(const std::vector<servo_report_t>& reports,
-                              const std::vector<object_truth_t>& truths, const Pose& T_EGd, double dt);
+                              const std::vector<object_truth_t>& truths, const Pose& T_EGd,
+                              const ecp::Pacing& pacing, const Pose& D = {});
 
 /// Collects the messages of a run. Used by MP's thread.
 class ServoRecord {

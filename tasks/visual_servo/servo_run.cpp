@@ -38,8 +38,8 @@ Outcome ServoRun::execute() {
   return o;
 }
 
-ServoTable ServoRun::table() const {
-  return record_ ? join(record_->reports(), record_->truths(), k_.T_EGd, k_.pacing.dt) : ServoTable{};
+ServoTable ServoRun::table(const Pose& D) const {
+  return record_ ? join(record_->reports(), record_->truths(), k_.T_EGd, k_.pacing, D) : ServoTable{};
 }
 
 }  // namespace mrroc::visual_servo

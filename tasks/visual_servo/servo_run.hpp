@@ -20,8 +20,9 @@ class ServoRun final : public mp::CoordinatorRun {
   Outcome execute() override;
   [[nodiscard]] const Fault& fault() const override { return solo_.fault(); }
   [[nodiscard]] std::span<const mp::ArmTrace> traces() const override { return solo_.traces(); }
+  /// @param D  as join() takes it
   /// @return what happened in every control step; empty: nothing was written down
-  [[nodiscard]] ServoTable table() const;
+  [[nodiscard]] ServoTable table(const Pose& D) const;
 
  private:
   Parameters k_;

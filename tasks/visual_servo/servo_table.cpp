@@ -42,19 +42,33 @@ double overshoot(const ServoTable& table, std::size_t first) {
   return 100 * beyond;
 }
 
-/// Control steps until the true error stays below 2 mm; nan: it does not.
+/// Control steps until the error that the tool's camera can know stays below 2 mm; nan: it does not.
 double steps_to_2mm(const ServoTable& table, std::size_t first) {
   std::size_t k = table.size();
-  while (k > first && kMm * table[k - 1].true_e.p.norm() < 2) --k;
+  while (k > first && kMm * table[k - 1].known_e.p.norm() < 2) --k;
   return k == table.size() ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(k - first);
+}
+
+/// Greatest way of the set pose in a step, after the arm goes by other cameras than before; nan: it does not.
+double camera_change(const ServoTable& table) {
+  double greatest = std::numeric_limits<double>::quiet_NaN(), until = -1;
+  int used = 0;  // none yet
+  for (const ServoRow& row : table) {
+    if (row.behaviour == 0) continue;
+    if (used != 0 && row.behaviour != used) until = row.t + kChange;
+    used = row.behaviour;
+    if (row.t < until) greatest = std::fmax(greatest, row.set_step);
+  }
+  return greatest;
 }
 
 void of_rest(const ServoTable& table, mp::Figures& figures) {
   const double end = table.back().t - kEnd;
   const auto last = [&](const ServoRow& row) { return row.t > end; };
-  figures["final_err_mm"] = mean(table, last, [](const ServoRow& r) { return kMm * r.true_e.p.norm(); });
+  figures["final_err_mm"] = mean(table, last, [](const ServoRow& r) { return kMm * r.known_e.p.norm(); });
   figures["final_err_deg"] =
-      mean(table, last, [](const ServoRow& r) { return kDegrees * angle_of(r.true_e); });
+      mean(table, last, [](const ServoRow& r) { return kDegrees * angle_of(r.known_e); });
+  figures["true_err_mm"] = mean(table, last, [](const ServoRow& r) { return kMm * r.true_e.p.norm(); });
   if (std::ranges::any_of(table, moves)) return;
   const auto seen = std::ranges::find_if_not(table, blind);
   const auto first = static_cast<std::size_t>(seen - table.begin());
@@ -106,6 +120,8 @@ mp::Figures figures_of(const ServoTable& table) {
   for (const ServoRow& row : table) moved = std::max(moved, (row.T_0E.p - table.front().T_0E.p).norm());
   figures["arm_moved_mm"] = kMm * moved;
   if (std::ranges::all_of(table, blind)) return figures;
+  if (const double change = camera_change(table); std::isfinite(change))
+    figures["camera_change_mm"] = kMm * change;
   if (std::ranges::any_of(table, moves)) of_motion(table, figures);
   if (table.back().object_there && !moves(table.back())) of_rest(table, figures);
   return figures;

@@ -49,9 +49,9 @@ inline Recording recording(std::initializer_list<PenState> pens) {
   return r;
 }
 
-/// Puts the pen of arm 1 there.
-inline void give_pose(Coordinator::X& x, const Pose& T) {
-  Eigen::Map<AngleAxisPose>(x.T.agent[0].T_0E.data()) = angle_axis_from_pose(T);
+/// Puts the pen of that arm there.
+inline void give_pose(Coordinator::X& x, const Pose& T, std::size_t arm = 0) {
+  Eigen::Map<AngleAxisPose>(x.T.agent[arm].T_0E.data()) = angle_axis_from_pose(T);
 }
 
 }  // namespace mrroc::drawing

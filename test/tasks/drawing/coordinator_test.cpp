@@ -177,6 +177,29 @@ TEST(Coordinator, TheTimeoutStandsStillDuringAPause) {
   EXPECT_FALSE(row(4).f_tau(x));
 }
 
+TEST(Coordinator, AStrokeEndsWhenAPenHasLeftTheLevelOfItsSheet) {
+  X x = image(paper_surface, paper_surface);
+  x.c.recording = recording({paper_surface, paper_surface, paper_surface});
+  const auto at = [&x](double along, double height) {
+    give_pose(x, {Matrix3::Identity(), {0.9 + along, 0, 0.92 + height}}, 1);
+    return arm_off_its_sheet(x);
+  };
+  EXPECT_FALSE(at(0, 1)) << "it has met none yet";
+  static_cast<void>(at(0, 0));
+  x.c = row(4).f_entry(x);
+  pass(x, 4);
+  EXPECT_FALSE(at(0, 0.007));
+  EXPECT_FALSE(at(0.1, 0.015)) << "the sheet is not level";
+  EXPECT_FALSE(row(5).f_tau(x));
+  for (const double height : {0.012, -0.012}) {
+    EXPECT_EQ(at(0, height), 1U) << height;
+    EXPECT_TRUE(row(5).f_tau(x));
+  }
+  x.c = row(4).f_entry(x);
+  pass(x, 4);
+  EXPECT_EQ(at(0, 0.012), 1U) << "the first touch counts: later ones may be none";
+}
+
 TEST(Coordinator, StrokeEndsBeforeTheFirstNodeThatIsNotOnThePaper) {  // (47), (48)
   X x = image();
   x.c.recording = recording({paper_surface, paper_surface, lift_off, above_paper, paper_surface});

@@ -19,7 +19,7 @@ ServoTable approach(const std::vector<double>& x_mm) {
     row.behaviour = 1;
     row.sac_seen = true;
     row.T_0E.p.x() = -1e-3 * x;
-    row.true_e.p.x() = 1e-3 * x;
+    row.known_e.p.x() = row.true_e.p.x() = 1e-3 * x;
   }
   return table;
 }
@@ -34,7 +34,7 @@ TEST(ServoFigures, AreOfTheTrueErrorOfAnObjectAtRest) {
   std::vector<double> x{300, 200, 100, -15, 10, -1.9, 1.5};
   for (int k = 0; k < 10; ++k) x.push_back(0.5);
   ServoTable table = approach(x);
-  table.back().true_e.R = rotation_from_angle_axis({0, 0, std::numbers::pi / 180});
+  table.back().known_e.R = rotation_from_angle_axis({0, 0, std::numbers::pi / 180});
   EXPECT_NEAR(figure(table, "final_err_mm"), 0.5, 1e-9);
   EXPECT_NEAR(figure(table, "final_err_deg"), 0.1, 1e-9) << "one row of ten";
   EXPECT_NEAR(figure(table, "overshoot_pct"), 5, 1e-9);
@@ -42,6 +42,23 @@ TEST(ServoFigures, AreOfTheTrueErrorOfAnObjectAtRest) {
   EXPECT_NEAR(figure(table, "arm_moved_mm"), 315, 1e-9);
   EXPECT_EQ(figure(table, "unseen_pct"), 0);
   EXPECT_EQ(figure(table, "line_lag_mm"), -1) << "nothing moves";
+}
+
+TEST(ServoFigures, JudgeTheEndByWhatTheToolsCameraCanKnow) {
+  ServoTable table = approach({300, 100, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1});
+  for (ServoRow& row : table) row.true_e.p.y() = 5e-3;
+  EXPECT_NEAR(figure(table, "final_err_mm"), 1, 1e-9);
+  EXPECT_NEAR(figure(table, "true_err_mm"), std::hypot(1, 5), 1e-9);
+  EXPECT_EQ(figure(table, "steps_to_2mm"), 2);
+}
+
+TEST(ServoFigures, TellHowFarTheSetPoseGoesInAStepAfterAChangeOfCameras) {
+  ServoTable table = approach(std::vector<double>(30, 1));
+  for (ServoRow& row : table) row.set_step = 9e-3;
+  EXPECT_EQ(figure(table, "camera_change_mm"), -1) << "always the same one";
+  for (std::size_t k = 10; k < 30; ++k) table[k].behaviour = k < 12 ? 0 : 3;
+  for (std::size_t k = 12; k < 17; ++k) table[k].set_step = 1e-4 * static_cast<double>(k);
+  EXPECT_NEAR(figure(table, "camera_change_mm"), 1.6, 1e-9) << "idle is no camera; half a second counts";
 }
 
 TEST(ServoFigures, CountControlStepsFromTheFirstOneThatSees) {
@@ -135,7 +152,7 @@ TEST(ServoFigures, OfAnObjectThatComesToRestAreThoseOfItsMotionAndOfItsEnd) {
   for (ServoRow& row : table) {
     if (row.k < 45) row.v = {0, 0.1, 0};
     if (row.k < 20) row.true_e.p.x() = 0.1;
-    if (row.k >= 45) row.true_e.p.x() = 3e-3;
+    if (row.k >= 45) row.known_e.p.x() = 3e-3;
   }
   EXPECT_NEAR(figure(table, "follow_err_mm"), 7, 1e-9) << "the last two seconds of the motion";
   EXPECT_NEAR(figure(table, "final_err_mm"), 3, 1e-9);
