@@ -11,8 +11,8 @@
 //   INSTANTIATE_TYPED_TEST_SUITE_P(My, TaskContract, MyAgent);
 //
 // More where it is needed: `static auto seen(X& x)`, a tie of everything in x that others have made, when that is not
-// x.e, x.V and x.T themselves; `static bool same(const Memory&, const Memory&)`, when c has no operator ==;
-// `static constexpr int kForever`, the number of a behaviour that lasts until the system stops; `static constexpr bool
+// x.e, x.V and x.T themselves; `static void limit(X& x)`, which takes back of it what would always end the task;
+// `static bool same(const Memory&, const Memory&)`, when c has no operator ==; `static constexpr int kForever`, the number of a behaviour that lasts until the system stops; `static constexpr bool
 // kHasNoDefaults`, when the configuration has values that nobody can guess.
 #pragma once
 #include <gtest/gtest.h>
@@ -76,6 +76,7 @@ class AnythingPort {
       vary(x.V, random);
       vary(x.T, random);
     }
+    if constexpr (requires { Case::limit(x); }) Case::limit(x);
   }
 
   std::set<int> begun, ended;  ///< numbers of behaviours

@@ -24,10 +24,14 @@ struct DrawingCoordinator : DrawingTask {
   }
   static Outcome run(Agent::X& x, auto& port) { return drawing::run_program(x, port); }
   static auto seen(Agent::X& x) { return std::tie(x.T.agent, x.T.h); }
+  /// In m = 5 pens that are at any height have left their sheets, which ends the task.
+  static void limit(Agent::X& x) {
+    for (auto& arm : x.T.agent) arm.T_0E[2] = 0;
+  }
   static bool same(const Agent::Memory& a, const Agent::Memory& b) {
     return a.k == b.k && a.recording == b.recording && a.p == b.p && a.T_previous.R == b.T_previous.R &&
            a.T_previous.p == b.T_previous.p && a.instant == b.instant && a.trigger == b.trigger &&
-           a.paces == b.paces && a.touched == b.touched && a.held == b.held;
+           a.paces == b.paces && a.touched == b.touched && a.met == b.met && a.held == b.held;
   }
 };
 INSTANTIATE_TYPED_TEST_SUITE_P(DrawingCoordinator, TaskContract, DrawingCoordinator);
