@@ -29,8 +29,9 @@ Figures run_servo_group(const std::filesystem::path& plots);
 Figures run_trajectory_group();
 /// The predicted limit of stable contact against the time domain; in the groups edp and stability.
 Figure stability_limit_figure();
-/// Predicted against simulated limits of stable contact. Takes about a minute.
-Figures run_stability_group();
+/// Predicted against simulated limits of stable contact. Takes some minutes.
+/// @param plots folder for the picture stability_arm.png, its table and script; empty: none
+Figures run_stability_group(const std::filesystem::path& plots);
 /// Pictures of the simulated cell: their time, the receptors' accuracy, adverse pictures, calibration; the visual
 /// servoing task. Takes about ten minutes, most of it for ten thousand adverse pictures and OpenCV's detector.
 /// @throws FaultError no_renderer

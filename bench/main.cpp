@@ -26,7 +26,7 @@ const std::vector<
         {"edp", [](const std::string&, bool) { return bench::run_edp_group(); }},
         {"servo", [](const std::string& plots, bool) { return bench::run_servo_group(plots); }},
         {"trajectory", [](const std::string&, bool) { return bench::run_trajectory_group(); }},
-        {"stability", [](const std::string&, bool) { return bench::run_stability_group(); }},
+        {"stability", [](const std::string& plots, bool) { return bench::run_stability_group(plots); }},
         {"vision", [](const std::string&, bool) { return bench::run_vision_group(); }},
         {"drawing", [](const std::string&, bool) { return bench::run_drawing_group(); }},
         {"pen_state", [](const std::string& plots, bool) { return bench::run_pen_state_group(plots); }},
@@ -107,7 +107,8 @@ int main(int argc, char** argv) {
           .type_name("[FILE]")
           .value_optional();
   line.flag("--resume", resume, "leaves out groups whose figures are in the file already");
-  line.option("--plots", plots, "draws pictures of the groups servo, pen_state and rex there (gnuplot)")
+  line.option("--plots", plots,
+              "draws pictures of the groups servo, stability, pen_state and rex there (gnuplot)")
       .type_name("DIR");
   try {
     if (const auto help = line.parse_or_help(argc, argv, {"./run bench servo --plots plots"})) {

@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
+#include "bench/arm_limits.hpp"
 #include "bench/figures.hpp"
 #include "edp/stability.hpp"
 #include "robots/irb6/parameters.hpp"
@@ -238,8 +240,8 @@ Figure stability_limit_figure() {
           "the default one"};
 }
 
-Figures run_stability_group() {
-  return {
+Figures run_stability_group(const std::filesystem::path& plots) {
+  Figures figures = {
       stability_limit_figure(),
       {"elastic_limit_err_pct", std::ranges::max(elastic_contacts()), "%",
        "predicted limit of the gain B with elastic gears of 8 to 15 Hz against the time domain, worst of "
@@ -255,6 +257,8 @@ Figures run_stability_group() {
       {"stability_margin_drawing", margin({20, 0.005}), "", "I 20, B 0.005: limit over 1e4 N/m"},
       {"stability_margin_press", margin({5, 0.0025}), "", "I 5, B 0.0025: limit over 1e4 N/m"},
   };
+  for (Figure& figure : arm_limit_figures(plots)) figures.push_back(std::move(figure));
+  return figures;
 }
 
 }  // namespace mrroc::bench

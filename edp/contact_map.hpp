@@ -1,21 +1,26 @@
 // The contact loop of edp/stability.hpp as a linear map of its state from step to step.
 #pragma once
 #include <Eigen/Dense>
+#include <vector>
 
 #include "edp/compensating_regulator.hpp"
 #include "edp/stability.hpp"
 
 namespace mrroc::edp {
 
-/// Continuous motion of the tip: s' = A s + b input, with the tip at position s[x] moving at dx s + dx_input
-/// input. The input is the set velocity, of a drive its duty cycle.
+/// Continuous motion of the tip: s' = A s + B input, with the tip at x s moving at dx s + dx_input input. The input is
+/// the set velocity, of drives their duty cycles.
 struct TipPlant {
-  Eigen::MatrixXd A;   ///< of the state
-  Eigen::VectorXd b;   ///< of the input
-  int x{};             ///< number of the tip's position in the state
-  int motor{};         ///< of what the encoder reads; the tip's, unless gears give way
-  Eigen::VectorXd dx;  ///< the tip's velocity, of the state
-  double dx_input{};   ///< and of the input
+  Eigen::MatrixXd A;         ///< of the state
+  Eigen::MatrixXd B;         ///< of the inputs
+  Eigen::VectorXd x;         ///< the tip's position [m], of the state
+  Eigen::VectorXd dx;        ///< its velocity, of the state
+  Eigen::VectorXd dx_input;  ///< and of the inputs
+  Eigen::MatrixXd encoders;  ///< what they read [increments], of the state; no row: a servo without a drive
+  Eigen::VectorXd set;       ///< set motion of each [increments] per way of the tip [m]
+  Eigen::VectorXd
+      tool{};  ///< force that accelerates what is beyond the sensor [N], of the state; empty: none
+  Eigen::VectorXd tool_input{};  ///< and of the inputs
 };
 
 /// The loop as a map of its state from step to step. The map is linear, so its matrix is what it makes of the
@@ -34,7 +39,7 @@ class ContactMap {
   /// @param s  state @return place of the tip [m]
   template <class State>
   [[nodiscard]] double position(const State& s) const {
-    return s[plant_.x];
+    return plant_.x.dot(s.head(n_));
   }
   /// @param s  state @return newest reading of the force over the stiffness [m]
   template <class State>
@@ -43,13 +48,14 @@ class ContactMap {
   }
 
  private:
+  [[nodiscard]] Eigen::VectorXd inputs(Eigen::VectorXd& s, double velocity) const;
+
   ContactLoop loop_;
-  CompensationGains gains_{};
-  double K_, D_;
+  std::vector<CompensationGains> gains_;  // of each motor that has such a regulator
   double unit_;  // a reading is the force over it [N/m]; K, unless the inertia of a tool is measured, too
-  Eigen::VectorXd felt_;  // present reading, of the plant's state
-  double felt_input_{};   // and of its input
   TipPlant plant_;
+  Eigen::VectorXd felt_;        // present reading, of the plant's state
+  Eigen::VectorXd felt_input_;  // and of its inputs
   int n_{}, history_{}, size_{};
   Eigen::MatrixXd over_step_;
 };

@@ -26,6 +26,22 @@ void check(const CompensatedDrive& drive) {
                      "stability: a drive needs its regulator, model, increments, inertia and lever");
 }
 
+void check(const WholeArm& arm) {
+  const auto n = static_cast<Eigen::Index>(arm.drives.size());
+  const auto square = [n](const AxisMatrix& m) { return m.rows() == n && m.cols() == n; };
+  const bool fits = n > 0 && square(arm.motors_per_joints) && square(arm.mass) && arm.tip.size() == n &&
+                    arm.set.size() == n && arm.tool_centre.size() == n;
+  const auto whole = [](const ArmDrive& d) {
+    return d.regulator.bandwidth > 0 && d.regulator.observer > 0 && d.model.resistance > 0 &&
+           d.model.inertia > 0 && d.increments_per_rad > 0 && d.rotor > 0;
+  };
+  if (!fits || !std::ranges::all_of(arm.drives, whole) || arm.tool < 0 || arm.wheels < 0 || arm.wheels >= 1)
+    throw FaultError(
+        FaultCode::out_of_limits,
+        "stability: an arm needs a drive a joint, each with its regulator, model, increments and "
+        "rotor, and matrices and ways of as many joints");
+}
+
 bool sensible(const GearMode& gears, const ServoModel& servo) {
   if (gears.frequency == 0) return true;
   const auto has_rotor = [&](const auto& of) {
@@ -79,6 +95,7 @@ void check_loop(const ContactLoop& loop) {
                drive->inertia > 0 && drive->lever != 0,
            "a drive needs increments, gain, time constant, inertia and lever");
   if (const auto* drive = std::get_if<CompensatedDrive>(&loop.servo)) check(*drive);
+  if (const auto* arm = std::get_if<WholeArm>(&loop.servo)) check(*arm);
 }
 
 ContactMode contact_mode(const ContactLoop& loop, double stiffness) {

@@ -6,7 +6,9 @@
 // it further, and the servo lags behind its set point. Each of these bounds the stiffness that is stable.
 #pragma once
 #include <variant>
+#include <vector>
 
+#include "base/axes.hpp"
 #include "edp/compensating_regulator.hpp"
 #include "edp/regulator.hpp"
 
@@ -48,11 +50,33 @@ struct CompensatedDrive {
   double lever{};                      ///< path of the tip per angle of the shaft [m/rad]; may be negative
 };
 
+/// One motor of a WholeArm, with the regulator that it has as a CompensatedDrive.
+struct ArmDrive {
+  CompensationCoefficients regulator;  ///< of the position loop
+  DriveModel model;                    ///< what the regulator knows of the motor
+  double increments_per_rad{};         ///< of the encoder on the shaft
+  double rotor{};  ///< inertia of all that turns with the shaft without any link [kg m^2], > 0
+};
+
+/// All axes of an arm at one pose, whose tip is pushed along one axis of E: as many CompensatedDrives as motors, which
+/// the links couple. What a controller may believe of it: edp/whole_arm.hpp.
+struct WholeArm {
+  std::vector<ArmDrive> drives;  ///< one a joint, 1..kMaxAxes
+  AxisMatrix motors_per_joints;  ///< d motors / d joints there
+  AxisMatrix mass;               ///< mass matrix of links and tool without rotors [kg m^2], track [kg]
+  AxisVector tip;                ///< way of the tip along the axis, of the joints [m/rad]
+  AxisVector set;                ///< motion of the joints that the driver sets per way of the tip [rad/m]
+  double tool{};                 ///< beyond the force sensor [kg], >= 0
+  AxisVector tool_centre;        ///< way of its mass centre along the axis, of the joints [m/rad]
+  double wheels{0.1};            ///< share of the rotors on the links' side of gears that give way, 0..1
+};
+
 /// Any of these servos.
-using ServoModel = std::variant<IdealServo, LagServo, RegulatedDrive, CompensatedDrive>;
+using ServoModel = std::variant<IdealServo, LagServo, RegulatedDrive, CompensatedDrive, WholeArm>;
 
 /// Gears that give way between servo and tip: what the servo moves is a rotor, whose encoder it reads, and a spring pulls
-/// the links behind it.
+/// the links behind it. A WholeArm has a spring a joint, each as stiff as the inertia that it moves, in a proportion that
+/// gives the lowest mode its frequency; it knows its masses by itself.
 struct GearMode {
   double frequency{};    ///< of the links on their springs, rotors held [Hz], 0: gears are rigid, else 1..100
   double damping{0.03};  ///< damping ratio of that mode, 0..1

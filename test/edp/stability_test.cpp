@@ -138,6 +138,48 @@ TEST(Stability, StiffGearsAreAsRigidOnes) {
   }
 }
 
+/// An arm of one joint that is the upper arm's drive, with a rotor and links of these inertias at the shaft.
+WholeArm arm_of_one_joint(const CompensatedDrive& d, double rotor, double tool) {
+  const auto one = [](double x) { return AxisVector(AxisVector::Constant(1, x)); };
+  WholeArm arm;
+  arm.drives = {{d.regulator, d.model, d.increments_per_rad, rotor}};
+  arm.motors_per_joints = AxisMatrix::Constant(1, 1, 1 / d.lever);  // the joint is the way of the tip
+  arm.mass = AxisMatrix::Constant(1, 1, (d.inertia - rotor) / (d.lever * d.lever));
+  arm.tip = arm.set = arm.tool_centre = one(1);
+  arm.tool = tool;
+  arm.wheels = 0;
+  return arm;
+}
+
+TEST(Stability, AnArmOfOneJointIsItsDrive) {
+  const CompensatedDrive drive = upper_arm();
+  for (const double B : {0.0025, 0.01})
+    EXPECT_NEAR(stiffness_limit(loop_of(5, B, arm_of_one_joint(drive, drive.inertia / 2, 0))) /
+                    stiffness_limit(loop_of(5, B, drive)),
+                1, 1e-3);
+}
+
+TEST(Stability, AnArmOfOneJointWithElasticGearsIsItsDriveBehindAMode) {
+  const CompensatedDrive drive = upper_arm();
+  const double rotor = drive.inertia / 2;
+  for (const double tool : {0., 1.2}) {
+    ContactLoop one = loop_of(5, 0.0025, drive);
+    one.gears = {10, 0.03, rotor / (drive.lever * drive.lever), tool};
+    ContactLoop arm = loop_of(5, 0.0025, arm_of_one_joint(drive, rotor, tool));
+    arm.gears.frequency = 10;
+    for (const double K : {1e3, 1e4, 1e5}) {
+      EXPECT_NEAR(contact_mode(arm, K).radius, contact_mode(one, K).radius, 1e-6) << K;
+      EXPECT_NEAR(contact_mode(arm, K).damping, contact_mode(one, K).damping, 1e-4) << K;
+    }
+  }
+}
+
+TEST(Stability, AnArmWhoseMatricesDoNotFitItsDrivesIsRefused) {
+  WholeArm arm = arm_of_one_joint(upper_arm(), upper_arm().inertia / 2, 0);
+  arm.mass = AxisMatrix::Identity(2, 2);
+  EXPECT_THROW(static_cast<void>(stiffness_limit(loop_of(5, 0.0025, arm))), FaultError);
+}
+
 TEST(Stability, GearsSofterThanTheLimitBearAnyContactButRingInIt) {
   ContactLoop l = loop_of(20, 0.005);
   const double rigid_limit = stiffness_limit(l), rigid_damping = contact_mode(l, 1e4).damping;

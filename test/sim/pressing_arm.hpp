@@ -31,8 +31,9 @@ class PressingArm {
   }
 
   explicit PressingArm(const WorldParameters& w = world_of_one(),
-                       edp::DriverParameters p = driver_parameters(), std::uint64_t seed = 1)
-      : world(w, seed), arm_(irb6::kPostument) {
+                       edp::DriverParameters p = driver_parameters(), std::uint64_t seed = 1,
+                       const irb6::ArmParameters& believed = irb6::kPostument)
+      : world(w, seed), arm_(believed) {
     p.synchro_joints = world.start_joints(0);
     driver = std::make_unique<edp::Driver>(arm_, p);
   }
