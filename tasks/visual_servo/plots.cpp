@@ -10,7 +10,7 @@ namespace mrroc::visual_servo {
 namespace {
 
 /// By their numbers in servo.csv.
-constexpr std::array kNames{"no camera sees", "PB-SAC", "PB-EIH", "PB-SAC and EIH"};
+constexpr std::array kNames{"no camera sees", "PB-SAC", "PB-EIH", "PB-SAC and EIH", "PB from memory"};
 
 std::vector<TimeBand> bands_of(const ServoTable& table) {
   constexpr int kLeftOut = -1;  // also "no camera sees" is a band

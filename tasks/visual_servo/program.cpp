@@ -16,6 +16,8 @@ constexpr Used kNone{false, false}, kSac{true, false}, kEih{false, true}, kBoth{
 // --- f_sigma -------------------------------------------------------------------------------------------------
 
 bool neither(const X& x) { return !sees(x, Camera::sac) && !sees(x, Camera::eih); }  // (47)
+bool nothing(const X& x) { return neither(x) && !remembers(x); }
+bool just_before(const X& x) { return neither(x) && remembers(x); }
 bool only_sac(const X& x) { return sees(x, Camera::sac) && !sees(x, Camera::eih); }  // (45)
 bool only_eih(const X& x) { return !sees(x, Camera::sac) && sees(x, Camera::eih); }
 bool both(const X& x) { return sees(x, Camera::sac) && sees(x, Camera::eih); }
@@ -111,12 +113,13 @@ constexpr std::string_view kSelected = "the initial condition of another behavio
 }  // namespace
 
 // clang-format off
-const std::array<Selectable, 4> kBehaviours{{
+const std::array<Selectable, 5> kBehaviours{{
   // f_sigma    m      name              entry   memory           command       receptors  coordinator  f_tau                        what a command that is not executed leads to
-  { neither,  { kIdle, "idle",           kRetain, remember<kNone>, hold,         kNoSensor, tell,        one_step, kSelected, kSlower } },
+  { nothing,  { kIdle, "idle",           kRetain, remember<kNone>, hold,         kNoSensor, tell,        one_step, kSelected, kSlower } },
   { only_sac, { 1,     "PB-SAC",         kRetain, remember<kSac>,  servo<kSac>,  kNoSensor, tell,        no_more<only_sac>, kSelected, kSlower } },
   { only_eih, { 2,     "PB-EIH",         kRetain, remember<kEih>,  servo<kEih>,  kNoSensor, tell,        no_more<only_eih>, kSelected, kSlower } },
   { both,     { 3,     "PB-SAC and EIH", kRetain, remember<kBoth>, servo<kBoth>, kNoSensor, tell,        no_more<both>, kSelected, kSlower } },
+  { just_before, { kFromMemory, "PB from memory", kRetain, remember<kNone>, servo<kNone>, kNoSensor, tell, no_more<just_before>, kSelected, kSlower } },
 }};
 const Motion<Arm> kGiveUp{ 5, "give up", kRetain, kRetain, hold, kNoSensor, reason, never };
 // clang-format on

@@ -15,10 +15,12 @@ struct Selectable {
 
 /// m of c_B_1,0: 0 is that of an agent that waits for the coordinator. c_B_1,1..3 have their own numbers.
 inline constexpr int kIdle = 4;
+/// m of the behaviour that the paper does not have: between two cameras' views the arm goes on to where the object was.
+inline constexpr int kFromMemory = 6;
 
-/// c_B_1,0 .. c_B_1,3. In every image exactly one initial condition holds, and a behaviour whose initial condition
+/// c_B_1,0 .. c_B_1,3, and the one from memory. In every image exactly one initial condition holds, and a behaviour whose initial condition
 /// holds does not end at once: Move's loop, which tests first, and the paper's, which tests last, are the same.
-extern const std::array<Selectable, 4> kBehaviours;
+extern const std::array<Selectable, 5> kBehaviours;
 
 /// @return the behaviour whose initial condition holds
 [[nodiscard]] const Motion<Arm>& select(const Arm::X& x);

@@ -28,13 +28,15 @@ Matrix6 covariance_of(const Parameters& k, const CameraReading& reading) {
 }
 
 /// Covariance of xi in e exp(xi), see CameraError.
-Matrix6 covariance_of_error(const Parameters& k, const CameraReading& reading) {
+/// @param R           orientation of G in the frame along which the covariance is
+/// @param covariance  of the pose of G
+Matrix6 covariance_of_error(const Parameters& k, const Matrix3& R, const Matrix6& covariance) {
   const Pose T_GEd = k.T_EGd.inverse();
-  const Vector3 lever = reading.T_CG.R * T_GEd.p;  // from G to the desired E, along C
+  const Vector3 lever = R * T_GEd.p;  // from G to the desired E
   Matrix6 J = Matrix6::Identity();
   J.topRightCorner<3, 3>() = -skew(lever);
-  const Matrix6 at_E = J * covariance_of(k, reading) * J.transpose();
-  return turned((reading.T_CG.R * T_GEd.R).transpose(), at_E);
+  const Matrix6 at_E = J * covariance * J.transpose();
+  return turned((R * T_GEd.R).transpose(), at_E);
 }
 
 /// Takes new sightings into the track, the older picture first.
@@ -97,6 +99,8 @@ bool sees(const X& x, Camera camera) {
          age_of_picture(x, camera) <= oldest_believed(x.c.k, camera);
 }
 
+bool remembers(const X& x) { return x.c.track.known && x.e.step - x.c.track.step <= x.c.k.track.memory; }
+
 bool not_made(const X& x) {
   const Mishap mishap = mishap_of(x.e);
   return mishap == Mishap::refused || mishap == Mishap::failed;
@@ -124,7 +128,15 @@ CameraError error_of(const X& x, Camera camera, const Start& start, const Object
   const Sighting seen = sighting(x, camera);
   const Pose T_0G = carried(seen.T_0G, motion, static_cast<double>(start.step - seen.step) * k.pacing.dt);
   const Pose T_EG = start.T_0E.inverse() * T_0G;
-  return {T_EG * k.T_EGd.inverse(), covariance_of_error(k, x.V.camera[index(camera)].reading)};
+  const CameraReading& reading = x.V.camera[index(camera)].reading;
+  return {T_EG * k.T_EGd.inverse(), covariance_of_error(k, reading.T_CG.R, covariance_of(k, reading))};
+}
+
+CameraError error_of(const Parameters& k, const ObjectTrack& track, const Start& start,
+                     const ObjectMotion& motion) {
+  const Pose T_0G = carried(track.T_0G, motion, static_cast<double>(start.step - track.step) * k.pacing.dt);
+  return {start.T_0E.inverse() * T_0G * k.T_EGd.inverse(),
+          covariance_of_error(k, track.T_0G.R, track.P.topLeftCorner<6, 6>())};
 }
 
 Conclusion conclude(const X& x, const std::array<bool, kCameras>& uses) {
@@ -135,12 +147,13 @@ Conclusion conclude(const X& x, const std::array<bool, kCameras>& uses) {
   c.refused = refused ? x.c.refused + 1 : has(x.e.parts, Part::arm) ? 0 : x.c.refused;
   c.ease = refused ? std::max(kLeastEase, kEaseFall * x.c.ease) : std::min(1., x.c.ease + kEaseRise);
   const bool sac = uses[index(Camera::sac)], eih = uses[index(Camera::eih)];
-  if (!sac && !eih) return c;
+  if (!sac && !eih && !remembers(x)) return c;
   const Start start = start_of_command(x);
   const ObjectMotion motion = k.feed_forward ? significant_motion(k.track, c.track) : ObjectMotion{};
   const auto error = [&](Camera camera) { return error_of(x, camera, start, motion); };
-  const CameraError seen = sac && eih ? aggregate(k.aggregation, error(Camera::sac), error(Camera::eih))
-                                      : error(sac ? Camera::sac : Camera::eih);
+  const CameraError seen = sac && eih   ? aggregate(k.aggregation, error(Camera::sac), error(Camera::eih))
+                           : sac || eih ? error(sac ? Camera::sac : Camera::eih)
+                                        : error_of(k, c.track, start, motion);
   c.e = seen.e;
   const double duration = k.pacing.macrostep_s();
   const Pose T_0G = start.T_0E * c.e * k.T_EGd;

@@ -8,6 +8,10 @@ namespace mrroc::visual_servo {
 /// latency, at the step of x_ce.
 [[nodiscard]] bool sees(const Arm::X& x, Camera camera);
 
+/// The object's estimate still holds, though no picture may be believed: the last one is no older than the track's memory, at the
+/// step of x_ce.
+[[nodiscard]] bool remembers(const Arm::X& x);
+
 /// @return frames that max_age can be: for every camera that is used it is known where E was so long ago
 [[nodiscard]] int longest_age(const Parameters& k);
 /// @return how long ago a camera's newest picture was taken, at the step of x_ce; without one, since the task began
@@ -38,13 +42,18 @@ struct Start {
 [[nodiscard]] CameraError error_of(const Arm::X& x, Camera camera, const Start& start,
                                    const ObjectMotion& motion);
 
+/// The same of the estimate from earlier pictures, for behaviours that go by none.
+[[nodiscard]] CameraError error_of(const Parameters& k, const ObjectTrack& track, const Start& start,
+                                   const ObjectMotion& motion);
+
 /// Conclusions of c_1 from x_c.
 struct Conclusion {
   ObjectTrack track;                         ///< with the pictures that are new
   std::array<std::int64_t, kCameras> taken;  ///< as Memory
   std::array<bool, kCameras> sees;           ///< P(x_r) of each camera
-  Pose e;       ///< aggregated error E T_d,c of the cameras that the behaviour uses; identity without any
-  Pose T_dc;    ///< E T_d,c': the effector's displacement; identity without any
+  Pose
+      e;  ///< aggregated error E T_d,c of the cameras that the behaviour uses, without any of what is remembered; otherwise identity
+  Pose T_dc;    ///< E T_d,c': the effector's displacement; identity where e is none
   double ease;  ///< as Memory
   int refused;  ///< as Memory
 };

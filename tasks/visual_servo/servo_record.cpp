@@ -15,6 +15,12 @@ namespace {
 /// Below this an object does not move [m/s].
 constexpr double kRest = 1e-4;
 
+/// As ServoRow has it.
+int behaviour_of(int m) {
+  if (m == kFromMemory) return kRemembered;
+  return m == kIdle || m == kGiveUp.m ? 0 : m;
+}
+
 Pose between(const Pose& a, const Pose& b, double share) {
   return a * exp_screw(log_screw(a.inverse() * b), share);
 }
@@ -48,7 +54,7 @@ ServoTable join(const std::vector<servo_report_t>& reports, const std::vector<ob
     ServoRow& row = table.emplace_back();
     row.k = static_cast<std::int64_t>(table.size()) - 1;
     row.t = static_cast<double>(r.step) * pacing.dt;
-    row.behaviour = r.m == kIdle || r.m == kGiveUp.m ? 0 : r.m;
+    row.behaviour = behaviour_of(r.m);
     row.sac_seen = r.seen[0] != 0;
     row.eih_seen = r.seen[1] != 0;
     row.refused = r.refused != 0;

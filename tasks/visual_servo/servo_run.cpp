@@ -10,7 +10,7 @@ mp::SoloParameters solo_parameters(const Parameters& k, bool gives_start,
                                    std::optional<ServoRecord>& record) {
   mp::SoloParameters solo;
   solo.arms = {std::string(kArm)};
-  solo.behaviours.resize(static_cast<std::size_t>(kGiveUp.m));
+  solo.behaviours.resize(static_cast<std::size_t>(kFromMemory));
   const auto add = [&solo](const auto& row) {
     solo.behaviours[static_cast<std::size_t>(row.m - 1)] = {std::string(row.name), std::string(row.until)};
   };

@@ -12,11 +12,14 @@
 
 namespace mrroc::visual_servo {
 
+/// Number of the behaviour from memory in servo.csv.
+inline constexpr int kRemembered = 4;
+
 /// One control step.
 struct ServoRow {
   std::int64_t k{};   ///< control step, from 0
   double t{};         ///< simulated time at which x_c was looked at [s]
-  int behaviour{};    ///< of VS: 0 idle or given up, 1 PB-SAC, 2 PB-EIH, 3 both
+  int behaviour{};    ///< of VS: 0 idle or given up, 1 PB-SAC, 2 PB-EIH, 3 both; kRemembered
   bool sac_seen{};    ///< that camera sees
   bool eih_seen{};    ///< the same of the camera in the hand
   bool refused{};     ///< the driver could not do what it was told two control steps before

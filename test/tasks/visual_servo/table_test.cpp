@@ -66,16 +66,33 @@ TEST(ServoTable, SelectsTheBehaviourByWhatIsVisible) {
 }
 
 TEST(ServoTable, OneInitialConditionHoldsInEveryImageAndThatBehaviourDoesNotEndAtOnce) {
-  for (X x : all_images()) {
-    x.i_0 = x.i;
-    int hold = 0;
-    for (const Selectable& row : kBehaviours) {
-      if (!row.f_sigma(x)) continue;
-      ++hold;
-      EXPECT_FALSE(row.motion.f_tau(x)) << row.motion.name;
+  for (const bool known : {false, true})
+    for (X x : all_images()) {
+      x.i_0 = x.i;
+      x.c.track.known = known;
+      int hold = 0;
+      for (const Selectable& row : kBehaviours) {
+        if (!row.f_sigma(x)) continue;
+        ++hold;
+        EXPECT_FALSE(row.motion.f_tau(x)) << row.motion.name;
+      }
+      EXPECT_EQ(hold, 1);
     }
-    EXPECT_EQ(hold, 1);
-  }
+}
+
+TEST(ServoTable, WhatNoCameraSeesIsWhereItWasForAsLongAsItIsRemembered) {
+  X x = image({});
+  x.c.track.known = true;
+  x.c.track.T_0G.p = {1, 0, 0};
+  x.c.track.step = x.e.step - x.c.k.track.memory;
+  const Motion<Arm>& row = select(x);
+  EXPECT_EQ(row.m, kFromMemory);
+  EXPECT_NE(row.f_ce(x).instruction, Instruction::keep);
+  const Pose expected = start_of_command(x).T_0E.inverse() * x.c.track.T_0G * x.c.k.T_EGd.inverse();
+  EXPECT_LT((row.f_cc(x).e.p - expected.p).norm(), 1e-9);
+  --x.c.track.step;
+  EXPECT_EQ(select(x).m, kIdle);
+  EXPECT_TRUE(row.f_tau(x));
 }
 
 TEST(ServoTable, ABehaviourEndsWhenItsInitialConditionHoldsNoMore) {
