@@ -174,10 +174,16 @@ std::array<ecp::HeldShares, kArms> held(const X& x) {
 Memory watch_contact(const X& x) {
   Memory c = following(x);
   if (both_on_paper(x) && !c.touched) c.instant = x.t.time + x.t.pace;
-  for (std::size_t arm = 0; arm < kArms; ++arm)
-    if (both_on_paper(x) && !c.met[arm]) c.met[arm] = pose_of(x.T.agent[arm]).p;
   c.touched = both_on_paper(x);
   c.held = held(x);
+  return c;
+}
+
+/// Where the pens settled before the first stroke: later touches may be none.
+Memory meet_sheets(const X& x) {
+  Memory c = retain(x);
+  for (std::size_t arm = 0; arm < kArms; ++arm)
+    if (!c.met[arm]) c.met[arm] = pose_of(x.T.agent[arm]).p;
   return c;
 }
 
@@ -309,7 +315,7 @@ const std::array<Motion<Coordinator>, 7> kCoordinator{{
   {  2, "record",             note_pose_and_trigger, record,           nothing, nothing, teach<2>,              triggered, "the operator's trigger"},
   {  3, "lead to the start",  note_trigger,          in_time,          nothing, nothing, both<3, kCompliant>,   triggered, "the operator's trigger"},
   {  4, "lowering",           not_touched,           watch_contact,    nothing, nothing, lower,                 lowered, "both pens settled on the paper"},
-  {  5, "draw on the paper",  retain,                reproduce<true>,  nothing, nothing, replay<5, true>,       stroke_ends, "the stroke ended, or a pen is off its sheet"},
+  {  5, "draw on the paper",  meet_sheets,           reproduce<true>,  nothing, nothing, replay<5, true>,       stroke_ends, "the stroke ended, or a pen is off its sheet"},
   {  6, "lift off",           note_instant,          following,        nothing, nothing, lift,                  lifted, "the time of the lift-off elapsed"},
   {  7, "travel above paper", retain,                reproduce<false>, nothing, nothing, replay<7, false>,      travel_ends, "the next stroke begins"},
 }};

@@ -186,8 +186,7 @@ TEST(Coordinator, AStrokeEndsWhenAPenHasLeftTheLevelOfItsSheet) {
   };
   EXPECT_FALSE(at(0, 1)) << "it has met none yet";
   static_cast<void>(at(0, 0));
-  x.c = row(4).f_entry(x);
-  pass(x, 4);
+  x.c = row(5).f_entry(x);
   EXPECT_FALSE(at(0, 0.007));
   EXPECT_FALSE(at(0.1, 0.015)) << "the sheet is not level";
   EXPECT_FALSE(row(5).f_tau(x));
@@ -195,8 +194,7 @@ TEST(Coordinator, AStrokeEndsWhenAPenHasLeftTheLevelOfItsSheet) {
     EXPECT_EQ(at(0, height), 1U) << height;
     EXPECT_TRUE(row(5).f_tau(x));
   }
-  x.c = row(4).f_entry(x);
-  pass(x, 4);
+  x.c = row(5).f_entry(x);
   EXPECT_EQ(at(0, 0.012), 1U) << "the first touch counts: later ones may be none";
 }
 
