@@ -51,8 +51,8 @@ struct Conclusion {
   ObjectTrack track;                         ///< with the pictures that are new
   std::array<std::int64_t, kCameras> taken;  ///< as Memory
   std::array<bool, kCameras> sees;           ///< P(x_r) of each camera
-  Pose
-      e;  ///< aggregated error E T_d,c of the cameras that the behaviour uses, without any of what is remembered; otherwise identity
+  /// Aggregated error E T_d,c of the cameras that the behaviour uses; without any, of what is remembered; else identity.
+  Pose e;
   Pose T_dc;    ///< E T_d,c': the effector's displacement; identity where e is none
   double ease;  ///< as Memory
   int refused;  ///< as Memory
