@@ -55,6 +55,14 @@ class Checked : public ::testing::Test {
   int runs_{};
 };
 
+// Simulator and drivers go on until all rest, for some servo steps more or less.
+TEST_F(Checked, ARunThatAStopHasEndedHasAWholeLog) {
+  const fs::path orders = folder_.write("orders", "3 start\n60 stop\n");
+  const auto checked = check(ran("press", {"--script", orders.string()}, 1));
+  EXPECT_EQ(checked.at("complete"), true) << checked.dump(2);
+  EXPECT_EQ(checked.at("differences"), 0) << checked.dump(2);
+}
+
 TEST_F(Checked, PressIsRecomputedFromItsLog) {
   const auto checked = check(ran("press"));
   expect_same(checked, {"mp", "ecp-arm1"});

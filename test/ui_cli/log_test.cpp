@@ -187,6 +187,14 @@ TEST_F(RunFolder, ALogThatHasNotWhatWasSentIsDamaged) {
     return ui::damage_of(ui::RunRecord(a_));
   };
   EXPECT_EQ(damage_with([](const auto&) { return true; }), "");
+  {
+    // After a stop a process goes on for a while: that is behind its fingerprint.
+    link::EventLog to(a_ / link::kEventLog, 1);
+    for (const link::LoggedMessage& m : before.messages()) to.receive("s." + m.channel, m.bytes);
+    for (std::int64_t i = 1; i <= 3; ++i)
+      log(to, "arm1.report", to_message(Report{}), 1, kMacrosteps + i, kMacrosteps + i);
+  }
+  EXPECT_EQ(ui::damage_of(ui::RunRecord(a_)), "");
   std::mt19937 random(1);
   for (int trial = 0; trial < 20; ++trial) {
     const auto number = std::uniform_int_distribution<std::int64_t>(1, kMacrosteps)(random);

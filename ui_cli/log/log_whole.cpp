@@ -20,9 +20,12 @@ namespace {
 
 constexpr std::size_t kAfterSession = 16;  // of a message: LCM's fingerprint and the session
 
-/// Messages of one channel as they were sent: each number once.
+/// Messages of one channel as they were sent: each number once, from 1.
 struct Sent {
   std::map<std::int64_t, std::span<const std::uint8_t>> messages;
+
+  /// Leaves out what was sent after the fingerprint of that many messages was taken (Process::seal_fingerprints).
+  void keep_first(std::int64_t count) { messages.erase(messages.upper_bound(count), messages.end()); }
 
   [[nodiscard]] std::int64_t hash() const {
     Hash hash;
@@ -50,6 +53,7 @@ std::string damage_of(const RunRecord& run) {
         channel.erase(0, 1);  // the dot behind the session's name, which is left out
         const auto found = sent.find(channel);
         if (found == sent.end()) continue;
+        found->second.keep_first(status.hash[k].count);
         const auto count = static_cast<std::int64_t>(found->second.messages.size());
         if (count != status.hash[k].count)
           return fmt::format("{} has {}, {} sent {}", channel, counted(count, "message"), process.name,
