@@ -140,6 +140,18 @@ checks_look_at_what_differs_from_the_commit_that_passed_last_and_at_shares_by_tu
   grep -q -- '--share 5/24' calls || fail "$(cat calls)"
 }
 
+a_third_whose_tests_failed_has_its_turn_once_more_whatever_the_share_of_the_checks() {
+  echo 'made-up tests: 1 passed, 2 failed, 0 skipped' >fail-asan
+  ci 1
+  rm fail-asan
+  ci 0
+  grep -q -- '--asan --share 1/3' calls || fail "$(cat calls)"
+  touch no-time-for-the-share
+  ci 0
+  ci 0
+  grep -q -- '--asan --share 0/3' calls || fail "$(cat calls)"
+}
+
 a_part_that_is_not_through_in_time_is_ended_and_what_failed_in_it_decides() {
   touch slow
   export MRROC_CI_PARTS="format asan changed" MRROC_CI_LAST_END=15
