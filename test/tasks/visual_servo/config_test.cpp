@@ -13,15 +13,10 @@
 #include "tasks/visual_servo/scenario.hpp"
 #include "tasks/visual_servo/servo.hpp"
 #include "test/base/random_pose.hpp"
+#include "test/tasks/visual_servo/built_in.hpp"
 
 namespace mrroc::visual_servo {
 namespace {
-
-Config built_in(const std::vector<std::string>& settings = {}) {
-  Config c = Config::parse(config(), "visual_servo.toml");
-  for (const std::string& s : settings) c.set(s);
-  return c;
-}
 
 TEST(ServoConfig, KnowsTheCamerasAsTheWorldDoes) {
   const Parameters k = read_parameters(

@@ -7,16 +7,10 @@
 #include <vector>
 
 #include "base/screw.hpp"
-#include "tasks/visual_servo/config.hpp"
+#include "test/tasks/visual_servo/built_in.hpp"
 
 namespace mrroc::visual_servo {
 namespace {
-
-Config built_in(const std::vector<std::string>& settings = {}) {
-  Config c = Config::parse(config(), "visual_servo.toml");
-  for (const std::string& s : settings) c.set(s);
-  return c;
-}
 
 double length_of_error(const std::vector<std::string>& settings) {
   return log_screw(tool_camera_error(built_in(settings))).vector().norm();
