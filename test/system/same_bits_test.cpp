@@ -75,6 +75,10 @@ TEST(SameBits, OfRunsThatAStopHasEnded) {
 
 INSTANTIATE_TEST_SUITE_P(Tasks, SameBits,
                          ::testing::Values(Case{"press", {}}, Case{"weigh", {}}, Case{"edge_follow", {}},
+                                           Case{"drawing", {"--max-time", "20"}},
+                                           Case{"haptic", {"--max-time", "6"}},
+                                           Case{"ball", {"--max-time", "6"}},
+                                           Case{"rubik", {"--scramble", "U", "--max-time", "6"}},
                                            Case{"visual_servo", {"--max-time", "4"}}),
                          [](const auto& tested) { return std::string(tested.param.task); });
 
