@@ -61,6 +61,8 @@ void run_step_sensor(link::Process& process, const std::string& robot, const std
     for (int k = 0; k < m->n && k < static_cast<int>(std::size(m->sample)); ++k)
       if (finite(m->sample[k])) sensor.step(from_message(m->sample[k]));
     if (m->more) continue;
+    // After a stop drivers send samples until the supervisor knows that all rest.
+    if (process.over() && m->macrostep > process.stop_as_of()) process.seal_fingerprints();
     readings->publish(to_message(sensor.reading()), m->macrostep);
     process.report_progress(m->macrostep, m->step);
     if (m->last) break;

@@ -92,7 +92,7 @@ class Shell {
     }
     if (process_.over() && process_.stop_as_of() == 0)
       for (const auto& plant : plants_) plant->dump_on_abort();
-    if (cameras_) cameras_->end();
+    end_pictures();
     if (hands_) hands_->write_sheets();
     if (late_ > 0)
       process_.log(
@@ -185,6 +185,7 @@ class Shell {
     const auto here = [&] { return control_in_->at(macrostep_) || stopped(); };
     process_.await_from(control_sources_, FaultCode::peer_silent, here);
     if (stopped()) {
+      end_pictures();  // receptors would look at more or fewer of them until the supervisor knows that all rest
       process_.seal_fingerprints();
       return true;
     }
@@ -201,6 +202,11 @@ class Shell {
   void obey_what_has_come() {
     while (const simulation_control_t* const control = control_in_->next(controlled_ + 1)) obey(*control);
     if (hands_ && !stopped()) hands_->obey_what_has_come(paused_);
+  }
+
+  void end_pictures() {
+    if (cameras_) cameras_->end();
+    cameras_ = nullptr;
   }
 
   /// At a stop a person lets go.
@@ -253,7 +259,7 @@ class Shell {
 
   link::Process& process_;
   ShellParameters k_;
-  CameraStation* cameras_;
+  CameraStation* cameras_;  // null: there are none, or no more pictures
   std::unique_ptr<link::Inbox<simulation_control_t>> control_in_;
   std::optional<Hands> hands_;  // none without arms
   std::vector<std::unique_ptr<Plant>> plants_;
