@@ -40,7 +40,7 @@ void make_results(Results& r, const std::function<void(Results&)>& of_task) {
     if (!mp::info_of(info.key, r.known)) r.known.push_back(info);
   r.summary.wanted = mp::bounds_of(r.summary.figures, r.known);
   attempt(r.summary, [&] { mp::write_summary(r.folder, r.summary); });
-  attempt(r.summary, [&] { mp::draw(r.folder, r.pictures); });
+  attempt(r.summary, [&] { mp::draw(r.folder, r.pictures, r.setup.options.no_pictures); });
 }
 
 mp::Ending ending_of(const Results& r) {

@@ -129,6 +129,8 @@ void add_end_options(CommandLine& line, TaskOptions& o) {
           "ends the run after so many simulated seconds with the fault time_limit (default: never)")
       .type_name("S");
   line.flag("--strict", o.strict, "a figure that misses what is wanted makes the exit status 1");
+  line.flag("--no-pictures", o.no_pictures,
+            "leaves the scripts plots/NAME.gp and runs no gnuplot, which takes a part of a short run's time");
 }
 
 /// The list of parameters.

@@ -33,6 +33,7 @@ struct TaskOptions {
   bool view{};                        ///< start a viewer beside the task
   double max_time{};                  ///< simulated time after which the run is ended [s]; 0: none
   bool strict{};                      ///< a figure that misses what is wanted makes the exit status 1
+  bool no_pictures{};                 ///< gnuplot is not run: its scripts alone are left
   bool parameters{};                  ///< instead of a run: list the parameters
   bool truth{};                       ///< of the parameters: those of the plant, with what is believed
   bool json{};                        ///< of the parameters: as JSON

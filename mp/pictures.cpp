@@ -12,10 +12,11 @@ namespace mrroc::mp {
 
 namespace fs = std::filesystem;
 
-void draw(const fs::path& folder, const std::vector<std::pair<std::string, std::string>>& scripts) {
+void draw(const fs::path& folder, const std::vector<std::pair<std::string, std::string>>& scripts,
+          bool scripts_only) {
   std::error_code error;  // where it is not there, a script cannot be written: that is told
   fs::create_directories(folder / "plots", error);
-  bool over = false;
+  bool over = scripts_only;
   for (const auto& [name, text] : scripts) {
     const fs::path script = fs::path("plots") / (name + ".gp");
     write_text_file(folder / script,

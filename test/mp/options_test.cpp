@@ -141,8 +141,8 @@ TEST(TaskOptions, TheListOfParametersIsNoRunAndJsonIsForItAlone) {
   EXPECT_EQ(refusal({"--parameters", "--json"}, &o), "");
   EXPECT_TRUE(o.parameters && o.json);
   EXPECT_NE(refusal({"--json"}), "");
-  EXPECT_EQ(refusal({"--strict"}, &o), "");
-  EXPECT_TRUE(o.strict);
+  EXPECT_EQ(refusal({"--strict", "--no-pictures"}, &o), "");
+  EXPECT_TRUE(o.strict && o.no_pictures);
 }
 
 TEST(TaskOptions, ACheckOfWhatIsNoRunIsRefusedInTheWordsOfEveryProgramThatReadsRuns) {

@@ -40,6 +40,17 @@ TEST(Pictures, WithoutGnuplotEveryScriptIsThereToBeDrawnLater) {
   fs::remove_all(folder);
 }
 
+TEST(Pictures, ThatAreNotWantedLeaveTheirScriptsAndNothingIsSaid) {
+  std::string pattern = (fs::temp_directory_path() / "pictures_test.XXXXXX").string();
+  const fs::path folder = ::mkdtemp(pattern.data());
+  testing::internal::CaptureStdout();
+  draw(folder, {{"a", "set output 'plots/a.png'\nset terminal png\nplot x\n"}, {"b", "plot x*x\n"}}, true);
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  for (const char* name : {"a.gp", "b.gp"}) EXPECT_TRUE(fs::exists(folder / "plots" / name)) << name;
+  EXPECT_TRUE(pictures_in(folder).empty());
+  fs::remove_all(folder);
+}
+
 /// What stands in for gnuplot while it lives, in a folder that is all of PATH.
 class Drawing : public ::testing::Test {
  protected:
