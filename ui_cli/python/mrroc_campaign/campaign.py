@@ -50,9 +50,14 @@ def begin(plan: Plan, folder: Path) -> Results:
 def take_up(folder: Path) -> Results:
     """The campaign in a folder, to go on with it."""
     results = Results(folder)
-    if program.digest(results.plan.task) != results.plan.program:
+    plan = results.plan
+    if not plan.program.startswith(program.DIGESTS):
         raise bad_usage(
-            f"the program {results.plan.task} has changed since {folder} began: runs of two builds are not counted together; begin anew"
+            f"{folder} began with a version that looked at the program {plan.task} alone, not at all that its runs start; begin anew"
+        )
+    if program.digest(plan.task, plan.processes) != plan.program:
+        raise bad_usage(
+            f"the program {plan.task}, or one that it starts, has changed since {folder} began: runs of two builds are not counted together; begin anew"
         )
     return results
 

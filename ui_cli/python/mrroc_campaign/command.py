@@ -187,7 +187,7 @@ def _plan_of(
     return Plan(
         task=chosen.task, seeds=seeds, vary=varied, options=options, method=chosen.plan, plan_seed=chosen.plan_seed,
         processes=chosen.processes, timeout_s=chosen.timeout, keep=chosen.keep, stop_when=stop_when,
-        program=program.digest(chosen.task), folder=str(Path.cwd()),
+        program=program.digest(chosen.task, chosen.processes), folder=str(Path.cwd()),
     )  # fmt: skip
 
 

@@ -57,8 +57,8 @@ def words_of(job: dict, run_folder: Path | None) -> list[str]:
 
 def _execute(job: dict, place: Path) -> dict:
     path = program.find(job["task"])
-    if program.digest(job["task"]) != job["program"]:
-        raise HostFailed(f"{socket.gethostname()}: its program {path} is of another build than that of this campaign")
+    if program.digest(job["task"], job["processes"]) != job["program"]:
+        raise HostFailed(f"{socket.gethostname()}: {path}, or a program that it starts, is of another build than that of this campaign")
     folder, began = place / "run", time.monotonic()
     status, output = _run([str(path), *words_of(job, folder)], job, place)
     result = _judge(status, output, folder)
