@@ -14,7 +14,7 @@ from .intervals import Sequence
 from .job import job_of
 from .plan import Plan
 from .progress import Progress
-from .results import Results, writing
+from .results import Results, is_used, writing
 from .runner import Runner
 
 
@@ -42,8 +42,8 @@ def begin(plan: Plan, folder: Path) -> Results:
     varied = plans.variations(plan)
     planned = plans.rows(plan, varied)
     plans.check_extremes(plan, planned, varied)
-    if folder.exists() and any(folder.iterdir()):
-        raise bad_usage(f"{folder} is not empty; choose another --dir, or go on with --resume {folder}")
+    if is_used(folder):
+        raise bad_usage(f"{folder} is not an empty folder; choose another --dir, or go on with --resume {folder}")
     return Results.create(folder, plan, planned, [v.key for v in varied])
 
 
@@ -79,12 +79,16 @@ def runner_on(where: Where, scratch: Path, told: Callable[[str], None]):
 
 
 def carry_out(results: Results, where: Where) -> list[int]:
-    """Runs what is not counted yet. Returns the numbers of runs that were lost."""
+    """Runs what is not counted yet, and once more what was lost. Returns the numbers of runs that were lost."""
     plan, done = results.plan, results.successes()
+    if Sequence(done).narrower_than(plan.stop_when):
+        return []
+    for run in results.lost():
+        del done[run]
     rows = {row.run: row for row in results.planned()}
     todo = [row for row in rows.values() if row.run not in done]
     sequence = Sequence(done)
-    if not todo or sequence.narrower_than(plan.stop_when):
+    if not todo:
         return []
     scratch = results.folder / "scratch"
     with results.alone(), emptied(scratch), _progress(len(rows), done) as bar:
