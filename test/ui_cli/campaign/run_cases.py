@@ -156,7 +156,8 @@ class Campaigns(Place):
         self.assertFalse(is_alive(str(self.home)), "a worker or a run has outlived its campaign")
         before = self.counted("rough")
         self.command(*line, "--resume", "rough")  # nothing is left to do
-        for words in (("hop", "--seeds", "1:41"), ("--stop-when", "0.3"), ("--timeout", "9"), ("--processes", "separate")):
+        others = (("hop", "--seeds", "1:41"), ("--stop-when", "0.3"), ("--timeout", "9"), ("--processes", "separate"))
+        for words in others:
             self.assertIn("rough began as: ", self.command(*words, "--resume", "rough", status=2))
         self.assertEqual(self.counted("rough"), before)
 

@@ -71,7 +71,8 @@ class Runners(unittest.TestCase):
                 return super().submit(_, job, key, pure)
 
         client, taken = Deadly({}), []
-        lost = Runner(lambda: client).run(({"task": "hop", "run": k} for k in range(3)), lambda r: taken.append(r) or True)
+        jobs = ({"task": "hop", "run": k} for k in range(3))
+        lost = Runner(lambda: client).run(jobs, lambda r: taken.append(r) or True)
         self.assertEqual((lost, client.handed_out), ([1], 3))
         ended = {r["run"]: (r["success"], r["fault"]) for r in taken}
         self.assertEqual(ended[1], (False, "worker_lost"))
@@ -83,5 +84,6 @@ class Runners(unittest.TestCase):
                 return Future(key, {"run": 7 - job["run"]} if job["run"] else [], "finished")
 
         taken = []
-        Runner(lambda: Confused({})).run(({"task": "hop", "run": k} for k in range(2)), lambda r: taken.append(r) or True)
+        jobs = ({"task": "hop", "run": k} for k in range(2))
+        Runner(lambda: Confused({})).run(jobs, lambda r: taken.append(r) or True)
         self.assertEqual(sorted(r["run"] for r in taken), [0, 1])

@@ -101,7 +101,7 @@ class Statistics(unittest.TestCase):
         self.assertEqual((same.difference, same.p), (0, 1))
 
     def test_interval_of_the_shift_holds_for_few_pairs_too_and_below_six_there_is_none(self):
-        # Ends by the tables of Wilcoxon's statistic (Hollander, Wolfe 1999, A.4): at n pairs the C-th mean from either end.
+        # Ends by the tables of Wilcoxon's statistic (Hollander, Wolfe 1999, A.4): the C-th mean from either end.
         for n, c in ((6, 1), (7, 3), (8, 4), (10, 9), (15, 26), (20, 53)):
             d = np.arange(n) ** 1.5
             means = sorted((d[i] + d[j]) / 2 for i in range(n) for j in range(i, n))

@@ -40,7 +40,8 @@ class Links(HTMLParser):
 class Tables(Place):
     def campaign(self, runs: int, **more) -> Results:
         """A campaign that has begun: task.force is varied."""
-        plan = Plan("hop", f"1:{runs}", vary=["task.force=1:9"], program=program.digest("hop", "one"), folder=str(self.home), **more)
+        more |= {"program": program.digest("hop", "one"), "folder": str(self.home)}
+        plan = Plan("hop", f"1:{runs}", vary=["task.force=1:9"], **more)
         rows = [Row(k, k + 1, {"task.force": str(1.0 + k)}) for k in range(runs)]
         results = Results.create(self.home / "c", plan, rows, ["task.force"])
         (results.folder / "scratch").mkdir()
@@ -115,8 +116,9 @@ class Tables(Place):
 
     def test_figures_may_be_named_as_columns_as_values_and_as_one_another(self):
         results = self.campaign(3)
-        names = {"run": 1, "SEED": 2, "Task.Force": 3, "a": 4, "A": 5, 'q"; --': 6, "\ud800": 7, "x\0": 8, "y[0]": 9, "": 10}
-        row = self.count(results, 0, _DONE | {"figures": names, "bars": {"run": [0, 2]}})
+        names = {"run": 1, "SEED": 2, "Task.Force": 3, "a": 4, "A": 5, 'q"; --': 6}
+        no_names = {"\ud800": 7, "x\0": 8, "y[0]": 9, "": 10}
+        row = self.count(results, 0, _DONE | {"figures": names | no_names, "bars": {"run": [0, 2]}})
         found = {"figure run": 1, "figure SEED": 2, "figure Task.Force": 3, "a": 4, 'q"; --': 6}
         self.assertEqual({k: row[k] for k in results.figures()}, found)
         self.assertEqual((row["run"], row["seed"], row["task.force"]), (0, 1, 1.0))
@@ -226,7 +228,8 @@ class Tables(Place):
         for name in (*names, "vsp_test", "other"):
             shutil.copy(self.programs / "hop", self.programs / name)
         before = {kind: program.digest("hop", kind) for kind in ("one", "separate")}
-        for name, kinds in (*((n, {"separate"}) for n in names), ("vsp_test", set()), ("other", set()), ("hop", {"one", "separate"})):
+        changed = dict.fromkeys(names, {"separate"}) | {"vsp_test": set(), "other": set(), "hop": {"one", "separate"}}
+        for name, kinds in changed.items():
             with (self.programs / name).open("a") as file:
                 file.write("# another build\n")
             now = {kind: program.digest("hop", kind) for kind in before}

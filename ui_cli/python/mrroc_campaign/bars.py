@@ -14,8 +14,8 @@ def text(bars: Bars) -> str:
 
 
 def share(value: float, bars: Bars) -> float | None:
-    """How much of what is wanted a value takes: within it between -1 and 1 around a middle, or up to 1; None where that is
-    no number."""
+    """How much of what is wanted a value takes: within it between -1 and 1 around a middle, or up to 1; None where that
+    is no number."""
     low, high = bars
     if low is not None and high is not None:
         share = (2 * value - low - high) / (high - low) if high > low else nan

@@ -60,7 +60,9 @@ def words_of(job: dict, run_folder: Path | None) -> list[str]:
 def _execute(job: dict, place: Path) -> dict:
     path = program.find(job["task"])
     if program.digest(job["task"], job["processes"]) != job["program"]:
-        raise HostFailed(f"{socket.gethostname()}: {path}, or a program that it starts, is of another build than that of this campaign")
+        raise HostFailed(
+            f"{socket.gethostname()}: {path}, or a program that it starts, is of another build than that of this campaign"
+        )
     folder, began = place / "run", time.monotonic()
     status, output = _run([str(path), *words_of(job, folder)], job, place)
     result = _judge(status, output, folder)

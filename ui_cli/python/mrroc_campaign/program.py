@@ -57,8 +57,8 @@ def find(task: str) -> Path:
 
 
 def digest(task: str, processes: str) -> str:
-    """Fingerprint of all that a run can start, so that runs of two builds are not counted together: the program of the task,
-    with separate processes all drivers, control systems, receptors and the simulator, and the libraries that are
+    """Fingerprint of all that a run can start, so that runs of two builds are not counted together: the program of the
+    task, with separate processes all drivers, control systems, receptors and the simulator, and the libraries that are
     not the system's. processes: one or separate."""
     programs = [find(task)]
     if processes == "separate":

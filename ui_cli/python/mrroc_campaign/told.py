@@ -1,5 +1,5 @@
-"""What a worker tells of a run, made fit for the table and the page. It comes from another process, maybe of another host,
-and from a run that may have ended in any way: nothing of it is believed to have the type and the size that it should."""
+"""What a worker tells of a run, made fit for the table and the page. It comes from another process, maybe of another
+host, and from a run that may have ended in any way: nothing is believed to have the type and the size that it should."""
 
 import re
 
@@ -18,8 +18,8 @@ def checked(told, run: int) -> dict:
     success = told.get("success") is True and status == 0 and outcome == "done"
     result = {
         "run": run, "success": success, "outcome": outcome, "fault": "" if success else _code(told.get("fault")),
-        "text": "" if success else _text(told.get("text"), 2000), "exit_status": status, "log_hash": _text(told.get("log_hash"), 64),
-        "sim_s": _number(told.get("sim_s")), "wall_s": _number(told.get("wall_s")), "host": _text(told.get("host"), 100),
+        "text": "" if success else _text(told.get("text"), 2000), "exit_status": status,
+        "log_hash": _text(told.get("log_hash"), 64), "sim_s": _number(told.get("sim_s")), "wall_s": _number(told.get("wall_s")), "host": _text(told.get("host"), 100),
         "figures": _figures(told.get("figures")), "bars": _bars(told.get("bars")),
     }  # fmt: skip
     result |= {key: told[key] for key, kind in (("folder", str), ("packed", bytes)) if isinstance(told.get(key), kind)}

@@ -14,9 +14,9 @@ _OF_THE_DISK = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS, errno.EIO)
 
 
 def unpack(packed: bytes, folder: Path) -> bool:
-    """Makes `folder` of an archive. Only files and folders that come to stand below it, no links and no devices, as those
-    of the one who asked. Returns False, and leaves no folder, when the archive is damaged or too large. Raises OSError when the
-    disk is full."""
+    """Makes `folder` of an archive: only what comes to stand below it, no links and no devices, all of it owned by the one
+    who asked. Returns False, and leaves no folder, when the archive is damaged or too large. Raises OSError when the disk
+    is full."""
     folder.mkdir()
     try:
         with tarfile.open(fileobj=BytesIO(packed)) as archive:
