@@ -15,6 +15,7 @@ from plan_cases import *  # noqa: E402, F403
 from run_cases import *  # noqa: E402, F403
 from runner_cases import *  # noqa: E402, F403
 from statistics_cases import *  # noqa: E402, F403
+from table_cases import *  # noqa: E402, F403
 
 if __name__ == "__main__":
     unittest.main(argv=[sys.argv[0], *sys.argv[3:]])

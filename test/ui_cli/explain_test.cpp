@@ -184,9 +184,9 @@ TEST(Explain, CapitalsDoNotMatter) {
 TEST(Explain, AnOrderAndTheScriptsErrorsAreKnownToo) {
   EXPECT_EQ(run({"e-stop"}).out, run({"emergency_stop"}).out);
   EXPECT_NE(run({"emergency_stop"}).out.find("what to do:"), std::string::npos);
-  for (const char* code :
-       {"missing_packages", "install_failed", "configure_failed", "build_failed", "tests_failed",
-        "package_failed", "wall_time", "host_failed", "no_scheduler", "runs_lost", "nothing_found"})
+  for (const char* code : {"missing_packages", "install_failed", "configure_failed", "build_failed",
+                           "tests_failed", "package_failed", "wall_time", "no_summary", "worker_lost",
+                           "host_failed", "no_scheduler", "runs_lost", "nothing_found"})
     EXPECT_EQ(run({code}).status, 0) << code;
 }
 

@@ -2,6 +2,7 @@
 
 import os
 import random
+import socket
 import subprocess
 import sys
 
@@ -81,7 +82,8 @@ class Plans(Place):
         ):  # fmt: skip
             with self.assertRaises(CampaignError, msg=text):
                 vary.parse(text, KNOWN)
-        for text in ("", "1", "5:1", "1:99999999", "1,1", "a", "-1:3"):
+        too_large = (f"{2**63}:{2**63 + 1}", "1,99999999999999999999")
+        for text in ("", "1", "5:1", "1:99999999", "1,1", "a", "-1:3", *too_large):
             if text != "1":
                 with self.assertRaises(CampaignError, msg=text):
                     plans.seeds_of(text)
@@ -104,7 +106,7 @@ class Plans(Place):
             (["--frobnicate"], "options of the task stand behind --"),
             (["--on", "here"], "--on here: write local"),
             (["@nowhere.txt"], "nowhere.txt"),
-            ([f"@{file}"], "task.force=1:80"),
+            ([f"@{file}"], "out of its range: 1 to 10"),
         ):  # fmt: skip
             said = self.command("hop", "--seeds", "1:3", "--dir", "c", *words, status=2).strip()
             self.assertEqual(len(said.splitlines()), 1, said)
@@ -113,12 +115,34 @@ class Plans(Place):
             self.assertFalse((self.home / "c").exists())
         self.assertIn("there is no task named 'hopp'", self.command("hopp", "--seeds", "1:3", status=2))
 
+    def test_what_is_no_task_no_folder_and_no_address_is_told_in_one_line(self):
+        for name, text in (("talks", "#!/bin/sh\necho hello"), ("lists", "#!/bin/sh\necho '[1]'"), ("broken", "nothing")):
+            (self.programs / name).write_text(text)
+            (self.programs / name).chmod(0o755)
+        with socket.socket() as taken:
+            taken.bind(("127.0.0.1", 0))
+            taken.listen()
+            for words, told in (
+                (["talks", "--seeds", "1:2"], "does not tell its parameters as a task does"),
+                (["lists", "--seeds", "1:2"], "does not tell its parameters as a task does"),
+                (["broken", "--seeds", "1:2"], "does not tell its parameters as a task does"),
+                (["hop", "--seeds", "1:2", "--dir", self.programs / "hop"], "is not an empty folder"),
+                (["scheduler", "--port", 65536], "--port takes"),
+                (["scheduler", "--port", taken.getsockname()[1]], "nobody can listen on 127.0.0.1"),
+                (["scheduler", "--key-file", "nowhere/key"], "the key cannot be written"),
+            ):
+                said = self.command(*words, status=2).strip()
+                self.assertEqual(len(said.splitlines()), 1, said)
+                self.assertRegex(said, "^error: bad_usage: ")
+                self.assertIn(told, said)
+
     def test_what_is_wanted_is_told_and_a_value_takes_its_share(self):
         for wanted, told, value, share in (
             ((3.5, 4.5), "4 +- 0.5", 4.25, 0.5),
             ((None, 0.001), "<= 0.001", 0.0005, 0.5),
             ((2, None), ">= 2", 4, 0.5),
             ((0, 0), "0", 1, None),
+            ((None, 1e-320), "<= 9.99989e-321", 1e90, None),
             ((None, None), "", 1, None),
         ):
             self.assertEqual(bars.text(wanted), told)

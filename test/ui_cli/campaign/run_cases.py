@@ -156,7 +156,9 @@ class Campaigns(Place):
         self.assertFalse(is_alive(str(self.home)), "a worker or a run has outlived its campaign")
         before = self.counted("rough")
         self.command(*line, "--resume", "rough")  # nothing is left to do
-        self.assertIn("rough began as: ", self.command("hop", "--seeds", "1:41", "--resume", "rough", status=2))
+        others = (("hop", "--seeds", "1:41"), ("--stop-when", "0.3"), ("--timeout", "9"), ("--processes", "separate"))
+        for words in others:
+            self.assertIn("rough began as: ", self.command(*words, "--resume", "rough", status=2))
         self.assertEqual(self.counted("rough"), before)
 
     def test_interrupted_campaign_ends_its_runs_and_tells_the_line_that_goes_on(self):
@@ -271,7 +273,7 @@ class Campaigns(Place):
         process = self.start("hop", "--seeds", "1:50", "--dir", "a", "--workers", 1, "--", "--set", "sim.sleep=0.3")
         self.await_runs("a", 1, process)
         self.assertIn("another process is carrying out", self.command("--resume", "a", status=2))
-        self.assertIn("is not empty", self.command("hop", "--seeds", "1:3", "--dir", "a", status=2))
+        self.assertIn("is not an empty folder", self.command("hop", "--seeds", "1:3", "--dir", "a", status=2))
         self.assertIn("is no folder of a campaign", self.command("--resume", "bin", status=2))
 
     def test_comparison_pairs_runs_by_seed(self):
@@ -298,6 +300,12 @@ class Campaigns(Place):
         self.assertAlmostEqual(best, 0.3, delta=0.08)
         self.assertEqual(self.counted("calm")[0]["task.gain"], 0.5)  # the default is tried first
         self.assertIn("campaign compare runs/before runs/after", said)
+        # Its runs are no campaign: what was proposed has no success rate.
+        self.assertIn("calm is a search", self.command("--resume", "calm", status=2))
+        self.command("page", "calm")
+        text = Page((self.home / "calm" / "page.html").read_text()).text
+        self.assertIn("A search for the smallest height_m over task.gain", text)
+        self.assertNotIn("true rate", text)
         self.assertIn(
             "there is no figure 'heigth'",
             self.command("tune", "hop", "--for", "heigth", "--over", "task.gain=0:1", status=2),

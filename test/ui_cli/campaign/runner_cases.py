@@ -3,6 +3,7 @@
 import unittest
 
 from distributed.comm.core import CommClosedError
+from distributed.scheduler import KilledWorker
 
 from mrroc_campaign.runner import Runner
 
@@ -52,3 +53,37 @@ class Runners(unittest.TestCase):
         self.assertEqual(lost, [])
         self.assertEqual(sorted(taken), list(range(8)))
         self.assertEqual(gone, {})
+
+    def test_job_whose_workers_die_is_tried_again_and_then_taken_as_lost(self):
+        died = KilledWorker("hop", None, 10)
+
+        class Died(Future):
+            def exception(self):
+                return died
+
+        class Deadly(Client):
+            handed_out = 0
+
+            def submit(self, _, job, key, pure):
+                if job["run"] == 1:
+                    self.handed_out += 1
+                    return Died(key, died, "error")
+                return super().submit(_, job, key, pure)
+
+        client, taken = Deadly({}), []
+        jobs = ({"task": "hop", "run": k} for k in range(3))
+        lost = Runner(lambda: client).run(jobs, lambda r: taken.append(r) or True)
+        self.assertEqual((lost, client.handed_out), ([1], 3))
+        ended = {r["run"]: (r["success"], r["fault"]) for r in taken}
+        self.assertEqual(ended[1], (False, "worker_lost"))
+        self.assertEqual(sorted(ended), [0, 1, 2])
+
+    def test_result_is_of_the_job_that_was_handed_out_whatever_it_says(self):
+        class Confused(Client):
+            def submit(self, _, job, key, pure):
+                return Future(key, {"run": 7 - job["run"]} if job["run"] else [], "finished")
+
+        taken = []
+        jobs = ({"task": "hop", "run": k} for k in range(2))
+        Runner(lambda: Confused({})).run(jobs, lambda r: taken.append(r) or True)
+        self.assertEqual(sorted(r["run"] for r in taken), [0, 1])

@@ -2,6 +2,7 @@
 
 import itertools
 import unittest
+import warnings
 
 import numpy as np
 
@@ -98,6 +99,35 @@ class Statistics(unittest.TestCase):
         self.assertLessEqual(missed, 0.05 * rounds + 3 * (0.05 * 0.95 * rounds) ** 0.5)
         same = paired.wilcoxon("x", [1.0, 2.0], [1.0, 2.0])
         self.assertEqual((same.difference, same.p), (0, 1))
+
+    def test_interval_of_the_shift_holds_for_few_pairs_too_and_below_six_there_is_none(self):
+        # Ends by the tables of Wilcoxon's statistic (Hollander, Wolfe 1999, A.4): the C-th mean from either end.
+        for n, c in ((6, 1), (7, 3), (8, 4), (10, 9), (15, 26), (20, 53)):
+            d = np.arange(n) ** 1.5
+            means = sorted((d[i] + d[j]) / 2 for i in range(n) for j in range(i, n))
+            found = paired.wilcoxon("x", [0.0] * n, d.tolist())
+            self.assertEqual((found.low, found.high), (means[c - 1], means[-c]), n)
+        random, rounds = np.random.default_rng(10), 2000
+        for n in (6, 7, 9, 12, 80):
+            missed = 0
+            for d in random.normal(0.4, 1, (rounds, n)):
+                found = paired.wilcoxon("x", [0.0] * n, d.tolist())
+                missed += not found.low <= 0.4 <= found.high
+            self.assertLessEqual(missed, 0.05 * rounds + 3 * (0.05 * 0.95 * rounds) ** 0.5, n)
+        for n in range(1, 6):
+            found = paired.wilcoxon("x", [0.0] * n, random.normal(9, 1, n).tolist())
+            self.assertTrue(np.isnan(found.low) and np.isnan(found.high))
+
+    def test_signed_ranks_are_tosses_of_coins_with_equal_differences_and_zeros_too(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")  # none comes to the terminal
+            for d in ([1, 1, 1, 1, 1], [1, -1, 2, 2, 0, 0], [0.5], [0, 0], [3, 1, -2, 5, 4, 7, -7, 8]):
+                ranks = [sum((abs(y) < abs(x)) + (abs(y) == abs(x)) / 2 for y in d if y) + 0.5 for x in d if x]
+                sums = [sum(r for r, s in zip(ranks, t) if s) for t in itertools.product((0, 1), repeat=len(ranks))]
+                got = sum(r for r, x in zip(ranks, filter(None, d), strict=True) if x > 0)
+                p = 2 * min(sum(s <= got for s in sums), sum(s >= got for s in sums)) / len(sums)
+                self.assertAlmostEqual(paired.wilcoxon("x", [0.0] * len(d), d).p, min(1, p))
+            self.assertLess(paired.wilcoxon("x", [0.0] * 99, [1.0] * 90 + [0.0] * 9).p, 1e-9)
 
     def test_correction_never_makes_a_figure_more_certain(self):
         random = np.random.default_rng(7)

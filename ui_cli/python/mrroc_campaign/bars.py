@@ -1,5 +1,7 @@
 """What is wanted of a figure: at least and at most, None where there is no bound, as summary.json has it."""
 
+from math import isfinite, nan
+
 Bars = tuple[float | None, float | None]
 
 
@@ -12,10 +14,13 @@ def text(bars: Bars) -> str:
 
 
 def share(value: float, bars: Bars) -> float | None:
-    """How much of what is wanted a value takes: within it between -1 and 1 around a middle, or up to 1."""
+    """How much of what is wanted a value takes: within it between -1 and 1 around a middle, or up to 1; None where that
+    is no number."""
     low, high = bars
     if low is not None and high is not None:
-        return (2 * value - low - high) / (high - low) if high > low else None
-    if high:
-        return value / high
-    return low / value if low and value else None
+        share = (2 * value - low - high) / (high - low) if high > low else nan
+    elif high:
+        share = value / high
+    else:
+        share = low / value if low and value else nan
+    return share if isfinite(share) else None

@@ -14,7 +14,7 @@ from .intervals import Sequence
 from .job import job_of
 from .plan import Plan
 from .progress import Progress
-from .results import Results, writing
+from .results import Results, is_used, writing
 from .runner import Runner
 
 
@@ -42,17 +42,22 @@ def begin(plan: Plan, folder: Path) -> Results:
     varied = plans.variations(plan)
     planned = plans.rows(plan, varied)
     plans.check_extremes(plan, planned, varied)
-    if folder.exists() and any(folder.iterdir()):
-        raise bad_usage(f"{folder} is not empty; choose another --dir, or go on with --resume {folder}")
+    if is_used(folder):
+        raise bad_usage(f"{folder} is not an empty folder; choose another --dir, or go on with --resume {folder}")
     return Results.create(folder, plan, planned, [v.key for v in varied])
 
 
 def take_up(folder: Path) -> Results:
     """The campaign in a folder, to go on with it."""
     results = Results(folder)
-    if program.digest(results.plan.task) != results.plan.program:
+    plan = results.plan
+    if not plan.program.startswith(program.DIGESTS):
         raise bad_usage(
-            f"the program {results.plan.task} has changed since {folder} began: runs of two builds are not counted together; begin anew"
+            f"{folder} began with a version that looked at the program {plan.task} alone, not at all that its runs start; begin anew"
+        )
+    if program.digest(plan.task, plan.processes) != plan.program:
+        raise bad_usage(
+            f"the program {plan.task}, or one that it starts, has changed since {folder} began: runs of two builds are not counted together; begin anew"
         )
     return results
 
@@ -74,12 +79,16 @@ def runner_on(where: Where, scratch: Path, told: Callable[[str], None]):
 
 
 def carry_out(results: Results, where: Where) -> list[int]:
-    """Runs what is not counted yet. Returns the numbers of runs that were lost."""
+    """Runs what is not counted yet, and once more what was lost. Returns the numbers of runs that were lost."""
     plan, done = results.plan, results.successes()
+    if Sequence(done).narrower_than(plan.stop_when):
+        return []
+    for run in results.lost():
+        del done[run]
     rows = {row.run: row for row in results.planned()}
     todo = [row for row in rows.values() if row.run not in done]
     sequence = Sequence(done)
-    if not todo or sequence.narrower_than(plan.stop_when):
+    if not todo:
         return []
     scratch = results.folder / "scratch"
     with results.alone(), emptied(scratch), _progress(len(rows), done) as bar:

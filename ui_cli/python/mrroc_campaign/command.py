@@ -153,14 +153,24 @@ def _taken_up(chosen: argparse.Namespace, options: list[str]):
     if chosen.dir:
         raise bad_usage("--resume and --dir name two folders")
     results = campaign.take_up(chosen.resume)
-    plan = results.plan
-    for given, begun in (
-        (chosen.task, plan.task),
-        (chosen.seeds, plan.seeds),
-        (chosen.vary, plan.vary),
-        (options, plan.options),
+    plan, usual = results.plan, Plan("", "")
+    if results.note("search"):
+        raise bad_usage(
+            f"{chosen.resume} is a search, whose runs are no campaign: {CALLED} tune goes on with it, by the line that began it and --dir {chosen.resume} --resume"
+        )
+    for given, begun, default in (
+        (chosen.task, plan.task, None),
+        (chosen.seeds, plan.seeds, None),
+        (chosen.vary, plan.vary, []),
+        (options, plan.options, []),
+        (chosen.plan, plan.method, usual.method),
+        (chosen.plan_seed, plan.plan_seed, usual.plan_seed),
+        (chosen.processes, plan.processes, usual.processes),
+        (chosen.timeout, plan.timeout_s, usual.timeout_s),
+        (chosen.keep, plan.keep, usual.keep),
+        (chosen.stop_when, plan.stop_when, usual.stop_when),
     ):
-        if given and given != begun:
+        if given not in (default, begun):
             raise bad_usage(
                 f"{chosen.resume} began as: {repeat.campaign_line(plan)}; {CALLED} --resume {chosen.resume} goes on"
             )
@@ -187,7 +197,7 @@ def _plan_of(
     return Plan(
         task=chosen.task, seeds=seeds, vary=varied, options=options, method=chosen.plan, plan_seed=chosen.plan_seed,
         processes=chosen.processes, timeout_s=chosen.timeout, keep=chosen.keep, stop_when=stop_when,
-        program=program.digest(chosen.task), folder=str(Path.cwd()),
+        program=program.digest(chosen.task, chosen.processes), folder=str(Path.cwd()),
     )  # fmt: skip
 
 
@@ -234,7 +244,7 @@ def _carry_out(results, chosen: argparse.Namespace, where) -> int:
         raise CampaignError(
             1,
             "runs_lost",
-            f"{len(lost)} runs killed their workers again and again, the first is {lost[0]}; try: {again}",
+            f"{len(lost)} runs killed their workers again and again, the first is {lost[0]}; they count as failures; to try them once more: {again}",
         )
     return 0
 
@@ -325,6 +335,8 @@ def _scheduler(words: list[str]) -> int:
     line.add_argument("--port", type=int, default=8786)
     _add_key(line)
     chosen = line.parse_args(words)
+    if not 0 <= chosen.port < 65536:
+        raise bad_usage("--port takes a number from 0 to 65535")
     from . import hosts
 
     hosts.serve_scheduler(chosen.listen, chosen.port, chosen.key_file)

@@ -40,7 +40,7 @@ class Comparison:
             f"  {'figure':<30}{'pairs':>6}{'median A':>12}{'median B':>12}{'B - A':>12}  {'at 95 %':<26}p (Wilcoxon, Holm)"
         )
         for f in self.figures:
-            between = f"{f.low:.4g} to {f.high:.4g}"
+            between = f"{f.low:.4g} to {f.high:.4g}" if f.low == f.low else "too few pairs"
             lines.append(
                 f"  {f.figure:<30}{f.pairs:>6}{f.median_a:>12.4g}{f.median_b:>12.4g}{f.difference:>12.4g}  {between:<26}{f.p:.3g}"
             )

@@ -14,6 +14,7 @@ import dask
 from distributed import LocalCluster, Scheduler, Worker
 
 from . import keys
+from .errors import bad_usage
 
 LOCAL = "127.0.0.1"
 # A run ends its worker only by chance. What Dask watches many times a second is of no use for runs of seconds, and
@@ -152,5 +153,8 @@ def serve_scheduler(listen: str, port: int, key: Path | None) -> None:
             print(f"scheduler: {scheduler.address}", flush=True)
             await scheduler.finished()
 
-    with suppress(KeyboardInterrupt):
-        asyncio.run(until_the_end())
+    try:
+        with suppress(KeyboardInterrupt):
+            asyncio.run(until_the_end())
+    except (OSError, RuntimeError) as failed:  # Dask wraps the one in the other
+        raise bad_usage(f"nobody can listen on {listen}, port {port}: {failed.__cause__ or failed}") from None

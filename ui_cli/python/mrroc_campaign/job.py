@@ -18,10 +18,12 @@ from pathlib import Path
 from . import program
 from .errors import CampaignError, HostFailed
 from .plan import Plan, Row
+from .unpack import LARGEST_MB
 
 # Faults of the machine, which say nothing of the run: a full disk, no multicast, nothing of the like.
 _OF_THE_HOST = ("cannot_write", "no_multicast")
-_LARGEST_PACK_MB = 200
+_END_OF_OUTPUT = 100_000  # bytes in which the last error is looked for
+_LARGEST_SUMMARY = 10_000_000  # bytes
 
 
 def job_of(plan: Plan, row: Row, scratch: str) -> dict:
@@ -57,8 +59,10 @@ def words_of(job: dict, run_folder: Path | None) -> list[str]:
 
 def _execute(job: dict, place: Path) -> dict:
     path = program.find(job["task"])
-    if program.digest(job["task"]) != job["program"]:
-        raise HostFailed(f"{socket.gethostname()}: its program {path} is of another build than that of this campaign")
+    if program.digest(job["task"], job["processes"]) != job["program"]:
+        raise HostFailed(
+            f"{socket.gethostname()}: {path}, or a program that it starts, is of another build than that of this campaign"
+        )
     folder, began = place / "run", time.monotonic()
     status, output = _run([str(path), *words_of(job, folder)], job, place)
     result = _judge(status, output, folder)
@@ -73,11 +77,11 @@ def _execute(job: dict, place: Path) -> dict:
 
 
 def _run(words: list[str], job: dict, place: Path) -> tuple[int | None, str]:
-    """Exit status (None: out of time) and all that the process said, its standard error last."""
+    """Exit status (None: out of time) and what the process said at its end, its standard error last."""
     # The kernel ends the process when this worker is killed; the group goes with a run that is out of time.
     guarded = ["setpriv", "--pdeathsig", "KILL", *words]
     where = job["folder"] if Path(job["folder"]).is_dir() else place
-    with (place / "output.txt").open("w+") as out, (place / "errors.txt").open("w+") as err:
+    with (place / "output.txt").open("wb+") as out, (place / "errors.txt").open("wb+") as err:
         with subprocess.Popen(
             guarded, stdin=subprocess.DEVNULL, stdout=out, stderr=err, cwd=where, start_new_session=True
         ) as process:
@@ -88,16 +92,28 @@ def _run(words: list[str], job: dict, place: Path) -> tuple[int | None, str]:
             finally:
                 with contextlib.suppress(ProcessLookupError, PermissionError):
                     os.killpg(process.pid, signal.SIGKILL)
-        out.seek(0)
-        err.seek(0)
-        return status, out.read() + "\n" + err.read()
+        return status, _end_of(out) + "\n" + _end_of(err)
+
+
+def _end_of(said) -> str:
+    said.seek(max(0, said.seek(0, os.SEEK_END) - _END_OF_OUTPUT))
+    return said.read().decode(errors="replace")
+
+
+def _summary(file: Path) -> dict:
+    """What a run says of itself; empty: nothing that can be read."""
+    try:
+        with file.open("rb") as stored:
+            summary = json.loads(stored.read(_LARGEST_SUMMARY))
+    except (OSError, ValueError, RecursionError):
+        return {}
+    return summary if isinstance(summary, dict) else {}
 
 
 def _judge(status: int | None, output: str, folder: Path) -> dict:
-    try:
-        summary = json.loads((folder / "summary.json").read_text())
-    except (OSError, ValueError):
-        summary = {}
+    """Nothing but exit status 0 and a summary that says `done` is a success."""
+    summary = _summary(folder / "summary.json")
+    success = status == 0 and summary.get("outcome") == "done"
     code, text = program.last_error(output)
     if status is None:
         code, text = "wall_time", "the run was ended, since it took longer than --timeout"
@@ -105,16 +121,17 @@ def _judge(status: int | None, output: str, folder: Path) -> dict:
         code, text = f"signal_{-status}", "the program was ended by a signal"
     elif status > 0 and not code:
         code, text = f"status_{status}", "the program told no reason"
-    figures = summary.get("figures", {})
+    elif status == 0 and not success:
+        code, text = "no_summary", "the exit status is 0, but summary.json is missing, damaged, or does not say done"
     return {
-        "success": status == 0,
+        "success": success,
         "outcome": summary.get("outcome", "none"),
-        "fault": "" if status == 0 else code,
-        "text": "" if status == 0 else text,
+        "fault": "" if success else code,
+        "text": "" if success else text,
         "exit_status": status,
         "log_hash": summary.get("log_hash", ""),
         "sim_s": summary.get("sim_s"),
-        "figures": figures,
+        "figures": summary.get("figures", {}),
         "bars": summary.get("wanted", {}),
     }
 
@@ -124,7 +141,7 @@ def _kept(place: Path, shared: bool) -> dict:
     if shared:
         return {"folder": str(place)}
     size = sum(f.stat().st_size for f in place.rglob("*") if f.is_file())
-    if size > _LARGEST_PACK_MB * 1_000_000:
+    if size > LARGEST_MB * 1_000_000:
         return {"left_at": f"{socket.gethostname()}:{place}"}
     packed = BytesIO()
     with tarfile.open(fileobj=packed, mode="w:gz", compresslevel=1) as archive:

@@ -15,8 +15,11 @@ _ROLES = ("client", "scheduler", "worker")
 def make(file: Path) -> Security:
     """A new key, in a file that nobody else can read."""
     security = Security.temporary()
-    with os.fdopen(os.open(file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "w") as out:
-        json.dump({"certificate": security.tls_worker_cert, "key": security.tls_worker_key}, out)
+    try:
+        with os.fdopen(os.open(file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "w") as out:
+            json.dump({"certificate": security.tls_worker_cert, "key": security.tls_worker_key}, out)
+    except OSError as failed:
+        raise bad_usage(f"the key cannot be written: {failed}") from None
     return security
 
 

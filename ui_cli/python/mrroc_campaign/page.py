@@ -2,7 +2,6 @@
 failure."""
 
 import json
-from collections import Counter
 from html import escape
 from pathlib import Path
 
@@ -10,7 +9,8 @@ import numpy as np
 
 from . import bars, causes, charts, repeat, report
 from .intervals import clopper_pearson
-from .results import Results
+from .report import Rate
+from .results import MARK, WORKER_LOST, Results, kept_as
 
 _MOST_FAILURES = 300
 _STYLE = (Path(__file__).parent / "page.css").read_text()
@@ -19,10 +19,19 @@ _STYLE = (Path(__file__).parent / "page.css").read_text()
 def of(results: Results) -> str:
     """The page as text."""
     runs, plan = results.counted(), results.plan
-    title = f"{plan.task}: {len(runs)} runs"
-    parts = [f"<h1>{escape(title)}</h1>", f"<p><code>{escape(repeat.campaign_line(plan))}</code></p>"]
+    search = results.note("search")
+    title = f"{plan.task}: {'search, ' if search else ''}{len(runs)} runs"
+    parts = [f"<h1>{escape(title)}</h1>"]
+    if search:
+        parts.append(_search(search))
+    else:
+        parts.append(f"<p><code>{escape(repeat.campaign_line(plan))}</code></p>")
     if runs:
-        parts += [_rate(results, runs), _figures(results, runs), _causes(results, runs), _failures(results, runs)]
+        rate = report.rate(plan, runs)
+        parts.append(_faults_of_search(rate) if search else _rate(rate, len(results.planned())))
+        parts.append(_figures(results, runs))
+        parts.append("" if search else _causes(results, runs))
+        parts.append(_failures(results, runs))
     else:
         parts.append("<p>No run has been counted yet.</p>")
     head = f'<meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>{escape(title)}</title><style>{_STYLE}</style>'
@@ -44,33 +53,52 @@ def _percent(share: float) -> str:
     return f"{100 * share:.1f} %"
 
 
-def _rate(results: Results, runs: list[dict]) -> str:
-    successes, number, low, high = report.rate(results)
+def _search(search: dict) -> str:
+    best = "largest" if search["largest"] else "smallest"
+    return (
+        f"<p>A search for the {best} <code>{escape(search['figure'])}</code> over {', '.join(f'<code>{escape(k)}</code>' for k in search['space'])}. "
+        "Its values were proposed one after the other by what was found before, so how many of its runs ended as wanted is no success rate.</p>"
+    )
+
+
+def _faults_of_search(rate: Rate) -> str:
+    rows = [[f"<code>{escape(fault)}</code>", str(count), _example(rate, fault)] for fault, count in rate.faults()]
+    return f"<section><h2>Failed</h2>{_table(['failed by', 'runs', 'such as'], rows)}</section>" if rows else ""
+
+
+def _example(rate: Rate, fault: str) -> str:
+    return escape(_without_advice(next(r["text"] for r in rate.rows if r["fault"] == fault)))
+
+
+def _rate(rate: Rate, planned: int) -> str:
+    later = (
+        f"<p>{rate.later} runs that stand behind these in the plan have ended too, and do not count here: one before them has not.</p>"
+        if rate.later
+        else ""
+    )
+    if not rate.runs:
+        return f"<section><h2>Success</h2><p>Not known yet: the first run of the plan has not ended.</p>{later}</section>"
     kind = (
         "an interval that holds at all times (Robbins 1970), since it decided when to stop"
-        if results.plan.stop_when
+        if rate.at_all_times
         else "Clopper and Pearson's exact interval"
     )
-    planned = len(results.planned())
     rows = []
-    for fault, count in Counter(r["fault"] for r in runs if r["fault"]).most_common():
-        ends = clopper_pearson(count, number)
-        example = next(r["text"] for r in runs if r["fault"] == fault)
-        rows.append(
-            [
-                f"<code>{escape(fault)}</code>",
-                str(count),
-                _percent(count / number),
-                f"{_percent(ends[0])} to {_percent(ends[1])}",
-                escape(_without_advice(example)),
-            ]
-        )
+    for fault, count in rate.faults():
+        low, high = rate.interval(count)
+        share = [_percent(count / rate.runs), f"{_percent(low)} to {_percent(high)}"]
+        rows.append([f"<code>{escape(fault)}</code>", str(count), *share, _example(rate, fault)])
     faults = _table(["failed by", "runs", "share", "at 95 %", "such as"], rows) if rows else "<p>No run failed.</p>"
+    lost = (
+        f"<p>Of {rate.lost()} runs the workers died, again and again: they count as failures (<code>{WORKER_LOST}</code>). <code>--resume</code> tries them once more.</p>"
+        if rate.lost()
+        else ""
+    )
     return (
-        f'<section><h2>Success</h2><p class="big">{_percent(successes / number)}</p>'
-        f"<p>{successes} of {number} runs ended as wanted{f'; {planned} were planned' if planned != number else ''}. "
-        f"At 95 % the true rate is between {_percent(low)} and {_percent(high)}: {kind}.</p>"
-        f"{charts.interval(successes / number, low, high)}{faults}</section>"
+        f'<section><h2>Success</h2><p class="big">{_percent(rate.share)}</p>'
+        f"<p>{rate.successes} of {rate.runs} runs ended as wanted{f'; {planned} were planned' if planned != rate.runs else ''}. "
+        f"At 95 % the true rate is between {_percent(rate.low)} and {_percent(rate.high)}: {kind}.</p>{lost}{later}"
+        f"{charts.interval(rate.share, rate.low, rate.high)}{faults}</section>"
     )
 
 
@@ -86,10 +114,10 @@ def _figures(results: Results, runs: list[dict]) -> str:
 
 
 def _figure(name: str, runs: list[dict]) -> str:
-    measured = [r for r in runs if r[name] is not None]
+    measured = [r for r in runs if r.get(name) is not None]  # a column may be newer than the rows
     if not measured:
         return ""
-    key = name.split("[")[0]
+    key = name.split("[")[0].removeprefix(MARK)
     wanted = [tuple(json.loads(r["bars"] or "{}").get(key, (None, None))) for r in measured]
     values, failed = [r[name] for r in measured], [not r["success"] for r in measured]
     told = {w for w in wanted if w != (None, None)}
@@ -100,6 +128,8 @@ def _figure(name: str, runs: list[dict]) -> str:
         shares = [bars.share(v, w) for v, w in zip(values, wanted, strict=True)]
         failed = [f for f, s in zip(failed, shares, strict=True) if s is not None]
         values = [s for s in shares if s is not None]
+        if not values:
+            return ""
         limits, note = (-1.0 if any(None not in w for w in told) else None, 1.0), "as a share of what is wanted"
     q = np.quantile(values, (0, 0.5, 0.95, 1))
     numbers = f"least {q[0]:.4g}, median {q[1]:.4g}, 95 % below {q[2]:.4g}, most {q[3]:.4g}"
@@ -163,7 +193,7 @@ def _correlations(results: Results, runs: list[dict], keys: list[str]) -> str:
     numbers = [k for k in keys if all(isinstance(r[k], (int, float)) for r in runs)]
     rows = []
     for name in results.figures():
-        measured = [r for r in runs if r[name] is not None]
+        measured = [r for r in runs if r.get(name) is not None]
         if len(measured) >= 10 and numbers:
             rho = [
                 causes.spearman(np.array([r[k] for r in measured]), np.array([r[name] for r in measured]))
@@ -187,7 +217,9 @@ def _failures(results: Results, runs: list[dict]) -> str:
     planned = {row.run: row for row in results.planned()}
     rows = []
     for r in failed[:_MOST_FAILURES]:
-        folder = f'<a href="{escape(r["folder"])}/run/">{escape(r["folder"])}</a>' if r["folder"] else ""
+        folder = escape(r["folder"])
+        if r["folder"] == kept_as(r["run"]):  # elsewhere: HOST:PATH, which no link reaches
+            folder = f'<a href="{folder}/run/">{folder}</a>'
         line = f"<code>{escape(repeat.line_of(results.plan, planned[r['run']]))}</code>"
         rows.append(
             [
@@ -195,7 +227,7 @@ def _failures(results: Results, runs: list[dict]) -> str:
                 str(r["seed"]),
                 f"<code>{escape(r['fault'])}</code> {escape(_without_advice(r['text']))}",
                 line,
-                f"<code>{r['log_hash']}</code>",
+                f"<code>{escape(r['log_hash'] or '')}</code>",
                 folder,
             ]
         )

@@ -10,6 +10,7 @@ from .vary import Variation
 
 METHODS = ("lhs", "sobol")
 _MOST_RUNS = 1_000_000
+_LARGEST_SEED = 2**63 - 1  # as tasks take them
 
 
 @dataclass(frozen=True)
@@ -45,6 +46,8 @@ class Row:
 
 def seeds_of(text: str) -> list[int]:
     """Seeds FIRST:LAST, both included, or A,B,C."""
+    if any(len(digits) > 19 or int(digits) > _LARGEST_SEED for digits in re.findall(r"\d+", text)):
+        raise bad_usage(f"--seeds {text}: a seed is at most {_LARGEST_SEED}")
     if ends := re.fullmatch(r"(\d+):(\d+)", text):
         first, last = int(ends[1]), int(ends[2])
         if first > last or last - first >= _MOST_RUNS:

@@ -13,6 +13,7 @@ from .errors import CampaignError, bad_usage
 # Another file, robot or host, or what the campaign itself gives: no input of a simulation.
 _NOT_VARIED = ("seed", "log.", "film.", "hosts.")
 _NOT_VARIED_ENDS = (".hardware", ".core", ".record")
+DIGESTS = "2-"  # of fingerprints: those before were of the program of the task alone
 
 
 @dataclass(frozen=True)
@@ -55,15 +56,41 @@ def find(task: str) -> Path:
     return path
 
 
-def digest(task: str) -> str:
-    """Fingerprint of the program, so that runs of two builds are not counted together."""
-    path = find(task)
-    return _digest(path, path.stat().st_mtime_ns)
+def digest(task: str, processes: str) -> str:
+    """Fingerprint of all that a run can start, so that runs of two builds are not counted together: the program of the
+    task, with separate processes all drivers, control systems, receptors and the simulator, and the libraries that are
+    not the system's. processes: one or separate."""
+    programs = [find(task)]
+    if processes == "separate":
+        programs += [path for path in folder().iterdir() if _is_started(path.name) and path.is_file()]
+    states = tuple(sorted({_state(path) for path in programs}))
+    files = {*states, *map(_state, _libraries(str(folder()), states))}
+    said = sorted((Path(path).name, _digest(path, *state)) for path, *state in files)
+    return DIGESTS + hashlib.sha256(json.dumps(said).encode()).hexdigest()[:16]
+
+
+def _is_started(name: str) -> bool:
+    return name == "simulator" or (name.startswith(("edp_", "ecp_", "vsp_")) and not name.endswith("_test"))
+
+
+def _state(path: str | Path) -> tuple[str, int, int]:
+    """What changes when a file does."""
+    now = os.stat(path)
+    return str(path), now.st_size, now.st_mtime_ns
+
+
+@lru_cache(maxsize=1024)
+def _digest(path: str, _size: int, _changed: int) -> str:
+    return hashlib.sha256(Path(path).read_bytes()).hexdigest()
 
 
 @lru_cache(maxsize=8)
-def _digest(path: Path, _changed: int) -> str:
-    return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
+def _libraries(beside: str, programs: tuple) -> list[str]:
+    """What the loader finds for programs, in their folder or elsewhere than where the system has its own."""
+    paths = [path for path, *_ in programs]
+    told = subprocess.run(["ldd", *paths], capture_output=True, text=True, errors="replace", check=False).stdout
+    found = {line.split(" => ", 1)[1].rsplit(" (", 1)[0] for line in told.splitlines() if " => /" in line}
+    return [p for p in found if str(Path(p).parent) == beside or not p.startswith(("/lib", "/usr/lib"))]
 
 
 def settings_as_words(settings: dict[str, str]) -> list[str]:
@@ -73,11 +100,15 @@ def settings_as_words(settings: dict[str, str]) -> list[str]:
 
 def parameters(task: str, options: list[str]) -> dict[str, Parameter]:
     """What can be varied, by its key, as the task itself tells it with those options."""
-    rows = json.loads(_ask(task, options))
-    # With --set or --config among the options the task tells the value that they make, under that name.
-    return {
-        r["key"]: Parameter(r["key"], r.get("default", r.get("value")), r["range"] or "", r["unit"] or "") for r in rows
-    }
+    try:
+        rows = json.loads(_ask(task, options))
+        # With --set or --config among the options the task tells the value that they make, under that name.
+        return {
+            r["key"]: Parameter(r["key"], r.get("default", r.get("value")), r["range"] or "", r["unit"] or "")
+            for r in rows
+        }
+    except (ValueError, KeyError, TypeError, AttributeError):
+        raise bad_usage(f"{task} does not tell its parameters as a task does") from None
 
 
 def check(task: str, options: list[str], settings: dict[str, str]) -> None:
@@ -94,9 +125,11 @@ def refuse_what_is_no_input(key: str) -> None:
 
 
 def _ask(task: str, words: list[str]) -> str:
-    answer = subprocess.run(
-        [find(task), *words, "--parameters", "--json"], capture_output=True, text=True, check=False, timeout=60
-    )
+    asked = [find(task), *words, "--parameters", "--json"]
+    try:
+        answer = subprocess.run(asked, capture_output=True, text=True, errors="replace", check=False, timeout=60)
+    except (OSError, subprocess.TimeoutExpired) as failed:
+        raise bad_usage(f"{task} does not tell its parameters as a task does: {failed}") from None
     if answer.returncode != 0:
         code, text = last_error(answer.stderr)
         raise CampaignError(2, code or "bad_usage", text or f"{task} did not take {' '.join(words)}")

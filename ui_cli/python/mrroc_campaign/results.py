@@ -2,7 +2,7 @@
 
 Table `runs`: run (number in the plan, from 0), seed, a column per varied value under its key, success (1: done, and all
 figures as wanted), outcome (of summary.json; none: there is none), fault (code; empty: none), text (of the fault),
-exit_status (null: out of time), log_hash, sim_s and wall_s [s], host, folder (of a run that was kept), bars (JSON: what
+exit_status (null: out of time, or lost), log_hash, sim_s and wall_s [s], host, folder (of a run that was kept), bars (JSON: what
 was wanted, [least, most] by figure, null: no bound), and a column per figure under its key; one number of several is
 KEY[0], KEY[1]. Table `planned`: run, seed, settings (JSON: value as text by key). Table `campaign`: key, value (JSON)."""
 
@@ -11,16 +11,18 @@ import json
 import os
 import shutil
 import sqlite3
-import tarfile
 from collections.abc import Iterable
 from contextlib import contextmanager
-from io import BytesIO
 from pathlib import Path
 
 from .errors import CampaignError, bad_usage
 from .plan import Plan, Row
+from .unpack import unpack
 
 FILE = "results.sqlite"
+WORKER_LOST = "worker_lost"  # fault of a run that killed its workers again and again
+MARK = "figure "  # before a figure that is named as another column
+_MOST_FIGURES = 1000  # SQLite takes 2000 columns
 _COLUMNS = {
     "run": "INTEGER PRIMARY KEY", "seed": "INTEGER", "success": "INTEGER", "outcome": "TEXT", "fault": "TEXT", "text": "TEXT",
     "exit_status": "INTEGER", "log_hash": "TEXT", "sim_s": "REAL", "wall_s": "REAL", "host": "TEXT", "folder": "TEXT", "bars": "TEXT",
@@ -29,6 +31,11 @@ _COLUMNS = {
 
 def _quoted(name: str) -> str:
     return '"' + name.replace('"', '""') + '"'
+
+
+def is_used(folder: Path) -> bool:
+    """Whether there is something already where a new campaign is to be."""
+    return folder.exists() and not (folder.is_dir() and not any(folder.iterdir()))
 
 
 class Results:
@@ -43,7 +50,7 @@ class Results:
         self._lock = None
         try:
             self.plan = Plan(**self.note("plan"))
-        except (sqlite3.DatabaseError, TypeError) as damage:
+        except (sqlite3.DatabaseError, TypeError, ValueError) as damage:
             raise bad_usage(f"{folder / FILE} is no file of a campaign, or of another version: {damage}") from None
         self._columns = {c["name"] for c in self._db.execute("PRAGMA table_info(runs)")}
 
@@ -112,20 +119,26 @@ class Results:
         """Whether a run succeeded, by its number."""
         return {r["run"]: bool(r["success"]) for r in self._db.execute("SELECT run, success FROM runs")}
 
+    def lost(self) -> list[int]:
+        """Runs whose workers died again and again; they count as failures until they are carried out."""
+        return [r["run"] for r in self._db.execute("SELECT run FROM runs WHERE fault = ?", [WORKER_LOST])]
+
     def figures(self) -> list[str]:
         """Columns that are figures, in the order in which they were met."""
         return self.note("figures") or []
 
     def add(self, row: Row, result: dict) -> bool:
-        """Counts a run, all of it or nothing. Returns False when it is counted already."""
-        figures = _flat(result["figures"])
+        """Counts a run, all of it or nothing. result: as told.checked() makes it. Returns False when it is counted
+        already; a run that was lost is counted anew."""
+        figures = self._flat(result["figures"])
         values = {k: result[k] for k in _COLUMNS if k in result} | {
             "seed": row.seed,
             "bars": json.dumps(result["bars"]),
         }
         values |= row.settings | figures
         with writing(self.folder):
-            if self._db.execute("SELECT 1 FROM runs WHERE run = ?", [row.run]).fetchone():
+            counted = self._db.execute("SELECT fault FROM runs WHERE run = ?", [row.run]).fetchone()
+            if counted and counted["fault"] != WORKER_LOST:
                 return False
             values["folder"] = self._keep(row.run, result)
             self._db.execute("BEGIN IMMEDIATE")
@@ -136,7 +149,7 @@ class Results:
                     known = json.dumps([*self.figures(), *new])
                     self._db.execute("INSERT OR REPLACE INTO campaign VALUES ('figures', ?)", [known])
                 names, marks = ", ".join(map(_quoted, values)), ", ".join("?" * len(values))
-                self._db.execute(f"INSERT INTO runs ({names}) VALUES ({marks})", list(values.values()))
+                self._db.execute(f"INSERT OR REPLACE INTO runs ({names}) VALUES ({marks})", list(values.values()))
                 self._db.execute("COMMIT")
             except BaseException:
                 if self._db.in_transaction:
@@ -147,34 +160,49 @@ class Results:
 
     def _keep(self, run: int, result: dict) -> str:
         """Brings what a worker kept of a run to its place."""
-        kept = self.folder / "kept" / f"{run:06d}"
+        kept = self.folder / kept_as(run)
         if "left_at" in result:
             return result["left_at"]
-        if "folder" not in result and "packed" not in result:
+        if "packed" not in result and not self._is_scratch(result.get("folder", "")):
             return ""
         shutil.rmtree(kept, ignore_errors=True)  # of one who died before he had counted it
         kept.parent.mkdir(exist_ok=True)
-        if "folder" in result:
+        if "packed" not in result:
             os.replace(result["folder"], kept)
-        else:
-            with tarfile.open(fileobj=BytesIO(result["packed"])) as archive:
-                # A worker elsewhere is not trusted: nothing but files and folders below this one.
-                inside = [m for m in archive if (m.isfile() or m.isdir()) and not {"..", "/"} & set(Path(m.name).parts)]
-                archive.extractall(kept, members=inside)
-        return str(kept.relative_to(self.folder))
+        elif not unpack(result["packed"], kept):
+            return ""
+        return kept_as(run)
+
+    def _is_scratch(self, folder: str) -> bool:
+        """Whether it is one of those in which runs of this campaign were carried out: nothing else is taken away."""
+        try:
+            path = Path(folder).resolve()
+            return path.parent == (self.folder / "scratch").resolve() and path.is_dir()
+        except (OSError, ValueError):  # no path at all
+            return False
+
+    def _flat(self, figures: dict) -> dict[str, float | None]:
+        """A column per number. A figure that is named as another column gets a mark before it. SQLite does not tell
+        capitals from small letters: of two such names the first is kept."""
+        known = {name.lower(): name for name in self.figures()}
+        others = {name.lower() for name in self._columns} - set(known)
+        flat: dict[str, tuple[str, float | None]] = {}
+        for key, value in figures.items():
+            name = f"{MARK}{key}" if key.lower() in others else key
+            several = [(f"{name}[{k}]", x) for k, x in enumerate(value)] if isinstance(value, list) else [(name, value)]
+            for column, x in several:
+                if column.lower() in known or len(known) < _MOST_FIGURES:
+                    flat.setdefault(column.lower(), (known.setdefault(column.lower(), column), x))
+        return dict(flat.values())
+
+
+def kept_as(run: int) -> str:
+    """The folder of a run that was kept, in the campaign's."""
+    return f"kept/{run:06d}"
 
 
 def _planned(row: Row) -> list:
     return [row.run, row.seed, json.dumps(row.settings)]
-
-
-def _flat(figures: dict) -> dict[str, float | None]:
-    """A name per number. A figure that is named as another column gets a mark before it."""
-    flat = {}
-    for key, value in figures.items():
-        name = f"figure {key}" if key in _COLUMNS else key
-        flat |= {f"{name}[{k}]": x for k, x in enumerate(value)} if isinstance(value, list) else {name: value}
-    return flat
 
 
 @contextmanager

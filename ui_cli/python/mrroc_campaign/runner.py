@@ -1,5 +1,5 @@
-"""Carries out jobs on Dask. Whatever happens to workers and scheduler, every job's result is taken once, or the job is
-told as lost."""
+"""Carries out jobs on Dask. Whatever happens to workers and scheduler, every job's result is taken once; that of a job
+which ends its workers again and again is that it was lost."""
 
 import queue
 import time
@@ -14,7 +14,8 @@ from distributed.scheduler import KilledWorker
 
 from .errors import CampaignError, HostFailed
 from .job import execute
-from .plan import Plan, Row
+from .results import WORKER_LOST
+from .told import checked, printable
 
 _ATTEMPTS = 3  # of a job whose workers died, ten of them each time
 _LOOK_S = 2.0  # between two looks at how many workers there are
@@ -32,7 +33,8 @@ class Runner:
         self._limit, self._looked = 0, -_LOOK_S
 
     def run(self, jobs: Iterable[dict], take: Callable[[dict], bool]) -> list[int]:
-        """Carries out jobs. take: gets each result in this thread; False ends all. Returns the numbers of lost jobs."""
+        """Carries out jobs. take: gets each result, as checked() makes it, in this thread; False ends all. Returns the
+        numbers of lost jobs, whose results have the fault worker_lost."""
         waiting, more, killed, lost = deque(), iter(jobs), Counter(), []
         try:
             while True:
@@ -43,13 +45,12 @@ class Runner:
                 if job is None:
                     continue
                 result, failed = self._outcome(future)
-                if result is not None:
-                    if not take(result):
-                        return lost
-                elif failed is not None:
-                    self._judge(failed, job, waiting, killed, lost)
-                else:
+                if failed is not None:
+                    result = self._judge(failed, job, killed, lost)
+                if result is None:
                     waiting.append(job)
+                elif not take(checked(result, job["run"])):
+                    return lost
         finally:
             self._running.clear()  # nobody waits for these any more, so the scheduler forgets them
 
@@ -97,20 +98,22 @@ class Runner:
         except (OSError, CancelledError):
             return None, None
 
-    def _judge(self, failed: BaseException, job: dict, waiting: deque, killed: Counter, lost: list[int]) -> None:
+    @staticmethod
+    def _judge(failed: BaseException, job: dict, killed: Counter, lost: list[int]) -> dict | None:
+        """The result of a job that is lost; None: it is tried once more."""
         if isinstance(failed, HostFailed):
             raise CampaignError(
-                3, "host_failed", f"run {job['run']} could not be carried out, and is not counted: {failed}"
+                3, "host_failed", f"run {job['run']} could not be carried out, and is not counted: {printable(str(failed))}"
             )
         if not isinstance(failed, KilledWorker):
             raise CampaignError(
-                3, "host_failed", f"run {job['run']} could not be carried out: {type(failed).__name__}: {failed}"
+                3, "host_failed", f"run {job['run']} could not be carried out: {type(failed).__name__}: {printable(str(failed))}"
             )
         killed[job["run"]] += 1
         if killed[job["run"]] < _ATTEMPTS:
-            waiting.append(job)
-        else:
-            lost.append(job["run"])
+            return None
+        lost.append(job["run"])
+        return {"fault": WORKER_LOST, "text": "the workers that carried it out died, again and again"}
 
     def _come_back(self, waiting: deque) -> None:
         """Connects, for the first time or again. What was running is handed out anew: only results that were taken

@@ -17,7 +17,7 @@ from .job import job_of
 from .plan import Plan, Row
 from .program import Parameter
 from .progress import Progress
-from .results import Results
+from .results import Results, is_used
 from .runner import Runner
 
 _LOG = re.compile(r"(?P<key>[^=]+)=log\((?P<low>[^,()]+),(?P<high>[^,()]+)\)$")
@@ -116,8 +116,8 @@ def begin(plan: Plan, search: Search, folder: Path, resume: bool) -> Results:
         if results.note("search") != asked or replace(results.plan, folder=plan.folder) != plan:
             raise bad_usage(f"{folder} is another search; type the line that began it, with --resume")
         return results
-    if folder.exists() and any(folder.iterdir()):
-        raise bad_usage(f"{folder} is not empty; choose another --dir, or go on with --resume")
+    if is_used(folder):
+        raise bad_usage(f"{folder} is not an empty folder; choose another --dir, or go on with --resume")
     results = Results.create(folder, plan, [], list(search.space))
     results.keep_note("search", asked)
     return results
@@ -149,8 +149,7 @@ def _carry_out(
         return True
 
     todo = [job_of(results.plan, row, scratch) for row in rows if row.run not in done]
-    if lost := runner.run(todo, take):
-        raise CampaignError(1, "runs_lost", f"run {lost[0]} killed its workers again and again")
+    runner.run(todo, take)  # a lost run has failed, and its trial is not measured
 
 
 def _judge(results: Results, search: Search, rows: list[Row]) -> Trial:
