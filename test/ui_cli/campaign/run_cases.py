@@ -117,6 +117,9 @@ class Campaigns(Place):
                 self.assertGreater(found["compared"], 1000)
                 self.assertEqual(found["differences"], 0)
                 if outcome == "done":
+                    kept = self.home / folder / r["folder"] / "run"
+                    pictures = [{p.name for p in (f / "plots").glob("*.png")} for f in (again, kept)]
+                    self.assertEqual(*pictures)  # drawn behind the run, for its folder is kept
                     self.assertEqual(json.loads((again / "summary.json").read_text())["log_hash"], r["log_hash"])
 
     def test_workers_that_are_killed_at_random_moments_lose_nothing_and_count_nothing_twice(self):

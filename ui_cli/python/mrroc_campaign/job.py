@@ -24,6 +24,8 @@ from .unpack import LARGEST_MB
 _OF_THE_HOST = ("cannot_write", "no_multicast")
 _END_OF_OUTPUT = 100_000  # bytes in which the last error is looked for
 _LARGEST_SUMMARY = 10_000_000  # bytes
+_NO_PICTURES = "--no-pictures"
+_LONGEST_DRAWING = 60  # s, of one picture
 
 
 def job_of(plan: Plan, row: Row, scratch: str) -> dict:
@@ -54,7 +56,10 @@ def words_of(job: dict, run_folder: Path | None) -> list[str]:
     """The task's options, which repeat the run bit for bit."""
     words = ["--seed", str(job["seed"]), "--processes", job["processes"], "--strict", *job["options"]]
     words += program.settings_as_words(job["settings"])
-    return words if run_folder is None else [*words, "--run-dir", str(run_folder)]
+    if run_folder is None:
+        return words
+    pictures = [] if _NO_PICTURES in job["options"] else [_NO_PICTURES]  # those of runs that are kept are drawn later
+    return [*words, *pictures, "--run-dir", str(run_folder)]
 
 
 def _execute(job: dict, place: Path) -> dict:
@@ -70,6 +75,8 @@ def _execute(job: dict, place: Path) -> dict:
     if result["fault"] in _OF_THE_HOST and status == 3:
         raise HostFailed(f"{socket.gethostname()}: {result['fault']}: {result['text']}")
     if job["keep"] == "all" or (job["keep"] == "failed" and not result["success"]):
+        if _NO_PICTURES not in job["options"]:
+            _draw(folder)
         result |= _kept(place, shared=bool(job["scratch"]))
     else:
         shutil.rmtree(place, ignore_errors=True)
@@ -93,6 +100,21 @@ def _run(words: list[str], job: dict, place: Path) -> tuple[int | None, str]:
                 with contextlib.suppress(ProcessLookupError, PermissionError):
                     os.killpg(process.pid, signal.SIGKILL)
         return status, _end_of(out) + "\n" + _end_of(err)
+
+
+def _draw(folder: Path) -> None:
+    """The pictures whose scripts the run has left, as it would have drawn them itself; without gnuplot none."""
+    for script in sorted(folder.glob("plots/*.gp")):
+        with contextlib.suppress(OSError, subprocess.TimeoutExpired):
+            subprocess.run(
+                ["gnuplot", f"plots/{script.name}"],
+                cwd=folder,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+                timeout=_LONGEST_DRAWING,
+                check=False,
+            )
 
 
 def _end_of(said) -> str:
