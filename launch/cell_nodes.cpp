@@ -12,6 +12,7 @@
 #include "sim/config.hpp"
 #include "sim/shell/process.hpp"
 #include "sim/start_joints.hpp"
+#include "sim/world.hpp"
 
 namespace mrroc::launch {
 namespace {
@@ -39,6 +40,12 @@ std::vector<double> start_of(const sim::ArmParameters& parameters, const std::st
   } catch (const std::invalid_argument& e) {
     throw FaultError(FaultCode::bad_configuration, fmt::format("robots.{}.start_joints: {}", key, e.what()));
   }
+}
+
+/// Whether the integration follows gears that give way is known only when the bodies stand.
+void check_gears(const sim::WorldParameters& parameters) {
+  const auto gives_way = [](const sim::ArmParameters& arm) { return arm.elasticity.frequency > 0; };
+  if (std::ranges::any_of(parameters.arms, gives_way)) const sim::World world(parameters, 1);
 }
 
 /// Reads what the driver of an arm and the task's preparation will read. @param joints  where it stands
@@ -77,6 +84,7 @@ void check_cell(const Config& config, const std::vector<CellArm>& arms,
     const bool real = hardware_of(config, arms[k]).real();
     read_arm(config, arms[k], real ? std::vector<double>{} : start_of(parameters.arms[k], arms[k].key));
   }
+  check_gears(parameters);
 }
 
 mp::NodeSpec make_node(const Config& config, const std::string& name, const std::string& program,

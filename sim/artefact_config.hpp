@@ -7,7 +7,8 @@
 
 namespace mrroc::sim {
 
-/// Reads [artefact], what is told (base/artefact.hpp), and sim.artefact.place_error, by which all of it stands elsewhere.
+/// Reads [artefact], what is told (base/artefact.hpp), and [sim.artefact], what is true: place_error, by which all
+/// of it stands elsewhere, ball_errors, by which each ball does, and diameter.
 /// @return nothing: there is no artefact
 /// @throws ConfigError; FaultError bad_configuration
 [[nodiscard]] std::optional<ArtefactParameters> read_true_artefact(const Config& config);

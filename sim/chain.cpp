@@ -17,7 +17,8 @@ constexpr double kSliderInertia = 1e-4;  // of it and of a jaw [kg m^2]
 /// Links, their number of joints and shapes are in the chain; T_GV of a shape is still in the frame of its link.
 struct Plan {
   Chain chain;
-  Pose T_WS, T_WT, T_TE;  // W wrist, S sensor, T tool, E its tip
+  Pose T_WS, T_WT, T_TE;                  // W wrist, S sensor, T tool, E its tip
+  Matrix3 tip_turn{Matrix3::Identity()};  // of E and what is fixed to it, from the description
 };
 
 [[noreturn]] void refuse(const std::string& what) {
@@ -114,7 +115,12 @@ void apply(Plan& plan, const LinkError& error) {
     link.mass *= error.mass_scale;
     link.inertia *= error.mass_scale;
     link.mass_centre += error.mass_centre_error;
-    if (&link == &plan.chain.links.back()) plan.T_TE.p += error.tip_error;
+    link.zero_error += error.zero_error;
+    if (&link != &plan.chain.links.back()) continue;
+    plan.T_TE.p += error.tip_error;
+    if (error.tip_turn.isZero(0)) continue;
+    plan.tip_turn = rotation_from_angle_axis(error.tip_turn);
+    plan.T_TE.R = plan.tip_turn * plan.T_TE.R;
   }
 }
 
@@ -124,11 +130,11 @@ std::shared_ptr<const urdf::ModelInterface> parsed(std::string_view urdf) {
   return model;
 }
 
-ChainLink slider(const Vector3& axis, const Vector3& place, double mass, int back) {
+ChainLink slider(const Vector3& axis, const Pose& place, double mass, int back) {
   ChainLink link;
   link.prismatic = true;
   link.back = back;
-  link.T_PL.p = place;
+  link.T_PL = place;
   link.axis = axis;
   link.mass = mass;
   link.inertia.setConstant(kSliderInertia);
@@ -142,7 +148,7 @@ void add_gripper(Plan& plan, const GripperBodyParameters& p) {
   links.pop_back();
   const Pose T_PW = tool.T_PL;
   for (const Vector3 axis : {Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()})
-    links.push_back(slider(axis, Vector3::Zero(), kSliderMass, 1));
+    links.push_back(slider(axis, Pose(), kSliderMass, 1));
   links[links.size() - Chain::kWristAxes].T_PL = T_PW;
 
   const Vector3 jaws = 2 * p.jaw_mass * plan.T_TE.p;
@@ -151,9 +157,12 @@ void add_gripper(Plan& plan, const GripperBodyParameters& p) {
   tool.mass -= 2 * p.jaw_mass;
   tool.T_PL = Pose();
   links.push_back(tool);
-  const Vector3 pad(0, p.pad_thickness / 2, 0);
-  links.push_back(slider(Vector3::UnitY(), plan.T_TE.p + pad, p.jaw_mass, 1));
-  links.push_back(slider(-Vector3::UnitY(), plan.T_TE.p - pad, p.jaw_mass, 2));
+  const Vector3 pad = plan.tip_turn * Vector3(0, p.pad_thickness / 2, 0);
+  const auto jaw = [&](const Vector3& axis, const Vector3& from_tip, int back) {
+    links.push_back(slider(axis, {plan.tip_turn, plan.T_TE.p + from_tip}, p.jaw_mass, back));
+  };
+  jaw(Vector3::UnitY(), pad, 1);
+  jaw(-Vector3::UnitY(), -pad, 2);
 }
 
 void add_rotor(ChainLink& link, double inertia) {

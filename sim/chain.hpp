@@ -32,7 +32,8 @@ struct ChainLink {
   int back{1};                    ///< the parent is so many links before; the base is before the first one
   Pose T_PL;                      ///< frame of the link in that of its parent, the joint at zero
   Vector3 axis{Vector3::Zero()};  ///< of the joint, in the link, through its origin
-  double mass{};                  ///< [kg], the rotor of a slider's motor included
+  double zero_error{};  ///< true position of the joint less what its encoder is taken for [rad], slider [m]
+  double mass{};        ///< [kg], the rotor of a slider's motor included
   Vector3 mass_centre{Vector3::Zero()};  ///< in the link [m]
   Vector3 inertia{Vector3::Zero()};  ///< about the mass centre and the link's axes, rotor included [kg m^2]
 };

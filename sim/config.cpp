@@ -197,25 +197,29 @@ int read_true_model(const Config& sim_arm, const robots::RobotType& type, int be
 }
 
 /// @param all  [sim] @param own  of one arm
-void read_motors(const Config& all, const Config& own, std::vector<MotorParameters>& motors) {
+void read_motors(const Config& all, const Config& own, ArmParameters& arm) {
   constexpr Bounds kScale{0.1, 10};
   const char* const believed = "the regulators' coefficients";
-  const double friction = all.number("motor_friction", 1, {0, 10},
-                                     {"", "of the motors of all arms, over the estimate", believed}) *
-                          own.number("friction_scale", 1, {0, 10},
-                                     {"", "of the motors of that arm, besides sim.motor_friction", believed});
-  const double torque =
-      own.number("torque_constant_scale", 1, kScale, {"", "of the motors, over the estimate", believed});
+  const double friction =
+      all.number("motor_friction", 1, {0, 10},
+                 {"", "of the motors of all arms and their jaws, over the estimate", believed}) *
+      own.number("friction_scale", 1, {0, 10},
+                 {"", "of the motors of that arm and its jaws, besides sim.motor_friction", believed});
+  const double torque = own.number("torque_constant_scale", 1, kScale,
+                                   {"", "of the motors, that of the jaws too, over the estimate", believed});
   const double resistance =
-      own.number("resistance_scale", 1, kScale, {"", "of the motors, over the estimate", believed});
-  const double rotor =
-      own.number("rotor_inertia_scale", 1, kScale, {"", "of the motors, over the estimate", believed});
-  for (MotorParameters& m : motors) {
+      own.number("resistance_scale", 1, kScale,
+                 {"", "of the motors, that of the jaws too, over the estimate", believed});
+  const double rotor = own.number("rotor_inertia_scale", 1, kScale,
+                                  {"", "of the motors, that of the jaws too, over the estimate", believed});
+  const auto scale = [&](MotorParameters& m) {
     m.friction *= friction;
     m.torque_constant *= torque;
     m.resistance *= resistance;
     m.rotor_inertia *= rotor;
-  }
+  };
+  std::ranges::for_each(arm.motors, scale);
+  if (arm.jaws) scale(arm.jaws->motor);
 }
 
 /// Where the arm stands at the beginning, as those believe who put it there.
@@ -282,7 +286,7 @@ ArmParameters read_arm(const Config& config, const std::string& key, std::string
   arm.lines.loop_back = robot.flag("lines.loop_back", arm.lines.loop_back);
   arm.lines.inputs = static_cast<std::uint16_t>(robot.integer("lines.inputs", 0, {0, 65535}, "bit mask"));
   read_start(config, key, table, believed, arm);
-  read_motors(sim, own, arm.motors);
+  read_motors(sim, own, arm);
   return arm;
 }
 

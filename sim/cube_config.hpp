@@ -19,6 +19,7 @@ void read_fingers(const Config& config, const std::string& key, ArmParameters& a
 /// away from that hand), one of state (54 facelets), scramble (turns such as "R U' F2") and random_turns; seed (of the random
 /// turns and the faces' friction; by default that of the run), twist (of a corner in its place, in thirds of a turn: no turns
 /// lead to such a cube). And [sim.cube], what it really is: friction of faces and stickers, edge, mass, place in the hand.
+/// Its place_error is along and about the axes of the hand, through the cube's middle, not about those of the cube.
 /// @param arms  names in the order of the simulator's arms
 /// @return nothing: there is no cube
 /// @throws ConfigError, FaultError bad_cube

@@ -32,7 +32,8 @@ class ElasticGears {
   /// Rotors stand turned so that the springs hold the links.
   /// @param motors_per_joints  d motors / d joints at the start
   /// @param h                  integration step [s]
-  /// @throws std::invalid_argument  a parameter is out of range, or the step too long for the fastest mode
+  /// @throws std::invalid_argument  a parameter is out of range
+  /// @throws FaultError bad_configuration  the step is too long for the fastest mode, or for how it is damped
   ElasticGears(const ElasticityParameters& p, const ArmAtRest& arm, std::span<const MotorParameters> motors,
                const AxisMatrix& motors_per_joints, double h);
 

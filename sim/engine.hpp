@@ -18,7 +18,8 @@ inline constexpr double kTableEdge = 0.6;  ///< of the square tables that the sh
 /// What the arms of a world are built from.
 struct ArmPlan {
   std::unique_ptr<edp::Robot> robot;  ///< with the true kinematic model; never null
-  AxisVector start;                   ///< joints at the beginning [rad, track m]
+  AxisVector told_start;              ///< joints at the beginning as everybody is told of them [rad, track m]
+  AxisVector start;                   ///< the true ones
   Chain chain;                        ///< its links
 };
 

@@ -26,7 +26,7 @@ struct ErrorBounds {
 [[nodiscard]] Vector3 read_turn(const Config& table, const std::string& about, std::string_view believed,
                                 const ErrorBounds& bounds = {});
 
-/// Both of them, as a displacement: the true pose is the believed one times this.
+/// Both of them, as a displacement: the true pose is the believed one times this, unless who reads it says otherwise.
 [[nodiscard]] Pose read_displacement(const Config& table, const std::string& about, std::string_view believed,
                                      const ErrorBounds& bounds = {});
 
@@ -36,7 +36,8 @@ struct ErrorBounds {
 /// @return T * displacement; without one T with its bits as they are
 [[nodiscard]] Pose displaced(const Pose& T, const Pose& displacement);
 
-/// Reads mass_scale and mass_centre_error of all links of an arm, of links.NAME, and of its tool, and tip_error of the tool.
+/// Reads mass_scale and mass_centre_error of all links of an arm, of links.NAME, and of its tool; zero_error of links.NAME,
+/// and tip_error of the tool, which is along and about the axes of W.
 /// @param arm    its table
 /// @param links  as link_names() gives them
 /// @return one per link that is otherwise

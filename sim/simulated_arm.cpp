@@ -44,13 +44,17 @@ bool usable(const HardwareCommand& command) {
 ArmPlan plan_arm(const ArmParameters& p) {
   ArmPlan plan;
   plan.robot = checked_robot(p);
-  plan.start = sim::start_joints(p);
+  plan.told_start = sim::start_joints(p);
   const robots::RobotType& type = *p.type;
   // The inertia of the rotors is that at the start.
   const auto inertia = type.rotor_inertia ? type.rotor_inertia : robots::reflected_inertia;
-  AxisVector rotors = inertia(*plan.robot, p.motors, plan.start);
+  AxisVector rotors = inertia(*plan.robot, p.motors, plan.told_start);
   if (p.elasticity.frequency > 0) rotors *= kGearShare;  // the others turn by themselves
   plan.chain = read_chain(type.urdf, lengths_of(type, p.model), rotors, tool_mass(p), p.gripper, p.links);
+  plan.start = plan.told_start;
+  for (int k = 0; k < plan.chain.joints; ++k)
+    if (const double error = plan.chain.links[static_cast<std::size_t>(k)].zero_error; error != 0)
+      plan.start[k] += error;
   if (p.palm)
     plan.chain.shapes.push_back({"palm",
                                  plan.chain.tool,
@@ -71,7 +75,8 @@ SimulatedArm::SimulatedArm(const ArmParameters& p, ArmPlan plan, ArmMechanics& b
       T_PU_((p.T_UB * p.paper.T_0P).inverse()),
       paper_normal_(T_PU_.R.row(2).transpose()),
       start_joints_(plan.start),
-      start_motors_(robot_->motors_from_joints(start_joints_)),
+      zero_motors_(robot_->motors_from_joints(plan.start) - robot_->motors_from_joints(plan.told_start)),
+      start_motors_(encoded_motors(start_joints_)),
       chain_(std::move(plan.chain)),
       jaw_encoder_(gripper::two_jaw().increments_per_rad, 0.5),
       sensor_(p.sensor, seed),
@@ -94,7 +99,7 @@ SimulatedArm::SimulatedArm(const ArmParameters& p, ArmPlan plan, ArmMechanics& b
 
 void SimulatedArm::add_gears() {
   gears_.emplace(p_.elasticity, body_.at_rest(), p_.motors, robot_->motors_per_joints(start_joints_), h_);
-  start_motors_ = robot_->motors_from_joints(gears_->joints());
+  start_motors_ = encoded_motors(gears_->joints());
 }
 
 std::vector<LinkShape> SimulatedArm::shapes() const {
@@ -193,7 +198,7 @@ void SimulatedArm::end_step(std::int64_t step) {
 
 void SimulatedArm::measure(std::int64_t step) {
   read_joints();
-  const AxisVector motors = robot_->motors_from_joints(driven_joints());
+  const AxisVector motors = encoded_motors(driven_joints());
   reading_.step = step;
   reading_.S_F_m = sensor_.measure(truth_.S_F);
   for (int k = 0; k < chain_.joints; ++k) {

@@ -79,6 +79,10 @@ class SimulatedArm {
   [[nodiscard]] const AxisVector& driven_joints() const { return gears_ ? gears_->joints() : truth_.joints; }
   /// @param torques  on the shafts @return on the joints
   [[nodiscard]] AxisVector geared(const AxisVector& torques);
+  /// @return shafts as encoders and switches have them [rad]
+  [[nodiscard]] AxisVector encoded_motors(const AxisVector& joints) const {
+    return robot_->motors_from_joints(joints) - zero_motors_;
+  }
   void read_joints();
   void measure(std::int64_t step);
   void observe();
@@ -92,7 +96,9 @@ class SimulatedArm {
   Pose T_PU_;
   Vector3 paper_normal_;  // in the world
 
-  AxisVector start_joints_, start_motors_;
+  AxisVector start_joints_;
+  AxisVector zero_motors_;   // by how much the shafts are farther than encoders and switches say [rad]
+  AxisVector start_motors_;  // as encoders and switches say [rad]
   Chain chain_;
   std::optional<ElasticGears> gears_;  // none: rigid, rotors are part of the links
   std::array<ShaftFriction, kMaxAxes> friction_{};

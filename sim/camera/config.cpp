@@ -1,6 +1,7 @@
 #include "sim/camera/config.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 #include "base/target/target_config.hpp"
@@ -64,6 +65,10 @@ void read_camera_errors(const Config& t, SimulatedCamera& c) {
                     {"pixels", "true middle of the lens less the believed one", "cameras.KEY.cx, .cy"});
   };
   CameraModel& lens = c.setup.model;
+  constexpr std::array kNames{"k1", "k2", "p1", "p2", "k3"};
+  for (std::size_t k = 0; k < kNames.size(); ++k)
+    lens.distortion[k] = t.number(std::string("distortion.") + kNames[k], lens.distortion[k], {-10, 10},
+                                  {"", "of the true lens", "cameras.KEY.distortion"});
   lens.fx *= scale;
   lens.fy *= scale;
   lens.cx += centre("x");
@@ -139,6 +144,11 @@ ObjectParameters read_object(const Config& config, const std::vector<std::string
   const Tag tag = read_tag(config);
   p.tag = t.integer("tag", tag.id, {0, camera::kKnownTags - 1}, "tags that can be drawn");
   p.tag_edge = t.number("tag_edge", tag.edge, {0.01, 0.5}, "m");
+  const Config truth = config.section("sim.object");
+  p.board.square =
+      truth.number("square", p.board.square, {0.005, 0.1}, {"m", "of the chessboard", "chessboard.square"});
+  p.tag_edge =
+      truth.number("tag_edge", p.tag_edge, {0.01, 0.5}, {"m", "of the tag's black border", "apriltag.edge"});
   read_motion(t, p);
   if (p.kind != ObjectKind::none) check_arm(p.arm, arms, "object.arm");
   return p;

@@ -31,6 +31,7 @@ constexpr std::array kReaders{
            "the way of a simulated hand; where the arms begin, which is told"},
     Reader{"tasks/haptic/cell/haptic_cell.cpp",
            "the way of a simulated hand; where the arms begin, which is told"},
+    Reader{"tasks/visual_servo/cell/tool_camera.cpp", "figures: what the tool's camera could know"},
     Reader{"tasks/rex_drive/options.cpp", "it sets the ground that an option asks for"},
     Reader{"tasks/rex_drive/drive_case.cpp", "it compares what two runs were given"},
     Reader{"tasks/box_push/options.cpp", "it sets where the box stands"},
@@ -41,7 +42,8 @@ constexpr std::array<std::string_view, 4> kOfThePlant{"sim/", "launch/", "test/"
 
 bool names_the_truth(const std::string& line) {
   const std::size_t comment = line.find("//");
-  for (const char* word : {"\"sim.", "section(\"sim", "tables(\"sim", "read_world("})
+  for (const char* word : {"\"sim.", "section(\"sim", "tables(\"sim", "read_world(", "read_camera_world(",
+                           "read_true_", "sim::read_"})
     if (const std::size_t at = line.find(word); at != std::string::npos && at < comment) return true;
   return false;
 }
@@ -68,6 +70,10 @@ TEST(Tree, FindsReadersOfTheTruth) {
   EXPECT_TRUE(names_the_truth("  config.number(\"sim.paper.stiffness\", 1e4)"));
   EXPECT_TRUE(names_the_truth("  config.section(\"sim\")"));
   EXPECT_TRUE(names_the_truth("  sim::read_world(config)"));
+  EXPECT_TRUE(names_the_truth("  sim::read_camera_world(config, arms, {})"));
+  EXPECT_TRUE(names_the_truth("  read_true_body(config)"));
+  EXPECT_TRUE(names_the_truth("  read_true_artefact(config)"));
+  EXPECT_TRUE(names_the_truth("  sim::read_pads(config)"));
   EXPECT_FALSE(names_the_truth("#include \"sim/world.hpp\""));
   EXPECT_FALSE(names_the_truth("  // as \"sim.paper.stiffness\" says"));
 }

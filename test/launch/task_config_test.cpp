@@ -84,6 +84,20 @@ TEST_F(TaskConfig, HardwareThatARobotLacksIsRefusedWithTheKindsThereAre) {
   EXPECT_NO_THROW(check_cell(load(options), kArms));
 }
 
+TEST_F(TaskConfig, GearsThatTheIntegrationDoesNotFollowAreRefusedBeforeAnythingStarts) {
+  mp::TaskOptions options;
+  options.settings = {"sim.robots.arm1.elasticity=15", "sim.robots.arm1.elasticity_damping=0.5"};
+  try {
+    check_cell(load(options), kArms);
+    FAIL() << "the arm would explode";
+  } catch (const FaultError& e) {
+    EXPECT_EQ(e.fault().code, FaultCode::bad_configuration);
+    EXPECT_NE(e.remedy().find("raise sim.substeps"), std::string_view::npos) << e.remedy();
+  }
+  options.settings.emplace_back("sim.substeps=8");
+  EXPECT_NO_THROW(check_cell(load(options), kArms));
+}
+
 TEST_F(TaskConfig, AFileCountsMoreThanWhatTheTaskFindsOutAndSettingsMoreThanAFile) {
   mp::TaskOptions options;
   options.config_file = write("start.toml",

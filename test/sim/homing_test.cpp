@@ -92,6 +92,27 @@ TEST_F(Homing, FindsTheTrueJointsOfBothArms) {
   }
 }
 
+TEST_F(Homing, DoesNotFindAnErrorOfTheZeroPositions) {
+  const double error = 0.01;
+  parameters_.arms[0].links = {{.link = "wrist_fork", .zero_error = error},
+                               {.link = "wrist", .zero_error = -error}};
+  home();
+  const HomedArm& arm = *arms_[0];
+  ASSERT_EQ(state(0), DriverState::ready) << describe(arm.driver.fault());
+  const AxisVector told = Eigen::Map<const Eigen::VectorXd>(kFront.data(), 6);
+  AxisVector start = told;
+  start[3] += error;
+  start[5] -= error;
+  EXPECT_EQ(world_->start_joints(0), start);
+  const AxisVector zero = arm.robot->motors_from_joints(start) - arm.robot->motors_from_joints(told);
+  EXPECT_GT(zero.cwiseAbs().maxCoeff(), 0.5);
+  const AxisVector motors = arm.robot->motors_from_joints(world_->truth(0).joints) - zero;
+  for (int axis = 0; axis < arm.robot->axes(); ++axis)
+    EXPECT_NEAR(arm.driver.reply().motors[static_cast<std::size_t>(axis)], motors[axis],
+                2.5 / arm.robot->axis(axis).increments_per_rad)
+        << axis;
+}
+
 TEST_F(Homing, MissingSwitchOfOneArmFaultsItAndNotTheOther) {
   parameters_.arms[0].switches[2].fault = SwitchFault::missing;
   parameters_.arms[1].switches[4].fault = SwitchFault::stuck;

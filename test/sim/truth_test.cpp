@@ -77,6 +77,8 @@ struct Cell {
 };
 
 const std::vector<Cell>& cells() {
+  static const std::string balls =
+      std::string(kPens) + "[artefact]\nballs = [0.1, 0.02, 0.03]\nplace = [0, 1, 1, 0, 0, 0]\n";
   static const std::vector<Cell> all{
       {kPens,
        {{"sim.substeps", "3"},
@@ -109,6 +111,7 @@ const std::vector<Cell>& cells() {
         {"sim.cube.place_error.ax", "0.026"},
         {"sim.cube.place_error.ay", "0.026"},
         {"sim.cube.place_error.az", "0.026"}}},
+      {balls.c_str(), {}},
       {kBody, {{"sim.free_body.size", "0.21"}, {"sim.free_body.offset", "[0.01, 0, 0]"}}}};
   return all;
 }
@@ -133,6 +136,9 @@ const std::map<std::string, std::string> kOfArm{{"base_error.x", "0.005"},
                                                 {"tool.tip_error.x", "0.002"},
                                                 {"tool.tip_error.y", "0.002"},
                                                 {"tool.tip_error.z", "0.002"},
+                                                {"tool.tip_error.ax", "0.01"},
+                                                {"tool.tip_error.ay", "0.01"},
+                                                {"tool.tip_error.az", "0.01"},
                                                 {"sensor.gain", "1.03"},
                                                 {"sensor.turn.ax", "0.035"},
                                                 {"sensor.turn.ay", "0.035"},
@@ -218,6 +224,7 @@ std::uint64_t happened(const Config& config) {
       for (const double x : world.reading(arm).S_F_m.v) take(x);
       for (const double q : world.truth(arm).joints) take(q);
       for (const double x : world.effector(arm).p) take(x);
+      for (const double x : world.effector(arm).R.reshaped()) take(x);
     }
     take(std::bit_cast<double>(world.state_hash()));
   }
@@ -259,10 +266,14 @@ std::uint64_t of_body(const Config& config) {
 std::uint64_t seen(const Config& config) {
   std::uint64_t hash = 0;
   const auto take = [&hash](double x) { hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x100000001b3; };
-  for (const SimulatedCamera& c : read_camera_world(config, kKeys, {}).cameras) {
+  const CameraWorld cameras = read_camera_world(config, kKeys, {});
+  for (const SimulatedCamera& c : cameras.cameras) {
     for (const double x : angle_axis_from_pose(c.setup.place * c.error)) take(x);
     for (const double x : {c.setup.model.fx, c.setup.model.fy, c.setup.model.cx, c.setup.model.cy}) take(x);
+    for (const double x : c.setup.model.distortion) take(x);
   }
+  const ObjectParameters object = cameras.object;
+  for (const double x : {object.board.square, object.tag_edge}) take(x);
   return hash;
 }
 
@@ -291,8 +302,8 @@ TEST(Truth, OfAnArmChangesThePlantAndNothingThatControllersRead) {
     for (const auto& [key, value] : kOfArm)
       changes_the_plant_alone(cells().front(), "sim.robots." + arm + "." + key, value, happened);
   for (const std::string link : {"lower_arm", "upper_arm", "wrist_fork", "wrist_body", "wrist"})
-    changes_the_plant_alone(cells().front(), "sim.robots.arm1.links." + link + ".mass_scale", "1.2",
-                            happened);
+    for (const auto& [key, value] : {std::pair{"mass_scale", "1.2"}, {"zero_error", "0.005"}})
+      changes_the_plant_alone(cells().front(), "sim.robots.arm1.links." + link + "." + key, value, happened);
 }
 
 TEST(Truth, OfAPlateChangesThePlantAndNothingThatControllersRead) {
@@ -316,20 +327,23 @@ TEST(Truth, OfABodyAndOfPalmsIsWhatTheSimulatorGets) {
   for (const auto& [key, value] : kAtRest) changes_the_plant_alone(cells().back(), key, value, of_body);
 }
 
-/// Where the balls stand that arms touch to find each other.
+/// The balls that arms touch to find each other: where they stand, and how large they are.
 std::uint64_t of_balls(const Config& config) {
   std::uint64_t hash = 0;
-  for (const Vector3& ball : read_world(config).artefact.value_or(ArtefactParameters{}).balls)
-    for (const double x : ball) hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x100000001b3;
+  const auto take = [&hash](double x) { hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x100000001b3; };
+  const ArtefactParameters artefact = read_world(config).artefact.value_or(ArtefactParameters{});
+  take(artefact.diameter);
+  for (const Vector3& ball : artefact.balls)
+    for (const double x : ball) take(x);
   return hash;
 }
 
-TEST(Truth, OfBallsIsWhereTheyStandAndNothingThatTheTaskReads) {
-  const std::string text =
-      std::string(kPens) + "[artefact]\nballs = [0.1, 0.02, 0.03]\nplace = [0, 1, 1, 0, 0, 0]\n";
-  const Cell cell{text.c_str(), {}};
+TEST(Truth, OfBallsIsWhatTheyAreAndNothingThatTheTaskReads) {
+  const Cell& cell = cells()[2];
   for (const std::string axis : {"x", "y", "z", "ax", "ay", "az"})
     changes_the_plant_alone(cell, "sim.artefact.place_error." + axis, "0.01", of_balls);
+  changes_the_plant_alone(cell, "sim.artefact.diameter", "0.0605", of_balls);
+  changes_the_plant_alone(cell, "sim.artefact.ball_errors", "[0, 0.001, 0]", of_balls);
 }
 
 TEST(Truth, OfACameraChangesItAndNothingThatItsReceptorReads) {
@@ -337,6 +351,13 @@ TEST(Truth, OfACameraChangesItAndNothingThatItsReceptorReads) {
     changes_the_plant_alone(cells().front(), "sim.cameras.eye.place_error." + axis, "0.003", seen);
   for (const std::string key : {"focal_scale", "centre_error.x", "centre_error.y"})
     changes_the_plant_alone(cells().front(), "sim.cameras.eye." + key, "1.005", seen);
+  for (const std::string term : {"k1", "k2", "p1", "p2", "k3"})
+    changes_the_plant_alone(cells().front(), "sim.cameras.eye.distortion." + term, "0.01", seen);
+}
+
+TEST(Truth, OfABoardOrTagIsItsSizeAndNothingThatItsReceptorReads) {
+  changes_the_plant_alone(cells().front(), "sim.object.square", "0.0251", seen);
+  changes_the_plant_alone(cells().front(), "sim.object.tag_edge", "0.101", seen);
 }
 
 /// @return of a key of the plant without names of arms, links, cameras and axes
@@ -350,7 +371,7 @@ std::string family(std::string key) {
   replace("sim.robots.", "ARM");
   replace(".links.", "LINK");
   replace("sim.cameras.", "KEY");
-  for (const std::string axis : {".x", ".y", ".z", ".ax", ".ay", ".az"})
+  for (const std::string axis : {".x", ".y", ".z", ".ax", ".ay", ".az", ".k1", ".k2", ".p1", ".p2", ".k3"})
     if (key.ends_with(axis)) return key.substr(0, key.size() - axis.size());
   return key;
 }
@@ -380,7 +401,9 @@ TEST(Truth, OfEachKeyIsTried) {
        {"sim.robots.ARM.links.LINK.mass_scale", "sim.robots.ARM.links.LINK.mass_centre_error",
         "sim.robots.ARM.plate.thickness", "sim.robots.ARM.plate.length", "sim.robots.ARM.plate.width",
         "sim.robots.ARM.plate.distance", "sim.robots.ARM.fingers", "sim.cameras.KEY.place_error",
-        "sim.cameras.KEY.focal_scale", "sim.cameras.KEY.centre_error"})
+        "sim.cameras.KEY.focal_scale", "sim.cameras.KEY.centre_error", "sim.cameras.KEY.distortion",
+        "sim.robots.ARM.links.LINK.zero_error", "sim.artefact.place_error", "sim.artefact.diameter",
+        "sim.artefact.ball_errors", "sim.object.square", "sim.object.tag_edge"})
     tried.insert(key);
   for (const Cell& cell : cells())
     for (const ConfigParameter& p : config_of(cell, "").parameters()) {
@@ -407,6 +430,12 @@ TEST(Truth, BeginsAsWhatIsTold) {
   EXPECT_EQ(world("table.stiffness=5e4").arms[1].paper.stiffness, 5e4);
   EXPECT_EQ(world("robots.arm1.kinematics=calibrated").arms[0].model, 1);
   EXPECT_EQ(world("robots.arm1.kinematics=calibrated").arms[1].model, 0);
+  const auto seen_object = [](const std::string& setting) {
+    return read_camera_world(config_of(cells().front(), setting), kKeys, {}).object;
+  };
+  EXPECT_EQ(seen_object("chessboard.square=0.03").board.square, 0.03);
+  EXPECT_EQ(seen_object("object.tag_edge=0.2").tag_edge, 0.2);
+  EXPECT_EQ(read_world(config_of(cells()[2], "artefact.diameter=0.05")).artefact->diameter, 0.05);
   EXPECT_EQ(world("robots.arm1.plate.length=0.1").arms[0].plate.length, 0.1);
 }
 

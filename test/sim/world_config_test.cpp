@@ -67,6 +67,22 @@ TEST(WorldConfig, StartJointsAreOnePerAxisOrNone) {
   }
 }
 
+TEST(WorldConfig, ScalesOfTheMotorsAreThoseOfTheJawsMotorToo) {
+  const JawParameters usual;
+  const auto jaws = [](const std::string& sim) {
+    return read_world(Config::parse("[robots.arm1]\ngripper = \"two_jaw\"\n[sim]\n" + sim, "test.toml"))
+        .arms.front()
+        .jaws.value()
+        .motor;
+  };
+  EXPECT_EQ(jaws("").friction, usual.motor.friction);
+  EXPECT_EQ(jaws("motor_friction = 2\n").friction, 2 * usual.motor.friction);
+  EXPECT_EQ(jaws("robots.arm1.friction_scale = 0.5\n").friction, usual.motor.friction / 2);
+  EXPECT_EQ(jaws("robots.arm1.torque_constant_scale = 1.1\n").torque_constant,
+            1.1 * usual.motor.torque_constant);
+  EXPECT_EQ(jaws("robots.arm2.friction_scale = 0.5\n").friction, usual.motor.friction) << "of another arm";
+}
+
 TEST(WorldConfig, DriverAndPlantHaveTheSameForceSensor) {
   for (const bool wide : {false, true}) {
     const Config config = Config::parse(

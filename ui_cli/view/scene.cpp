@@ -53,15 +53,16 @@ void read_body(const Config& config, BodyScene& body) {
   for (std::size_t k = 0; k < offset.size(); ++k) body.pedestal[k] += offset[k];
 }
 
-void read_object(const Config& t, Scene& scene) {
+void read_object(const Config& config, Scene& scene) {
+  const Config t = config.section("object"), truth = config.section("sim.object");
   scene.object = t.text("kind", "none");
   scene.object_arm = t.text("arm", "arm1");
   if (scene.object == "apriltag") {
-    scene.object_square = t.number("tag_edge", 0.1);
+    scene.object_square = truth.number("tag_edge", t.number("tag_edge", 0.1));
     scene.object_size = {1.4 * scene.object_square, 1.4 * scene.object_square, 0.004};
   } else if (scene.object != "none") {
     // A board has one square more than inner corners along an edge, and a margin of one square all around.
-    scene.object_square = t.number("square", 0.025);
+    scene.object_square = truth.number("square", t.number("square", 0.025));
     scene.object_size = {(t.integer("columns", 9) + 3) * scene.object_square,
                          (t.integer("rows", 6) + 3) * scene.object_square, 0.004};
   }
@@ -117,7 +118,7 @@ Scene read_scene(const Config& config) {
   }
   scene.cube_held_by = config.text("cube.held_by", "");
   read_body(config, scene.body);
-  read_object(config.section("object"), scene);
+  read_object(config, scene);
   return scene;
 }
 
