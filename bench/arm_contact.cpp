@@ -19,7 +19,9 @@
 namespace mrroc::bench {
 namespace {
 
-constexpr std::size_t kProgress = 20;         // contacts between two lines
+constexpr std::uint64_t kSeed = 24;    // of contacts that served no adjustment
+constexpr std::size_t kProgress = 20;  // contacts between two lines
+constexpr int kSubsteps = 8;           // integrations a step: 1 ms is too coarse beside springs of gears
 constexpr double kLeast = 1e-4, kMost = 0.2;  // B that is looked at [s/kg]
 constexpr double kRung = 1.25;                // between the gains B that are tried
 constexpr double kPrecision = 0.03;           // of simulated limits
@@ -39,6 +41,7 @@ ArmContact random_contact(std::mt19937_64& random, Gears gears) {
     return std::uniform_real_distribution<>(low, high)(random);
   };
   ArmContact contact{sim::PressingArm::world_of_one()};
+  contact.world.substeps = kSubsteps;
   sim::ArmParameters& arm = contact.world.arms[0];
   for (sim::MotorParameters& motor : arm.motors) motor.friction = 0;
   arm.paper.T_0P.p += Vector3(between(-0.1, 0.1), between(-0.1, 0.1), between(-0.05, 0.05));
@@ -130,6 +133,7 @@ edp::ContactLoop believed_loop(const ArmContact& contact) {
   edp::ArmBelief belief;
   belief.joints = sim::start_joints(arm);
   belief.T_WE = arm.type->driver.T_WE;
+  belief.normal = (robot.forward(belief.joints) * belief.T_WE).R.transpose() * -arm.paper.T_0P.R.col(2);
   belief.rotors.resize(robot.axes());
   for (int k = 0; k < robot.axes(); ++k)
     belief.rotors[k] = arm.type->motors[static_cast<std::size_t>(k)].rotor_inertia;
@@ -147,7 +151,7 @@ edp::ContactLoop believed_loop(const ArmContact& contact) {
 
 std::vector<ArmLimit> arm_limits(sim::PhysicsEngine engine, Gears gears, const char* name,
                                  std::size_t contacts) {
-  std::mt19937_64 random(4);
+  std::mt19937_64 random(kSeed);
   std::vector<ArmLimit> limits;
   while (limits.size() < contacts) {
     ArmContact contact = random_contact(random, gears);

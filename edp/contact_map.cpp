@@ -174,8 +174,8 @@ ContactMap::ContactMap(const ContactLoop& loop, double K)
       gains_(gains_of(loop.servo, loop.dt)),
       unit_(K),
       plant_(plant_with(loop, K)),
-      felt_(plant_.x + loop.contact_damping * plant_.dx),
-      felt_input_(loop.contact_damping * plant_.dx_input),
+      felt_(plant_.felt * (plant_.x + loop.contact_damping * plant_.dx)),
+      felt_input_(plant_.felt * loop.contact_damping * plant_.dx_input),
       n_(static_cast<int>(plant_.A.rows())),
       history_(loop.average + loop.delay) {
   if (plant_.tool.size() > 0) {

@@ -16,6 +16,7 @@ struct TipPlant {
   Eigen::VectorXd x;         ///< the tip's position [m], of the state
   Eigen::VectorXd dx;        ///< its velocity, of the state
   Eigen::VectorXd dx_input;  ///< and of the inputs
+  double felt{1};            ///< share of the contact's force that the law feels
   Eigen::MatrixXd encoders;  ///< what they read [increments], of the state; no row: a servo without a drive
   Eigen::VectorXd set;       ///< set motion of each [increments] per way of the tip [m]
   Eigen::VectorXd

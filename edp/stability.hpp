@@ -64,11 +64,12 @@ struct WholeArm {
   std::vector<ArmDrive> drives;  ///< one a joint, 1..kMaxAxes
   AxisMatrix motors_per_joints;  ///< d motors / d joints there
   AxisMatrix mass;               ///< mass matrix of links and tool without rotors [kg m^2], track [kg]
-  AxisVector tip;                ///< way of the tip along the axis, of the joints [m/rad]
-  AxisVector set;                ///< motion of the joints that the driver sets per way of the tip [rad/m]
-  double tool{};                 ///< beyond the force sensor [kg], >= 0
-  AxisVector tool_centre;        ///< way of its mass centre along the axis, of the joints [m/rad]
-  double wheels{0.1};            ///< share of the rotors on the links' side of gears that give way, 0..1
+  AxisVector tip;                ///< way of the tip along the contact's normal, of the joints [m/rad]
+  double felt{1};  ///< share of the contact's force along the axis: cosine of axis and normal, -1..1, not 0
+  AxisVector set;  ///< motion of the joints that the driver sets per way of the tip [rad/m]
+  double tool{};   ///< beyond the force sensor [kg], >= 0
+  AxisVector tool_centre;  ///< way of its mass centre along the axis, of the joints [m/rad]
+  double wheels{0.1};      ///< share of the rotors on the links' side of gears that give way, 0..1
 };
 
 /// Any of these servos.

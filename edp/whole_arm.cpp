@@ -75,6 +75,7 @@ TipPlant seen(const WholeArm& arm, const MatrixXd& A, const MatrixXd& B, Eigen::
   p.B = B;
   p.x = p.dx = VectorXd::Zero(A.rows());
   p.x.head(n) = p.dx.segment(n, n) = arm.tip;
+  p.felt = arm.felt;
   p.dx_input = VectorXd::Zero(n);
   p.encoders = MatrixXd::Zero(n, A.rows());
   p.encoders.middleCols(driven, n) = increments.asDiagonal() * J;
@@ -101,7 +102,10 @@ WholeArm whole_arm(const Robot& robot, const ArmBelief& belief) {
   }
   arm.motors_per_joints = robot.motors_per_joints(belief.joints);
   arm.mass = belief.mass;
-  arm.tip = J.row(axis).transpose();
+  const Vector3 along = Vector3::Unit(axis);
+  const Vector3 normal = belief.normal.isZero() ? along : belief.normal.normalized();
+  arm.tip = J.topRows(3).transpose() * normal;
+  arm.felt = normal.dot(along);
   arm.set = inverse.solve(VectorXd::Unit(6, axis));
   arm.tool = belief.tool;
   arm.tool_centre = jacobian(robot, belief.joints, belief.T_WE, belief.tool_centre).row(axis).transpose();

@@ -14,10 +14,12 @@ namespace mrroc::edp {
 struct ArmBelief {
   AxisVector joints;   ///< where it touches [rad], track [m]
   Pose T_WE;           ///< tip E in the wrist
-  Axis axis{Axis::z};  ///< of E along which the contact is: x, y or z
-  AxisMatrix mass;     ///< mass matrix of links and tool at these joints, without rotors [kg m^2], track [kg]
-  AxisVector rotors;   ///< inertia of what turns with each shaft without any link [kg m^2]
-  double tool{};       ///< beyond the force sensor [kg]
+  Axis axis{Axis::z};  ///< of E along which law (28) presses: x, y or z
+  /// Of what it touches, without friction, in E: along it the contact pushes [-]. Zero: that axis.
+  Vector3 normal{Vector3::Zero()};
+  AxisMatrix mass;    ///< mass matrix of links and tool at these joints, without rotors [kg m^2], track [kg]
+  AxisVector rotors;  ///< inertia of what turns with each shaft without any link [kg m^2]
+  double tool{};      ///< beyond the force sensor [kg]
   Vector3 tool_centre{Vector3::Zero()};  ///< its mass centre in the wrist [m]
 };
 

@@ -7,6 +7,7 @@
 
 #include "sim/bullet/arm_at_rest.hpp"
 #include "sim/bullet/arm_body.hpp"
+#include "sim/bullet/ball_contact.hpp"
 #include "sim/bullet/brakes.hpp"
 #include "sim/bullet/gripper_body.hpp"
 #include "sim/bullet/palm_body.hpp"
@@ -46,6 +47,10 @@ class BulletArm final : public ArmMechanics {
   void share_stiffness() {
     if (gripper_) gripper_->share_stiffness();
     if (palm_) palm_->share_stiffness();
+  }
+  /// The same, where contacts are not found anew in every integration.
+  void drop_stale_contacts() {
+    if (collider_ && !belt_) keep_newest_contact(*scene_.dynamics().getDispatcher(), collider_.get());
   }
   /// @return its links and joints
   [[nodiscard]] const btMultiBody* body() const { return arm_.body.get(); }

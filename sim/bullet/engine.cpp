@@ -23,7 +23,12 @@ class BulletEngine final : public Engine {
       arms_.push_back(std::make_unique<BulletArm>(arm, plans[k], scene_, h_));
     }
     if (p.artefact) scene_.add_artefact(*p.artefact);
-    if (!p.cube && !p.free_body) return;
+    if (!p.cube && !p.free_body) {
+      scene_.on_contacts([this] {
+        for (const auto& each : arms_) each->drop_stale_contacts();
+      });
+      return;
+    }
     scene_.prepare_for_grasping();
     scene_.on_contacts([this] {
       for (const auto& each : arms_) each->share_stiffness();

@@ -91,6 +91,26 @@ TEST(WholeArm, ItsSetMotionMovesTheTipAlongTheAxisAndDoesNotTurnIt) {
   });
 }
 
+// The contact of a sheet that slopes moves axes that the law does not command, too.
+TEST(WholeArm, ASlopingContactPushesAlongItsNormal) {
+  at_random_poses(4, [](auto& random, const Robot& robot, ArmBelief b, const WholeArm& level, const auto&) {
+    constexpr double kWay = 1e-6;  // [rad, m]
+    b.normal = Vector3(between(random, -0.2, 0.2), between(random, -0.2, 0.2), 1);
+    const WholeArm arm = whole_arm(robot, b);
+    const Vector3 normal = b.normal.normalized();
+    const Pose from = robot.forward(b.joints) * b.T_WE;
+    for (Eigen::Index k = 0; k < robot.axes(); ++k) {
+      AxisVector joints = b.joints;
+      joints[k] += kWay;
+      const Vector3 way = from.R.transpose() * ((robot.forward(joints) * b.T_WE).p - from.p);
+      EXPECT_NEAR(arm.tip[k], normal.dot(way) / kWay, 1e-4);
+    }
+    EXPECT_NEAR(arm.tip.dot(arm.set), arm.felt, 1e-6);
+    EXPECT_NEAR(arm.felt, normal.z(), 1e-12);
+    EXPECT_NEAR((arm.set - level.set).norm(), 0, 1e-12) << "the driver does not know the slope";
+  });
+}
+
 // Gears that give way have a spring a joint, so that joints may be scaled, but not mixed.
 TEST(WholeArm, ItIsAsStableInOtherJoints) {
   at_random_poses(2, [](auto& random, const auto&, const auto&, const WholeArm& arm, ContactLoop loop) {

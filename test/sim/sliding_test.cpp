@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -7,6 +8,7 @@
 #include "base/statistics.hpp"
 #include "test/rig/engines.hpp"
 #include "test/sim/driver.hpp"
+#include "test/sim/pressing_arm.hpp"
 
 namespace mrroc::sim {
 namespace {
@@ -114,6 +116,28 @@ TEST_F(Sliding, FollowsACircle) {
     EXPECT_LT(f.deviation(), 0.12);
   }
   for (const Statistics& e : error) EXPECT_LT(e.most(), 3e-4);
+}
+
+// The pen lies 5 mm deep in it, and Bullet keeps points of contact where it has been.
+TEST_P(SlidingOnAnyEngine, OnASoftSheetThatSlopesForceDoesNotJump) {
+  WorldParameters w = PressingArm::world_of_one();
+  w.engine = GetParam();
+  w.arms[0].paper.stiffness = 4000;
+  w.arms[0].paper.friction = 0;
+  w.arms[0].paper.T_0P.R =
+      w.arms[0].paper.T_0P.R * Eigen::AngleAxisd(0.15, Vector3::UnitX()).toRotationMatrix();
+  w.arms[0].start_height = 0.001;
+  PressingArm arm(w);
+  arm.prepare();
+  const auto press = [&](double along) { arm.move({u(along), u(), c(20, 10, 0.002), u(), u(), u()}); };
+  for (int k = 0; k < 80; ++k) press(0);
+  double last = arm.force(), jump = 0;
+  arm.after_each_step = [&] {
+    jump = std::max(jump, std::abs(arm.force() - last));
+    last = arm.force();
+  };
+  for (int k = 0; k < 60; ++k) press(0.02);
+  EXPECT_LT(jump, 2);
 }
 
 }  // namespace
