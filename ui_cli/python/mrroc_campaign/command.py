@@ -350,6 +350,7 @@ def _worker(words: list[str]) -> int:
     if chosen.single:
         hosts.serve_one(chosen.scheduler, chosen.folder, chosen.listen, chosen.key_file)
         return 0
+    hosts.await_scheduler(chosen.scheduler, lambda text: print(text, flush=True))
     with TemporaryDirectory(prefix="mrroc-worker-") as folder:
         workers = hosts.Workers(chosen.scheduler, _workers_of(chosen), Path(folder), chosen.listen, chosen.key_file)
         try:

@@ -183,8 +183,8 @@ def _refuse_unknown(figure: str, known: list[str]) -> None:
     if figure in ("success", *known):
         return
     near = get_close_matches(figure, known, 1)
-    told = f"did you mean '{near[0]}'? " if near else ""
-    raise bad_usage(f"there is no figure '{figure}'; {told}{'There' if near else 'there'} are {', '.join(known) or 'none'}")
+    told = f"did you mean '{near[0]}'? There" if near else "there"
+    raise bad_usage(f"there is no figure '{figure}'; {told} are {', '.join(known) or 'none'}")
 
 
 def _judge(results: Results, search: Search, rows: list[Row]) -> Trial:

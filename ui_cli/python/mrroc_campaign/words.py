@@ -1,4 +1,4 @@
-"""The words of a command line: those of the files that it names as @FILE, and those of the task, which stand behind --."""
+"""The words of a command line: those of the files that it names as @FILE, and those of the task behind --."""
 
 import re
 import shlex
