@@ -181,7 +181,7 @@ class Statistics(unittest.TestCase):
             values = random.integers(0, random.integers(1, 60), random.integers(1, 150)).tolist()
             found = grouped(values)
             self.assertEqual([x for group in found for x in group], sorted(set(values)))
-            if len(set(values)) <= 8:
+            if len(set(values)) <= 10:
                 self.assertTrue(all(len(group) == 1 for group in found))
             self.assertLessEqual(len(found), 13)
         continuous = random.random(120).tolist()

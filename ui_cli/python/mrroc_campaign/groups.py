@@ -1,6 +1,6 @@
 """Runs side by side over one varied value."""
 
-_MOST_VALUES = 8  # that each have a group of their own
+_MOST_VALUES = 10  # that each have a group of their own
 _MOST_GROUPS = 6
 
 
