@@ -57,12 +57,21 @@ std::string as_state(const std::vector<std::string>& words) {
   return name;
 }
 
+/// @return such as `signal n` of `signal 11`: of a code with a number behind it all have one entry
+std::string without_number(const std::string& name) {
+  constexpr std::string_view kSignal = "signal ";
+  const bool numbered =
+      name.starts_with(kSignal) && name.size() > kSignal.size() &&
+      std::all_of(name.begin() + kSignal.size(), name.end(), [](unsigned char c) { return std::isdigit(c); });
+  return numbered ? std::string(kSignal) + "n" : name;
+}
+
 /// Those with one name, such as `ready`, which arms and processes can be.
 using States = std::vector<StateEntry>;
 
 /// @return all states with that name
 States states_of(const std::vector<std::string>& words) {
-  const std::string name = as_state(words);
+  const std::string name = without_number(as_state(words));
   States found;
   for (const StateEntry& s : kStates)
     if (as_state({std::string(s.name)}) == name) found.push_back(s);

@@ -190,5 +190,13 @@ TEST(Explain, AnOrderAndTheScriptsErrorsAreKnownToo) {
     EXPECT_EQ(run({code}).status, 0) << code;
 }
 
+TEST(Explain, EverySignalThatEndsARunHasOneText) {
+  const auto known = run({"signal_11"});
+  EXPECT_EQ(known.status, 0);
+  EXPECT_NE(known.out.find("signal_N"), std::string::npos) << known.out;
+  EXPECT_EQ(run({"signal_N"}).out, known.out);
+  for (const char* code : {"signal_", "signal_1a", "signal"}) EXPECT_EQ(run({code}).status, 2) << code;
+}
+
 }  // namespace
 }  // namespace mrroc::ui

@@ -2,6 +2,7 @@
 
 import os
 import random
+import shutil
 import socket
 import subprocess
 import sys
@@ -103,17 +104,56 @@ class Plans(Place):
             (["--resume", "nowhere"], "name two folders"),
             (["--", "--seed", "3"], "--seed is given to each run by the campaign"),
             (["--", "--wrong"], "unknown option --wrong"),
+            (["--", "--parameters"], "--parameters makes no run; type: ./run hop --parameters"),
+            (["--", "-h"], "-h makes no run"),
+            (["--", "--check=a"], "--check makes no run"),
+            (["--seeds", "5:6"], "--seeds is there twice, as 1:3 and as 5:6"),
+            (["--workers", "0"], "'0' is no whole number above 0"),
+            (["--stop-when", "0"], "'0' is no width of the interval"),
+            (["--vary", "task.force=1:80"], "--vary task.force=1:80: "),
+            (["--vary", "task.force=normal(4,100)"], "--vary task.force=normal(4,100): "),
+            (["--vary", "task.force=normal(4)"], "write normal(M,S)"),
+            (["--vary", "sim.mode=1:2"], "'sim.mode' takes words: plain or rough"),
+            (["--vary", "task.force=2:8", "--", "--set", "task.force=6"], "both name 'task.force'"),
             (["--frobnicate"], "options of the task stand behind --"),
             (["--on", "here"], "--on here: write local"),
             (["@nowhere.txt"], "nowhere.txt"),
-            ([f"@{file}"], "out of its range: 1 to 10"),
+            ([f"@{file}"], f"{file}:3: --vary task.force=1:80: out of its range: 1 to 10"),
         ):  # fmt: skip
             said = self.command("hop", "--seeds", "1:3", "--dir", "c", *words, status=2).strip()
             self.assertEqual(len(said.splitlines()), 1, said)
             self.assertRegex(said, "^error: bad_(usage|configuration): ")
             self.assertIn(told, said)
+            self.assertNotIn("--set task.force=1", said)  # nobody typed it
             self.assertFalse((self.home / "c").exists())
-        self.assertIn("there is no task named 'hopp'", self.command("hopp", "--seeds", "1:3", status=2))
+        self.assertIn("--seeds -3:3: write", self.command("hop", "--seeds", "-3:3", status=2))
+        for word, meant in (("hopp", "hop"), ("cmpare", "compare"), ("schedular", "scheduler")):
+            self.assertIn(f"no task named '{word}'", said := self.command(word, "A", "B", status=2))
+            self.assertIn(f"did you mean '{meant}'?", said)
+
+    def test_file_of_words_that_cannot_be_read_is_told_with_its_line(self):
+        for text, told in (
+            (b"--seeds 1:2\n--vary 'task", "words.txt:2: a quotation mark"),
+            (b"\n\xff\xfe\n", "words.txt:2: this is no text"),
+            (b"a\0b", "words.txt:1: this is no text"),
+            (b"# begins\n@words.txt", "words.txt:2: @words.txt contains itself"),
+            (b"@nowhere", "words.txt:1: @nowhere cannot be read"),
+            (b"--seeds 1:2 --\n--strict", "words.txt:1: -- and options of the task stand on the line"),
+        ):
+            (self.home / "words.txt").write_bytes(text)
+            said = self.command("hop", "@words.txt", status=2).strip()
+            self.assertEqual(len(said.splitlines()), 1, said)
+            self.assertIn(f"error: bad_usage: {told}", said)
+        (self.home / "words.txt").write_text("--seeds 1:2 @more.txt\n")
+        (self.home / "more.txt").write_text("--vary task.force=1:3 # remark\r\n--dir 'a b'\n")
+        self.command("hop", "@words.txt", "--workers", 1)
+        self.assertEqual(len(self.counted("a b")), 2)
+
+    def test_task_that_waits_for_a_person_is_refused_unless_a_script_does_what_he_would(self):
+        shutil.copy(self.programs / "hop", self.programs / "manual")
+        line = ("manual", "--seeds", "1:2", "--dir", "c")
+        self.assertIn("give it a script: -- --words FILE", self.command(*line, status=2))
+        self.assertIn("unknown option --words", self.command(*line, "--", "--words", "a", status=2))  # as far as hop
 
     def test_what_is_no_task_no_folder_and_no_address_is_told_in_one_line(self):
         for name, text in (("talks", "#!/bin/sh\necho hello"), ("lists", "#!/bin/sh\necho '[1]'"), ("broken", "nothing")):

@@ -13,7 +13,9 @@ from html.parser import HTMLParser
 
 from place import BIN, Place, children, is_alive, kill
 
+from mrroc_campaign import hosts
 from mrroc_campaign.command import main
+from mrroc_campaign.errors import CampaignError
 
 _VARIED = ("--vary", "task.force=4:10", "--vary", "sim.mode=plain,rough", "--vary", "sim.steps=1:20")
 _COLUMNS = {
@@ -309,10 +311,28 @@ class Campaigns(Place):
         text = Page((self.home / "calm" / "page.html").read_text()).text
         self.assertIn("A search for the smallest height_m over task.gain", text)
         self.assertNotIn("true rate", text)
-        self.assertIn(
-            "there is no figure 'heigth'",
-            self.command("tune", "hop", "--for", "heigth", "--over", "task.gain=0:1", status=2),
-        )
+        said = self.command("tune", "hop", "--for", "heigth_m", "--over", "task.gain=0:1", status=2)
+        self.assertIn("there is no figure 'heigth_m'; did you mean 'height_m'?", said)
+        self.assertNotIn("to go on", said)  # the same line would be as wrong
+
+    def test_search_calls_default_what_is_the_default(self):
+        line = ("tune", "hop", "--for", "height_m", "--seeds", "1:1")
+        said = self.command(*line, "--over", "task.gain=0.6:0.9", "--trials", 2)
+        self.assertIn("nearest to the default (0.5) height_m", said)
+        self.assertIn("campaign compare", said)
+        said = self.command(*line, "--over", "task.gain=0.5:0.9", "--trials", 3)
+        self.assertIn("  default  height_m", said)
+        self.assertIn("the default is the best that was found", said)
+        self.assertNotIn("campaign compare", said)
+
+    def test_worker_tells_what_it_waits_for_and_what_to_do_when_nobody_is_there(self):
+        told, address = [], f"tcp://127.0.0.1:{free_port()}"
+        with self.assertRaises(CampaignError) as refused:
+            hosts.await_scheduler(address, told.append, 0.1)
+        self.assertEqual(told, [f"waiting for the scheduler {address} ..."])
+        self.assertEqual((refused.exception.status, refused.exception.code), (3, "no_scheduler"))
+        self.assertIn("campaign scheduler --listen 127.0.0.1 --port", str(refused.exception))
+        self.assertIn("write tcp://HOST:PORT", self.command("worker", "tcp://a:99999", status=2))
 
     def test_help_needs_no_task(self):
         self.assertEqual(main(["--help"]), 0)

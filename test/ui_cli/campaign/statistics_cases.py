@@ -6,7 +6,8 @@ import warnings
 
 import numpy as np
 
-from mrroc_campaign import causes, paired
+from mrroc_campaign import causes, charts, paired
+from mrroc_campaign.groups import grouped
 from mrroc_campaign.intervals import Sequence, clopper_pearson, confidence_sequence
 
 
@@ -173,3 +174,21 @@ class Statistics(unittest.TestCase):
     def test_nothing_is_told_where_all_runs_ended_alike(self):
         self.assertEqual(causes.dependences({"a": [1.0, 2.0]}, [False, False]), [])
         self.assertEqual(causes.dependences({"a": [1.0, 1.0]}, [True, False]), [])
+
+    def test_equal_values_are_never_in_two_groups_and_a_frequent_one_is_alone(self):
+        random = np.random.default_rng(3)
+        for _ in range(200):
+            values = random.integers(0, random.integers(1, 60), random.integers(1, 150)).tolist()
+            found = grouped(values)
+            self.assertEqual([x for group in found for x in group], sorted(set(values)))
+            if len(set(values)) <= 10:
+                self.assertTrue(all(len(group) == 1 for group in found))
+            self.assertLessEqual(len(found), 13)
+        continuous = random.random(120).tolist()
+        self.assertEqual([len(group) for group in grouped(continuous)], [20] * 6)
+        self.assertEqual(grouped([0.0] * 100 + continuous)[0], [0.0])
+
+    def test_different_numbers_have_different_labels(self):
+        self.assertEqual(charts.distinct([3.99, 3.9961, 4.0022]), ["3.99", "3.996", "4.002"])
+        self.assertEqual(charts.distinct([1000.0, 2000.0]), ["1 k", "2 k"])
+        self.assertEqual(charts.distinct([2.0, 2.0]), ["2", "2"])

@@ -247,6 +247,52 @@ class Tables(Place):
                 file.write(b" ")
             self.assertNotEqual(program.digest("press", "one"), before)
 
+    def test_output_of_a_run_that_is_kept_tells_where_its_folder_is_now(self):
+        results = self.campaign(1)
+        (results.folder / "scratch" / "1").mkdir()
+        (results.folder / "scratch" / "1" / "output.txt").write_text("run folder: scratch/1/run\n")
+        row = self.count(results, 0, _FAILED | {"folder": str(results.folder / "scratch" / "1")})
+        said = (results.folder / row["folder"] / "output.txt").read_text().splitlines()
+        self.assertEqual(said[1:], [f"campaign: this run folder was moved to {results.folder}/kept/000000/run"])
+
+    def test_bars_of_the_page_are_of_the_values_that_the_table_has(self):
+        results = self.campaign(40)
+        rows = [{"task.force": 0.0 if k < 30 else 1.0 + k % 2, "success": k % 3} for k in range(40)]
+        drawn = []
+        with mock.patch("mrroc_campaign.charts.rates", lambda groups, title: drawn.extend(groups) or ""):
+            page._rates("task.force", rows)
+        bars = [(name, failures, runs) for name, failures, runs, *_ in drawn]
+        self.assertEqual(bars, [("0", 10, 30), ("1", 2, 5), ("2", 2, 5)])
+        self.assertIn("No run has been counted", page.of(results))
+
+    def test_what_is_not_allowed_is_told_as_such_and_not_as_a_full_disk(self):
+        self.command("hop", "--seeds", "1:2", "--dir", "a")
+        self.home.chmod(0o755)
+        (self.home / "a" / ".lock").chmod(0o600)
+        (self.home / "file").write_text("")
+        nobody = ("setpriv", "--reuid", "65534", "--regid", "65534", "--clear-groups")
+        cases = [
+            (["hop", "--seeds", "1:2", "--dir", "file"], "file is a file; choose another --dir"),
+            (["hop", "--seeds", "1:2", "--dir", "file/b"], "choose another folder with --dir"),
+            (["hop", "--seeds", "1:2", "--dir", "/proc/none"], "choose another folder with --dir"),
+            (["hop", "--seeds", "1:2", "--dir", "a"], "or go on with --resume a"),
+        ]
+        for words, told in cases:
+            said = self.command(*words, status=2)
+            self.assertIn(told, said)
+            self.assertNotIn("make room", said)
+        self.assertNotIn("--resume", self.command("hop", "--seeds", "1:2", "--dir", "bin", status=2))
+        if os.geteuid() == 0:
+            self.assertIn("a cannot be written", self.command("page", "a", status=2, before=nobody))
+            (self.home / "a").chmod(0o700)
+            new = ["hop", "--seeds", "1:2", "--dir", "a"]
+            for words in (["page", "a"], ["--resume", "a"], ["compare", "a", "a"], new):
+                self.assertIn("a cannot be read", self.command(*words, status=2, before=nobody))
+
+    def test_comparison_with_a_campaign_that_has_no_runs_says_so(self):
+        self.campaign(2)
+        self.assertIn("c has no run that is counted yet", self.command("compare", "c", "c", status=2))
+
     def test_campaign_of_an_earlier_version_is_not_taken_up(self):
         results = self.campaign(2)
         results.keep_note("plan", results.plan.as_dict() | {"program": "0123456789abcdef"})

@@ -14,7 +14,7 @@ from .intervals import Sequence
 from .job import job_of
 from .plan import Plan
 from .progress import Progress
-from .results import Results, is_used, writing
+from .results import Results, refuse_used, writing
 from .runner import Runner
 
 
@@ -42,8 +42,7 @@ def begin(plan: Plan, folder: Path) -> Results:
     varied = plans.variations(plan)
     planned = plans.rows(plan, varied)
     plans.check_extremes(plan, planned, varied)
-    if is_used(folder):
-        raise bad_usage(f"{folder} is not an empty folder; choose another --dir, or go on with --resume {folder}")
+    refuse_used(folder, f"--resume {folder}")
     return Results.create(folder, plan, planned, [v.key for v in varied])
 
 

@@ -7,12 +7,21 @@ import numpy as np
 _W, _H, _LEFT, _BOTTOM, _TOP = 340, 170, 42, 30, 10
 
 
-def short(x: float) -> str:
+def short(x: float, digits: int = 3) -> str:
     """A number in few letters."""
     for size, mark in ((1e9, "G"), (1e6, "M"), (1e3, "k")):
         if abs(x) >= size:
-            return f"{x / size:.3g} {mark}"
-    return f"{x:.3g}"
+            return f"{x / size:.{digits}g} {mark}"
+    return f"{x:.{digits}g}"
+
+
+def distinct(numbers: list[float]) -> list[str]:
+    """Different numbers in as few letters as tell them apart."""
+    for digits in range(3, 17):
+        told = [short(x, digits) for x in numbers]
+        if len(set(told)) == len(set(numbers)):
+            break
+    return told
 
 
 def _svg(parts: list[str], title: str) -> str:
@@ -37,9 +46,9 @@ class _Axis:
         """The axis with its ends and its middle."""
         y = _H - _BOTTOM
         parts = [f'<path class="axis" d="M{_LEFT} {y}H{_W - 8}"/>']
-        for k in range(3):
-            x = self.low + (self.high - self.low) * (0.08 + 0.42 * k)
-            parts.append(f'<path class="axis" d="M{self(x):.1f} {y}v4"/>' + _text(self(x), y + 16, short(x)))
+        places = [self.low + (self.high - self.low) * (0.08 + 0.42 * k) for k in range(3)]
+        for x, told in zip(places, distinct(places), strict=True):
+            parts.append(f'<path class="axis" d="M{self(x):.1f} {y}v4"/>' + _text(self(x), y + 16, told))
         return parts
 
 

@@ -9,9 +9,9 @@ from pathlib import Path
 
 from . import program, repeat
 from .errors import CampaignError, bad_usage
+from .line import CALLED, Line, Once, above_zero, width
 from .plan import METHODS, Plan
-
-CALLED = f"{repeat.called()} campaign"
+from .words import apart
 
 _HELP = """Runs a task many times, with seeds and values of a plan, and tells how often it succeeds and what failures depend on.
 
@@ -27,6 +27,12 @@ Each command has --help. Words behind -- are options of the task: {called} press
 """
 
 
+_GIVEN = {
+    "--seed", "--run-dir", "--processes", "--view", "--attended", "--clock", "--strict", "--session",
+}  # fmt: skip
+_NO_RUN = {"-h", "--help", "--parameters", "--truth", "--json", "--check"}
+
+
 def main(words: list[str]) -> int:
     """Obeys a command line. Returns the exit status: 0 done, 1 not all was carried out, 2 bad usage, 3 the machine
     failed."""
@@ -36,7 +42,11 @@ def main(words: list[str]) -> int:
         print(_HELP.format(called=CALLED), end="")
         return 0
     try:
-        return commands[words[0]](words[1:]) if words[0] in commands else _run(words)
+        if words[0] in commands:
+            return commands[words[0]](words[1:])
+        if words[0][0:1] not in ("-", "@") and not {"-h", "--help"} & set(words):
+            program.find(words[0], commands)
+        return _run(words)
     except CampaignError as failed:
         sys.stdout.flush()
         print(f"error: {failed.code}: {failed}", file=sys.stderr)
@@ -52,27 +62,6 @@ def main(words: list[str]) -> int:
         return 130
 
 
-class _Line(argparse.ArgumentParser):
-    """Errors in the words of all programs here; @FILE stands for the words of a file, where # begins a remark."""
-
-    def error(self, message: str):
-        behind = "options of the task stand behind --; " if message.startswith("unrecognized") else ""
-        raise bad_usage(f"{message}; {behind}look at {self.prog} --help")
-
-    def convert_arg_line_to_args(self, arg_line: str) -> list[str]:
-        return shlex.split(arg_line, comments=True)
-
-
-def _line(name: str, about: str) -> _Line:
-    return _Line(
-        prog=f"{CALLED}{name}",
-        description=about,
-        allow_abbrev=False,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-        fromfile_prefix_chars="@",
-    )
-
-
 def _add_where(line: argparse.ArgumentParser) -> None:
     line.add_argument(
         "--on",
@@ -80,7 +69,7 @@ def _add_where(line: argparse.ArgumentParser) -> None:
         metavar="local|tcp://HOST:PORT",
         help="this machine (default), or a scheduler's workers",
     )
-    line.add_argument("--workers", type=int, default=0, metavar="N", help="on this machine (default: one a core)")
+    line.add_argument("--workers", type=above_zero, metavar="N", help="on this machine (default: one a core)")
     _add_key(line)
 
 
@@ -106,10 +95,10 @@ def _add_runs(line: argparse.ArgumentParser) -> None:
 
 
 def _run(words: list[str]) -> int:
-    words, options = _apart(words)
-    line = _line("", "Runs a task with all seeds; words behind -- are options of the task.")
+    words, options = apart(words)
+    line = Line("", "Runs a task with all seeds; words behind -- are options of the task.", files=True)
     line.add_argument("task", nargs="?", help="a task, such as press")
-    line.add_argument("--seeds", metavar="FIRST:LAST", help="one run for each, also A,B,C")
+    line.add_argument("--seeds", action=Once, metavar="FIRST:LAST", help="one run for each, also A,B,C")
     line.add_argument(
         "--vary",
         action="append",
@@ -119,7 +108,7 @@ def _run(words: list[str]) -> int:
     )
     line.add_argument(
         "--stop-when",
-        type=float,
+        type=width,
         default=0.0,
         metavar="WIDTH",
         help="end when the success rate's interval is that narrow, such as 0.1",
@@ -137,8 +126,6 @@ def _run(words: list[str]) -> int:
         return _carry_out(_taken_up(chosen, options), chosen, _where(chosen))
     if not chosen.task or not chosen.seeds:
         raise bad_usage(f"name a task and its seeds: {CALLED} press --seeds 1:100")
-    if not 0 <= chosen.stop_when < 1:
-        raise bad_usage("--stop-when takes a width of the interval between 0 and 1")
     plan = _plan_of(chosen, options, chosen.seeds, chosen.vary, chosen.stop_when)
     where = _where(chosen)
     from . import campaign
@@ -180,18 +167,7 @@ def _taken_up(chosen: argparse.Namespace, options: list[str]):
 def _plan_of(
     chosen: argparse.Namespace, options: list[str], seeds: str, varied: list[str], stop_when: float = 0.0
 ) -> Plan:
-    given = {word.split("=", 1)[0] for word in options}
-    if taken := given & {
-        "--seed",
-        "--run-dir",
-        "--processes",
-        "--view",
-        "--attended",
-        "--clock",
-        "--strict",
-        "--session",
-    }:
-        raise bad_usage(f"{sorted(taken)[0]} is given to each run by the campaign, or does not suit one")
+    _refuse_options(chosen.task, {word.split("=", 1)[0] for word in options})
     if not chosen.timeout > 0:
         raise bad_usage("--timeout must be above 0")
     return Plan(
@@ -199,6 +175,17 @@ def _plan_of(
         processes=chosen.processes, timeout_s=chosen.timeout, keep=chosen.keep, stop_when=stop_when,
         program=program.digest(chosen.task, chosen.processes), folder=str(Path.cwd()),
     )  # fmt: skip
+
+
+def _refuse_options(task: str, given: set[str]) -> None:
+    """What behind -- makes no run, or is the campaign's to say."""
+    if taken := given & _GIVEN:
+        raise bad_usage(f"{sorted(taken)[0]} is given to each run by the campaign, or does not suit one")
+    if taken := given & _NO_RUN:
+        raise bad_usage(f"{sorted(taken)[0]} makes no run; type: {repeat.called()} {task} {sorted(taken)[0]}")
+    needed = program.WAIT_FOR_A_PERSON.get(task)
+    if needed and needed not in given:
+        raise bad_usage(f"{task} waits for a person, whom a campaign has not; give it a script: -- {needed} FILE")
 
 
 def _folder_of(chosen: argparse.Namespace, kind: str) -> Path:
@@ -216,8 +203,6 @@ def _where(chosen: argparse.Namespace):
 def _workers_of(chosen: argparse.Namespace) -> int:
     from . import hosts
 
-    if chosen.workers < 0:
-        raise bad_usage("--workers must be above 0")
     return chosen.workers or len(hosts.cores())
 
 
@@ -250,7 +235,7 @@ def _carry_out(results, chosen: argparse.Namespace, where) -> int:
 
 
 def _page(words: list[str]) -> int:
-    line = _line(" page", "Makes the page of a campaign anew, also while it runs.")
+    line = Line(" page", "Makes the page of a campaign anew, also while it runs.")
     line.add_argument("folder", type=Path)
     folder = line.parse_args(words).folder
     from . import report
@@ -263,7 +248,7 @@ def _page(words: list[str]) -> int:
 
 
 def _compare(words: list[str]) -> int:
-    line = _line(
+    line = Line(
         " compare",
         "Two campaigns of one plan, paired by seed: McNemar's exact test for success, Wilcoxon's signed ranks for figures.",
     )
@@ -280,9 +265,11 @@ def _compare(words: list[str]) -> int:
 
 
 def _tune(words: list[str]) -> int:
-    words, options = _apart(words)
-    line = _line(
-        " tune", "Looks for the values that make a figure best (Optuna); words behind -- are options of the task."
+    words, options = apart(words)
+    line = Line(
+        " tune",
+        "Looks for the values that make a figure best (Optuna); words behind -- are options of the task.",
+        files=True,
     )
     line.add_argument("task", help="a task, such as press")
     line.add_argument(
@@ -299,14 +286,12 @@ def _tune(words: list[str]) -> int:
         metavar="KEY=VALUES",
         help="LOW:HIGH, log(LOW,HIGH) or A,B,C; may be repeated",
     )
-    line.add_argument("--seeds", default="1:5", metavar="FIRST:LAST", help="of each trial (default 1:5)")
-    line.add_argument("--trials", type=int, default=40, metavar="N", help="sets of values that are tried (default 40)")
+    line.add_argument("--seeds", action=Once, default="1:5", metavar="FIRST:LAST", help="of each trial (default 1:5)")
+    line.add_argument("--trials", type=above_zero, default=40, metavar="N", help="sets of values that are tried (default 40)")
     line.add_argument("--resume", action="store_true", help="go on with the search in --dir")
     _add_where(line)
     _add_runs(line)
     chosen = line.parse_args(words)
-    if chosen.trials < 1:
-        raise bad_usage("--trials must be above 0")
     from . import tune
 
     if chosen.resume and not chosen.dir:
@@ -317,7 +302,9 @@ def _tune(words: list[str]) -> int:
     results = tune.begin(plan, search, _folder_of(chosen, "tune"), chosen.resume)
     try:
         trials = tune.tune(results, search, where)
-    except (CampaignError, KeyboardInterrupt):
+    except (CampaignError, KeyboardInterrupt) as ended:
+        if isinstance(ended, CampaignError) and ended.status == 2:
+            raise
         print(f"what was tried is kept; to go on: the same line with --dir {results.folder} --resume", file=sys.stderr)
         raise
     for text in tune.lines(results, search, trials):
@@ -327,7 +314,7 @@ def _tune(words: list[str]) -> int:
 
 
 def _scheduler(words: list[str]) -> int:
-    line = _line(
+    line = Line(
         " scheduler",
         "Dask's scheduler, until Ctrl-C. Without --key-file whoever reaches its port can run anything as you.",
     )
@@ -344,13 +331,13 @@ def _scheduler(words: list[str]) -> int:
 
 
 def _worker(words: list[str]) -> int:
-    line = _line(
+    line = Line(
         " worker", "Workers of this host for a scheduler, one a core, until Ctrl-C. Programs are those of this host."
     )
     line.add_argument("scheduler", metavar="tcp://HOST:PORT", help="or, with its key, tls://HOST:PORT")
     _add_key(line)
     line.add_argument("--listen", default="127.0.0.1", metavar="HOST", help="address of this host (default 127.0.0.1)")
-    line.add_argument("--workers", type=int, default=0, metavar="N", help="(default: one a core)")
+    line.add_argument("--workers", type=above_zero, metavar="N", help="(default: one a core)")
     line.add_argument("--folder", type=Path, default=None, help=argparse.SUPPRESS)
     line.add_argument(
         "--single", action="store_true", help=argparse.SUPPRESS
@@ -363,6 +350,7 @@ def _worker(words: list[str]) -> int:
     if chosen.single:
         hosts.serve_one(chosen.scheduler, chosen.folder, chosen.listen, chosen.key_file)
         return 0
+    hosts.await_scheduler(chosen.scheduler, lambda text: print(text, flush=True))
     with TemporaryDirectory(prefix="mrroc-worker-") as folder:
         workers = hosts.Workers(chosen.scheduler, _workers_of(chosen), Path(folder), chosen.listen, chosen.key_file)
         try:
@@ -372,11 +360,3 @@ def _worker(words: list[str]) -> int:
         finally:
             workers.end()
     return 0
-
-
-def _apart(words: list[str]) -> tuple[list[str], list[str]]:
-    """Our own words, and those behind --."""
-    if "--" not in words:
-        return words, []
-    at = words.index("--")
-    return words[:at], words[at + 1 :]

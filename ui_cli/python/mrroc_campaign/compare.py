@@ -53,6 +53,9 @@ def compare(a: Results, b: Results) -> Comparison:
         if results.note("search"):
             raise bad_usage(f"{results.folder} is a search, which has every seed many times; compare campaigns")
     of_a, of_b = ({r["seed"]: r for r in results.counted()} for results in (a, b))
+    for results, runs in ((a, of_a), (b, of_b)):
+        if not runs:
+            raise bad_usage(f"{results.folder} has no run that is counted yet; go on with --resume {results.folder}")
     seeds = sorted(of_a.keys() & of_b.keys())
     if not seeds:
         raise bad_usage(f"{a.folder} and {b.folder} have no seed in common")

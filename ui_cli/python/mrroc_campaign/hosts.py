@@ -3,10 +3,13 @@
 import asyncio
 import logging
 import os
+import re
+import socket
 import subprocess
 import sys
 import threading
 import time
+from collections.abc import Callable
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
@@ -14,9 +17,11 @@ import dask
 from distributed import LocalCluster, Scheduler, Worker
 
 from . import keys
-from .errors import bad_usage
+from .errors import CampaignError, bad_usage
+from .repeat import called
 
 LOCAL = "127.0.0.1"
+_PATIENCE_S = 60.0  # for a scheduler that is not there yet
 # A run ends its worker only by chance. What Dask watches many times a second is of no use for runs of seconds, and
 # takes their time.
 _SETTINGS = {
@@ -121,6 +126,26 @@ def local_cluster(number: int, folder: Path):
         workers.end()
         with suppress(Exception):
             cluster.close(timeout=5)
+
+
+def await_scheduler(address: str, told: Callable[[str], None], patience_s: float = _PATIENCE_S) -> None:
+    """Until somebody listens at tcp://HOST:PORT or tls://HOST:PORT. told: takes lines for a person."""
+    place = re.fullmatch(r"(?:tcp|tls)://(?P<host>[^/\s]+):(?P<port>\d{1,5})", address)
+    if not place or int(place["port"]) > 65535:
+        raise bad_usage(f"{address}: write tcp://HOST:PORT, or with --key-file tls://HOST:PORT")
+    told(f"waiting for the scheduler {address} ...")
+    deadline = time.monotonic() + patience_s
+    while True:
+        try:
+            socket.create_connection((place["host"].strip("[]"), int(place["port"])), timeout=5).close()
+            return told("the scheduler is there; the workers take its runs until Ctrl-C")
+        except (OSError, UnicodeError) as failed:  # a name of a host may be none
+            if time.monotonic() > deadline:
+                start = f"{called()} campaign scheduler --listen {place['host']} --port {place['port']}"
+                raise CampaignError(
+                    3, "no_scheduler", f"nobody listens at {address} ({failed}); start it there: {start}"
+                ) from None
+        time.sleep(0.5)
 
 
 def serve_one(address: str, folder: Path, listen: str, key: Path | None) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from . import bars, causes, charts, repeat, report
+from .groups import grouped
 from .intervals import clopper_pearson
 from .report import Rate
 from .results import MARK, WORKER_LOST, Results, kept_as
@@ -169,21 +170,18 @@ def _causes(results: Results, runs: list[dict]) -> str:
         "out at random are told apart as well by some cut of the same value (999 permutations), corrected for the number of values (Holm); 0.05 and less is "
         "bold. A dependence is no cause yet: repeat a failure with that value alone changed.</p>"
         + _table(["value", "p", "fails where", "failed there", "failed elsewhere", "rank correlation"], rows)
-        + f'<p>Share of failed runs over each value:</p><div class="cards">{cards}</div>{_correlations(results, runs, keys)}</section>'
+        + f'<p>Share of failed runs over each value; where there are many of them a bar is of neighbours, and named by their median:</p><div class="cards">{cards}</div>{_correlations(results, runs, keys)}</section>'
     )
 
 
 def _rates(key: str, runs: list[dict]) -> str:
     numbers = all(isinstance(r[key], (int, float)) for r in runs)
-    if numbers:
-        ordered = sorted(runs, key=lambda r: r[key])
-        size = min(6, max(2, len(runs) // 10))
-        parts = [part for k in range(size) if (part := ordered[len(runs) * k // size : len(runs) * (k + 1) // size])]
-        named = [(charts.short(float(np.median([r[key] for r in part]))), part) for part in parts]
-    else:
-        named = [(word, [r for r in runs if str(r[key]) == word]) for word in sorted({str(r[key]) for r in runs})]
+    column = [r[key] if numbers else str(r[key]) for r in runs]
+    parts = grouped(column)
+    names = charts.distinct([float(np.median(part)) for part in parts]) if numbers else [part[0] for part in parts]
     groups = []
-    for name, part in named:
+    for name, values in zip(names, parts, strict=True):
+        part = [r for r, x in zip(runs, column, strict=True) if x in values]
         failures = sum(not r["success"] for r in part)
         groups.append((name, failures, len(part), *clopper_pearson(failures, len(part))))
     return charts.rates(groups, f"share of failed runs over {key}")
@@ -234,7 +232,8 @@ def _failures(results: Results, runs: list[dict]) -> str:
     more = f"<p>{len(failed) - _MOST_FAILURES} more are in results.sqlite.</p>" if len(failed) > _MOST_FAILURES else ""
     return (
         "<section><h2>Failures</h2><p>Each line repeats its run bit for bit: <code>ui_cli log compare</code> finds no difference. The "
-        "<code>log_hash</code> is the one that stands here, but after some faults in which processes end by themselves.</p>"
+        "<code>log_hash</code> is the one that stands here, but after some faults in which processes end by themselves. A run without a hash did not come to "
+        "its end - <code>wall_time</code>, <code>signal_N</code>, <code>worker_lost</code> -, and where it was ended lies with the machine.</p>"
         + _table(["run", "seed", "failed by", "to repeat it", "log_hash", "folder"], rows, "failures")
         + f"{more}</section>"
     )

@@ -7,6 +7,7 @@ from dataclasses import asdict, dataclass, field
 from . import program, vary
 from .errors import bad_usage
 from .vary import Variation
+from .words import typed
 
 METHODS = ("lhs", "sobol")
 _MOST_RUNS = 1_000_000
@@ -64,22 +65,41 @@ def seeds_of(text: str) -> list[int]:
 def variations(plan: Plan) -> list[Variation]:
     """How values vary, judged by the task itself."""
     known = program.parameters(plan.task, plan.options)
-    for text in plan.vary:
-        refuse_unknown(plan, text, known)
-    parsed = [vary.parse(text, known) for text in plan.vary]
+    return distinct([judged(plan, "--vary", text, text, known) for text in plan.vary], plan, "--vary")
+
+
+def judged(plan: Plan, option: str, text: str, values: str, known: dict[str, program.Parameter]) -> Variation:
+    """How the value of an option varies. text: as typed; values: as vary.parse() takes it."""
+    told = typed(option, text)
+    refuse_unknown(plan, values, known, told)
+    variation = vary.parse(values, known, told)
+    program.refuse_what_is_no_input(variation.key)
+    return variation
+
+
+def distinct(parsed: list[Variation], plan: Plan, option: str) -> list[Variation]:
+    """Refuses a key that has its value twice."""
     keys = [v.key for v in parsed]
     for key in keys:
-        program.refuse_what_is_no_input(key)
         if keys.count(key) > 1:
-            raise bad_usage(f"--vary names '{key}' twice")
+            raise bad_usage(f"{option} names '{key}' twice")
+        if key in _set_by(plan.options):
+            raise bad_usage(f"{option} and --set behind -- both name '{key}'; leave one out")
     return parsed
 
 
-def refuse_unknown(plan: Plan, text: str, known: dict[str, program.Parameter]) -> None:
+def _set_by(options: list[str]) -> set[str]:
+    """Keys that a task's options set."""
+    values = [word for before, word in zip(["", *options], options, strict=False) if before == "--set"]
+    values += [word.removeprefix("--set=") for word in options if word.startswith("--set=")]
+    return {word.split("=", 1)[0] for word in values}
+
+
+def refuse_unknown(plan: Plan, text: str, known: dict[str, program.Parameter], told: str) -> None:
     """Lets the task refuse a key that it does not know: it tells which one comes near."""
     key, _, values = text.partition("=")
     if values and key not in known:
-        program.check(plan.task, plan.options, {key: "0"})
+        program.check(plan.task, plan.options, key, "0", told)
 
 
 def rows(plan: Plan, varied: list[Variation]) -> list[Row]:
@@ -96,11 +116,11 @@ def rows(plan: Plan, varied: list[Variation]) -> list[Row]:
 def check_extremes(plan: Plan, planned: list[Row], varied: list[Variation]) -> None:
     """Lets the task judge the smallest and the largest value of every key of the plan, and every word: what is out of
     range is refused before anything runs. Values that do not go together show when they run."""
-    for v in varied:
+    for v, text in zip(varied, plan.vary, strict=True):
         values = {row.settings[v.key] for row in planned}
         tried = sorted(values) if v.kind == "choice" else {min(values, key=float), max(values, key=float)}
         for value in tried:
-            program.check(plan.task, plan.options, {v.key: value})
+            program.check(plan.task, plan.options, v.key, value, typed("--vary", text))
 
 
 def _quantiles(plan: Plan, runs: int, dimensions: int):

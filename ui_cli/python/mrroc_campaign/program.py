@@ -3,8 +3,11 @@
 import hashlib
 import json
 import os
+import re
 import subprocess
+from collections.abc import Iterable
 from dataclasses import dataclass
+from difflib import get_close_matches
 from functools import lru_cache
 from pathlib import Path
 
@@ -13,6 +16,7 @@ from .errors import CampaignError, bad_usage
 # Another file, robot or host, or what the campaign itself gives: no input of a simulation.
 _NOT_VARIED = ("seed", "log.", "film.", "hosts.")
 _NOT_VARIED_ENDS = (".hardware", ".core", ".record")
+WAIT_FOR_A_PERSON = {"manual": "--words"}  # tasks, and the option that names a script of what a person would do
 DIGESTS = "2-"  # of fingerprints: those before were of the program of the task alone
 
 
@@ -46,14 +50,25 @@ def folder() -> Path:
     return built if built.is_dir() else here.parents[3] / "mrroc"
 
 
-def find(task: str) -> Path:
-    """The program of a task."""
+def find(task: str, commands: Iterable[str] = ()) -> Path:
+    """The program of a task. commands: what else the word may have been meant to be."""
     path = folder() / task
     if "/" in task or task.startswith(".") or not os.access(path, os.X_OK) or not path.is_file():
+        near = get_close_matches(task, [*commands, *_names()], 1)
         raise bad_usage(
-            f"there is no task named '{task}' in {folder()}; build it, or set MRROC_PROGRAMS to the folder of the programs"
+            f"there is no task named '{task}' in {folder()}; "
+            + (f"did you mean '{near[0]}'?" if near else "build it, or set MRROC_PROGRAMS to the folder of the programs")
         )
     return path
+
+
+def _names() -> list[str]:
+    """Programs that may be tasks."""
+    try:
+        found = [path.name for path in folder().iterdir() if path.is_file() and os.access(path, os.X_OK)]
+    except OSError:
+        return []
+    return [name for name in found if not _is_started(name) and not name.endswith("_test")]
 
 
 def digest(task: str, processes: str) -> str:
@@ -111,9 +126,18 @@ def parameters(task: str, options: list[str]) -> dict[str, Parameter]:
         raise bad_usage(f"{task} does not tell its parameters as a task does") from None
 
 
-def check(task: str, options: list[str], settings: dict[str, str]) -> None:
-    """Lets the task itself judge values, before anything runs. Raises its own words."""
-    _ask(task, [*options, *settings_as_words(settings)])
+def check(task: str, options: list[str], key: str, value: str, word: str) -> None:
+    """Lets the task itself judge a value, before anything runs. Raises its own words behind `word`, which is where the
+    value comes from."""
+    try:
+        _ask(task, [*options, *settings_as_words({key: value})])
+    except CampaignError as refused:
+        text = str(refused)
+        if f"--set {key}=" not in text:  # it is of another option
+            raise
+        text = text.removeprefix(f"--set {key}={value}: ")
+        text = re.sub(r"([;?.]) [Cc]orrect that --set option$", lambda end: end[1].replace(";", ""), text)
+        raise CampaignError(refused.status, refused.code, f"{word}: {text}") from None
 
 
 def refuse_what_is_no_input(key: str) -> None:

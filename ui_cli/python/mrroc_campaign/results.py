@@ -6,6 +6,7 @@ exit_status (null: out of time, or lost), log_hash, sim_s and wall_s [s], host, 
 was wanted, [least, most] by figure, null: no bound), and a column per figure under its key; one number of several is
 KEY[0], KEY[1]. Table `planned`: run, seed, settings (JSON: value as text by key). Table `campaign`: key, value (JSON)."""
 
+import errno
 import fcntl
 import json
 import os
@@ -23,6 +24,7 @@ FILE = "results.sqlite"
 WORKER_LOST = "worker_lost"  # fault of a run that killed its workers again and again
 MARK = "figure "  # before a figure that is named as another column
 _MOST_FIGURES = 1000  # SQLite takes 2000 columns
+_OF_RIGHTS = (errno.EACCES, errno.EPERM, errno.EROFS, errno.ENOENT, errno.ENOTDIR, errno.ENAMETOOLONG)
 _COLUMNS = {
     "run": "INTEGER PRIMARY KEY", "seed": "INTEGER", "success": "INTEGER", "outcome": "TEXT", "fault": "TEXT", "text": "TEXT",
     "exit_status": "INTEGER", "log_hash": "TEXT", "sim_s": "REAL", "wall_s": "REAL", "host": "TEXT", "folder": "TEXT", "bars": "TEXT",
@@ -33,9 +35,14 @@ def _quoted(name: str) -> str:
     return '"' + name.replace('"', '""') + '"'
 
 
-def is_used(folder: Path) -> bool:
-    """Whether there is something already where a new campaign is to be."""
-    return folder.exists() and not (folder.is_dir() and not any(folder.iterdir()))
+def refuse_used(folder: Path, resume: str) -> None:
+    """Nothing may be where a new campaign is to be. resume: how to go on with one that is there."""
+    with reading(folder):
+        if not folder.exists() or (folder.is_dir() and not any(folder.iterdir())):
+            return
+        begun = (folder / FILE).is_file()
+    what = "is not an empty folder" if folder.is_dir() else "is a file"
+    raise bad_usage(f"{folder} {what}; choose another --dir" + (f", or go on with {resume}" if begun else ""))
 
 
 class Results:
@@ -43,9 +50,12 @@ class Results:
 
     def __init__(self, folder: Path):
         self.folder = folder
-        if not (folder / FILE).is_file():
-            raise bad_usage(f"{folder} is no folder of a campaign: it has no {FILE}")
-        self._db = sqlite3.connect(folder / FILE, isolation_level=None, timeout=30)
+        with reading(folder):
+            if not (folder / FILE).is_file():
+                raise bad_usage(f"{folder} is no folder of a campaign: it has no {FILE}")
+            with (folder / FILE).open("rb"):
+                pass
+            self._db = sqlite3.connect(folder / FILE, isolation_level=None, timeout=30)
         self._db.row_factory = sqlite3.Row
         self._lock = None
         try:
@@ -87,7 +97,9 @@ class Results:
     @contextmanager
     def alone(self):
         """Only one may carry out a campaign at a time. The system frees the lock of who has died."""
-        with (self.folder / ".lock").open("w") as lock:
+        with writing(self.folder):
+            opened = (self.folder / ".lock").open("w")
+        with opened as lock:
             try:
                 fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
             except BlockingIOError:
@@ -171,6 +183,10 @@ class Results:
             os.replace(result["folder"], kept)
         elif not unpack(result["packed"], kept):
             return ""
+        said = kept / "output.txt"
+        if said.is_file() and not said.is_symlink():
+            with said.open("a") as out:
+                out.write(f"campaign: this run folder was moved to {kept}/run\n")
         return kept_as(run)
 
     def _is_scratch(self, folder: str) -> bool:
@@ -211,8 +227,29 @@ def writing(folder: Path):
     try:
         yield
     except (OSError, sqlite3.OperationalError) as failed:
+        if _is_of_rights(failed):
+            raise _not_allowed(folder, "written", failed) from None
         raise CampaignError(
             3,
             "cannot_write",
             f"{folder} cannot be written ({failed}); all runs that are counted are kept: make room, then go on",
         ) from None
+
+
+@contextmanager
+def reading(folder: Path):
+    """Makes one clear error of a folder that may not be read."""
+    try:
+        yield
+    except (OSError, sqlite3.OperationalError) as failed:
+        raise _not_allowed(folder, "read", failed) from None
+
+
+def _is_of_rights(failed: Exception) -> bool:
+    if isinstance(failed, OSError):
+        return failed.errno in _OF_RIGHTS
+    return any(told in str(failed) for told in ("readonly", "unable to open"))
+
+
+def _not_allowed(folder: Path, what: str, failed: Exception) -> CampaignError:
+    return bad_usage(f"{folder} cannot be {what} ({failed}); look at its rights, or choose another folder with --dir")

@@ -34,36 +34,46 @@ class Variation:
         return str(round(x)) if self.integer else repr(float(x))
 
 
-def parse(text: str, known: dict[str, Parameter]) -> Variation:
-    """A word behind --vary. Raises CampaignError when the key is no parameter of the task, or the values do not fit
-    it."""
+def parse(text: str, known: dict[str, Parameter], told: str = "") -> Variation:
+    """A word behind --vary. told: what errors name. Raises CampaignError when the key is no parameter of the task, or
+    the values do not fit it."""
+    told = told or f"--vary {text}"
     key, equals, values = text.partition("=")
     if not equals or not values:
-        raise bad_usage(f"--vary {text}: write KEY=LOW:HIGH, KEY=normal(M,S) or KEY=A,B,C")
+        raise bad_usage(f"{told}: write KEY=LOW:HIGH, KEY=normal(M,S) or KEY=A,B,C")
     parameter = known.get(key)
     if parameter is None:
-        raise bad_usage(f"--vary {text}: unknown key '{key}'")
+        raise bad_usage(f"{told}: unknown key '{key}'")
     integer = parameter.kind == "integer"
     if normal := _NORMAL.match(values):
-        mean, deviation = (_number(text, normal[name]) for name in ("mean", "deviation"))
+        mean, deviation = (_number(told, normal[name]) for name in ("mean", "deviation"))
         if not deviation > 0:
-            raise bad_usage(f"--vary {text}: the standard deviation must be above 0")
+            raise bad_usage(f"{told}: the standard deviation must be above 0")
         variation = Variation(key, "normal", (mean, deviation), integer=integer)
     elif parameter.kind != "word" and len(ends := values.split(":")) == 2:
-        low, high = (_number(text, end) for end in ends)
+        low, high = (_number(told, end) for end in ends)
         if not low < high:
-            raise bad_usage(f"--vary {text}: the lower end must be below the upper one")
+            raise bad_usage(f"{told}: the lower end must be below the upper one")
         if integer and not (low.is_integer() and high.is_integer()):
-            raise bad_usage(f"--vary {text}: '{key}' takes whole numbers")
+            raise bad_usage(f"{told}: '{key}' takes whole numbers")
         variation = Variation(key, "uniform", (low, high), integer=integer)
+    elif values.startswith("normal("):
+        raise bad_usage(f"{told}: write normal(M,S), such as {key}=normal(4,0.5)")
     else:
         words = split_words(values)
         if len(set(words)) < 2:
-            raise bad_usage(f"--vary {text}: name at least two different values, or LOW:HIGH")
+            some = f"'{key}' takes {_words_that_fit(parameter)}; " if parameter.kind in ("list", "word") else ""
+            ends = "" if some else ", or LOW:HIGH"
+            raise bad_usage(f"{told}: {some}name at least two different values{ends}")
         return Variation(key, "choice", words=words)
     if parameter.kind in ("list", "word"):
-        raise bad_usage(f"--vary {text}: '{key}' is no number; name its values: KEY=A,B,C")
+        raise bad_usage(f"{told}: '{key}' takes {_words_that_fit(parameter)}; name its values: {key}=A,B")
     return variation
+
+
+def _words_that_fit(parameter: Parameter) -> str:
+    kind = "lists in brackets" if parameter.kind == "list" else "words"
+    return f"{kind}: {parameter.range}" if parameter.range else f"{kind}, such as {parameter.default}"
 
 
 def split_words(values: str) -> tuple[str, ...]:
@@ -80,11 +90,11 @@ def split_words(values: str) -> tuple[str, ...]:
     return tuple(w.strip() for w in [*words, word])
 
 
-def _number(text: str, word: str) -> float:
+def _number(told: str, word: str) -> float:
     try:
         x = float(word)
     except ValueError:
         x = math.nan
     if not math.isfinite(x):
-        raise bad_usage(f"--vary {text}: '{word}' is no number")
+        raise bad_usage(f"{told}: '{word}' is no number")
     return x
