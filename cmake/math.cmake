@@ -25,5 +25,12 @@ execute_process(COMMAND ${CMAKE_LINKER} -r ${wanted} -o ${MRROC_MATH} ${MRROC_MU
 execute_process(COMMAND ${CMAKE_OBJCOPY} ${kept} ${MRROC_MATH} COMMAND_ERROR_IS_FATAL ANY)
 target_link_options(mrroc_options INTERFACE
   $<BUILD_INTERFACE:${MRROC_MATH}> $<INSTALL_INTERFACE:$<INSTALL_PREFIX>/${MRROC_LIBRARIES}/math.o>)
+
+# What is known when a program is compiled, such as sin(0.35), compilers compute by libraries of their own, which differ in
+# last bits; and some join a product and a sum to one operation where the processor has it.
+set(computed_at_run_time ${MRROC_MATH_FUNCTIONS})
+list(TRANSFORM computed_at_run_time PREPEND -fno-builtin-)
+target_compile_options(mrroc_options INTERFACE ${computed_at_run_time} -ffp-contract=off)
+
 install(FILES ${MRROC_MATH} DESTINATION ${MRROC_LIBRARIES})
 install(FILES /usr/share/doc/musl-dev/copyright DESTINATION share/doc/mrroc/licenses RENAME musl.txt)
