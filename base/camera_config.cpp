@@ -65,6 +65,7 @@ CameraSetup read_camera(const Config& config, const std::string& key) {
   camera.model = read_model(t);
   camera.period = t.integer<std::int64_t>("period", camera.period, {1, 250}, "steps");
   camera.latency = t.integer<std::int64_t>("latency", camera.latency, {0, 200}, "steps");
+  camera.on_demand = t.flag("on_demand", camera.on_demand);
   if (camera.latency + kReadingKept > kPicturesKept * camera.period)
     refuse("cameras." + key + ".period",
            "so many pictures would be under way that some are written over before they have been looked at: "

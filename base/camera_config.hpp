@@ -32,7 +32,14 @@ struct CameraSetup {
   CameraModel model;                      ///< `width`, `height`, `fx`, `fy`, `cx`, `cy`, `distortion`
   std::int64_t period{20};   ///< steps from one picture to the next; picture n is taken at step n * period
   std::int64_t latency{20};  ///< steps until a picture's reading is visible (rule R6 of docs/architecture.md)
+  /// `on_demand`: it gives pictures only while the coordinator asks for them (kCamerasSetting); otherwise there is none
+  bool on_demand{};
 };
+
+/// Channel on which the coordinator tells the cameras on demand what it wants, a SensorSetting in every macrostep.
+inline constexpr const char* kCamerasSetting = "cameras.setting";
+/// SensorSetting::mode of pictures that are taken; 0: none are.
+inline constexpr int kTakePictures = 1;
 
 /// @return `cameras.order`; none unless it is given
 /// @throws ConfigError  a name that is no word of at most 16 letters, digits, - and _

@@ -132,6 +132,11 @@ ObjectParameters read_object(const Config& config, const std::vector<std::string
   p.arm = t.text("arm", "arm1");
   const auto pose = t.numbers<6>("pose", {{0.9, 0, 0.93, 0, 0, 0}}, {-10, 10}, "m, angle times axis in rad");
   p.T_0G = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(pose.data()));
+  p.in_hand = t.flag("in_hand", p.in_hand);
+  if (p.in_hand)
+    p.T_0G = displaced(p.T_0G, read_displacement(config.section("sim.object.place_error"),
+                                                 "true place of the object in the hand, in the believed one",
+                                                 "object.pose"));
   const Board board = read_board(config);
   p.board.columns = t.integer("columns", board.columns, {3, 20}, "inner corners");
   p.board.rows = t.integer("rows", board.rows, {3, 20}, "inner corners");
@@ -141,6 +146,8 @@ ObjectParameters read_object(const Config& config, const std::vector<std::string
   p.tag_edge = t.number("tag_edge", tag.edge, {0.01, 0.5}, "m");
   read_motion(t, p);
   if (p.kind != ObjectKind::none) check_arm(p.arm, arms, "object.arm");
+  if (p.in_hand && p.motion != ObjectMotion::rest)
+    refuse("object.motion", "an object in the hand moves with the hand alone");
   return p;
 }
 
