@@ -128,8 +128,7 @@ void CameraStation::look(Eye& eye, std::int64_t step) {
   job.frame = frame;
   job.step = frame * period;
   const bool wanted = wanted_ || !eye.k.setup.on_demand;
-  job.fault =
-      wanted ? fault_at(eye.k.faults, static_cast<double>(job.step) * kStep) : CameraFault::silent;
+  job.fault = wanted ? fault_at(eye.k.faults, static_cast<double>(job.step) * kStep) : CameraFault::silent;
   for (int instant = 0; instant < eye.k.instants; ++instant)
     if (job.step + offset(eye.k, instant) == step)
       job.exposure.push_back({scene(shown, step), place(shown.k, *shown.view)});

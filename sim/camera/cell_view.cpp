@@ -15,7 +15,12 @@ constexpr std::int64_t kTruthPeriod = 20;  // steps
 CellView::CellView(link::Process& process, const World& world, const WorldParameters& parameters,
                    const std::vector<std::string>& arms, const camera::Light& light,
                    const ObjectParameters& object)
-    : world_(world), arms_(arms), cell_(parameters), light_(light), object_(object), in_hand_(object.in_hand) {
+    : world_(world),
+      arms_(arms),
+      cell_(parameters),
+      light_(light),
+      object_(object),
+      in_hand_(object.in_hand) {
   for (const ArmParameters& arm : parameters.arms) T_UB_.push_back(arm.T_UB);
   if (object.kind == ObjectKind::none) return;
   object_arm_ = index_of(object.arm);

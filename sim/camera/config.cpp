@@ -74,6 +74,7 @@ SimulatedCamera read_simulated(const Config& config, const std::string& key, con
   const Config t = config.section("cameras." + key);
   SimulatedCamera c;
   c.setup = read_camera(config, key);
+  c.setup.place = read_camera_place(config, key);
   c.profile = profile;
   c.profile.channels = t.choice("picture", 3, {{"colour", 3}, {"grey", 1}});
   c.profile.noise = t.number("noise", c.profile.noise, {0, 50}, "grey values");

@@ -42,12 +42,25 @@ Memory with_way_to(const X& x, const std::vector<double>& joints) {
   return c;
 }
 
-Memory plan_stand(const X& x) { return with_way_to(x, x.c.views[x.c.turn].from); }
-Memory plan_view(const X& x) { return with_way_to(x, x.c.views[x.c.turn - 1].joints[x.c.view]); }
+/// @return the pose that is next in the present turn, null: there is none
+const std::vector<double>* next_view(const Memory& c) {
+  if (c.turn == 0 || c.turn > c.views.size()) return nullptr;
+  const auto& joints = c.views[c.turn - 1].joints;
+  return c.view < joints.size() ? &joints[c.view] : nullptr;
+}
+
+Memory plan_stand(const X& x) {
+  return x.c.turn < x.c.views.size() ? with_way_to(x, x.c.views[x.c.turn].from) : x.c;
+}
+Memory plan_view(const X& x) {
+  const std::vector<double>* const joints = next_view(x.c);
+  return joints ? with_way_to(x, *joints) : x.c;
+}
 Memory plan_ready(const X& x) { return with_way_to(x, x.c.ready); }
 
 Memory wait_to_view(const X& x) {
   Memory c = x.c;
+  if (c.turn == c.views.size()) return c;
   c.waits_for = static_cast<int>(c.views[c.turn].turn);
   ++c.turn;
   c.view = 0;

@@ -17,12 +17,12 @@ namespace mrroc::calibrate_cell {
 
 /// c_c: what an arm remembers.
 struct Memory {
-  ecp::Weighing weighing;         ///< all that its rows need
-  ViewPlan views;                 ///< constant during a run
-  std::size_t turn{};             ///< turns of the views that it has waited for
-  std::size_t view{};             ///< poses that it has taken in the last of them
-  int waits_for{};                ///< number of the turn that it has waited for last, see Turn; 0: none
-  int touch_turn{};               ///< number of the turn in which it touches balls; 0: it touches none; constant during a run
+  ecp::Weighing weighing;  ///< all that its rows need
+  ViewPlan views;          ///< constant during a run
+  std::size_t turn{};      ///< turns of the views that it has waited for
+  std::size_t view{};      ///< poses that it has taken in the last of them
+  int waits_for{};         ///< number of the turn that it has waited for last, see Turn; 0: none
+  int touch_turn{};  ///< number of the turn in which it touches balls; 0: it touches none; constant during a run
   ProbePlan plan;                 ///< constant during a run
   std::vector<double> ready;      ///< joints in which the arm is ready before the balls [rad, track m]
   Pose T_ready;                   ///< of E there, in the base

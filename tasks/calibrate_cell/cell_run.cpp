@@ -6,7 +6,8 @@
 namespace mrroc::calibrate_cell {
 
 CellRun::CellRun(mp::TaskRun& run, const std::vector<CameraSetup>& cameras, mp::SoloParameters parameters)
-    : n_s_(parameters.n_s), records_([&] {
+    : n_s_(parameters.n_s),
+      records_([&] {
         std::vector<CameraRecord> records;
         for (const CameraSetup& camera : cameras) records.push_back({camera, {}});
         return records;

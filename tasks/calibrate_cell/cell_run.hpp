@@ -14,8 +14,8 @@ namespace mrroc::calibrate_cell {
 
 /// What a receptor has told of a camera's pictures.
 struct CameraRecord {
-  CameraSetup camera;                       ///< as everybody believes it
-  std::vector<camera_reading_t> readings;   ///< one per frame, also of those of which there is no picture
+  CameraSetup camera;                      ///< as everybody believes it
+  std::vector<camera_reading_t> readings;  ///< one per frame, also of those of which there is no picture
 };
 
 /// The coordinator, and the record of the pictures.

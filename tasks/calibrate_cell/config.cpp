@@ -37,7 +37,8 @@ ecp::WeighingPlan read_weighing(const Config& task, const RobotModel& model,
 
 /// Joints of poses, one after another in a list.
 std::vector<std::vector<double>> read_poses(const Config& t, std::string_view key, std::size_t axes) {
-  const auto all = t.list(key, std::vector<double>{}, {-10, 10}, "rad, m, joints of poses, found by the task");
+  const auto all =
+      t.list(key, std::vector<double>{}, {-10, 10}, "rad, m, joints of poses, found by the task");
   if (all.size() % axes != 0)
     throw FaultError(FaultCode::bad_configuration,
                      fmt::format("task.ARM.{}: {} joints for each pose", key, axes));
@@ -50,9 +51,8 @@ std::vector<std::vector<double>> read_poses(const Config& t, std::string_view ke
 }  // namespace
 
 Ways read_ways(const Config& config) {
-  return config.choice<Ways>(
-      "task.ways", {true, true},
-      {{"touch", {true, false}}, {"board", {false, true}}, {"both", {true, true}}});
+  return config.choice<Ways>("task.ways", {true, true},
+                             {{"touch", {true, false}}, {"board", {false, true}}, {"both", {true, true}}});
 }
 
 ViewPlan read_views(const Config& config, const std::string& arm) {
@@ -68,7 +68,8 @@ ViewPlan read_views(const Config& config, const std::string& arm) {
   const auto place = [&](std::string_view key) {
     return t.list(key, stand, {-10, 10}, "rad, m, found by the task", stand.size());
   };
-  return {{Turn::look, stand, views}, {Turn::rise, place("risen"), {}}, {Turn::make_room, place("aside"), {}}};
+  return {
+      {Turn::look, stand, views}, {Turn::rise, place("risen"), {}}, {Turn::make_room, place("aside"), {}}};
 }
 
 ProbePlan read_plan(const Config& config, const std::string& arm) {
@@ -97,7 +98,8 @@ Memory read_memory(const Config& config, const std::string& arm) {
   c.plan = read_plan(config, arm);
   c.views = read_views(config, arm);
   if (read_ways(config).touch)
-    c.touch_turn = static_cast<int>(Turn::touch) + static_cast<int>(std::ranges::find(kKeys, arm) - kKeys.begin());
+    c.touch_turn =
+        static_cast<int>(Turn::touch) + static_cast<int>(std::ranges::find(kKeys, arm) - kKeys.begin());
   c.ready = config.section("robots." + arm).list("start_joints", std::vector<double>{}, {-10, 10}, "rad, m");
   if (std::ssize(c.ready) < kTurning)
     throw FaultError(FaultCode::bad_configuration, "robots." + arm + ".start_joints: this task needs them");

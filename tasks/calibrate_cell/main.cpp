@@ -51,10 +51,11 @@ void make_results(launch::Results& r) {
   const auto& run = r.coordinator_as<CellRun>();
   const std::vector<mp::ArmTrace> traces(run.traces().begin(), run.traces().end());
   const Findings f = find_all(traces, run.records(), r.setup.config);
-  launch::evaluate({.behaviours = launch::words_of(kBehaviours),
-                    .figures = [&](const auto& rows, const Config& config) { return figures_of(f, rows, config); },
-                    .pictures = [&](const auto&, const Config& config) { return pictures(f, config); }},
-                   r);
+  launch::evaluate(
+      {.behaviours = launch::words_of(kBehaviours),
+       .figures = [&](const auto& rows, const Config& config) { return figures_of(f, rows, config); },
+       .pictures = [&](const auto&, const Config& config) { return pictures(f, config); }},
+      r);
   write_result(f, traces, r);
 }
 
@@ -72,10 +73,11 @@ mp::SoloParameters solo_parameters(const launch::Setup& s) {
 int main(int argc, char** argv) {
   return launch::run_task(
       {.name = "calibrate_cell",
-       .about = "Two arms weigh their tools, show a board to cameras and touch the same balls; that tells where "
-                "their bases\n"
-                "stand to each other, and where the cameras are. It leaves calibrated.toml in the run folder, "
-                "which other tasks\ntake with --config.",
+       .about =
+           "Two arms weigh their tools, show a board to cameras and touch the same balls; that tells where "
+           "their bases\n"
+           "stand to each other, and where the cameras are. It leaves calibrated.toml in the run folder, "
+           "which other tasks\ntake with --config.",
        .config = config(),
        .arms = {{kKeys[0], kModels[0]}, {kKeys[1], kModels[1]}},
        .ecp = run_ecp,

@@ -37,8 +37,7 @@ std::string as_toml(const CellResult& found, const std::string& run) {
                         fmt::join(found.tools[arm].P.data(), found.tools[arm].P.data() + 3, ", "));
   }
   for (const CameraPlace& camera : found.cameras)
-    text += fmt::format("\n[cameras.{}]\nmount = \"{}\"\npose = {}\n", camera.key, camera.mount,
-                        pose_text(camera.pose));
+    text += fmt::format("\n[cell.cameras.{}]\npose = {}\n", camera.key, pose_text(camera.pose));
   return text;
 }
 

@@ -17,20 +17,19 @@ inline constexpr const char* kResultFile = "calibrated.toml";
 /// @return the bases as they are believed from now on
 [[nodiscard]] Bases corrected(const Bases& believed, const Pose& T_12);
 
-/// Where a camera is, for its keys.
+/// Where a camera is.
 struct CameraPlace {
-  std::string key;    ///< of [cameras.KEY]
-  std::string mount;  ///< its mount
-  Pose pose;          ///< its pose in the frame of the mount
+  std::string key;  ///< of [cameras.KEY]
+  Pose pose;        ///< in the frame of its mount
 };
 
 /// What a run has found.
 struct CellResult {
-  Bases bases;                                ///< as they are believed from now on
-  std::array<ecp::ForceTool, kArms> tools;    ///< weights and mass centres
-  std::array<std::string, kArms> sets;        ///< for robots.ARM.kinematics; empty: nothing is said of them
-  std::vector<CameraPlace> cameras;           ///< that were found
-  std::string ways;                           ///< for people: how the bases were found; one line or more
+  Bases bases;                              ///< as they are believed from now on
+  std::array<ecp::ForceTool, kArms> tools;  ///< weights and mass centres
+  std::array<std::string, kArms> sets;      ///< for robots.ARM.kinematics; empty: nothing is said of them
+  std::vector<CameraPlace> cameras;         ///< that were found
+  std::string ways;                         ///< for people: how the bases were found; one line or more
 };
 
 /// @param run  where it was found, for people

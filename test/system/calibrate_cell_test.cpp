@@ -17,8 +17,8 @@ const std::vector<std::string> kWrongBase{
 
 /// Cameras, and the board, elsewhere than they are believed.
 const std::vector<std::string> kWrongCameras{
-    "--set", "sim.cameras.eih.place_error={ x = 0.003, y = -0.002, ax = 0.006, az = 0.004 }",
-    "--set", "sim.cameras.sac.place_error={ x = 0.002, y = 0.002, ax = 0.005, ay = -0.004 }"};
+    "--set", "sim.cameras.eih.place_error={ x = 0.003, y = -0.002, ax = 0.006, az = 0.004 }", "--set",
+    "sim.cameras.sac.place_error={ x = 0.002, y = 0.002, ax = 0.005, ay = -0.004 }"};
 const std::vector<std::string> kWrongBoard{
     "--set", "sim.object.place_error={ x = 0.003, y = 0.004, z = -0.002, ax = 0.02, az = 0.02 }"};
 
@@ -48,8 +48,11 @@ class CalibratedCell : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     if (kSanitized) return;
-    calibrated() = std::make_unique<Calibrated>(words(
-        {kWrongBase, kWrongCameras, kWrongBoard, {"--set", "sim.artefact.place_error={ x = 0.006, y = -0.004, z = 0.005, az = 0.02 }"}}));
+    calibrated() = std::make_unique<Calibrated>(
+        words({kWrongBase,
+               kWrongCameras,
+               kWrongBoard,
+               {"--set", "sim.artefact.place_error={ x = 0.006, y = -0.004, z = 0.005, az = 0.02 }"}}));
   }
   static void TearDownTestSuite() { calibrated().reset(); }
   void SetUp() override {
@@ -88,8 +91,8 @@ TEST_F(CalibratedCell, BringsTheToolBeforeAnObjectThatItsCamerasMissedBefore) {
   const Folder folder;
   const auto missed = [&](const std::string& name, const std::vector<std::string>& told) {
     const std::string to = (folder / name).string();
-    const Ended servo = run(folder, "visual_servo",
-                            words({{"--processes", "one", "--run-dir", to}, kWrongCameras, told}));
+    const Ended servo =
+        run(folder, "visual_servo", words({{"--processes", "one", "--run-dir", to}, kWrongCameras, told}));
     EXPECT_EQ(servo.status, 0) << servo.all();
     return figure(summary(to), "true_err_mm");
   };
@@ -99,9 +102,10 @@ TEST_F(CalibratedCell, BringsTheToolBeforeAnObjectThatItsCamerasMissedBefore) {
 
 TEST(CalibrateCell, SaysThatBothWaysDisagreeWhenATipIsNotAsBelieved) {
   if (kSanitized) GTEST_SKIP() << "too long";
-  const Calibrated c(
-      {"--set", "sim.pen_radius=0.011", "--set", "cameras.order=[\"eih\"]", "--set", "task.views=8", "--set",
-       "artefact.balls=[-0.15, -0.02, -0.06, 0.15, 0.02, -0.06, 0.15, -0.02, 0.06]", "--set", "task.readings=5"});
+  const Calibrated c({"--set", "sim.pen_radius=0.011", "--set", "cameras.order=[\"eih\"]", "--set",
+                      "task.views=8", "--set",
+                      "artefact.balls=[-0.15, -0.02, -0.06, 0.15, 0.02, -0.06, 0.15, -0.02, 0.06]", "--set",
+                      "task.readings=5"});
   ASSERT_EQ(c.ended.status, 0) << c.ended.all();
   EXPECT_GT(figure(c.told, "way_difference_mm"), 1.5);
   EXPECT_LE(figure(c.told, "camera_base_err_mm"), 0.5) << "pictures know nothing of the tip";

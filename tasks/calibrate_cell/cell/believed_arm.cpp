@@ -5,8 +5,7 @@
 namespace mrroc::calibrate_cell {
 
 AxisVector BelievedArm::usual_joints() const {
-  return Eigen::Map<const Eigen::VectorXd>(type->start.data(),
-                                           static_cast<Eigen::Index>(type->start.size()));
+  return Eigen::Map<const Eigen::VectorXd>(type->start.data(), static_cast<Eigen::Index>(type->start.size()));
 }
 
 BelievedArm read_arm(const Config& config, std::size_t arm) {

@@ -11,11 +11,11 @@ namespace mrroc::calibrate_cell {
 
 /// An arm as everybody believes it.
 struct BelievedArm {
-  const robots::RobotType* type{};     ///< never null
+  const robots::RobotType* type{};      ///< never null
   std::unique_ptr<edp::Robot> robot{};  ///< with the kinematic set that its driver believes
-  Pose T_WE;                           ///< its tool
-  Pose T_UB;                           ///< its base in the world
-  Matrix3 R_UE;  ///< before the other arm: x of E up, z level towards the other base
+  Pose T_WE;                            ///< its tool
+  Pose T_UB;                            ///< its base in the world
+  Matrix3 R_UE;                         ///< before the other arm: x of E up, z level towards the other base
 
   /// @return the type's joints at the beginning, which choose the branch
   [[nodiscard]] AxisVector usual_joints() const;

@@ -61,8 +61,9 @@ Seen pictures(const CameraRecord& record, const Board& board, const std::vector<
 
 Seen enough(Seen seen, const std::string& camera, const char* what) {
   if (seen.views.size() >= kLeastViews) return seen;
-  throw FaultError(kBoardNotSeen, fmt::format("camera {} has seen the board in {} of {} pictures while {}; {} are needed",
-                                              camera, seen.views.size(), seen.stills, what, kLeastViews));
+  throw FaultError(kBoardNotSeen,
+                   fmt::format("camera {} has seen the board in {} of {} pictures while {}; {} are needed",
+                               camera, seen.views.size(), seen.stills, what, kLeastViews));
 }
 
 const CameraRecord& record_of(const std::vector<CameraRecord>& records, const CameraSetup& camera) {
@@ -77,10 +78,10 @@ void add_hand_camera(const BelievedSight& sight, const std::vector<Still>& still
                      const std::vector<CameraRecord>& records, ByBoard& found) {
   const CameraSetup& camera = *sight.in_hand;
   const CameraRecord& record = record_of(records, camera);
-  const Seen shown = enough(pictures(record, sight.board, stills, Turn::show, kBoardArm), camera.key,
-                            "the board was moved");
-  const Seen looked = enough(pictures(record, sight.board, stills, Turn::look, kCameraArm), camera.key,
-                             "it was moved");
+  const Seen shown =
+      enough(pictures(record, sight.board, stills, Turn::show, kBoardArm), camera.key, "the board was moved");
+  const Seen looked =
+      enough(pictures(record, sight.board, stills, Turn::look, kCameraArm), camera.key, "it was moved");
   const vsp::BasesByBoard bases =
       vsp::calibrate_bases(camera.model, {shown.views, standing(stills, Turn::show, kCameraArm)},
                            {looked.views, standing(stills, Turn::look, kBoardArm)}, sight.board);
@@ -109,7 +110,8 @@ void add_fixed_camera(const BelievedSight& sight, const CameraSetup& camera, con
 
 }  // namespace
 
-std::vector<Still> stills_of(const std::vector<mp::ArmTrace>& traces, const std::array<ViewPlan, kArms>& plans) {
+std::vector<Still> stills_of(const std::vector<mp::ArmTrace>& traces,
+                             const std::array<ViewPlan, kArms>& plans) {
   std::vector<Still> stills;
   for (std::size_t arm = 0; arm < kArms; ++arm) {
     const mp::ArmTrace& rows = traces.at(arm);
@@ -138,7 +140,8 @@ ByBoard find_by_board(const BelievedSight& sight, const std::vector<Still>& stil
   if (sight.in_hand) add_hand_camera(sight, stills, records, found);
   Bases bases = believed;
   if (T_12 || found.T_12) bases = corrected(believed, T_12 ? *T_12 : *found.T_12);
-  for (const CameraSetup& camera : sight.fixed) add_fixed_camera(sight, camera, stills, records, bases, found);
+  for (const CameraSetup& camera : sight.fixed)
+    add_fixed_camera(sight, camera, stills, records, bases, found);
   return found;
 }
 

@@ -16,8 +16,8 @@ namespace mrroc::calibrate_cell {
 
 /// Time in which an arm has held still for a picture.
 struct Still {
-  Turn turn{};                  ///< in which it was
-  double from{}, to{};          ///< simulated time [s]
+  Turn turn{};                   ///< in which it was
+  double from{}, to{};           ///< simulated time [s]
   std::array<Pose, kArms> T_0E;  ///< of both arms, each in its own base
 };
 /// @param traces  of both arms, by their drivers @param plans  of both arms
@@ -27,11 +27,11 @@ struct Still {
 
 /// Where a camera was found.
 struct CameraFound {
-  CameraSetup camera;         ///< as it was believed
-  Pose place;                 ///< in the frame of its mount
-  std::size_t stills{};       ///< in which the board was shown to it
-  std::size_t seen{};         ///< of them, those of which a picture showed it
-  double rms_px{};            ///< corners of the board off where the places found have them [pixel]
+  CameraSetup camera;    ///< as it was believed
+  Pose place;            ///< in the frame of its mount
+  std::size_t stills{};  ///< in which the board was shown to it
+  std::size_t seen{};    ///< of them, those of which a picture showed it
+  double rms_px{};       ///< corners of the board off where the places found have them [pixel]
 };
 
 /// What the pictures say.

@@ -8,8 +8,8 @@
 #include <tuple>
 
 #include "base/artefact.hpp"
-#include "robots/catalogue.hpp"
 #include "base/camera_config.hpp"
+#include "robots/catalogue.hpp"
 #include "sim/camera/config.hpp"
 #include "sim/config.hpp"
 #include "tasks/calibrate_cell/calibrate_cell.hpp"

@@ -44,7 +44,10 @@ mp::TaskFigures picture_figures(const Findings& f, const Config& config) {
       seen += static_cast<double>(c.seen);
     }
   }
-  return {{{.key = "camera_base_err_mm", .words = "base of arm2 by pictures, off the truth", .unit = "mm", .high = 0.5},
+  return {{{.key = "camera_base_err_mm",
+            .words = "base of arm2 by pictures, off the truth",
+            .unit = "mm",
+            .high = 0.5},
            base.mm},
           {{.key = "camera_base_err_deg", .words = "  its direction", .unit = "deg", .high = 0.05}, base.deg},
           {{"camera_place_err_mm", "camera in the hand, off the truth", "mm"}, hand.mm},
@@ -62,12 +65,8 @@ mp::TaskFigures difference_figures(const Findings& f) {
             .unit = "mm",
             .high = kWaysAgree.mm},
            d.mm},
-          {{.key = "way_difference_deg", .words = "  its direction", .unit = "deg", .high = kWaysAgree.deg}, d.deg}};
-}
-
-std::string mount_of(const CameraSetup& camera) {
-  if (camera.mount == CameraMount::world) return "world";
-  return camera.mount == CameraMount::base ? camera.robot + ".base" : camera.robot;
+          {{.key = "way_difference_deg", .words = "  its direction", .unit = "deg", .high = kWaysAgree.deg},
+           d.deg}};
 }
 
 }  // namespace
@@ -93,8 +92,9 @@ Findings find_all(const std::vector<mp::ArmTrace>& traces, const std::vector<Cam
   if (!ways.board || records.empty()) return f;
   const SetNumbers sets = f.touched ? f.touched->fits[f.touched->chosen].sets : believed_sets(config);
   try {
-    f.pictured = find_by_board(read_sight(config), stills_of(measured_with(traces, sets, config), views_of(config)),
-                               records, f.by_touch(), believed_bases(config));
+    f.pictured =
+        find_by_board(read_sight(config), stills_of(measured_with(traces, sets, config), views_of(config)),
+                      records, f.by_touch(), believed_bases(config));
   } catch (const FaultError& e) {
     f.unseen = e;
   }
@@ -118,25 +118,30 @@ std::string describe_ways(const Findings& f) {
   const auto d = f.difference();
   if (!d) return fmt::format("the bases were found by {} alone\n", f.by_touch() ? "touching" : "pictures");
   std::string text = fmt::format(
-      "the bases are those found by touching; by pictures arm2 stands {:.2f} mm and {:.3f} degrees from there\n",
+      "the bases are those found by touching; by pictures arm2 stands {:.2f} mm and {:.3f} degrees from "
+      "there\n",
       d->mm, d->deg);
   if (d->mm <= kWaysAgree.mm && d->deg <= kWaysAgree.deg) return text;
-  return text + fmt::format("BOTH WAYS DISAGREE, by more than {} mm or {} degrees: look for what is believed wrong of the "
-                            "tips (task.tip_radius, robots.ARM.tool.pose) or of the arms' lengths\n",
-                            kWaysAgree.mm, kWaysAgree.deg);
+  return text +
+         fmt::format(
+             "BOTH WAYS DISAGREE, by more than {} mm or {} degrees: look for what is believed wrong of the "
+             "tips (task.tip_radius, robots.ARM.tool.pose) or of the arms' lengths\n",
+             kWaysAgree.mm, kWaysAgree.deg);
 }
 
 CellResult result_of(const Findings& f, const std::vector<mp::ArmTrace>& traces, const Config& config) {
   if (f.touched && !f.by_touch())
     throw FaultError(kTouchesDoNotFit, "the balls leave open how the bases stand");
   if (f.unseen) throw *f.unseen;
-  CellResult r{.bases = believed_bases(config), .tools = {tool_of(traces[0]), tool_of(traces[1])}, .sets = {},
-               .cameras = {}, .ways = describe_ways(f)};
+  CellResult r{.bases = believed_bases(config),
+               .tools = {tool_of(traces[0]), tool_of(traces[1])},
+               .sets = {},
+               .cameras = {},
+               .ways = describe_ways(f)};
   if (f.T_12()) r.bases = corrected(r.bases, *f.T_12());
   if (f.touched && f.touched->told_apart) r.sets = f.touched->fits[f.touched->chosen].names;
   if (f.pictured)
-    for (const CameraFound& c : f.pictured->cameras)
-      r.cameras.push_back({c.camera.key, mount_of(c.camera), c.place});
+    for (const CameraFound& c : f.pictured->cameras) r.cameras.push_back({c.camera.key, c.place});
   return r;
 }
 

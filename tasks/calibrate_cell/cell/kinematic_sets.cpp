@@ -87,7 +87,7 @@ class Measuring {
   std::unique_ptr<edp::Robot> robot_;
   Pose T_WE_;
   AxisVector synchro_;  // empty: SYNCHRO finds switches
-  AxisVector near_;  // before the balls
+  AxisVector near_;     // before the balls
   ViewPlan views_;
 };
 

@@ -113,10 +113,8 @@ std::vector<std::vector<double>> before_hand(const Cell& c, std::size_t moving, 
   const CameraSetup& camera = *c.sight.in_hand;
   const Pose T_UC = c.T_UE[kCameraArm] * camera.place, T_UG = c.T_UE[kBoardArm] * c.sight.T_EG;
   const Pose usual = T_UC.inverse() * T_UG;
-  const ViewRange range{.nearest = 0.8 * usual.p.norm(),
-                        .farthest = 1.25 * usual.p.norm(),
-                        .roll = 0.6,
-                        .upright = usual.R};
+  const ViewRange range{
+      .nearest = 0.8 * usual.p.norm(), .farthest = 1.25 * usual.p.norm(), .roll = 0.6, .upright = usual.R};
   std::vector<AxisVector> found;
   for (int n = 0; n < kMostTried && found.size() < wanted; ++n) {
     const Pose T_CG = board_before(camera.model, range, n);
@@ -147,7 +145,8 @@ struct Room {
 };
 
 /// @return the joints with one of them changed; nothing: that is beyond its limits
-std::optional<AxisVector> with_joint(const BelievedArm& a, const AxisVector& q, Eigen::Index axis, double by) {
+std::optional<AxisVector> with_joint(const BelievedArm& a, const AxisVector& q, Eigen::Index axis,
+                                     double by) {
   const AxisVector to = q + by * AxisVector::Unit(q.size(), axis);
   const edp::AxisPositions from{q, a.robot->motors_from_joints(q)};
   if (edp::check_range(*a.robot, from, {to, a.robot->motors_from_joints(to)}, 0)) return {};
@@ -221,7 +220,8 @@ BelievedSight read_sight(const Config& config) {
       continue;
     }
     if (camera.robot != kKeys[kCameraArm] || s.in_hand)
-      refuse(fmt::format("cameras.{}.mount: one camera can be in a hand, that of {}", key, kKeys[kCameraArm]));
+      refuse(
+          fmt::format("cameras.{}.mount: one camera can be in a hand, that of {}", key, kKeys[kCameraArm]));
     s.in_hand = camera;
   }
   s.board = read_board(config);
@@ -264,8 +264,8 @@ ViewPlan plan_views(const Config& config, std::size_t arm, std::size_t views) {
   const Room room = make_room(c);
   const auto enough = [&](std::vector<std::vector<double>> poses, const std::string& camera) {
     if (poses.size() < kLeastViews)
-      refuse(fmt::format("{} reaches only {} poses in which camera {} sees the board; {} are needed", kKeys.at(arm),
-                         poses.size(), camera, kLeastViews),
+      refuse(fmt::format("{} reaches only {} poses in which camera {} sees the board; {} are needed",
+                         kKeys.at(arm), poses.size(), camera, kLeastViews),
              "move the board (object.pose), or leave the camera out of cameras.order");
     return poses;
   };
@@ -277,8 +277,9 @@ ViewPlan plan_views(const Config& config, std::size_t arm, std::size_t views) {
             {Turn::make_room, numbers(room.aside), {}}};
   std::vector<std::vector<double>> of_fixed;
   for (const CameraSetup& camera : c.sight.fixed)
-    std::ranges::move(enough(ordered(before_fixed(c, camera, room.aside, views), c.stand[kBoardArm]), camera.key),
-                      std::back_inserter(of_fixed));
+    std::ranges::move(
+        enough(ordered(before_fixed(c, camera, room.aside, views), c.stand[kBoardArm]), camera.key),
+        std::back_inserter(of_fixed));
   return {{Turn::show, stand, of_hand}, {Turn::present, stand, of_fixed}, {Turn::leave, stand, {}}};
 }
 

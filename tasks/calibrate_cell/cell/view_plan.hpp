@@ -26,9 +26,9 @@ struct BelievedSight {
 
 /// Where the board may be before a camera.
 struct ViewRange {
-  double nearest{}, farthest{};  ///< distance of its middle [m]
-  double tilt{0.5};              ///< largest angle between its normal and the line of sight [rad]
-  double roll{};                 ///< largest turn about its normal, from `upright` [rad]
+  double nearest{}, farthest{};          ///< distance of its middle [m]
+  double tilt{0.5};                      ///< largest angle between its normal and the line of sight [rad]
+  double roll{};                         ///< largest turn about its normal, from `upright` [rad]
   Matrix3 upright{Matrix3::Identity()};  ///< C_G R of a board that faces the camera
 };
 /// @param n  number of the pose, from 0 @return C_G T of a series that fills the range evenly, the same on every machine

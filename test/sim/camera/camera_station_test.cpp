@@ -202,7 +202,7 @@ TEST(CameraStation, ACameraOnDemandGivesPicturesOnlyWhileItIsAsked) {
   station.ask(1, kTakePictures);
   station.run(40);
   station.ask(2, 0);
-  station.run(40);
+  station.run(30);
   std::vector<std::int64_t> given;
   for (const Seen& s : station.seen())
     if (s.hash != kNone) given.push_back(s.step);

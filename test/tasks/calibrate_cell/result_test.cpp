@@ -89,7 +89,7 @@ TEST(CalibrateCellResult, IsTakenByEveryTask) {
       as_toml({.bases = bases,
                .tools = {ecp::ForceTool{10.8, {0.004, 0, 0.156}}, ecp::ForceTool{11, Vector3::Zero()}},
                .sets = {"calibrated", "nominal"},
-               .cameras = {{"eih", "arm1", T_EC}},
+               .cameras = {{"eih", T_EC}},
                .ways = "both ways\nagree\n"},
               "runs/a");
   Config one_arm = Config::parse("seed = 1\n", "task");
@@ -106,8 +106,12 @@ TEST(CalibrateCellResult, IsTakenByEveryTask) {
   }
   EXPECT_EQ(planner.number("robots.arm1.tool.weight", Config::kRequired), 10.8);
   EXPECT_EQ(planner.text("robots.arm1.kinematics", ""), "calibrated");
-  const CameraSetup camera = read_camera(planner, "eih");
-  EXPECT_EQ(camera.robot, "arm1");
+  Config with_camera =
+      Config::parse("[cameras.eih]\nmount = 'arm1'\npose = [0.08, 0, -0.16, 0, 0, 0]\n", "task");
+  with_camera.overlay(Config::parse(text, "calibrated.toml"));
+  const CameraSetup camera = read_camera(with_camera, "eih");
+  EXPECT_LT(distance(read_camera_place(with_camera, "eih"), {Matrix3::Identity(), {0.08, 0, -0.16}}).mm, 1e-6)
+      << "where it truly is stays as it is";
   EXPECT_LT(distance(camera.place, T_EC).mm, 1e-3);
   EXPECT_LT(distance(camera.place, T_EC).deg, 1e-4);
 }

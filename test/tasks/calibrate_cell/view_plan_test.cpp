@@ -94,8 +94,8 @@ class ByBoardTest : public testing::Test {
     for (const auto& q : poses) {
       Still s{.turn = turn, .from = time_, .to = time_ + 0.2, .T_0E = {}};
       for (std::size_t arm = 0; arm < kArms; ++arm)
-        s.T_0E[arm] = arms_[arm].T_UB.inverse() *
-                      arms_[arm].at(vector(arm == moving ? q : plans_[arm][0].from));
+        s.T_0E[arm] =
+            arms_[arm].T_UB.inverse() * arms_[arm].at(vector(arm == moving ? q : plans_[arm][0].from));
       const Pose T_UG = T_UB_[kBoardArm] * s.T_0E[kBoardArm] * T_EG_;
       see(records_[0], T_UB_[kCameraArm] * s.T_0E[kCameraArm] * T_EC_, T_UG);
       see(records_[1], T_UB_[0] * T_1C_, T_UG);
