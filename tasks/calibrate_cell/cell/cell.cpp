@@ -30,6 +30,10 @@ Bases read_bases(const Config& config) {
   return bases;
 }
 
+std::vector<sim::SimulatedCamera> read_cameras(const Config& config) {
+  return sim::read_camera_world(config, {kKeys.begin(), kKeys.end()}, {}).cameras;
+}
+
 ArtefactDescription artefact_of(const Config& config) {
   const auto artefact = read_artefact(config);
   if (!artefact) throw FaultError(FaultCode::bad_configuration, "artefact.balls: there is nothing to touch");
@@ -67,6 +71,13 @@ Bases true_bases(const Config& config) {
   return {world.arms.at(0).T_UB, world.arms.at(1).T_UB};
 }
 
+Pose true_camera(const Config& config, const std::string& key) {
+  const auto cameras = read_cameras(config);
+  const auto camera =
+      std::ranges::find(cameras, key, [](const sim::SimulatedCamera& c) { return c.setup.key; });
+  return camera->setup.place * camera->error;
+}
+
 std::array<ViewPlan, kArms> views_of(const Config& config) {
   return {read_views(config, kKeys[0]), read_views(config, kKeys[1])};
 }
@@ -93,12 +104,25 @@ std::vector<double> one_list(const std::vector<std::vector<double>>& poses) {
   return all;
 }
 
-/// What arms do for the pictures, unless it is told; without pictures no camera takes part.
+/// Reads all cameras that are described, so that those which do not take part are no errors; without pictures none does.
+void choose_cameras(Config& config) {
+  const std::vector<std::string> order =
+      read_ways(config).board ? camera_keys(config) : std::vector<std::string>{};
+  std::vector<std::string> all;
+  for (const std::string& key : config.tables("cameras"))
+    if (config.has("cameras." + key + ".pose")) all.push_back(key);
+  const auto set = [&](const std::vector<std::string>& keys) {
+    config.set(keys.empty() ? "cameras.order=[]"
+                            : fmt::format("cameras.order=[\"{}\"]", fmt::join(keys, "\", \"")));
+  };
+  set(all);
+  std::ignore = read_cameras(config);
+  set(order);
+}
+
+/// What arms do for the pictures, unless it is told.
 void complete_views(Config& config) {
-  if (!read_ways(config).board) {
-    std::ignore = sim::read_camera_world(config, {kKeys.begin(), kKeys.end()}, {});
-    config.set("cameras.order=[]");
-  }
+  choose_cameras(config);
   if (camera_keys(config).empty()) return;
   const auto wanted = config.integer<std::size_t>("task.views", 20, {8, 200}, "poses of each turn");
   for (std::size_t arm = 0; arm < kArms; ++arm) {

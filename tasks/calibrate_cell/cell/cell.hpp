@@ -18,6 +18,9 @@ using SetNumbers = std::array<int, kArms>;
 /// @return where they are: the simulator's sim.robots.ARM.place and .base_error, for figures only @throws ConfigError
 [[nodiscard]] Bases true_bases(const Config& config);
 
+/// @return where a camera of cameras.order is, in the frame of its mount, for figures only @throws ConfigError
+[[nodiscard]] Pose true_camera(const Config& config, const std::string& key);
+
 /// @return the sets of the simulator's arms, for figures only @throws ConfigError
 [[nodiscard]] SetNumbers true_sets(const Config& config);
 

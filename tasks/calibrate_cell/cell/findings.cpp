@@ -5,27 +5,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/camera/config.hpp"
 #include "tasks/calibrate_cell/calibrate_cell.hpp"
 #include "tasks/calibrate_cell/vocabulary.hpp"
 
 namespace mrroc::calibrate_cell {
 namespace {
 
-/// @return where the simulator's camera is, in the frame of its mount
-Pose true_place(const sim::CameraWorld& world, const std::string& key) {
-  const auto camera =
-      std::ranges::find(world.cameras, key, [](const sim::SimulatedCamera& c) { return c.setup.key; });
-  return camera->setup.place * camera->error;
-}
-
 /// Errors of cameras of one kind, the worst of each.
 PoseDistance worst_place(const ByBoard& found, const Config& config, bool in_hand) {
-  const sim::CameraWorld world = sim::read_camera_world(config, {kKeys.begin(), kKeys.end()}, {});
   PoseDistance worst{NAN, NAN};
   for (const CameraFound& c : found.cameras) {
     if ((c.camera.mount == CameraMount::robot) != in_hand) continue;
-    const PoseDistance d = distance(c.place, true_place(world, c.camera.key));
+    const PoseDistance d = distance(c.place, true_camera(config, c.camera.key));
     worst.mm = std::fmax(worst.mm, d.mm);
     worst.deg = std::fmax(worst.deg, d.deg);
   }

@@ -153,6 +153,18 @@ TEST(CalibrateCellSetup, WhatCannotBeReachedOrTouchedIsRefused) {
   EXPECT_THROW(complete(odd), FaultError);
 }
 
+TEST(CalibrateCellSetup, CamerasThatAreLeftOutAreNoErrors) {
+  Config c = cell();
+  c.set("task.ways=touch");
+  complete(c);
+  EXPECT_TRUE(camera_keys(c).empty());
+  Config one = cell();
+  one.set("cameras.order=[\"eih\"]");
+  complete(one);
+  EXPECT_EQ(camera_keys(one), std::vector<std::string>{"eih"});
+  EXPECT_EQ(one.text("cameras.sac.mount", ""), "arm1.base");
+}
+
 TEST(CalibrateCellSetup, TruthIsTheSimulators) {
   Config c = cell();
   c.set("sim.robots.arm2.base_error={ x = 0.003, az = 0.01 }");
