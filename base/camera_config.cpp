@@ -12,6 +12,7 @@ namespace {
 constexpr std::int64_t kReadingKept = 60;  // [steps]
 constexpr std::int64_t kPicturesKept = 8;  // slots of a frame store
 constexpr std::string_view kBase = ".base";
+constexpr Bounds kPoseBounds{-10, 10};  // [m], [rad]
 
 [[noreturn]] void refuse(const std::string& key, const std::string& text) {
   throw ConfigError({"cameras", 0, 0}, key, text);
@@ -55,16 +56,27 @@ std::vector<std::string> camera_keys(const Config& config) {
   return keys;
 }
 
+Pose read_camera_place(const Config& config, const std::string& key) {
+  const auto pose =
+      config.numbers<6>("cameras." + key + ".pose", std::nullopt, kPoseBounds, "m, angle times axis in rad");
+  return pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(pose.data()));
+}
+
 CameraSetup read_camera(const Config& config, const std::string& key) {
   const Config t = config.section("cameras." + key);
   CameraSetup camera;
   camera.key = key;
   read_mount(t, camera);
-  const auto pose = t.numbers<6>("pose", std::nullopt, {-10, 10}, "m, angle times axis in rad");
-  camera.place = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(pose.data()));
+  camera.place = read_camera_place(config, key);
+  const std::string believed = "cell.cameras." + key + ".pose";
+  const auto pose =
+      config.list(believed, std::vector<double>{}, kPoseBounds, "m, rad; empty: as cameras." + key + ".pose");
+  if (pose.size() == 6) camera.place = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(pose.data()));
+  if (!pose.empty() && pose.size() != 6) refuse(believed, "x, y, z and angle times axis, or nothing");
   camera.model = read_model(t);
   camera.period = t.integer<std::int64_t>("period", camera.period, {1, 250}, "steps");
   camera.latency = t.integer<std::int64_t>("latency", camera.latency, {0, 200}, "steps");
+  camera.on_demand = t.flag("on_demand", camera.on_demand);
   if (camera.latency + kReadingKept > kPicturesKept * camera.period)
     refuse("cameras." + key + ".period",
            "so many pictures would be under way that some are written over before they have been looked at: "

@@ -28,11 +28,18 @@ struct CameraSetup {
   std::string key;                        ///< e.g. "sac": channel KEY.frame
   CameraMount mount{CameraMount::world};  ///< `mount`
   std::string robot;                      ///< key of the arm or platform; empty for CameraMount::world
-  Pose place;                             ///< `pose`: T_UC, 0_C T, E_C T or T_BC
+  Pose place;                             ///< T_UC, 0_C T, E_C T or T_BC, see read_camera()
   CameraModel model;                      ///< `width`, `height`, `fx`, `fy`, `cx`, `cy`, `distortion`
   std::int64_t period{20};   ///< steps from one picture to the next; picture n is taken at step n * period
   std::int64_t latency{20};  ///< steps until a picture's reading is visible (rule R6 of docs/architecture.md)
+  /// `on_demand`: it gives pictures only while the coordinator asks for them (kCamerasSetting); otherwise there is none
+  bool on_demand{};
 };
+
+/// Channel on which the coordinator tells the cameras on demand what it wants, a SensorSetting in every macrostep.
+inline constexpr const char* kCamerasSetting = "cameras.setting";
+/// SensorSetting::mode of pictures that are taken; 0: none are.
+inline constexpr int kTakePictures = 1;
 
 /// @return `cameras.order`; none unless it is given
 /// @throws ConfigError  a name that is no word of at most 16 letters, digits, - and _
@@ -43,8 +50,12 @@ std::vector<std::string> camera_keys(const Config& config);
 /// @throws ConfigError
 CameraModel read_camera_model(const Config& config, const std::string& key);
 
+/// @param key  of a camera @return cameras.KEY.pose, by which the simulator knows where it truly is @throws ConfigError
+Pose read_camera_place(const Config& config, const std::string& key);
+
 /// @param key  one of camera_keys()
-/// @return [cameras.KEY]; the pose must be given, everything else has a default
+/// @return [cameras.KEY] with the place that is believed: cell.cameras.KEY.pose, which a calibration finds, else cameras.KEY.pose,
+///         which must be given; everything else has a default
 /// @throws ConfigError
 CameraSetup read_camera(const Config& config, const std::string& key);
 

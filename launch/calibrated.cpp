@@ -12,6 +12,10 @@ void take_calibrated(const Config& config) {
     if (const std::string key = "cell.robots." + arm + ".place"; config.has(key))
       std::ignore =
           config.list(key, std::vector<double>{}, {-10, 10}, "m, rad; empty: as robots." + arm + ".place");
+  for (const std::string& camera : config.tables("cell.cameras"))
+    if (const std::string key = "cell.cameras." + camera + ".pose"; config.has(key))
+      std::ignore =
+          config.list(key, std::vector<double>{}, {-10, 10}, "m, rad; empty: as cameras." + camera + ".pose");
   for (const std::string& arm : config.tables("robots")) {
     if (const std::string key = "robots." + arm + ".kinematics"; config.has(key))
       std::ignore = config.text(key, "");

@@ -5,18 +5,20 @@
 #include <algorithm>
 
 #include "base/agent_images.hpp"
+#include "base/linked_port.hpp"
 
 namespace mrroc::mp {
 
 /// c_c0: what the arms are told of one another, constant during a run; and whether a trigger is for the present behaviour.
 struct SoloRun::DormantMemory {
   Coordinate* coordinate{};
+  Ask* ask{};
   int m{};                 // behaviour of the first arm
   std::int64_t trigger{};  // triggers before it began
 };
 
 /// The coordinator: starts and pauses its arms, and waits until they are done.
-struct SoloRun::Dormant : CoordinatorAgent<DormantMemory, std::dynamic_extent> {
+struct SoloRun::Dormant : CoordinatorAgent<DormantMemory, std::dynamic_extent, None, SensorSetting> {
   static Memory retain(const X& x) { return x.c; }
   static Memory note_trigger(const X& x) {
     Memory c = x.c;
@@ -26,6 +28,8 @@ struct SoloRun::Dormant : CoordinatorAgent<DormantMemory, std::dynamic_extent> {
     return c;
   }
   static None nothing(const X&) { return {}; }
+  static SensorSetting no_question(const X&) { return {}; }
+  static SensorSetting question(const X& x) { return x.c.ask ? x.c.ask(x.T.agent) : SensorSetting{}; }
   static std::vector<Order> orders(const X& x, SoloOrder m, bool finished) {
     return std::vector<Order>(x.T.agent.size(), {.m = static_cast<int>(m), .finished = finished});
   }
@@ -48,10 +52,10 @@ struct SoloRun::Dormant : CoordinatorAgent<DormantMemory, std::dynamic_extent> {
 };
 
 constexpr Motion<SoloRun::Dormant> SoloRun::Dormant::wait_for_start() {
-  return {0, "wait for start", retain, retain, nothing, nothing, wait, may_start, "start, arms ready"};
+  return {0, "wait for start", retain, retain, nothing, no_question, wait, may_start, "start, arms ready"};
 }
 constexpr Motion<SoloRun::Dormant> SoloRun::Dormant::wait_for_end() {
-  return {1, "the arms work", retain, note_trigger, nothing, nothing, work, all_done, "all arms are done"};
+  return {1, "the arms work", retain, note_trigger, nothing, question, work, all_done, "all arms are done"};
 }
 
 SoloRun::SoloRun(TaskRun& run, const SoloParameters& parameters)
@@ -60,19 +64,33 @@ SoloRun::SoloRun(TaskRun& run, const SoloParameters& parameters)
       operator_(parameters.make_operator ? parameters.make_operator(run, parameters.gives_start)
                                          : std::make_unique<AutoStartOperator>(
                                                run.process(), run.command_server(), parameters.gives_start)),
-      links_(run.process(), parameters.arms, *operator_),
+      setting_out_(parameters.ask ? std::optional<link::OutgoingLink<SensorSetting>>(
+                                        std::in_place, run.process(), parameters.sensor)
+                                  : std::nullopt),
+      links_(run.process(), parameters.arms, *operator_, TaskClock::ramped(), others()),
       recorder_(parameters.arms.size(), TraceNumbers::agents, parameters.dt, parameters.n_s),
       traces_(parameters.arms.size()),
       m_(parameters.arms.size()) {}
+
+link::OtherLinks SoloRun::others() {
+  link::OtherLinks all = k_.others;
+  if (setting_out_) all.outgoing.push_back(&*setting_out_);
+  return all;
+}
 
 Outcome SoloRun::execute() {
   using X = Dormant::X;
   const auto observe_x = [this](const Motion<Dormant>& motion, const X& x) {
     observe(x.T.agent, motion.m == 1);
   };
-  CoordinatorPort<Dormant, decltype(observe_x)> port(links_, observe_x);
+  CoordinatorPort<Dormant, decltype(observe_x)> links(links_, observe_x);
+  const auto give = [this](const Dormant::Y& y) {
+    if (setting_out_) setting_out_->set(y.V);
+  };
+  LinkedPort port(links, give, [](X&) {});
   X x;
   x.c.coordinate = k_.coordinate;
+  x.c.ask = k_.ask;
   x.T.agent.resize(k_.arms.size());
   if (const Outcome o = links_.begin({}); o != Outcome::terminated) return o;
   port.read(x);

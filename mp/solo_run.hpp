@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/msg/convert.hpp"
 #include "mp/arm_trace.hpp"
 #include "mp/auto_start_operator.hpp"
 #include "mp/coordinator_links.hpp"
@@ -21,6 +22,9 @@ namespace mrroc::mp {
 /// @param agents  x_cT_0j, one per arm
 /// @param orders  y_cT_0j, one per arm: go_on and variant are the coordinator's to set
 using Coordinate = void(std::span<const Report> agents, std::span<Order> orders);
+
+/// f_cV of such a coordinator: what it asks of a sensor of its own, a pure function of what the arms have reported.
+using Ask = SensorSetting(std::span<const Report> agents);
 
 /// A behaviour of the arms, in words for the operator.
 struct BehaviourWords {
@@ -39,6 +43,9 @@ struct SoloParameters {
   int n_s{10};                    ///< steps of a macrostep
   bool gives_start{true};         ///< false: a person or a script gives it
   Coordinate* coordinate{};       ///< null: the coordinator is dormant
+  Ask* ask{};                     ///< null: the coordinator asks nothing of any sensor
+  std::string sensor{};           ///< channel on which it asks, when it does
+  link::OtherLinks others{};      ///< beside those to the arms, the operator and that sensor
   std::function<void()> watch{};  ///< called in every macrostep; may be empty
   /// Makes the operator, who gives start and triggers unless gives_start is false. Empty: an AutoStartOperator.
   std::function<std::unique_ptr<OperatorAgent>(TaskRun&, bool gives_start)> make_operator{};
@@ -60,12 +67,15 @@ class SoloRun final : public CoordinatorRun {
   struct Dormant;
   void observe(std::span<const Report> reports, bool working);
   void show(bool working);
+  /// @return links beside those to the arms and the operator
+  link::OtherLinks others();
   [[nodiscard]] bool waits_for_trigger(int m) const;
   [[nodiscard]] double progress(bool working);
 
   TaskRun& run_;
   SoloParameters k_;
   std::unique_ptr<OperatorAgent> operator_;
+  std::optional<link::OutgoingLink<SensorSetting>> setting_out_;  // none: it asks nothing
   CoordinatorLinks links_;
   TraceRecorder recorder_;
   std::vector<ArmTrace> traces_;

@@ -55,9 +55,21 @@ CameraStation::CameraStation(link::Process& process, const std::vector<PlacedCam
     };
     const auto shown = std::ranges::find_if(cameras, is_shown);
     eye.shown = shown == cameras.end() ? eyes_.size() : static_cast<std::size_t>(shown - cameras.begin());
-    eyes_.push_back(std::move(eye));
     if (std::ranges::find(views_, each.view) == views_.end()) views_.push_back(each.view);
+    if (eye.k.setup.on_demand && !setting_in_)
+      setting_in_ = std::make_unique<link::IncomingLink<SensorSetting>>(process, kCamerasSetting);
+    eyes_.push_back(std::move(eye));
   }
+}
+
+link::Sources CameraStation::sources() const {
+  return setting_in_ ? link::Sources{&setting_in_->inbox()} : link::Sources{};
+}
+
+void CameraStation::obey(std::int64_t i) {
+  if (!setting_in_) return;
+  setting_in_->receive(i);
+  wanted_ = setting_in_->image().value.mode == kTakePictures;
 }
 
 void CameraStation::begin() {
@@ -115,7 +127,8 @@ void CameraStation::look(Eye& eye, std::int64_t step) {
   CameraJob& job = eye.next;
   job.frame = frame;
   job.step = frame * period;
-  job.fault = fault_at(eye.k.faults, static_cast<double>(job.step) * kStep);
+  const bool wanted = wanted_ || !eye.k.setup.on_demand;
+  job.fault = wanted ? fault_at(eye.k.faults, static_cast<double>(job.step) * kStep) : CameraFault::silent;
   for (int instant = 0; instant < eye.k.instants; ++instant)
     if (job.step + offset(eye.k, instant) == step)
       job.exposure.push_back({scene(shown, step), place(shown.k, *shown.view)});

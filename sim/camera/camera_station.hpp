@@ -12,6 +12,8 @@
 
 #include "base/link/frame_store.hpp"
 #include "base/link/process.hpp"
+#include "base/link/transmission_link.hpp"
+#include "base/msg/convert.hpp"
 #include "mrroc/camera_frame_t.hpp"
 #include "sim/camera/config.hpp"
 #include "sim/camera/view.hpp"
@@ -102,6 +104,12 @@ class CameraStation {
 
   /// Call this when the system has assembled.
   void begin();
+  /// @return where the settings of cameras on demand come from; none: there is no such camera
+  [[nodiscard]] link::Sources sources() const;
+  /// @return whether what the cameras are asked in macrostep i has come
+  [[nodiscard]] bool asked(std::int64_t i) const { return !setting_in_ || setting_in_->here(i); }
+  /// Takes what they are asked in that macrostep. @throws FaultError malformed_message
+  void obey(std::int64_t i);
   /// Hands over pictures that are ready or have to be; before the state of that step is published.
   void deliver(std::int64_t step);
   /// Takes the snapshots that are due; at the same instant as the state of that step.
@@ -132,6 +140,8 @@ class CameraStation {
   link::Process& process_;
   std::vector<View*> views_;  // each once
   std::vector<Eye> eyes_;
+  std::unique_ptr<link::IncomingLink<SensorSetting>> setting_in_;  // null: no camera is on demand
+  bool wanted_{};                                                  // pictures of cameras on demand
 };
 
 }  // namespace mrroc::sim

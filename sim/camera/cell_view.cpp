@@ -15,7 +15,12 @@ constexpr std::int64_t kTruthPeriod = 20;  // steps
 CellView::CellView(link::Process& process, const World& world, const WorldParameters& parameters,
                    const std::vector<std::string>& arms, const camera::Light& light,
                    const ObjectParameters& object)
-    : world_(world), arms_(arms), cell_(parameters), light_(light), object_(object) {
+    : world_(world),
+      arms_(arms),
+      cell_(parameters),
+      light_(light),
+      object_(object),
+      in_hand_(object.in_hand) {
   for (const ArmParameters& arm : parameters.arms) T_UB_.push_back(arm.T_UB);
   if (object.kind == ObjectKind::none) return;
   object_arm_ = index_of(object.arm);
@@ -31,8 +36,14 @@ std::size_t CellView::index_of(const std::string& arm) const {
 camera::Scene CellView::scene(const CameraSetup&, std::int64_t step) const {
   camera::Scene scene = cell_.take(world_);
   scene.light = light_;
-  object_.add_to(scene, T_UB_[object_arm_], object_.at(static_cast<double>(step) * kStep));
+  object_.add_to(scene, T_UB_[object_arm_], object(step));
   return scene;
+}
+
+ObjectState CellView::object(std::int64_t step) const {
+  ObjectState state = object_.at(static_cast<double>(step) * kStep);
+  if (in_hand_) state.T_0G = world_.truth(static_cast<int>(object_arm_)).T_0E * state.T_0G;
+  return state;
 }
 
 Pose CellView::mount(const CameraSetup& camera) const {
@@ -44,7 +55,7 @@ Pose CellView::mount(const CameraSetup& camera) const {
 
 void CellView::tell(std::int64_t step) {
   if (!truth_out_ || step % kTruthPeriod != 0) return;
-  const ObjectState state = object_.at(static_cast<double>(step) * kStep);
+  const ObjectState state = object(step);
   object_truth_t m{};
   m.step = step;
   m.present = state.present;

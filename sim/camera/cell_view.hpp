@@ -27,6 +27,8 @@ class CellView final : public View {
  private:
   /// @return index of the arm @throws std::out_of_range  there is none with this key
   [[nodiscard]] std::size_t index_of(const std::string& arm) const;
+  /// @return the object now, in the base of its arm
+  [[nodiscard]] ObjectState object(std::int64_t step) const;
 
   const World& world_;
   std::vector<Pose> T_UB_;  // of the arms
@@ -34,6 +36,7 @@ class CellView final : public View {
   CellScene cell_;
   camera::Light light_;
   ObjectPath object_;
+  bool in_hand_;
   std::size_t object_arm_{};
   std::unique_ptr<link::Outbox<object_truth_t>> truth_out_;  // null: there is no object
 };

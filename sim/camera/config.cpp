@@ -79,6 +79,7 @@ SimulatedCamera read_simulated(const Config& config, const std::string& key, con
   const Config t = config.section("cameras." + key);
   SimulatedCamera c;
   c.setup = read_camera(config, key);
+  c.setup.place = read_camera_place(config, key);
   c.profile = profile;
   c.profile.channels = t.choice("picture", 3, {{"colour", 3}, {"grey", 1}});
   c.profile.noise = t.number("noise", c.profile.noise, {0, 50}, "grey values");
@@ -137,6 +138,11 @@ ObjectParameters read_object(const Config& config, const std::vector<std::string
   p.arm = t.text("arm", "arm1");
   const auto pose = t.numbers<6>("pose", {{0.9, 0, 0.93, 0, 0, 0}}, {-10, 10}, "m, angle times axis in rad");
   p.T_0G = pose_from_angle_axis(Eigen::Map<const AngleAxisPose>(pose.data()));
+  p.in_hand = t.flag("in_hand", p.in_hand);
+  if (p.in_hand)
+    p.T_0G = displaced(p.T_0G, read_displacement(config.section("sim.object.place_error"),
+                                                 "true place of the object in the hand, in the believed one",
+                                                 "object.pose"));
   const Board board = read_board(config);
   p.board.columns = t.integer("columns", board.columns, {3, 20}, "inner corners");
   p.board.rows = t.integer("rows", board.rows, {3, 20}, "inner corners");
@@ -151,6 +157,8 @@ ObjectParameters read_object(const Config& config, const std::vector<std::string
       truth.number("tag_edge", p.tag_edge, {0.01, 0.5}, {"m", "of the tag's black border", "apriltag.edge"});
   read_motion(t, p);
   if (p.kind != ObjectKind::none) check_arm(p.arm, arms, "object.arm");
+  if (p.in_hand && p.motion != ObjectMotion::rest)
+    refuse("object.motion", "an object in the hand moves with the hand alone");
   return p;
 }
 

@@ -24,7 +24,7 @@ struct CameraFaults {
 
 /// One camera of the simulator.
 struct SimulatedCamera {
-  CameraSetup setup;              ///< size, place, times as the configuration says; the true lens
+  CameraSetup setup;              ///< size, times, cameras.KEY.pose as the configuration says; the true lens
   camera::RenderProfile profile;  ///< how it is drawn
   std::int64_t
       exposure{};  ///< steps over which the light is gathered, half of them before the picture's step, half after

@@ -26,11 +26,12 @@ enum class ObjectMotion : std::uint8_t {
   hand,    ///< somebody moves it about, smoothly and never the same way twice
 };
 
-/// The object G and its motion, in the base 0 of an arm. Frame G as in sim/camera/textures.hpp.
+/// The object G and its motion, in the base 0 of an arm, or in its hand. Frame G as in sim/camera/textures.hpp.
 struct ObjectParameters {
   ObjectKind kind{ObjectKind::none};        ///< what it is
   std::string arm;                          ///< key of the arm in whose base this is
-  Pose T_0G;                                ///< at the beginning [m]
+  bool in_hand{};                           ///< it is fixed to that arm's hand, where it is at rest
+  Pose T_0G;                                ///< at the beginning; E_G T of an object in the hand [m]
   camera::BoardSize board;                  ///< of a chessboard
   int tag{0};                               ///< number of an AprilTag
   double tag_edge{0.1};                     ///< of its black border [m]

@@ -179,6 +179,7 @@ class Shell {
     if (macrostep_ == 0 || finished_in_ != 0)
       return !process_.lock_step() || finished_in_ == 0 || macrostep_ < finished_in_ + kLastMacrosteps;
     if (!process_.lock_step()) {
+      ask_cameras();
       if (led()) hands_->report(macrostep_);
       return true;
     }
@@ -190,12 +191,22 @@ class Shell {
       return true;
     }
     obey(*control_in_->at(macrostep_));
+    ask_cameras();
     if (!led()) return true;
     hands_->report(macrostep_);
     process_.await_from(hands_->sources(), FaultCode::peer_silent,
                         [&] { return hands_->ordered(macrostep_) || stopped(); });
     if (!stopped()) hands_->obey(macrostep_, paused_);
     return true;
+  }
+
+  /// Cameras on demand learn whether pictures are wanted.
+  void ask_cameras() {
+    if (!cameras_ || cameras_->sources().empty()) return;
+    if (process_.lock_step())
+      process_.await_from(cameras_->sources(), FaultCode::peer_silent,
+                          [&] { return cameras_->asked(macrostep_) || stopped(); });
+    if (!stopped()) cameras_->obey(macrostep_);
   }
 
   /// With the wall clock nothing is waited for; but a clean sheet is ordered once: no order may be passed over.

@@ -102,15 +102,13 @@ double misfit(const Calibration& found) {
   return std::sqrt(sum / (more - kOfPose));
 }
 
-mp::TaskFigures figures(const std::vector<mp::ArmTrace>& traces, const std::optional<Calibration>& found,
+mp::TaskFigures figures(const std::vector<mp::ArmTrace>& traces, const std::optional<Pose>& T_12,
                         const Bases& believed, const std::optional<Bases>& real) {
   PoseDistance before{NAN, NAN}, after{NAN, NAN};
   if (real) before = distance(relation(believed), relation(*real));
-  if (real && found) after = distance(found->T_12.T_AB, relation(*real));
+  if (real && T_12) after = distance(*T_12, relation(*real));
   std::vector<double> weights;
   for (const mp::ArmTrace& trace : traces) weights.push_back(trace.empty() ? NAN : tool_of(trace).w);
-  const double ball = found ? 1e3 * worst_rms(*found) : NAN;
-  const double fit = found ? 1e3 * found->T_12.rms : NAN;
   return {{{.key = "base_err_mm",
             .words = "base of arm2 from that of arm1, off the truth",
             .unit = "mm",
@@ -119,9 +117,14 @@ mp::TaskFigures figures(const std::vector<mp::ArmTrace>& traces, const std::opti
           {{.key = "base_err_deg", .words = "  its direction", .unit = "deg", .high = 0.05}, after.deg},
           {{"base_before_mm", "  as it was believed before", "mm"}, before.mm},
           {{"base_before_deg", "  its direction", "deg"}, before.deg},
-          {{"touch_rms_mm", "touches off the sphere of their ball, the worst ball", "mm rms"}, ball},
-          {{"balls_rms_mm", "balls as both arms found them, apart from each other", "mm rms"}, fit},
           {{"tool_weight_N", "weight of the tools", "N"}, weights}};
+}
+
+mp::TaskFigures touch_figures(const std::optional<Calibration>& found) {
+  return {{{"touch_rms_mm", "touches off the sphere of their ball, the worst ball", "mm rms"},
+           found ? 1e3 * worst_rms(*found) : NAN},
+          {{"balls_rms_mm", "balls as both arms found them, apart from each other", "mm rms"},
+           found ? 1e3 * found->T_12.rms : NAN}};
 }
 
 }  // namespace mrroc::calibrate_cell

@@ -41,10 +41,13 @@ struct Calibration {
 /// @return base of the second arm in that of the first one
 [[nodiscard]] inline Pose relation(const Bases& bases) { return bases[0].inverse() * bases[1]; }
 
+/// @param T_12  base of arm2 in that of arm1 as it was found; none: it was not
 /// @param believed,real  bases before the run, and as they are in the simulator; none: nobody knows
-/// @return base_err_mm, base_err_deg and the rest; NaN where nothing was found
+/// @return base_err_mm, base_err_deg and what was before, tool_weight_N; NaN where nothing was found
 [[nodiscard]] mp::TaskFigures figures(const std::vector<mp::ArmTrace>& traces,
-                                      const std::optional<Calibration>& found, const Bases& believed,
+                                      const std::optional<Pose>& T_12, const Bases& believed,
                                       const std::optional<Bases>& real);
+/// @return touch_rms_mm, balls_rms_mm; NaN where nothing was found
+[[nodiscard]] mp::TaskFigures touch_figures(const std::optional<Calibration>& found);
 
 }  // namespace mrroc::calibrate_cell

@@ -15,6 +15,13 @@ namespace {
 const std::vector<std::string> kWrongBase{
     "--set", "sim.robots.arm2.base_error={ x = 0.003, z = 0.004, ax = 0.0087266 }"};
 
+/// Cameras, and the board, elsewhere than they are believed.
+const std::vector<std::string> kWrongCameras{
+    "--set", "sim.cameras.eih.place_error={ x = 0.003, y = -0.002, ax = 0.006, az = 0.004 }", "--set",
+    "sim.cameras.sac.place_error={ x = 0.002, y = 0.002, ax = 0.005, ay = -0.004 }"};
+const std::vector<std::string> kWrongBoard{
+    "--set", "sim.object.place_error={ x = 0.003, y = 0.004, z = -0.002, ax = 0.02, az = 0.02 }"};
+
 struct Calibrated {
   explicit Calibrated(const std::vector<std::string>& arguments)
       : ended(run(folder, "calibrate_cell",
@@ -30,7 +37,7 @@ struct Calibrated {
 
 TEST(CalibrateCell, TellsThatABallIsNotThere) {
   if (kSanitized) GTEST_SKIP() << "too long";
-  const Calibrated c({"--set", "sim.artefact.place_error.z=0.25"});
+  const Calibrated c({"--set", "sim.artefact.place_error.z=0.25", "--set", "task.ways=touch"});
   EXPECT_EQ(c.ended.status, 1) << c.ended.all();
   EXPECT_EQ(c.told.at("fault").at("code"), "nothing_touched");
   EXPECT_FALSE(std::filesystem::exists(c.result())) << "nothing that others might take";
@@ -41,8 +48,11 @@ class CalibratedCell : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     if (kSanitized) return;
-    calibrated() = std::make_unique<Calibrated>(words(
-        {kWrongBase, {"--set", "sim.artefact.place_error={ x = 0.006, y = -0.004, z = 0.005, az = 0.02 }"}}));
+    calibrated() = std::make_unique<Calibrated>(
+        words({kWrongBase,
+               kWrongCameras,
+               kWrongBoard,
+               {"--set", "sim.artefact.place_error={ x = 0.006, y = -0.004, z = 0.005, az = 0.02 }"}}));
   }
   static void TearDownTestSuite() { calibrated().reset(); }
   void SetUp() override {
@@ -64,6 +74,42 @@ TEST_F(CalibratedCell, HasItsBasesWhereTheyAreFound) {
   EXPECT_LE(figure(told, "touch_rms_mm"), 0.2);
   EXPECT_TRUE(std::filesystem::exists(calibrated()->result()));
   EXPECT_TRUE(std::filesystem::exists(calibrated()->folder / "run" / "plots" / "balls.png"));
+}
+
+TEST_F(CalibratedCell, HasTheSameBasesAndTheCamerasByPictures) {
+  const nlohmann::json& told = calibrated()->told;
+  EXPECT_LE(figure(told, "camera_base_err_mm"), 0.5);
+  EXPECT_LE(figure(told, "camera_base_err_deg"), 0.05);
+  EXPECT_LE(figure(told, "way_difference_mm"), 0.5);
+  EXPECT_LE(figure(told, "camera_place_err_mm"), 0.5);
+  EXPECT_LE(figure(told, "fixed_camera_err_mm"), 2);
+  EXPECT_EQ(figure(told, "pictures_unseen"), 0);
+  EXPECT_EQ(calibrated()->ended.all().find("DISAGREE"), std::string::npos);
+}
+
+TEST_F(CalibratedCell, BringsTheToolBeforeAnObjectThatItsCamerasMissedBefore) {
+  const Folder folder;
+  const auto missed = [&](const std::string& name, const std::vector<std::string>& told) {
+    const std::string to = (folder / name).string();
+    const Ended servo =
+        run(folder, "visual_servo", words({{"--processes", "one", "--run-dir", to}, kWrongCameras, told}));
+    EXPECT_EQ(servo.status, 0) << servo.all();
+    return figure(summary(to), "true_err_mm");
+  };
+  EXPECT_GT(missed("before", {}), 2);
+  EXPECT_LT(missed("after", {"--config", calibrated()->result()}), 0.7);
+}
+
+TEST(CalibrateCell, SaysThatBothWaysDisagreeWhenATipIsNotAsBelieved) {
+  if (kSanitized) GTEST_SKIP() << "too long";
+  const Calibrated c({"--set", "sim.pen_radius=0.011", "--set", "cameras.order=[\"eih\"]", "--set",
+                      "task.views=8", "--set",
+                      "artefact.balls=[-0.15, -0.02, -0.06, 0.15, 0.02, -0.06, 0.15, -0.02, 0.06]", "--set",
+                      "task.readings=5"});
+  ASSERT_EQ(c.ended.status, 0) << c.ended.all();
+  EXPECT_GT(figure(c.told, "way_difference_mm"), 1.5);
+  EXPECT_LE(figure(c.told, "camera_base_err_mm"), 0.5) << "pictures know nothing of the tip";
+  EXPECT_NE(c.ended.all().find("BOTH WAYS DISAGREE"), std::string::npos);
 }
 
 TEST_F(CalibratedCell, LeavesAFileThatATaskWithOneArmTakes) {

@@ -39,7 +39,7 @@ const std::vector<ShortRun> kRuns{
     {"ball", {"--set", "task.turn=400"}, "", {"mp", "ecp-arm1", "ecp-arm2"}},
     {"calibrate_cell",
      {"--set", "artefact.balls=[-0.15, -0.02, -0.06, 0.15, 0.02, -0.06, 0.15, -0.02, 0.06]", "--set",
-      "task.readings=5"},
+      "task.readings=5", "--set", "task.views=8", "--set", "cameras.order=['eih']"},
      "",
      {"mp", "ecp-arm1", "ecp-arm2"},
      true},

@@ -5,14 +5,16 @@
 
 #include <algorithm>
 #include <limits>
-#include <memory>
 #include <tuple>
 
 #include "base/artefact.hpp"
-#include "edp/guard.hpp"
+#include "base/camera_config.hpp"
 #include "robots/catalogue.hpp"
+#include "sim/camera/config.hpp"
 #include "sim/config.hpp"
 #include "tasks/calibrate_cell/calibrate_cell.hpp"
+#include "tasks/calibrate_cell/cell/believed_arm.hpp"
+#include "tasks/calibrate_cell/cell/view_plan.hpp"
 
 namespace mrroc::calibrate_cell {
 namespace {
@@ -28,26 +30,8 @@ Bases read_bases(const Config& config) {
   return bases;
 }
 
-/// An arm as everybody believes it.
-struct BelievedArm {
-  const robots::RobotType* type;
-  std::unique_ptr<edp::Robot> robot;
-  Pose T_U0;
-  Matrix3 R_UE;  ///< with which it touches: x up, z level to the other arm
-};
-
-BelievedArm read_arm(const Config& config, std::size_t arm) {
-  BelievedArm a;
-  a.type = &robots::read_type(config, kKeys[arm], robots::catalogue(), kModels[arm]);
-  a.robot = robots::read_robot(config, kKeys[arm], *a.type);
-  const Bases bases = believed_bases(config);
-  a.T_U0 = bases[arm];
-  Vector3 line = bases[1 - arm].p - bases[arm].p;
-  line.z() = 0;
-  a.R_UE.col(0) = Vector3::UnitZ();
-  a.R_UE.col(2) = line.normalized();
-  a.R_UE.col(1) = a.R_UE.col(2).cross(a.R_UE.col(0));
-  return a;
+std::vector<sim::SimulatedCamera> read_cameras(const Config& config) {
+  return sim::read_camera_world(config, {kKeys.begin(), kKeys.end()}, {}).cameras;
 }
 
 ArtefactDescription artefact_of(const Config& config) {
@@ -56,28 +40,14 @@ ArtefactDescription artefact_of(const Config& config) {
   return *artefact;
 }
 
-AxisVector usual_joints(const BelievedArm& a) {
-  return Eigen::Map<const Eigen::VectorXd>(a.type->start.data(),
-                                           static_cast<Eigen::Index>(a.type->start.size()));
-}
-
 /// @return joints with the front of the tip there
 AxisVector joints_at(const BelievedArm& a, std::size_t arm, const Vector3& p_U) {
-  const Vector3& p = p_U;
-  const auto refuse = [&](const std::string& why) {
-    throw FaultError(FaultCode::bad_configuration,
-                     fmt::format("{} is to put its tip at ({:.3f}, {:.3f}, {:.3f}) m: {}", kKeys[arm], p.x(),
-                                 p.y(), p.z(), why),
-                     "move artefact.place or artefact.balls");
-  };
-  const AxisVector usual = usual_joints(a);
-  const Pose T_0W = a.T_U0.inverse() * Pose{a.R_UE, p_U} * a.type->driver.T_WE.inverse();
-  const edp::InverseSolution s = a.robot->inverse(T_0W, usual);
-  if (!s.reached) refuse("it does not reach that");
-  const edp::AxisPositions to{s.joints, a.robot->motors_from_joints(s.joints)};
-  const edp::AxisPositions from{usual, a.robot->motors_from_joints(usual)};
-  if (const auto fault = edp::check_range(*a.robot, from, to, 0)) refuse(describe(*fault));
-  return s.joints;
+  const Reach r = reach(a, {a.R_UE, p_U}, a.usual_joints());
+  if (r.why.empty()) return r.joints;
+  throw FaultError(FaultCode::bad_configuration,
+                   fmt::format("{} is to put its tip at ({:.3f}, {:.3f}, {:.3f}) m: {}", kKeys[arm], p_U.x(),
+                               p_U.y(), p_U.z(), r.why),
+                   "move artefact.place or artefact.balls");
 }
 
 /// Before all balls, in the middle of them.
@@ -101,6 +71,17 @@ Bases true_bases(const Config& config) {
   return {world.arms.at(0).T_UB, world.arms.at(1).T_UB};
 }
 
+Pose true_camera(const Config& config, const std::string& key) {
+  const auto cameras = read_cameras(config);
+  const auto camera =
+      std::ranges::find(cameras, key, [](const sim::SimulatedCamera& c) { return c.setup.key; });
+  return camera->setup.place * camera->error;
+}
+
+std::array<ViewPlan, kArms> views_of(const Config& config) {
+  return {read_views(config, kKeys[0]), read_views(config, kKeys[1])};
+}
+
 SetNumbers true_sets(const Config& config) {
   const sim::WorldParameters world = sim::read_world(config);
   SetNumbers sets{};
@@ -111,21 +92,72 @@ SetNumbers true_sets(const Config& config) {
   return sets;
 }
 
+namespace {
+
+void set_joints(Config& config, const std::string& key, const std::vector<double>& joints) {
+  config.set(fmt::format("{}=[{:.6f}]", key, fmt::join(joints, ", ")));
+}
+
+std::vector<double> one_list(const std::vector<std::vector<double>>& poses) {
+  std::vector<double> all;
+  for (const auto& q : poses) all.insert(all.end(), q.begin(), q.end());
+  return all;
+}
+
+/// Reads all cameras that are described, so that those which do not take part are no errors; without pictures none does.
+void choose_cameras(Config& config) {
+  const std::vector<std::string> order =
+      read_ways(config).board ? camera_keys(config) : std::vector<std::string>{};
+  std::vector<std::string> all;
+  for (const std::string& key : config.tables("cameras"))
+    if (config.has("cameras." + key + ".pose")) all.push_back(key);
+  const auto set = [&](const std::vector<std::string>& keys) {
+    config.set(keys.empty() ? "cameras.order=[]"
+                            : fmt::format("cameras.order=[\"{}\"]", fmt::join(keys, "\", \"")));
+  };
+  set(all);
+  std::ignore = read_cameras(config);
+  set(order);
+}
+
+/// What arms do for the pictures, unless it is told.
+void complete_views(Config& config) {
+  choose_cameras(config);
+  if (camera_keys(config).empty()) return;
+  const auto wanted = config.integer<std::size_t>("task.views", 20, {8, 200}, "poses of each turn");
+  for (std::size_t arm = 0; arm < kArms; ++arm) {
+    const std::string key = fmt::format("task.{}.", kKeys[arm]);
+    if (config.has(key + "stand")) continue;
+    const ViewPlan plan = plan_views(config, arm, wanted);
+    set_joints(config, key + "stand", plan[0].from);
+    set_joints(config, key + "views", one_list(plan[0].joints));
+    if (arm == kBoardArm) {
+      set_joints(config, key + "present", one_list(plan[1].joints));
+    } else {
+      set_joints(config, key + "risen", plan[1].from);
+      set_joints(config, key + "aside", plan[2].from);
+    }
+  }
+}
+
+}  // namespace
+
 void complete(Config& config) {
   const ArtefactDescription artefact = artefact_of(config);
   for (std::size_t arm = 0; arm < kArms; ++arm) {
     const BelievedArm a = read_arm(config, arm);
     std::vector<double> balls;
     for (const Vector3& ball : artefact.balls) {
-      const Vector3 p = a.T_U0.inverse() * (artefact.T_UA * ball);
+      const Vector3 p = a.T_UB.inverse() * (artefact.T_UA * ball);
       balls.insert(balls.end(), p.data(), p.data() + 3);
     }
-    config.set(fmt::format("task.{}.balls=[{:.6f}]", kKeys[arm], fmt::join(balls, ", ")));
+    set_joints(config, fmt::format("task.{}.balls", kKeys[arm]), balls);
     const std::string key = fmt::format("robots.{}.start_joints", kKeys[arm]);
     if (config.has(key)) continue;
     const AxisVector q = joints_at(a, arm, ready_place(a, artefact));
-    config.set(fmt::format("{}=[{:.6f}]", key, fmt::join(q.data(), q.data() + q.size(), ", ")));
+    set_joints(config, key, {q.begin(), q.end()});
   }
+  complete_views(config);
 }
 
 void check_reach(const Config& config) {

@@ -28,7 +28,8 @@ class Measuring {
     T_WE_ = setup.driver.T_WE;
     if (setup.driver.synchronisation == edp::Synchronisation::known_pose)
       synchro_ = setup.driver.synchro_joints;
-    near_ = Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Eigen::Index>(start.size()));
+    near_ = joints(start);
+    views_ = read_views(config, key);
   }
 
   [[nodiscard]] int sets() const { return std::max(1, static_cast<int>(type_->parameter_sets.size())); }
@@ -37,19 +38,37 @@ class Measuring {
     return sets() < 2 ? "" : std::string(type_->parameter_sets[static_cast<std::size_t>(set)]);
   }
 
-  /// @return the trace as the driver would have measured it with that set, rows of `measure` alone
+  /// @return the trace as the driver would have measured it with that set, rows of touches and pictures alone
   [[nodiscard]] mp::ArmTrace measured_with(const mp::ArmTrace& trace, int set) const {
     if (set == believed()) return trace;
     const auto other = type_->make(robot_->model() - believed() + set);
     mp::ArmTrace now = trace;
     AxisVector near = near_;
-    for (mp::ArmRow& row : now)
-      if (row.m == kMeasure)
+    std::size_t view = 0;
+    int before = 0;
+    for (mp::ArmRow& row : now) {
+      if (row.m == kWaitToView && !views_.empty()) near = joints(views_.front().from);
+      if (row.m == kLook && before != kLook) near = view_joints(view++).value_or(near);
+      if (row.m == kGetReady) near = near_;
+      before = row.m;
+      if (row.m == kMeasure || row.m == kWaitToView || row.m == kLook || row.m == kKeepStill)
         row.pose = angle_axis_from_pose(with(*other, pose_from_angle_axis(row.pose), near));
+    }
     return now;
   }
 
  private:
+  static AxisVector joints(const std::vector<double>& q) {
+    return Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
+  }
+  /// @return those planned for that picture, which choose the branch and where a track is
+  [[nodiscard]] std::optional<AxisVector> view_joints(std::size_t number) const {
+    for (const Views& views : views_) {
+      if (number < views.joints.size()) return joints(views.joints[number]);
+      number -= views.joints.size();
+    }
+    return {};
+  }
   static const robots::RobotType& arm_type(const Config& config, std::size_t arm) {
     return robots::read_type(config, kKeys.at(arm), robots::catalogue(), kModels.at(arm));
   }
@@ -68,7 +87,8 @@ class Measuring {
   std::unique_ptr<edp::Robot> robot_;
   Pose T_WE_;
   AxisVector synchro_;  // empty: SYNCHRO finds switches
-  AxisVector near_;
+  AxisVector near_;     // before the balls
+  ViewPlan views_;
 };
 
 std::string words(const SetsFit& fit) {
@@ -105,6 +125,18 @@ SetsVerdict fit_sets(const std::vector<mp::ArmTrace>& traces, const Config& conf
                                               verdict.fits.begin());
   }
   return verdict;
+}
+
+SetNumbers believed_sets(const Config& config) {
+  return {Measuring(config, 0).believed(), Measuring(config, 1).believed()};
+}
+
+std::vector<mp::ArmTrace> measured_with(const std::vector<mp::ArmTrace>& traces, const SetNumbers& sets,
+                                        const Config& config) {
+  std::vector<mp::ArmTrace> now;
+  for (std::size_t arm = 0; arm < kArms; ++arm)
+    now.push_back(Measuring(config, arm).measured_with(traces.at(arm), sets.at(arm)));
+  return now;
 }
 
 std::string describe(const SetsVerdict& verdict) {

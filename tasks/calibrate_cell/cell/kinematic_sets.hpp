@@ -33,6 +33,14 @@ struct SetsVerdict {
 /// @throws ConfigError
 [[nodiscard]] SetsVerdict fit_sets(const std::vector<mp::ArmTrace>& traces, const Config& config);
 
+/// @return the sets that drivers believe @throws ConfigError
+[[nodiscard]] SetNumbers believed_sets(const Config& config);
+
+/// @return the traces as drivers would have measured them with these sets: rows of touches, and of pictures, alone
+/// @param traces  of both arms, by their drivers @throws ConfigError
+[[nodiscard]] std::vector<mp::ArmTrace> measured_with(const std::vector<mp::ArmTrace>& traces,
+                                                      const SetNumbers& sets, const Config& config);
+
 /// @return every pair with its misfit, and in words when they cannot be told apart; lines, each ended by a line feed
 [[nodiscard]] std::string describe(const SetsVerdict& verdict);
 

@@ -13,8 +13,7 @@ Pose tool_camera_error(const Config& config) {
   const auto found = std::ranges::find_if(
       world.cameras, [key](const sim::SimulatedCamera& c) { return c.setup.key == key; });
   if (found == world.cameras.end()) return {};
-  const Pose& T_EC = found->setup.place;
-  return T_EC * (T_EC * found->error).inverse();
+  return read_camera(config, found->setup.key).place * (found->setup.place * found->error).inverse();
 }
 
 }  // namespace mrroc::visual_servo

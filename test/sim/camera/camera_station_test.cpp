@@ -4,6 +4,7 @@
 
 #include "base/link/memory_bus.hpp"
 #include "base/link/session.hpp"
+#include "base/msg/pose_rows.hpp"
 #include "sim/camera/cell_view.hpp"
 #include "test/rig/irb6_cell.hpp"
 #include "test/sim/camera/scenes.hpp"
@@ -59,6 +60,14 @@ class Station {
     station_.end();
     receive();
   }
+  /// What the coordinator asks in macrostep i.
+  void ask(std::int64_t i, int mode) {
+    setting_.set({.mode = mode});
+    setting_.send(i);
+    simulator_process_.poll();
+    ASSERT_TRUE(station_.asked(i));
+    station_.obey(i);
+  }
 
   [[nodiscard]] const std::vector<Seen>& seen() const { return seen_; }
   [[nodiscard]] bool ended() const { return ended_; }
@@ -97,6 +106,7 @@ class Station {
   CameraStation station_;
   std::unique_ptr<link::Inbox<camera_frame_t>> frames_;
   std::unique_ptr<link::Inbox<object_truth_t>> truth_;
+  link::OutgoingLink<SensorSetting> setting_{receptor_, kCamerasSetting};
   link::FrameReader store_;
   std::int64_t step_{};
   std::int64_t next_{};
@@ -182,6 +192,36 @@ TEST(CameraStation, LetsTheEyeInHandMoveWithTheHand) {
   camera::Renderer renderer(k.cameras[0].setup.model, k.cameras[0].profile);
   EXPECT_EQ(station.seen().at(0).hash,
             hash_of(renderer.render(scene, T_UB * world.truth(0).T_0E * k.cameras[0].setup.place, 0)));
+}
+
+TEST(CameraStation, ACameraOnDemandGivesPicturesOnlyWhileItIsAsked) {
+  CameraWorld k = one_camera();
+  k.cameras[0].setup.on_demand = true;
+  Station station(k);
+  station.run(30);
+  station.ask(1, kTakePictures);
+  station.run(40);
+  station.ask(2, 0);
+  station.run(30);
+  std::vector<std::int64_t> given;
+  for (const Seen& s : station.seen())
+    if (s.hash != kNone) given.push_back(s.step);
+  EXPECT_EQ(given, (std::vector<std::int64_t>{40, 60}));
+  EXPECT_EQ(station.seen().size(), 5U) << "of the others it is told that there is none";
+}
+
+TEST(CameraStation, AnObjectInTheHandGoesWithTheHand) {
+  CameraWorld k = one_camera();
+  k.object.in_hand = true;
+  k.object.T_0G = {rotation_from_angle_axis({0.1, 0.2, 0.3}), {0.1, 0, 0.05}};
+  Station station(k);
+  station.run(41);
+  station.end();
+  const object_truth_t* const m = station.truth(1);
+  ASSERT_NE(m, nullptr);
+  const Pose T_EG = pose_from_rows(m->T_0E).inverse() * pose_from_rows(m->T_0G);
+  EXPECT_LT((T_EG.p - k.object.T_0G.p).norm(), 1e-9);
+  EXPECT_LT((T_EG.R - k.object.T_0G.R).norm(), 1e-9);
 }
 
 TEST(CameraStation, StandsWhereItReallyIsWhenTheCalibrationErrs) {

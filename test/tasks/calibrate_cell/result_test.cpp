@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/artefact.hpp"
+#include "base/camera_config.hpp"
 #include "launch/calibrated.hpp"
 #include "tasks/calibrate_cell/calibrate_cell.hpp"
 #include "tasks/calibrate_cell/cell/cell.hpp"
@@ -54,7 +55,7 @@ TEST(CalibrateCellResult, TellsWhereTheSecondBaseStandsWhateverWasBelieved) {
   ASSERT_TRUE(found);
   EXPECT_LT(distance(found->T_12.T_AB, relation(real)).mm, kNothing);
   const Bases believed{real[0] * Pose{rotation_from_angle_axis({0, 0, 0.01}), {0.005, 0, 0}}, Pose{}};
-  const Bases now = corrected(believed, *found);
+  const Bases now = corrected(believed, found->T_12.T_AB);
   EXPECT_TRUE(now[0].p == believed[0].p) << "the first one is kept";
   EXPECT_LT(distance(relation(now), relation(real)).mm, kNothing);
 }
@@ -72,18 +73,25 @@ TEST(CalibrateCellResult, FiguresCompareWithTheTruth) {
   const auto plans = plans_for(real);
   const auto found = calibration_of(traces(plans), plans);
   const Bases believed{real[0], real[1] * Pose{rotation_from_angle_axis({0, M_PI / 360, 0}), {0, 0.005, 0}}};
-  const mp::TaskFigures f = figures(traces(plans), found, believed, real);
+  const mp::TaskFigures f = figures(traces(plans), found->T_12.T_AB, believed, real);
   EXPECT_LT(std::get<double>(mp::figure(f, "base_err_mm")), kNothing);
   EXPECT_NEAR(std::get<double>(mp::figure(f, "base_before_mm")), 5, 1e-6);
   EXPECT_NEAR(std::get<double>(mp::figure(f, "base_before_deg")), 0.5, 1e-6);
   EXPECT_TRUE(std::isnan(std::get<double>(mp::figure(figures({{}, {}}, {}, believed, {}), "base_err_mm"))));
+  EXPECT_LT(std::get<double>(mp::figure(touch_figures(found), "balls_rms_mm")), kNothing);
+  EXPECT_TRUE(std::isnan(std::get<double>(mp::figure(touch_figures({}), "balls_rms_mm"))));
 }
 
 TEST(CalibrateCellResult, IsTakenByEveryTask) {
   const Bases bases = some_bases();
+  const Pose T_EC{rotation_from_angle_axis({0.01, 0.02, -0.01}), {0.081, 0.001, -0.159}};
   const std::string text =
-      as_toml(bases, {ecp::ForceTool{10.8, {0.004, 0, 0.156}}, ecp::ForceTool{11, Vector3::Zero()}},
-              {"calibrated", "nominal"}, "runs/a");
+      as_toml({.bases = bases,
+               .tools = {ecp::ForceTool{10.8, {0.004, 0, 0.156}}, ecp::ForceTool{11, Vector3::Zero()}},
+               .sets = {"calibrated", "nominal"},
+               .cameras = {{"eih", T_EC}},
+               .ways = "both ways\nagree\n"},
+              "runs/a");
   Config one_arm = Config::parse("seed = 1\n", "task");
   one_arm.overlay(Config::parse(text, "calibrated.toml"));
   std::ignore = one_arm.integer("seed", 1);
@@ -98,6 +106,14 @@ TEST(CalibrateCellResult, IsTakenByEveryTask) {
   }
   EXPECT_EQ(planner.number("robots.arm1.tool.weight", Config::kRequired), 10.8);
   EXPECT_EQ(planner.text("robots.arm1.kinematics", ""), "calibrated");
+  Config with_camera =
+      Config::parse("[cameras.eih]\nmount = 'arm1'\npose = [0.08, 0, -0.16, 0, 0, 0]\n", "task");
+  with_camera.overlay(Config::parse(text, "calibrated.toml"));
+  const CameraSetup camera = read_camera(with_camera, "eih");
+  EXPECT_LT(distance(read_camera_place(with_camera, "eih"), {Matrix3::Identity(), {0.08, 0, -0.16}}).mm, 1e-6)
+      << "where it truly is stays as it is";
+  EXPECT_LT(distance(camera.place, T_EC).mm, 1e-3);
+  EXPECT_LT(distance(camera.place, T_EC).deg, 1e-4);
 }
 
 TEST(CalibrateCellResult, OtherKeysOfSuchAFileAreErrorsAsEver) {
@@ -135,6 +151,18 @@ TEST(CalibrateCellSetup, WhatCannotBeReachedOrTouchedIsRefused) {
   Config odd = cell();
   odd.set("artefact.balls=[0, 0]");
   EXPECT_THROW(complete(odd), FaultError);
+}
+
+TEST(CalibrateCellSetup, CamerasThatAreLeftOutAreNoErrors) {
+  Config c = cell();
+  c.set("task.ways=touch");
+  complete(c);
+  EXPECT_TRUE(camera_keys(c).empty());
+  Config one = cell();
+  one.set("cameras.order=[\"eih\"]");
+  complete(one);
+  EXPECT_EQ(camera_keys(one), std::vector<std::string>{"eih"});
+  EXPECT_EQ(one.text("cameras.sac.mount", ""), "arm1.base");
 }
 
 TEST(CalibrateCellSetup, TruthIsTheSimulators) {

@@ -26,6 +26,12 @@ TEST(ToolCamera, SeesTheObjectFromWhereItTrulyIs) {
   EXPECT_NEAR(angle_axis_from_rotation(turned.R).y(), -0.01, 1e-12);
 }
 
+TEST(ToolCamera, ErrsNoLongerWhenItIsBelievedWhereItTrulyIs) {
+  EXPECT_NEAR(length_of_error({"sim.cameras.eih.place_error.x=0.003",
+                               "cell.cameras.eih.pose=[0.083, 0, -0.16, 0, 0, 0]"}),
+              0, 1e-12);
+}
+
 TEST(ToolCamera, KnowsTheErrorWhenItIsWhereItIsBelieved) {
   EXPECT_NEAR(length_of_error({}), 0, 1e-12);
   EXPECT_NEAR(length_of_error({"sim.cameras.sac.place_error.x=0.003"}), 0, 1e-12) << "the other one";
