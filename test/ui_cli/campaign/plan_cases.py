@@ -166,7 +166,7 @@ class Plans(Place):
                 (["talks", "--seeds", "1:2"], "does not tell its parameters as a task does"),
                 (["lists", "--seeds", "1:2"], "does not tell its parameters as a task does"),
                 (["broken", "--seeds", "1:2"], "does not tell its parameters as a task does"),
-                (["hop", "--seeds", "1:2", "--dir", self.programs / "hop"], "is not an empty folder"),
+                (["hop", "--seeds", "1:2", "--dir", self.programs / "hop"], "is a file; choose another --dir"),
                 (["scheduler", "--port", 65536], "--port takes"),
                 (["scheduler", "--port", taken.getsockname()[1]], "nobody can listen on 127.0.0.1"),
                 (["scheduler", "--key-file", "nowhere/key"], "the key cannot be written"),
