@@ -11,8 +11,9 @@ namespace mrroc::bench {
 
 /// One contact of the arm on its pedestal: where its sheet lies and how stiff it is, and I of law (28).
 struct ArmContact {
-  sim::WorldParameters world;  ///< neither motors nor pen have friction, which is not linear
-  double inertia{};            ///< I of law (28) [kg]
+  /// Neither motors nor pen have friction, which is not linear; integrated in steps of 0.25 ms.
+  sim::WorldParameters world;
+  double inertia{};  ///< I of law (28) [kg]
 };
 
 /// Whether gears give way.
