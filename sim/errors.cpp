@@ -32,7 +32,7 @@ LinkError read_mass(const Config& table, const std::string& whose, const char* m
 }
 
 LinkError read_tool_error(const Config& table) {
-  LinkError e = read_mass(table, "of the tool, besides those of every link", kToolWeight, kToolCentre);
+  LinkError e = read_mass(table, "of the tool", kToolWeight, kToolCentre);
   const Config tip = table.section("tip_error");
   e.tip_error = read_shift(tip, "tip of the tool less the described one, in W", kToolPose);
   e.tip_turn = read_turn(tip, "of the tool's tip about axes of W, from the described one", kToolPose);
