@@ -128,6 +128,12 @@ Memory measure(const X& x) {
 
 EffectorCommand go(const X& x) { return x.c.path.macrosteps() > 0 ? ecp::follow_path(x) : ecp::rest(); }
 
+/// At the end of the way, by the servos: at rest they are off, and with little friction a stretched arm sags.
+EffectorCommand hold(const X& x) {
+  const auto& path = x.c.path;
+  return path.macrosteps() > 0 ? ecp::move_arm(path.command(path.macrosteps())) : ecp::rest();
+}
+
 EffectorCommand press(const X& x) {
   const auto& [axis, sign] = present(x);
   return ecp::move_arm(ecp::approach(axis, sign * x.c.plan.speed, sign * x.c.plan.force, x.c.plan.inertia));
@@ -168,11 +174,11 @@ const std::array<Motion<Arm>, kGiveUp> kBehaviours = [] {
     // m         name                 entry            memory            command        sensors              coordinator
     //    terminal condition
     {  kStand,    "where it stands for the pictures", plan_stand, ecp::retain<Arm>, go,  ecp::no_sensor<Arm>, tell_turn, ecp::path_ends<X>, "the arm is there"},
-    {  kWaitToView, "wait for the pictures", wait_to_view, ecp::retain<Arm>, ecp::at_rest<Arm>, ecp::no_sensor<Arm>, tell_turn, my_turn, "it is the arm's turn"},
+    {  kWaitToView, "wait for the pictures", wait_to_view, ecp::retain<Arm>, hold, ecp::no_sensor<Arm>, tell_turn, my_turn, "it is the arm's turn"},
     {  kToView,   "to a view",         plan_view,       ecp::retain<Arm>, go,            ecp::no_sensor<Arm>, tell_turn, ecp::path_ends<X>, "the arm is there"},
-    {  kSettle,   "come to rest",      ecp::retain<Arm>, ecp::retain<Arm>, ecp::at_rest<Arm>, ecp::no_sensor<Arm>, tell_turn, ecp::after<Arm, kSettling>, "the arm rests"},
-    {  kLook,     "hold still for a picture", ecp::retain<Arm>, ecp::retain<Arm>, ecp::at_rest<Arm>, ecp::no_sensor<Arm>, tell_turn, ecp::after<Arm, kPicture>, "a picture is taken"},
-    {  kKeepStill, "hold still till the cameras know", count_view, ecp::retain<Arm>, ecp::at_rest<Arm>, ecp::no_sensor<Arm>, tell_turn, ecp::after<Arm, kTold>, "no picture is taken any more"},
+    {  kSettle,   "come to rest",      ecp::retain<Arm>, ecp::retain<Arm>, hold, ecp::no_sensor<Arm>, tell_turn, ecp::after<Arm, kSettling>, "the arm rests"},
+    {  kLook,     "hold still for a picture", ecp::retain<Arm>, ecp::retain<Arm>, hold, ecp::no_sensor<Arm>, tell_turn, ecp::after<Arm, kPicture>, "a picture is taken"},
+    {  kKeepStill, "hold still till the cameras know", count_view, ecp::retain<Arm>, hold, ecp::no_sensor<Arm>, tell_turn, ecp::after<Arm, kTold>, "no picture is taken any more"},
     {  kGetReady, "to the balls",      plan_ready,      ecp::retain<Arm>, go,            ecp::no_sensor<Arm>, tell_turn, ecp::path_ends<X>, "the arm is before the balls"},
     {  kWait,     "wait for the balls", note_ready,     note_ready,     ecp::at_rest<Arm>, ecp::no_sensor<Arm>, tell_turn, my_turn, "the other arm has left the balls"},
     {  kGo,       "to a ball",         plan_way,        ecp::retain<Arm>, go,            ecp::no_sensor<Arm>, tell_turn, ecp::path_ends<X>, "the tip is near the ball"},

@@ -1,17 +1,8 @@
 #include "tasks/calibrate_cell/cell/believed_arm.hpp"
 
-#include <cmath>
-
 #include "edp/guard.hpp"
 
 namespace mrroc::calibrate_cell {
-namespace {
-
-/// Of the largest current of a drive, for gravity alone: regulators ask for no more than 0.8 of it.
-constexpr double kHeld = 0.5;
-
-}  // namespace
-
 AxisVector BelievedArm::usual_joints() const {
   return Eigen::Map<const Eigen::VectorXd>(type->start.data(), static_cast<Eigen::Index>(type->start.size()));
 }
@@ -38,15 +29,6 @@ Reach reach(const BelievedArm& a, const Pose& T_UE, const AxisVector& near) {
   const edp::AxisPositions from{near, a.robot->motors_from_joints(near)};
   if (const auto fault = edp::check_range(*a.robot, from, to, 0)) return {{}, describe(*fault)};
   return {s.joints, {}};
-}
-
-bool held(const BelievedArm& a, const AxisVector& joints) {
-  const AxisVector torque = a.robot->gravity(a.robot->motors_from_joints(joints));
-  for (int k = 0; k < a.robot->axes(); ++k) {
-    const edp::DriveModel& drive = a.robot->axis(k).servo.drive;
-    if (std::abs(torque[k]) > kHeld * drive.max_current * drive.torque_constant) return false;
-  }
-  return true;
 }
 
 }  // namespace mrroc::calibrate_cell

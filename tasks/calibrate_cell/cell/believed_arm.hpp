@@ -33,7 +33,4 @@ struct Reach {
 /// @param T_UE  of E in the world @param near  joints that choose the branch, and the place of a track
 [[nodiscard]] Reach reach(const BelievedArm& arm, const Pose& T_UE, const AxisVector& near);
 
-/// @return whether the motors hold the arm there against gravity with room to spare, also where friction does not help them
-[[nodiscard]] bool held(const BelievedArm& arm, const AxisVector& joints);
-
 }  // namespace mrroc::calibrate_cell

@@ -126,8 +126,7 @@ std::vector<std::vector<double>> before_hand(const Cell& c, std::size_t moving, 
       T_UE[moving] = T_UG * T_CG.inverse() * camera.place.inverse();
     if ((T_UE[0].p - T_UE[1].p).norm() < kBetweenTips || !c.beside_balls(T_UE[moving].p)) continue;
     const Reach r = reach(c.arms[moving], T_UE[moving], c.stand[moving]);
-    if (r.why.empty() && near_to(r.joints, c.stand[moving]) && held(c.arms[moving], r.joints))
-      found.push_back(r.joints);
+    if (r.why.empty() && near_to(r.joints, c.stand[moving])) found.push_back(r.joints);
   }
   return ordered(std::move(found), c.stand[moving]);
 }
@@ -202,9 +201,7 @@ std::vector<AxisVector> before_fixed(const Cell& c, const CameraSetup& camera, c
       const Pose T_UE = c.place(camera) * T_CG * c.sight.T_EG.inverse();
       if (!in_sight(camera.model, c.sight.board, T_CG) || !clear(c, other, T_UE)) continue;
       const Reach r = reach(c.arms[kBoardArm], T_UE, near);
-      if (r.why.empty() && held(c.arms[kBoardArm], r.joints) &&
-          (found.empty() || near_to(r.joints, found.front())))
-        found.push_back(r.joints);
+      if (r.why.empty() && (found.empty() || near_to(r.joints, found.front()))) found.push_back(r.joints);
     }
     if (found.size() > most.size()) most = std::move(found);
     near[0] += kTrackStep;
