@@ -18,6 +18,7 @@ namespace {
 
 /// Damping ratio that is good practice: the first peak passes the settled force by a sixth.
 constexpr double kGood = 0.5;
+constexpr double kWorthIt = 1.05;  // times the limit: less is no advice
 
 std::string servo_text(const ServoModel& servo) {
   if (const auto* lag = std::get_if<LagServo>(&servo)) {
@@ -85,8 +86,8 @@ std::string advice(const ContactLoop& l, double K) {
     faster.bandwidth *= 1.5;
     ContactLoop quick = l;
     quick.servo = faster;
-    text += fmt::format("- a servo 1.5 times as fast would raise the limit to {:.3g} N/m\n",
-                        stiffness_limit(quick));
+    if (const double limit = stiffness_limit(quick); limit > kWorthIt * stiffness_limit(l))
+      text += fmt::format("- a servo 1.5 times as fast would raise the limit to {:.3g} N/m\n", limit);
   }
   return text;
 }
@@ -175,7 +176,8 @@ std::string stability_json(const ContactLoop& loop, std::optional<double> stiffn
     const ContactMode m = contact_mode(loop, *stiffness);
     text += fmt::format(", \"stable\": {}, \"damping_ratio\": {:.6g}, \"frequency_Hz\": {:.6g}", m.radius < 1,
                         m.damping, m.frequency);
-    text += fmt::format(", \"B_for_damping_0.5\": {:.6g}", mobility_for(loop, *stiffness, kGood));
+    const double B = mobility_for(loop, *stiffness, kGood);
+    text += fmt::format(", \"B_for_damping_0.5\": {}", B > 0 ? fmt::format("{:.6g}", B) : "null");
   }
   return text + "}\n";
 }

@@ -50,6 +50,17 @@ TEST(StabilityCommand, AdviceHelps) {
   EXPECT_GT(good.at("limit_N_per_m"), 1e5);
 }
 
+TEST(StabilityCommand, AdviceThatHelpsByNextToNothingIsNotGiven) {
+  // The gears alone set this limit.
+  const std::vector<std::string> soft{"--I", "5", "--B", "0.0025", "--K", "1e4", "--elasticity", "8"};
+  EXPECT_EQ(run(soft).out.find("a servo 1.5 times as fast"), std::string::npos) << run(soft).out;
+  EXPECT_NE(run({"--K", "1e5"}).out.find("a servo 1.5 times as fast"), std::string::npos);
+  std::vector<std::string> as_json = soft;
+  as_json.emplace_back("--json");
+  const auto told = nlohmann::json::parse(run(as_json).out);
+  EXPECT_TRUE(told.at("B_for_damping_0.5").is_null()) << told;
+}
+
 TEST(StabilityCommand, WellDampedContactNeedsNoAdvice) {
   const Result r = run({"--I", "5", "--B", "0.0025", "--K", "5e3"});
   EXPECT_EQ(r.status, 0);
