@@ -28,7 +28,9 @@ constexpr double kAside = 1.25;        // [rad] by which the column turns away
 constexpr double kMostTrack = 1.2;     // [m]
 constexpr double kTrackStep = 0.2;     // [m]
 constexpr double kFarthest = 1.2;      // [rad] between poses of a series
-constexpr Eigen::Index kTurning = 6;   // axes of an arm behind its track
+constexpr double kFromSwitches =
+    0.03;  // of a motor's range: encoders of another kinematic set are that far off
+constexpr Eigen::Index kTurning = 6;  // axes of an arm behind its track
 
 [[noreturn]] void refuse(const std::string& text, const std::string& hint = "") {
   throw FaultError(FaultCode::bad_configuration, text, hint);
@@ -92,6 +94,17 @@ struct Cell {
   std::vector<Vector3> balls;  // in the world
 };
 
+/// @return whether no switch is pressed there, also with another kinematic set than the driver believes
+bool off_switches(const edp::Robot& robot, const AxisVector& joints) {
+  const AxisVector motors = robot.motors_from_joints(joints);
+  for (int k = 0; k < robot.axes(); ++k) {
+    const edp::Range& range = robot.axis(k).motor;
+    const double margin = kFromSwitches * (range.upper - range.lower);
+    if (motors[k] < range.lower + margin || motors[k] > range.upper - margin) return false;
+  }
+  return true;
+}
+
 /// @return whether no joint has far to go
 bool near_to(const AxisVector& a, const AxisVector& b) { return (a - b).cwiseAbs().maxCoeff() < kFarthest; }
 
@@ -126,7 +139,8 @@ std::vector<std::vector<double>> before_hand(const Cell& c, std::size_t moving, 
       T_UE[moving] = T_UG * T_CG.inverse() * camera.place.inverse();
     if ((T_UE[0].p - T_UE[1].p).norm() < kBetweenTips || !c.beside_balls(T_UE[moving].p)) continue;
     const Reach r = reach(c.arms[moving], T_UE[moving], c.stand[moving]);
-    if (r.why.empty() && near_to(r.joints, c.stand[moving])) found.push_back(r.joints);
+    if (r.why.empty() && near_to(r.joints, c.stand[moving]) && off_switches(*c.arms[moving].robot, r.joints))
+      found.push_back(r.joints);
   }
   return ordered(std::move(found), c.stand[moving]);
 }
@@ -149,7 +163,9 @@ std::optional<AxisVector> with_joint(const BelievedArm& a, const AxisVector& q, 
                                      double by) {
   const AxisVector to = q + by * AxisVector::Unit(q.size(), axis);
   const edp::AxisPositions from{q, a.robot->motors_from_joints(q)};
-  if (edp::check_range(*a.robot, from, {to, a.robot->motors_from_joints(to)}, 0)) return {};
+  if (edp::check_range(*a.robot, from, {to, a.robot->motors_from_joints(to)}, 0) ||
+      !off_switches(*a.robot, to))
+    return {};
   return to;
 }
 
@@ -201,7 +217,9 @@ std::vector<AxisVector> before_fixed(const Cell& c, const CameraSetup& camera, c
       const Pose T_UE = c.place(camera) * T_CG * c.sight.T_EG.inverse();
       if (!in_sight(camera.model, c.sight.board, T_CG) || !clear(c, other, T_UE)) continue;
       const Reach r = reach(c.arms[kBoardArm], T_UE, near);
-      if (r.why.empty() && (found.empty() || near_to(r.joints, found.front()))) found.push_back(r.joints);
+      if (r.why.empty() && (found.empty() || near_to(r.joints, found.front())) &&
+          off_switches(*c.arms[kBoardArm].robot, r.joints))
+        found.push_back(r.joints);
     }
     if (found.size() > most.size()) most = std::move(found);
     near[0] += kTrackStep;
