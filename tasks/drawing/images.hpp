@@ -61,8 +61,8 @@ struct CoordinatorMemory {
   /// Pace of task time in the macrostep that the reports are about, and in those that have been ordered since.
   std::array<double, latency::kLoop> paces = kFullPace;
   std::array<std::optional<Vector3>, kArms>
-      met{};                                  ///< where E of each arm was on its sheet before the first stroke, in its base [m]
-  bool touched{};                             ///< m = 4: both pens are on the paper since `instant`
+      met{};       ///< where E of each arm was on its sheet before the first stroke, in its base [m]
+  bool touched{};  ///< m = 4: both pens are on the paper since `instant`
   std::array<ecp::HeldShares, kArms> held{};  ///< m = 4: of each arm's velocities
   BeltTrack belt;                             ///< of a conveyor that runs by itself
 };
