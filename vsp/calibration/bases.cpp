@@ -1,7 +1,5 @@
 #include "vsp/calibration/bases.hpp"
 
-#include <algorithm>
-
 namespace mrroc::vsp {
 
 BasesByBoard calibrate_bases(const CameraModel& camera, const MovingArm& board_moves,
@@ -17,8 +15,7 @@ BasesByBoard calibrate_bases(const CameraModel& camera, const MovingArm& board_m
           .T_E2C = of_camera.camera,
           .T_E1G = of_board.board,
           .apart_m = (by_board.p - by_camera.p).norm(),
-          .apart_rad = turn.norm(),
-          .rms_px = std::max(of_board.rms_px, of_camera.rms_px)};
+          .apart_rad = turn.norm()};
 }
 
 }  // namespace mrroc::vsp

@@ -20,8 +20,6 @@ struct BasesByBoard {
   /// Pictures with a board that moves and those with a camera that moves each give T_12; between both of them: distance of
   /// the origins [m], angle [rad].
   double apart_m{}, apart_rad{};
-  double
-      rms_px{};  ///< corners off where the places found have them, the worse of both kinds of pictures [pixel]
 };
 
 /// Board in a moving hand, and camera in a moving hand (calibrate_place()); T_12 is the mean of what both say.

@@ -3,6 +3,7 @@
 #include "edp/guard.hpp"
 
 namespace mrroc::calibrate_cell {
+
 AxisVector BelievedArm::usual_joints() const {
   return Eigen::Map<const Eigen::VectorXd>(type->start.data(), static_cast<Eigen::Index>(type->start.size()));
 }

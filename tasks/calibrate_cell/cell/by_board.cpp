@@ -13,8 +13,6 @@
 namespace mrroc::calibrate_cell {
 namespace {
 
-constexpr double kStep = 0.002;  // [s]
-
 bool still(const mp::ArmRow& row) { return row.m == kLook || row.m == kKeepStill; }
 
 const mp::ArmRow* row_of(const mp::ArmTrace& trace, std::int64_t i) {
@@ -43,10 +41,7 @@ Seen pictures(const CameraRecord& record, const Board& board, const std::vector<
   for (const Still& s : stills) {
     if (s.turn != turn) continue;
     ++seen.stills;
-    const auto shows = [&](const camera_reading_t& m) {
-      const double t = static_cast<double>(m.step) * kStep;
-      return m.seen != 0 && t > s.from && t <= s.to;
-    };
+    const auto shows = [&](const camera_reading_t& m) { return m.seen != 0 && m.t > s.from && m.t <= s.to; };
     const auto m = std::ranges::find_if(record.readings, shows);
     if (m == record.readings.end()) continue;
     const Pose T_CG = from_message(*m).T_CG;
@@ -87,8 +82,8 @@ void add_hand_camera(const BelievedSight& sight, const std::vector<Still>& still
                            {looked.views, standing(stills, Turn::look, kBoardArm)}, sight.board);
   found.T_12 = bases.T_12.inverse();  // the arm with the board is arm 1 there
   found.T_EG = bases.T_E1G;
-  found.cameras.push_back({camera, bases.T_E2C, shown.stills + looked.stills,
-                           shown.views.size() + looked.views.size(), bases.rms_px});
+  found.cameras.push_back(
+      {camera, bases.T_E2C, shown.stills + looked.stills, shown.views.size() + looked.views.size()});
 }
 
 void add_fixed_camera(const BelievedSight& sight, const CameraSetup& camera, const std::vector<Still>& stills,
@@ -105,7 +100,7 @@ void add_fixed_camera(const BelievedSight& sight, const CameraSetup& camera, con
   const vsp::PlaceCalibration place =
       vsp::calibrate_place(camera.model, vsp::Arrangement::board_in_hand, seen.views, sight.board);
   const Pose T_UC = bases[kBoardArm] * place.camera;
-  found.cameras.push_back({camera, mount.inverse() * T_UC, seen.stills, seen.views.size(), place.rms_px});
+  found.cameras.push_back({camera, mount.inverse() * T_UC, seen.stills, seen.views.size()});
 }
 
 }  // namespace

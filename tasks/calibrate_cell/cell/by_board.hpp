@@ -31,7 +31,6 @@ struct CameraFound {
   Pose place;            ///< in the frame of its mount
   std::size_t stills{};  ///< in which the board was shown to it
   std::size_t seen{};    ///< of them, those of which a picture showed it
-  double rms_px{};       ///< corners of the board off where the places found have them [pixel]
 };
 
 /// What the pictures say.

@@ -16,21 +16,20 @@
 namespace mrroc::calibrate_cell {
 namespace {
 
-constexpr int kMostTried = 20000;      // poses
-constexpr double kMarginPx = 25;       // of the board from the picture's edges
-constexpr double kBetweenTips = 0.1;   // [m]
-constexpr double kBesideBalls = 0.12;  // of a tip from the middles of balls [m]
-constexpr double kBetweenArms = 0.3;   // from lines through the middle of the other arm [m]
-constexpr double kShoulder = 0.7;      // height of the other arm's [m]
-constexpr double kAboveTables = 1.1;   // [m] over the floor
-constexpr double kRise = 0.4;          // [rad] by which the upper arm rises
-constexpr double kAside = 1.25;        // [rad] by which the column turns away
-constexpr double kMostTrack = 1.2;     // [m]
-constexpr double kTrackStep = 0.2;     // [m]
-constexpr double kFarthest = 1.2;      // [rad] between poses of a series
-constexpr double kFromSwitches =
-    0.03;  // of a motor's range: encoders of another kinematic set are that far off
-constexpr Eigen::Index kTurning = 6;  // axes of an arm behind its track
+constexpr int kMostTried = 20000;       // poses
+constexpr double kMarginPx = 25;        // of the board from the picture's edges
+constexpr double kBetweenTips = 0.1;    // [m]
+constexpr double kBesideBalls = 0.12;   // of a tip from the middles of balls [m]
+constexpr double kBetweenArms = 0.3;    // from lines through the middle of the other arm [m]
+constexpr double kShoulder = 0.7;       // height of the other arm's [m]
+constexpr double kAboveTables = 1.1;    // [m] over the floor
+constexpr double kRise = 0.4;           // [rad] by which the upper arm rises
+constexpr double kAside = 1.25;         // [rad] by which the column turns away
+constexpr double kMostTrack = 1.2;      // [m]
+constexpr double kTrackStep = 0.2;      // [m]
+constexpr double kFarthest = 1.2;       // [rad] between poses of a series
+constexpr double kFromSwitches = 0.03;  // of a motor's range: so far off are encoders of another set
+constexpr Eigen::Index kTurning = 6;    // axes of an arm behind its track
 
 [[noreturn]] void refuse(const std::string& text, const std::string& hint = "") {
   throw FaultError(FaultCode::bad_configuration, text, hint);

@@ -105,7 +105,7 @@ class ByBoardTest : public testing::Test {
   }
   void see(CameraRecord& record, const Pose& T_UC, const Pose& T_UG) const {
     CameraReading reading;
-    reading.step = static_cast<std::int64_t>((time_ + 0.1) / 0.002);
+    reading.t = time_ + 0.1;
     reading.T_CG = T_UC.inverse() * T_UG;
     reading.seen = in_sight(record.camera.model, sight_.board, reading.T_CG);
     record.readings.push_back(to_message(reading));
