@@ -48,7 +48,8 @@ class BulletArm final : public ArmMechanics {
     if (gripper_) gripper_->share_stiffness();
     if (palm_) palm_->share_stiffness();
   }
-  /// The same, where contacts are not found anew in every integration.
+  /// After contacts have been found, of a pen: Bullet keeps points of contact from one integration to the next, where
+  /// nothing is grasped (Scene::prepare_for_grasping()). For a belt the pens on it do this.
   void drop_stale_contacts() {
     if (collider_ && !belt_) keep_newest_contact(*scene_.dynamics().getDispatcher(), collider_.get());
   }

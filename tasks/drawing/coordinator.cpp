@@ -288,8 +288,7 @@ bool no_contact(const X& x) { return !x.c.touched && x.t.time - x.c.begun >= x.c
 
 std::optional<std::size_t> arm_off_its_sheet(const X& x) {
   // Chosen well beyond what pens on their sheets do, for nothing depends on how soon it is seen: sheets are tilted by up
-  // to 1 degree (0.017), 1 N presses 2e3 N/m in by 0.5 mm, and lengths that err by calibration's 80 mm bend a way over a
-  // sheet by about 1 mm.
+  // to 1 degree (0.017), 1 N presses 2e3 N/m in by 0.5 mm, and copies with the wrong kinematic set are off by 1 mm.
   constexpr double kSteepest = 0.1;  // height per way
   constexpr double kUneven = 0.008;  // [m]
   for (std::size_t arm = 0; arm < kArms; ++arm) {
