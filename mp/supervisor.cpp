@@ -333,6 +333,7 @@ void Supervisor::end() {
               [this] { return stop_confirmed(); });
   let_go();
   end_threads();
+  mp_.poll();  // their last words may have come after the last look
   hear();
 }
 

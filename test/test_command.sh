@@ -20,6 +20,9 @@ skip_reasons() {
   awk -f "$root/cmake/skip_reasons.awk" "$build/test-$1.log" "$build/$1/Testing/Temporary/LastTest.log" >&2
 }
 
+# failure_reasons PRESET: the tests that failed once more, each with what it says first
+failure_reasons() { awk -f "$root/cmake/failure_reasons.awk" "$build/test-$1.log" >&2; }
+
 # run_tests PRESET [ctest options]: all output in build/test-PRESET.log, that of failures here
 run_tests() {
   local preset=$1 log=$build/test-$1.log start=$SECONDS status=0 bad all skipped
@@ -31,6 +34,7 @@ run_tests() {
   skipped=$(grep -cE '^ *[0-9]+/[0-9]+ Test .*\*\*\*Skipped ' "$log") || true
   passed=$((passed + all - bad - skipped)) failed=$((failed + bad))
   ((skipped == 0)) || skip_reasons "$preset"
+  ((bad == 0)) || failure_reasons "$preset"
   say "$preset tests: $((all - bad - skipped)) passed, $bad failed, $skipped skipped ($((SECONDS - start)) s)"
 }
 

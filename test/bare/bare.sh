@@ -36,7 +36,7 @@ not_here() {
 # broken WHAT [FILE]: a contract does not hold
 broken() {
   say "FAILED: $1"
-  [[ -z ${2:-} ]] || tail -n 60 "$2"
+  [[ -z ${2:-} ]] || tail -n 90 "$2"
   exit 1
 }
 

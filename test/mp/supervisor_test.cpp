@@ -1,7 +1,10 @@
 // The supervisor: leads a system from assembling to its end, and tells who died and why.
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <random>
+#include <thread>
 #include <tuple>
 
 #include "test/mp/supervised_system.hpp"
@@ -148,6 +151,24 @@ TEST_F(SupervisorTest, ANodeThatHasNotToldWhatItSentIsNamed) {
   s.supervisor.end();
   EXPECT_FALSE(s.supervisor.fault());
   EXPECT_EQ(s.supervisor.without_fingerprint(), "mute");
+}
+
+TEST_F(SupervisorTest, LastWordsThatNobodyHasLookedAtBeforeTheEndAreHeard) {
+  std::atomic<bool> said{};
+  const auto leaves = [&](Process& p) {
+    p.assemble();
+    p.report_done();
+    said = true;
+  };
+  System s({{"one", {}, {}, leaves}}, messages());
+  s.supervisor.start_threads(s.hub);
+  ASSERT_TRUE(s.mp.assemble());
+  s.supervisor.stop({.code = FaultCode::time_limit}, 0);
+  while (!said) std::this_thread::yield();
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));  // its thread ends
+  s.mp.report_done();
+  s.supervisor.end();
+  EXPECT_EQ(s.supervisor.node_statuses()[1].state, ProcessState::done);
 }
 
 TEST_F(SupervisorTest, AStatusThatComesLateRevivesNobody) {
