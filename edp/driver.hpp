@@ -205,8 +205,8 @@ class Driver {
   bool reset_pending_{};
   std::uint8_t leaving_{};  // motors whose limit switch has been pressed since the last reset
   bool bias_pending_{};
-  AxisSet force_axes_;  // of the last SET ARM
-  Answer answer_;       // to the command of the present macrostep
+  TaskFrameCommand rows_;  // of the last SET ARM; none act under MIM
+  Answer answer_;          // to the command of the present macrostep
 };
 
 }  // namespace mrroc::edp

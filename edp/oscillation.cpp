@@ -30,6 +30,17 @@ AxisSet force_axes(const TaskFrameCommand& rows) noexcept {
   return set;
 }
 
+Fault with_law(const Fault& swings, const TaskFrameCommand& rows) noexcept {
+  const AxisCommand& row = rows[static_cast<Axis>(swings.axis)];
+  std::array<char, 160> text{};
+  const std::string_view told = swings.text.view();
+  std::snprintf(text.data(), text.size(), "%.*s; I = %g, B = %g", static_cast<int>(told.size()), told.data(),
+                row.inertia, row.mobility);
+  Fault fault = swings;
+  fault.text = std::string_view(text.data());
+  return fault;
+}
+
 AxisSet OscillationObserver::swinging(const Wrench& F_a, AxisSet watched) noexcept {
   forget(~watched);
   AxisSet found;

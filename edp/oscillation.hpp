@@ -41,6 +41,10 @@ using AxisSet = std::bitset<6>;
 /// @return the axes on which force acts under law (28), in TCIM. Real-time safe
 [[nodiscard]] AxisSet force_axes(const TaskFrameCommand& rows) noexcept;
 
+/// @param swings  what the observer has told  @param rows  with which the contact was made
+/// @return the same, with I and B of its axis in the text: what is to be changed. Real-time safe
+[[nodiscard]] Fault with_law(const Fault& swings, const TaskFrameCommand& rows) noexcept;
+
 /// Looks for an oscillation of the adjusted force that does not die away, axis
 /// by axis.
 ///

@@ -331,6 +331,13 @@ void check_engine(const WorldParameters& world) {
         "sim.engine: \"mujoco\" has no cube, no free body, and no fingers or palms; take \"bullet\"");
 }
 
+/// Steps of 1 ms would damp springs of gears, and contacts would bear up to a half more than they do (docs/stability.md).
+constexpr int kElasticSubsteps = 8;
+
+bool have_elastic_gears(const WorldParameters& w) {
+  return std::ranges::any_of(w.arms, [](const ArmParameters& arm) { return arm.elasticity.frequency > 0; });
+}
+
 /// Who put the cube into the hand closed its jaws on it, however large it is.
 void close_on_cube(WorldParameters& w) {
   if (!w.cube) return;
@@ -343,7 +350,6 @@ void close_on_cube(WorldParameters& w) {
 WorldParameters read_world(const Config& config) {
   WorldParameters w;
   w.engine = read_engine(config.section("sim"));
-  w.substeps = config.integer("sim.substeps", w.substeps, {1, 16}, {"per step", "of the integration"});
   w.solver_iterations = config.integer("sim.solver_iterations", w.solver_iterations, {10, 1000},
                                        {"", "of the solver of contacts"});
   std::vector<const robots::RobotType*> types;  // a conveyor is none unless the configuration says so
@@ -353,6 +359,8 @@ WorldParameters read_world(const Config& config) {
   for (const std::string& key : keys)
     w.arms.push_back(read_arm(config, key, types[std::min(w.arms.size(), types.size() - 1)]->name));
   check_belt(w);
+  w.substeps = config.integer("sim.substeps", have_elastic_gears(w) ? kElasticSubsteps : w.substeps, {1, 16},
+                              {"per step", "of the integration; by default 2, with elastic gears 8"});
   w.cube = read_cube(config, keys);
   close_on_cube(w);
   w.free_body = read_true_body(config);
