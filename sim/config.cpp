@@ -332,7 +332,7 @@ void check_engine(const WorldParameters& world) {
 }
 
 /// Steps of 1 ms would damp springs of gears, and contacts would bear up to a half more than they do (docs/stability.md).
-constexpr int kElasticSubsteps = 8;
+constexpr int kElasticSubsteps = 4;
 
 bool have_elastic_gears(const WorldParameters& w) {
   return std::ranges::any_of(w.arms, [](const ArmParameters& arm) { return arm.elasticity.frequency > 0; });
@@ -360,7 +360,7 @@ WorldParameters read_world(const Config& config) {
     w.arms.push_back(read_arm(config, key, types[std::min(w.arms.size(), types.size() - 1)]->name));
   check_belt(w);
   w.substeps = config.integer("sim.substeps", have_elastic_gears(w) ? kElasticSubsteps : w.substeps, {1, 16},
-                              {"per step", "of the integration; by default 2, with elastic gears 8"});
+                              {"per step", "of the integration; by default 2, with elastic gears 4"});
   w.cube = read_cube(config, keys);
   close_on_cube(w);
   w.free_body = read_true_body(config);

@@ -1,8 +1,6 @@
 // Plates as convex bodies of the scene.
-#include <cmath>
-#include <numbers>
-
 #include "sim/bullet/convert.hpp"
+#include "sim/bullet/round_prism.hpp"
 #include "sim/bullet/scene.hpp"
 
 namespace mrroc::sim {
@@ -17,15 +15,7 @@ std::unique_ptr<btCollisionShape> outline(const PlateParameters& p) {
     box->setMargin(0);  // it would round the corners
     return box;
   }
-  auto hull = std::make_unique<btConvexHullShape>();
-  for (int k = 0; k < kCorners; ++k) {
-    const double angle = 2 * std::numbers::pi * k / kCorners;
-    for (const double z : {-p.thickness / 2, p.thickness / 2})
-      hull->addPoint({p.length / 2 * std::cos(angle), p.width / 2 * std::sin(angle), z}, false);
-  }
-  hull->recalcLocalAabb();
-  hull->setMargin(0);
-  return hull;
+  return std::make_unique<RoundPrism>(p.length, p.width, p.thickness, kCorners);
 }
 
 }  // namespace
