@@ -22,9 +22,9 @@ class RoundPrism final : public btConvexInternalShape {
   [[nodiscard]] const char* getName() const override { return "RoundPrism"; }
 
  private:
-  int n_;                        // corners of the polygon
-  btVector3 half_;               // of length, width, thickness
-  std::vector<btVector3> all_;   // corners of the prism: of each side the lower one, then the upper one
+  int n_;                       // corners of the polygon
+  btVector3 half_;              // of length, width, thickness
+  std::vector<btVector3> all_;  // corners of the prism: of each side the lower one, then the upper one
 };
 
 }  // namespace mrroc::sim

@@ -80,7 +80,8 @@ TEST(Oscillation, IsToldWithIAndBOfItsAxis) {
   TaskFrameCommand rows;
   rows.y = c(3, 8, 0.0125);
   rows.z = g(0.02, 5, 0.025);
-  Fault swings{.code = FaultCode::contact_unstable, .axis = static_cast<int>(Axis::z), .text = "along z of E"};
+  Fault swings{
+      .code = FaultCode::contact_unstable, .axis = static_cast<int>(Axis::z), .text = "along z of E"};
   EXPECT_EQ(with_law(swings, rows).text.view(), "along z of E; I = 5, B = 0.025");
   swings.axis = static_cast<int>(Axis::y);
   EXPECT_EQ(with_law(swings, rows).text.view(), "along z of E; I = 8, B = 0.0125");
