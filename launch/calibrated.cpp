@@ -8,15 +8,10 @@ namespace mrroc::launch {
 void take_calibrated(const Config& config) {
   if (!config.has("calibration.run")) return;
   std::ignore = config.text("calibration.run", "");
-  for (const std::string& arm : config.tables("cell.robots"))
+  for (const std::string& arm : config.texts("calibration.robots", {})) {
     if (const std::string key = "cell.robots." + arm + ".place"; config.has(key))
       std::ignore =
           config.list(key, std::vector<double>{}, {-10, 10}, "m, rad; empty: as robots." + arm + ".place");
-  for (const std::string& camera : config.tables("cell.cameras"))
-    if (const std::string key = "cell.cameras." + camera + ".pose"; config.has(key))
-      std::ignore =
-          config.list(key, std::vector<double>{}, {-10, 10}, "m, rad; empty: as cameras." + camera + ".pose");
-  for (const std::string& arm : config.tables("robots")) {
     if (const std::string key = "robots." + arm + ".kinematics"; config.has(key))
       std::ignore = config.text(key, "");
     const Config tool = config.section("robots." + arm + ".tool");
@@ -24,6 +19,10 @@ void take_calibrated(const Config& config) {
     if (tool.has("mass_centre"))
       std::ignore = tool.numbers<3>("mass_centre", Config::kRequired, {-1, 1}, "m");
   }
+  for (const std::string& camera : config.texts("calibration.cameras", {}))
+    if (const std::string key = "cell.cameras." + camera + ".pose"; config.has(key))
+      std::ignore =
+          config.list(key, std::vector<double>{}, {-10, 10}, "m, rad; empty: as cameras." + camera + ".pose");
 }
 
 }  // namespace mrroc::launch

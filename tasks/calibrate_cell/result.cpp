@@ -19,6 +19,12 @@ std::string as_comment(const std::string& text) {
   return lines;
 }
 
+std::string names_of(const std::vector<CameraPlace>& cameras) {
+  std::string names;
+  for (const CameraPlace& camera : cameras) names += (names.empty() ? "\"" : ", \"") + camera.key + "\"";
+  return names;
+}
+
 }  // namespace
 
 Bases corrected(const Bases& believed, const Pose& T_12) { return {believed[0], believed[0] * T_12}; }
@@ -26,8 +32,9 @@ Bases corrected(const Bases& believed, const Pose& T_12) { return {believed[0], 
 std::string as_toml(const CellResult& found, const std::string& run) {
   std::string text = fmt::format(
       "# Where arms and cameras are and what the tools weigh, as calibrate_cell found it.\n"
-      "# ./run rubik --config {}; a task leaves out what it has no use for.\n{}\n[calibration]\nrun = '{}'\n",
-      kResultFile, as_comment(found.ways), run);
+      "# ./run rubik --config {}; a task leaves out what it has no use for.\n{}\n[calibration]\nrun = '{}'\n"
+      "robots = [\"{}\"]\ncameras = [{}]\n",
+      kResultFile, as_comment(found.ways), run, fmt::join(kKeys, "\", \""), names_of(found.cameras));
   for (std::size_t arm = 0; arm < kArms; ++arm) {
     text += fmt::format("\n[cell.robots.{}]\nplace = {}\n", kKeys[arm], pose_text(found.bases[arm]));
     if (!found.sets[arm].empty())

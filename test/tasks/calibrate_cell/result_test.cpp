@@ -117,10 +117,14 @@ TEST(CalibrateCellResult, IsTakenByEveryTask) {
 }
 
 TEST(CalibrateCellResult, OtherKeysOfSuchAFileAreErrorsAsEver) {
-  const Config wrong =
-      Config::parse("calibration.run = 'a'\n[cell.robots.arm1]\nplcae = [0, 0, 0, 0, 0, 0]\n", "x");
+  const Config wrong = Config::parse(
+      "[calibration]\nrun = 'a'\nrobots = ['arm1']\n[cell.robots.arm1]\nplcae = [0, 0, 0, 0, 0, 0]\n", "x");
   launch::take_calibrated(wrong);
   EXPECT_THROW(wrong.check_all_used(), ConfigError);
+  const Config misspelt = Config::parse(
+      "[calibration]\nrun = 'a'\nrobots = ['arm1']\n[robots.arn1]\nkinematics = 'nominal'\n", "x");
+  launch::take_calibrated(misspelt);
+  EXPECT_THROW(misspelt.check_all_used(), ConfigError) << "no arm of that name was calibrated";
   const Config not_one = Config::parse("[cell.robots.arm1]\nplace = [0, 0, 0, 0, 0, 0]\n", "x");
   launch::take_calibrated(not_one);
   EXPECT_THROW(not_one.check_all_used(), ConfigError) << "not left by a calibration";
