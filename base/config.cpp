@@ -75,6 +75,10 @@ void ConfigStore::put(const std::string& key, ConfigEntry entry) {
       throw ConfigError(
           above->second.place, above->first,
           fmt::format("'{}' takes no value, it has keys of its own, such as '{}'", above->first, key));
+  if (const auto below = entries.lower_bound(key + ".");
+      entry.from_default && below != entries.end() && below->first.starts_with(key + "."))
+    throw ConfigError(below->second.place, below->first,
+                      fmt::format("'{}' is a value, it has no key '{}'", key, below->first));
   if (tables.contains(key) || !is_empty(key))
     throw ConfigError(entry.place, key, fmt::format("'{}' is a table and cannot have a value", key));
   entries.insert_or_assign(key, std::move(entry));

@@ -302,6 +302,13 @@ TEST(ConfigErrors, NameTheOptionThatCannotBeSet) {
     EXPECT_EQ(set_error(wrong).substr(0, 6), "--set ") << wrong;
 }
 
+TEST(ConfigErrors, NameTheKeyBelowWhatTheProgramTakesForAValue) {
+  Config cfg = robots();
+  cfg.set("sensor.gain=1.02");
+  EXPECT_EQ(error_of([&] { (void)cfg.text("sensor", "small"); }),
+            "--set sensor.gain=1.02: 'sensor' is a value, it has no key 'sensor.gain'");
+}
+
 TEST(ConfigErrors, NameTheSectionsWhereAKeyIsInNone) {
   Config cfg = Config::parse("", "a.toml");
   cfg.set("task.xyzzy=1");
