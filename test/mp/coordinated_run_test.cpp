@@ -16,7 +16,7 @@
 
 #include "base/msg/convert.hpp"
 #include "base/text_file.hpp"
-#include "test/base/link/buses.hpp"
+#include "test/mp/coordinator_rig.hpp"
 #include "test/mp/two_arms.hpp"
 
 namespace mrroc::mp {
@@ -50,47 +50,10 @@ TEST(CoordinatedRun, AnnouncesABehaviourWhenItBeginsAndNotInEachOfItsMacrosteps)
 }
 
 /// A coordinator's links in this thread, with nobody at their other ends.
-class CoordinatedLinksTest : public ::testing::Test {
+class CoordinatedLinksTest : public CoordinatorRig {
  protected:
-  CoordinatedLinksTest() {
-    write_text_file(folder_ / "operator.script", "");
-    run.emplace("test", process, folder_, arms);
-    links.emplace(*run, CoordinatedParameters{.arms = arms, .n_s = 25});
-    for (const std::string& arm : arms)
-      reports_.push_back(std::make_unique<link::Outbox<agent_report_t>>(bus, process.route(arm + ".report"),
-                                                                        process.context().session_id));
-  }
-  ~CoordinatedLinksTest() override {
-    links.reset();
-    run.reset();
-    std::filesystem::remove_all(folder_);
-  }
-  static link::NodeContext context() {
-    link::NodeContext m;
-    m.session = "coordinated";
-    m.name = "mp";
-    m.roster = {"mp"};
-    return m;
-  }
-  /// Both arms are ready in macrostep i.
-  void report_all(std::int64_t i) {
-    Report r;
-    r.ready = true;
-    for (const auto& out : reports_) out->publish(to_message(r), i);
-  }
+  CoordinatedLinksTest() { links.emplace(*run, CoordinatedParameters{.arms = arms, .n_s = 25}); }
 
- private:
-  std::vector<std::unique_ptr<link::Outbox<agent_report_t>>> reports_;
-  std::filesystem::path folder_{[] {
-    std::string pattern = (std::filesystem::temp_directory_path() / "coordinated_run_test.XXXXXX").string();
-    return std::filesystem::path(::mkdtemp(pattern.data()));
-  }()};
-
- protected:
-  const std::vector<std::string> arms{"arm1", "arm2"};
-  link::test::DirectBus bus;
-  link::Process process{bus, context()};
-  std::optional<TaskRun> run;
   std::optional<CoordinatedLinks> links;
 };
 
