@@ -15,6 +15,8 @@ constexpr double kRinging = 1. / 3;  // hysteresis over the last swing
 constexpr double kRegular = 0.7;     // least factor between neighbouring swings
 constexpr double kNear = 0.3;        // of the gears' mode, which contact and servo shift
 constexpr double kUneven = 2;        // longest over shortest period
+constexpr double kJump = 0.2;        // of a period, half of it that is shorter is a jump
+constexpr double kTouching = 0.25;   // force of a contact that is kept, over the swing that matters
 
 }  // namespace
 
@@ -59,7 +61,7 @@ AxisSet OscillationObserver::swinging(const Wrench& F_a, AxisSet watched) noexce
 std::optional<Fault> OscillationObserver::step(const Wrench& F_a, AxisSet watched) noexcept {
   const AxisSet found = swinging(F_a, watched);
   for (std::size_t axis = 0; axis < axes_.size(); ++axis)
-    if (found[axis]) return told(axis);
+    if (found[axis] && !jumps(axes_[axis], least(axis))) return told(axis);
   return {};
 }
 
@@ -85,7 +87,9 @@ bool OscillationObserver::turned(History& h, double force, double least) const n
   if (h.count > 0 && h.since_extremum * dt_ * p_.lowest < 1)
     hysteresis = std::max(hysteresis, kRinging * h.half[(h.count - 1) % kMostHalves].swing);
   if (std::abs(force - h.best) < hysteresis) return false;
-  const Half half{std::abs(h.best - h.extremum), h.since_extremum - h.since_best};
+  const bool same_sign = h.best * h.extremum > 0;
+  const Half half{std::abs(h.best - h.extremum), h.since_extremum - h.since_best,
+                  same_sign ? std::min(std::abs(h.best), std::abs(h.extremum)) : 0};
   if (h.certain) h.half[h.count++ % kMostHalves] = half;
   h.certain = true;
   h.extremum = h.best;
@@ -105,6 +109,18 @@ OscillationObserver::Period OscillationObserver::period(const History& h, int ba
 
 double OscillationObserver::factor(const History& h) const noexcept {
   return std::pow(period(h, 0).swing / period(h, p_.periods - 1).swing, 1. / (p_.periods - 1));
+}
+
+bool OscillationObserver::jumps(const History& h, double least) const noexcept {
+  int found = 0;
+  for (int back = 0; back < p_.periods; ++back) {
+    const std::size_t last = h.count - 1 - 2 * static_cast<std::size_t>(back);
+    const Half& a = h.half[last % kMostHalves];
+    const Half& b = h.half[(last - 1) % kMostHalves];
+    const bool kept = std::min(a.least, b.least) > kTouching * least;
+    found += kept && std::min(a.steps, b.steps) < kJump * (a.steps + b.steps) ? 1 : 0;
+  }
+  return 2 * found >= p_.periods;
 }
 
 bool OscillationObserver::regular(const History& h, double least) const noexcept {

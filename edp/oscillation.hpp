@@ -65,7 +65,9 @@ class OscillationObserver {
   /// @return the axes on which the contact is unstable, at a peak of the force
   [[nodiscard]] AxisSet swinging(const Wrench& F_a, AxisSet watched) noexcept;
 
-  /// One step, as swinging(). @return contact_unstable, with the axis, the last swing and its bound as
+  /// One step, as swinging(), but for swings that are jumps: where an encoder counts, or a track slips, the force of a stiff
+  /// contact jumps and is back a step later, which no loop does that keeps contact; half of the periods are enough.
+  /// @return contact_unstable, with the axis, the last swing and its bound as
   /// figures, frequency and growth per
   ///         period in the text
   [[nodiscard]] std::optional<Fault> step(const Wrench& F_a, AxisSet watched) noexcept;
@@ -79,6 +81,7 @@ class OscillationObserver {
   struct Half {
     double swing;  // [N], [N m]
     int steps;
+    double least;  // force at its smaller end, without sign; 0: it changes its sign between both [N], [N m]
   };
   struct Period {
     double swing;
@@ -98,6 +101,7 @@ class OscillationObserver {
   [[nodiscard]] bool turned(History& h, double force, double least) const noexcept;
   [[nodiscard]] Period period(const History& h, int back) const noexcept;
   [[nodiscard]] double factor(const History& h) const noexcept;
+  [[nodiscard]] bool jumps(const History& h, double least) const noexcept;
   [[nodiscard]] bool regular(const History& h, double least) const noexcept;
   [[nodiscard]] double least(std::size_t axis) const noexcept { return axis < 3 ? p_.force : p_.torque; }
   [[nodiscard]] Fault told(std::size_t axis) const noexcept;

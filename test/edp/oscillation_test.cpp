@@ -172,6 +172,32 @@ bool told(Axis axis, double first, double factor, int periods) {
   return false;
 }
 
+/// @return whether swings above a level are told that fall so many of 12 steps, and rise for the others
+bool told_of_halves(double level, int fall) {
+  Swings s{{level, level}, {20}};
+  double swing = 2.05;
+  for (int n = 0; n < 8; ++n, swing *= 1.15)
+    for (const bool up : {true, false}) {
+      s.extremum.push_back(up ? level + swing : level);
+      s.steps.push_back(up ? 12 - fall : fall);
+    }
+  OscillationObserver observer({}, kDt);
+  for (int k = 0; k < 20 + 12 * 8; ++k) {
+    Wrench F;
+    F[Axis::x] = s.at(k).first;
+    if (observer.step(F, kAll)) return true;
+  }
+  return false;
+}
+
+TEST(Oscillation, AForceThatJumpsBackWhileContactIsKeptIsNone) {
+  for (const int fall : {1, 2}) EXPECT_FALSE(told_of_halves(3, fall)) << fall;
+  for (const int fall : {3, 6, 9}) EXPECT_TRUE(told_of_halves(3, fall)) << fall;
+  for (const int rise : {1, 2}) EXPECT_FALSE(told_of_halves(3, 12 - rise)) << rise;
+  EXPECT_TRUE(told_of_halves(0.2, 1)) << "contact is lost: it bounces";
+  EXPECT_TRUE(told_of_halves(-1, 1)) << "so it does where the force changes its sign";
+}
+
 TEST(Oscillation, APeriodThatLastsMoreThanTwiceAsLongAsAnotherIsNoneOfAnOscillation) {
   const auto is_told = [](int other_half) {
     Swings s{{0}, {}};
