@@ -292,7 +292,7 @@ void Driver::move(const HardwareReading& reading) noexcept {
     fire(Event::failed);
     fail(*heavy);
   }
-  const AxisSet watched = state_ == DriverState::executing ? force_axes(rows_) : AxisSet();
+  const AxisSet watched = state_ == DriverState::executing ? force_axes_ : AxisSet();
   oscillation_.forget(softening_.step(measured_.F_a, watched));
   generator_.set_mobility_shares(softening_.shares());
   if (const std::optional<Fault> swings = oscillation_.step(measured_.F_a, watched)) {

@@ -205,7 +205,8 @@ class Driver {
   bool reset_pending_{};
   std::uint8_t leaving_{};  // motors whose limit switch has been pressed since the last reset
   bool bias_pending_{};
-  TaskFrameCommand rows_;  // of the last SET ARM; none act under MIM
+  TaskFrameCommand rows_;  // of the last SET ARM
+  AxisSet force_axes_;     // on which they let force act; none under MIM
   Answer answer_;          // to the command of the present macrostep
 };
 

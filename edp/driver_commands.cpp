@@ -108,7 +108,8 @@ std::optional<Fault> Driver::start_motion(const EffectorCommand& command, const 
   n_ = std::max(command.arm.n_s, command.arm.n_Q);
   n_Q_ = command.arm.n_Q;
   if (gripper_ && gripper_->known() && command.arm.gripper != 0) gripper_->set_distance(command.arm.gripper);
-  rows_ = command.arm.mu == Interpolation::mim ? TaskFrameCommand() : command.arm.frame;
+  rows_ = command.arm.frame;
+  force_axes_ = command.arm.mu == Interpolation::mim ? AxisSet() : force_axes(rows_);
   motion_event_ = is_jog(command) ? Event::jog : Event::arm;
   return {};
 }

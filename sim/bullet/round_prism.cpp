@@ -37,7 +37,8 @@ btVector3 RoundPrism::localGetSupportingVertexWithoutMargin(const btVector3& dir
     }
   };
   const double x = half_.x() * direction.x(), y = half_.y() * direction.y();
-  if (std::abs(x) + std::abs(y) <= kUpright * std::abs(half_.z() * direction.z())) {
+  // Of what is no number, too.
+  if (!(std::abs(x) + std::abs(y) > kUpright * std::abs(half_.z() * direction.z()))) {
     for (std::size_t corner = 0; corner < all_.size(); ++corner) look(corner);
     return all_[best];
   }
